@@ -1,0 +1,235 @@
+#!/usr/bin/env python3
+"""Makes the meshes, look lists and closed-form references of the cases in this folder (standard library only).
+
+    python3 cases/make_cases.py        # rewrites cases/*/{mesh, looks.csv, reference.csv}
+
+Conventions are raytube's: e^{+j omega t}, direction from the target to the radar, S_pq in metres. Every reference is written
+with its formula below; `reference.csv` has the key and S columns of rcs.csv."""
+import cmath
+import math
+import os
+import struct
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+C0 = 299792458.0
+
+
+# ---------------------------------------------------------------- writing
+def write_off(path, vertices, facets):
+    with open(os.path.join(HERE, path), "w") as f:
+        f.write(f"OFF\n{len(vertices)} {len(facets)} 0\n")
+        for v in vertices:
+            f.write(" ".join(repr(float(x)) for x in v) + "\n")
+        for t in facets:
+            f.write(" ".join(map(str, (len(t), *t))) + "\n")
+
+
+def write_ply(path, vertices, facets):
+    """Binary little-endian PLY, double coordinates."""
+    header = ("ply\nformat binary_little_endian 1.0\n"
+              f"element vertex {len(vertices)}\nproperty double x\nproperty double y\nproperty double z\n"
+              f"element face {len(facets)}\nproperty list uchar int vertex_indices\nend_header\n")
+    with open(os.path.join(HERE, path), "wb") as f:
+        f.write(header.encode())
+        for v in vertices:
+            f.write(struct.pack("<3d", *v))
+        for t in facets:
+            f.write(struct.pack("<B3i", 3, *t))
+
+
+def write_stl(path, vertices, facets, name):
+    """ASCII STL."""
+    with open(os.path.join(HERE, path), "w") as f:
+        f.write(f"solid {name}\n")
+        for t in facets:
+            a, b, c = (vertices[i] for i in t)
+            u, w = [b[i] - a[i] for i in range(3)], [c[i] - a[i] for i in range(3)]
+            n = (u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0])
+            size = math.sqrt(sum(x * x for x in n))
+            f.write("facet normal " + " ".join(f"{x / size:.9g}" for x in n) + "\n outer loop\n")
+            for p in (a, b, c):
+                f.write("  vertex " + " ".join(f"{x:.17g}" for x in p) + "\n")
+            f.write(" endloop\nendfacet\n")
+        f.write(f"endsolid {name}\n")
+
+
+def write_looks(path, looks):
+    with open(os.path.join(HERE, path), "w") as f:
+        f.write("theta_deg,phi_deg\n" + "".join(f"{t:.10g},{p:.10g}\n" for t, p in looks))
+
+
+def write_reference(path, comment, freq, looks, amplitudes):
+    """amplitudes: per look (S_vv, S_hh); the closed forms here have no cross-polarisation."""
+    with open(os.path.join(HERE, path), "w") as f:
+        for line in comment:
+            f.write(f"# {line}\n")
+        f.write("freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,re_vv,im_vv,re_vh,im_vh,re_hv,im_hv,re_hh,im_hh\n")
+        for (t, p), (vv, hh) in zip(looks, amplitudes):
+            keys = ",".join(f"{x:.10g}" for x in (freq, t, p, t, p))
+            f.write(f"{keys},{vv.real:.12g},{vv.imag:.12g},0,0,0,0,{hh.real:.12g},{hh.imag:.12g}\n")
+
+
+# ---------------------------------------------------------------- closed forms
+def sinc(x):
+    return 1.0 if x == 0.0 else math.sin(x) / x
+
+
+def plate_po(a, b, freq, theta, phi):
+    """Rectangular plate a x b in z = 0, monostatic physical optics (Knott, Shaeffer & Tuley 2004, ch. 5)."""
+    k = 2 * math.pi * freq / C0
+    s = math.sin(theta)
+    return -1j * a * b * k / (2 * math.pi) * abs(math.cos(theta)) * sinc(k * a * s * math.cos(phi)) * sinc(k * b * s * math.sin(phi))
+
+
+def dihedral_po(w, b, freq, g):
+    """Right-angled dihedral, faces w x b on +x and +y, elevation 0, azimuth g: single bounces of both faces and the double
+    bounce over the lit aperture, all radiating. Returns (S_vv, S_hh)."""
+    k = 2 * math.pi * freq / C0
+    s, c = math.sin(g), math.cos(g)
+    single = w * s * sinc(k * w * c) * cmath.exp(1j * k * w * c) + w * c * sinc(k * w * s) * cmath.exp(1j * k * w * s)
+    double = 2 * w * min(s, c)
+    return tuple(-1j * b * k / (2 * math.pi) * (single + sign * double) for sign in (-1, 1))
+
+
+def cube_po(a, freq, phi):
+    """Cube of side a centred at the origin, theta = 90: the lit faces of azimuth 0, 90, 180, 270 deg, each a plate."""
+    k = 2 * math.pi * freq / C0
+    total = 0
+    for face in range(4):
+        g = phi - face * math.pi / 2
+        if math.cos(g) > 1e-12:
+            total += -1j * a * a * k / (2 * math.pi) * math.cos(g) * sinc(k * a * math.sin(g)) * cmath.exp(1j * k * a * math.cos(g))
+    return total
+
+
+def simpson(f, low, high, panels):
+    h = (high - low) / panels
+    return h / 3 * sum((1 if i in (0, panels) else 4 if i % 2 else 2) * f(low + i * h) for i in range(panels + 1))
+
+
+def bessel_j1(x):
+    return simpson(lambda t: math.cos(t - x * math.sin(t)), 0, math.pi, 400) / math.pi
+
+
+def cylinder_po(a, b, freq, theta):
+    """Closed circular cylinder of radius a, length b along z, centred: lit half of the side and the lit cap,
+    S = -(j / lambda) INT (n.r) e^{2jk r.r'} dA."""
+    k = 2 * math.pi * freq / C0
+    s, c = math.sin(theta), math.cos(theta)
+    if s < 1e-12:
+        s = 0.0
+    side = a * b * sinc(k * b * c) * s * simpson(lambda p: math.cos(p) * cmath.exp(2j * k * a * s * math.cos(p)), -math.pi / 2, math.pi / 2, 2000)
+    x = 2 * k * a * s
+    cap = math.pi * a * a * abs(c) * (1.0 if x == 0 else 2 * bessel_j1(x) / x) * cmath.exp(1j * k * b * abs(c)) if abs(c) > 1e-12 else 0
+    return -1j * k / (2 * math.pi) * (side + cap)
+
+
+def sphere_mie(a, freq):
+    """Monostatic S of a perfectly conducting sphere: exact series (Bohren & Huffman 1983, ch. 4, for a perfect conductor)."""
+    k = 2 * math.pi * freq / C0
+    x = k * a
+    nmax = int(x + 4 * x ** (1 / 3) + 20)
+    y = [-math.cos(x) / x, -math.cos(x) / x ** 2 - math.sin(x) / x]
+    for n in range(1, nmax + 1):
+        y.append((2 * n + 1) / x * y[n] - y[n - 1])
+    start = nmax + 60
+    j = [0.0] * (start + 2)
+    j[start] = 1e-280
+    for n in range(start, 0, -1):
+        j[n - 1] = (2 * n + 1) / x * j[n] - j[n + 1]
+        if abs(j[n - 1]) > 1e200:
+            j = [v * 1e-200 for v in j]
+    scale = (math.sin(x) / x) / j[0]
+    total = 0
+    for n in range(1, nmax + 1):
+        jn, jm = j[n] * scale, j[n - 1] * scale
+        hn, hm = complex(jn, -y[n]), complex(jm, -y[n - 1])
+        b_n = jn / hn
+        a_n = (x * jm - n * jn) / (x * hm - n * hn)
+        total += (-1) ** n * (2 * n + 1) * (a_n - b_n)  # angle functions pi_n, tau_n at 180 degrees
+    return -total / (2j * k)
+
+
+# ---------------------------------------------------------------- meshes
+def icosphere(subdivisions):
+    p = (1 + math.sqrt(5)) / 2
+    v = [(-1, p, 0), (1, p, 0), (-1, -p, 0), (1, -p, 0), (0, -1, p), (0, 1, p), (0, -1, -p), (0, 1, -p), (p, 0, -1), (p, 0, 1), (-p, 0, -1), (-p, 0, 1)]
+    t = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6), (7, 1, 8),
+         (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)]
+    unit = lambda q: tuple(x / math.sqrt(sum(y * y for y in q)) for x in q)
+    v = [unit(q) for q in v]
+    for _ in range(subdivisions):
+        middle, finer = {}, []
+
+        def mid(a, b):
+            key = (min(a, b), max(a, b))
+            if key not in middle:
+                middle[key] = len(v)
+                v.append(unit([v[a][i] + v[b][i] for i in range(3)]))
+            return middle[key]
+
+        for a, b, c in t:
+            ab, bc, ca = mid(a, b), mid(b, c), mid(c, a)
+            finer += [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
+        t = finer
+    return v, t
+
+
+def cylinder(a, b, sides):
+    ring = [(a * math.cos(2 * math.pi * i / sides), a * math.sin(2 * math.pi * i / sides)) for i in range(sides)]
+    v = [(x, y, -b / 2) for x, y in ring] + [(x, y, b / 2) for x, y in ring]
+    t = [tuple(reversed(range(sides))), tuple(range(sides, 2 * sides))]
+    t += [(i, (i + 1) % sides, sides + (i + 1) % sides, sides + i) for i in range(sides)]
+    return v, t
+
+
+CUBE = [(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5)]
+
+
+def main():
+    # plate: 1.5 m in z = 0, 3 GHz; theta 45 ... 0 ... 45 degrees through phi = 180, then 0
+    h = 0.75
+    write_off("plate/plate.off", [(-h, -h, 0), (h, -h, 0), (h, h, 0), (-h, h, 0)], [(0, 1, 2), (0, 2, 3)])
+    looks = [(45 - i / 10, 180) for i in range(450)] + [(i / 10, 0) for i in range(451)]
+    write_looks("plate/looks.csv", looks)
+    write_reference("plate/reference.csv", ["Physical optics, closed form of a rectangular plate"], 3e9, looks,
+                    [(plate_po(1.5, 1.5, 3e9, math.radians(t), math.radians(p)),) * 2 for t, p in looks])
+
+    # dihedral: 150 mm plates, 94 GHz; the whole interior range and a fine strip about the bisector
+    w = 150.0
+    v = [(0, 0, -w / 2), (w, 0, -w / 2), (w, 0, w / 2), (0, 0, w / 2), (0, w, -w / 2), (0, w, w / 2)]
+    write_off("dihedral/dihedral.off", v, [(0, 3, 2), (0, 2, 1), (0, 4, 5), (0, 5, 3)])
+    phis = sorted({round(i / 2, 2) for i in range(181)} | {round(43 + i / 20, 2) for i in range(81)})
+    looks = [(90, p) for p in phis]
+    write_looks("dihedral/looks.csv", looks)
+    write_reference("dihedral/reference.csv", ["Physical optics of both single bounces and the double bounce, closed form, no edges"],
+                    94e9, looks, [dihedral_po(0.15, 0.15, 94e9, math.radians(p)) for _, p in looks])
+
+    # powercube: 90 mm, 94 GHz, -10 ... 10 degrees
+    v = [tuple(45.0 if i >> b & 1 else -45.0 for b in range(3)) for i in range(8)]
+    write_stl("powercube/powercube.stl", v, CUBE, "powercube")
+    looks = [(90, (i - 100) / 10) for i in range(201)]
+    write_reference("powercube/reference.csv", ["Physical optics of the lit faces, closed form, no edges"], 94e9, looks,
+                    [(cube_po(0.09, 94e9, math.radians(p)),) * 2 for _, p in looks])
+
+    # trihedral: three right isosceles triangles of leg 1.5 m, opening to (+, +, +)
+    write_off("trihedral/trihedral.off", [(0, 0, 0), (1.5, 0, 0), (0, 1.5, 0), (0, 0, 1.5)], [(0, 1, 2), (0, 2, 3), (0, 3, 1)])
+
+    # sphere: a = 1 m, 20 480 triangles, 64 looks spread evenly
+    v, t = icosphere(5)
+    write_ply("sphere/sphere.ply", v, t)
+    looks = [(math.degrees(math.acos(1 - (2 * i + 1) / 64)), (i * 137.50776405) % 360) for i in range(64)]
+    looks = [(round(a, 6), round(b, 6)) for a, b in looks]
+    write_looks("sphere/looks.csv", looks)
+    write_reference("sphere/reference.csv", ["Exact series (Mie) of a perfectly conducting sphere"], 3e9, looks, [(sphere_mie(1.0, 3e9),) * 2] * 64)
+
+    # cylinder: radius 90 mm, length 300 mm, 144 sides, 10 GHz, theta 0 ... 180
+    v, t = cylinder(90.0, 300.0, 144)
+    write_off("cylinder/cylinder.off", v, t)
+    looks = [(i / 2, 0) for i in range(361)]
+    write_reference("cylinder/reference.csv", ["Physical optics of the lit side and cap of the smooth cylinder, no edges"], 10e9, looks,
+                    [(cylinder_po(0.09, 0.3, 10e9, math.radians(t)),) * 2 for t, _ in looks])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,123 @@
+#include "case.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "case_document.h"
+#include "case_keys.h"
+#include "case_looks.h"
+#include "case_values.h"
+#include "decimal.h"
+#include "error.h"
+
+namespace raytube {
+
+namespace {
+
+struct Unit {
+  std::string_view name;
+  double metres;
+};
+constexpr std::array<Unit, 6> units = {{{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}}};
+
+const CaseValue* find(const CaseValue& root, std::string_view section, std::string_view key) {
+  const CaseValue* table = root.find(section);
+  return table ? table->find(key) : nullptr;
+}
+
+const CaseValue& require(const CaseValue& root, const std::string& section, const std::string& key, const std::string& remedy) {
+  const CaseValue* value = find(root, section, key);
+  if (!value) throw InputError(fmt::format("{}: {}.{} is missing; add {} under [{}]", root.place, section, key, remedy, section));
+  return *value;
+}
+
+double metres_per_unit(const CaseValue& value, const std::string& name) {
+  for (const Unit& unit : units)
+    if (unit.name == name) return unit.metres;
+  reject(value, fmt::format("target.unit \"{}\" is unknown; write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\"", name));
+}
+
+void read_target(const CaseValue& root, Case& c) {
+  const CaseValue& mesh = require(root, "target", "mesh", "mesh = \"file.stl\"");
+  const std::string name = read_text(mesh, "target.mesh");
+  if (name.empty()) reject(mesh, "target.mesh is empty; give the mesh file, relative to the case file");
+  c.mesh_file = (c.file.parent_path() / name).lexically_normal();
+  const CaseValue& unit = require(root, "target", "unit", "unit = \"mm\" (or m, cm, um, in, ft: the length of one mesh unit)");
+  c.unit = read_text(unit, "target.unit");
+  c.metres_per_unit = metres_per_unit(unit, c.unit);
+  if (const CaseValue* material = find(root, "target", "material"))
+    if (read_text(*material, "target.material") != "pec")
+      reject(*material, fmt::format("target.material \"{}\" is not in this version; write \"pec\"", material->text));
+}
+
+void read_frequencies(const CaseValue& root, Case& c) {
+  const CaseValue& value = require(root, "frequency", "ghz", "ghz = a number, a list or { start, stop, count }");
+  for (const double ghz : read_counted(value, "frequency.ghz")) {
+    if (!(ghz > 0.0)) reject(value, fmt::format("frequency.ghz must be greater than 0 (found {})", ghz));
+    c.sweep.frequencies.push_back(rounded_to_15_digits(ghz * 1e9));
+    if (!std::isfinite(c.sweep.frequencies.back())) reject(value, fmt::format("frequency.ghz is too large (found {})", ghz));
+  }
+}
+
+dvec3 read_vector(const CaseValue& value, const std::string& key) {
+  if (value.kind != CaseValue::Kind::list || value.items.size() != 3)
+    reject(value, key + " must be a list of three numbers, for example [0, 0, 1]");
+  const auto entry = [&](std::size_t i) { return read_number(value.items[i], "every entry of " + key); };
+  const dvec3 vector{entry(0), entry(1), entry(2)};
+  const double size = glm::length(vector);
+  if (!(size > 0.0) || !std::isfinite(size)) reject(value, key + " must not be the zero vector; write for example [0, 0, 1]");
+  return vector;
+}
+
+void read_tubes(const CaseValue& root, Case& c) {
+  if (const CaseValue* mode = find(root, "tubes", "mode")) {
+    const std::string name = read_text(*mode, "tubes.mode");
+    if (name == "adaptive") reject(*mode, "tubes.mode \"adaptive\" is not in this version; write \"uniform\"");
+    if (name != "uniform") reject(*mode, fmt::format("tubes.mode \"{}\" is unknown; write \"uniform\"", name));
+  }
+  if (const CaseValue* density = find(root, "tubes", "per_wavelength"))
+    c.tubes.per_wavelength = read_positive(*density, "tubes.per_wavelength");
+  if (const CaseValue* bounces = find(root, "tubes", "max_bounces"))
+    c.tubes.max_bounces = read_whole(*bounces, "tubes.max_bounces", 1, 1000);
+  if (const CaseValue* up = find(root, "tubes", "up")) c.tubes.up = read_vector(*up, "tubes.up");
+}
+
+void read_edges(const CaseValue& root, Case& c) {
+  if (const CaseValue* method = find(root, "edges", "method")) {
+    const std::string name = read_text(*method, "edges.method");
+    if (name != "fringe" && name != "none")
+      reject(*method, fmt::format("edges.method \"{}\" is not in this version; write \"fringe\" or \"none\"", name));
+    c.edges.method = name == "none" ? EdgeMethod::none : EdgeMethod::fringe;
+  }
+  if (const CaseValue* order = find(root, "edges", "order"))
+    if (read_whole(*order, "edges.order", 1, 3) != 1)
+      reject(*order, fmt::format("edges.order {} is not in this version; write 1", order->number));
+  if (const CaseValue* angle = find(root, "edges", "min_wedge_deg")) {
+    const double degrees = read_number(*angle, "edges.min_wedge_deg");
+    if (degrees < 0.0 || degrees >= 180.0)
+      reject(*angle, fmt::format("edges.min_wedge_deg must be at least 0 and less than 180 (found {})", degrees));
+    c.edges.min_wedge_angle = degrees * degree;
+  }
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const CaseValue root = read_case_document(file, overrides);
+  check_case_keys(root);
+  Case c;
+  c.file = file;
+  read_target(root, c);
+  read_frequencies(root, c);
+  read_looks(root, c);
+  read_tubes(root, c);
+  read_edges(root, c);
+  if (const CaseValue* plots = find(root, "output", "plots")) c.plots = read_flag(*plots, "output.plots");
+  const CaseValue* title = root.find("title");
+  c.title = title ? read_text(*title, "title") : c.mesh_file.stem().string();
+  return c;
+}
+
+}  // namespace raytube

@@ -1,0 +1,39 @@
+// Case file (TOML) -> Case: strict keys, units converted, every default resolved.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "solve.h"
+
+namespace raytube {
+
+/// The look section as the user gave it [deg]: either the name of a look list, or the values of each angle.
+struct LookChoice {
+  std::string looks_csv;
+  std::vector<double> theta_deg, phi_deg;
+  std::vector<double> rx_theta_deg, rx_phi_deg;  // empty when monostatic
+};
+
+struct Case {
+  std::string title;
+  std::filesystem::path file;
+  std::filesystem::path mesh_file;  // resolved against the case's folder
+  std::string unit;                 // as written
+  double metres_per_unit = 1.0;
+  Sweep sweep;
+  LookChoice looks;
+  TubeOptions tubes;
+  EdgeOptions edges;
+  bool plots = true;
+};
+
+/// Reads a case; `overrides` are "dotted.key=value" with values in TOML syntax, applied before anything is checked.
+/// Throws InputError with file, line or key, and the remedy.
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The resolved case with every default filled in, as JSON text with the case file's keys and units.
+std::string resolved_case_json(const Case& c);
+
+}  // namespace raytube

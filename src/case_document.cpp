@@ -1,0 +1,161 @@
+#include "case_document.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "error.h"
+
+namespace raytube {
+
+namespace {
+
+using Kind = CaseValue::Kind;
+
+// Where a value was written: the override's own text, or a line of the case file.
+struct Source {
+  std::string name;
+  bool has_lines;
+
+  std::string place(const toml::source_region& region) const {
+    if (!has_lines || region.begin.line == 0) return name;
+    return fmt::format("{}, line {}", name, region.begin.line);
+  }
+};
+
+CaseValue converted(const toml::node& node, const Source& source);
+
+CaseValue converted_table(const toml::table& table, const Source& source) {
+  CaseValue value;
+  value.written_inline = table.is_inline();
+  for (const auto& [key, item] : table) {
+    value.keys.emplace_back(key.str());
+    value.items.push_back(converted(item, source));
+  }
+  return value;
+}
+
+CaseValue converted_list(const toml::array& array, const Source& source) {
+  CaseValue value;
+  value.kind = Kind::list;
+  for (const toml::node& item : array) value.items.push_back(converted(item, source));
+  return value;
+}
+
+CaseValue converted_scalar(const toml::node& node) {
+  CaseValue value;
+  if (node.is_number()) {
+    value.kind = Kind::number;
+    value.number = *node.value<double>();
+  } else if (node.is_string()) {
+    value.kind = Kind::text;
+    value.text = *node.value<std::string>();
+  } else if (node.is_boolean()) {
+    value.kind = Kind::boolean;
+    value.boolean = *node.value<bool>();
+  } else {
+    value.kind = Kind::other;
+  }
+  return value;
+}
+
+CaseValue converted(const toml::node& node, const Source& source) {
+  CaseValue value = node.is_table()   ? converted_table(*node.as_table(), source)
+                    : node.is_array() ? converted_list(*node.as_array(), source)
+                                      : converted_scalar(node);
+  value.place = source.place(node.source());
+  return value;
+}
+
+std::string text_of_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error))
+    throw InputError(fmt::format("{}: no such file; give the path of a case file (TOML)", file.string()));
+  std::ifstream stream(file, std::ios::binary);
+  if (std::filesystem::is_directory(file, error) || !stream)
+    throw InputError(fmt::format("{}: cannot be read; give the path of a readable case file (TOML)", file.string()));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+CaseValue parsed_file(const std::filesystem::path& file) {
+  const Source source{file.string(), true};
+  const std::string text = text_of_file(file);
+  try {
+    CaseValue root = converted(toml::parse(text), source);
+    root.place = source.name;
+    return root;
+  } catch (const toml::parse_error& error) {
+    throw InputError(
+        fmt::format("{}: not valid TOML; correct this line ({})", source.place(error.source()), error.description()));
+  }
+}
+
+std::optional<CaseValue> parsed_override(const std::string& text, const Source& source) {
+  try {
+    return converted(toml::parse(text), source);
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
+  }
+}
+
+// "tubes.mode=uniform" fails as TOML, but its meaning is plain: the dotted key holds a string.
+CaseValue override_with_bare_word(const std::string& key, const std::string& word, const Source& source) {
+  std::optional<CaseValue> root = parsed_override(key + " = 0", source);
+  if (!root)
+    throw InputError(
+        fmt::format("{}: \"{}\" is not a dotted key; write for example --set tubes.per_wavelength=20", source.name, key));
+  CaseValue* leaf = &*root;
+  while (leaf->kind == Kind::table) leaf = &leaf->items.front();
+  leaf->kind = Kind::text;
+  leaf->text = word;
+  return *root;
+}
+
+CaseValue override_tree(const std::string& option) {
+  const Source source{"--set " + option, false};
+  const std::size_t equals = option.find('=');
+  if (equals == 0 || equals == std::string::npos)
+    throw InputError(source.name + ": no KEY=VALUE; write for example --set tubes.per_wavelength=20");
+  const std::string key = option.substr(0, equals), word = option.substr(equals + 1);
+  std::optional<CaseValue> root;
+  if (word.find('\n') == std::string::npos) root = parsed_override(key + " = " + word, source);
+  return root ? *root : override_with_bare_word(key, word, source);
+}
+
+void apply(CaseValue& base, CaseValue&& change) {
+  const bool both_tables = base.kind == Kind::table && change.kind == Kind::table && !change.written_inline;
+  if (!both_tables) {
+    base = std::move(change);
+    return;
+  }
+  for (std::size_t i = 0; i < change.keys.size(); ++i) {
+    const auto known = std::find(base.keys.begin(), base.keys.end(), change.keys[i]);
+    if (known != base.keys.end()) {
+      apply(base.items[known - base.keys.begin()], std::move(change.items[i]));
+    } else {
+      base.keys.push_back(change.keys[i]);
+      base.items.push_back(std::move(change.items[i]));
+    }
+  }
+}
+
+}  // namespace
+
+const CaseValue* CaseValue::find(std::string_view key) const {
+  const auto found = std::find(keys.begin(), keys.end(), key);
+  return found == keys.end() ? nullptr : &items[found - keys.begin()];
+}
+
+void reject(const CaseValue& value, const std::string& sentence) { throw InputError(value.place + ": " + sentence); }
+
+CaseValue read_case_document(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  CaseValue root = parsed_file(file);
+  for (const std::string& option : overrides) apply(root, override_tree(option));
+  return root;
+}
+
+}  // namespace raytube

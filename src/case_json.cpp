@@ -1,0 +1,50 @@
+#include <nlohmann/json.hpp>
+
+#include "case.h"
+#include "decimal.h"
+
+namespace raytube {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json one_or_list(const std::vector<double>& values) { return values.size() == 1 ? Json(values.front()) : Json(values); }
+
+Json frequency_json(const Sweep& sweep) {
+  std::vector<double> ghz;
+  for (const double hertz : sweep.frequencies) ghz.push_back(hertz / 1e9);
+  return {{"ghz", one_or_list(ghz)}};
+}
+
+Json tubes_json(const TubeOptions& tubes) {
+  Json json = {{"mode", "uniform"}, {"per_wavelength", tubes.per_wavelength}, {"max_bounces", tubes.max_bounces}};
+  if (tubes.up) json["up"] = {tubes.up->x, tubes.up->y, tubes.up->z};
+  return json;
+}
+
+Json edges_json(const EdgeOptions& edges) {
+  const char* method = edges.method == EdgeMethod::fringe ? "fringe" : "none";
+  return {{"method", method}, {"order", 1}, {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
+}
+
+}  // namespace
+
+std::string resolved_case_json(const Case& c) {
+  Json json;
+  json["title"] = c.title;
+  json["target"] = {{"mesh", c.mesh_file.string()}, {"unit", c.unit}, {"material", "pec"}};
+  json["frequency"] = frequency_json(c.sweep);
+  if (!c.looks.looks_csv.empty())
+    json["look"] = {{"looks_csv", c.looks.looks_csv}};
+  else
+    json["look"] = {{"theta_deg", one_or_list(c.looks.theta_deg)}, {"phi_deg", one_or_list(c.looks.phi_deg)}};
+  if (!c.looks.rx_theta_deg.empty())
+    json["receive"] = {{"theta_deg", one_or_list(c.looks.rx_theta_deg)}, {"phi_deg", one_or_list(c.looks.rx_phi_deg)}};
+  json["tubes"] = tubes_json(c.tubes);
+  json["edges"] = edges_json(c.edges);
+  json["output"] = {{"plots", c.plots}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace raytube

@@ -1,0 +1,87 @@
+#include "case_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace raytube {
+
+namespace {
+
+constexpr std::array<std::string_view, 18> known_keys = {
+    "title",          "target.mesh",          "target.unit",       "target.material",   "frequency.ghz",
+    "look.theta_deg", "look.phi_deg",         "look.looks_csv",    "receive.theta_deg", "receive.phi_deg",
+    "tubes.mode",     "tubes.per_wavelength", "tubes.max_bounces", "tubes.up",          "edges.method",
+    "edges.order",    "edges.min_wedge_deg",  "output.plots"};
+
+constexpr std::array<std::string_view, 6> later_keys = {
+    "tubes.clip", "accuracy", "output.image_look", "output.image_per_wavelength", "radar", "materials"};
+
+template <std::size_t size>
+bool contains(const std::array<std::string_view, size>& keys, std::string_view key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+bool is_section(std::string_view key) {
+  return std::any_of(known_keys.begin(), known_keys.end(), [&](std::string_view known) {
+    return known.size() > key.size() && known.substr(0, key.size()) == key && known[key.size()] == '.';
+  });
+}
+
+// Levenshtein: insertions, deletions and substitutions that turn `a` into `b`.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string_view last_part(std::string_view key) { return key.substr(key.rfind('.') + 1); }
+
+// A misspelt section, a misspelt key and a key under the wrong section should all find their way home.
+std::size_t key_distance(std::string_view key, std::string_view known) {
+  return std::min(edit_distance(key, known), 1 + edit_distance(last_part(key), last_part(known)));
+}
+
+std::string_view nearest_known(std::string_view key) {
+  return *std::min_element(known_keys.begin(), known_keys.end(),
+                           [&](auto a, auto b) { return key_distance(key, a) < key_distance(key, b); });
+}
+
+void check_key(const CaseValue& value, const std::string& key) {
+  if (contains(later_keys, key)) reject(value, fmt::format("\"{}\" is not in this version; remove it", key));
+  if (!contains(known_keys, key)) reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key, nearest_known(key)));
+}
+
+// A key inside tells better than its misspelt section which one was meant.
+void check_unknown_section(const CaseValue& value, const std::string& section) {
+  const bool holds_key = value.kind == CaseValue::Kind::table && !value.keys.empty() && !contains(later_keys, section);
+  check_key(value, holds_key ? section + "." + value.keys.front() : section);
+}
+
+}  // namespace
+
+void check_case_keys(const CaseValue& root) {
+  for (std::size_t i = 0; i < root.keys.size(); ++i) {
+    const std::string& section = root.keys[i];
+    const CaseValue& value = root.items[i];
+    if (!is_section(section)) {
+      check_unknown_section(value, section);
+      continue;
+    }
+    if (value.kind != CaseValue::Kind::table) reject(value, fmt::format("{0} must be a section; write [{0}]", section));
+    for (std::size_t j = 0; j < value.keys.size(); ++j) check_key(value.items[j], section + "." + value.keys[j]);
+  }
+}
+
+}  // namespace raytube

@@ -1,0 +1,86 @@
+#include "case_looks.h"
+
+#include <fmt/format.h>
+
+#include "case_values.h"
+#include "error.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double most_rows = 1e7;
+
+std::string theta_sentence(const std::string& key, double theta_deg) {
+  return fmt::format("{} must lie in 0 to 180 degrees, from +z (found {})", key, theta_deg);
+}
+
+std::vector<double> read_angles(const CaseValue& root, const CaseValue& section, const std::string& section_name,
+                                const std::string& name) {
+  const std::string key = section_name + "." + name;
+  const CaseValue* value = section.find(name);
+  if (!value)
+    throw InputError(fmt::format("{}: {} is missing; add {} = a number, a list or {{ start, stop, step }} under [{}]", root.place,
+                                 key, name, section_name));
+  std::vector<double> angles = read_stepped(*value, key);
+  for (const double angle : angles)
+    if (name == "theta_deg" && (angle < 0.0 || angle > 180.0)) reject(*value, theta_sentence(key, angle));
+  return angles;
+}
+
+void check_rows(const CaseValue& section, double looks, std::size_t frequencies) {
+  const double rows = looks * static_cast<double>(frequencies);
+  if (rows > most_rows)
+    reject(section, fmt::format("{:.7g} looks at {} frequencies make {:.7g} rows, more than the {:.0f} allowed; split the sweep",
+                                looks, frequencies, rows, most_rows));
+}
+
+std::vector<Direction> directions(const std::vector<double>& theta_deg, const std::vector<double>& phi_deg) {
+  std::vector<Direction> all;
+  all.reserve(theta_deg.size() * phi_deg.size());
+  for (const double theta : theta_deg)
+    for (const double phi : phi_deg) all.push_back({theta * degree, phi * degree});
+  return all;
+}
+
+void fill_from_angles(const CaseValue& section, Case& c) {
+  const LookChoice& choice = c.looks;
+  const double transmit_count = static_cast<double>(choice.theta_deg.size()) * static_cast<double>(choice.phi_deg.size());
+  const double receive_count = static_cast<double>(choice.rx_theta_deg.size()) * static_cast<double>(choice.rx_phi_deg.size());
+  check_rows(section, c.sweep.bistatic ? transmit_count * receive_count : transmit_count, c.sweep.frequencies.size());
+  const std::vector<Direction> receivers = directions(choice.rx_theta_deg, choice.rx_phi_deg);
+  for (const Direction& transmit : directions(choice.theta_deg, choice.phi_deg)) {
+    if (!c.sweep.bistatic) c.sweep.looks.push_back({transmit, transmit});
+    for (const Direction& receive : receivers) c.sweep.looks.push_back({transmit, receive});
+  }
+}
+
+void fill_from_list(const CaseValue& look, const CaseValue* receive, Case& c) {
+  const CaseValue& name = *look.find("looks_csv");
+  if (look.find("theta_deg") || look.find("phi_deg"))
+    reject(name, "look.looks_csv stands instead of look.theta_deg and look.phi_deg; remove one or the other");
+  if (receive)
+    reject(*receive, "[receive] cannot go with look.looks_csv; give the columns rx_theta_deg, rx_phi_deg in the list instead");
+  c.looks.looks_csv = read_text(name, "look.looks_csv");
+  c.sweep.looks = read_looks_csv(c.file.parent_path() / c.looks.looks_csv, c.sweep.bistatic);
+  check_rows(look, static_cast<double>(c.sweep.looks.size()), c.sweep.frequencies.size());
+}
+
+}  // namespace
+
+void read_looks(const CaseValue& root, Case& c) {
+  const CaseValue* look = root.find("look");
+  const CaseValue* receive = root.find("receive");
+  if (!look) throw InputError(root.place + ": no directions; add a [look] section with theta_deg and phi_deg");
+  if (look->find("looks_csv")) return fill_from_list(*look, receive, c);
+  c.looks.theta_deg = read_angles(root, *look, "look", "theta_deg");
+  c.looks.phi_deg = read_angles(root, *look, "look", "phi_deg");
+  c.sweep.bistatic = receive != nullptr;
+  if (receive) {
+    c.looks.rx_theta_deg = read_angles(root, *receive, "receive", "theta_deg");
+    c.looks.rx_phi_deg = read_angles(root, *receive, "receive", "phi_deg");
+  }
+  fill_from_angles(*look, c);
+}
+
+}  // namespace raytube

@@ -1,0 +1,128 @@
+#include "case_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "decimal.h"
+
+namespace raytube {
+
+namespace {
+
+using Kind = CaseValue::Kind;
+
+constexpr double most_values = 1e6;
+
+struct Range {
+  double start, stop, third;  // third: step or count
+};
+
+Range read_range(const CaseValue& table, const std::string& key, std::string_view third) {
+  for (std::size_t i = 0; i < table.keys.size(); ++i)
+    if (const std::string& name = table.keys[i]; name != "start" && name != "stop" && name != third)
+      reject(table.items[i], fmt::format("unknown key \"{0}.{1}\"; write {0} = {{ start, stop, {2} }}", key, name, third));
+  const auto entry = [&](std::string_view name) {
+    const CaseValue* value = table.find(name);
+    if (!value)
+      reject(table, fmt::format("{0} has no {1}; write {0} = {{ start = ..., stop = ..., {2} = ... }}", key, name, third));
+    return read_number(*value, fmt::format("{}.{}", key, name));
+  };
+  return {entry("start"), entry("stop"), entry(third)};
+}
+
+void check_count(const CaseValue& table, const std::string& key, double count, std::string_view third) {
+  if (count > most_values)
+    reject(table, fmt::format("{} asks for {:.7g} values, more than the {:.0f} allowed; choose another {}", key, count,
+                              most_values, third));
+}
+
+std::vector<double> equally_spaced(double start, double step, std::size_t count) {
+  const double larger_end = std::max(std::abs(start), std::abs(start + step * static_cast<double>(count - 1)));
+  std::vector<double> values(count);
+  // Not start += step, which would add up rounding errors.
+  for (std::size_t i = 0; i < count; ++i) values[i] = rounded_at_scale(start + static_cast<double>(i) * step, larger_end);
+  values.front() = start;
+  return values;
+}
+
+std::vector<double> stepped_range(const CaseValue& table, const std::string& key) {
+  const auto [start, stop, step] = read_range(table, key, "step");
+  if (step == 0.0) reject(table, key + ".step must not be zero; write a single number for a single value");
+  const double steps = (stop - start) / step;
+  if (steps < 0.0)
+    reject(table,
+           fmt::format("{}.step {} leads away from stop (start {}, stop {}); write step = {}", key, step, start, stop, -step));
+  const double whole = std::floor(steps + 1e-9);
+  check_count(table, key, whole + 1.0, "step");
+  std::vector<double> values = equally_spaced(start, step, static_cast<std::size_t>(whole) + 1);
+  if (std::abs(steps - whole) <= 1e-9) values.back() = stop;
+  return values;
+}
+
+std::vector<double> counted_range(const CaseValue& table, const std::string& key) {
+  const auto [start, stop, count] = read_range(table, key, "count");
+  if (count < 1.0 || count != std::floor(count))
+    reject(table, fmt::format("{}.count must be a whole number of at least 1 (found {})", key, count));
+  check_count(table, key, count, "count");
+  if (count == 1.0 && start != stop) reject(table, key + ".count of 1 cannot hold both start and stop; write count = 2 or more");
+  if (count == 1.0) return {start};
+  std::vector<double> values = equally_spaced(start, (stop - start) / (count - 1.0), static_cast<std::size_t>(count));
+  values.back() = stop;
+  return values;
+}
+
+std::vector<double> listed(const CaseValue& list, const std::string& key) {
+  if (list.items.empty()) reject(list, key + " is an empty list; give at least one number");
+  std::vector<double> values;
+  for (const CaseValue& item : list.items) values.push_back(read_number(item, "every entry of " + key));
+  return values;
+}
+
+}  // namespace
+
+double read_number(const CaseValue& value, const std::string& key) {
+  if (value.kind != Kind::number) reject(value, key + " must be a number, without quotes");
+  if (!std::isfinite(value.number)) reject(value, key + " must be a finite number");
+  return value.number == 0.0 ? 0.0 : value.number;  // never -0
+}
+
+double read_positive(const CaseValue& value, const std::string& key) {
+  const double number = read_number(value, key);
+  if (number <= 0.0) reject(value, fmt::format("{} must be greater than 0 (found {})", key, number));
+  return number;
+}
+
+int read_whole(const CaseValue& value, const std::string& key, int least, int most) {
+  const double number = read_number(value, key);
+  if (number < least || number > most || number != std::floor(number))
+    reject(value, fmt::format("{} must be a whole number from {} to {} (found {})", key, least, most, number));
+  return static_cast<int>(number);
+}
+
+bool read_flag(const CaseValue& value, const std::string& key) {
+  if (value.kind != Kind::boolean) reject(value, key + " must be true or false, without quotes");
+  return value.boolean;
+}
+
+std::string read_text(const CaseValue& value, const std::string& key) {
+  if (value.kind != Kind::text) reject(value, key + " must be a text in double quotes");
+  return value.text;
+}
+
+std::vector<double> read_stepped(const CaseValue& value, const std::string& key) {
+  if (value.kind == Kind::table) return stepped_range(value, key);
+  if (value.kind == Kind::list) return listed(value, key);
+  if (value.kind == Kind::number) return {read_number(value, key)};
+  reject(value, key + " must be a number, a list or { start, stop, step }");
+}
+
+std::vector<double> read_counted(const CaseValue& value, const std::string& key) {
+  if (value.kind == Kind::table) return counted_range(value, key);
+  if (value.kind == Kind::list) return listed(value, key);
+  if (value.kind == Kind::number) return {read_number(value, key)};
+  reject(value, key + " must be a number, a list or { start, stop, count }");
+}
+
+}  // namespace raytube

@@ -1,0 +1,21 @@
+// Typed values of a case file. Each reader throws InputError with the place, what is wrong and what to write instead;
+// `key` is the dotted name used in the sentence.
+#pragma once
+
+#include "case_document.h"
+
+namespace raytube {
+
+double read_number(const CaseValue& value, const std::string& key);
+double read_positive(const CaseValue& value, const std::string& key);
+int read_whole(const CaseValue& value, const std::string& key, int least, int most);
+bool read_flag(const CaseValue& value, const std::string& key);
+std::string read_text(const CaseValue& value, const std::string& key);
+
+/// A number, a list of numbers, or { start, stop, step } with `stop` included when a step lands on it.
+std::vector<double> read_stepped(const CaseValue& value, const std::string& key);
+
+/// A number, a list of numbers, or { start, stop, count }, both ends included.
+std::vector<double> read_counted(const CaseValue& value, const std::string& key);
+
+}  // namespace raytube

@@ -1,0 +1,166 @@
+// raytube check: what a run would do, without doing it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <thread>
+
+#include "case.h"
+#include "commands.h"
+#include "decimal.h"
+#include "sbr/launch.h"
+
+namespace raytube {
+
+namespace {
+
+// Between a cube (half of it) and a finely tessellated sphere (twice) on one core of 2024; edges and large meshes add to it.
+constexpr double seconds_per_tube = 2e-7;
+constexpr double seconds_per_tube_and_frequency = 2e-8;
+constexpr std::size_t most_sampled_looks = 64;
+constexpr std::size_t most_lines = 10;
+
+std::string values_text(const std::vector<double>& values) {
+  if (values.size() == 1) return number_text(values.front());
+  return fmt::format("{} values from {} to {}", values.size(), number_text(values.front()), number_text(values.back()));
+}
+
+std::string looks_text(const Case& c) {
+  const LookChoice& l = c.looks;
+  const std::string count = fmt::format("{} {}", c.sweep.looks.size(), c.sweep.bistatic ? "bistatic" : "monostatic");
+  if (!l.looks_csv.empty()) return count + ", listed in " + l.looks_csv;
+  const std::string transmit =
+      fmt::format("{}: theta {} deg, phi {} deg", count, values_text(l.theta_deg), values_text(l.phi_deg));
+  if (!c.sweep.bistatic) return transmit;
+  return transmit + fmt::format("; receive theta {} deg, phi {} deg", values_text(l.rx_theta_deg), values_text(l.rx_phi_deg));
+}
+
+double highest_frequency(const Sweep& sweep) { return *std::max_element(sweep.frequencies.begin(), sweep.frequencies.end()); }
+
+void print_case(const Case& c) {
+  std::vector<double> ghz;
+  for (const double hertz : c.sweep.frequencies) ghz.push_back(hertz / 1e9);
+  fmt::print("case         {}\n", c.file.string());
+  fmt::print("title        {}\n", c.title);
+  fmt::print("mesh         {}, one unit is {} m ({}), perfect conductor\n", c.mesh_file.string(), c.metres_per_unit, c.unit);
+  fmt::print("frequency    {} GHz\n", values_text(ghz));
+  fmt::print("looks        {}\n", looks_text(c));
+  fmt::print("tubes        uniform, {} per wavelength at {} GHz, at most {} bounces\n", c.tubes.per_wavelength,
+             number_text(highest_frequency(c.sweep) / 1e9), c.tubes.max_bounces);
+  if (c.tubes.up) fmt::print("             grid rows follow ({}, {}, {})\n", c.tubes.up->x, c.tubes.up->y, c.tubes.up->z);
+  if (c.edges.method == EdgeMethod::none)
+    fmt::print("edges        none\n");
+  else
+    fmt::print("edges        fringe currents, order 1, creases of {} deg and more\n", decimal_degrees(c.edges.min_wedge_angle));
+  fmt::print("plots        {}\n", c.plots ? "yes" : "no");
+  fmt::print("rows         {}\n", c.sweep.rows());
+}
+
+void print_components(const std::vector<Component>& components) {
+  for (std::size_t i = 0; i < std::min(components.size(), most_lines); ++i)
+    fmt::print("  component {}: {}, {} triangles\n", i, components[i].closed ? "closed" : "open", components[i].triangles);
+  if (components.size() > most_lines) fmt::print("  and {} more components\n", components.size() - most_lines);
+}
+
+void print_mesh(const LoadedMesh& loaded) {
+  const TriangleMesh& mesh = loaded.mesh;
+  fmt::print("\nmesh report\n  {} facets read, {} triangles traced, {} vertices\n", loaded.report.facets_read,
+             loaded.report.triangles_traced, mesh.vertices.size());
+  for (const MeshNote& note : loaded.report.notes()) fmt::print("  {}: {}\n", note.what, note.count);
+  fmt::print("  centre ({:.6g}, {:.6g}, {:.6g}) m, radius {:.6g} m\n", mesh.center.x, mesh.center.y, mesh.center.z, mesh.radius);
+  fmt::print("  planar patches: {}\n  components: {}\n", mesh.patches.size(), mesh.components.size());
+  print_components(mesh.components);
+}
+
+struct WedgeClass {
+  double n = 0.0;
+  std::uint64_t count = 0;
+  double length = 0.0;
+};
+
+// Classes of equal exterior angle, the longest in total first.
+std::vector<WedgeClass> wedge_classes(const std::vector<Wedge>& wedges) {
+  std::map<long, WedgeClass> by_angle;
+  for (const Wedge& wedge : wedges) {
+    WedgeClass& found = by_angle[std::lround(wedge.n * 1000.0)];
+    found.n = wedge.n;
+    ++found.count;
+    found.length += wedge.length();
+  }
+  std::vector<WedgeClass> classes;
+  for (const auto& [key, found] : by_angle) classes.push_back(found);
+  std::stable_sort(classes.begin(), classes.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
+  return classes;
+}
+
+void print_wedges(const std::vector<Wedge>& wedges) {
+  double length = 0.0;
+  for (const Wedge& wedge : wedges) length += wedge.length();
+  fmt::print("\nwedges\n  {} wedges, {:.6g} m in all\n", wedges.size(), length);
+  const std::vector<WedgeClass> classes = wedge_classes(wedges);
+  for (std::size_t i = 0; i < std::min(classes.size(), most_lines); ++i)
+    fmt::print("  n = {:.3f} (interior {:.1f} deg): {} wedges, {:.6g} m\n", classes[i].n, 180.0 * (2.0 - classes[i].n),
+               classes[i].count, classes[i].length);
+  if (classes.size() > most_lines) fmt::print("  and {} more angles\n", classes.size() - most_lines);
+}
+
+void print_skipped(const Case& c, const LoadedMesh& loaded, const std::vector<Wedge>& wedges) {
+  const MeshReport& r = loaded.report;
+  std::vector<Skipped> skipped = {{"facets", "fewer than three distinct corners", r.facets_unusable},
+                                  {"triangles", "no area", r.triangles_degenerate},
+                                  {"triangles", "same corners as another one", r.triangles_duplicate},
+                                  {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};
+  const auto concave = std::count_if(wedges.begin(), wedges.end(), [](const Wedge& wedge) { return !wedge.convex(); });
+  if (c.edges.method == EdgeMethod::none)
+    skipped.push_back({"wedges", "edges.method is \"none\"", wedges.size()});
+  else
+    skipped.push_back({"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)});
+  fmt::print("\nskipped\n");
+  bool nothing = true;
+  for (const Skipped& s : skipped) {
+    if (s.count == 0) continue;
+    fmt::print("  {} {}: {}\n", s.count, s.what, s.why);
+    nothing = false;
+  }
+  if (nothing) fmt::print("  nothing\n");
+}
+
+LaunchGrid grid_of(const Case& c, const TriangleMesh& mesh, std::size_t look) {
+  return launch_grid(mesh, c.sweep.looks[look].transmit, wavelength(highest_frequency(c.sweep)), c.tubes.per_wavelength,
+                     c.tubes.up);
+}
+
+// Exact for few looks; a mean over evenly spread ones for many.
+double tubes_of_all_looks(const Case& c, const TriangleMesh& mesh) {
+  const std::size_t looks = c.sweep.looks.size(), sampled = std::min(looks, most_sampled_looks);
+  double tubes = 0.0;
+  for (std::size_t i = 0; i < sampled; ++i) tubes += static_cast<double>(grid_of(c, mesh, i * looks / sampled).cells());
+  return tubes * static_cast<double>(looks) / static_cast<double>(sampled);
+}
+
+void print_cost(const Case& c, const TriangleMesh& mesh) {
+  const LaunchGrid first = grid_of(c, mesh, 0);
+  const double tubes = tubes_of_all_looks(c, mesh);
+  const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  const double per_tube = seconds_per_tube + seconds_per_tube_and_frequency * static_cast<double>(c.sweep.frequencies.size());
+  fmt::print("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm\n", first.columns, first.rows, first.du * 1e3,
+             first.dv * 1e3);
+  fmt::print("  all looks: {}{:.4g} tubes, very roughly {:.2g} s on {} threads\n",
+             c.sweep.looks.size() > most_sampled_looks ? "about " : "", tubes, tubes * per_tube / threads, threads);
+}
+
+}  // namespace
+
+void check_command(const Request& request) {
+  const Case c = read_case(request.case_file, request.overrides);
+  const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  const std::vector<Wedge> wedges = find_wedges(loaded.mesh, c.edges.min_wedge_angle);
+  print_case(c);
+  print_mesh(loaded);
+  print_wedges(wedges);
+  print_skipped(c, loaded, wedges);
+  print_cost(c, loaded.mesh);
+}
+
+}  // namespace raytube

@@ -1,0 +1,69 @@
+// raytube trace: one tube, bounce by bounce.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case.h"
+#include "commands.h"
+#include "decimal.h"
+#include "error.h"
+
+namespace raytube {
+
+namespace {
+
+std::string vector_text(const dvec3& v) {
+  return fmt::format("({: .9g}, {: .9g}, {: .9g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);  // + 0.0: no "-0"
+}
+
+std::string direction_text(const Direction& d) {
+  return fmt::format("theta {} deg, phi {} deg", number_text(decimal_degrees(d.theta)), number_text(decimal_degrees(d.phi)));
+}
+
+double incidence_deg(const dvec3& direction_in, const dvec3& normal) {
+  return std::acos(std::clamp(std::abs(glm::dot(direction_in, normal)), 0.0, 1.0)) / degree;
+}
+
+void print_bounce(std::size_t number, const TubeBounce& bounce, const dvec3& direction_in, const dvec3& mesh_center) {
+  fmt::print("bounce {}: triangle {}, patch {}\n", number, bounce.triangle, bounce.patch);
+  fmt::print("  point          {} m\n", vector_text(bounce.point + mesh_center));
+  fmt::print("  normal         {}\n", vector_text(bounce.normal));
+  fmt::print("  incidence      {:.6g} deg\n", incidence_deg(direction_in, bounce.normal));
+  fmt::print("  leaves along   {}\n", vector_text(bounce.direction_out));
+  fmt::print("  path           {:.12g} m\n", bounce.path);
+  fmt::print("  field of V     {}\n", vector_text(bounce.field[0]));
+  fmt::print("  field of H     {}\n", vector_text(bounce.field[1]));
+}
+
+const Look& chosen_look(const Case& c, std::size_t index) {
+  if (index >= c.sweep.looks.size())
+    throw InputError(
+        fmt::format("--look {}: {} has {} direction pair(s), counted from 0", index, c.file.string(), c.sweep.looks.size()));
+  return c.sweep.looks[index];
+}
+
+}  // namespace
+
+void trace_command(const Request& request) {
+  const Case c = read_case(request.case_file, request.overrides);
+  const Look& look = chosen_look(c, request.look);
+  if (!std::isfinite(request.u) || !std::isfinite(request.v)) throw InputError("--u and --v must be finite numbers of metres");
+  const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  const Tracer tracer(loaded.mesh);
+  // The grid of a sweep is laid at its highest frequency.
+  const double frequency = *std::max_element(c.sweep.frequencies.begin(), c.sweep.frequencies.end());
+  const TubeTrace trace = trace_tube(tracer, look, frequency, c.tubes, request.u, request.v);
+
+  fmt::print("look {}: {} to the transmitter, {} to the receiver\n", request.look, direction_text(look.transmit),
+             direction_text(look.receive));
+  fmt::print("tube: column {}, row {}, centre u {:.9g} m, v {:.9g} m\n", trace.column, trace.row, trace.center.x, trace.center.y);
+  dvec3 direction = -spherical_basis(look.transmit).radial;
+  for (std::size_t i = 0; i < trace.bounces.size(); ++i) {
+    print_bounce(i + 1, trace.bounces[i], direction, loaded.mesh.center);
+    direction = trace.bounces[i].direction_out;
+  }
+  fmt::print("end: {}\n", trace.end);
+}
+
+}  // namespace raytube

@@ -1,0 +1,32 @@
+// What the user asked for on the command line, and the commands that answer.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace raytube {
+
+enum class Command { none, run, check, trace };
+
+struct Request {
+  Command command = Command::none;  // none: help or version was printed
+  std::filesystem::path case_file;
+  std::vector<std::string> overrides;
+  std::filesystem::path output_folder;  // empty: <case folder>/out
+  int threads = 0;                      // 0: all cores
+  bool parts = false;
+  bool quiet = false;
+  std::size_t look = 0;
+  double u = 0.0, v = 0.0;  // launch coordinates [m], origin = mesh origin
+};
+
+/// Throws InputError for a command line that cannot be understood.
+Request parse_command_line(int argc, const char* const* argv);
+
+// Each throws InputError for bad input.
+void run_command(const Request& request);
+void check_command(const Request& request);
+void trace_command(const Request& request);
+
+}  // namespace raytube

@@ -1,0 +1,14 @@
+# Installed: the program, the library, its public headers and a CMake package (find_package(raytube)).
+include(CMakePackageConfigHelpers)
+install(TARGETS raytube RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS raytube_solver EXPORT raytubeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES error.h field.h material.h progress.h sweep.h solve.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube)
+install(FILES mesh/triangle_mesh.h mesh/load.h mesh/wedges.h mesh/tracer.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/mesh)
+install(FILES sbr/sbr.h sbr/tile.h sbr/launch.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/sbr)
+install(EXPORT raytubeTargets NAMESPACE raytube:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/raytube)
+configure_package_config_file(raytubeConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfig.cmake
+                              INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/raytube)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/raytubeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfigVersion.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/raytube)

@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "commands.h"
+#include "error.h"
+#include "interrupt.h"
+
+namespace {
+
+using namespace raytube;
+
+constexpr int fell_short = 1, bad_input = 2, interrupted = 130;
+
+void execute(const Request& request) {
+  switch (request.command) {
+    case Command::run:
+      return run_command(request);
+    case Command::check:
+      return check_command(request);
+    case Command::trace:
+      return trace_command(request);
+    case Command::none:
+      return;
+  }
+}
+
+// One line, whatever a file name or a library's message holds.
+int complain(std::string sentence, int code) {
+  for (char& c : sentence)
+    if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
+  fmt::print(stderr, "raytube: {}\n", sentence);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    end_on_interrupt();
+    execute(parse_command_line(argc, argv));
+    return 0;
+  } catch (const InputError& error) {
+    return complain(error.what(), bad_input);
+  } catch (const Interrupted&) {
+    return complain("interrupted; no results written", interrupted);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory; lower tubes.per_wavelength or split the sweep", fell_short);
+  } catch (const std::exception& error) {
+    return complain(error.what(), fell_short);
+  }
+}

@@ -1,0 +1,29 @@
+// Makes the mesh conforming: no vertex lies on the inside of an edge, and no triangle is flat.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/edge_splits.h"
+#include "mesh/edge_table.h"
+#include "mesh/geometry.h"
+#include "mesh/triangle_mesh.h"
+
+namespace raytube {
+
+/// Splits edges at the vertices on them until there are none, and drops triangles without area.
+/// Fills triangles_added, triangles_degenerate and t_junctions_split of the report.
+void make_conforming(std::span<const dvec3> vertices, std::vector<Triangle>& triangles, double distance, MeshReport& report);
+
+/// T-junctions: a vertex within `distance` of a border edge, or a border vertex of any edge. Unless such an edge is split,
+/// there is a crack, and a false half plane on both its sides. A vertex of a triangle at the edge makes that a sliver instead.
+std::vector<EdgeSplit> find_t_junctions(std::span<const dvec3> vertices, std::span<const Triangle> triangles,
+                                        const EdgeTable& edges, double distance);
+
+/// Splits that make triangles of less height than `distance` vanish: their longest edge is split at the vertex opposite, and
+/// what is left of them has repeated corners, so that their neighbours close up behind them. A sliver for which that makes
+/// things no better is left alone.
+std::vector<EdgeSplit> find_sliver_splits(std::span<const dvec3> vertices, std::span<const Triangle> triangles,
+                                          const EdgeTable& edges, double distance);
+
+}  // namespace raytube

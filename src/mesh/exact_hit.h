@@ -1,0 +1,44 @@
+// Double-precision decisions about one ray and one triangle, and the neighbours a ray near an edge may have met instead.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/tracer.h"
+
+namespace raytube {
+
+class ExactHit {
+ public:
+  explicit ExactHit(const TriangleMesh& mesh);
+
+  std::uint32_t patch(std::uint32_t triangle) const { return mesh_.triangle_patch[triangle]; }
+
+  /// Distance along the ray to the plane of the triangle's patch.
+  double distance(const Ray& ray, std::uint32_t triangle) const;
+
+  /// True if that plane lies ahead of the ray's start by more than the rounding of the two.
+  bool ahead(const Ray& ray, std::uint32_t triangle) const;
+
+  /// Signed distance from the ray's line to the nearest of the three edges' lines, positive inside, never overestimated.
+  /// Two triangles that share an edge get exactly opposite values for it, so no ray slips between them.
+  double clearance(const Ray& ray, std::uint32_t triangle) const;
+
+  /// Below this clearance [m] single precision cannot tell which side of an edge a ray passes.
+  double doubt() const { return doubt_; }
+
+  /// The nearest triangle that contains the ray, among `triangle` and those sharing a corner with it; ties to the lower index.
+  Hit nearest_around(const Ray& ray, std::uint32_t triangle) const;
+
+ private:
+  double edge_side(const Ray& ray, std::uint32_t from, std::uint32_t to) const;
+  std::span<const std::uint32_t> around(std::uint32_t vertex) const;
+
+  const TriangleMesh& mesh_;
+  double rounding_;
+  double doubt_;
+  std::vector<std::uint32_t> first_, incident_;  // triangles at each vertex, compressed rows
+};
+
+}  // namespace raytube

@@ -1,0 +1,25 @@
+// One parser for each mesh file format, over the file's bytes. CGAL 5.5 reads these formats too, but loses corners separated
+// by tabs, accepts indices out of range and crashes on some headers; OpenMesh 9 rounds every coordinate to single precision.
+#pragma once
+
+#include <string>
+
+#include "mesh/load.h"
+
+namespace raytube {
+
+/// A mesh file in memory.
+struct MeshFile {
+  std::string name;
+  std::string bytes;
+
+  /// Throws InputError: the file, then `sentence`, which says what is wrong and what to do about it.
+  [[noreturn]] void reject(const std::string& sentence) const;
+};
+
+PolygonSoup parse_stl(const MeshFile& file);
+PolygonSoup parse_obj(const MeshFile& file);
+PolygonSoup parse_ply(const MeshFile& file);
+PolygonSoup parse_off(const MeshFile& file);
+
+}  // namespace raytube

@@ -1,0 +1,29 @@
+#include <fmt/format.h>
+
+#include "mesh/triangle_mesh.h"
+
+namespace raytube {
+
+std::vector<MeshNote> MeshReport::notes() const {
+  const std::string together = fmt::format("vertices welded to another one (closer than {:.2g} m)", weld_distance);
+  std::vector<MeshNote> notes = {
+      {"facets left out: fewer than three different corners", facets_unusable},
+      {together, vertices_welded},
+      {"open edges in the file, once vertices are welded", open_edges_read},
+      {"edges in the file where more than two facets meet", non_manifold_edges_read},
+      {"edges in the file whose two facets are wound against each other", badly_wound_edges_read},
+      {"edges split at a vertex that lies on them (T-junctions, flat facets)", t_junctions_split},
+      {"facets added by these splits", triangles_added},
+      {"facets left out: no area", triangles_degenerate},
+      {"facets left out: another one has the same corners", triangles_duplicate},
+      {"facets left out: wall inside, where two closed bodies touch", triangles_internal},
+      {"facets turned over, so that all face outward or alike", triangles_flipped},
+      {"open edges left: a border of a sheet, or a gap in a body", open_edges},
+      {"edges left where more than two facets meet", non_manifold_edges},
+      {"open parts, traced on both sides", components - components_closed},
+  };
+  std::erase_if(notes, [](const MeshNote& note) { return note.count == 0; });
+  return notes;
+}
+
+}  // namespace raytube

@@ -1,0 +1,37 @@
+// Wedge edges of a mesh: where two exposed faces, or the two sides of an open sheet, meet at an angle.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace raytube {
+
+/// One of the two faces of a wedge, seen from the free space between them.
+struct WedgeFace {
+  std::uint32_t patch = no_index;
+  dvec3 into_face;     // x_f: unit, in the face, perpendicular to the edge, away from it
+  dvec3 normal;        // n_f: unit, out of the metal into the free space of this wedge
+  double width = 0.0;  // extent of the patch along into_face [m]
+};
+
+/// A straight edge with free space between faces[0] and faces[1]; angles are measured from faces[0] through free space,
+/// counter-clockwise about tangent() = into_face x normal of faces[0]; for faces[1] the same product is -tangent().
+struct Wedge {
+  dvec3 start, end;  // recentred coordinates [m]
+  double n = 0.0;    // exterior (free-space) angle / pi: 2 half plane, 1.5 outer edge of a cube, 0.5 inner corner
+  std::array<WedgeFace, 2> faces;
+
+  bool convex() const { return n > 1.0; }
+  double interior_angle() const { return (2.0 - n) * pi; }  // metal side [rad]
+  double length() const { return glm::length(end - start); }
+};
+
+/// All wedges, convex and concave, whose faces differ from a plane by at least `min_wedge_angle` [rad]: |pi - interior| >= it.
+/// Around every welded edge the incident facets are sorted by angle; each sector of free space between two exposed facet
+/// sides is a wedge. So a border is one half plane (n = 2), an edge of a closed body one wedge, a fold in an open sheet two
+/// (n and 2 - n), and an edge where several sheets meet one per free sector. Collinear neighbours with the same faces merge.
+std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle);
+
+}  // namespace raytube

@@ -1,0 +1,113 @@
+#include "output/csv.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "decimal.h"
+#include "output/files.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr std::array<const char*, 4> channel_names = {"vv", "vh", "hv", "hh"};
+constexpr const char* key_columns = "freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg";
+
+constexpr const char* conventions =
+    "# Time factor exp(+j omega t); a wave travels as exp(-j k r). Phase reference: the origin of the mesh's coordinates.\n"
+    "# Scattering amplitude S_pq [m], p receive, q transmit: E_p(scattered) = S_pq E_q(incident) exp(-j k r) / r.\n"
+    "# sigma_pq = 4 pi |S_pq|^2; dBsm is 10 log10(sigma / 1 m^2). vh is receive V, transmit H.\n"
+    "# Directions point from the target: theta from +z, phi from +x towards +y; theta_deg, phi_deg to the transmitter, rx_ to "
+    "the "
+    "receiver.\n"
+    "# V is theta-hat and H is phi-hat of each one's own direction, for the transmitter and for the receiver.\n";
+
+std::array<Complex, 4> channels(const ScatteringMatrix& s) { return {s.vv(), s.vh(), s.hv(), s.hh()}; }
+
+std::string direction_text(const Direction& direction) {
+  return number_text(decimal_degrees(direction.theta)) + ',' + number_text(decimal_degrees(direction.phi));
+}
+
+std::string complex_text(Complex value) { return number_text(value.real()) + ',' + number_text(value.imag()); }
+
+// Calls visit(row, frequency text, look) for every row in the order of the files.
+template <typename Visit>
+void for_each_row(const Sweep& sweep, Visit visit) {
+  for (std::size_t i = 0; i < sweep.looks.size(); ++i)
+    for (std::size_t k = 0; k < sweep.frequencies.size(); ++k)
+      visit(sweep.row(i, k), number_text(sweep.frequencies[k]), sweep.looks[i]);
+}
+
+std::string complex_columns(const std::string& suffix) {
+  std::string names;
+  for (const char* channel : channel_names) names += fmt::format(",re_{0}{1},im_{0}{1}", channel, suffix);
+  return names;
+}
+
+std::string rcs_header() {
+  std::string header = key_columns + complex_columns("");
+  for (const char* channel : channel_names) header += fmt::format(",sigma_{}_dbsm", channel);
+  return header + '\n';
+}
+
+std::string complex_values(const ScatteringMatrix& s) {
+  std::string text;
+  for (const Complex value : channels(s)) text += ',' + complex_text(value);
+  return text;
+}
+
+std::string polar_text(Complex value) {
+  const double magnitude = std::sqrt(4.0 * pi) * std::hypot(value.real(), value.imag());
+  const double phase = std::atan2(value.imag() + 0.0, value.real() + 0.0);  // + 0.0: a negative zero must not turn pi into -pi
+  return number_text(magnitude) + ',' + number_text(phase);
+}
+
+}  // namespace
+
+double sigma_dbsm(Complex s) { return 20.0 * std::log10(std::hypot(s.real(), s.imag())) + 10.0 * std::log10(4.0 * pi); }
+
+void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  OutputFile out(file);
+  out.write(conventions + rcs_header());
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+    const ScatteringMatrix& s = result.total[row];
+    std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive) + complex_values(s);
+    for (const Complex value : channels(s)) line += ',' + number_text(sigma_dbsm(value));
+    out.write(line + '\n');
+  });
+  out.commit();
+}
+
+void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  OutputFile out(file);
+  out.write("freq_hz,theta_deg,phi_deg,tx_pol,v_magnitude,v_phase_rad,h_magnitude,h_phase_rad");
+  out.write(sweep.bistatic ? ",rx_theta_deg,rx_phi_deg\n" : "\n");
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+    const ScatteringMatrix& s = result.total[row];
+    for (const int transmit : {0, 1}) {
+      std::string line = frequency + ',' + direction_text(look.transmit) + (transmit == 0 ? ",v," : ",h,") +
+                         polar_text(s.at(0, transmit)) + ',' + polar_text(s.at(1, transmit));
+      if (sweep.bistatic) line += ',' + direction_text(look.receive);
+      out.write(line + '\n');
+    }
+  });
+  out.commit();
+}
+
+void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  OutputFile out(file);
+  std::string header = key_columns;
+  for (std::size_t m = 0; m < result.bounces.size(); ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
+  out.write(header + complex_columns("_edges") + '\n');
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+    std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive);
+    for (const auto& bounce : result.bounces) line += complex_values(bounce[row]);
+    out.write(line + complex_values(result.edges.empty() ? ScatteringMatrix{} : result.edges[row]) + '\n');
+  });
+  out.commit();
+}
+
+}  // namespace raytube

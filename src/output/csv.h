@@ -1,0 +1,22 @@
+// The results as tables: one row per look and frequency, looks slowest, frequency fastest.
+#pragma once
+
+#include <filesystem>
+
+#include "sweep.h"
+
+namespace raytube {
+
+/// sigma of one amplitude [dBsm]; -inf for zero. Does not underflow where |S|^2 would.
+double sigma_dbsm(Complex s);
+
+/// rcs.csv: complex S and sigma of the four channels.
+void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
+
+/// channels.csv: magnitude sqrt(sigma) [m] and phase [rad] received in V and H, one row per transmit polarisation.
+void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
+
+/// parts.csv: complex S of bounce 1, 2, ... and of the edges, side by side; they add up to rcs.csv. Needs a result with parts.
+void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
+
+}  // namespace raytube

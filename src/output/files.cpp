@@ -1,0 +1,72 @@
+#include "output/files.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <stdexcept>
+#include <system_error>
+
+#include "error.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void not_writable(const fs::path& path, const std::string& reason) {
+  throw InputError(fmt::format("output folder {}: {}; choose another one with -o DIR", path.string(), reason));
+}
+
+// The topmost folder that create_directories(path) has to make.
+fs::path first_missing(const fs::path& path) {
+  fs::path missing;
+  std::error_code ignored;
+  for (fs::path at = path; !at.empty() && !fs::exists(at, ignored); at = at.parent_path()) missing = at;
+  return missing;
+}
+
+}  // namespace
+
+fs::path temporary_beside(const fs::path& path) {
+  return path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), getpid());
+}
+
+OutputFolder::OutputFolder(const fs::path& path) : path_(fs::absolute(path).lexically_normal()) {
+  if (!path_.has_filename()) path_ = path_.parent_path();  // "out/" is "out"
+  const fs::path missing = first_missing(path_);
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (!error && !fs::is_directory(path_)) error = std::make_error_code(std::errc::not_a_directory);
+  if (error) not_writable(path, "cannot be created (" + error.message() + ")");
+  first_created_ = missing;
+  const fs::path probe = temporary_beside(path_ / "probe");
+  if (!std::ofstream(probe)) not_writable(path, "cannot be written to");
+  fs::remove(probe, error);
+}
+
+OutputFolder::~OutputFolder() {
+  if (first_created_.empty()) return;
+  std::error_code error;
+  for (fs::path at = path_; fs::remove(at, error) && at != first_created_;) at = at.parent_path();  // stops at a folder in use
+}
+
+OutputFile::OutputFile(const fs::path& path) : path_(path), beside_(temporary_beside(path)), stream_(beside_, std::ios::binary) {
+  if (!stream_) throw std::runtime_error(fmt::format("{}: cannot be written", path.string()));
+}
+
+OutputFile::~OutputFile() {
+  stream_.close();
+  std::error_code ignored;
+  fs::remove(beside_, ignored);
+}
+
+void OutputFile::commit() {
+  stream_.close();
+  std::error_code error;
+  if (stream_) fs::rename(beside_, path_, error);
+  if (!stream_ || error)
+    throw std::runtime_error(fmt::format("{}: cannot be written completely; is the disk full?", path_.string()));
+}
+
+}  // namespace raytube

@@ -1,0 +1,67 @@
+#include "output/manifest.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "output/files.h"
+
+namespace raytube {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Counts are whole; only lengths carry a fraction.
+Json count_or_length(double value) {
+  return value == std::floor(value) && value < 1e15 ? Json(static_cast<std::uint64_t>(value)) : Json(value);
+}
+
+Json counts_json(const Statistics& statistics) {
+  Json json;
+  json["rays"] = statistics.rays;
+  json["tubes"] = statistics.tubes;
+  json["hits_per_bounce"] = statistics.hits;
+  json["lost_rays"] = statistics.lost_rays;
+  json["tubes_cut_at_max_bounces"] = statistics.tubes_cut;
+  json["wedges"] = statistics.wedges;
+  json["wedges_lit"] = statistics.wedges_lit;
+  json["windowed_rows"] = statistics.windowed_rows;
+  json["skipped"] = Json::array();
+  for (const Skipped& skipped : statistics.skipped)
+    json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});
+  return json;
+}
+
+Json mesh_json(const Manifest& manifest) {
+  Json json = {{"sha256", manifest.mesh_sha256}};
+  for (const auto& [name, value] : manifest.mesh_report) json[name] = count_or_length(value);
+  json["notes"] = Json::array();
+  for (const auto& [what, count] : manifest.mesh_notes)
+    json["notes"].push_back({{"what", what}, {"count", count_or_length(count)}});
+  return json;
+}
+
+Json time_json(const Timing& time, double solve_s) {
+  return {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
+}
+
+}  // namespace
+
+void write_manifest(const std::filesystem::path& file, const Manifest& manifest) {
+  Json json;
+  json["program"] = "raytube";
+  json["version"] = manifest.program_version;
+  json["case"] = Json::parse(manifest.case_json);
+  json["mesh"] = mesh_json(manifest);
+  json["instruction_sets"] = {{"embree", manifest.embree_instruction_set}, {"raytube", "x86-64-v3"}};
+  json["threads"] = manifest.threads;
+  json["counts"] = counts_json(manifest.statistics);
+  json["time"] = time_json(manifest.time, manifest.statistics.solve_s);
+  json["peak_rss_bytes"] = manifest.peak_rss_bytes;
+  json["rcs_csv_sha256"] = manifest.rcs_csv_sha256;
+  OutputFile out(file);
+  out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  out.commit();
+}
+
+}  // namespace raytube

@@ -1,0 +1,35 @@
+// run.json: what was computed, with what, and what happened.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sweep.h"
+
+namespace raytube {
+
+struct Timing {
+  double read_s = 0.0;   // case and mesh file -> welded, oriented mesh
+  double build_s = 0.0;  // ray-tracing structure and wedges
+  double total_s = 0.0;  // the whole program, plots included
+};
+
+struct Manifest {
+  std::string case_json;  // the resolved case
+  std::string program_version;
+  std::string mesh_sha256;
+  std::string embree_instruction_set;
+  int threads = 1;
+  std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written
+  std::vector<std::pair<std::string, double>> mesh_notes;   // sentence and count
+  Statistics statistics;
+  Timing time;
+  std::uint64_t peak_rss_bytes = 0;
+  std::string rcs_csv_sha256;
+};
+
+void write_manifest(const std::filesystem::path& file, const Manifest& manifest);
+
+}  // namespace raytube

@@ -1,0 +1,35 @@
+// The launch plane of a look: a regular grid of tubes over the target's projected extent.
+#pragma once
+
+#include <optional>
+
+#include "mesh/tracer.h"
+#include "mesh/triangle_mesh.h"
+
+namespace raytube {
+
+/// Rectangle across the line of sight, in recentred coordinates, cut into equal cells. Columns run along u, rows along v;
+/// u x v points to the radar. It lies in front of the whole target.
+struct LaunchGrid {
+  dvec3 u_hat, v_hat;
+  dvec3 direction;     // of propagation: away from the radar
+  dvec3 plane_origin;  // point of the plane with u = v = 0
+  double u_begin = 0.0, v_begin = 0.0;  // lower corner [m]
+  double du = 0.0, dv = 0.0;            // cell sides [m]
+  std::uint32_t columns = 0, rows = 0;  // both 0 when the target has no projected area
+
+  double u_center(std::uint32_t column) const { return u_begin + (column + 0.5) * du; }
+  double v_center(std::uint32_t row) const { return v_begin + (row + 0.5) * dv; }
+  std::uint64_t cells() const { return std::uint64_t{columns} * rows; }
+
+  /// The ray of a cell leaves a little beside the centre, so that it never runs along mesh edges aligned with the grid.
+  Ray ray(std::uint32_t column, std::uint32_t row) const;
+};
+
+/// Grid of `per_wavelength` cells per wavelength along each side, fitted to the exact extent: ceil(extent * per_wavelength /
+/// wavelength - 1e-6) equal cells. Columns u = phi_hat, rows v = -theta_hat of `transmit`, or v along `up` projected
+/// (the default again where `up` points along the line of sight).
+LaunchGrid launch_grid(const TriangleMesh& mesh, const Direction& transmit, double wavelength, double per_wavelength,
+                       const std::optional<dvec3>& up);
+
+}  // namespace raytube

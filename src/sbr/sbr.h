@@ -1,0 +1,49 @@
+// Shooting and bouncing rays: the physical-optics currents of every bounce of every tube of one look.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "field.h"
+#include "mesh/tracer.h"
+#include "progress.h"
+#include "sbr/tile.h"
+
+namespace raytube {
+
+struct TubeOptions {
+  double per_wavelength = 10.0;  // tubes per wavelength along each side of the launch plane, at the highest frequency
+  int max_bounces = 8;
+  std::optional<dvec3> up;       // rows of the launch grid follow this vector's projection; default -theta_hat
+};
+
+/// Traces the uniform tube grid of a look once and integrates the PO current of every bounce, radiating unblocked, for all
+/// frequencies [Hz] and both transmit polarisations. Phase reference: the centre of the mesh. The result does not depend on
+/// the number of threads. Reports its finished tiles as shares of `share` to `progress`.
+TubeSums sbr_scattering(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
+                        Progress& progress, double share);
+
+/// One reflection of a replayed tube, in recentred coordinates.
+struct TubeBounce {
+  std::uint32_t triangle, patch;
+  dvec3 point, normal;  // normal on the side the tube comes from
+  dvec3 direction_out;
+  double path;                 // [m] phase path from the plane through the centre of the mesh
+  std::array<dvec3, 2> field;  // reflected field of unit incident V and H
+};
+
+struct TubeTrace {
+  std::uint32_t column, row;  // the tube's cell in the launch grid
+  dvec2 center;               // (u, v) of the cell's middle on the launch axes, origin = mesh origin [m]
+  std::vector<TubeBounce> bounces;
+  std::string end;  // why the tube ended
+};
+
+/// Replays the tube whose cell holds (u, v), launch coordinates in metres with the mesh's own origin. Throws InputError
+/// outside the launch rectangle.
+TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u, double v);
+
+}  // namespace raytube

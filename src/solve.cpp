@@ -1,0 +1,130 @@
+#include "solve.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "utd/edges.h"
+
+namespace raytube {
+
+namespace {
+
+// One look, all frequencies: what the tubes and the wedges give, kept apart.
+struct LookResult {
+  TubeSums tubes;
+  EdgeLookResult edges;
+};
+
+void check(const Sweep& sweep, const SolveOptions& options) {
+  if (sweep.frequencies.empty() || sweep.looks.empty()) throw InputError("the sweep has no frequency or no look");
+  for (const double f : sweep.frequencies)
+    if (!(f > 0.0) || !std::isfinite(f)) throw InputError("every frequency must be a positive number of hertz");
+  if (!(options.tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
+  if (options.tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
+}
+
+LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look, const SolveOptions& options, Progress& progress) {
+  LookResult result;
+  const double share = 1.0 / static_cast<double>(sweep.looks.size());
+  result.tubes = sbr_scattering(target.tracer, look, sweep.frequencies, options.tubes, progress, share);
+  if (options.edges.method == EdgeMethod::fringe)
+    result.edges = fringe_scattering(target.wedges, target.tracer, look, sweep.frequencies);
+  return result;
+}
+
+// Moves the phase reference from the centre of the mesh to the origin of its own coordinates.
+Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency) {
+  const dvec3 change = spherical_basis(look.receive).radial + spherical_basis(look.transmit).radial;
+  return std::polar(1.0, wavenumber(frequency) * glm::dot(change, mesh.center));
+}
+
+ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) {
+  for (auto& row : matrix.s)
+    for (Complex& value : row) value *= factor;
+  return matrix;
+}
+
+// Puts the looks' results in their rows, in look order, and adds up the counts.
+class Collector {
+ public:
+  Collector(const Sweep& sweep, const TriangleMesh& mesh, bool keep_parts) : sweep_(sweep), mesh_(mesh), keep_parts_(keep_parts) {
+    result_.total.resize(sweep.rows());
+    if (keep_parts) result_.edges.resize(sweep.rows());
+  }
+
+  void add(std::size_t look, const LookResult& part) {
+    for (std::size_t f = 0; f < sweep_.frequencies.size(); ++f) add_row(look, f, part);
+    Statistics& all = result_.statistics;
+    all.tubes += part.tubes.tubes;
+    all.rays += part.tubes.rays;
+    all.lost_rays += part.tubes.lost_rays;
+    all.tubes_cut += part.tubes.tubes_cut;
+    all.wedges_lit += part.edges.wedges_lit;
+    if (all.hits.size() < part.tubes.hits.size()) all.hits.resize(part.tubes.hits.size());
+    for (std::size_t b = 0; b < part.tubes.hits.size(); ++b) all.hits[b] += part.tubes.hits[b];
+    for (const bool windowed : part.edges.windowed) all.windowed_rows += windowed ? 1 : 0;
+    if (part.tubes.tubes == 0) ++looks_without_tubes_;
+  }
+
+  SweepResult finish() {
+    if (looks_without_tubes_)
+      result_.statistics.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
+    return std::move(result_);
+  }
+
+ private:
+  void add_row(std::size_t look, std::size_t f, const LookResult& part) {
+    const std::size_t row = sweep_.row(look, f);
+    const Complex factor = to_mesh_origin(mesh_, sweep_.looks[look], sweep_.frequencies[f]);
+    for (std::size_t b = 0; b < part.tubes.bounces.size(); ++b) {
+      const ScatteringMatrix bounce = scaled(part.tubes.bounces[b][f], factor);
+      result_.total[row] += bounce;
+      if (!keep_parts_) continue;
+      if (result_.bounces.size() <= b) result_.bounces.emplace_back(sweep_.rows());
+      result_.bounces[b][row] = bounce;
+    }
+    if (part.edges.scattering.empty()) return;
+    const ScatteringMatrix edges = scaled(part.edges.scattering[f], factor);
+    result_.total[row] += edges;
+    if (keep_parts_) result_.edges[row] = edges;
+  }
+
+  const Sweep& sweep_;
+  const TriangleMesh& mesh_;
+  bool keep_parts_;
+  std::uint64_t looks_without_tubes_ = 0;
+  SweepResult result_;
+};
+
+}  // namespace
+
+Target::Target(const TriangleMesh& triangles, const EdgeOptions& edges)
+    : mesh(triangles), tracer(triangles), wedges(find_wedges(triangles, edges.min_wedge_angle)) {}
+
+SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {
+  check(sweep, options);
+  const auto start = std::chrono::steady_clock::now();
+  const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  Progress progress(options.progress);
+
+  // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result.
+  std::vector<LookResult> looks(sweep.looks.size());
+  tbb::task_arena(threads).execute([&] {
+    tbb::parallel_for(std::size_t{0}, looks.size(), [&](std::size_t i) {
+      looks[i] = solve_look(target, sweep, sweep.looks[i], options, progress);
+    });
+  });
+  Collector collector(sweep, target.mesh, options.keep_parts);
+  for (std::size_t i = 0; i < looks.size(); ++i) collector.add(i, looks[i]);
+  SweepResult result = collector.finish();
+  result.statistics.wedges = target.wedges.size();
+  result.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace raytube

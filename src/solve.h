@@ -1,0 +1,42 @@
+// The public API: a target, a sweep and options in; complex polarimetric amplitudes out.
+#pragma once
+
+#include <functional>
+
+#include "mesh/load.h"
+#include "mesh/tracer.h"
+#include "mesh/wedges.h"
+#include "sbr/sbr.h"
+#include "sweep.h"
+
+namespace raytube {
+
+enum class EdgeMethod { none, fringe };
+
+struct EdgeOptions {
+  EdgeMethod method = EdgeMethod::fringe;
+  double min_wedge_angle = 15.0 * degree;  // a crease flatter than this is tessellation, not an edge [rad]
+};
+
+struct SolveOptions {
+  TubeOptions tubes;
+  EdgeOptions edges;
+  int threads = 0;          // 0: all cores
+  bool keep_parts = false;  // fill SweepResult::bounces and edges
+  /// Called now and then with the finished share of the work (0..1); return false to stop (solve then throws Interrupted).
+  std::function<bool(double)> progress;
+};
+
+/// A mesh ready to be solved: its ray-tracing structure and wedges. Keeps a reference to `mesh`.
+struct Target {
+  Target(const TriangleMesh& mesh, const EdgeOptions& edges);
+  const TriangleMesh& mesh;
+  Tracer tracer;
+  std::vector<Wedge> wedges;
+};
+
+/// S of every row of the sweep, phase reference at the origin of the mesh's own coordinates. The same bytes for any
+/// number of threads. Throws InputError for an empty or non-physical sweep, Interrupted when `progress` says stop.
+SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options = {});
+
+}  // namespace raytube

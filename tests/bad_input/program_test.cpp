@@ -1,0 +1,154 @@
+// Bad input of every kind, through the real program: exit code 2, one sentence, nothing left where results belong.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+
+#include "scratch.h"
+
+namespace raytube {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace raytube::testing;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+const std::string plate = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+const std::string target = "[target]\nmesh = \"mesh.off\"\nunit = \"mm\"\n";
+const std::string frequency = "[frequency]\nghz = 10\n";
+const std::string look = "[look]\ntheta_deg = 10\nphi_deg = 0\n";
+const std::string good_case = target + frequency + look;
+
+struct Outcome {
+  int code = -1;
+  std::string complaint;  // stderr
+};
+
+class BadInput : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    scratch.write("mesh.off", plate);
+    scratch.write("case.toml", good_case);
+  }
+
+  /// Runs the program in the scratch folder with the given words, as a shell would take them.
+  Outcome raytube(const std::string& words, const std::string& under = "") const {
+    const std::string command =
+        "cd '" + scratch.folder().string() + "' && " + under + RAYTUBE_PROGRAM " " + words + " >stdout.txt 2>stderr.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(scratch / "stderr.txt")};
+  }
+
+  void expect_refused(const std::string& words, const std::string& says) const {
+    const Outcome outcome = raytube(words);
+    EXPECT_EQ(outcome.code, 2) << words;
+    EXPECT_EQ(std::count(outcome.complaint.begin(), outcome.complaint.end(), '\n'), 1) << outcome.complaint;
+    EXPECT_THAT(outcome.complaint, AllOf(HasSubstr(says), EndsWith("\n"))) << words;
+    EXPECT_FALSE(fs::exists(scratch / "out")) << words;
+  }
+
+  Scratch scratch;
+};
+
+TEST_F(BadInput, TheGoodCaseIsGood) {
+  const Outcome outcome = raytube("run case.toml --set output.plots=false");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.complaint, "");
+  EXPECT_TRUE(fs::exists(scratch / "out/rcs.csv"));
+}
+
+TEST_F(BadInput, Mesh) {
+  expect_refused("run case.toml --set target.mesh=missing.stl", "missing.stl");
+  fs::create_directory(scratch / "folder.stl");
+  expect_refused("run case.toml --set target.mesh=folder.stl", "folder.stl");
+  scratch.write("empty.stl", "");
+  expect_refused("run case.toml --set target.mesh=empty.stl", "empty.stl");
+  scratch.write("none.off", "OFF\n0 0 0\n");
+  expect_refused("run case.toml --set target.mesh=none.off", "none.off");
+  scratch.write("nan.off", "OFF\n3 1 0\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n");
+  expect_refused("run case.toml --set target.mesh=nan.off", "nan.off");
+  scratch.write("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+  expect_refused("run case.toml --set target.mesh=index.off", "index.off");
+  scratch.write("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  expect_refused("run case.toml --set target.mesh=line.off", "line.off");
+  scratch.write("mesh.xyz", "0 0 0\n");
+  expect_refused("run case.toml --set target.mesh=mesh.xyz", "mesh.xyz");
+}
+
+TEST_F(BadInput, MeshForEveryCommand) {
+  expect_refused("check case.toml --set target.mesh=missing.stl", "missing.stl");
+  expect_refused("trace case.toml --look 0 --u 0 --v 0 --set target.mesh=missing.stl", "missing.stl");
+}
+
+TEST_F(BadInput, CaseFile) {
+  expect_refused("run missing.toml", "missing.toml: no such file");
+  expect_refused("run .", "cannot be read");
+  scratch.write("case.toml", "[target\n");
+  expect_refused("run case.toml", "case.toml, line 1: not valid TOML");
+  scratch.write("case.toml", good_case + "[tubes]\nmax_bounce = 3\n");
+  expect_refused("run case.toml", "case.toml, line 10: unknown key \"tubes.max_bounce\"; did you mean \"tubes.max_bounces\"?");
+  scratch.write("case.toml", "[target]\nmesh = \"mesh.off\"\n" + frequency + look);
+  expect_refused("run case.toml", "target.unit is missing");
+}
+
+TEST_F(BadInput, Values) {
+  expect_refused("run case.toml --set frequency.ghz=-1", "frequency.ghz must be greater than 0");
+  expect_refused("run case.toml --set tubes.per_wavelength=0", "tubes.per_wavelength must be greater than 0");
+  expect_refused("run case.toml --set tubes.per_wavelength=1e12", "tubes.per_wavelength");
+  expect_refused("run case.toml --set tubes.max_bounces=many", "tubes.max_bounces must be a number");
+  expect_refused("run case.toml --set 'look.phi_deg={start=0,stop=1,step=-1}'", "write step = 1");
+  expect_refused("run case.toml --set 'title=\"\\u0007\"' --set look.theta_deg=200", "0 to 180 degrees");
+  expect_refused("run case.toml --set 'tubes.mode=\"a\\nb\"'", "tubes.mode");
+}
+
+TEST_F(BadInput, OutputFolder) {
+  scratch.write("file", "");
+  expect_refused("run case.toml -o file", "choose another one with -o DIR");
+  expect_refused("run case.toml -o file/out", "choose another one with -o DIR");
+  expect_refused("run case.toml -o ''", "-o");
+  EXPECT_EQ(text_of(scratch / "file"), "");
+}
+
+TEST_F(BadInput, FailureLeavesEarlierResultsAlone) {
+  fs::create_directory(scratch / "old");
+  scratch.write("old/rcs.csv", "earlier");
+  EXPECT_EQ(raytube("run case.toml -o old --set target.mesh=missing.stl").code, 2);
+  EXPECT_EQ(text_of(scratch / "old/rcs.csv"), "earlier");
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "old"), {}), 1);
+}
+
+TEST_F(BadInput, InterruptLeavesNothing) {
+  const std::string hours = "--set target.unit=m --set tubes.per_wavelength=100 --set 'look.phi_deg={start=0,stop=90,step=0.01}'";
+  const Outcome outcome = raytube("run case.toml " + hours, "timeout --preserve-status -s INT -k 5 1 ");
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.complaint, HasSubstr("interrupted"));
+  EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
+TEST_F(BadInput, CommandLine) {
+  expect_refused("", "no command");
+  expect_refused("fly", "unknown command \"fly\"");
+  expect_refused("--verbose", "unknown");
+  expect_refused("run", "raytube --help");
+  expect_refused("run case.toml more.toml", "more.toml");
+  expect_refused("run case.toml --bogus", "--bogus");
+  expect_refused("run case.toml --threads 0", "--threads");
+  expect_refused("run case.toml --threads two", "--threads");
+  expect_refused("run case.toml --set", "--set");
+  expect_refused("run case.toml --set tubes", "no KEY=VALUE");
+  expect_refused("trace case.toml --u 0 --v 0", "--look");
+  expect_refused("trace case.toml --look -1 --u 0 --v 0", "--look");
+  expect_refused("trace case.toml --look 1 --u 0 --v 0", "1 direction pair");
+  expect_refused("trace case.toml --look 0 --u nan --v 0", "finite");
+  expect_refused("trace case.toml --look 0 --u 1e9 --v 0", "--u");
+}
+
+TEST_F(BadInput, NotInThisVersion) {
+  expect_refused("converge case.toml", "not in this version");
+  expect_refused("compare a.csv b.csv --tolerance-db 1", "not in this version");
+}
+
+}  // namespace
+}  // namespace raytube

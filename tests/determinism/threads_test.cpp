@@ -1,0 +1,66 @@
+// The same bytes for any number of threads, from the library and from the program.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "run.h"
+#include "shapes.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+
+const int thread_counts[] = {1, 2, 3, 7};
+
+bool same_bytes(const std::vector<ScatteringMatrix>& a, const std::vector<ScatteringMatrix>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+}
+
+TEST(Threads, LibraryGivesTheSameBits) {
+  Sweep sweep{{9e9, 10e9}, {}, true};
+  for (int i = 0; i < 9; ++i) sweep.looks.push_back({{0.3 + 0.2 * i, 0.7 * i}, {0.5 + 0.2 * i, 0.7 * i}});
+  for (const PolygonSoup& soup : {shapes::icosphere(3, 0.2), shapes::trihedral(0.5), shapes::cube(0.3)}) {
+    SolveOptions o = options(EdgeMethod::fringe);
+    o.threads = 1;
+    const SweepResult one = solve_soup(soup, sweep, o);
+    for (const int threads : thread_counts) {
+      o.threads = threads;
+      const SweepResult many = solve_soup(soup, sweep, o);
+      EXPECT_TRUE(same_bytes(one.total, many.total)) << threads << " threads";
+      EXPECT_EQ(one.statistics.rays, many.statistics.rays);
+    }
+  }
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// rcs.csv of a case of the repository, thinned so that it runs in a second or two.
+std::string program_output(const std::string& case_name, const std::string& set, int threads) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / ("threads-" + case_name + std::to_string(threads));
+  const std::string command = std::string(RAYTUBE_PROGRAM) + " run " RAYTUBE_SOURCE_DIR "/cases/" + case_name + "/case.toml -o " +
+                              folder.string() + " --quiet --set output.plots=false " + set + " --threads " + std::to_string(threads);
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << command;
+  return read_file(folder / "rcs.csv");
+}
+
+TEST(Threads, ProgramWritesTheSameBytes) {
+  const std::pair<std::string, std::string> cases[] = {
+      {"powercube", "--set look.phi_deg='{start=-10,stop=10,step=5}'"},
+      {"trihedral", "--set look.phi_deg='{start=0,stop=90,step=15}'"},
+      {"cylinder", "--set look.theta_deg='{start=0,stop=180,step=20}'"},
+  };
+  for (const auto& [name, set] : cases) {
+    const std::string one = program_output(name, set, 1);
+    EXPECT_GT(one.size(), 500u);
+    for (const int threads : thread_counts) EXPECT_EQ(program_output(name, set, threads), one) << name << ", " << threads << " threads";
+  }
+}
+
+}  // namespace
+}  // namespace raytube

@@ -1,0 +1,74 @@
+// Short ways to solve a test target and to compare results.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+#include "solve.h"
+
+namespace raytube::testing {
+
+inline Sweep monostatic(const std::vector<Direction>& directions, double frequency) {
+  Sweep sweep{{frequency}, {}, false};
+  for (const Direction& d : directions) sweep.looks.push_back({d, d});
+  return sweep;
+}
+
+inline SolveOptions options(EdgeMethod edges, double per_wavelength = 10.0) {
+  SolveOptions o;
+  o.edges.method = edges;
+  o.tubes.per_wavelength = per_wavelength;
+  o.keep_parts = true;
+  return o;
+}
+
+inline SweepResult solve_soup(PolygonSoup soup, const Sweep& sweep, const SolveOptions& o) {
+  const LoadedMesh loaded = build_mesh(std::move(soup), 1.0);
+  return solve(Target(loaded.mesh, o.edges), sweep, o);
+}
+
+inline double dbsm(Complex s) { return 20.0 * std::log10(std::abs(s)) + 10.0 * std::log10(4.0 * pi); }
+
+inline double quantile(std::vector<double> values, double q) {
+  std::ranges::sort(values);
+  return values.at(static_cast<std::size_t>(q * static_cast<double>(values.size() - 1)));
+}
+
+inline double rms(const std::vector<double>& values) {
+  return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0) / static_cast<double>(values.size()));
+}
+
+/// A CSV file with a header line; '#' lines are skipped, text cells are kept as text.
+class Table {
+ public:
+  explicit Table(const std::string& path) {
+    std::ifstream in(path);
+    if (!in) throw std::runtime_error("cannot open " + path);
+    std::string line;
+    while (std::getline(in, line)) {
+      if (line.empty() || line[0] == '#') continue;
+      std::vector<std::string> cells;
+      std::stringstream row(line);
+      for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+      if (columns_.empty())
+        for (std::size_t i = 0; i < cells.size(); ++i) columns_[cells[i]] = i;
+      else
+        rows_.push_back(cells);
+    }
+  }
+  std::size_t rows() const { return rows_.size(); }
+  const std::string& text(std::size_t row, const std::string& column) const { return rows_.at(row).at(columns_.at(column)); }
+  double number(std::size_t row, const std::string& column) const { return std::stod(text(row, column)); }
+  Complex complex(std::size_t row, const std::string& channel) const { return {number(row, "re_" + channel), number(row, "im_" + channel)}; }
+
+ private:
+  std::map<std::string, std::size_t> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace raytube::testing

@@ -1,0 +1,133 @@
+// Every bad case gets a sentence with the place and the remedy.
+#include "case_text.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+struct Bad {
+  const char* override_text;
+  const char* says;
+};
+
+const Bad bad_values[] = {{"title=3", "title must be a text in double quotes"},
+                          {"target.mesh=3", "target.mesh must be a text"},
+                          {"target.mesh=\"\"", "give the mesh file"},
+                          {"target.unit=km", "write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\""},
+                          {"target.material=glass", "not in this version; write \"pec\""},
+                          {"frequency.ghz=0", "greater than 0 (found 0)"},
+                          {"frequency.ghz=-2", "greater than 0 (found -2)"},
+                          {"frequency.ghz=nan", "finite"},
+                          {"frequency.ghz=inf", "finite"},
+                          {"frequency.ghz=1e308", "too large"},
+                          {"frequency.ghz=ten", "a number, a list or { start, stop, count }"},
+                          {"frequency.ghz=[]", "at least one number"},
+                          {"frequency.ghz=[1,\"x\"]", "every entry of frequency.ghz must be a number"},
+                          {"frequency.ghz={start=1,stop=2}", "has no count"},
+                          {"frequency.ghz={start=1,stop=2,count=0}", "at least 1"},
+                          {"frequency.ghz={start=1,stop=2,count=1}", "count = 2 or more"},
+                          {"frequency.ghz={start=1,stop=2,count=2.5}", "whole number"},
+                          {"frequency.ghz={start=1,stop=2,count=1e7}", "more than the 1000000 allowed"},
+                          {"look.theta_deg=180.5", "0 to 180 degrees"},
+                          {"look.theta_deg=[90,-1]", "found -1"},
+                          {"look.theta_deg=true", "look.theta_deg must be a number, a list or { start, stop, step }"},
+                          {"look.phi_deg={start=0,stop=1,step=0}", "must not be zero"},
+                          {"look.phi_deg={start=0,stop=1,step=-1}", "write step = 1"},
+                          {"look.phi_deg={start=0,stop=1e12,step=1}", "1000000 allowed"},
+                          {"look.phi_deg={start=0,stop=1,count=3}", "write look.phi_deg = { start, stop, step }"},
+                          {"look.looks_csv=looks.csv", "remove one or the other"},
+                          {"tubes.mode=adaptive", "not in this version; write \"uniform\""},
+                          {"tubes.mode=fast", "write \"uniform\""},
+                          {"tubes.per_wavelength=0", "greater than 0"},
+                          {"tubes.per_wavelength=-3", "greater than 0 (found -3)"},
+                          {"tubes.max_bounces=0", "from 1 to 1000 (found 0)"},
+                          {"tubes.max_bounces=2.5", "whole number"},
+                          {"tubes.max_bounces=2000", "from 1 to 1000"},
+                          {"tubes.up=[0,0]", "three numbers"},
+                          {"tubes.up=[0,0,0]", "zero vector"},
+                          {"tubes.clip=true", "not in this version"},
+                          {"edges.method=utd", "not in this version; write \"fringe\" or \"none\""},
+                          {"edges.order=2", "not in this version; write 1"},
+                          {"edges.order=4", "from 1 to 3"},
+                          {"edges.min_wedge_deg=180", "less than 180"},
+                          {"output.plots=yes", "true or false"},
+                          {"output.image_look=0", "not in this version"},
+                          {"accuracy.tolerance_db=0.1", "\"accuracy\" is not in this version"},
+                          {"radar.range_m=3", "\"radar\" is not in this version"},
+                          {"materials.glass=3", "\"materials\" is not in this version"},
+                          {"edges.methd=none", "did you mean \"edges.method\""},
+                          {"mesh=m.stl", "did you mean \"target.mesh\""},
+                          {"tube.max_bounces=3", "did you mean \"tubes.max_bounces\""},
+                          {"target.per_wavelength=3", "did you mean \"tubes.per_wavelength\""},
+                          {"look=3", "look must be a section; write [look]"}};
+
+TEST(CaseErrors, BadValueNamesTheOptionAndTheRemedy) {
+  for (const auto& [option, says] : bad_values)
+    EXPECT_THAT(complaint(smallest, {option}), AllOf(HasSubstr(std::string("--set ") + option + ": "), HasSubstr(says)));
+}
+
+TEST(CaseErrors, NamesFileAndLine) {
+  EXPECT_THAT(complaint(smallest + "[tubes]\nper_wavelenght = 3\n"),
+              HasSubstr("case.toml, line 10: unknown key \"tubes.per_wavelenght\""));
+  EXPECT_THAT(complaint(smallest + "[tubes]\nmax_bounces = -1\n"), HasSubstr("case.toml, line 10: tubes.max_bounces must be"));
+}
+
+TEST(CaseErrors, NamesWhatIsMissing) {
+  EXPECT_THAT(complaint(target + frequency), HasSubstr("add a [look] section"));
+  EXPECT_THAT(complaint(target + look), HasSubstr("frequency.ghz is missing; add ghz ="));
+  EXPECT_THAT(complaint(frequency + look), HasSubstr("target.mesh is missing; add mesh ="));
+  EXPECT_THAT(complaint("[target]\nmesh = \"m.stl\"\n" + frequency + look),
+              HasSubstr("target.unit is missing; add unit = \"mm\""));
+  EXPECT_THAT(complaint(target + frequency + "[look]\nphi_deg = 1\n"), HasSubstr("look.theta_deg is missing"));
+  EXPECT_THAT(complaint(smallest + "[receive]\ntheta_deg = 1\n"), HasSubstr("receive.phi_deg is missing"));
+}
+
+TEST(CaseErrors, BrokenTomlNamesTheLine) {
+  EXPECT_THAT(complaint("title = \"a\"\n[target\n"), HasSubstr("case.toml, line 2: not valid TOML"));
+  EXPECT_THAT(complaint(target + target), HasSubstr("not valid TOML"));
+}
+
+TEST(CaseErrors, MissingFileAndFolder) {
+  EXPECT_THROW(read_case("no/such/case.toml"), InputError);
+  EXPECT_THROW(read_case(Scratch().folder()), InputError);
+}
+
+TEST(CaseErrors, MalformedOverrides) {
+  EXPECT_THAT(complaint(smallest, {"tubes"}), HasSubstr("no KEY=VALUE"));
+  EXPECT_THAT(complaint(smallest, {"=3"}), HasSubstr("no KEY=VALUE"));
+  EXPECT_THAT(complaint(smallest, {"a..b=3"}), HasSubstr("not a dotted key"));
+}
+
+TEST(CaseErrors, TooManyRows) {
+  EXPECT_THAT(complaint(smallest, {"look.phi_deg={start=0,stop=99999,step=1}", "look.theta_deg={start=0,stop=180,step=0.1}"}),
+              HasSubstr("more than the 10000000 allowed; split the sweep"));
+}
+
+std::string list_complaint(const std::string& list, const std::string& more = "") {
+  const Scratch scratch;
+  scratch.write("looks.csv", list);
+  try {
+    read_case(scratch.write("case.toml", target + frequency + "[look]\nlooks_csv = \"looks.csv\"\n" + more));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CaseErrors, LookLists) {
+  EXPECT_THAT(list_complaint("90,0\n"), HasSubstr("looks.csv, line 1: the header must be"));
+  EXPECT_THAT(list_complaint("theta_deg,phi_deg\n90,0\n90\n"), HasSubstr("looks.csv, line 3: 1 values where the header names 2"));
+  EXPECT_THAT(list_complaint("theta_deg,phi_deg\n90,x\n"), HasSubstr("line 2: \"x\" is not a finite number"));
+  EXPECT_THAT(list_complaint("theta_deg,phi_deg\n90,nan\n"), HasSubstr("not a finite number"));
+  EXPECT_THAT(list_complaint("theta_deg,phi_deg\n181,0\n"), HasSubstr("line 2: theta must lie in 0 to 180"));
+  EXPECT_THAT(list_complaint("theta_deg,phi_deg\n"), HasSubstr("no looks"));
+  EXPECT_THAT(list_complaint("theta_deg,phi_deg\n1,2\n", "[receive]\ntheta_deg = 1\nphi_deg = 1\n"),
+              HasSubstr("[receive] cannot go with"));
+  EXPECT_THAT(complaint(target + frequency + "[look]\nlooks_csv = \"none.csv\"\n"), HasSubstr("cannot be read"));
+}
+
+}  // namespace
+}  // namespace raytube

@@ -1,0 +1,63 @@
+// Includes run one way only: base <- mesh <- { sbr, utd } <- solve <- main; output and case know only what is below them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = RAYTUBE_SOURCE_DIR "/src";
+
+// Room of a file: its folder, or for files in src/ itself the name up to the first '_' or '.'.
+std::string room_of(const fs::path& relative) {
+  if (relative.has_parent_path()) return relative.begin()->string();
+  const std::string name = relative.filename().string();
+  for (const char* room : {"case", "command", "main", "solve"})
+    if (name.starts_with(room)) return room;
+  return "base";
+}
+
+const std::map<std::string, std::set<std::string>> may_include = {
+    {"base", {"base"}},
+    {"mesh", {"base", "mesh"}},
+    {"sbr", {"base", "mesh", "sbr"}},
+    {"utd", {"base", "mesh", "utd"}},
+    {"solve", {"base", "mesh", "sbr", "utd", "solve"}},
+    {"output", {"base", "output"}},
+    {"case", {"base", "mesh", "sbr", "utd", "solve", "case"}},
+    {"command", {"base", "mesh", "sbr", "utd", "solve", "case", "output", "command"}},
+    {"main", {"base", "mesh", "sbr", "utd", "solve", "case", "output", "command", "main"}},
+};
+
+TEST(Layers, NoArrowBack) {
+  const std::regex include(R"re(^\s*#include\s+"([^"]+)")re");
+  int checked = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
+    const fs::path file = fs::relative(entry.path(), source);
+    if (file.extension() != ".h" && file.extension() != ".cpp") continue;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      std::smatch match;
+      if (!std::regex_search(line, match, include)) continue;
+      ++checked;
+      EXPECT_TRUE(may_include.at(room_of(file)).contains(room_of(match[1].str()))) << file << " includes " << match[1];
+    }
+  }
+  EXPECT_GT(checked, 50);
+}
+
+TEST(Layers, ForeignLibrariesStayOutOfHeaders) {
+  const std::regex foreign(R"(#include\s+<(embree|CGAL|OpenMesh|CLI|toml|nlohmann|openssl))");
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
+    if (entry.path().extension() != ".h") continue;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) EXPECT_FALSE(std::regex_search(line, foreign)) << entry.path() << ": " << line;
+  }
+}
+
+}  // namespace

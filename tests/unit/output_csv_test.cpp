@@ -1,0 +1,132 @@
+// Tables: columns, order, numbers.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "output/csv.h"
+#include "run.h"
+#include "scratch.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+using ::testing::StartsWith;
+
+// Two looks at two frequencies; the value of a channel tells its row and place.
+Sweep small_sweep(bool bistatic) {
+  const Look first{{90 * degree, 0.1 * degree}, {90 * degree, 0.1 * degree}};
+  const Look second{{27 * degree, -3 * degree}, {bistatic ? 45 * degree : 27 * degree, -3 * degree}};
+  return {{1e9, 9.4e9}, {first, second}, bistatic};
+}
+
+ScatteringMatrix matrix(double base) {
+  return {{{{Complex{base, 0.25}, Complex{-0.0, 0.0}}, {Complex{0.0, -base}, Complex{-base, -0.0}}}}};
+}
+
+SweepResult small_result(const Sweep& sweep) {
+  SweepResult result;
+  for (std::size_t row = 0; row < sweep.rows(); ++row) result.total.push_back(matrix(static_cast<double>(row + 1)));
+  result.bounces = {result.total, std::vector<ScatteringMatrix>(sweep.rows())};
+  result.edges.resize(sweep.rows());
+  return result;
+}
+
+std::string header_of(const std::string& text) {
+  std::istringstream in(text);
+  std::string line;
+  while (std::getline(in, line) && line[0] == '#') {
+  }
+  return line;
+}
+
+TEST(OutputCsv, RcsHasTheColumnsAndStatesTheConventions) {
+  const Scratch scratch;
+  const Sweep sweep = small_sweep(false);
+  write_rcs_csv(scratch / "rcs.csv", sweep, small_result(sweep));
+  const std::string text = text_of(scratch / "rcs.csv");
+  EXPECT_EQ(header_of(text),
+            "freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,re_vv,im_vv,re_vh,im_vh,re_hv,im_hv,re_hh,im_hh,"
+            "sigma_vv_dbsm,sigma_vh_dbsm,sigma_hv_dbsm,sigma_hh_dbsm");
+  for (const char* word : {"exp(+j omega t)", "origin", "4 pi |S_pq|^2", "theta-hat", "dBsm"})
+    EXPECT_NE(text.find(word), std::string::npos) << word;
+}
+
+TEST(OutputCsv, RcsRowsLooksSlowestFrequencyFastest) {
+  const Scratch scratch;
+  const Sweep sweep = small_sweep(true);
+  write_rcs_csv(scratch / "rcs.csv", sweep, small_result(sweep));
+  const Table table((scratch / "rcs.csv").string());
+  ASSERT_EQ(table.rows(), 4u);
+  EXPECT_EQ(table.text(1, "freq_hz"), "9400000000");
+  EXPECT_EQ(table.text(1, "phi_deg"), "0.1");
+  EXPECT_EQ(table.text(2, "theta_deg"), "27");
+  EXPECT_EQ(table.text(2, "rx_theta_deg"), "45");
+  EXPECT_EQ(table.text(2, "phi_deg"), "-3");
+  for (std::size_t row = 0; row < 4; ++row) EXPECT_EQ(table.complex(row, "vv"), Complex(static_cast<double>(row + 1), 0.25));
+}
+
+TEST(OutputCsv, ZeroIsMinusInfinityAndNeverMinusZero) {
+  const Scratch scratch;
+  const Sweep sweep = small_sweep(false);
+  write_rcs_csv(scratch / "rcs.csv", sweep, small_result(sweep));
+  const Table table((scratch / "rcs.csv").string());
+  EXPECT_EQ(table.text(0, "re_vh"), "0");
+  EXPECT_EQ(table.text(0, "im_hh"), "0");
+  EXPECT_EQ(table.text(0, "sigma_vh_dbsm"), "-inf");
+  EXPECT_NEAR(table.number(0, "sigma_hh_dbsm"), 10.0 * std::log10(4.0 * pi), 1e-12);
+}
+
+TEST(OutputCsv, SigmaDoesNotUnderflow) {
+  EXPECT_NEAR(sigma_dbsm({1e-200, 0.0}), -4000.0 + 10.0 * std::log10(4.0 * pi), 1e-9);
+  EXPECT_NEAR(sigma_dbsm({3e200, 4e200}), 20.0 * std::log10(5.0) + 4000.0 + 10.0 * std::log10(4.0 * pi), 1e-9);
+  EXPECT_EQ(sigma_dbsm(0.0), -std::numeric_limits<double>::infinity());
+}
+
+TEST(OutputCsv, ChannelsHoldMagnitudeAndPhase) {
+  const Scratch scratch;
+  const Sweep sweep = small_sweep(false);
+  write_channels_csv(scratch / "channels.csv", sweep, small_result(sweep));
+  EXPECT_THAT(text_of(scratch / "channels.csv"),
+              StartsWith("freq_hz,theta_deg,phi_deg,tx_pol,v_magnitude,v_phase_rad,h_magnitude,h_phase_rad\n"));
+  const Table table((scratch / "channels.csv").string());
+  ASSERT_EQ(table.rows(), 8u);
+  EXPECT_EQ(table.text(2, "tx_pol"), "v");
+  EXPECT_DOUBLE_EQ(table.number(2, "v_magnitude"), std::sqrt(4.0 * pi) * std::hypot(2.0, 0.25));
+  EXPECT_DOUBLE_EQ(table.number(2, "v_phase_rad"), std::atan2(0.25, 2.0));
+  EXPECT_DOUBLE_EQ(table.number(2, "h_phase_rad"), -pi / 2);
+  EXPECT_EQ(table.text(3, "tx_pol"), "h");
+  EXPECT_EQ(table.text(3, "v_magnitude"), "0");
+  EXPECT_EQ(table.text(3, "v_phase_rad"), "0");
+  EXPECT_DOUBLE_EQ(table.number(3, "h_magnitude"), std::sqrt(4.0 * pi) * 2.0);
+  EXPECT_DOUBLE_EQ(table.number(3, "h_phase_rad"), pi);  // not -pi, though the imaginary part is -0
+}
+
+TEST(OutputCsv, BistaticChannelsCarryTheReceiver) {
+  const Scratch scratch;
+  const Sweep sweep = small_sweep(true);
+  write_channels_csv(scratch / "channels.csv", sweep, small_result(sweep));
+  const Table table((scratch / "channels.csv").string());
+  EXPECT_EQ(table.text(4, "rx_theta_deg"), "45");
+  EXPECT_EQ(table.text(4, "rx_phi_deg"), "-3");
+}
+
+TEST(OutputCsv, PartsAddUpToTheTotal) {
+  const Scratch scratch;
+  const Sweep sweep = small_sweep(false);
+  SweepResult result = small_result(sweep);
+  result.edges[3] = matrix(0.125);
+  result.total[3] += result.edges[3];
+  write_parts_csv(scratch / "parts.csv", sweep, result);
+  const Table table((scratch / "parts.csv").string());
+  ASSERT_EQ(table.rows(), 4u);
+  EXPECT_EQ(table.text(3, "theta_deg"), "27");
+  for (const std::string channel : {"vv", "vh", "hv", "hh"}) {
+    Complex sum = 0.0;
+    for (const std::string part : {"_bounce1", "_bounce2", "_edges"}) sum += table.complex(3, channel + part);
+    EXPECT_EQ(sum, result.total[3].at(channel[0] == 'h', channel[1] == 'h')) << channel;
+  }
+}
+
+}  // namespace
+}  // namespace raytube

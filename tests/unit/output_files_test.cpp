@@ -1,0 +1,99 @@
+// Files appear whole or not at all.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "error.h"
+#include "output/files.h"
+#include "output/manifest.h"
+#include "scratch.h"
+
+namespace raytube {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace raytube::testing;
+
+TEST(OutputFile, AppearsOnCommitOnly) {
+  const Scratch scratch;
+  scratch.write("a.csv", "old");
+  {
+    OutputFile abandoned(scratch / "a.csv");
+    abandoned.write("half");
+    EXPECT_EQ(text_of(scratch / "a.csv"), "old");
+  }
+  EXPECT_EQ(text_of(scratch / "a.csv"), "old");
+  OutputFile file(scratch / "a.csv");
+  file.write("new");
+  file.commit();
+  EXPECT_EQ(text_of(scratch / "a.csv"), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder()), {}), 1);
+}
+
+TEST(OutputFile, UnwritablePlaceThrows) {
+  const Scratch scratch;
+  EXPECT_THROW(OutputFile(scratch / "no-folder/a.csv"), std::runtime_error);
+}
+
+TEST(OutputFolder, LeavesNothingEmptyBehind) {
+  const Scratch scratch;
+  { const OutputFolder folder(scratch / "a/b/"); }
+  EXPECT_FALSE(fs::exists(scratch / "a"));
+  {
+    const OutputFolder folder(scratch / "c/d");
+    OutputFile file(folder.path() / "x");
+    file.commit();
+  }
+  EXPECT_TRUE(fs::exists(scratch / "c/d/x"));
+  fs::create_directory(scratch / "was-here");
+  { const OutputFolder folder(scratch / "was-here"); }
+  EXPECT_TRUE(fs::exists(scratch / "was-here"));
+}
+
+TEST(OutputFolder, UnderAFileIsBadInput) {
+  const Scratch scratch;
+  scratch.write("file", "");
+  EXPECT_THROW(OutputFolder(scratch / "file"), InputError);
+  EXPECT_THROW(OutputFolder(scratch / "file/out"), InputError);
+}
+
+TEST(Sha256, KnownDigests) {
+  const Scratch scratch;
+  EXPECT_EQ(sha256_of_file(scratch.write("empty", "")), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256_of_file(scratch.write("abc", "abc")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(Manifest, HoldsWhatUsersLookFor) {
+  const Scratch scratch;
+  Manifest manifest;
+  manifest.case_json = "{\"title\": \"t\"}";
+  manifest.program_version = "1.2.3";
+  manifest.threads = 7;
+  manifest.mesh_report = {{"facets_read", 12.0}, {"weld_distance_m", 1.5e-7}};
+  manifest.mesh_notes = {{"border edges", 4.0}};
+  manifest.statistics.rays = 30;
+  manifest.statistics.hits = {20, 10};
+  manifest.statistics.solve_s = 0.5;
+  manifest.statistics.skipped = {{"wedges", "concave", 2}};
+  manifest.time = {0.1, 0.2, 0.9};
+  manifest.peak_rss_bytes = 1000;
+  manifest.rcs_csv_sha256 = "abc";
+  write_manifest(scratch / "run.json", manifest);
+  const auto json = nlohmann::json::parse(text_of(scratch / "run.json"));
+  EXPECT_EQ(json["case"]["title"], "t");
+  EXPECT_EQ(json["version"], "1.2.3");
+  EXPECT_EQ(json["threads"], 7);
+  EXPECT_EQ(json["mesh"]["facets_read"], 12);
+  EXPECT_EQ(json["mesh"]["weld_distance_m"], 1.5e-7);
+  EXPECT_EQ(json["mesh"]["notes"][0]["count"], 4);
+  EXPECT_EQ(json["counts"]["rays"], 30);
+  EXPECT_EQ(json["counts"]["hits_per_bounce"], (std::vector<int>{20, 10}));
+  EXPECT_EQ(json["counts"]["skipped"][0]["why"], "concave");
+  EXPECT_EQ(json["time"]["solve_s"], 0.5);
+  EXPECT_EQ(json["time"]["total_s"], 0.9);
+  EXPECT_EQ(json["peak_rss_bytes"], 1000);
+  EXPECT_EQ(json["rcs_csv_sha256"], "abc");
+}
+
+}  // namespace
+}  // namespace raytube

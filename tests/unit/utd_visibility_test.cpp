@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "unit/utd_scene.h"
+#include "utd/visibility.h"
+
+namespace raytube {
+namespace {
+
+using test::Scene;
+
+std::vector<LitInterval> lit_parts(const Wedge& wedge, const Tracer& tracer, const dvec3& towards_transmitter,
+                                   double wavelength) {
+  std::vector<LitInterval> lit;
+  find_lit_intervals(wedge, incidence_on(wedge, -towards_transmitter), towards_transmitter, wavelength, tracer, lit);
+  return lit;
+}
+
+/// The rim of a plate along y from -1 to 1, and above it a panel that covers y from `from` to `to` as seen along `direction`.
+Scene shaded_rim(const dvec3& direction, double from, double to) {
+  Scene scene = test::plate(2, 2);
+  scene.wedges.resize(1);
+  const dvec3 on_rim(1, (from + to) / 2, 0);
+  test::add_panel(scene.mesh, on_rim + 3.0 * direction, dvec3(0.3, 0, 0), dvec3(0, (to - from) / 2, 0));
+  return scene;
+}
+
+// Clip points agree to 1e-6 of a length of 2 m: the tracer decides on a mesh held in single precision (6e-8 of the radius).
+constexpr double clip = 1e-6;
+
+TEST(Visibility, FreeRimIsLitFromEndToEnd) {
+  const Scene scene = test::plate(2, 2);
+  const Tracer tracer(scene.mesh);
+  for (const Wedge& wedge : scene.wedges) {
+    const auto lit = lit_parts(wedge, tracer, glm::normalize(dvec3(0.3, 0.2, 1.0)), 0.1);
+    ASSERT_EQ(lit.size(), 1u);
+    EXPECT_EQ(lit[0].begin, 0.0);
+    EXPECT_EQ(lit[0].end, 1.0);
+  }
+}
+
+TEST(Visibility, ShadowIsClippedAtItsEdges) {
+  const dvec3 direction = glm::normalize(dvec3(0.1, -0.2, 1.0));
+  const Scene scene = shaded_rim(direction, -0.45, 0.233);
+  const Tracer tracer(scene.mesh);
+  const auto lit = lit_parts(scene.wedges[0], tracer, direction, 0.5);
+  ASSERT_EQ(lit.size(), 2u);
+  EXPECT_EQ(lit[0].begin, 0.0);
+  EXPECT_NEAR(lit[0].end, (1 - 0.45) / 2, clip);
+  EXPECT_NEAR(lit[1].begin, (1 + 0.233) / 2, clip);
+  EXPECT_EQ(lit[1].end, 1.0);
+}
+
+TEST(Visibility, ShadowAtAnEndIsFoundBetweenTheLastTwoPoints) {
+  const dvec3 direction(0, 0, 1);
+  const Scene scene = shaded_rim(direction, 0.97, 1.2);  // covers the last 1.5 % of the rim
+  const Tracer tracer(scene.mesh);
+  const auto lit = lit_parts(scene.wedges[0], tracer, direction, 1.0);
+  ASSERT_EQ(lit.size(), 1u);
+  EXPECT_NEAR(lit[0].end, 1.97 / 2, clip);
+}
+
+TEST(Visibility, FullShadowAndTurnedAway) {
+  const dvec3 direction(0, 0, 1);
+  const Scene scene = shaded_rim(direction, -1.5, 1.5);
+  const Tracer tracer(scene.mesh);
+  EXPECT_TRUE(lit_parts(scene.wedges[0], tracer, direction, 1.0).empty());
+  EXPECT_EQ(lit_parts(scene.wedges[0], tracer, -direction, 1.0).size(), 1u);
+  const Scene box = test::cube(1);
+  const Tracer box_tracer(box.mesh);
+  int lit = 0;
+  for (const Wedge& wedge : box.wedges) lit += !lit_parts(wedge, box_tracer, glm::normalize(dvec3(1, 2, 3)), 1.0).empty();
+  EXPECT_EQ(lit, 9);
+}
+
+TEST(Visibility, EdgesOverAGrazedFaceAreSeen) {
+  // Face-on, rays from the four far edges run along a side face: they start a hair above it and are free.
+  const Scene box = test::cube(1);
+  const Tracer tracer(box.mesh);
+  int exposed = 0, half = 0;
+  for (const Wedge& wedge : box.wedges) {
+    const WedgeIncidence incidence = incidence_on(wedge, dvec3(-1, 0, 0));
+    const auto lit = lit_parts(wedge, tracer, dvec3(1, 0, 0), 0.1);
+    EXPECT_EQ(lit.size(), incidence.weight > 0 ? 1u : 0u);
+    exposed += incidence.weight == 1.0;
+    half += incidence.weight == 0.5;
+  }
+  EXPECT_EQ(exposed, 4);
+  EXPECT_EQ(half, 4);
+}
+
+}  // namespace
+}  // namespace raytube

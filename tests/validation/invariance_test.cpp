@@ -1,0 +1,162 @@
+// What physics says must not change: reciprocity, rotation of everything together, scale of everything together.
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "run.h"
+#include "shapes.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+
+constexpr double frequency = 10e9;
+const double lambda = wavelength(frequency);
+
+glm::dmat3 rotation(double angle, const dvec3& axis) { return glm::dmat3(glm::rotate(glm::dmat4(1.0), angle, glm::normalize(axis))); }
+
+Direction direction_of(const dvec3& v) { return {std::acos(std::clamp(v.z, -1.0, 1.0)), std::atan2(v.y, v.x)}; }
+
+double largest(const ScatteringMatrix& m) {
+  return std::max({std::abs(m.vv()), std::abs(m.vh()), std::abs(m.hv()), std::abs(m.hh())});
+}
+
+double difference(const ScatteringMatrix& a, const ScatteringMatrix& b) {
+  ScatteringMatrix d;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) d.at(p, q) = a.at(p, q) - b.at(p, q);
+  return largest(d);
+}
+
+// Components of a turned target's S in the bases of the target before turning: S_pq with p_hat, q_hat carried along.
+ScatteringMatrix turned_back(const ScatteringMatrix& s, const Look& turned, const Look& original, const glm::dmat3& turn) {
+  const auto overlap = [&](const Direction& now, const Direction& before) {
+    const SphericalBasis a = spherical_basis(now), b = spherical_basis(before);
+    const dvec3 axes[2] = {a.theta_hat, a.phi_hat}, carried[2] = {turn * b.theta_hat, turn * b.phi_hat};
+    std::array<std::array<double, 2>, 2> t;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) t[i][j] = glm::dot(axes[i], carried[j]);
+    return t;
+  };
+  const auto r = overlap(turned.receive, original.receive), t = overlap(turned.transmit, original.transmit);
+  ScatteringMatrix back;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q)
+      for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) back.at(p, q) += r[i][p] * s.at(i, j) * t[j][q];
+  return back;
+}
+
+struct Shape {
+  std::string name;
+  PolygonSoup soup;
+};
+
+std::vector<Shape> planar_targets() {
+  return {{"plate", shapes::transformed(shapes::plate(5 * lambda, 0.3), rotation(0.4, {1, 2, 0}))},
+          {"cube", shapes::cube(4 * lambda)},
+          {"dihedral", shapes::dihedral(5 * lambda, 4 * lambda)},
+          {"trihedral", shapes::trihedral(5 * lambda)}};
+}
+
+std::vector<Look> some_looks(bool bistatic) {
+  std::vector<Look> looks;
+  for (int i = 0; i < 12; ++i) {
+    const Direction transmit{0.3 + 0.22 * i, 0.1 + 0.61 * i}, receive{2.7 - 0.2 * i, 1.3 + 0.47 * i};
+    looks.push_back({transmit, bistatic ? receive : transmit});
+  }
+  looks.push_back({{90 * degree, 45 * degree}, {90 * degree, 45 * degree}});
+  return looks;
+}
+
+// Worst change of S relative to its largest element over all looks, target, looks and tubes.up turned together.
+double worst_change_under_rotation(const Shape& shape, bool bistatic, const glm::dmat3& turn) {
+  Sweep sweep{{frequency}, some_looks(bistatic), bistatic}, turned_sweep = sweep;
+  const auto turn_direction = [&](const Direction& d) { return direction_of(turn * spherical_basis(d).radial); };
+  for (Look& look : turned_sweep.looks) {
+    const bool monostatic = look.monostatic();
+    look.transmit = turn_direction(look.transmit);
+    look.receive = monostatic ? look.transmit : turn_direction(look.receive);
+  }
+  SolveOptions original = options(EdgeMethod::fringe), turned = original;
+  original.tubes.up = dvec3(0.2, 0.1, 1.0);
+  turned.tubes.up = turn * *original.tubes.up;
+  const SweepResult a = solve_soup(shape.soup, sweep, original);
+  const SweepResult b = solve_soup(shapes::transformed(shape.soup, turn), turned_sweep, turned);
+  double worst = 0.0, peak = 0.0;
+  for (std::size_t i = 0; i < a.total.size(); ++i) {
+    worst = std::max(worst, difference(turned_back(b.total[i], turned_sweep.looks[i], sweep.looks[i], turn), a.total[i]));
+    peak = std::max(peak, largest(a.total[i]));
+  }
+  return worst / peak;
+}
+
+TEST(Invariance, RotationOfTargetLooksAndGrid) {
+  // Rounding of rotated coordinates is 2^-53 of 10 wavelengths, k r of 60 rad: 1e-14; a tube decided differently near an
+  // edge would show as 1e-4. The requirement is 1e-9.
+  const glm::dmat3 turns[] = {rotation(0.7, {1, 2, 3}), rotation(2.1, {-3, 1, 0.5}), rotation(pi / 2, {0, 1, 0})};
+  for (const Shape& shape : planar_targets())
+    for (const bool bistatic : {false, true})
+      for (const glm::dmat3& turn : turns) EXPECT_LE(worst_change_under_rotation(shape, bistatic, turn), 1e-9) << shape.name << " bistatic " << bistatic;
+}
+
+TEST(Invariance, ScaleOfTargetAndWavelength) {
+  for (const Shape& shape : planar_targets())
+    for (const double scale : {1000.0, 0.001}) {
+      const Sweep sweep{{frequency}, some_looks(false), false}, scaled_sweep{{frequency / scale}, some_looks(false), false};
+      const SweepResult a = solve_soup(shape.soup, sweep, options(EdgeMethod::fringe));
+      const SweepResult b = solve_soup(shapes::transformed(shape.soup, glm::dmat3(1.0), scale), scaled_sweep, options(EdgeMethod::fringe));
+      double worst = 0.0, peak = 0.0;
+      for (std::size_t i = 0; i < a.total.size(); ++i) {
+        ScatteringMatrix smaller = b.total[i];
+        for (auto& row : smaller.s)
+          for (Complex& value : row) value /= scale;
+        worst = std::max(worst, difference(smaller, a.total[i]));
+        peak = std::max(peak, largest(a.total[i]));
+      }
+      EXPECT_LE(worst / peak, 1e-9) << shape.name << " scale " << scale;  // as for rotation
+    }
+}
+
+TEST(Invariance, FarOffsetOnlyTurnsThePhase) {
+  // 1 km away at 10 GHz: k r of 4e5 rad, rounded to 2^-53 of it in coordinates and phase: 1e-10, times a few.
+  const dvec3 shift(800.0, -500.0, 300.0);
+  const Sweep sweep{{frequency}, some_looks(true), true};
+  const PolygonSoup cube = shapes::cube(4 * lambda);
+  const SweepResult a = solve_soup(cube, sweep, options(EdgeMethod::fringe));
+  const SweepResult b = solve_soup(shapes::transformed(cube, glm::dmat3(1.0), 1.0, shift), sweep, options(EdgeMethod::fringe));
+  for (std::size_t i = 0; i < a.total.size(); ++i) {
+    const dvec3 change = spherical_basis(sweep.looks[i].transmit).radial + spherical_basis(sweep.looks[i].receive).radial;
+    ScatteringMatrix expected = a.total[i];
+    for (auto& row : expected.s)
+      for (Complex& value : row) value *= std::polar(1.0, wavenumber(frequency) * glm::dot(change, shift));
+    EXPECT_LE(difference(b.total[i], expected), 1e-8 * largest(a.total[i]));
+  }
+}
+
+double worst_cross_asymmetry(const std::vector<ScatteringMatrix>& part, double scale) {
+  double worst = 0.0;
+  for (const ScatteringMatrix& s : part) worst = std::max(worst, std::abs(s.vh() - s.hv()));
+  return worst / scale;
+}
+
+TEST(Reciprocity, MonostaticCrossPolarisation) {
+  for (const Shape& shape : planar_targets()) {
+    const Sweep sweep{{frequency}, some_looks(false), false};
+    const SweepResult coarse = solve_soup(shape.soup, sweep, options(EdgeMethod::fringe, 10.0));
+    double peak = 0.0;
+    for (const ScatteringMatrix& s : coarse.total) peak = std::max(peak, largest(s));
+    // One bounce and the symmetrised edges are symmetric in exact arithmetic; 1e-12 is a few thousand roundings.
+    EXPECT_LE(worst_cross_asymmetry(coarse.bounces.at(0), peak), 1e-12) << shape.name;
+    EXPECT_LE(worst_cross_asymmetry(coarse.edges, peak), 1e-12) << shape.name;
+    if (coarse.bounces.size() < 2) continue;
+    // A double bounce and its way back use different tubes; they agree as the tubes shrink.
+    const SweepResult fine = solve_soup(shape.soup, sweep, options(EdgeMethod::none, 40.0));
+    EXPECT_LE(worst_cross_asymmetry(coarse.bounces[1], peak), 1e-2) << shape.name;
+    EXPECT_LE(worst_cross_asymmetry(fine.bounces.at(1), peak), 0.5 * worst_cross_asymmetry(coarse.bounces[1], peak) + 1e-12) << shape.name;
+  }
+}
+
+}  // namespace
+}  // namespace raytube
