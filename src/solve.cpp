@@ -27,10 +27,18 @@ void check(const Sweep& sweep, const SolveOptions& options) {
   if (options.tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
 }
 
+// Reciprocity: S_vh = S_hv for every monostatic look. One bounce and the edges obey it; the product of physical optics over
+// several bounces does so only in specular directions. The true S has no antisymmetric part, so dropping ours brings S closer.
+void make_reciprocal(TubeSums& tubes) {
+  for (std::vector<ScatteringMatrix>& bounce : tubes.bounces)
+    for (ScatteringMatrix& s : bounce) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
+}
+
 LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look, const SolveOptions& options, Progress& progress) {
   LookResult result;
   const double share = 1.0 / static_cast<double>(sweep.looks.size());
   result.tubes = sbr_scattering(target.tracer, look, sweep.frequencies, options.tubes, progress, share);
+  if (look.monostatic()) make_reciprocal(result.tubes);
   if (options.edges.method == EdgeMethod::fringe)
     result.edges = fringe_scattering(target.wedges, target.tracer, look, sweep.frequencies);
   return result;

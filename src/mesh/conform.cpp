@@ -6,13 +6,29 @@ namespace raytube {
 
 namespace {
 
-/// True if something was split.
-bool split(std::vector<EdgeSplit> splits, std::vector<Triangle>& triangles, MeshReport& report) {
-  if (splits.empty()) return false;
+void split(std::vector<EdgeSplit> splits, std::vector<Triangle>& triangles, MeshReport& report) {
   for (const EdgeSplit& s : splits) report.t_junctions_split += s.vertices.size();
   const SplitCount count = apply_splits(splits, triangles);
   report.triangles_added += count.added;
   report.triangles_degenerate += count.vanished;
+}
+
+bool remove_slivers(std::span<const dvec3> vertices, const EdgeTable& edges, std::vector<Triangle>& triangles, double distance,
+                    MeshReport& report) {
+  SliverRemoval removal = find_slivers(vertices, triangles, edges, distance);
+  if (removal.triangles.empty()) return false;
+  std::uint32_t index = 0;
+  report.triangles_degenerate +=
+      std::erase_if(triangles, [&](const Triangle&) { return std::ranges::binary_search(removal.triangles, index++); });
+  split(std::move(removal.splits), triangles, report);
+  return true;
+}
+
+bool split_t_junctions(std::span<const dvec3> vertices, const EdgeTable& edges, std::vector<Triangle>& triangles, double distance,
+                       MeshReport& report) {
+  std::vector<EdgeSplit> splits = find_t_junctions(vertices, triangles, edges, distance);
+  if (splits.empty()) return false;
+  split(std::move(splits), triangles, report);
   return true;
 }
 
@@ -25,8 +41,8 @@ void make_conforming(std::span<const dvec3> vertices, std::vector<Triangle>& tri
   for (int round = 0; round < max_rounds; ++round) {
     const EdgeTable edges(triangles, vertices.size());
     // Slivers first: on their long edges lie the vertices of others, which would all be taken for T-junctions.
-    if (split(find_sliver_splits(vertices, triangles, edges, distance), triangles, report)) continue;
-    if (!split(find_t_junctions(vertices, triangles, edges, distance), triangles, report)) break;
+    if (remove_slivers(vertices, edges, triangles, distance, report)) continue;
+    if (!split_t_junctions(vertices, edges, triangles, distance, report)) break;
   }
   report.triangles_degenerate += std::erase_if(triangles, [&](const Triangle& t) { return height(vertices, t) == 0.0; });
 }

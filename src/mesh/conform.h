@@ -20,10 +20,14 @@ void make_conforming(std::span<const dvec3> vertices, std::vector<Triangle>& tri
 std::vector<EdgeSplit> find_t_junctions(std::span<const dvec3> vertices, std::span<const Triangle> triangles,
                                         const EdgeTable& edges, double distance);
 
-/// Splits that make triangles of less height than `distance` vanish: their longest edge is split at the vertex opposite, and
-/// what is left of them has repeated corners, so that their neighbours close up behind them. A sliver for which that makes
-/// things no better is left alone.
-std::vector<EdgeSplit> find_sliver_splits(std::span<const dvec3> vertices, std::span<const Triangle> triangles,
-                                          const EdgeTable& edges, double distance);
+struct SliverRemoval {
+  std::vector<std::uint32_t> triangles;  // to be dropped, ascending
+  std::vector<EdgeSplit> splits;         // so that their neighbours close up behind them
+};
+
+/// Triangles of less height than `distance`, each with the split of its longest edge at the vertex opposite. Slivers behind
+/// one another go together. A sliver stays if without it things were no better.
+SliverRemoval find_slivers(std::span<const dvec3> vertices, std::span<const Triangle> triangles, const EdgeTable& edges,
+                           double distance);
 
 }  // namespace raytube

@@ -51,10 +51,11 @@ double ExactHit::clearance(const Ray& ray, std::uint32_t triangle) const {
   return std::max(lowest, -highest);
 }
 
-Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle) const {
+Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const std::array<std::uint32_t, 2>& ignored_patches) const {
   Hit nearest;
   const auto consider = [&](std::uint32_t candidate) {
-    if (patch(candidate) == ray.source_patch || !ahead(ray, candidate) || clearance(ray, candidate) < 0.0) return;
+    if (std::ranges::find(ignored_patches, patch(candidate)) != ignored_patches.end()) return;
+    if (!ahead(ray, candidate) || clearance(ray, candidate) < 0.0) return;
     const Hit hit{candidate, distance(ray, candidate)};
     const bool nearer =
         !nearest || hit.distance < nearest.distance || (hit.distance == nearest.distance && hit.triangle < nearest.triangle);

@@ -28,8 +28,9 @@ class ExactHit {
   /// Below this clearance [m] single precision cannot tell which side of an edge a ray passes.
   double doubt() const { return doubt_; }
 
-  /// The nearest triangle that contains the ray, among `triangle` and those sharing a corner with it; ties to the lower index.
-  Hit nearest_around(const Ray& ray, std::uint32_t triangle) const;
+  /// The nearest triangle that contains the ray, among `triangle` and those sharing a corner with it but not on
+  /// an ignored patch; ties to the lower index.
+  Hit nearest_around(const Ray& ray, std::uint32_t triangle, const std::array<std::uint32_t, 2>& ignored_patches) const;
 
  private:
   double edge_side(const Ray& ray, std::uint32_t from, std::uint32_t to) const;

@@ -10,6 +10,10 @@
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 
 #include <algorithm>
+#include <numeric>
+
+#include "mesh/edge_table.h"
+#include "mesh/separate.h"
 
 namespace raytube {
 
@@ -36,13 +40,11 @@ struct Recorder : PMP::Default_orientation_visitor {
   void duplicated_vertex(std::size_t original, std::size_t) { soup->vertex.push_back(soup->vertex[original]); }
 };
 
-CutSoup wind_alike(std::span<const dvec3> vertices, std::span<const Triangle> triangles) {
-  CutSoup soup;
-  soup.reversed.assign(triangles.size(), false);
-  for (const Triangle& t : triangles) soup.triangles.push_back({t[0], t[1], t[2]});
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) soup.vertex.push_back(v);
+CutSoup wind_alike(std::span<const dvec3> vertices, const SeparateSoup& separate) {
+  CutSoup soup{{}, separate.vertex_of, std::vector<bool>(separate.triangles.size(), false)};
+  for (const Triangle& t : separate.triangles) soup.triangles.push_back({t[0], t[1], t[2]});
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-  for (const dvec3& p : vertices) points.emplace_back(p.x, p.y, p.z);
+  for (const std::uint32_t v : soup.vertex) points.emplace_back(vertices[v].x, vertices[v].y, vertices[v].z);
   Recorder recorder;
   recorder.soup = &soup;
   PMP::orient_polygon_soup(points, soup.triangles, CGAL::parameters::visitor(recorder));
@@ -144,30 +146,93 @@ bool against_majority(const Totals& total) {
   return total.reversed > others || (total.reversed == others && total.first_reversed);
 }
 
-}  // namespace
+/// The components of a soup, whether they are closed, and which triangles are to be turned over.
+struct Analysis {
+  std::vector<std::uint32_t> component;
+  std::vector<bool> closed;
+  std::vector<bool> turned;
+};
 
-Surfaces orient(std::span<const dvec3> vertices, std::vector<Triangle>& triangles, double distance, MeshReport& report) {
-  CutSoup soup = wind_alike(vertices, triangles);
+Analysis analyse(std::span<const dvec3> vertices, std::span<const Triangle> triangles, const SeparateSoup& separate,
+                 double distance) {
+  CutSoup soup = wind_alike(vertices, separate);
   HalfedgeMesh mesh = halfedge_mesh(vertices, soup);
-  Surfaces surfaces{number_components(mesh), {}};
-  const auto& component = surfaces.triangle_component;
-  const std::size_t components = component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
+  Analysis analysis{number_components(mesh), {}, {}};
+  const auto& component = analysis.component;
+  const std::size_t components = component.empty() ? 0 : *std::ranges::max_element(component) + 1;
   const std::vector<bool> open = have_border(border_pieces(mesh, soup, component), components);
   const std::vector<Totals> totals = total_up(vertices, triangles, soup, component, components);
 
   std::vector<bool> turn(components);
   for (std::size_t c = 0; c < components; ++c) {
     const double thickness = std::abs(totals[c].volume) / 3.0 / (0.5 * totals[c].area);  // as of a closed flat box
-    const bool closed = !open[c] && thickness > distance;
-    turn[c] = closed ? totals[c].volume < 0.0 : against_majority(totals[c]);
-    surfaces.components.push_back({closed, static_cast<std::uint32_t>(totals[c].triangles)});
+    analysis.closed.push_back(!open[c] && thickness > distance);
+    turn[c] = analysis.closed[c] ? totals[c].volume < 0.0 : against_majority(totals[c]);
   }
+  for (std::size_t i = 0; i < triangles.size(); ++i) analysis.turned.push_back(soup.reversed[i] != turn[component[i]]);
+  return analysis;
+}
+
+SeparateSoup as_it_is(std::span<const dvec3> vertices, std::span<const Triangle> triangles) {
+  SeparateSoup soup{{triangles.begin(), triangles.end()}, std::vector<std::uint32_t>(vertices.size())};
+  std::iota(soup.vertex_of.begin(), soup.vertex_of.end(), 0u);
+  return soup;
+}
+
+bool has_non_manifold_edge(std::span<const Triangle> triangles, std::size_t vertex_count) {
+  const EdgeTable edges(triangles, vertex_count);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges[e].sides.size() > 2) return true;
+  return false;
+}
+
+/// Bodies that touch along edges fall to pieces when cut there. Tries the open pieces again as bodies, by their winding as
+/// read, and takes over what is closed then.
+void rejoin_touching_bodies(std::span<const dvec3> vertices, std::span<const Triangle> triangles, double distance,
+                            Analysis& analysis) {
+  std::vector<std::uint32_t> index;
+  std::vector<Triangle> open;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    if (analysis.closed[analysis.component[i]]) continue;
+    index.push_back(i);
+    open.push_back(triangles[i]);
+  }
+  if (!has_non_manifold_edge(open, vertices.size())) return;
+  const Analysis again = analyse(vertices, open, separate_bodies(vertices, open), distance);
+  const auto offset = static_cast<std::uint32_t>(analysis.closed.size());
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (!again.closed[again.component[i]]) continue;
+    analysis.component[index[i]] = offset + again.component[i];
+    analysis.turned[index[i]] = again.turned[i];
+  }
+  analysis.closed.insert(analysis.closed.end(), again.closed.begin(), again.closed.end());
+}
+
+Surfaces number_in_order(const Analysis& analysis) {
+  Surfaces surfaces;
+  std::vector<std::uint32_t> number(analysis.closed.size(), no_index);
+  for (const std::uint32_t c : analysis.component) {
+    if (number[c] == no_index) {
+      number[c] = static_cast<std::uint32_t>(surfaces.components.size());
+      surfaces.components.push_back({analysis.closed[c], 0});
+    }
+    ++surfaces.components[number[c]].triangles;
+    surfaces.triangle_component.push_back(number[c]);
+  }
+  return surfaces;
+}
+
+}  // namespace
+
+Surfaces orient(std::span<const dvec3> vertices, std::vector<Triangle>& triangles, double distance, MeshReport& report) {
+  Analysis analysis = analyse(vertices, triangles, as_it_is(vertices, triangles), distance);
+  if (std::ranges::count(analysis.closed, false) > 1) rejoin_touching_bodies(vertices, triangles, distance, analysis);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (soup.reversed[i] == turn[component[i]]) continue;
+    if (!analysis.turned[i]) continue;
     std::swap(triangles[i][1], triangles[i][2]);
     ++report.triangles_flipped;
   }
-  return surfaces;
+  return number_in_order(analysis);
 }
 
 }  // namespace raytube

@@ -33,9 +33,9 @@ std::vector<Sliver> collect(std::span<const dvec3> vertices, std::span<const Tri
 }
 
 /// A sliver goes away by splitting its longest edge at its apex. Slivers behind its short edges go with it, all at once.
-class SliverRemoval {
+class SliverFinder {
  public:
-  SliverRemoval(std::span<const dvec3> vertices, std::span<const Triangle> triangles, const EdgeTable& edges, double distance)
+  SliverFinder(std::span<const dvec3> vertices, std::span<const Triangle> triangles, const EdgeTable& edges, double distance)
       : vertices_(vertices), triangles_(triangles), edges_(edges), slivers_(collect(vertices, triangles, edges, distance)) {
     for (std::size_t i = 0; i < slivers_.size(); ++i) {
       by_triangle_.emplace_back(slivers_[i].triangle, i);
@@ -45,14 +45,15 @@ class SliverRemoval {
     std::ranges::sort(by_edge_);
   }
 
-  std::vector<EdgeSplit> splits() {
+  SliverRemoval removal() {
     for (std::size_t i = slivers_.size(); i-- > 0;) slivers_[i].removed = can_go(i);
-    std::vector<EdgeSplit> result;
+    SliverRemoval result;
     for (const Sliver& s : slivers_) {
       if (!s.removed) continue;
-      const auto [low, high, sides] = edges_[s.edge];
-      result.push_back({low, high, path_round(s)});
+      result.triangles.push_back(s.triangle);
+      result.splits.push_back({edges_[s.edge].low, edges_[s.edge].high, path_round(s)});
     }
+    std::ranges::sort(result.triangles);
     return result;
   }
 
@@ -87,10 +88,9 @@ class SliverRemoval {
 
   /// The way round the sliver and those behind it, from the lower to the higher end of its longest edge.
   std::vector<std::uint32_t> path_round(const Sliver& s) const {
-    const auto [low, high, sides] = edges_[s.edge];
-    std::vector<std::uint32_t> path = path_behind(low, s.apex);
+    std::vector<std::uint32_t> path = path_behind(edges_[s.edge].low, s.apex);
     path.push_back(s.apex);
-    const std::vector<std::uint32_t> second = path_behind(s.apex, high);
+    const std::vector<std::uint32_t> second = path_behind(s.apex, edges_[s.edge].high);
     path.insert(path.end(), second.begin(), second.end());
     return path;
   }
@@ -115,9 +115,9 @@ class SliverRemoval {
 
 }  // namespace
 
-std::vector<EdgeSplit> find_sliver_splits(std::span<const dvec3> vertices, std::span<const Triangle> triangles,
-                                          const EdgeTable& edges, double distance) {
-  return SliverRemoval(vertices, triangles, edges, distance).splits();
+SliverRemoval find_slivers(std::span<const dvec3> vertices, std::span<const Triangle> triangles, const EdgeTable& edges,
+                           double distance) {
+  return SliverFinder(vertices, triangles, edges, distance).removal();
 }
 
 }  // namespace raytube

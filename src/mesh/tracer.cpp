@@ -67,6 +67,7 @@ struct QueryContext : RTCIntersectContext {
   const Ray* rays;
   std::span<const std::uint32_t> refused_triangles;
   std::array<std::uint32_t, 2> refused_patches{no_index, no_index};
+  bool must_contain = false;  // refuse triangles that the ray misses in double precision
 };
 
 // Keeps only hits that lie ahead of the ray's true start in double precision and are not on a refused surface.
@@ -80,7 +81,7 @@ void refuse_behind(const RTCFilterFunctionNArguments* arguments) {
     const bool refused = patch == ray.source_patch ||
                          std::ranges::find(query.refused_patches, patch) != query.refused_patches.end() ||
                          std::ranges::find(query.refused_triangles, triangle) != query.refused_triangles.end() ||
-                         !query.exact->ahead(ray, triangle);
+                         !query.exact->ahead(ray, triangle) || (query.must_contain && query.exact->clearance(ray, triangle) < 0.0);
     if (refused) arguments->valid[lane] = 0;
   }
 }
@@ -192,7 +193,7 @@ Hit Tracer::Scene::propose_beyond(const Ray& ray, std::span<const std::uint32_t>
 Hit Tracer::Scene::decide(const Ray& ray, const Hit& proposal) const {
   std::vector<std::uint32_t> refused;
   for (Hit next = proposal; next; next = propose_beyond(ray, refused)) {
-    if (const Hit hit = exact.nearest_around(ray, next.triangle)) return hit;
+    if (const Hit hit = exact.nearest_around(ray, next.triangle, {ray.source_patch, no_index})) return hit;
     refused.push_back(next.triangle);
   }
   return {};
@@ -231,15 +232,20 @@ void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const 
   }
 }
 
-bool Tracer::occluded(const dvec3& origin, const dvec3& direction, std::uint32_t ignored_patch,
-                      std::uint32_t other_ignored_patch) const {
-  const Ray ray{origin, direction, ignored_patch};
+std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction, const std::array<std::uint32_t, 2>& ignored_patches) const {
+  const Ray ray{origin, direction};
   QueryContext context = make_context(scene_->exact, &ray);
   context.filter = refuse_behind;
-  context.refused_patches = {other_ignored_patch, ignored_patch};
-  RTCRay query = single_ray(ray, scene_->scale).ray;
-  rtcOccluded1(scene_->scene, &context, &query);
-  return query.tfar < 0.0f;
+  context.refused_patches = ignored_patches;
+  context.must_contain = true;
+  RTCRayHit query = single_ray(ray, scene_->scale);
+  rtcIntersect1(scene_->scene, &context, &query);
+  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? no_index : query.hit.primID;
+}
+
+bool Tracer::meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
+                          const std::array<std::uint32_t, 2>& ignored_patches) const {
+  return static_cast<bool>(scene_->exact.nearest_around({origin, direction}, triangle, ignored_patches));
 }
 
 std::string Tracer::instruction_set() const { return widest_instruction_set(); }

@@ -1,6 +1,7 @@
 // Ray queries against a mesh. Embree proposes a triangle in single precision; place and distance are found in double here.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -36,9 +37,13 @@ class Tracer {
   /// The nearest surface each ray meets. Thread-safe. hits.size() == rays.size().
   void closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const;
 
-  /// True if something other than the two named patches lies on the half line from `origin` along `direction`. Thread-safe.
-  bool occluded(const dvec3& origin, const dvec3& direction, std::uint32_t ignored_patch,
-                std::uint32_t other_ignored_patch) const;
+  /// A triangle that the half line from `origin` along `direction` meets, other than those of two patches; no_index if there is
+  /// none. Never names a triangle that the line misses in double precision. Thread-safe.
+  std::uint32_t blocker(const dvec3& origin, const dvec3& direction, const std::array<std::uint32_t, 2>& ignored_patches) const;
+
+  /// Double-precision decision whether the half line meets `triangle` or one that shares a corner with it. Thread-safe.
+  bool meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
+                    const std::array<std::uint32_t, 2>& ignored_patches) const;
 
   /// The instruction set Embree chose on this machine.
   std::string instruction_set() const;

@@ -1,6 +1,7 @@
 #include "utd/visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace raytube {
@@ -9,7 +10,8 @@ namespace {
 
 constexpr int min_points = 8;
 constexpr int max_points = 128;
-constexpr double clip_tolerance = 1e-9;  // fraction of the wedge's length
+constexpr double clip_tolerance = 1e-13;  // fraction of the wedge's length
+constexpr double single_blocker = 1e-5;   // same; about where single precision stops telling blockers apart
 // The outermost test points stand this far inside the ends, as a fraction of the length: at a corner the third face is touched.
 constexpr double end_margin = 1e-6;
 // A ray in the plane of a face runs along the mesh; it starts this far above it, in radii of the target: the lit limit.
@@ -21,18 +23,27 @@ struct EdgeProbe {
   const Tracer& tracer;
   dvec3 direction;
   dvec3 offset;
+  std::array<std::uint32_t, 2> own_patches{wedge.faces[0].patch, wedge.faces[1].patch};
 
-  bool lit(double fraction) const {
-    const dvec3 point = glm::mix(wedge.start, wedge.end, fraction) + offset;
-    return !tracer.occluded(point, direction, wedge.faces[0].patch, wedge.faces[1].patch);
-  }
+  dvec3 point(double fraction) const { return glm::mix(wedge.start, wedge.end, fraction) + offset; }
 
-  double transition(double low, double high, bool lit_at_low) const {
-    while (high - low > clip_tolerance) {
-      const double middle = (low + high) / 2;
-      (lit(middle) == lit_at_low ? low : high) = middle;
+  /// A triangle in the way of this point, or no_index.
+  std::uint32_t blocker(double fraction) const { return tracer.blocker(point(fraction), direction, own_patches); }
+
+  /// Where the shadow that `blocker` throws on the dark end stops: by search while the interval is wide enough to hold other
+  /// blockers, then with this blocker and its neighbours alone, in double precision.
+  double transition(double lit_end, double dark_end, std::uint32_t blocker_there) const {
+    while (std::abs(dark_end - lit_end) > clip_tolerance) {
+      const double middle = (lit_end + dark_end) / 2;
+      bool dark = tracer.meets_around(point(middle), direction, blocker_there, own_patches);
+      if (!dark && std::abs(dark_end - lit_end) > single_blocker) {
+        const std::uint32_t other = blocker(middle);
+        dark = other != no_index;
+        if (dark) blocker_there = other;
+      }
+      (dark ? dark_end : lit_end) = middle;
     }
-    return (low + high) / 2;
+    return (lit_end + dark_end) / 2;
   }
 };
 
@@ -44,18 +55,17 @@ int point_count(double length, double wavelength) {
 /// Walks along the wedge and notes where light changes to shadow and back.
 void scan(const EdgeProbe& probe, int points, std::vector<LitInterval>& lit) {
   double previous = end_margin, begin = 0.0;
-  bool was_lit = probe.lit(previous);
+  std::uint32_t blocker_before = probe.blocker(previous);
   for (int point = 1; point < points; ++point) {
     const double here = end_margin + (1 - 2 * end_margin) * point / (points - 1);
-    if (probe.lit(here) != was_lit) {
-      const double change = probe.transition(previous, here, was_lit);
-      if (was_lit) lit.push_back({begin, change});
-      begin = change;
-      was_lit = !was_lit;
-    }
+    const std::uint32_t blocker = probe.blocker(here);
+    const bool was_lit = blocker_before == no_index, is_lit = blocker == no_index;
+    if (was_lit && !is_lit) lit.push_back({begin, probe.transition(previous, here, blocker)});
+    if (is_lit && !was_lit) begin = probe.transition(here, previous, blocker_before);
     previous = here;
+    blocker_before = blocker;
   }
-  if (was_lit) lit.push_back({begin, 1.0});
+  if (blocker_before == no_index) lit.push_back({begin, 1.0});
 }
 
 }  // namespace

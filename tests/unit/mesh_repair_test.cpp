@@ -110,6 +110,21 @@ TEST(MeshRepair, RemovesTheWallBetweenTouchingCubes) {
   EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{1.5, 12}}));
 }
 
+/// A tube on a box divides its top: neither part of it nor the rest is closed by itself.
+TEST(MeshRepair, BoxUnderATubeIsClosed) {
+  PolygonSoup soup = cube();
+  soup.polygons.erase(soup.polygons.begin() + 1);
+  append(soup, remeshed(plate({0, 0, 1}, {1, 0, 0}, {0, 1, 0}), 4, 4));
+  PolygonSoup tube = box({0.25, 0.25, 1}, {0.75, 0.75, 2});
+  tube.polygons.erase(tube.polygons.begin(), tube.polygons.begin() + 2);
+  append(soup, remeshed(tube, 2, 2));
+  const LoadedMesh loaded = build(soup);
+  EXPECT_EQ(loaded.report.components, 2u);
+  EXPECT_EQ(loaded.report.components_closed, 1u);
+  // The foot outside and inside, the tube's corners likewise, its free rim.
+  EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{0.5, 4 + 4 + 4}, {1.5, 12 + 4}, {2.0, 4}}));
+}
+
 /// With different diagonals the two walls are no copies of one another and stay, out of sight; nothing outside changes.
 TEST(MeshRepair, WallsWithDifferentDiagonalsDoNoHarm) {
   PolygonSoup right = box({1, 0, 0}, {2, 1, 1});
@@ -209,7 +224,7 @@ TEST(MeshRepair, FlatFacetsLeaveNoCracks) {
     EXPECT_EQ(loaded.report.components, 1u);
     EXPECT_EQ(loaded.report.components_closed, 1u);
     EXPECT_EQ(loaded.report.patches, 6u);
-    EXPECT_NEAR(area(loaded.mesh), 6.0, 1e-14);
+    EXPECT_NEAR(area(loaded.mesh), 6.0, 1e-13);  // two hundred roundings
     EXPECT_EQ(wedges_of(loaded).size(), 12u);
   }
 }
@@ -265,9 +280,8 @@ TEST(MeshRepair, NotesNameOnlyWhatWasFound) {
 
 TEST(MeshPatches, SinglePrecisionFacesStayWhole) {
   for (const int pieces : {1, 40}) {
-    PolygonSoup soup = moved(remeshed(cube(0.09), pieces, pieces), skew_rotation(), dvec3(0.02, -0.01, 0.03));
-    for (dvec3& p : soup.points) p = dvec3(glm::vec3(p));
-    const LoadedMesh loaded = build(soup);
+    const PolygonSoup soup = moved(remeshed(cube(0.09), pieces, pieces), skew_rotation(), dvec3(0.02, -0.01, 0.03));
+    const LoadedMesh loaded = build(in_single_precision(soup));
     EXPECT_EQ(loaded.report.patches, 6u);
     EXPECT_EQ(loaded.report.components_closed, 1u);
     const auto wedges = wedges_of(loaded);
@@ -279,7 +293,7 @@ TEST(MeshPatches, SinglePrecisionFacesStayWhole) {
 TEST(MeshPatches, CurvedSurfacesAreNotFlattened) {
   const LoadedMesh loaded = build(sphere(200));
   const TriangleMesh& mesh = loaded.mesh;
-  EXPECT_GT(mesh.patches.size(), 0.49 * mesh.triangles.size());  // the two halves of a quad between meridians are coplanar
+  EXPECT_GT(mesh.patches.size(), mesh.triangles.size() * 48 / 100);  // the two halves of a quad are coplanar
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Patch& patch = mesh.patches[mesh.triangle_patch[i]];
     for (const std::uint32_t v : mesh.triangles[i])

@@ -103,6 +103,16 @@ inline PolygonSoup moved(PolygonSoup soup, const glm::dmat3& rotation, const dve
   return soup;
 }
 
+/// Rounds every coordinate to single precision. Without volatile GCC 12 leaves the rounding out when it vectorises the loop.
+inline PolygonSoup in_single_precision(PolygonSoup soup) {
+  for (dvec3& p : soup.points)
+    for (int axis = 0; axis < 3; ++axis) {
+      const volatile float rounded = static_cast<float>(p[axis]);
+      p[axis] = rounded;
+    }
+  return soup;
+}
+
 /// A rotation with no axis, angle or entry that is special.
 inline glm::dmat3 skew_rotation() { return glm::dmat3(glm::rotate(glm::dmat4(1.0), 0.7, dvec3(0.3, -1.1, 0.45))); }
 
