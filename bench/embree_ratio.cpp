@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "case.h"
+#include "case/case.h"
 #include "material.h"
 #include "sbr/launch.h"
 

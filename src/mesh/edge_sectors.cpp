@@ -20,10 +20,19 @@ struct Leaf {
   bool exposed(const PatchSide& side) const { return both_sides || !side.back; }
 };
 
-/// The leaves in order of angle, counted from the first triangle; equal angles in order of triangles.
+/// An edge stands on a patch it belongs to only if it is shorter than the distance by which patches are flat.
+bool stands_on_patch(const TriangleMesh& mesh, const EdgeTable::Edge& edge, const dvec3& tangent) {
+  return std::ranges::any_of(edge.sides, [&](const EdgeTable::Side& side) {
+    return std::abs(glm::dot(mesh.patches[mesh.triangle_patch[side.triangle]].normal, tangent)) > 0.5;
+  });
+}
+
+/// The leaves in order of angle, counted from the first triangle; equal angles in order of triangles. None if the edge is too
+/// short to tell.
 std::vector<Leaf> sorted_leaves(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
   const dvec3 tangent = glm::normalize(mesh.vertices[edge.high] - mesh.vertices[edge.low]);
   std::vector<Leaf> leaves;
+  if (stands_on_patch(mesh, edge, tangent)) return leaves;
   FaceFrame first{};
   for (const auto& [triangle, corner] : edge.sides) {
     const bool forward = mesh.triangles[triangle][corner] == edge.low;

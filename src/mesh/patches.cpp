@@ -10,7 +10,8 @@ namespace raytube {
 
 namespace {
 
-constexpr double normal_tolerance = 3e-3;  // [rad]
+constexpr double normal_tolerance = 3e-3;   // [rad]
+constexpr double sliver_uncertainty = 0.1;  // of the normal [rad], from which on a triangle's normal says nothing
 
 /// Compensated summation: a plain sum over a million triangles would tilt the plane by 1e-13.
 template <class Vector>
@@ -100,15 +101,17 @@ class PatchFinder {
     return found;
   }
 
-  /// Near the plane with all corners, and facing the same way: a triangle's own normal is known no better than the distance
-  /// over its height.
+  /// Near the plane with all corners, and facing the same way. A triangle's own normal is known no better than the distance
+  /// over its height, and that of a sliver may even point backwards; no way to tell it from a fold, and no need to.
   bool fits(const Patch& plane, std::uint32_t triangle) const {
     const Triangle& t = mesh_.triangles[triangle];
     for (const std::uint32_t v : t)
       if (std::abs(glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset) > distance_) return false;
+    const double uncertainty = distance_ / height(mesh_.vertices, t);
+    if (uncertainty > sliver_uncertainty) return true;
     const dvec3 area = area_vector(mesh_.vertices, t);
     const double angle = std::atan2(glm::length(glm::cross(area, plane.normal)), glm::dot(area, plane.normal));
-    return angle <= normal_tolerance + distance_ / height(mesh_.vertices, t);
+    return angle <= normal_tolerance + uncertainty;
   }
 
   TriangleMesh& mesh_;

@@ -51,14 +51,16 @@ double refined_n(const FaceFrame& first, const FaceFrame& second, double n) {
   return refined + 2.0 * std::round((n - refined) / 2.0);
 }
 
-Wedge wedge_of(const TriangleMesh& mesh, const PatchRims& rims, const EdgePiece& run) {
+/// A face is no narrower than the `distance` by which its plane is known.
+Wedge wedge_of(const TriangleMesh& mesh, const PatchRims& rims, const EdgePiece& run, double distance) {
   Wedge wedge{mesh.vertices[run.start], mesh.vertices[run.end], run.n, {}};
   const dvec3 tangent = glm::normalize(wedge.end - wedge.start);
   std::array<FaceFrame, 2> frames;
   for (int i = 0; i < 2; ++i) {
     const std::uint32_t patch = run.faces[i].patch;
     frames[i] = face_frame(mesh, run.faces[i], tangent, i);
-    wedge.faces[i] = {patch, frames[i].into_face, frames[i].normal, rims.extent(patch, wedge.start, frames[i].into_face)};
+    wedge.faces[i] = {patch, frames[i].into_face, frames[i].normal,
+                      std::max(distance, rims.extent(patch, wedge.start, frames[i].into_face))};
   }
   wedge.n = refined_n(frames[0], frames[1], run.n);
   return wedge;
@@ -74,7 +76,7 @@ std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle)
   const PatchRims rims(mesh, edges);
   std::vector<Wedge> wedges;
   for (const EdgePiece& run : join_straight(mesh.vertices, std::move(pieces), distance))
-    wedges.push_back(wedge_of(mesh, rims, run));
+    wedges.push_back(wedge_of(mesh, rims, run, distance));
   return wedges;
 }
 

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "case.h"
+#include "case/case.h"
 #include "error.h"
 #include "scratch.h"
 

@@ -148,6 +148,17 @@ TEST(MeshWedges, SheetFoldedFlatKeepsItsTwoLeaves) {
   EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{2.0, 5}}));  // two borders of each leaf, and the outside of the fold
 }
 
+/// A step lower than the flatness of patches belongs to both levels; its own edges point out of their plane.
+TEST(MeshWedges, StepBelowToleranceIsNoEdge) {
+  const double step = 1.5e-7 * std::sqrt(5.0);  // times the diagonal
+  const LoadedMesh loaded =
+      build(joined(joined(plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), plate({1, 0, 0}, {0, 0, step}, {0, 1, 0})),
+                   plate({1, 0, step}, {1, 0, 0}, {0, 1, 0})));
+  EXPECT_EQ(loaded.report.components, 1u);
+  EXPECT_EQ(loaded.report.patches, 1u);
+  EXPECT_EQ(total_length(wedges_of(loaded)), 6.0);
+}
+
 TEST(MeshWedges, SmoothSphereHasNone) {
   const LoadedMesh loaded = build(sphere(60));
   EXPECT_EQ(loaded.report.components_closed, 1u);

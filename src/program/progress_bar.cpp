@@ -1,4 +1,4 @@
-#include "progress_bar.h"
+#include "program/progress_bar.h"
 
 #include <fmt/format.h>
 

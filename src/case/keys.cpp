@@ -1,4 +1,4 @@
-#include "case_keys.h"
+#include "case/keys.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // The directions a case asks for.
 #pragma once
 
-#include "case.h"
-#include "case_document.h"
+#include "case/case.h"
+#include "case/document.h"
 
 namespace raytube {
 

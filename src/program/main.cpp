@@ -6,9 +6,9 @@
 #include <new>
 #include <string>
 
-#include "commands.h"
+#include "program/commands.h"
 #include "error.h"
-#include "interrupt.h"
+#include "program/interrupt.h"
 
 namespace {
 

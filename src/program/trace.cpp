@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case.h"
-#include "commands.h"
+#include "case/case.h"
+#include "program/commands.h"
 #include "decimal.h"
 #include "error.h"
 

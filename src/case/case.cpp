@@ -1,14 +1,14 @@
-#include "case.h"
+#include "case/case.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 
-#include "case_document.h"
-#include "case_keys.h"
-#include "case_looks.h"
-#include "case_values.h"
+#include "case/document.h"
+#include "case/keys.h"
+#include "case/looks.h"
+#include "case/values.h"
 #include "decimal.h"
 #include "error.h"
 

@@ -7,14 +7,14 @@
 #include <chrono>
 #include <thread>
 
-#include "case.h"
-#include "commands.h"
-#include "interrupt.h"
+#include "case/case.h"
+#include "program/commands.h"
+#include "program/interrupt.h"
 #include "output/csv.h"
 #include "output/files.h"
 #include "output/manifest.h"
 #include "output/plot.h"
-#include "progress_bar.h"
+#include "program/progress_bar.h"
 
 namespace raytube {
 

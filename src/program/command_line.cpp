@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "commands.h"
+#include "program/commands.h"
 #include "error.h"
 
 namespace raytube {

@@ -2,7 +2,7 @@
 // `key` is the dotted name used in the sentence.
 #pragma once
 
-#include "case_document.h"
+#include "case/document.h"
 
 namespace raytube {
 

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "case.h"
+#include "case/case.h"
 #include "decimal.h"
 
 namespace raytube {

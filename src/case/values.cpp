@@ -1,4 +1,4 @@
-#include "case_values.h"
+#include "case/values.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "case_document.h"
+#include "case/document.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

@@ -6,8 +6,8 @@
 #include <map>
 #include <thread>
 
-#include "case.h"
-#include "commands.h"
+#include "case/case.h"
+#include "program/commands.h"
 #include "decimal.h"
 #include "sbr/launch.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "case_looks.h"
+#include "case/looks.h"
 #include "error.h"
 
 namespace raytube {

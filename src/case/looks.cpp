@@ -1,8 +1,8 @@
-#include "case_looks.h"
+#include "case/looks.h"
 
 #include <fmt/format.h>
 
-#include "case_values.h"
+#include "case/values.h"
 #include "error.h"
 
 namespace raytube {

@@ -1,7 +1,7 @@
 // The keys a case file may hold.
 #pragma once
 
-#include "case_document.h"
+#include "case/document.h"
 
 namespace raytube {
 
