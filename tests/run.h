@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <map>
 #include <numeric>
@@ -31,6 +32,9 @@ inline SweepResult solve_soup(PolygonSoup soup, const Sweep& sweep, const SolveO
   const LoadedMesh loaded = build_mesh(std::move(soup), 1.0);
   return solve(Target(loaded.mesh, o.edges), sweep, o);
 }
+
+/// Prints a measured figure among the test's output; docs/accuracy.md says how to collect them.
+inline void measured(const char* what, double value, const char* unit) { std::printf("measured: %s = %.4g %s\n", what, value, unit); }
 
 inline double dbsm(Complex s) { return 20.0 * std::log10(std::abs(s)) + 10.0 * std::log10(4.0 * pi); }
 

@@ -95,8 +95,8 @@ std::vector<bool> internal_walls(std::span<const Triangle> walls, const Rest& re
     has_rim[group[sides[0].triangle]] = true;
     if (!rest.closes_around(low, high)) enclosed[group[sides[0].triangle]] = false;
   }
-  std::vector<bool> internal;
-  for (const std::uint32_t g : group) internal.push_back(has_rim[g] && enclosed[g]);
+  std::vector<bool> internal(walls.size());
+  for (std::size_t i = 0; i < walls.size(); ++i) internal[i] = has_rim[group[i]] && enclosed[group[i]];
   return internal;
 }
 

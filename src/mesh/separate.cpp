@@ -89,9 +89,11 @@ SeparateSoup separate_bodies(std::span<const dvec3> vertices, std::span<const Tr
   const std::vector<std::uint32_t> numbers = corners.numbers();
   SeparateSoup soup;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    soup.triangles.push_back({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]});
-    for (std::uint32_t k = 0; k < 3; ++k)
-      if (numbers[3 * i + k] == soup.vertex_of.size()) soup.vertex_of.push_back(triangles[i][k]);
+    Triangle& copy = soup.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      copy[k] = numbers[3 * std::size_t{i} + k];
+      if (copy[k] == soup.vertex_of.size()) soup.vertex_of.push_back(triangles[i][k]);
+    }
   }
   return soup;
 }

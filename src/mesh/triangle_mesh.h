@@ -45,25 +45,31 @@ struct MeshNote {
   std::uint64_t count = 0;
 };
 
-/// Every facet read is traced or listed here: facets_read + added_by_splitting = triangles_traced + the dropped ones.
+/// Every facet read is traced or listed here:
+/// triangles_read + triangles_added = triangles_traced + triangles_degenerate + triangles_duplicate + triangles_internal.
 struct MeshReport {
-  std::uint64_t facets_read = 0;     // polygons in the file
-  std::uint64_t triangles_read = 0;  // after splitting polygons into triangles
+  std::uint64_t facets_read = 0;  // polygons in the file
   std::uint64_t vertices_read = 0;
-  std::uint64_t vertices_welded = 0;       // merged into another vertex
-  std::uint64_t facets_unusable = 0;       // polygons with fewer than three distinct corners
+  std::uint64_t facets_unusable = 0;  // polygons with fewer than three distinct corners
+  std::uint64_t triangles_read = 0;   // after splitting polygons into triangles
+  std::uint64_t vertices_welded = 0;  // merged into another vertex
+
+  // As they stand in the file, vertices welded but nothing mended; facets without area not counted.
+  std::uint64_t open_edges_read = 0;
+  std::uint64_t non_manifold_edges_read = 0;  // more than two facets meet
+  std::uint64_t badly_wound_edges_read = 0;   // its two facets run along it in the same sense
+
   std::uint64_t triangles_degenerate = 0;  // dropped: no area
   std::uint64_t triangles_duplicate = 0;   // dropped: same corners as another one
   std::uint64_t triangles_internal = 0;    // dropped: coincident opposite facets where two closed bodies touch
-  std::uint64_t triangles_added = 0;       // by splitting T-junctions
-  std::uint64_t t_junctions_split = 0;
-  std::uint64_t triangles_flipped = 0;  // winding reversed for consistent, outward orientation
+  std::uint64_t t_junctions_split = 0;     // vertices on the inside of an edge, those of flat facets too
+  std::uint64_t triangles_added = 0;       // by these splits
+  std::uint64_t triangles_flipped = 0;     // winding reversed for consistent, outward orientation
+
+  // As traced.
   std::uint64_t triangles_traced = 0;
-  std::uint64_t open_edges_read = 0;          // these three as they stand in the file, vertices welded and nothing mended,
-  std::uint64_t non_manifold_edges_read = 0;  // facets without area not counted
-  std::uint64_t badly_wound_edges_read = 0;   // the two facets run along the edge in the same sense
   std::uint64_t open_edges = 0;
-  std::uint64_t non_manifold_edges = 0;  // more than two facets meet
+  std::uint64_t non_manifold_edges = 0;
   std::uint64_t components = 0;
   std::uint64_t components_closed = 0;
   std::uint64_t patches = 0;
