@@ -32,8 +32,10 @@ struct BareScene {
   explicit BareScene(const TriangleMesh& mesh) : device(rtcNewDevice("")), scene(rtcNewScene(device)) {
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.vertices.size()));
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
+    auto* vertices = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.vertices.size()));
+    auto* indices = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
     for (const dvec3& v : mesh.vertices)
       for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(v[axis]);
     for (const auto& t : mesh.triangles) indices = std::ranges::copy(t, indices).out;
@@ -60,8 +62,10 @@ void append(Packets& packets, std::size_t& count, const Ray& ray) {
     std::ranges::fill(packets.back().hit.geomID, RTC_INVALID_GEOMETRY_ID);
   }
   RTCRay16& r = packets.back().ray;
-  r.org_x[lane] = static_cast<float>(ray.origin.x), r.org_y[lane] = static_cast<float>(ray.origin.y), r.org_z[lane] = static_cast<float>(ray.origin.z);
-  r.dir_x[lane] = static_cast<float>(ray.direction.x), r.dir_y[lane] = static_cast<float>(ray.direction.y), r.dir_z[lane] = static_cast<float>(ray.direction.z);
+  r.org_x[lane] = static_cast<float>(ray.origin.x), r.org_y[lane] = static_cast<float>(ray.origin.y),
+  r.org_z[lane] = static_cast<float>(ray.origin.z);
+  r.dir_x[lane] = static_cast<float>(ray.direction.x), r.dir_y[lane] = static_cast<float>(ray.direction.y),
+  r.dir_z[lane] = static_cast<float>(ray.direction.z);
   r.tnear[lane] = ray.source_patch == no_index ? 0.0f : 1e-5f;
   r.tfar[lane] = std::numeric_limits<float>::infinity();
   r.mask[lane] = 0xffffffffu;
@@ -109,9 +113,8 @@ double bare_time(const BareScene& bare, const Target& target, const Case& c) {
   double total = 0.0;
   for (std::size_t first = 0; first < c.sweep.looks.size(); first += looks_at_a_time) {
     std::vector<Packets> recorded(std::min(looks_at_a_time, c.sweep.looks.size() - first));
-    tbb::parallel_for(std::size_t{0}, recorded.size(), [&](std::size_t i) {
-      recorded[i] = record(target.tracer, c.sweep.looks[first + i], shortest, c.tubes);
-    });
+    tbb::parallel_for(std::size_t{0}, recorded.size(),
+                      [&](std::size_t i) { recorded[i] = record(target.tracer, c.sweep.looks[first + i], shortest, c.tubes); });
     const auto start = Clock::now();
     tbb::parallel_for(std::size_t{0}, recorded.size(), [&](std::size_t i) { shoot(bare.scene, recorded[i]); });
     total += seconds_since(start);
@@ -137,8 +140,8 @@ void measure(const std::string& file, int threads, int repeat) {
     embree.push_back(bare_time(bare, target, c));
     ratio.push_back(solver.back() / embree.back());
   }
-  fmt::print("{}: {} rays, solve {:.3f} s, bare rtcIntersect16 {:.3f} s, ratio {:.2f} (medians of {}, {} threads)\n", c.title, rays,
-             median(solver), median(embree), median(ratio), repeat, threads);
+  fmt::print("{}: {} rays, solve {:.3f} s, bare rtcIntersect16 {:.3f} s, ratio {:.2f} (medians of {}, {} threads)\n", c.title,
+             rays, median(solver), median(embree), median(ratio), repeat, threads);
 }
 
 }  // namespace

@@ -16,9 +16,8 @@ int main(int argc, char** argv) {
   const LoadedMesh targets[] = {build_mesh(shapes::cube(1.0), 1.0), build_mesh(shapes::icosphere(5), 1.0)};
   for (const LoadedMesh& target : targets) {
     std::atomic<std::uint64_t> lost = 0;
-    tbb::parallel_for(std::uint64_t{0}, walks, [&](std::uint64_t walk) {
-      lost += testing::lost_inside(target.mesh, rays / 2 / walks, walk);
-    });
+    tbb::parallel_for(std::uint64_t{0}, walks,
+                      [&](std::uint64_t walk) { lost += testing::lost_inside(target.mesh, rays / 2 / walks, walk); });
     fmt::print("closed mesh of {} triangles: {} rays, {} lost\n", target.mesh.triangles.size(), rays / 2, lost.load());
   }
 }

@@ -58,14 +58,15 @@ def write_looks(path, looks):
         f.write("theta_deg,phi_deg\n" + "".join(f"{t:.10g},{p:.10g}\n" for t, p in looks))
 
 
-def write_reference(path, comment, freq, looks, amplitudes):
-    """amplitudes: per look (S_vv, S_hh); the closed forms here have no cross-polarisation."""
+def write_reference(path, comment, freq, looks, amplitudes, transmit=None):
+    """amplitudes: per look (S_vv, S_hh); the closed forms here have no cross-polarisation. `looks` are the receiver's directions; the
+    transmitter is with it unless `transmit` says where."""
     with open(os.path.join(HERE, path), "w") as f:
         for line in comment:
             f.write(f"# {line}\n")
         f.write("freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,re_vv,im_vv,re_vh,im_vh,re_hv,im_hv,re_hh,im_hh\n")
         for (t, p), (vv, hh) in zip(looks, amplitudes):
-            keys = ",".join(f"{x:.10g}" for x in (freq, t, p, t, p))
+            keys = ",".join(f"{x:.10g}" for x in (freq, *(transmit or (t, p)), t, p))
             f.write(f"{keys},{vv.real:.12g},{vv.imag:.12g},0,0,0,0,{hh.real:.12g},{hh.imag:.12g}\n")
 
 
@@ -124,10 +125,12 @@ def cylinder_po(a, b, freq, theta):
     return -1j * k / (2 * math.pi) * (side + cap)
 
 
-def sphere_mie(a, freq):
-    """Monostatic S of a perfectly conducting sphere: exact series (Bohren & Huffman 1983, ch. 4, for a perfect conductor)."""
+def sphere_mie(a, freq, gamma=0.0):
+    """S of a perfectly conducting sphere, exact series (Bohren & Huffman 1983, section 4.4, for a perfect conductor and e^{+j omega t});
+    gamma is the angle between the directions to transmitter and receiver, 0 for backscatter. Returns (E in the scattering plane,
+    E across it), each referred to basis vectors that coincide for gamma = 0."""
     k = 2 * math.pi * freq / C0
-    x = k * a
+    x, u = k * a, -math.cos(gamma)
     nmax = int(x + 4 * x ** (1 / 3) + 20)
     y = [-math.cos(x) / x, -math.cos(x) / x ** 2 - math.sin(x) / x]
     for n in range(1, nmax + 1):
@@ -140,14 +143,29 @@ def sphere_mie(a, freq):
         if abs(j[n - 1]) > 1e200:
             j = [v * 1e-200 for v in j]
     scale = (math.sin(x) / x) / j[0]
-    total = 0
+    in_plane = across = 0
+    pi_before, pi_now = 0.0, 1.0  # angle functions, by recurrence
     for n in range(1, nmax + 1):
         jn, jm = j[n] * scale, j[n - 1] * scale
         hn, hm = complex(jn, -y[n]), complex(jm, -y[n - 1])
         b_n = jn / hn
         a_n = (x * jm - n * jn) / (x * hm - n * hn)
-        total += (-1) ** n * (2 * n + 1) * (a_n - b_n)  # angle functions pi_n, tau_n at 180 degrees
-    return -total / (2j * k)
+        tau = n * u * pi_now - (n + 1) * pi_before
+        weight = (2 * n + 1) / (n * (n + 1))
+        in_plane += weight * (a_n * tau + b_n * pi_now)
+        across += weight * (a_n * pi_now + b_n * tau)
+        pi_before, pi_now = pi_now, ((2 * n + 1) * u * pi_now - (n + 1) * pi_before) / n
+    return -in_plane / (1j * k), across / (1j * k)
+
+
+def trihedral_triple(a, freq, theta, phi):
+    """Triple bounce alone of a triangular trihedral of leg a: |S| = A / lambda with the aperture A of its legs' direction cosines
+    (Siegel et al. 1955; Robertson 1947), any polarisation."""
+    k = 2 * math.pi * freq / C0
+    low, middle, high = sorted((math.sin(theta) * math.cos(phi), math.sin(theta) * math.sin(phi), math.cos(theta)))
+    s = low + middle + high
+    aperture = 4 * low * middle / s if low + middle <= high else s - 2 / s
+    return max(aperture, 0.0) * a * a * k / (2 * math.pi)
 
 
 # ---------------------------------------------------------------- meshes
@@ -214,6 +232,11 @@ def main():
 
     # trihedral: three right isosceles triangles of leg 1.5 m, opening to (+, +, +)
     write_off("trihedral/trihedral.off", [(0, 0, 0), (1.5, 0, 0), (0, 1.5, 0), (0, 0, 1.5)], [(0, 1, 2), (0, 2, 3), (0, 3, 1)])
+    theta = math.acos(1 / math.sqrt(3))
+    with open(os.path.join(HERE, "trihedral/reference.csv"), "w") as f:
+        f.write("# Triple bounce alone, from the geometrical-optics aperture; the same for vv and hh\nfreq_hz,theta_deg,phi_deg,abs_s_triple\n")
+        for i in range(181):
+            f.write(f"{3e9:.10g},{math.degrees(theta):.15g},{i / 2:g},{trihedral_triple(1.5, 3e9, theta, math.radians(i / 2)):.12g}\n")
 
     # sphere: a = 1 m, 20 480 triangles, 64 looks spread evenly
     v, t = icosphere(5)
@@ -221,7 +244,10 @@ def main():
     looks = [(math.degrees(math.acos(1 - (2 * i + 1) / 64)), (i * 137.50776405) % 360) for i in range(64)]
     looks = [(round(a, 6), round(b, 6)) for a, b in looks]
     write_looks("sphere/looks.csv", looks)
-    write_reference("sphere/reference.csv", ["Exact series (Mie) of a perfectly conducting sphere"], 3e9, looks, [(sphere_mie(1.0, 3e9),) * 2] * 64)
+    write_reference("sphere/reference.csv", ["Exact series (Mie) of a perfectly conducting sphere"], 3e9, looks, [sphere_mie(1.0, 3e9)[::-1]] * 64)
+    receivers = [(90, i / 2) for i in range(361)]
+    write_reference("sphere/reference_bistatic.csv", ["Exact series (Mie) of a perfectly conducting sphere; transmitter at theta 90, phi 0"], 3e9,
+                    receivers, [sphere_mie(1.0, 3e9, math.radians(p))[::-1] for _, p in receivers], transmit=(90, 0))
 
     # cylinder: radius 90 mm, length 300 mm, 144 sides, 10 GHz, theta 0 ... 180
     v, t = cylinder(90.0, 300.0, 144)

@@ -4,8 +4,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
 #include "utd/edges.h"
 
@@ -34,7 +36,8 @@ void make_reciprocal(TubeSums& tubes) {
     for (ScatteringMatrix& s : bounce) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
 }
 
-LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look, const SolveOptions& options, Progress& progress) {
+LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look, const SolveOptions& options,
+                      Progress& progress) {
   LookResult result;
   const double share = 1.0 / static_cast<double>(sweep.looks.size());
   result.tubes = sbr_scattering(target.tracer, look, sweep.frequencies, options.tubes, progress, share);
@@ -78,9 +81,13 @@ class Collector {
     if (part.tubes.tubes == 0) ++looks_without_tubes_;
   }
 
-  SweepResult finish() {
-    if (looks_without_tubes_)
-      result_.statistics.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
+  SweepResult finish(std::span<const Wedge> wedges, EdgeMethod method) {
+    std::vector<Skipped>& skipped = result_.statistics.skipped;
+    if (looks_without_tubes_) skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
+    const auto concave = static_cast<std::uint64_t>(std::ranges::count_if(wedges, [](const Wedge& w) { return !w.convex(); }));
+    if (method == EdgeMethod::fringe && concave)
+      skipped.push_back({"wedges", "concave: multiple reflection stands for them", concave});
+    result_.statistics.wedges = wedges.size();
     return std::move(result_);
   }
 
@@ -123,14 +130,12 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result.
   std::vector<LookResult> looks(sweep.looks.size());
   tbb::task_arena(threads).execute([&] {
-    tbb::parallel_for(std::size_t{0}, looks.size(), [&](std::size_t i) {
-      looks[i] = solve_look(target, sweep, sweep.looks[i], options, progress);
-    });
+    tbb::parallel_for(std::size_t{0}, looks.size(),
+                      [&](std::size_t i) { looks[i] = solve_look(target, sweep, sweep.looks[i], options, progress); });
   });
   Collector collector(sweep, target.mesh, options.keep_parts);
   for (std::size_t i = 0; i < looks.size(); ++i) collector.add(i, looks[i]);
-  SweepResult result = collector.finish();
-  result.statistics.wedges = target.wedges.size();
+  SweepResult result = collector.finish(target.wedges, options.edges.method);
   result.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -35,23 +35,24 @@ struct Skipped {
 
 /// What happened during a solve; every ray is accounted for.
 struct Statistics {
-  std::uint64_t tubes = 0;                // launched
-  std::uint64_t rays = 0;                 // segments traced: launched tubes and every reflected segment
-  std::vector<std::uint64_t> hits;        // hits[m]: tubes that met a surface at bounce m + 1
-  std::uint64_t lost_rays = 0;            // rays that met a closed body from inside (a leak); their tube ends there
-  std::uint64_t tubes_cut = 0;            // tubes that still hit a surface after max_bounces
-  std::uint64_t wedges = 0;               // wedges of the target, convex and concave
-  std::uint64_t wedges_lit = 0;           // sum over looks of the convex wedges at least partly lit
-  std::uint64_t windowed_rows = 0;        // rows touched by the forward-grazing window of the fringe currents
+  std::uint64_t tubes = 0;          // launched
+  std::uint64_t rays = 0;           // segments traced: launched tubes and every reflected segment
+  std::vector<std::uint64_t> hits;  // hits[m]: tubes that met a surface at bounce m + 1
+  std::uint64_t lost_rays = 0;      // rays that met a closed body from inside (a leak); their tube ends there
+  std::uint64_t tubes_cut = 0;      // tubes that still hit a surface after max_bounces
+  std::uint64_t wedges = 0;         // wedges of the target, convex and concave
+  std::uint64_t wedges_lit = 0;     // sum over looks of the convex wedges at least partly lit
+  std::uint64_t windowed_rows = 0;  // rows touched by the forward-grazing window of the fringe currents
   std::vector<Skipped> skipped;
-  double solve_s = 0.0;                   // mesh and BVH ready -> last sum
+  double solve_s = 0.0;  // mesh and BVH ready -> last sum
 };
 
 /// Complex amplitudes of a sweep, one entry per row (Sweep::row), kept apart by mechanism.
 struct SweepResult {
-  std::vector<ScatteringMatrix> total;                  // sum of all mechanisms
-  std::vector<std::vector<ScatteringMatrix>> bounces;   // bounces[m][row]: PO currents of bounce m + 1; empty unless parts are kept
-  std::vector<ScatteringMatrix> edges;                  // fringe currents of the wedges; empty unless parts are kept
+  std::vector<ScatteringMatrix> total;  // sum of all mechanisms
+  std::vector<std::vector<ScatteringMatrix>>
+      bounces;                          // bounces[m][row]: PO currents of bounce m + 1; empty unless parts are kept
+  std::vector<ScatteringMatrix> edges;  // fringe currents of the wedges; empty unless parts are kept
   Statistics statistics;
 };
 

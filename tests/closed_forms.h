@@ -11,14 +11,16 @@ namespace raytube::closed_forms {
 /// Monostatic physical optics of a square plate of side a in z = 0 turned by `turn` (Knott, Shaeffer & Tuley 2004, ch. 5).
 inline Complex plate(double a, double k, const Direction& look, double turn = 0.0) {
   const double s = std::sin(look.theta), phi = look.phi - turn;
-  return Complex(0.0, -a * a * k / (2.0 * pi) * std::abs(std::cos(look.theta)) * sinc(k * a * s * std::cos(phi)) * sinc(k * a * s * std::sin(phi)));
+  return Complex(0.0, -a * a * k / (2.0 * pi) * std::abs(std::cos(look.theta)) * sinc(k * a * s * std::cos(phi)) *
+                          sinc(k * a * s * std::sin(phi)));
 }
 
 /// Dihedral with faces w x b on +x and +y at elevation 0, azimuth g: both single bounces and the double bounce, all radiating.
 /// sign -1 for V (E along the fold), +1 for H.
 inline Complex dihedral(double w, double b, double k, double g, int sign) {
   const double s = std::sin(g), c = std::cos(g);
-  const Complex single = w * s * sinc(k * w * c) * std::polar(1.0, k * w * c) + w * c * sinc(k * w * s) * std::polar(1.0, k * w * s);
+  const Complex single =
+      w * s * sinc(k * w * c) * std::polar(1.0, k * w * c) + w * c * sinc(k * w * s) * std::polar(1.0, k * w * s);
   return Complex(0.0, -b * k / (2.0 * pi)) * (single + sign * 2.0 * w * std::min(s, c));
 }
 

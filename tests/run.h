@@ -34,7 +34,9 @@ inline SweepResult solve_soup(PolygonSoup soup, const Sweep& sweep, const SolveO
 }
 
 /// Prints a measured figure among the test's output; docs/accuracy.md says how to collect them.
-inline void measured(const char* what, double value, const char* unit) { std::printf("measured: %s = %.4g %s\n", what, value, unit); }
+inline void measured(const char* what, double value, const char* unit) {
+  std::printf("measured: %s = %.5g %s\n", what, value, unit);
+}
 
 inline double dbsm(Complex s) { return 20.0 * std::log10(std::abs(s)) + 10.0 * std::log10(4.0 * pi); }
 
@@ -68,7 +70,9 @@ class Table {
   std::size_t rows() const { return rows_.size(); }
   const std::string& text(std::size_t row, const std::string& column) const { return rows_.at(row).at(columns_.at(column)); }
   double number(std::size_t row, const std::string& column) const { return std::stod(text(row, column)); }
-  Complex complex(std::size_t row, const std::string& channel) const { return {number(row, "re_" + channel), number(row, "im_" + channel)}; }
+  Complex complex(std::size_t row, const std::string& channel) const {
+    return {number(row, "re_" + channel), number(row, "im_" + channel)};
+  }
 
  private:
   std::map<std::string, std::size_t> columns_;

@@ -30,18 +30,19 @@ inline PolygonSoup trihedral(double a) {
 inline PolygonSoup cube(double a) {
   PolygonSoup soup;
   for (int i = 0; i < 8; ++i) soup.points.emplace_back(i & 1 ? a / 2 : -a / 2, i & 2 ? a / 2 : -a / 2, i & 4 ? a / 2 : -a / 2);
-  soup.polygons = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  soup.polygons = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                   {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return soup;
 }
 
 /// Sphere of radius `a`, 20 * 4^subdivisions triangles with corners on it.
 inline PolygonSoup icosphere(int subdivisions, double a = 1.0) {
   const double p = std::numbers::phi;
-  std::vector<dvec3> v = {{-1, p, 0}, {1, p, 0}, {-1, -p, 0}, {1, -p, 0}, {0, -1, p}, {0, 1, p},
-                          {0, -1, -p}, {0, 1, -p}, {p, 0, -1}, {p, 0, 1}, {-p, 0, -1}, {-p, 0, 1}};
-  std::vector<std::vector<std::uint32_t>> t = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                                               {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                                               {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  std::vector<dvec3> v = {{-1, p, 0},  {1, p, 0},  {-1, -p, 0}, {1, -p, 0}, {0, -1, p},  {0, 1, p},
+                          {0, -1, -p}, {0, 1, -p}, {p, 0, -1},  {p, 0, 1},  {-p, 0, -1}, {-p, 0, 1}};
+  std::vector<std::vector<std::uint32_t>> t = {
+      {0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+      {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   for (dvec3& q : v) q = glm::normalize(q);
   for (int level = 0; level < subdivisions; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
@@ -65,7 +66,8 @@ inline PolygonSoup icosphere(int subdivisions, double a = 1.0) {
 inline PolygonSoup cylinder(double a, double length, std::uint32_t sides) {
   PolygonSoup soup;
   for (const double z : {-length / 2, length / 2})
-    for (std::uint32_t i = 0; i < sides; ++i) soup.points.emplace_back(a * std::cos(2 * pi * i / sides), a * std::sin(2 * pi * i / sides), z);
+    for (std::uint32_t i = 0; i < sides; ++i)
+      soup.points.emplace_back(a * std::cos(2 * pi * i / sides), a * std::sin(2 * pi * i / sides), z);
   std::vector<std::uint32_t> bottom, top;
   for (std::uint32_t i = 0; i < sides; ++i) {
     const std::uint32_t next = (i + 1) % sides;

@@ -33,29 +33,47 @@ bool ExactHit::ahead(const Ray& ray, std::uint32_t triangle) const {
   return std::abs(height) > rounding_ && height * glm::dot(plane.normal, ray.direction) > 0.0;
 }
 
-// Volume spanned by the ray and the edge, over the edge's length. Always from the lower vertex to the higher one, so that
-// the two triangles of an edge compute the same number.
-double ExactHit::edge_side(const Ray& ray, std::uint32_t from, std::uint32_t to) const {
-  const bool swapped = from > to;
-  if (swapped) std::swap(from, to);
-  const dvec3 a = mesh_.vertices[from] - ray.origin, b = mesh_.vertices[to] - ray.origin;
-  const double side = glm::dot(ray.direction, glm::cross(a, b)) / glm::length(b - a);
-  return swapped ? -side : side;
+namespace {
+
+// Volume spanned by a ray's direction and an edge between corners a and b (seen from the ray's origin), of vertices `from` and
+// `to`: positive on one side of the edge, negative on the other. Always from the lower vertex to the higher one, so that the
+// two triangles of an edge compute the same number.
+double edge_side(const dvec3& direction, const dvec3& a, const dvec3& b, bool swapped) {
+  return swapped ? -glm::dot(direction, glm::cross(b, a)) : glm::dot(direction, glm::cross(a, b));
 }
 
-double ExactHit::clearance(const Ray& ray, std::uint32_t triangle) const {
-  const auto& [a, b, c] = mesh_.triangles[triangle];
-  const double sides[3] = {edge_side(ray, a, b), edge_side(ray, b, c), edge_side(ray, c, a)};
-  // All three have the sign of the ray's passage when it runs through the triangle, from either side.
-  const double lowest = std::min({sides[0], sides[1], sides[2]}), highest = std::max({sides[0], sides[1], sides[2]});
-  return std::max(lowest, -highest);
+bool same_sign(const std::array<double, 3>& s) {
+  return (s[0] >= 0.0 && s[1] >= 0.0 && s[2] >= 0.0) || (s[0] <= 0.0 && s[1] <= 0.0 && s[2] <= 0.0);
+}
+
+}  // namespace
+
+std::array<double, 3> ExactHit::edge_sides(const Ray& ray, std::uint32_t triangle) const {
+  const auto& [i, j, k] = mesh_.triangles[triangle];
+  const dvec3 a = mesh_.vertices[i] - ray.origin, b = mesh_.vertices[j] - ray.origin, c = mesh_.vertices[k] - ray.origin;
+  const dvec3& d = ray.direction;
+  return {edge_side(d, a, b, i > j), edge_side(d, b, c, j > k), edge_side(d, c, a, k > i)};
+}
+
+bool ExactHit::contains(const Ray& ray, std::uint32_t triangle) const { return same_sign(edge_sides(ray, triangle)); }
+
+bool ExactHit::contains_safely(const Ray& ray, std::uint32_t triangle) const {
+  const std::array<double, 3> sides = edge_sides(ray, triangle);
+  if (!same_sign(sides)) return false;
+  const auto& [i, j, k] = mesh_.triangles[triangle];
+  const dvec3 edges[3] = {mesh_.vertices[j] - mesh_.vertices[i], mesh_.vertices[k] - mesh_.vertices[j],
+                          mesh_.vertices[i] - mesh_.vertices[k]};
+  // Side over edge length is at most the distance between the two lines.
+  for (int e = 0; e < 3; ++e)
+    if (sides[e] * sides[e] < doubt_ * doubt_ * glm::dot(edges[e], edges[e])) return false;
+  return true;
 }
 
 Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const std::array<std::uint32_t, 2>& ignored_patches) const {
   Hit nearest;
   const auto consider = [&](std::uint32_t candidate) {
     if (std::ranges::find(ignored_patches, patch(candidate)) != ignored_patches.end()) return;
-    if (!ahead(ray, candidate) || clearance(ray, candidate) < 0.0) return;
+    if (!ahead(ray, candidate) || !contains(ray, candidate)) return;
     const Hit hit{candidate, distance(ray, candidate)};
     const bool nearer =
         !nearest || hit.distance < nearest.distance || (hit.distance == nearest.distance && hit.triangle < nearest.triangle);

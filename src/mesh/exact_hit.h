@@ -21,19 +21,19 @@ class ExactHit {
   /// True if that plane lies ahead of the ray's start by more than the rounding of the two.
   bool ahead(const Ray& ray, std::uint32_t triangle) const;
 
-  /// Signed distance from the ray's line to the nearest of the three edges' lines, positive inside, never overestimated.
-  /// Two triangles that share an edge get exactly opposite values for it, so no ray slips between them.
-  double clearance(const Ray& ray, std::uint32_t triangle) const;
+  /// True if the ray's line runs through the triangle, rim included. Two triangles that share an edge decide about it with
+  /// exactly opposite numbers, so no ray slips between them.
+  bool contains(const Ray& ray, std::uint32_t triangle) const;
 
-  /// Below this clearance [m] single precision cannot tell which side of an edge a ray passes.
-  double doubt() const { return doubt_; }
+  /// True if it does so farther from all three edges than the distance at which single precision may mistake the side.
+  bool contains_safely(const Ray& ray, std::uint32_t triangle) const;
 
   /// The nearest triangle that contains the ray, among `triangle` and those sharing a corner with it but not on
   /// an ignored patch; ties to the lower index.
   Hit nearest_around(const Ray& ray, std::uint32_t triangle, const std::array<std::uint32_t, 2>& ignored_patches) const;
 
  private:
-  double edge_side(const Ray& ray, std::uint32_t from, std::uint32_t to) const;
+  std::array<double, 3> edge_sides(const Ray& ray, std::uint32_t triangle) const;
   std::span<const std::uint32_t> around(std::uint32_t vertex) const;
 
   const TriangleMesh& mesh_;

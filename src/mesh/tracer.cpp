@@ -81,7 +81,7 @@ void refuse_behind(const RTCFilterFunctionNArguments* arguments) {
     const bool refused = patch == ray.source_patch ||
                          std::ranges::find(query.refused_patches, patch) != query.refused_patches.end() ||
                          std::ranges::find(query.refused_triangles, triangle) != query.refused_triangles.end() ||
-                         !query.exact->ahead(ray, triangle) || (query.must_contain && query.exact->clearance(ray, triangle) < 0.0);
+                         !query.exact->ahead(ray, triangle) || (query.must_contain && !query.exact->contains(ray, triangle));
     if (refused) arguments->valid[lane] = 0;
   }
 }
@@ -204,7 +204,7 @@ bool Tracer::Scene::decide_again(const Ray& ray, std::uint32_t hint, Hit& hit) c
   if (hint == hit.triangle || exact.patch(hint) == ray.source_patch || !exact.ahead(ray, hint)) return false;
   const double distance = exact.distance(ray, hint);
   if (hit && distance >= hit.distance) return false;
-  if (exact.clearance(ray, hint) < 0.0) return false;
+  if (!exact.contains(ray, hint)) return false;
   hit = {hint, distance};
   return true;
 }
@@ -219,10 +219,10 @@ void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const 
   scene_->propose(rays, hits);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (!hits[i]) continue;
-    if (scene_->exact.clearance(rays[i], hits[i].triangle) < scene_->exact.doubt())
-      hits[i] = scene_->decide(rays[i], hits[i]);
-    else
+    if (scene_->exact.contains_safely(rays[i], hits[i].triangle))
       hits[i].distance = scene_->exact.distance(rays[i], hits[i].triangle);
+    else
+      hits[i] = scene_->decide(rays[i], hits[i]);
   }
   for (std::size_t i = 1; i < rays.size(); ++i) {
     const Hit before = hits[i - 1], here = hits[i];
@@ -232,7 +232,8 @@ void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const 
   }
 }
 
-std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction, const std::array<std::uint32_t, 2>& ignored_patches) const {
+std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction,
+                              const std::array<std::uint32_t, 2>& ignored_patches) const {
   const Ray ray{origin, direction};
   QueryContext context = make_context(scene_->exact, &ray);
   context.filter = refuse_behind;

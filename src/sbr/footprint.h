@@ -24,9 +24,9 @@ Beam incident_beam(const LaunchGrid& grid, const SphericalBasis& transmit, const
 
 /// The same tubes where they meet a plane: points base + ..., current ready for the integral, and the beam that leaves.
 struct Footprint {
-  Beam outgoing;                                // base and along_* lie on the surface
-  std::array<std::array<double, 2>, 2> weight;  // [receive][transmit] p_hat . eta J per unit field
-  double area = 0.0;                            // footprint area per unit launch area
+  Beam outgoing;                                     // base and along_* lie on the surface
+  std::array<std::array<double, 2>, 2> weight;       // [receive][transmit] p_hat . eta J per unit field
+  double area = 0.0;                                 // footprint area per unit launch area
   double phase = 0.0, phase_u = 0.0, phase_v = 0.0;  // exponent / k at the reference, and per metre along u and v
 };
 

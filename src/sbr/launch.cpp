@@ -33,8 +33,9 @@ void set_axes(LaunchGrid& grid, const SphericalBasis& basis, const std::optional
 std::uint32_t cells_along(double extent, double cells_per_metre) {
   const double cells = std::ceil(extent * cells_per_metre - 1e-6);
   if (cells > 1e6)
-    throw InputError("tubes.per_wavelength asks for more than 10^6 tubes along one side of the launch plane; lower it, or check "
-                     "target.unit and frequency.ghz");
+    throw InputError(
+        "tubes.per_wavelength asks for more than 10^6 tubes along one side of the launch plane; lower it, or check "
+        "target.unit and frequency.ghz");
   return cells > 0.0 ? static_cast<std::uint32_t>(cells) : 0;
 }
 

@@ -12,8 +12,8 @@ namespace raytube {
 /// u x v points to the radar. It lies in front of the whole target.
 struct LaunchGrid {
   dvec3 u_hat, v_hat;
-  dvec3 direction;     // of propagation: away from the radar
-  dvec3 plane_origin;  // point of the plane with u = v = 0
+  dvec3 direction;                      // of propagation: away from the radar
+  dvec3 plane_origin;                   // point of the plane with u = v = 0
   double u_begin = 0.0, v_begin = 0.0;  // lower corner [m]
   double du = 0.0, dv = 0.0;            // cell sides [m]
   std::uint32_t columns = 0, rows = 0;  // both 0 when the target has no projected area

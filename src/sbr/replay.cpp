@@ -19,8 +19,10 @@ TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, double u, 
   if (grid.cells() == 0) throw InputError("trace: the target has no projected area in this look; choose another --look");
   if (at.x < 0.0 || at.y < 0.0 || at.x > extent.x || at.y > extent.y) {
     const dvec2 low = to_mesh_origin + dvec2(grid.u_begin, grid.v_begin), high = low + extent;
-    throw InputError(fmt::format("trace: --u {} --v {} lies outside the launch rectangle; use u in {:.6g}..{:.6g} m and v in "
-                                 "{:.6g}..{:.6g} m", u, v, low.x, high.x, low.y, high.y));
+    throw InputError(
+        fmt::format("trace: --u {} --v {} lies outside the launch rectangle; use u in {:.6g}..{:.6g} m and v in "
+                    "{:.6g}..{:.6g} m",
+                    u, v, low.x, high.x, low.y, high.y));
   }
   TubeTrace trace;
   trace.column = std::min(static_cast<std::uint32_t>(at.x / grid.du), grid.columns - 1);
@@ -31,7 +33,8 @@ TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, double u, 
 
 }  // namespace
 
-TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u, double v) {
+TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u,
+                     double v) {
   const TriangleMesh& mesh = tracer.mesh();
   const LaunchGrid grid = launch_grid(mesh, look.transmit, wavelength(frequency_hz), options.per_wavelength, options.up);
   TubeTrace trace = find_cell(grid, mesh.center, u, v);

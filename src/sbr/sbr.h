@@ -17,7 +17,7 @@ namespace raytube {
 struct TubeOptions {
   double per_wavelength = 10.0;  // tubes per wavelength along each side of the launch plane, at the highest frequency
   int max_bounces = 8;
-  std::optional<dvec3> up;       // rows of the launch grid follow this vector's projection; default -theta_hat
+  std::optional<dvec3> up;  // rows of the launch grid follow this vector's projection; default -theta_hat
 };
 
 /// Traces the uniform tube grid of a look once and integrates the PO current of every bounce, radiating unblocked, for all

@@ -42,9 +42,11 @@ std::string read_file(const std::filesystem::path& path) {
 
 // rcs.csv of a case of the repository, thinned so that it runs in a second or two.
 std::string program_output(const std::string& case_name, const std::string& set, int threads) {
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / ("threads-" + case_name + std::to_string(threads));
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / ("threads-" + case_name + std::to_string(threads));
   const std::string command = std::string(RAYTUBE_PROGRAM) + " run " RAYTUBE_SOURCE_DIR "/cases/" + case_name + "/case.toml -o " +
-                              folder.string() + " --quiet --set output.plots=false " + set + " --threads " + std::to_string(threads);
+                              folder.string() + " --quiet --set output.plots=false " + set + " --threads " +
+                              std::to_string(threads);
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << command;
   return read_file(folder / "rcs.csv");
 }
@@ -58,7 +60,8 @@ TEST(Threads, ProgramWritesTheSameBytes) {
   for (const auto& [name, set] : cases) {
     const std::string one = program_output(name, set, 1);
     EXPECT_GT(one.size(), 500u);
-    for (const int threads : thread_counts) EXPECT_EQ(program_output(name, set, threads), one) << name << ", " << threads << " threads";
+    for (const int threads : thread_counts)
+      EXPECT_EQ(program_output(name, set, threads), one) << name << ", " << threads << " threads";
   }
 }
 

@@ -52,7 +52,8 @@ TEST(Layers, ForeignLibrariesStayOutOfHeaders) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
     if (entry.path().extension() != ".h") continue;
     std::ifstream in(entry.path());
-    for (std::string line; std::getline(in, line);) EXPECT_FALSE(std::regex_search(line, foreign)) << entry.path() << ": " << line;
+    for (std::string line; std::getline(in, line);)
+      EXPECT_FALSE(std::regex_search(line, foreign)) << entry.path() << ": " << line;
   }
 }
 

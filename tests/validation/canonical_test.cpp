@@ -22,7 +22,8 @@ std::vector<Direction> plate_cut(int steps) {
 
 // Errors in dB against the closed form, where it is within 40 dB of the peak.
 std::vector<double> plate_errors(double turn, double per_wavelength, const std::vector<Direction>& cut) {
-  const SweepResult result = solve_soup(shapes::plate(1.5, turn), monostatic(cut, frequency), options(EdgeMethod::none, per_wavelength));
+  const SweepResult result =
+      solve_soup(shapes::plate(1.5, turn), monostatic(cut, frequency), options(EdgeMethod::none, per_wavelength));
   const double peak = std::abs(closed_forms::plate(1.5, k, {0.0, 0.0}));
   std::vector<double> errors;
   for (std::size_t i = 0; i < cut.size(); ++i) {
@@ -121,7 +122,8 @@ TEST(Sphere, SeriesHasTheRightPhase) {
 }
 
 TEST(Dihedral, Boresight) {
-  const SweepResult result = solve_soup(shapes::dihedral(1.5, 1.5), monostatic({{90.0 * degree, 45.0 * degree}}, frequency), options(EdgeMethod::none));
+  const SweepResult result =
+      solve_soup(shapes::dihedral(1.5, 1.5), monostatic({{90.0 * degree, 45.0 * degree}}, frequency), options(EdgeMethod::none));
   measured("dihedral boresight, VV", dbsm(result.total[0].vv()), "dBsm");
   measured("dihedral boresight, HH", dbsm(result.total[0].hh()), "dBsm");
   measured("dihedral boresight, double bounce alone", dbsm(result.bounces.at(1)[0].vv()), "dBsm");

@@ -63,8 +63,8 @@ TEST(FullWave, PlatePhi0) {
 }
 
 TEST(FullWave, CubeAzimuth) {
-  // 20 to 28 cells across the cube: at 10 per wavelength the staircase along its edge alone costs 0.1 and 0.25 dB, so the theory is
-  // tested with finer tubes.
+  // 20 to 28 cells across the cube: at 10 per wavelength the staircase along its edge alone costs 0.1 and 0.25 dB, so the theory
+  // is tested with finer tubes.
   const auto all = [](const Row&) { return true; };
   const auto coarse = solve_cut("cube2", "az_th90"), rows = solve_cut("cube2", "az_th90", 40.0);
   measured("cube2 az_th90 VV, 10 tubes per wavelength, rms", rms_db(coarse, vv, Rows::within_20_db, all), "dB");
@@ -88,7 +88,8 @@ TEST(FullWave, DihedralAzimuth) {
 
 TEST(FullWave, ComplexAmplitudesAgreeInSignAndPhase) {
   // Relative complex error of physical optics with fringe currents; a wrong sign, conjugate or basis gives 1 to 2.
-  for (const auto& [body, cut, bound] : {std::tuple{"plate3", "phi0", 0.2}, {"cube2", "az_th90", 0.3}, {"dihedral3", "az_th90", 0.3}}) {
+  for (const auto& [body, cut, bound] :
+       {std::tuple{"plate3", "phi0", 0.2}, {"cube2", "az_th90", 0.3}, {"dihedral3", "az_th90", 0.3}}) {
     double error = 0.0, size = 0.0;
     for (const Row& row : solve_cut(body, cut))
       for (const int c : {vv, hh}) {

@@ -14,7 +14,9 @@ using namespace raytube::testing;
 constexpr double frequency = 10e9;
 const double lambda = wavelength(frequency);
 
-glm::dmat3 rotation(double angle, const dvec3& axis) { return glm::dmat3(glm::rotate(glm::dmat4(1.0), angle, glm::normalize(axis))); }
+glm::dmat3 rotation(double angle, const dvec3& axis) {
+  return glm::dmat3(glm::rotate(glm::dmat4(1.0), angle, glm::normalize(axis)));
+}
 
 Direction direction_of(const dvec3& v) { return {std::acos(std::clamp(v.z, -1.0, 1.0)), std::atan2(v.y, v.x)}; }
 
@@ -100,7 +102,8 @@ TEST(Invariance, RotationOfTargetLooksAndGrid) {
     for (const bool bistatic : {false, true})
       for (const glm::dmat3& turn : turns) {
         const double change = worst_change_under_rotation(shape, bistatic, turn);
-        measured((shape.name + (bistatic ? ", bistatic" : ", monostatic") + ", change of S under rotation / peak").c_str(), change, "");
+        measured((shape.name + (bistatic ? ", bistatic" : ", monostatic") + ", change of S under rotation / peak").c_str(),
+                 change, "");
         EXPECT_LE(change, 1e-9) << shape.name << " bistatic " << bistatic;
       }
 }
@@ -110,7 +113,8 @@ TEST(Invariance, ScaleOfTargetAndWavelength) {
     for (const double scale : {1000.0, 0.001}) {
       const Sweep sweep{{frequency}, some_looks(false), false}, scaled_sweep{{frequency / scale}, some_looks(false), false};
       const SweepResult a = solve_soup(shape.soup, sweep, options(EdgeMethod::fringe));
-      const SweepResult b = solve_soup(shapes::transformed(shape.soup, glm::dmat3(1.0), scale), scaled_sweep, options(EdgeMethod::fringe));
+      const SweepResult b =
+          solve_soup(shapes::transformed(shape.soup, glm::dmat3(1.0), scale), scaled_sweep, options(EdgeMethod::fringe));
       double worst = 0.0, peak = 0.0;
       for (std::size_t i = 0; i < a.total.size(); ++i) {
         ScatteringMatrix smaller = b.total[i];

@@ -1,0 +1,182 @@
+#!/usr/bin/env bash
+# Draws every picture of README.md, docs/ and cases/*/README.md: runs the cases, joins them with their references, calls gnuplot.
+#   docs/figures/make.sh [PROGRAM]      default: build/raytube; needs gnuplot, about a minute on two cores
+set -euo pipefail
+program=$(readlink -f "${1:-build/raytube}")
+cd "$(dirname "$(readlink -f "$0")")/../.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+run() { # NAME CASE [options]
+  local name=$1 file=$2
+  shift 2
+  "$program" run "$file" -o "$work/$name" --quiet --parts --set output.plots=false "$@"
+  grep -v '^#' "$work/$name/rcs.csv" >"$work/$name.csv"
+}
+off=(--set 'edges.method="none"')
+fine=(--set tubes.per_wavelength=40)
+
+run plate cases/plate/case.toml
+run dihedral cases/dihedral/case.toml
+run dihedral_off cases/dihedral/case.toml "${off[@]}"
+run powercube cases/powercube/case.toml
+run powercube_off cases/powercube/case.toml "${off[@]}"
+run cylinder cases/cylinder/case.toml
+run cylinder_off cases/cylinder/case.toml "${off[@]}"
+run trihedral cases/trihedral/case.toml
+run sphere cases/sphere/bistatic.toml
+for body in cube2 dihedral3; do
+  run $body docs/figures/$body.toml "${fine[@]}"
+  run ${body}_off docs/figures/$body.toml "${fine[@]}" "${off[@]}"
+  grep -E '^theta_deg|,az_th90$' tests/data/mom/$body.csv >"$work/${body}_mom.csv"
+done
+for name in plate dihedral powercube cylinder trihedral; do grep -v '^#' cases/$name/reference.csv >"$work/${name}_reference.csv"; done
+grep -v '^#' cases/sphere/reference_bistatic.csv >"$work/sphere_reference.csv"
+# theta along the plate's cut is signed: phi = 180 counts negative.
+paste -d, "$work/plate.csv" "$work/plate_reference.csv" >"$work/plate_both.csv"
+for name in dihedral dihedral_off; do
+  paste -d, "$work/$name.csv" "$work/${name%_off}_reference.csv" >"$work/${name}_both.csv"
+done
+paste -d, "$work/sphere.csv" "$work/sphere_reference.csv" >"$work/sphere_both.csv"
+
+cd docs/figures
+pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral)
+gnuplot -d <<EOF
+set datafile separator ','
+set datafile missing '-inf'
+set encoding utf8
+work = '$work/'
+db(re, im) = 20*log10(abs(re + {0,1}*im) + 1e-300) + 10*log10(4*pi)
+diff(re, im, re0, im0) = db(re, im) - db(re0, im0)
+canvas(name, w, h) = sprintf("set terminal pngcairo size %d,%d font 'DejaVu Sans,11' background rgb 'white'; set output '%s.png'", w, h, name)
+set grid lt 1 lw 1 lc rgb '#dddddd'
+set key outside right top vertical Left reverse samplen 2.5 spacing 1.2
+set style line 1 lc rgb '#1f5fbf' lw 2           # edges on
+set style line 2 lc rgb '#d9480f' lw 2           # edges off
+set style line 3 lc rgb '#b8b8b8' lw 6           # reference, broad and underneath
+set style line 4 lc rgb '#222222' lw 1 pt 6 ps 0.6
+set ylabel 'σ (dBsm)'
+set rmargin 30
+set lmargin 10
+
+eval canvas('plate', 900, 640)
+set multiplot layout 2,1 title '1.5 m square plate, 3 GHz, monostatic, edges off'
+set xlabel 'θ (deg, negative: φ = 180°)'
+set xrange [-45:45]
+set yrange [-25:45]
+x(theta, phi) = phi > 90 ? -theta : theta
+plot work.'plate_reference.csv' using (x(\$2,\$3)):(db(\$6,\$7)) with lines ls 3 title 'closed form (PO)', \
+     work.'plate.csv' using (x(\$2,\$3)):(db(\$6,\$7)) with lines lc rgb '#1f5fbf' lw 1.2 title 'raytube, VV = HH'
+set ylabel '|error| (dB)'
+set logscale y
+set format y '10^{%T}'
+set yrange [1e-14:1e-8]
+plot work.'plate_both.csv' using (x(\$2,\$3)):(db(\$23,\$24) > -2 ? abs(diff(\$6,\$7,\$23,\$24)) + 1e-15 : NaN) with points ls 4 title 'within 40 dB of peak'
+unset multiplot
+unset logscale y
+set format y '%h'
+set ylabel 'σ (dBsm)'
+
+eval canvas('dihedral', 1000, 900)
+set multiplot layout 3,1 title '150 mm dihedral, 94 GHz, θ = 90°, monostatic'
+set xlabel 'φ (deg)'
+set xrange [0:90]
+set yrange [0:35]
+set xtics 15
+plot work.'dihedral_reference.csv' using 3:(db(\$6,\$7)) with lines ls 3 title 'VV closed form (PO)', \
+     work.'dihedral_off.csv' using 3:(db(\$6,\$7)) with lines ls 2 lw 1.6 title 'VV raytube, edges off'
+plot work.'dihedral_reference.csv' using 3:(db(\$12,\$13)) with lines ls 3 title 'HH closed form (PO)', \
+     work.'dihedral_off.csv' using 3:(db(\$12,\$13)) with lines ls 2 lw 1.6 title 'HH raytube, edges off'
+set ylabel 'raytube − closed form (dB)'
+set yrange [-0.6:0.6]
+plot work.'dihedral_both.csv' using 3:(diff(\$6,\$7,\$23,\$24)) with lines lc rgb '#1f5fbf' lw 1.6 title 'VV edges on', \
+     work.'dihedral_both.csv' using 3:(diff(\$12,\$13,\$29,\$30)) with lines lc rgb '#8a1fbf' lw 1.6 dt (8,6) title 'HH edges on', \
+     work.'dihedral_off_both.csv' using 3:(diff(\$6,\$7,\$23,\$24)) with lines lc rgb '#d9480f' lw 1.6 title 'VV edges off', \
+     work.'dihedral_off_both.csv' using 3:(diff(\$12,\$13,\$29,\$30)) with lines lc rgb '#2e8b3d' lw 1.6 dt (8,6) title 'HH edges off'
+unset multiplot
+set ylabel 'σ (dBsm)'
+
+eval canvas('cube2', 900, 700)
+set multiplot layout 2,1 title 'Cube of 2 wavelengths, θ = 90°, monostatic, 40 tubes per wavelength'
+set xrange [0:90]
+set xtics 15
+set yrange [-45:-5]
+plot work.'cube2_mom.csv' using 2:(db(\$4,\$5)) with lines ls 3 title 'VV method of moments', \
+     work.'cube2_off.csv' using 3:(db(\$6,\$7)) with lines ls 2 title 'VV raytube, edges off', \
+     work.'cube2.csv' using 3:(db(\$6,\$7)) with lines ls 1 dt (8,6) title 'VV raytube, edges on'
+plot work.'cube2_mom.csv' using 2:(db(\$10,\$11)) with lines ls 3 title 'HH method of moments', \
+     work.'cube2_off.csv' using 3:(db(\$12,\$13)) with lines ls 2 title 'HH raytube, edges off', \
+     work.'cube2.csv' using 3:(db(\$12,\$13)) with lines ls 1 dt (8,6) title 'HH raytube, edges on'
+unset multiplot
+
+eval canvas('dihedral3', 900, 700)
+set multiplot layout 2,1 title 'Dihedral of 3 wavelengths, θ = 90°, monostatic, 40 tubes per wavelength'
+set xrange [-60:60]
+set yrange [-25:5]
+plot work.'dihedral3_mom.csv' using 2:(db(\$4,\$5)) with lines ls 3 title 'VV method of moments', \
+     work.'dihedral3_off.csv' using 3:(db(\$6,\$7)) with lines ls 2 title 'VV raytube, edges off', \
+     work.'dihedral3.csv' using 3:(db(\$6,\$7)) with lines ls 1 dt (8,6) title 'VV raytube, edges on'
+plot work.'dihedral3_mom.csv' using 2:(db(\$10,\$11)) with lines ls 3 title 'HH method of moments', \
+     work.'dihedral3_off.csv' using 3:(db(\$12,\$13)) with lines ls 2 title 'HH raytube, edges off', \
+     work.'dihedral3.csv' using 3:(db(\$12,\$13)) with lines ls 1 dt (8,6) title 'HH raytube, edges on'
+unset multiplot
+
+eval canvas('sphere', 900, 700)
+set multiplot layout 2,1 title 'Sphere of 1 m radius (20 480 facets), 3 GHz, bistatic'
+set xlabel 'bistatic angle (deg, 0 is backscatter)'
+set xrange [0:180]
+set xtics 30
+set yrange [-10:50]
+plot work.'sphere_reference.csv' using 5:(db(\$6,\$7)) with lines ls 3 title 'E across plane, Mie', \
+     work.'sphere_reference.csv' using 5:(db(\$12,\$13)) with lines lc rgb '#cdb4e8' lw 6 title 'E in plane, Mie', \
+     work.'sphere.csv' using 5:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.6 title 'E in plane, raytube', \
+     work.'sphere.csv' using 5:(db(\$6,\$7)) with lines ls 1 lw 1.6 dt (8,6) title 'E across plane, raytube'
+set ylabel 'raytube − Mie (dB)'
+set yrange [-3:3]
+plot work.'sphere_both.csv' using 5:(diff(\$12,\$13,\$29,\$30)) with lines lc rgb '#8a1fbf' lw 1.6 title 'E in plane (HH)', \
+     work.'sphere_both.csv' using 5:(diff(\$6,\$7,\$23,\$24)) with lines ls 1 lw 1.6 title 'E across plane (VV)'
+unset multiplot
+set ylabel 'σ (dBsm)'
+
+eval canvas('powercube', 900, 700)
+set multiplot layout 2,1 title '90 mm cube, 94 GHz, θ = 90°, monostatic'
+set xlabel 'φ (deg)'
+set xrange [-10:10]
+set xtics 2
+set yrange [-35:25]
+plot work.'powercube_reference.csv' using 3:(db(\$6,\$7)) with lines ls 3 title 'closed form (PO)', \
+     work.'powercube_off.csv' using 3:(db(\$6,\$7)) with lines ls 2 lw 1.6 title 'raytube, edges off'
+plot work.'powercube_off.csv' using 3:(db(\$6,\$7)) with lines lc rgb '#f0b090' lw 5 title 'edges off', \
+     work.'powercube.csv' using 3:(db(\$6,\$7)) with lines ls 1 lw 1.6 title 'VV edges on', \
+     work.'powercube.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.6 dt (8,6) title 'HH edges on'
+unset multiplot
+
+eval canvas('cylinder', 900, 700)
+set multiplot layout 2,1 title 'Cylinder, radius 90 mm, length 300 mm, 10 GHz, monostatic'
+set xlabel 'θ (deg)'
+set xrange [0:180]
+set xtics 30
+set yrange [-45:15]
+plot work.'cylinder_reference.csv' using 2:(db(\$6,\$7)) with lines ls 3 title 'closed form (PO)', \
+     work.'cylinder_off.csv' using 2:(db(\$6,\$7)) with lines ls 2 lw 1.6 title 'raytube, edges off'
+plot work.'cylinder_off.csv' using 2:(db(\$6,\$7)) with lines lc rgb '#f0b090' lw 5 title 'edges off', \
+     work.'cylinder.csv' using 2:(db(\$6,\$7)) with lines ls 1 lw 1.6 title 'VV edges on', \
+     work.'cylinder.csv' using 2:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.6 dt (8,6) title 'HH edges on'
+unset multiplot
+
+eval canvas('trihedral', 900, 420)
+set title '1.5 m triangular trihedral, 3 GHz, θ = 54.74°, monostatic, edges off'
+set xlabel 'φ (deg)'
+set xrange [0:90]
+set xtics 15
+set yrange [0:40]
+# bounce 3 of parts.csv: columns 5 + 2 x 8 + 1 ...
+plot work.'trihedral_reference.csv' using 3:(db(\$4,0)) with lines ls 3 title 'triple bounce, closed form', \
+     work.'trihedral/parts.csv' using 3:(db(\$22,\$23)) with lines ls 2 lw 1.6 title 'triple bounce, raytube', \
+     work.'trihedral.csv' using 3:(db(\$6,\$7)) with lines ls 1 lw 1.6 dt (8,6) title 'all bounces, VV', \
+     work.'trihedral.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.6 dt (3,4) title 'all bounces, HH'
+EOF
+
+# Few colours are in use: an 8-bit palette makes the files three times smaller than gnuplot's.
+for name in "${pictures[@]}"; do python3 palette.py "$name.png"; done
+ls -l ./*.png
