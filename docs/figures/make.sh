@@ -165,6 +165,7 @@ plot work.'cylinder_off.csv' using 2:(db(\$6,\$7)) with lines lc rgb '#f0b090' l
 unset multiplot
 
 eval canvas('trihedral', 900, 420)
+set rmargin 34
 set title '1.5 m triangular trihedral, 3 GHz, θ = 54.74°, monostatic, edges off'
 set xlabel 'φ (deg)'
 set xrange [0:90]
