@@ -1,5 +1,5 @@
 # Installs the build into a scratch folder, builds the example against it with find_package(raytube), and runs it.
-#   cmake -DBUILD=... -DSOURCE=... -DSCRATCH=... -P run.cmake
+#   cmake -DBUILD=... -DSOURCE=... -DSCRATCH=... -DFLAGS=... -P run.cmake      FLAGS: compiler flags of the build
 function(must)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)
@@ -11,7 +11,7 @@ endfunction()
 file(REMOVE_RECURSE ${SCRATCH})
 must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
 must(${CMAKE_COMMAND} -S ${SOURCE}/examples/library -B ${SCRATCH}/example -G Ninja -DCMAKE_BUILD_TYPE=Release
-     -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+     -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix "-DCMAKE_CXX_FLAGS=${FLAGS}")
 must(${CMAKE_COMMAND} --build ${SCRATCH}/example)
 must(${SCRATCH}/example/example ${SOURCE}/cases/plate/plate.off)
 # Broadside of a 1.5 m plate at 3 GHz: A / lambda = 2.25 / 0.0999308 m.
