@@ -29,11 +29,11 @@ void check(const Sweep& sweep, const SolveOptions& options) {
   if (options.tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
 }
 
-// Reciprocity: S_vh = S_hv for every monostatic look. One bounce and the edges obey it; the product of physical optics over
-// several bounces does so only in specular directions. The true S has no antisymmetric part, so dropping ours brings S closer.
-void make_reciprocal(TubeSums& tubes) {
-  for (std::vector<ScatteringMatrix>& bounce : tubes.bounces)
-    for (ScatteringMatrix& s : bounce) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
+// Reciprocity: the true S of a monostatic look has S_vh = S_hv, so dropping our antisymmetric part brings S closer. One bounce
+// has none; several bounces have one out of their specular directions, fringe currents off their cone. A bistatic sweep is
+// left alone, also where it passes the monostatic direction: there the parts correct one another, and rows must not jump.
+void make_reciprocal(std::vector<ScatteringMatrix>& scattering) {
+  for (ScatteringMatrix& s : scattering) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
 }
 
 LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look, const SolveOptions& options,
@@ -41,9 +41,11 @@ LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look
   LookResult result;
   const double share = 1.0 / static_cast<double>(sweep.looks.size());
   result.tubes = sbr_scattering(target.tracer, look, sweep.frequencies, options.tubes, progress, share);
-  if (look.monostatic()) make_reciprocal(result.tubes);
   if (options.edges.method == EdgeMethod::fringe)
     result.edges = fringe_scattering(target.wedges, target.tracer, look, sweep.frequencies);
+  if (sweep.bistatic) return result;
+  for (std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) make_reciprocal(bounce);
+  make_reciprocal(result.edges.scattering);
   return result;
 }
 
@@ -124,7 +126,9 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   check(sweep, options);
   const auto start = std::chrono::steady_clock::now();
   const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  // More threads than cores must be asked for; a host program's own limit is never lowered.
+  constexpr auto parallelism = tbb::global_control::max_allowed_parallelism;
+  const tbb::global_control limit(parallelism, std::max<std::size_t>(threads, tbb::global_control::active_value(parallelism)));
   Progress progress(options.progress);
 
   // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result.

@@ -30,6 +30,7 @@ struct SolveOptions {
 /// A mesh ready to be solved: its ray-tracing structure and wedges. Keeps a reference to `mesh`.
 struct Target {
   Target(const TriangleMesh& mesh, const EdgeOptions& edges);
+  Target(TriangleMesh&& mesh, const EdgeOptions& edges) = delete;
   const TriangleMesh& mesh;
   Tracer tracer;
   std::vector<Wedge> wedges;

@@ -13,14 +13,13 @@ namespace raytube {
 struct Look {
   Direction transmit;
   Direction receive;
-  bool monostatic() const { return transmit == receive; }
 };
 
 /// Every look at every frequency. Rows of the result: looks vary slowest, frequency fastest.
 struct Sweep {
   std::vector<double> frequencies;  // [Hz], > 0
   std::vector<Look> looks;
-  bool bistatic = false;  // receive directions were given by the user (they may still coincide with the transmitter)
+  bool bistatic = false;  // receive directions were given (they may still coincide); else every look is its own receiver
 
   std::size_t rows() const { return frequencies.size() * looks.size(); }
   std::size_t row(std::size_t look, std::size_t frequency) const { return look * frequencies.size() + frequency; }

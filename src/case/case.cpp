@@ -41,9 +41,9 @@ double metres_per_unit(const CaseValue& value, const std::string& name) {
 
 void read_target(const CaseValue& root, Case& c) {
   const CaseValue& mesh = require(root, "target", "mesh", "mesh = \"file.stl\"");
-  const std::string name = read_text(mesh, "target.mesh");
-  if (name.empty()) reject(mesh, "target.mesh is empty; give the mesh file, relative to the case file");
-  c.mesh_file = (c.file.parent_path() / name).lexically_normal();
+  c.mesh = read_text(mesh, "target.mesh");
+  if (c.mesh.empty()) reject(mesh, "target.mesh is empty; give the mesh file, relative to the case file");
+  c.mesh_file = (c.file.parent_path() / c.mesh).lexically_normal();
   const CaseValue& unit = require(root, "target", "unit", "unit = \"mm\" (or m, cm, um, in, ft: the length of one mesh unit)");
   c.unit = read_text(unit, "target.unit");
   c.metres_per_unit = metres_per_unit(unit, c.unit);

@@ -9,7 +9,8 @@
 
 namespace raytube {
 
-/// The look section as the user gave it [deg]: either the name of a look list, or the values of each angle.
+/// The look section as the user gave it [deg]: either the name of a look list, relative to the case's folder, or the values of
+/// each angle.
 struct LookChoice {
   std::string looks_csv;
   std::vector<double> theta_deg, phi_deg;
@@ -19,7 +20,8 @@ struct LookChoice {
 struct Case {
   std::string title;
   std::filesystem::path file;
-  std::filesystem::path mesh_file;  // resolved against the case's folder
+  std::string mesh;                 // as written, relative to the case's folder
+  std::filesystem::path mesh_file;  // resolved against it
   std::string unit;                 // as written
   double metres_per_unit = 1.0;
   Sweep sweep;
@@ -33,7 +35,8 @@ struct Case {
 /// Throws InputError with file, line or key, and the remedy.
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// The resolved case with every default filled in, as JSON text with the case file's keys and units.
+/// The resolved case with every default filled in, as JSON text with the case file's keys and units. File names stay relative
+/// to the case file's folder, so that it can be read as a case there.
 std::string resolved_case_json(const Case& c);
 
 }  // namespace raytube

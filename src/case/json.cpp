@@ -33,7 +33,7 @@ Json edges_json(const EdgeOptions& edges) {
 std::string resolved_case_json(const Case& c) {
   Json json;
   json["title"] = c.title;
-  json["target"] = {{"mesh", c.mesh_file.string()}, {"unit", c.unit}, {"material", "pec"}};
+  json["target"] = {{"mesh", c.mesh}, {"unit", c.unit}, {"material", "pec"}};
   json["frequency"] = frequency_json(c.sweep);
   if (!c.looks.looks_csv.empty())
     json["look"] = {{"looks_csv", c.looks.looks_csv}};

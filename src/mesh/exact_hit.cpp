@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/stacked.h"
+
 namespace raytube {
 
 ExactHit::ExactHit(const TriangleMesh& mesh)
@@ -12,6 +14,7 @@ ExactHit::ExactHit(const TriangleMesh& mesh)
       rounding_(8.0 * std::numeric_limits<double>::epsilon() * mesh.radius),
       // Float coordinates of size <= radius round by 6e-8 of it; origin, vertices and edge functions add up to some tens of that.
       doubt_(2e-6 * mesh.radius),
+      stacked_(find_stacked_triangles(mesh, doubt_)),
       first_(mesh.vertices.size() + 1, 0) {
   for (const auto& triangle : mesh.triangles)
     for (const std::uint32_t vertex : triangle) ++first_[vertex + 1];
@@ -57,7 +60,8 @@ std::array<double, 3> ExactHit::edge_sides(const Ray& ray, std::uint32_t triangl
 
 bool ExactHit::contains(const Ray& ray, std::uint32_t triangle) const { return same_sign(edge_sides(ray, triangle)); }
 
-bool ExactHit::contains_safely(const Ray& ray, std::uint32_t triangle) const {
+bool ExactHit::is_safe(const Ray& ray, std::uint32_t triangle) const {
+  if (stacked_[triangle]) return false;
   const std::array<double, 3> sides = edge_sides(ray, triangle);
   if (!same_sign(sides)) return false;
   const auto& [i, j, k] = mesh_.triangles[triangle];
@@ -67,6 +71,10 @@ bool ExactHit::contains_safely(const Ray& ray, std::uint32_t triangle) const {
   for (int e = 0; e < 3; ++e)
     if (sides[e] * sides[e] < doubt_ * doubt_ * glm::dot(edges[e], edges[e])) return false;
   return true;
+}
+
+double ExactHit::depth_doubt(const Ray& ray, std::uint32_t triangle) const {
+  return doubt_ / std::abs(glm::dot(mesh_.patches[patch(triangle)].normal, ray.direction));
 }
 
 Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const std::array<std::uint32_t, 2>& ignored_patches) const {

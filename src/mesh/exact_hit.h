@@ -25,8 +25,13 @@ class ExactHit {
   /// exactly opposite numbers, so no ray slips between them.
   bool contains(const Ray& ray, std::uint32_t triangle) const;
 
-  /// True if it does so farther from all three edges than the distance at which single precision may mistake the side.
-  bool contains_safely(const Ray& ray, std::uint32_t triangle) const;
+  /// True if single precision cannot have mistaken this hit: the ray passes well inside all three edges, and no other surface
+  /// lies on the triangle or so close to it that their order is in doubt.
+  bool is_safe(const Ray& ray, std::uint32_t triangle) const;
+
+  /// The distance along the ray [m] within which single precision may have put surfaces in the wrong order.
+  double depth_doubt(const Ray& ray, std::uint32_t triangle) const;
+  bool is_stacked(std::uint32_t triangle) const { return stacked_[triangle]; }
 
   /// The nearest triangle that contains the ray, among `triangle` and those sharing a corner with it but not on
   /// an ignored patch; ties to the lower index.
@@ -39,6 +44,7 @@ class ExactHit {
   const TriangleMesh& mesh_;
   double rounding_;
   double doubt_;
+  std::vector<bool> stacked_;
   std::vector<std::uint32_t> first_, incident_;  // triangles at each vertex, compressed rows
 };
 

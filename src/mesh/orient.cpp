@@ -99,17 +99,18 @@ std::vector<BorderPiece> border_pieces(const HalfedgeMesh& mesh, const CutSoup& 
   return pieces;
 }
 
-/// Components whose border does not cancel. The slit that a fin cuts into a box does: its two lips run in opposite senses.
-std::vector<bool> have_border(std::span<const BorderPiece> pieces, std::size_t components) {
-  std::vector<bool> open(components, false);
+/// Length of each component's border that does not cancel. The slit that a fin cuts into a box does: its two lips run in
+/// opposite senses.
+std::vector<double> border_lengths(std::span<const dvec3> vertices, std::span<const BorderPiece> pieces, std::size_t components) {
+  std::vector<double> length(components, 0.0);
   for (std::size_t i = 0; i < pieces.size();) {
     int sum = 0;
     std::size_t end = i;
     for (; end < pieces.size() && pieces[end].key() == pieces[i].key(); ++end) sum += pieces[end].sense;
-    if (sum != 0) open[pieces[i].component] = true;
+    if (sum != 0) length[pieces[i].component] += glm::distance(vertices[pieces[i].low], vertices[pieces[i].high]);
     i = end;
   }
-  return open;
+  return length;
 }
 
 /// What decides a component's winding.
@@ -150,23 +151,29 @@ bool against_majority(const Totals& total) {
 struct Analysis {
   std::vector<std::uint32_t> component;
   std::vector<bool> closed;
+  std::vector<bool> nearly_closed;
   std::vector<bool> turned;
 };
+
+/// A border of this length bounds no hole larger than border^2 / 4 pi: small against the area, it is a gap in a body. The rim
+/// of a sheet is not, however finely the sheet is meshed.
+bool only_a_gap(double border, double area) { return border > 0.0 && border * border / (4.0 * pi) < 0.02 * area; }
 
 Analysis analyse(std::span<const dvec3> vertices, std::span<const Triangle> triangles, const SeparateSoup& separate,
                  double distance) {
   CutSoup soup = wind_alike(vertices, separate);
   HalfedgeMesh mesh = halfedge_mesh(vertices, soup);
-  Analysis analysis{number_components(mesh), {}, {}};
+  Analysis analysis{number_components(mesh), {}, {}, {}};
   const auto& component = analysis.component;
   const std::size_t components = component.empty() ? 0 : *std::ranges::max_element(component) + 1;
-  const std::vector<bool> open = have_border(border_pieces(mesh, soup, component), components);
+  const std::vector<double> border = border_lengths(vertices, border_pieces(mesh, soup, component), components);
   const std::vector<Totals> totals = total_up(vertices, triangles, soup, component, components);
 
   std::vector<bool> turn(components);
   for (std::size_t c = 0; c < components; ++c) {
     const double thickness = std::abs(totals[c].volume) / 3.0 / (0.5 * totals[c].area);  // as of a closed flat box
-    analysis.closed.push_back(!open[c] && thickness > distance);
+    analysis.closed.push_back(border[c] == 0.0 && thickness > distance);
+    analysis.nearly_closed.push_back(only_a_gap(border[c], 0.5 * totals[c].area));
     turn[c] = analysis.closed[c] ? totals[c].volume < 0.0 : against_majority(totals[c]);
   }
   for (std::size_t i = 0; i < triangles.size(); ++i) analysis.turned.push_back(soup.reversed[i] != turn[component[i]]);
@@ -206,15 +213,17 @@ void rejoin_touching_bodies(std::span<const dvec3> vertices, std::span<const Tri
     analysis.turned[index[i]] = again.turned[i];
   }
   analysis.closed.insert(analysis.closed.end(), again.closed.begin(), again.closed.end());
+  analysis.nearly_closed.resize(analysis.closed.size(), false);  // taken over only where closed
 }
 
-Surfaces number_in_order(const Analysis& analysis) {
+Surfaces number_in_order(const Analysis& analysis, MeshReport& report) {
   Surfaces surfaces;
   std::vector<std::uint32_t> number(analysis.closed.size(), no_index);
   for (const std::uint32_t c : analysis.component) {
     if (number[c] == no_index) {
       number[c] = static_cast<std::uint32_t>(surfaces.components.size());
       surfaces.components.push_back({analysis.closed[c], 0});
+      report.components_nearly_closed += analysis.nearly_closed[c];
     }
     ++surfaces.components[number[c]].triangles;
     surfaces.triangle_component.push_back(number[c]);
@@ -232,7 +241,7 @@ Surfaces orient(std::span<const dvec3> vertices, std::vector<Triangle>& triangle
     std::swap(triangles[i][1], triangles[i][2]);
     ++report.triangles_flipped;
   }
-  return number_in_order(analysis);
+  return number_in_order(analysis, report);
 }
 
 }  // namespace raytube

@@ -20,6 +20,7 @@ std::vector<MeshNote> MeshReport::notes() const {
       {"facets turned over, so that all face outward or alike", triangles_flipped},
       {"open edges left: a border of a sheet, or a gap in a body", open_edges},
       {"edges left where more than two facets meet", non_manifold_edges},
+      {"parts that are closed but for a small gap, so traced on both sides", components_nearly_closed},
       {"open parts, traced on both sides", components - components_closed},
   };
   std::erase_if(notes, [](const MeshNote& note) { return note.count == 0; });

@@ -188,15 +188,20 @@ Hit Tracer::Scene::propose_beyond(const Ray& ray, std::span<const std::uint32_t>
   return {query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? no_index : query.hit.primID, 0.0};
 }
 
-// Full double-precision decision for a ray that passes close to an edge: the nearest triangle that truly contains it, among
-// the proposals and their neighbours, each proposal refused in turn until one holds or nothing is left.
+// Full double-precision decision for a ray that passes close to an edge or meets surfaces that lie on one another: the nearest
+// triangle that truly contains it, among the proposals and their neighbours. Each proposal is refused in turn, until what is
+// left lies behind the best one beyond doubt.
 Hit Tracer::Scene::decide(const Ray& ray, const Hit& proposal) const {
+  Hit best;
   std::vector<std::uint32_t> refused;
   for (Hit next = proposal; next; next = propose_beyond(ray, refused)) {
-    if (const Hit hit = exact.nearest_around(ray, next.triangle, {ray.source_patch, no_index})) return hit;
+    if (best && exact.distance(ray, next.triangle) > best.distance + exact.depth_doubt(ray, best.triangle)) break;
+    const Hit hit = exact.nearest_around(ray, next.triangle, {ray.source_patch, no_index});
+    if (hit && (!best || hit.distance < best.distance)) best = hit;
+    if (best && !exact.is_stacked(best.triangle)) break;
     refused.push_back(next.triangle);
   }
-  return {};
+  return best;
 }
 
 // A neighbouring ray met `hint`: does this ray, which was said to miss it or to go further, meet it after all?
@@ -219,7 +224,7 @@ void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const 
   scene_->propose(rays, hits);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (!hits[i]) continue;
-    if (scene_->exact.contains_safely(rays[i], hits[i].triangle))
+    if (scene_->exact.is_safe(rays[i], hits[i].triangle))
       hits[i].distance = scene_->exact.distance(rays[i], hits[i].triangle);
     else
       hits[i] = scene_->decide(rays[i], hits[i]);

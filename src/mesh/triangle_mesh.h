@@ -72,6 +72,7 @@ struct MeshReport {
   std::uint64_t non_manifold_edges = 0;
   std::uint64_t components = 0;
   std::uint64_t components_closed = 0;
+  std::uint64_t components_nearly_closed = 0;  // open, but for a gap small against their area
   std::uint64_t patches = 0;
   double weld_distance = 0.0;  // [m]
 

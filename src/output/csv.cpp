@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -20,9 +21,8 @@ constexpr const char* conventions =
     "# Time factor exp(+j omega t); a wave travels as exp(-j k r). Phase reference: the origin of the mesh's coordinates.\n"
     "# Scattering amplitude S_pq [m], p receive, q transmit: E_p(scattered) = S_pq E_q(incident) exp(-j k r) / r.\n"
     "# sigma_pq = 4 pi |S_pq|^2; dBsm is 10 log10(sigma / 1 m^2). vh is receive V, transmit H.\n"
-    "# Directions point from the target: theta from +z, phi from +x towards +y; theta_deg, phi_deg to the transmitter, rx_ to "
-    "the "
-    "receiver.\n"
+    "# Directions point from the target: theta from +z, phi from +x towards +y; theta_deg, phi_deg to the "
+    "transmitter, rx_ to the receiver.\n"
     "# V is theta-hat and H is phi-hat of each one's own direction, for the transmitter and for the receiver.\n";
 
 std::array<Complex, 4> channels(const ScatteringMatrix& s) { return {s.vv(), s.vh(), s.hv(), s.hh()}; }
@@ -99,12 +99,14 @@ void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, c
 
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
-  std::string header = key_columns;
-  for (std::size_t m = 0; m < result.bounces.size(); ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
+  const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
+  std::string header = conventions + std::string(key_columns);
+  for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
   out.write(header + complex_columns("_edges") + '\n');
   for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
     std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive);
-    for (const auto& bounce : result.bounces) line += complex_values(bounce[row]);
+    for (std::size_t m = 0; m < bounces; ++m)
+      line += complex_values(m < result.bounces.size() ? result.bounces[m][row] : ScatteringMatrix{});
     out.write(line + complex_values(result.edges.empty() ? ScatteringMatrix{} : result.edges[row]) + '\n');
   });
   out.commit();

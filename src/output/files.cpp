@@ -26,11 +26,12 @@ fs::path first_missing(const fs::path& path) {
   return missing;
 }
 
-}  // namespace
-
+// A hidden name in the same folder, where a rename to `path` is atomic; distinct for each process.
 fs::path temporary_beside(const fs::path& path) {
   return path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), getpid());
 }
+
+}  // namespace
 
 OutputFolder::OutputFolder(const fs::path& path) : path_(fs::absolute(path).lexically_normal()) {
   if (!path_.has_filename()) path_ = path_.parent_path();  // "out/" is "out"
@@ -51,22 +52,31 @@ OutputFolder::~OutputFolder() {
   for (fs::path at = path_; fs::remove(at, error) && at != first_created_;) at = at.parent_path();  // stops at a folder in use
 }
 
-OutputFile::OutputFile(const fs::path& path) : path_(path), beside_(temporary_beside(path)), stream_(beside_, std::ios::binary) {
-  if (!stream_) throw std::runtime_error(fmt::format("{}: cannot be written", path.string()));
+NewResults::NewResults(const fs::path& destination)
+    : destination_(destination), folder_(temporary_beside(destination / "results")) {
+  fs::create_directory(folder_);
 }
 
-OutputFile::~OutputFile() {
-  stream_.close();
+NewResults::~NewResults() {
   std::error_code ignored;
-  fs::remove(beside_, ignored);
+  fs::remove_all(folder_, ignored);
+}
+
+void NewResults::place(std::initializer_list<const char*> names) const {
+  for (const char* name : names) {
+    std::error_code error;
+    if (fs::exists(folder_ / name)) fs::rename(folder_ / name, destination_ / name, error);
+    if (error) throw std::runtime_error(fmt::format("{}: cannot be replaced ({})", (destination_ / name).string(), error.message()));
+  }
+}
+
+OutputFile::OutputFile(const fs::path& path) : path_(path), stream_(path, std::ios::binary) {
+  if (!stream_) throw std::runtime_error(fmt::format("{}: cannot be written", path.string()));
 }
 
 void OutputFile::commit() {
   stream_.close();
-  std::error_code error;
-  if (stream_) fs::rename(beside_, path_, error);
-  if (!stream_ || error)
-    throw std::runtime_error(fmt::format("{}: cannot be written completely; is the disk full?", path_.string()));
+  if (!stream_) throw std::runtime_error(fmt::format("{}: cannot be written completely; is the disk full?", path_.string()));
 }
 
 }  // namespace raytube

@@ -1,15 +1,14 @@
-// Result files: written beside their place and renamed when complete, so that nothing half-written carries a result's name.
+// Result files: all of a run are written in a hidden folder beside their place and take it together, so that nothing
+// half-written carries a result's name and earlier results stay until the new ones are complete.
 #pragma once
 
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
 namespace raytube {
-
-/// A hidden name in the same folder, where a rename to `path` is atomic; distinct for each process.
-std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
 /// The folder results go to. Created if missing; a folder created here and still empty in the end is removed again.
 class OutputFolder {
@@ -27,14 +26,29 @@ class OutputFolder {
   std::filesystem::path first_created_;  // empty if everything existed
 };
 
-/// A text file that appears under its name only with commit(); otherwise no trace of it is left.
+/// The files of one run on their way into `destination`: written in folder(), then placed. Whatever was not placed is removed.
+class NewResults {
+ public:
+  explicit NewResults(const std::filesystem::path& destination);
+  ~NewResults();
+  NewResults(const NewResults&) = delete;
+  NewResults& operator=(const NewResults&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+  /// Renames those of the named files that were written, in the order given. Throws std::runtime_error if one cannot take its
+  /// place.
+  void place(std::initializer_list<const char*> names) const;
+
+ private:
+  std::filesystem::path destination_, folder_;
+};
+
+/// A text file. Complete only after commit().
 class OutputFile {
  public:
   /// Throws std::runtime_error if nothing can be written there.
   explicit OutputFile(const std::filesystem::path& path);
-  ~OutputFile();
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view text) { stream_.write(text.data(), static_cast<std::streamsize>(text.size())); }
 
@@ -42,7 +56,7 @@ class OutputFile {
   void commit();
 
  private:
-  std::filesystem::path path_, beside_;
+  std::filesystem::path path_;
   std::ofstream stream_;
 };
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 
 namespace raytube {
 
@@ -32,8 +33,7 @@ std::string run_gnuplot(const std::filesystem::path& script) {
   pid_t child = 0;
   if (spawn_silently(arguments.data(), child) != 0) return "gnuplot is not installed";
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) kill(child, SIGTERM);  // whoever stops us means the plot too
   if (!WIFEXITED(status)) return "gnuplot was stopped";
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("gnuplot failed with status {}", WEXITSTATUS(status));
 }

@@ -51,7 +51,9 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   Json json;
   json["program"] = "raytube";
   json["version"] = manifest.program_version;
+  json["case_file"] = manifest.case_file;
   json["case"] = Json::parse(manifest.case_json);
+  if (!manifest.looks_csv_sha256.empty()) json["looks_csv_sha256"] = manifest.looks_csv_sha256;
   json["mesh"] = mesh_json(manifest);
   json["instruction_sets"] = {{"embree", manifest.embree_instruction_set}, {"raytube", "x86-64-v3"}};
   json["threads"] = manifest.threads;

@@ -13,13 +13,15 @@ namespace raytube {
 struct Timing {
   double read_s = 0.0;   // case and mesh file -> welded, oriented mesh
   double build_s = 0.0;  // ray-tracing structure and wedges
-  double total_s = 0.0;  // the whole program, plots included
+  double total_s = 0.0;  // from the start of the command to the last table; no plots
 };
 
 struct Manifest {
+  std::string case_file;  // absolute; file names in the resolved case are relative to its folder
   std::string case_json;  // the resolved case
   std::string program_version;
   std::string mesh_sha256;
+  std::string looks_csv_sha256;  // empty: no look list
   std::string embree_instruction_set;
   int threads = 1;
   std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written

@@ -104,17 +104,16 @@ std::string canvas(std::size_t panels) { return panels == 1 ? "1100,640" : panel
 
 std::string draw(const std::filesystem::path& picture, const std::string& terminal, const std::string& title, const Sweep& sweep,
                  const SweepResult& result) {
-  const std::filesystem::path script = temporary_beside(picture.string() + ".gnuplot"), drawn = temporary_beside(picture);
+  const std::filesystem::path script = picture.string() + ".gnuplot";
   OutputFile file(script);
-  file.write(rcs_plot_script(terminal, drawn.string(), title, sweep, result));
+  file.write(rcs_plot_script(terminal, picture.string(), title, sweep, result));
   file.commit();
-  const std::string trouble = run_gnuplot(script);
+  std::string trouble = run_gnuplot(script);
   std::error_code error;
   std::filesystem::remove(script, error);
-  if (trouble.empty())
-    std::filesystem::rename(drawn, picture, error);
-  else
-    std::filesystem::remove(drawn, error);
+  const auto size = std::filesystem::file_size(picture, error);
+  if (trouble.empty() && (error || size == 0)) trouble = "gnuplot left no picture";
+  if (!trouble.empty()) std::filesystem::remove(picture, error);
   return trouble;
 }
 

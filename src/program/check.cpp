@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <thread>
 
 #include "case/case.h"
 #include "program/commands.h"
+#include "program/threads.h"
 #include "decimal.h"
 #include "sbr/launch.h"
 
@@ -142,12 +142,13 @@ double tubes_of_all_looks(const Case& c, const TriangleMesh& mesh) {
 void print_cost(const Case& c, const TriangleMesh& mesh) {
   const LaunchGrid first = grid_of(c, mesh, 0);
   const double tubes = tubes_of_all_looks(c, mesh);
-  const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  const int threads = all_threads();
   const double per_tube = seconds_per_tube + seconds_per_tube_and_frequency * static_cast<double>(c.sweep.frequencies.size());
   fmt::print("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm\n", first.columns, first.rows, first.du * 1e3,
              first.dv * 1e3);
-  fmt::print("  all looks: {}{:.4g} tubes, very roughly {:.2g} s on {} threads\n",
-             c.sweep.looks.size() > most_sampled_looks ? "about " : "", tubes, tubes * per_tube / threads, threads);
+  fmt::print("  all looks: {}{:.4g} tubes, very roughly {:.2g} s on {} thread{}\n",
+             c.sweep.looks.size() > most_sampled_looks ? "about " : "", tubes, tubes * per_tube / threads, threads,
+             threads == 1 ? "" : "s");
 }
 
 }  // namespace

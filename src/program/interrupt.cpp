@@ -11,6 +11,7 @@ namespace {
 
 volatile std::sig_atomic_t deferred = 0;
 volatile std::sig_atomic_t flag = 0;
+volatile std::sig_atomic_t must_clean_up = 0;
 timespec raised_at;
 
 double seconds_since(const timespec& earlier) {
@@ -27,6 +28,7 @@ void on_signal(int signal) {
     flag = 1;
     return;
   }
+  if (deferred && must_clean_up) return;
   if (deferred && seconds_since(raised_at) < 1.0) return;  // shells and wrappers may deliver one Ctrl-C twice
   if (write(STDERR_FILENO, sentence, sizeof sentence - 1) < 0) _exit(128 + signal);
   _exit(128 + signal);
@@ -43,11 +45,14 @@ void end_on_interrupt() {
 
 InterruptFlag::InterruptFlag() {
   flag = 0;
+  must_clean_up = 0;
   deferred = 1;
 }
 
 InterruptFlag::~InterruptFlag() { deferred = 0; }
 
 bool InterruptFlag::raised() { return flag != 0; }
+
+void InterruptFlag::clean_up_first() { must_clean_up = 1; }
 
 }  // namespace raytube

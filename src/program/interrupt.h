@@ -1,4 +1,4 @@
-// Ctrl-C: at once while nothing is being written, at the next tile during the computation.
+// Ctrl-C: at once while nothing is at stake, at the next tile during the computation, at the next file while results are written.
 #pragma once
 
 namespace raytube {
@@ -16,6 +16,9 @@ class InterruptFlag {
   InterruptFlag& operator=(const InterruptFlag&) = delete;
 
   static bool raised();
+
+  /// From now on a second one does not end the program at once either: what is written has to be cleaned up first.
+  static void clean_up_first();
 };
 
 }  // namespace raytube

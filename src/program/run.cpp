@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
+#include <stdexcept>
 
 #include "case/case.h"
+#include "error.h"
 #include "program/commands.h"
+#include "program/threads.h"
 #include "program/interrupt.h"
 #include "output/csv.h"
 #include "output/files.h"
@@ -47,15 +49,36 @@ void remove_earlier_results(const fs::path& folder) {
     fs::remove(folder / name, ignored);
 }
 
+void stop_if_interrupted() {
+  if (InterruptFlag::raised()) throw Interrupted();
+}
+
 void write_tables(const fs::path& folder, const Case& c, const SweepResult& result, bool parts) {
   write_rcs_csv(folder / "rcs.csv", c.sweep, result);
+  stop_if_interrupted();
   write_channels_csv(folder / "channels.csv", c.sweep, result);
+  stop_if_interrupted();
   if (parts) write_parts_csv(folder / "parts.csv", c.sweep, result);
+  stop_if_interrupted();
 }
+
+void warn(const std::string& sentence) { fmt::print(stderr, "raytube: {}\n", sentence); }
 
 void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result) {
   const std::string trouble = plot_rcs(folder, c.title, c.sweep, result);
-  if (!trouble.empty()) fmt::print(stderr, "raytube: {}\n", trouble);
+  stop_if_interrupted();
+  if (!trouble.empty()) warn(trouble);
+}
+
+// A plot is a convenience: one that cannot take its place must not hold up the tables.
+void replace_earlier_results(const NewResults& results, const fs::path& folder) {
+  remove_earlier_results(folder);
+  try {
+    results.place({"rcs.png", "rcs.svg"});
+  } catch (const std::runtime_error& error) {
+    warn(fmt::format("no plot: {}", error.what()));
+  }
+  results.place({"channels.csv", "parts.csv", "rcs.csv", "run.json"});
 }
 
 std::uint64_t peak_rss_bytes() {
@@ -82,19 +105,20 @@ std::vector<std::pair<std::string, double>> report_entries(const MeshReport& r) 
           {"non_manifold_edges", count(r.non_manifold_edges)},
           {"components", count(r.components)},
           {"components_closed", count(r.components_closed)},
+          {"components_nearly_closed", count(r.components_nearly_closed)},
           {"patches", count(r.patches)},
           {"weld_distance_m", r.weld_distance}};
 }
 
-Manifest describe(const Case& c, const MeshReport& report, const Target& target, const SweepResult& result, int threads) {
+Manifest describe_input(const Case& c, const MeshReport& report) {
   Manifest manifest;
+  manifest.case_file = fs::absolute(c.file).lexically_normal().string();
   manifest.case_json = resolved_case_json(c);
   manifest.program_version = RAYTUBE_VERSION;
-  manifest.embree_instruction_set = target.tracer.instruction_set();
-  manifest.threads = threads;
+  manifest.mesh_sha256 = sha256_of_file(c.mesh_file);
+  if (!c.looks.looks_csv.empty()) manifest.looks_csv_sha256 = sha256_of_file(c.file.parent_path() / c.looks.looks_csv);
   manifest.mesh_report = report_entries(report);
   for (const MeshNote& note : report.notes()) manifest.mesh_notes.emplace_back(note.what, static_cast<double>(note.count));
-  manifest.statistics = result.statistics;
   return manifest;
 }
 
@@ -121,27 +145,30 @@ void print_summary(const SweepResult& result, const Manifest& manifest, const fs
 void run_command(const Request& request) {
   const Stopwatch total;
   const Case c = read_case(request.case_file, request.overrides);
-  const fs::path results = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
-  { const OutputFolder refused_now_rather_than_after_the_computation(results); }
+  const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
+  { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
-  Timing time{total.seconds(), 0.0, 0.0};
+  Manifest manifest = describe_input(c, loaded.report);
+  manifest.time.read_s = total.seconds();
   const Target target(loaded.mesh, c.edges);
-  time.build_s = total.seconds() - time.read_s;
+  manifest.time.build_s = total.seconds() - manifest.time.read_s;
 
   const InterruptFlag interrupt_flag;
-  const int threads = request.threads > 0 ? request.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const SweepResult result = solve_with_progress(target, c, request, threads);
+  manifest.embree_instruction_set = target.tracer.instruction_set();
+  manifest.threads = request.threads > 0 ? request.threads : all_threads();
+  const SweepResult result = solve_with_progress(target, c, request, manifest.threads);
+  manifest.statistics = result.statistics;
 
-  const OutputFolder folder(results);
-  remove_earlier_results(folder.path());
-  write_tables(folder.path(), c, result, request.parts);
-  Manifest manifest = describe(c, loaded.report, target, result, threads);
-  manifest.mesh_sha256 = sha256_of_file(c.mesh_file);
-  manifest.rcs_csv_sha256 = sha256_of_file(folder.path() / "rcs.csv");
+  InterruptFlag::clean_up_first();
+  const OutputFolder folder(destination);
+  const NewResults results(folder.path());
+  write_tables(results.folder(), c, result, request.parts);
+  manifest.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
   manifest.peak_rss_bytes = peak_rss_bytes();
-  if (c.plots) draw_plots(folder.path(), c, result);
-  manifest.time = {time.read_s, time.build_s, total.seconds()};
-  write_manifest(folder.path() / "run.json", manifest);
+  manifest.time.total_s = total.seconds();
+  write_manifest(results.folder() / "run.json", manifest);
+  if (c.plots) draw_plots(results.folder(), c, result);
+  replace_earlier_results(results, folder.path());
   if (!request.quiet) print_summary(result, manifest, folder.path());
 }
 

@@ -52,9 +52,10 @@ TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz
     if (from_behind && mesh.closed(hit.triangle)) return trace;
     trace.end = "cut at tubes.max_bounces";
     if (static_cast<int>(trace.bounces.size()) == options.max_bounces) return trace;
-    const double path = beam.path + glm::dot(beam.direction, ray.origin + hit.distance * ray.direction);
+    const dvec3 point = ray.origin + hit.distance * ray.direction;
+    const double path = beam.path + glm::dot(beam.direction, point) + glm::dot(grid.direction, mesh.center);
     beam = footprint(beam, mesh.patches[patch], receive).outgoing;
-    ray = {ray.origin + hit.distance * ray.direction, beam.direction, patch};
+    ray = {point, beam.direction, patch};
     const dvec3 normal = from_behind ? -mesh.patches[patch].normal : mesh.patches[patch].normal;
     trace.bounces.push_back({hit.triangle, patch, ray.origin, normal, beam.direction, path, beam.field});
   }

@@ -13,13 +13,23 @@ namespace {
 // Tiles whose sums are held at a time: bounds memory however large the grid is.
 constexpr std::size_t tiles_per_batch = 128;
 
-std::vector<Tile> cut_into_tiles(const LaunchGrid& grid) {
-  std::vector<Tile> tiles;
-  for (std::uint32_t row = 0; row < grid.rows; row += tile_rows)
-    for (std::uint32_t column = 0; column < grid.columns; column += tile_columns)
-      tiles.push_back({column, std::min(column + tile_columns, grid.columns), row, std::min(row + tile_rows, grid.rows)});
-  return tiles;
-}
+// The tiles of a grid, numbered row by row.
+struct Tiling {
+  explicit Tiling(const LaunchGrid& launch)
+      : grid(launch),
+        across((launch.columns + tile_columns - 1) / tile_columns),
+        count(std::size_t{across} * ((launch.rows + tile_rows - 1) / tile_rows)) {}
+
+  Tile operator[](std::size_t index) const {
+    const auto row = static_cast<std::uint32_t>(index / across) * tile_rows,
+               column = static_cast<std::uint32_t>(index % across) * tile_columns;
+    return {column, std::min(column + tile_columns, grid.columns), row, std::min(row + tile_rows, grid.rows)};
+  }
+
+  const LaunchGrid& grid;
+  std::uint32_t across;
+  std::size_t count;
+};
 
 }  // namespace
 
@@ -31,14 +41,14 @@ TubeSums sbr_scattering(const Tracer& tracer, const Look& look, std::span<const 
   std::vector<double> wavenumbers(frequencies.size());
   std::ranges::transform(frequencies, wavenumbers.begin(), wavenumber);
 
-  const std::vector<Tile> tiles = cut_into_tiles(grid);
-  if (tiles.empty()) progress.add(share);
+  const Tiling tiles(grid);
+  if (tiles.count == 0) progress.add(share);
   TubeSums sums;
-  for (std::size_t first = 0; first < tiles.size(); first += tiles_per_batch) {
-    std::vector<TubeSums> batch(std::min(tiles_per_batch, tiles.size() - first));
+  for (std::size_t first = 0; first < tiles.count; first += tiles_per_batch) {
+    std::vector<TubeSums> batch(std::min(tiles_per_batch, tiles.count - first));
     tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
       batch[i] = trace_tile(tracer, grid, tiles[first + i], transmit, receive, wavenumbers, options.max_bounces);
-      progress.add(share / static_cast<double>(tiles.size()));
+      progress.add(share / static_cast<double>(tiles.count));
     });
     for (const TubeSums& tile : batch) sums.add(tile);
   }

@@ -31,7 +31,7 @@ struct TubeBounce {
   std::uint32_t triangle, patch;
   dvec3 point, normal;  // normal on the side the tube comes from
   dvec3 direction_out;
-  double path;                 // [m] phase path from the plane through the centre of the mesh
+  double path;                 // [m] phase path from the wavefront through the origin of the mesh's coordinates
   std::array<dvec3, 2> field;  // reflected field of unit incident V and H
 };
 

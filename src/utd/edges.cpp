@@ -50,11 +50,6 @@ class EdgePass {
     radiate(edge_amplitude(wedge, incidence, look_));
   }
 
-  // The fringe currents alone are not reciprocal off the Keller cone; what they add to a monostatic look is made so.
-  void symmetrise() {
-    for (ScatteringMatrix& s : result_.scattering) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
-  }
-
   EdgeLookResult take() { return std::move(result_); }
 
  private:
@@ -94,7 +89,6 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tr
   EdgePass pass(tracer, look, frequencies);
   for (const Wedge& wedge : wedges)
     if (wedge.convex()) pass.add(wedge);
-  if (look.monostatic()) pass.symmetrise();
   return pass.take();
 }
 

@@ -18,7 +18,8 @@ struct EdgeLookResult {
 };
 
 /// Far-field amplitude of the fringe currents (Michaeli 1986, first order) on all convex wedges that the transmitter lights,
-/// each clipped to its lit part, coherently summed in wedge order. Symmetrised for a monostatic look, as it is otherwise.
+/// each clipped to its lit part, coherently summed in wedge order. Not symmetric in a
+/// monostatic look: fringe currents are reciprocal on the Keller cone only.
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tracer, const Look& look,
                                  std::span<const double> frequencies);
 

@@ -25,7 +25,7 @@ struct WedgeIncidence {
 /// Incidence along the edge: every fringe current stays bounded there, its formula needs the floor.
 inline constexpr double sin_cone_floor = 1e-6;
 
-/// A face is lit when s' . n_f < -1e-7: one rule for physical optics and for the edges.
+/// A face is lit when s' . n_f < -1e-7: closer to grazing its tubes have no width either.
 inline constexpr double lit_threshold = 1e-7;
 
 /// `incident` is s', the unit propagation direction. Looks exactly along a face: a half plane met edge-on from its open side is

@@ -3,9 +3,9 @@
 #include <sys/wait.h>
 
 #include <cstring>
-#include <filesystem>
 
 #include "run.h"
+#include "scratch.h"
 #include "shapes.h"
 
 namespace raytube {
@@ -35,20 +35,14 @@ TEST(Threads, LibraryGivesTheSameBits) {
   }
 }
 
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // rcs.csv of a case of the repository, thinned so that it runs in a second or two.
 std::string program_output(const std::string& case_name, const std::string& set, int threads) {
-  const std::filesystem::path folder =
-      std::filesystem::path(::testing::TempDir()) / ("threads-" + case_name + std::to_string(threads));
+  const Scratch scratch;
   const std::string command = std::string(RAYTUBE_PROGRAM) + " run " RAYTUBE_SOURCE_DIR "/cases/" + case_name + "/case.toml -o " +
-                              folder.string() + " --quiet --set output.plots=false " + set + " --threads " +
+                              scratch.folder().string() + " --quiet --set output.plots=false " + set + " --threads " +
                               std::to_string(threads);
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << command;
-  return read_file(folder / "rcs.csv");
+  return text_of(scratch / "rcs.csv");
 }
 
 TEST(Threads, ProgramWritesTheSameBytes) {

@@ -125,7 +125,7 @@ TEST(CaseRead, LookListMonostatic) {
   ASSERT_EQ(c.sweep.looks.size(), 2u);
   EXPECT_FALSE(c.sweep.bistatic);
   EXPECT_EQ(c.sweep.looks[1].transmit, (Direction{45.0 * degree, 270.0 * degree}));
-  EXPECT_TRUE(c.sweep.looks[1].monostatic());
+  EXPECT_EQ(c.sweep.looks[1].transmit, c.sweep.looks[1].receive);
 }
 
 TEST(CaseRead, LookListBistatic) {
@@ -143,6 +143,16 @@ TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
                            "\"order\": 1", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
     EXPECT_THAT(json, HasSubstr(part));
   EXPECT_EQ(json.find("receive"), std::string::npos);
+}
+
+TEST(CaseRead, ResolvedCaseKeepsFileNamesRelativeToTheCase) {
+  const Scratch scratch;
+  scratch.write("looks.csv", "theta_deg,phi_deg\n90,0\n");
+  const std::string text = "[target]\nmesh = \"sub/../m.stl\"\nunit = \"mm\"\n" + frequency + "[look]\nlooks_csv = \"looks.csv\"\n";
+  const std::string json = resolved_case_json(read_case(scratch.write("case.toml", text)));
+  EXPECT_THAT(json, HasSubstr("\"mesh\": \"sub/../m.stl\""));
+  EXPECT_THAT(json, HasSubstr("\"looks_csv\": \"looks.csv\""));
+  EXPECT_EQ(json.find(scratch.folder().string()), std::string::npos);
 }
 
 }  // namespace

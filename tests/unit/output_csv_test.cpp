@@ -128,5 +128,21 @@ TEST(OutputCsv, PartsAddUpToTheTotal) {
   }
 }
 
+TEST(OutputCsv, PartsStateTheConventionsAndKeepTheirColumnsWhereNothingIsHit) {
+  const Scratch scratch;
+  const Sweep sweep = small_sweep(false);
+  SweepResult nothing;
+  nothing.total.resize(sweep.rows());
+  nothing.edges.resize(sweep.rows());
+  write_parts_csv(scratch / "parts.csv", sweep, nothing);
+  write_rcs_csv(scratch / "rcs.csv", sweep, nothing);
+  const std::string parts = text_of(scratch / "parts.csv"), rcs = text_of(scratch / "rcs.csv");
+  EXPECT_THAT(parts, StartsWith(rcs.substr(0, rcs.find("\nfreq_hz") + 1)));
+  const Table table((scratch / "parts.csv").string());
+  ASSERT_EQ(table.rows(), 4u);
+  EXPECT_EQ(table.complex(2, "hh_bounce1"), Complex(0.0));
+  EXPECT_EQ(table.complex(2, "hh_edges"), Complex(0.0));
+}
+
 }  // namespace
 }  // namespace raytube

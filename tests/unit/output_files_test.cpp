@@ -14,20 +14,40 @@ namespace {
 namespace fs = std::filesystem;
 using namespace raytube::testing;
 
-TEST(OutputFile, AppearsOnCommitOnly) {
+int entries(const fs::path& folder) { return static_cast<int>(std::distance(fs::directory_iterator(folder), {})); }
+
+void write(const fs::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+TEST(NewResults, EarlierOnesStayUntilTheNewTakeTheirPlace) {
   const Scratch scratch;
   scratch.write("a.csv", "old");
   {
-    OutputFile abandoned(scratch / "a.csv");
-    abandoned.write("half");
+    const NewResults abandoned(scratch.folder());
+    write(abandoned.folder() / "a.csv", "half");
     EXPECT_EQ(text_of(scratch / "a.csv"), "old");
   }
   EXPECT_EQ(text_of(scratch / "a.csv"), "old");
-  OutputFile file(scratch / "a.csv");
-  file.write("new");
-  file.commit();
+  EXPECT_EQ(entries(scratch.folder()), 1);
+  {
+    const NewResults results(scratch.folder());
+    write(results.folder() / "a.csv", "new");
+    write(results.folder() / "not-placed.csv", "");
+    results.place({"not-written.csv", "a.csv"});
+  }
   EXPECT_EQ(text_of(scratch / "a.csv"), "new");
-  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder()), {}), 1);
+  EXPECT_EQ(entries(scratch.folder()), 1);
+}
+
+TEST(NewResults, AnOccupiedPlaceThrows) {
+  const Scratch scratch;
+  fs::create_directories(scratch / "a.csv/folder");
+  const NewResults results(scratch.folder());
+  write(results.folder() / "a.csv", "new");
+  EXPECT_THROW(results.place({"a.csv"}), std::runtime_error);
 }
 
 TEST(OutputFile, UnwritablePlaceThrows) {
@@ -66,6 +86,8 @@ TEST(Sha256, KnownDigests) {
 TEST(Manifest, HoldsWhatUsersLookFor) {
   const Scratch scratch;
   Manifest manifest;
+  manifest.case_file = "/cases/case.toml";
+  manifest.looks_csv_sha256 = "def";
   manifest.case_json = "{\"title\": \"t\"}";
   manifest.program_version = "1.2.3";
   manifest.threads = 7;
@@ -81,6 +103,8 @@ TEST(Manifest, HoldsWhatUsersLookFor) {
   write_manifest(scratch / "run.json", manifest);
   const auto json = nlohmann::json::parse(text_of(scratch / "run.json"));
   EXPECT_EQ(json["case"]["title"], "t");
+  EXPECT_EQ(json["case_file"], "/cases/case.toml");
+  EXPECT_EQ(json["looks_csv_sha256"], "def");
   EXPECT_EQ(json["version"], "1.2.3");
   EXPECT_EQ(json["threads"], 7);
   EXPECT_EQ(json["mesh"]["facets_read"], 12);

@@ -90,6 +90,18 @@ TEST(Plot, RoundingDustDoesNotStretchTheAxis) {
 
 TEST(Plot, TitleIsTakenLiterally) { EXPECT_THAT(script(1.0, 1.0, "it's\n`ls`"), HasSubstr("title 'it''s `ls`'")); }
 
+// A stand-in for gnuplot that is content and draws nothing.
+TEST(Plot, AMissingPictureIsNoticed) {
+  const Scratch scratch;
+  std::filesystem::permissions(scratch.write("gnuplot", "#!/bin/sh\nexit 0\n"), std::filesystem::perms::owner_all);
+  const std::string path = getenv("PATH");
+  setenv("PATH", (scratch.folder().string() + ":" + path).c_str(), 1);
+  const Sweep sweep = grid({90}, {0, 1, 2}, {10});
+  EXPECT_THAT(plot_rcs(scratch.folder(), "t", sweep, constant(sweep, 1.0, 0.5)), HasSubstr("gnuplot left no picture"));
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch.folder()), {}), 1);
+}
+
 TEST(Plot, WritesBothPicturesOrSaysWhyNot) {
   const Scratch scratch;
   const Sweep sweep = grid({90}, {0, 1, 2}, {10});

@@ -53,10 +53,8 @@ Wedge table_wedge(const std::vector<double>& row) {
           {WedgeFace{0, x, y, 1e30}, WedgeFace{0, other_x, other_y, 1e30}}};
 }
 
-ScatteringMatrix table_amplitude(const std::vector<double>& row, bool symmetric) {
-  ScatteringMatrix s{{{{{{row[17], row[18]}, {row[19], row[20]}}}, {{{row[21], row[22]}, {row[23], row[24]}}}}}};
-  if (symmetric) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
-  return s;
+ScatteringMatrix table_amplitude(const std::vector<double>& row) {
+  return {{{{{{row[17], row[18]}, {row[19], row[20]}}}, {{{row[21], row[22]}, {row[23], row[24]}}}}}};
 }
 
 TEST(Edges, AgreeWithAnIndependentImplementation) {
@@ -67,7 +65,7 @@ TEST(Edges, AgreeWithAnIndependentImplementation) {
   for (const auto& row : rows) {
     const Look look{{row[13], row[14]}, {row[15], row[16]}};
     scene.wedges = {table_wedge(row)};
-    const ScatteringMatrix reference = table_amplitude(row, look.monostatic());
+    const ScatteringMatrix reference = table_amplitude(row);
     // 1e-12 of the row's largest channel: rounding (1e-14) of phases of up to 1e2 rad.
     EXPECT_LE(difference(scattering(scene, tracer, look), reference), 1e-12 * largest(reference)) << "n = " << row[0];
   }
@@ -86,7 +84,7 @@ TEST(Edges, FrequenciesOfOnePassEqualSeparatePasses) {
   }
 }
 
-TEST(Edges, MonostaticPlateIsFiniteAndSymmetricThroughEveryLook) {
+TEST(Edges, MonostaticPlateIsFiniteThroughEveryLook) {
   // All four rims of a plate of 3 wavelengths, from broadside through edge-on to the back. The largest value belongs to VV at
   // 8.5 degrees; 0.507 wavelengths is this theory's own figure, the tolerance its variation between half degrees.
   const Scene scene = test::plate(3, 3);
@@ -96,7 +94,6 @@ TEST(Edges, MonostaticPlateIsFiniteAndSymmetricThroughEveryLook) {
     for (int half_degree = 0; half_degree <= 360; ++half_degree) {
       const ScatteringMatrix s = scattering(scene, tracer, monostatic(half_degree * degree / 2, phi));
       ASSERT_TRUE(std::isfinite(largest(s))) << half_degree << ' ' << phi;
-      EXPECT_EQ(s.vh(), s.hv());
       peak = std::max(peak, largest(s));
     }
   }

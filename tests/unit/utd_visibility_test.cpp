@@ -24,8 +24,9 @@ Scene shaded_rim(const dvec3& direction, double from, double to) {
   return scene;
 }
 
-// Clip points agree to 1e-6 of a length of 2 m: the tracer decides on a mesh held in single precision (6e-8 of the radius).
-constexpr double clip = 1e-6;
+// Clip points are bisected to 1e-13 of the length, each step decided in double on the mesh's own vertices; a shadow edge a few
+// metres off adds its rounding, a few 1e-15.
+constexpr double clip = 1e-12;
 
 TEST(Visibility, FreeRimIsLitFromEndToEnd) {
   const Scene scene = test::plate(2, 2);

@@ -77,7 +77,7 @@ double worst_change_under_rotation(const Shape& shape, bool bistatic, const glm:
   Sweep sweep{{frequency}, some_looks(bistatic), bistatic}, turned_sweep = sweep;
   const auto turn_direction = [&](const Direction& d) { return direction_of(turn * spherical_basis(d).radial); };
   for (Look& look : turned_sweep.looks) {
-    const bool monostatic = look.monostatic();
+    const bool monostatic = look.transmit == look.receive;
     look.transmit = turn_direction(look.transmit);
     look.receive = monostatic ? look.transmit : turn_direction(look.receive);
   }

@@ -1,0 +1,107 @@
+// Which surface a ray meets first, where single precision cannot tell.
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "material.h"
+#include "mesh/tracer.h"
+#include "shapes.h"
+
+namespace raytube {
+namespace {
+
+const glm::dmat3 tilt(glm::rotate(glm::dmat4(1.0), 0.83, glm::normalize(dvec3(1, 2, 3))));
+
+// Two unit sheets, the second `gap` below the first and shifted a little sideways; corners rounded to float if asked.
+TriangleMesh two_sheets(double gap, bool round_to_float) {
+  PolygonSoup soup;
+  for (const dvec3& shift : {dvec3(0.0), dvec3(0.11, 0.07, -gap)})
+    for (const dvec3& corner : {dvec3(0, 0, 0), dvec3(1, 0, 0), dvec3(1, 1, 0), dvec3(0, 1, 0)}) {
+      dvec3 p = tilt * (corner + shift);
+      for (int axis = 0; round_to_float && axis < 3; ++axis) {
+        volatile float rounded = static_cast<float>(p[axis]);
+        p[axis] = rounded;
+      }
+      soup.points.push_back(p);
+    }
+  soup.polygons = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  return build_mesh(soup, 1.0).mesh;
+}
+
+// Rays onto both sheets from above, one a cell of a 60 x 60 grid, at 20 degrees from the normal.
+std::vector<Ray> rays_from_above(const TriangleMesh& mesh) {
+  std::vector<Ray> rays;
+  const dvec3 direction = tilt * dvec3(std::sin(0.35), 0.0, -std::cos(0.35));
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 60; ++j) {
+      const dvec3 target = tilt * dvec3(0.15 + 0.8 * (i + 0.3) / 60, 0.12 + 0.8 * (j + 0.6) / 60, 0.0) - mesh.center;
+      rays.push_back({target - 1.5 * direction, direction, no_index});
+    }
+  return rays;
+}
+
+TEST(Tracer, TheUpperOfTwoSheetsIsMetHoweverThinTheGap) {
+  for (const double gap : {1e-3, 1e-6, 3e-7, 1.6e-7}) {  // wider than the weld distance, or they are one sheet
+    const TriangleMesh mesh = two_sheets(gap, false);
+    ASSERT_EQ(mesh.patches.size(), 2u);
+    const Tracer tracer(mesh);
+    const std::vector<Ray> rays = rays_from_above(mesh);
+    std::vector<Hit> hits(rays.size());
+    tracer.closest_hits(rays, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      ASSERT_TRUE(hits[i]);
+      EXPECT_NEAR(hits[i].distance, 1.5, 1e-12) << gap;  // the upper sheet; rounding of coordinates of size 1
+    }
+  }
+}
+
+TEST(Tracer, ARayLeavesASurfaceIntoTheThinnestGap) {
+  for (const double gap : {1e-3, 1e-6, 1.6e-7, 1e-9, 1e-12}) {
+    const TriangleMesh mesh = two_sheets(gap, false);
+    const Tracer tracer(mesh);
+    const std::uint32_t upper = mesh.triangle_patch[0];
+    for (Ray ray : rays_from_above(mesh)) {
+      ray.origin += 1.5 * ray.direction;  // on the upper sheet, going down
+      ray.source_patch = upper;
+      Hit hit;
+      tracer.closest_hits({&ray, 1}, {&hit, 1});
+      ASSERT_TRUE(hit) << gap;
+      EXPECT_NEAR(hit.distance, gap / std::cos(0.35), 1e-15) << gap;
+    }
+  }
+}
+
+TEST(Tracer, CoincidentSheetsOfASinglePrecisionFileTrapNoRay) {
+  // Rounded to float the two planes cross each other here and there, 1e-8 apart; a reflected ray must get away all the same.
+  const TriangleMesh mesh = two_sheets(0.0, true);
+  const Tracer tracer(mesh);
+  std::vector<Ray> rays = rays_from_above(mesh);
+  std::vector<Hit> hits(rays.size());
+  tracer.closest_hits(rays, hits);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ASSERT_TRUE(hits[i]);
+    const std::uint32_t patch = mesh.triangle_patch[hits[i].triangle];
+    rays[i] = {rays[i].origin + hits[i].distance * rays[i].direction,
+               reflected_direction(rays[i].direction, mesh.patches[patch].normal), patch};
+  }
+  tracer.closest_hits(rays, hits);
+  for (const Hit& hit : hits) EXPECT_FALSE(hit);
+}
+
+TEST(Tracer, NeighboursNeverBothMissAnEdge) {
+  // Rays exactly at and a rounding beside the diagonal that the plate's two triangles share.
+  const TriangleMesh mesh = build_mesh(shapes::transformed(shapes::plate(2.0), tilt), 1.0).mesh;
+  const Tracer tracer(mesh);
+  for (const double beside : {0.0, 1e-17, 1e-16, 1e-12, 1e-9, 1e-7, 1e-5})
+    for (const double sign : {-1.0, 1.0})
+      for (int i = 1; i < 400; ++i) {
+        const double x = -1.0 + i / 200.0;
+        const Ray ray{tilt * dvec3(x, x + sign * beside, 1.0), tilt * dvec3(0, 0, -1), no_index};
+        Hit hit;
+        tracer.closest_hits({&ray, 1}, {&hit, 1});
+        EXPECT_TRUE(hit) << x << ' ' << sign * beside;
+      }
+}
+
+}  // namespace
+}  // namespace raytube
