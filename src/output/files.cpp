@@ -66,7 +66,8 @@ void NewResults::place(std::initializer_list<const char*> names) const {
   for (const char* name : names) {
     std::error_code error;
     if (fs::exists(folder_ / name)) fs::rename(folder_ / name, destination_ / name, error);
-    if (error) throw std::runtime_error(fmt::format("{}: cannot be replaced ({})", (destination_ / name).string(), error.message()));
+    if (error)
+      throw std::runtime_error(fmt::format("{}: cannot be replaced ({})", (destination_ / name).string(), error.message()));
   }
 }
 

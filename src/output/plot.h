@@ -8,8 +8,8 @@
 
 namespace raytube {
 
-/// Draws rcs.png and rcs.svg in `folder`, which holds neither, with gnuplot. Returns an empty text, or why there is no picture: a plot is a
-/// convenience, so its absence is not an error.
+/// Draws rcs.png and rcs.svg in `folder`, which holds neither, with gnuplot. Returns an empty text, or why there is no picture: a
+/// plot is a convenience, so its absence is not an error.
 std::string plot_rcs(const std::filesystem::path& folder, const std::string& title, const Sweep& sweep,
                      const SweepResult& result);
 

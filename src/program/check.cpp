@@ -6,9 +6,9 @@
 #include <map>
 
 #include "case/case.h"
+#include "decimal.h"
 #include "program/commands.h"
 #include "program/threads.h"
-#include "decimal.h"
 #include "sbr/launch.h"
 
 namespace raytube {

@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "program/commands.h"
 #include "error.h"
+#include "program/commands.h"
 
 namespace raytube {
 

@@ -6,8 +6,8 @@
 #include <new>
 #include <string>
 
-#include "program/commands.h"
 #include "error.h"
+#include "program/commands.h"
 #include "program/interrupt.h"
 
 namespace {

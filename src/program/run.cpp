@@ -9,14 +9,14 @@
 
 #include "case/case.h"
 #include "error.h"
-#include "program/commands.h"
-#include "program/threads.h"
-#include "program/interrupt.h"
 #include "output/csv.h"
 #include "output/files.h"
 #include "output/manifest.h"
 #include "output/plot.h"
+#include "program/commands.h"
+#include "program/interrupt.h"
 #include "program/progress_bar.h"
+#include "program/threads.h"
 
 namespace raytube {
 

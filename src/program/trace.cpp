@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "case/case.h"
-#include "program/commands.h"
 #include "decimal.h"
 #include "error.h"
+#include "program/commands.h"
 
 namespace raytube {
 

@@ -278,5 +278,19 @@ TEST(MeshRepair, NotesNameOnlyWhatWasFound) {
   EXPECT_EQ(notes[1].count, 2u);
 }
 
+// A gap is told from the rim of a sheet by what its border can bound, not by how fine the mesh is.
+TEST(MeshRepair, NamesBodiesWithASmallGap) {
+  const auto nearly_closed = [](PolygonSoup soup) {
+    soup.polygons.pop_back();
+    const LoadedMesh loaded = build(soup);
+    EXPECT_EQ(loaded.report.components_closed, 0u);
+    return loaded.report.components_nearly_closed;
+  };
+  EXPECT_EQ(nearly_closed(sphere(16)), 1u);  // one triangle of 960 is missing
+  EXPECT_EQ(nearly_closed(cube()), 0u);      // one side of six
+  EXPECT_EQ(nearly_closed(remeshed(plate(dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0)), 40, 40)), 0u);
+  EXPECT_EQ(build(cube()).report.components_nearly_closed, 0u);
+}
+
 }  // namespace
 }  // namespace raytube::shapes
