@@ -86,9 +86,7 @@ class Collector {
   SweepResult finish(std::span<const Wedge> wedges, EdgeMethod method) {
     std::vector<Skipped>& skipped = result_.statistics.skipped;
     if (looks_without_tubes_) skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
-    const auto concave = static_cast<std::uint64_t>(std::ranges::count_if(wedges, [](const Wedge& w) { return !w.convex(); }));
-    if (method == EdgeMethod::fringe && concave)
-      skipped.push_back({"wedges", "concave: multiple reflection stands for them", concave});
+    if (const Skipped left_out = skipped_wedges(wedges, method); left_out.count) skipped.push_back(left_out);
     result_.statistics.wedges = wedges.size();
     return std::move(result_);
   }
@@ -121,6 +119,12 @@ class Collector {
 
 Target::Target(const TriangleMesh& triangles, const EdgeOptions& edges)
     : mesh(triangles), tracer(triangles), wedges(find_wedges(triangles, edges.min_wedge_angle)) {}
+
+Skipped skipped_wedges(std::span<const Wedge> wedges, EdgeMethod method) {
+  if (method == EdgeMethod::none) return {"wedges", "edges.method is \"none\"", wedges.size()};
+  const auto concave = std::ranges::count_if(wedges, [](const Wedge& wedge) { return !wedge.convex(); });
+  return {"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)};
+}
 
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {
   check(sweep, options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "mesh/load.h"
 #include "mesh/tracer.h"
@@ -35,6 +36,9 @@ struct Target {
   Tracer tracer;
   std::vector<Wedge> wedges;
 };
+
+/// The wedges whose fringe currents a solve leaves out, and why.
+Skipped skipped_wedges(std::span<const Wedge> wedges, EdgeMethod method);
 
 /// S of every row of the sweep, phase reference at the origin of the mesh's own coordinates. The same bytes for any
 /// number of threads. Throws InputError for an empty or non-physical sweep, Interrupted when `progress` says stop.

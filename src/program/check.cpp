@@ -111,11 +111,7 @@ void print_skipped(const Case& c, const LoadedMesh& loaded, const std::vector<We
                                   {"triangles", "no area", r.triangles_degenerate},
                                   {"triangles", "same corners as another one", r.triangles_duplicate},
                                   {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};
-  const auto concave = std::count_if(wedges.begin(), wedges.end(), [](const Wedge& wedge) { return !wedge.convex(); });
-  if (c.edges.method == EdgeMethod::none)
-    skipped.push_back({"wedges", "edges.method is \"none\"", wedges.size()});
-  else
-    skipped.push_back({"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)});
+  skipped.push_back(skipped_wedges(wedges, c.edges.method));
   fmt::print("\nskipped\n");
   bool nothing = true;
   for (const Skipped& s : skipped) {

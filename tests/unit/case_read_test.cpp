@@ -148,7 +148,8 @@ TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
 TEST(CaseRead, ResolvedCaseKeepsFileNamesRelativeToTheCase) {
   const Scratch scratch;
   scratch.write("looks.csv", "theta_deg,phi_deg\n90,0\n");
-  const std::string text = "[target]\nmesh = \"sub/../m.stl\"\nunit = \"mm\"\n" + frequency + "[look]\nlooks_csv = \"looks.csv\"\n";
+  const std::string text =
+      "[target]\nmesh = \"sub/../m.stl\"\nunit = \"mm\"\n" + frequency + "[look]\nlooks_csv = \"looks.csv\"\n";
   const std::string json = resolved_case_json(read_case(scratch.write("case.toml", text)));
   EXPECT_THAT(json, HasSubstr("\"mesh\": \"sub/../m.stl\""));
   EXPECT_THAT(json, HasSubstr("\"looks_csv\": \"looks.csv\""));

@@ -39,12 +39,12 @@ TEST(TraceTube, DihedralReturnsTheRayAfterTwoBounces) {
   const dvec3 incident(-c, -s, 0);
   const TubeBounce &first = trace.bounces[0], &second = trace.bounces[1];
 
-  // The ray leaves beside the cell's centre: 0.0041 and 0.0073 of a cell of about lambda / 10.
-  const dvec3 u_hat(-s, c, 0);
-  EXPECT_NEAR(glm::dot(first.point, u_hat), trace.center.x, 0.005 * 0.01);
+  // The ray leaves 0.0041 and 0.0073 of a cell beside the cell's centre; a cell is a tenth of the wavelength of 0.1 m.
+  const dvec3 center = dihedral.loaded.mesh.center, u_hat(-s, c, 0);
+  EXPECT_NEAR(glm::dot(first.point + center, u_hat), trace.center.x, 0.005 * 0.01);
   EXPECT_NEAR(first.point.z, trace.center.y, 0.008 * 0.01);
-  EXPECT_NEAR(first.point.y + dihedral.loaded.mesh.center.y, 0.0, rounding);   // the x face, in the plane y = 0
-  EXPECT_NEAR(second.point.x + dihedral.loaded.mesh.center.x, 0.0, rounding);  // the y face, in the plane x = 0
+  EXPECT_NEAR(first.point.y + center.y, 0.0, rounding);   // the x face, in the plane y = 0
+  EXPECT_NEAR(second.point.x + center.x, 0.0, rounding);  // the y face, in the plane x = 0
   expect_near(first.normal, dvec3(0, 1, 0));
   expect_near(second.normal, dvec3(1, 0, 0));
   expect_near(first.direction_out, dvec3(-c, s, 0));
@@ -53,8 +53,8 @@ TEST(TraceTube, DihedralReturnsTheRayAfterTwoBounces) {
   EXPECT_NE(first.patch, second.patch);
 }
 
-// Both planes pass through the mesh's origin, so the way to a point and back is that of the corner itself: the wave fronts
-// through the origin before and after are one, whatever the tube.
+// Both planes pass through the mesh's origin, so every tube's way there and back is that of the fold: path + s'.r of the wave
+// that leaves is zero at the origin.
 TEST(TraceTube, DihedralPathIsThatOfItsCorner) {
   const Replay dihedral = replay(shapes::dihedral(1.0, 1.0));
   for (const double u : {-0.1, -0.2, -0.4}) {
