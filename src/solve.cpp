@@ -26,6 +26,7 @@ void check(const Sweep& sweep, const SolveOptions& options) {
   for (const double f : sweep.frequencies)
     if (!(f > 0.0) || !std::isfinite(f)) throw InputError("every frequency must be a positive number of hertz");
   if (!(options.tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
+  if (options.edges.order < 1 || options.edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
   if (options.tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
 }
 
@@ -36,16 +37,22 @@ void make_reciprocal(std::vector<ScatteringMatrix>& scattering) {
   for (ScatteringMatrix& s : scattering) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
 }
 
+EdgeLookResult edge_look(const Target& target, const Sweep& sweep, const Look& look, const EdgeOptions& edges) {
+  if (edges.order == 1) return fringe_scattering(target.wedges, target.tracer, look, sweep.frequencies, edges.receiver_shadow);
+  return fringe_scattering(target.wedges, target.outlines, target.tracer, look, sweep.frequencies, edges.order,
+                           edges.receiver_shadow);
+}
+
 LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look, const SolveOptions& options,
                       Progress& progress) {
   LookResult result;
   const double share = 1.0 / static_cast<double>(sweep.looks.size());
   result.tubes = sbr_scattering(target.tracer, look, sweep.frequencies, options.tubes, progress, share);
-  if (options.edges.method == EdgeMethod::fringe)
-    result.edges = fringe_scattering(target.wedges, target.tracer, look, sweep.frequencies);
+  if (options.edges.method == EdgeMethod::fringe) result.edges = edge_look(target, sweep, look, options.edges);
   if (sweep.bistatic) return result;
   for (std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) make_reciprocal(bounce);
   make_reciprocal(result.edges.scattering);
+  make_reciprocal(result.edges.higher);
   return result;
 }
 
@@ -66,7 +73,9 @@ class Collector {
  public:
   Collector(const Sweep& sweep, const TriangleMesh& mesh, bool keep_parts) : sweep_(sweep), mesh_(mesh), keep_parts_(keep_parts) {
     result_.total.resize(sweep.rows());
-    if (keep_parts) result_.edges.resize(sweep.rows());
+    if (!keep_parts) return;
+    result_.edges_first.resize(sweep.rows());
+    result_.edges_higher.resize(sweep.rows());
   }
 
   void add(std::size_t look, const LookResult& part) {
@@ -103,9 +112,13 @@ class Collector {
       result_.bounces[b][row] = bounce;
     }
     if (part.edges.scattering.empty()) return;
-    const ScatteringMatrix edges = scaled(part.edges.scattering[f], factor);
+    add_edges(row, scaled(part.edges.scattering[f], factor), result_.edges_first);
+    if (!part.edges.higher.empty()) add_edges(row, scaled(part.edges.higher[f], factor), result_.edges_higher);
+  }
+
+  void add_edges(std::size_t row, const ScatteringMatrix& edges, std::vector<ScatteringMatrix>& part) {
     result_.total[row] += edges;
-    if (keep_parts_) result_.edges[row] = edges;
+    if (keep_parts_) part[row] = edges;
   }
 
   const Sweep& sweep_;
@@ -118,7 +131,10 @@ class Collector {
 }  // namespace
 
 Target::Target(const TriangleMesh& triangles, const EdgeOptions& edges)
-    : mesh(triangles), tracer(triangles), wedges(find_wedges(triangles, edges.min_wedge_angle)) {}
+    : mesh(triangles),
+      tracer(triangles),
+      wedges(find_wedges(triangles, edges.min_wedge_angle)),
+      outlines(triangles, wedges, edges.min_wedge_angle) {}
 
 Skipped skipped_wedges(std::span<const Wedge> wedges, EdgeMethod method) {
   if (method == EdgeMethod::none) return {"wedges", "edges.method is \"none\"", wedges.size()};

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "mesh/load.h"
+#include "mesh/outlines.h"
 #include "mesh/tracer.h"
-#include "mesh/wedges.h"
 #include "sbr/sbr.h"
 #include "sweep.h"
 
@@ -16,6 +16,8 @@ enum class EdgeMethod { none, fringe };
 
 struct EdgeOptions {
   EdgeMethod method = EdgeMethod::fringe;
+  int order = 1;                           // edges in a row that a current passes, 1 to 3; 1 takes every face as endless
+  bool receiver_shadow = false;            // an edge hidden from the receiver does not count
   double min_wedge_angle = 15.0 * degree;  // a crease flatter than this is tessellation, not an edge [rad]
 };
 
@@ -28,13 +30,15 @@ struct SolveOptions {
   std::function<bool(double)> progress;
 };
 
-/// A mesh ready to be solved: its ray-tracing structure and wedges. Keeps a reference to `mesh`.
+/// A mesh ready to be solved with these edge options: its ray-tracing structure, wedges and outlines of their faces. Keeps a
+/// reference to `mesh`.
 struct Target {
   Target(const TriangleMesh& mesh, const EdgeOptions& edges);
   Target(TriangleMesh&& mesh, const EdgeOptions& edges) = delete;
   const TriangleMesh& mesh;
   Tracer tracer;
   std::vector<Wedge> wedges;
+  Outlines outlines;
 };
 
 /// The wedges whose fringe currents a solve leaves out, and why.

@@ -50,8 +50,9 @@ struct Statistics {
 struct SweepResult {
   std::vector<ScatteringMatrix> total;  // sum of all mechanisms
   std::vector<std::vector<ScatteringMatrix>>
-      bounces;                          // bounces[m][row]: PO currents of bounce m + 1; empty unless parts are kept
-  std::vector<ScatteringMatrix> edges;  // fringe currents of the wedges; empty unless parts are kept
+      bounces;  // bounces[m][row]: PO currents of bounce m + 1; empty unless parts are kept
+  // Fringe currents of the lit wedges, and what these currents start at further wedges; empty unless parts are kept.
+  std::vector<ScatteringMatrix> edges_first, edges_higher;
   Statistics statistics;
 };
 

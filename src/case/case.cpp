@@ -91,9 +91,9 @@ void read_edges(const CaseValue& root, Case& c) {
       reject(*method, fmt::format("edges.method \"{}\" is not in this version; write \"fringe\" or \"none\"", name));
     c.edges.method = name == "none" ? EdgeMethod::none : EdgeMethod::fringe;
   }
-  if (const CaseValue* order = find(root, "edges", "order"))
-    if (read_whole(*order, "edges.order", 1, 3) != 1)
-      reject(*order, fmt::format("edges.order {} is not in this version; write 1", order->number));
+  if (const CaseValue* order = find(root, "edges", "order")) c.edges.order = read_whole(*order, "edges.order", 1, 3);
+  if (const CaseValue* shadow = find(root, "edges", "receiver_shadow"))
+    c.edges.receiver_shadow = read_flag(*shadow, "edges.receiver_shadow");
   if (const CaseValue* angle = find(root, "edges", "min_wedge_deg")) {
     const double degrees = read_number(*angle, "edges.min_wedge_deg");
     if (degrees < 0.0 || degrees >= 180.0)

@@ -25,7 +25,10 @@ Json tubes_json(const TubeOptions& tubes) {
 
 Json edges_json(const EdgeOptions& edges) {
   const char* method = edges.method == EdgeMethod::fringe ? "fringe" : "none";
-  return {{"method", method}, {"order", 1}, {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
+  return {{"method", method},
+          {"order", edges.order},
+          {"receiver_shadow", edges.receiver_shadow},
+          {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
 }
 
 }  // namespace

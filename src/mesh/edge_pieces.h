@@ -29,6 +29,12 @@ struct EdgePiece {
 /// the front of closed ones. Ordered by edge; faces[0] <= faces[1].
 std::vector<EdgePiece> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges);
 
+/// False where two faces touch: what lies between them is rounding, no space.
+bool has_opening(const EdgePiece& piece);
+
+/// True if the piece's faces differ from a plane by at least `min_wedge_angle` [rad].
+bool is_wedge(const EdgePiece& piece, double min_wedge_angle);
+
 /// Joins pieces with the same faces that follow one another on a straight line, within `distance`. A run takes the place of
 /// its first piece.
 std::vector<EdgePiece> join_straight(std::span<const dvec3> vertices, std::vector<EdgePiece> pieces, double distance);

@@ -7,6 +7,9 @@ namespace raytube {
 
 namespace {
 
+/// Below this angle [rad] a sector is no space but the rounding between two faces that touch.
+constexpr double no_opening = 1e-9;
+
 /// A triangle at an edge, seen along the edge from its lower vertex to its higher one.
 struct Leaf {
   std::uint32_t patch;
@@ -66,6 +69,14 @@ FaceFrame face_frame(const TriangleMesh& mesh, const PatchSide& side, const dvec
 double opening(const FaceFrame& first, const FaceFrame& second) {
   const double angle = std::atan2(glm::dot(second.into_face, first.normal), glm::dot(second.into_face, first.into_face));
   return angle < 0.0 ? angle + 2.0 * pi : angle;
+}
+
+bool has_opening(const EdgePiece& piece) { return piece.n * pi > no_opening; }
+
+bool is_wedge(const EdgePiece& piece, double min_wedge_angle) {
+  const double bend = std::abs(piece.n - 1.0) * pi;
+  const bool same_plane = piece.faces[0].patch == piece.faces[1].patch && bend < no_opening;
+  return !same_plane && has_opening(piece) && bend >= min_wedge_angle;
 }
 
 std::vector<EdgePiece> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges) {

@@ -9,14 +9,6 @@ namespace raytube {
 
 namespace {
 
-/// Below this angle [rad] a sector is no space but the rounding between two faces that touch.
-constexpr double no_opening = 1e-9;
-
-bool is_wedge(const EdgePiece& piece, double min_wedge_angle) {
-  const bool same_plane = piece.faces[0].patch == piece.faces[1].patch && std::abs(piece.n - 1.0) * pi < no_opening;
-  return !same_plane && piece.n * pi > no_opening && std::abs(piece.n - 1.0) * pi >= min_wedge_angle;
-}
-
 /// The vertices on the rim of each patch; the patch's extent in any direction is theirs.
 class PatchRims {
  public:
@@ -60,7 +52,7 @@ Wedge wedge_of(const TriangleMesh& mesh, const PatchRims& rims, const EdgePiece&
     const std::uint32_t patch = run.faces[i].patch;
     frames[i] = face_frame(mesh, run.faces[i], tangent, i);
     wedge.faces[i] = {patch, frames[i].into_face, frames[i].normal,
-                      std::max(distance, rims.extent(patch, wedge.start, frames[i].into_face))};
+                      std::max(distance, rims.extent(patch, wedge.start, frames[i].into_face)), run.faces[i].back};
   }
   wedge.n = refined_n(frames[0], frames[1], run.n);
   return wedge;

@@ -14,6 +14,7 @@ struct WedgeFace {
   dvec3 into_face;     // x_f: unit, in the face, perpendicular to the edge, away from it
   dvec3 normal;        // n_f: unit, out of the metal into the free space of this wedge
   double width = 0.0;  // extent of the patch along into_face [m]
+  bool back = false;   // the side of the patch that its normal points away from
 };
 
 /// A straight edge with free space between faces[0] and faces[1]; angles are measured from faces[0] through free space,

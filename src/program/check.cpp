@@ -9,6 +9,7 @@
 #include "decimal.h"
 #include "program/commands.h"
 #include "program/threads.h"
+#include "program/wedge_list.h"
 #include "sbr/launch.h"
 
 namespace raytube {
@@ -52,7 +53,8 @@ void print_case(const Case& c) {
   if (c.edges.method == EdgeMethod::none)
     fmt::print("edges        none\n");
   else
-    fmt::print("edges        fringe currents, order 1, creases of {} deg and more\n", decimal_degrees(c.edges.min_wedge_angle));
+    fmt::print("edges        fringe currents, order {}, creases of {} deg and more\n", c.edges.order,
+               decimal_degrees(c.edges.min_wedge_angle));
   fmt::print("plots        {}\n", c.plots ? "yes" : "no");
   fmt::print("rows         {}\n", c.sweep.rows());
 }
@@ -158,6 +160,7 @@ void check_command(const Request& request) {
   print_wedges(wedges);
   print_skipped(c, loaded, wedges);
   print_cost(c, loaded.mesh);
+  if (!request.wedges_csv.empty()) write_wedges_csv(request.wedges_csv, loaded.mesh, wedges, c.sweep);
 }
 
 }  // namespace raytube

@@ -17,8 +17,9 @@ constexpr const char* run_examples =
     "  raytube run case.toml --set tubes.per_wavelength=20 --set edges.method=none";
 constexpr const char* check_examples =
     "Prints the resolved case, the mesh report, the wedges, what will be skipped and the expected cost.\n\n"
-    "Example:\n"
-    "  raytube check case.toml --set target.unit=mm";
+    "Examples:\n"
+    "  raytube check case.toml --set target.unit=mm\n"
+    "  raytube check case.toml --wedges wedges.csv";
 constexpr const char* trace_examples =
     "Prints every bounce of the tube at (U, V).\n\n"
     "Example:\n"
@@ -55,6 +56,7 @@ CLI::App* add_run(CLI::App& app, Request& request) {
 CLI::App* add_check(CLI::App& app, Request& request) {
   CLI::App* check = add_command(app, "check", "Report on a case without computing it", check_examples);
   add_case_options(*check, request);
+  check->add_option("--wedges", request.wedges_csv, "Also write a list of all wedges")->type_name("FILE.csv");
   return check;
 }
 

@@ -15,6 +15,7 @@ struct Request {
   std::vector<std::string> overrides;
   std::filesystem::path output_folder;  // empty: <case folder>/out
   int threads = 0;                      // 0: all cores
+  std::filesystem::path wedges_csv;     // check: list of wedges; empty: none wanted
   bool parts = false;
   bool quiet = false;
   std::size_t look = 0;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "utd/edge_currents.h"
-#include "utd/visibility.h"
+#include "utd/lit_edges.h"
+#include "utd/strips.h"
 
 namespace raytube {
 
@@ -31,33 +31,32 @@ void add_product(ScatteringMatrix& sum, const ScatteringMatrix& amplitude, Compl
     for (int transmit = 0; transmit < 2; ++transmit) sum.at(receive, transmit) += amplitude.at(receive, transmit) * phase;
 }
 
-/// One look: adds wedge after wedge, keeping its buffers between them.
-class EdgePass {
+double shortest_wavelength(std::span<const double> frequencies) { return wavelength(*std::ranges::max_element(frequencies)); }
+
+/// First order, one look: adds wedge after wedge, keeping its buffers between them.
+class EndlessPass {
  public:
-  EdgePass(const Tracer& tracer, const Look& look, std::span<const double> frequencies)
-      : tracer_(tracer), look_(look_vectors(look)), frequencies_(frequencies) {
-    shortest_wavelength_ = wavelength(*std::ranges::max_element(frequencies));
+  EndlessPass(const Look& look, std::span<const double> frequencies) : look_(look_vectors(look)), frequencies_(frequencies) {
     result_.scattering.resize(frequencies.size());
     result_.windowed.resize(frequencies.size());
   }
 
-  void add(const Wedge& wedge) {
-    const WedgeIncidence incidence = incidence_on(wedge, look_.incident);
-    find_lit_intervals(wedge, incidence, -look_.incident, shortest_wavelength_, tracer_, lit_);
-    if (lit_.empty()) return;
+  const LookVectors& look() const { return look_; }
+
+  void add(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
     ++result_.wedges_lit;
-    clip(wedge);
+    clip(wedge, lit);
     radiate(edge_amplitude(wedge, incidence, look_));
   }
 
   EdgeLookResult take() { return std::move(result_); }
 
  private:
-  void clip(const Wedge& wedge) {
+  void clip(const Wedge& wedge, std::span<const LitInterval> lit) {
     const dvec3 difference = look_.scattered - look_.incident, edge = wedge.end - wedge.start;
     const double length = wedge.length(), slope = glm::dot(difference, edge), start = glm::dot(difference, wedge.start);
     pieces_.clear();
-    for (const LitInterval& part : lit_) {
+    for (const LitInterval& part : lit) {
       const double share = part.end - part.begin;
       pieces_.push_back({share * length, share * slope / 2, start + slope * (part.begin + part.end) / 2});
     }
@@ -72,11 +71,8 @@ class EdgePass {
     }
   }
 
-  const Tracer& tracer_;
   LookVectors look_;
   std::span<const double> frequencies_;
-  double shortest_wavelength_ = 0.0;
-  std::vector<LitInterval> lit_;
   std::vector<Piece> pieces_;
   EdgeLookResult result_;
 };
@@ -84,12 +80,39 @@ class EdgePass {
 }  // namespace
 
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tracer, const Look& look,
-                                 std::span<const double> frequencies) {
+                                 std::span<const double> frequencies, bool receiver_shadow) {
   assert(!frequencies.empty());
-  EdgePass pass(tracer, look, frequencies);
-  for (const Wedge& wedge : wedges)
-    if (wedge.convex()) pass.add(wedge);
+  EndlessPass pass(look, frequencies);
+  LitEdges edges(wedges, tracer, pass.look(), shortest_wavelength(frequencies), receiver_shadow);
+  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
+    if (!wedges[index].convex()) continue;
+    const WedgeIncidence incidence = incidence_on(wedges[index], pass.look().incident);
+    if (incidence.weight == 0.0 || !edges.find(index, incidence)) continue;
+    pass.add(wedges[index], incidence, edges.lit());
+  }
   return pass.take();
+}
+
+EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
+                                 std::span<const double> frequencies, int order, bool receiver_shadow) {
+  assert(!frequencies.empty() && order > 1);
+  const LookVectors vectors = look_vectors(look);
+  LitEdges edges(wedges, tracer, vectors, shortest_wavelength(frequencies), receiver_shadow);
+  StripWalk walk(wedges, outlines, vectors, frequencies, order);
+  EdgeLookResult result;
+  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
+    if (!wedges[index].convex()) continue;
+    const WedgeIncidence incidence = incidence_on(wedges[index], vectors.incident);
+    // An edge that is only grazed, over one face, takes its light from the edge at the other end of that face.
+    if (incidence.weight != 1.0 || !edges.find(index, incidence)) continue;
+    ++result.wedges_lit;
+    walk.add(index, incidence, edges.lit());
+  }
+  StripSums sums = walk.take();
+  result.scattering = std::move(sums.first);
+  result.higher = std::move(sums.higher);
+  result.windowed = std::move(sums.windowed);
+  return result;
 }
 
 }  // namespace raytube

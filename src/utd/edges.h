@@ -5,22 +5,29 @@
 #include <vector>
 
 #include "field.h"
+#include "mesh/outlines.h"
 #include "mesh/tracer.h"
-#include "mesh/wedges.h"
 #include "sweep.h"
 
 namespace raytube {
 
 struct EdgeLookResult {
-  std::vector<ScatteringMatrix> scattering;  // one per frequency; phase reference: centre of the mesh
+  // One matrix per frequency; phase reference: centre of the mesh.
+  std::vector<ScatteringMatrix> scattering;  // the lit edges' own currents
+  std::vector<ScatteringMatrix> higher;      // what these start at other edges; empty at first order
   std::uint64_t wedges_lit = 0;
   std::vector<bool> windowed;  // per frequency: the forward-grazing window touched the row
 };
 
 /// Far-field amplitude of the fringe currents (Michaeli 1986, first order) on all convex wedges that the transmitter lights,
-/// each clipped to its lit part, coherently summed in wedge order. Not symmetric in a
-/// monostatic look: fringe currents are reciprocal on the Keller cone only.
+/// each clipped to its lit part, with `receiver_shadow` also to what the receiver sees, coherently summed in wedge order. Not
+/// symmetric in a monostatic look: fringe currents are reciprocal on the Keller cone only.
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tracer, const Look& look,
-                                 std::span<const double> frequencies);
+                                 std::span<const double> frequencies, bool receiver_shadow = false);
+
+/// The same with currents that end where their face ends and diffract again at the edge there: `order` edges in a row, 2 or more.
+/// Bounded in every direction on polygonal faces, and no edge needs a window there.
+EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
+                                 std::span<const double> frequencies, int order, bool receiver_shadow = false);
 
 }  // namespace raytube

@@ -31,11 +31,10 @@ struct RationalExpansion {
   }
 };
 
-const RationalExpansion expansion;
-
 }  // namespace
 
 Complex faddeeva(Complex z) {
+  static const RationalExpansion expansion;  // made at first use: other tables are fitted to it before main() starts
   const Complex jz(-z.imag(), z.real());
   const Complex inverse = 1.0 / (expansion.scale - jz);
   const Complex ratio = (expansion.scale + jz) * inverse;

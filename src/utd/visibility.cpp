@@ -12,6 +12,8 @@ constexpr int min_points = 8;
 constexpr int max_points = 128;
 constexpr double clip_tolerance = 1e-13;  // fraction of the wedge's length
 constexpr double single_blocker = 1e-5;   // same; about where single precision stops telling blockers apart
+// Test points between crossings: not half-way, where symmetric bodies have the seams of their triangles.
+constexpr double beside_middle = std::numbers::sqrt2 - 1;
 // The outermost test points stand this far inside the ends, as a fraction of the length: at a corner the third face is touched.
 constexpr double end_margin = 1e-6;
 // A ray in the plane of a face runs along the mesh; it starts this far above it, in radii of the target: the lit limit.
@@ -52,12 +54,28 @@ int point_count(double length, double wavelength) {
   return static_cast<int>(std::clamp(wanted, double{min_points}, double{max_points}));
 }
 
+/// Regular test points, and one between neighbouring crossings that have none between them, in order.
+void choose_points(int regular, std::span<const double> crossed, std::vector<double>& points) {
+  points.clear();
+  const auto place = [&](int point) { return end_margin + (1 - 2 * end_margin) * point / (regular - 1); };
+  int next = 0;
+  double before = 0.0;
+  const auto pass = [&](double crossing) {
+    const double between = std::clamp(before + beside_middle * (crossing - before), end_margin, 1 - end_margin);
+    const bool none = next == regular || place(next) > crossing;
+    if (none && crossing - before > clip_tolerance) points.push_back(between);
+    for (; next < regular && place(next) <= crossing; ++next) points.push_back(place(next));
+    before = crossing;
+  };
+  for (const double crossing : crossed) pass(crossing);
+  pass(1.0);
+}
+
 /// Walks along the wedge and notes where light changes to shadow and back.
-void scan(const EdgeProbe& probe, int points, std::vector<LitInterval>& lit) {
-  double previous = end_margin, begin = 0.0;
+void scan(const EdgeProbe& probe, std::span<const double> points, std::vector<LitInterval>& lit) {
+  double previous = points.front(), begin = 0.0;
   std::uint32_t blocker_before = probe.blocker(previous);
-  for (int point = 1; point < points; ++point) {
-    const double here = end_margin + (1 - 2 * end_margin) * point / (points - 1);
+  for (const double here : points.subspan(1)) {
     const std::uint32_t blocker = probe.blocker(here);
     const bool was_lit = blocker_before == no_index, is_lit = blocker == no_index;
     if (was_lit && !is_lit) lit.push_back({begin, probe.transition(previous, here, blocker)});
@@ -70,12 +88,14 @@ void scan(const EdgeProbe& probe, int points, std::vector<LitInterval>& lit) {
 
 }  // namespace
 
-void find_lit_intervals(const Wedge& wedge, const WedgeIncidence& incidence, const dvec3& towards_transmitter, double wavelength,
-                        const Tracer& tracer, std::vector<LitInterval>& lit) {
+Visibility::Visibility(std::span<const Wedge> wedges, const Tracer& tracer, const dvec3& direction, double wavelength)
+    : wedges_(wedges), tracer_(tracer), direction_(direction), wavelength_(wavelength), crossings_(wedges, direction) {}
+
+void Visibility::find(std::uint32_t index, const dvec3& away, std::vector<LitInterval>& lit) {
   lit.clear();
-  if (incidence.weight == 0.0) return;
-  const EdgeProbe probe{wedge, tracer, towards_transmitter, incidence.free_side * (lift * tracer.mesh().radius)};
-  scan(probe, point_count(wedge.length(), wavelength), lit);
+  crossings_.find(index, crossed_);
+  choose_points(point_count(wedges_[index].length(), wavelength_), crossed_, points_);
+  scan({wedges_[index], tracer_, direction_, away * (lift * tracer_.mesh().radius)}, points_, lit);
 }
 
 }  // namespace raytube

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mesh/tracer.h"
-#include "utd/incidence.h"
+#include "utd/crossings.h"
 
 namespace raytube {
 
@@ -14,11 +14,26 @@ struct LitInterval {
   double end;
 };
 
-/// Fills `lit` (cleared first, capacity kept) with the parts of the wedge from which nothing but its own two patches lies on the
-/// way `towards_transmitter` (unit). Test points stand at most half a wavelength apart, at least 8 and at most 128 of them from
-/// end to end; each change between neighbours is then bisected to 1e-13 of the length. A shadow or a gap narrower than the
-/// spacing can be missed.
-void find_lit_intervals(const Wedge& wedge, const WedgeIncidence& incidence, const dvec3& towards_transmitter, double wavelength,
-                        const Tracer& tracer, std::vector<LitInterval>& lit);
+/// Finds the lit parts of wedges along one direction.
+class Visibility {
+ public:
+  Visibility(std::span<const Wedge> wedges, const Tracer& tracer, const dvec3& direction, double wavelength);
+
+  /// Fills `lit` (cleared first, capacity kept) with the parts of wedge `index` from which nothing but its own two patches lies
+  /// on the way along the direction; `away` is the normal of a face along which the rays run, to start them off it, else 0. Test
+  /// points stand at most half a wavelength apart, at least 8 and at most 128 of them from end to end, and one more between any
+  /// two neighbours among the places where another wedge passes in front. Each change from one to the next is then bisected to
+  /// 1e-13 of the length. So the shadow of a polygonal body is never missed, however narrow; that of a curved one, whose outline
+  /// is no wedge, can be if it is narrower than the spacing.
+  void find(std::uint32_t index, const dvec3& away, std::vector<LitInterval>& lit);
+
+ private:
+  std::span<const Wedge> wedges_;
+  const Tracer& tracer_;
+  dvec3 direction_;
+  double wavelength_;
+  Crossings crossings_;
+  std::vector<double> crossed_, points_;
+};
 
 }  // namespace raytube

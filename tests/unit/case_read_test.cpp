@@ -27,7 +27,7 @@ TEST(CaseRead, EveryKeyIsTaken) {
       "title = \"T\"\n[target]\nmesh = \"sub/m.obj\"\nunit = \"ft\"\nmaterial = \"pec\"\n[frequency]\nghz = [1, 2.5]\n"
       "[look]\ntheta_deg = 30\nphi_deg = 40.5\n[receive]\ntheta_deg = 50\nphi_deg = [60, 70]\n"
       "[tubes]\nmode = \"uniform\"\nper_wavelength = 12\nmax_bounces = 3\nup = [0, 0, 2.0]\n"
-      "[edges]\nmethod = \"none\"\norder = 1\nmin_wedge_deg = 20\n[output]\nplots = false\n");
+      "[edges]\nmethod = \"none\"\norder = 3\nmin_wedge_deg = 20\n[output]\nplots = false\n");
   EXPECT_EQ(c.title, "T");
   EXPECT_THAT(c.mesh_file.string(), ::testing::EndsWith("/sub/m.obj"));
   EXPECT_EQ(c.metres_per_unit, 0.3048);
@@ -40,6 +40,7 @@ TEST(CaseRead, EveryKeyIsTaken) {
   EXPECT_EQ(c.tubes.max_bounces, 3);
   EXPECT_EQ(*c.tubes.up, dvec3(0, 0, 2));
   EXPECT_EQ(c.edges.method, EdgeMethod::none);
+  EXPECT_EQ(c.edges.order, 3);
   EXPECT_EQ(c.edges.min_wedge_angle, 20.0 * degree);
   EXPECT_FALSE(c.plots);
 }
@@ -140,9 +141,9 @@ TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
   const std::string json = resolved_case_json(read_text(smallest, {"frequency.ghz=9.4"}));
   for (const char* part : {"\"title\": \"m\"", "\"unit\": \"mm\"", "\"material\": \"pec\"", "\"ghz\": 9.4", "\"theta_deg\": 90.0",
                            "\"mode\": \"uniform\"", "\"per_wavelength\": 10.0", "\"max_bounces\": 8", "\"method\": \"fringe\"",
-                           "\"order\": 1", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
+                           "\"order\": 1", "\"receiver_shadow\": false", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
     EXPECT_THAT(json, HasSubstr(part));
-  EXPECT_EQ(json.find("receive"), std::string::npos);
+  EXPECT_EQ(json.find("\"receive\""), std::string::npos);
 }
 
 TEST(CaseRead, ResolvedCaseKeepsFileNamesRelativeToTheCase) {

@@ -28,7 +28,8 @@ SweepResult small_result(const Sweep& sweep) {
   SweepResult result;
   for (std::size_t row = 0; row < sweep.rows(); ++row) result.total.push_back(matrix(static_cast<double>(row + 1)));
   result.bounces = {result.total, std::vector<ScatteringMatrix>(sweep.rows())};
-  result.edges.resize(sweep.rows());
+  result.edges_first.resize(sweep.rows());
+  result.edges_higher.resize(sweep.rows());
   return result;
 }
 
@@ -115,15 +116,18 @@ TEST(OutputCsv, PartsAddUpToTheTotal) {
   const Scratch scratch;
   const Sweep sweep = small_sweep(false);
   SweepResult result = small_result(sweep);
-  result.edges[3] = matrix(0.125);
-  result.total[3] += result.edges[3];
+  result.edges_first[3] = matrix(0.125);
+  result.edges_higher[3] = matrix(0.5);
+  result.total[3] += result.edges_first[3];
+  result.total[3] += result.edges_higher[3];
   write_parts_csv(scratch / "parts.csv", sweep, result);
   const Table table((scratch / "parts.csv").string());
   ASSERT_EQ(table.rows(), 4u);
   EXPECT_EQ(table.text(3, "theta_deg"), "27");
   for (const std::string channel : {"vv", "vh", "hv", "hh"}) {
     Complex sum = 0.0;
-    for (const std::string part : {"_bounce1", "_bounce2", "_edges"}) sum += table.complex(3, channel + part);
+    for (const std::string part : {"_bounce1", "_bounce2", "_edges_first_order", "_edges_second_order"})
+      sum += table.complex(3, channel + part);
     EXPECT_EQ(sum, result.total[3].at(channel[0] == 'h', channel[1] == 'h')) << channel;
   }
 }
@@ -133,7 +137,8 @@ TEST(OutputCsv, PartsStateTheConventionsAndKeepTheirColumnsWhereNothingIsHit) {
   const Sweep sweep = small_sweep(false);
   SweepResult nothing;
   nothing.total.resize(sweep.rows());
-  nothing.edges.resize(sweep.rows());
+  nothing.edges_first.resize(sweep.rows());
+  nothing.edges_higher.resize(sweep.rows());
   write_parts_csv(scratch / "parts.csv", sweep, nothing);
   write_rcs_csv(scratch / "rcs.csv", sweep, nothing);
   const std::string parts = text_of(scratch / "parts.csv"), rcs = text_of(scratch / "rcs.csv");
@@ -141,7 +146,7 @@ TEST(OutputCsv, PartsStateTheConventionsAndKeepTheirColumnsWhereNothingIsHit) {
   const Table table((scratch / "parts.csv").string());
   ASSERT_EQ(table.rows(), 4u);
   EXPECT_EQ(table.complex(2, "hh_bounce1"), Complex(0.0));
-  EXPECT_EQ(table.complex(2, "hh_edges"), Complex(0.0));
+  EXPECT_EQ(table.complex(2, "hh_edges_first_order"), Complex(0.0));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 // Which surface a ray meets first, where single precision cannot tell.
+#include "mesh/tracer.h"
+
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "material.h"
-#include "mesh/tracer.h"
 #include "shapes.h"
 
 namespace raytube {

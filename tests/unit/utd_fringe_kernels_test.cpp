@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "unit/quadrature.h"
 #include "utd/edge_currents.h"
 
 namespace raytube {
@@ -24,25 +25,6 @@ FringeKernels physical_optics(const FaceIncidence& incidence, Complex mu) {
   const Complex hard = 1.0 / (std::cos(incidence.source_angle) + mu);
   return {std::sin(incidence.source_angle) * hard, hard, -1.0 + mu * hard};
 }
-
-/// Gauss-Legendre nodes and weights on (0, 1), by Newton's method on the Legendre recurrence.
-struct Quadrature {
-  std::vector<double> nodes, weights;
-
-  explicit Quadrature(int count) {
-    for (int i = 0; i < count; ++i) {
-      double x = std::cos(pi * (i + 0.75) / (count + 0.5)), slope = 1.0;
-      for (int pass = 0; pass < 8; ++pass) {
-        double previous = 1.0, value = x;
-        for (int m = 2; m <= count; ++m) previous = std::exchange(value, ((2 * m - 1) * x * value - (m - 1) * previous) / m);
-        slope = count * (x * value - previous) / (x * x - 1);
-        x -= value / slope;
-      }
-      nodes.push_back((1 + x) / 2);
-      weights.push_back(1 / ((1 - x * x) * slope * slope));
-    }
-  }
-};
 
 /// Half-line integrals int H_z e^{jx mu} dx = 2j G_h and int dE_z/dy e^{jx mu} dx = -2 G_s of the total field on the face phi =
 /// 0, from the exact eigenfunction series. x = X t^6 absorbs the x^{1/n - 1} edge behaviour; Im mu = 1/2 cuts the tail to 1e-15.
@@ -71,7 +53,7 @@ class ExactFace {
  private:
   static constexpr double reach = 70.0;
   double n_;
-  Quadrature rule_;
+  GaussLegendre rule_;
   int terms_;
   std::vector<double> bessel_;
 };

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "unit/utd_scene.h"
+#include "utd/incidence.h"
 #include "utd/visibility.h"
 
 namespace raytube {
@@ -8,10 +9,11 @@ namespace {
 
 using test::Scene;
 
-std::vector<LitInterval> lit_parts(const Wedge& wedge, const Tracer& tracer, const dvec3& towards_transmitter,
-                                   double wavelength) {
+std::vector<LitInterval> lit_parts(std::span<const Wedge> wedges, std::uint32_t index, const Tracer& tracer,
+                                   const dvec3& towards_transmitter, double wavelength) {
   std::vector<LitInterval> lit;
-  find_lit_intervals(wedge, incidence_on(wedge, -towards_transmitter), towards_transmitter, wavelength, tracer, lit);
+  const WedgeIncidence incidence = incidence_on(wedges[index], -towards_transmitter);
+  if (incidence.weight > 0.0) Visibility(wedges, tracer, towards_transmitter, wavelength).find(index, incidence.free_side, lit);
   return lit;
 }
 
@@ -31,8 +33,8 @@ constexpr double clip = 1e-12;
 TEST(Visibility, FreeRimIsLitFromEndToEnd) {
   const Scene scene = test::plate(2, 2);
   const Tracer tracer(scene.mesh);
-  for (const Wedge& wedge : scene.wedges) {
-    const auto lit = lit_parts(wedge, tracer, glm::normalize(dvec3(0.3, 0.2, 1.0)), 0.1);
+  for (std::uint32_t i = 0; i < scene.wedges.size(); ++i) {
+    const auto lit = lit_parts(scene.wedges, i, tracer, glm::normalize(dvec3(0.3, 0.2, 1.0)), 0.1);
     ASSERT_EQ(lit.size(), 1u);
     EXPECT_EQ(lit[0].begin, 0.0);
     EXPECT_EQ(lit[0].end, 1.0);
@@ -43,7 +45,7 @@ TEST(Visibility, ShadowIsClippedAtItsEdges) {
   const dvec3 direction = glm::normalize(dvec3(0.1, -0.2, 1.0));
   const Scene scene = shaded_rim(direction, -0.45, 0.233);
   const Tracer tracer(scene.mesh);
-  const auto lit = lit_parts(scene.wedges[0], tracer, direction, 0.5);
+  const auto lit = lit_parts(scene.wedges, 0, tracer, direction, 0.5);
   ASSERT_EQ(lit.size(), 2u);
   EXPECT_EQ(lit[0].begin, 0.0);
   EXPECT_NEAR(lit[0].end, (1 - 0.45) / 2, clip);
@@ -55,7 +57,7 @@ TEST(Visibility, ShadowAtAnEndIsFoundBetweenTheLastTwoPoints) {
   const dvec3 direction(0, 0, 1);
   const Scene scene = shaded_rim(direction, 0.97, 1.2);  // covers the last 1.5 % of the rim
   const Tracer tracer(scene.mesh);
-  const auto lit = lit_parts(scene.wedges[0], tracer, direction, 1.0);
+  const auto lit = lit_parts(scene.wedges, 0, tracer, direction, 1.0);
   ASSERT_EQ(lit.size(), 1u);
   EXPECT_NEAR(lit[0].end, 1.97 / 2, clip);
 }
@@ -64,12 +66,13 @@ TEST(Visibility, FullShadowAndTurnedAway) {
   const dvec3 direction(0, 0, 1);
   const Scene scene = shaded_rim(direction, -1.5, 1.5);
   const Tracer tracer(scene.mesh);
-  EXPECT_TRUE(lit_parts(scene.wedges[0], tracer, direction, 1.0).empty());
-  EXPECT_EQ(lit_parts(scene.wedges[0], tracer, -direction, 1.0).size(), 1u);
+  EXPECT_TRUE(lit_parts(scene.wedges, 0, tracer, direction, 1.0).empty());
+  EXPECT_EQ(lit_parts(scene.wedges, 0, tracer, -direction, 1.0).size(), 1u);
   const Scene box = test::cube(1);
   const Tracer box_tracer(box.mesh);
   int lit = 0;
-  for (const Wedge& wedge : box.wedges) lit += !lit_parts(wedge, box_tracer, glm::normalize(dvec3(1, 2, 3)), 1.0).empty();
+  for (std::uint32_t i = 0; i < box.wedges.size(); ++i)
+    lit += !lit_parts(box.wedges, i, box_tracer, glm::normalize(dvec3(1, 2, 3)), 1.0).empty();
   EXPECT_EQ(lit, 9);
 }
 
@@ -78,15 +81,32 @@ TEST(Visibility, EdgesOverAGrazedFaceAreSeen) {
   const Scene box = test::cube(1);
   const Tracer tracer(box.mesh);
   int exposed = 0, half = 0;
-  for (const Wedge& wedge : box.wedges) {
-    const WedgeIncidence incidence = incidence_on(wedge, dvec3(-1, 0, 0));
-    const auto lit = lit_parts(wedge, tracer, dvec3(1, 0, 0), 0.1);
+  for (std::uint32_t i = 0; i < box.wedges.size(); ++i) {
+    const WedgeIncidence incidence = incidence_on(box.wedges[i], dvec3(-1, 0, 0));
+    const auto lit = lit_parts(box.wedges, i, tracer, dvec3(1, 0, 0), 0.1);
     EXPECT_EQ(lit.size(), incidence.weight > 0 ? 1u : 0u);
     exposed += incidence.weight == 1.0;
     half += incidence.weight == 0.5;
   }
   EXPECT_EQ(exposed, 4);
   EXPECT_EQ(half, 4);
+}
+
+TEST(Visibility, ShadowsMuchNarrowerThanTheSpacingAreFound) {
+  // A slat that hides 1e-4 of a rim of two wavelengths, and one that leaves only as much to be seen: both are bounded by wedges.
+  const dvec3 direction = glm::normalize(dvec3(0.1, -0.2, 1.0));
+  for (const auto& [from, to] : {std::pair{0.3331, 0.3333}, std::pair{-1.2, 0.9998}}) {
+    Scene scene = shaded_rim(direction, from, to);
+    const dvec3 middle = dvec3(1, (from + to) / 2, 0) + 3.0 * direction, half(0, (to - from) / 2, 0), x(0.3, 0, 0);
+    for (const double side : {-1.0, 1.0})
+      scene.wedges.push_back(test::half_plane(middle + side * half - x, middle + side * half + x, -side * glm::normalize(half),
+                                              dvec3(0, 0, 1), to - from, 1));
+    const Tracer tracer(scene.mesh);
+    const auto lit = lit_parts(scene.wedges, 0, tracer, direction, 1.0);
+    double sum = 0.0;
+    for (const LitInterval& part : lit) sum += part.end - part.begin;
+    EXPECT_NEAR(sum, 1 - (to - std::max(from, -1.0)) / 2, clip) << from;
+  }
 }
 
 }  // namespace

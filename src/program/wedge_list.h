@@ -1,0 +1,17 @@
+// raytube check --wedges: every wedge of a target as a table.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "mesh/wedges.h"
+#include "sweep.h"
+
+namespace raytube {
+
+/// One row a wedge: its ends in the mesh's own coordinates [m], length, interior angle, n, the patches of its two faces, and the
+/// fraction of its length that the transmitter of the first look lights.
+void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mesh, std::span<const Wedge> wedges,
+                      const Sweep& sweep);
+
+}  // namespace raytube

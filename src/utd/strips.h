@@ -1,0 +1,77 @@
+// Edge currents that end where their face ends, and the waves that go on from there. Derived in docs/edges.md.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/outlines.h"
+#include "utd/panels.h"
+#include "utd/strip_kernels.h"
+
+namespace raytube {
+
+/// What the strips of all edges radiate in one look: per frequency, the first strips and all that follow from them.
+struct StripSums {
+  std::vector<ScatteringMatrix> first;
+  std::vector<ScatteringMatrix> higher;
+  std::vector<bool> windowed;  // the forward-grazing window of endless strips touched the sum
+};
+
+/// Follows the fringe current of each edge point along its glancing ray over the face. Where the face ends at a convex wedge, the
+/// current grazes that edge and diffracts there into both of its faces; `order` counts the strips one after another. A strip
+/// that ends at a concave wedge ends there; one that reaches a smooth crease runs on for ever, as a first-order one.
+class StripWalk {
+ public:
+  StripWalk(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look, std::span<const double> frequencies,
+            int order);
+
+  /// The strips of wedge `index` from its lit pieces on, both faces.
+  void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
+
+  StripSums take() { return std::move(sums_); }
+
+ private:
+  /// A wave that starts strips on one face of one wedge.
+  struct Wave {
+    std::uint32_t wedge;
+    int face;
+    FaceIncidence incidence;
+    double sign;
+  };
+  /// The points from which the strips of one step of a walk start. Amplitudes: frequency after frequency, point after point.
+  struct Step {
+    std::vector<dvec3> points;
+    std::vector<Complex> amplitudes;  // weight, field and phase of unit eta H along the edge
+    std::vector<double> lengths;
+    std::vector<const OutlineEdge*> exits;
+    std::vector<Complex> arriving;  // at the far ends
+  };
+  /// S of one face for unit E and eta H along its edge, per receive polarisation.
+  struct Response {
+    std::array<Complex, 2> soft{}, hard{};
+  };
+
+  void start(const Wave& wave, std::span<const LitInterval> lit);
+  void follow(int level, const Wave& wave);
+  void find_exits(Step& step, const Wave& wave, const dvec3& direction) const;
+  void radiate(int level, const Wave& wave);
+  FringeKernels integrate(std::size_t frequency, const Strip& strip, const SplitKernels& endless, const Wave& wave, Step& step,
+                          bool direct);
+  void pass_on(int level, const Wave& wave, const dvec3& direction);
+  bool gather(int level, std::size_t first, const dvec3& direction);
+  void collect(const FaceIncidence& incidence);
+
+  std::span<const Wedge> wedges_;
+  const Outlines& outlines_;
+  const LookVectors& look_;
+  std::vector<double> wavenumbers_;
+  int order_;
+  std::vector<EdgePoint> points_;
+  std::vector<double> breaks_;
+  std::vector<Step> steps_;
+  std::array<std::vector<Response>, 2> responses_;  // of the face at hand: first strips, higher ones
+  StripSums sums_;
+};
+
+}  // namespace raytube
