@@ -22,7 +22,7 @@ double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direct
   const double inwards = glm::dot(direction, edge.into_face);
   if (inwards > -parallel) return never;
   const dvec3 along = edge.end - edge.start, offset = point - edge.start;
-  const double squared = glm::dot(along, along), distance = -glm::dot(offset, edge.into_face) / inwards;
+  const double squared = glm::dot(along, along), distance = edge.distance(point, direction);
   if (distance < -behind * std::sqrt(squared)) return never;
   const double share = glm::dot(offset + distance * direction, along) / squared;
   return share < -vertex_overlap || share > 1.0 + vertex_overlap ? never : std::max(distance, 0.0);

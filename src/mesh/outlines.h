@@ -16,6 +16,11 @@ struct OutlineEdge {
   std::uint32_t wedge = no_index;  // the wedge that stands here; no_index if there is none
   int wedge_face = 0;              // this face is faces[wedge_face] of it
   bool smooth = false;             // no wedge because the crease is flatter than one: the surface goes on
+
+  /// To the edge's line from a point of the face along a direction in it [m].
+  double distance(const dvec3& point, const dvec3& direction) const {
+    return -glm::dot(point - start, into_face) / glm::dot(direction, into_face);
+  }
 };
 
 /// Where a line on a face ends.

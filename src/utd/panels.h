@@ -1,34 +1,66 @@
-// Points along an edge for the integral over its strips.
+// Points along an edge for the integral over its strips and all that follow from them.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "mesh/outlines.h"
+#include "utd/strip_waves.h"
 #include "utd/visibility.h"
 
 namespace raytube {
 
 struct EdgePoint {
   dvec3 place;
-  double weight;  // [m]; the weights of a lit piece add up to its length
+  double weight;        // [m]; the weights of a lit piece add up to its length
+  std::uint32_t panel;  // points of one panel reach the same edges, one strip after another
 };
 
-/// The strips of one wedge face, and how their contributions turn in phase, for the shortest wavelength of a look.
-struct StripField {
-  const Wedge& wedge;
-  std::uint32_t wedge_index;
-  int face;
-  dvec3 direction;     // sigma
-  dvec3 turning;       // s - s': path per distance along the edge
-  double end_turning;  // s . sigma - 1: path per length of a strip
+/// How the contributions of an edge turn in phase, for the shortest wavelength of a look.
+struct PanelField {
+  dvec3 incident, scattered;  // s', s
   double wavelength;
+  int order;  // strips one after another
 };
 
-/// Fills `points` (cleared first) for the lit pieces of an edge. The face's corners, projected back on the edge along the strips,
-/// cut it into panels on which the strips' lengths are linear; each panel has its Gauss rule, finer the longer it is and the
-/// longer the far edge it sweeps. `breaks` is scratch.
-void place_points(const StripField& field, const Outlines& outlines, std::span<const LitInterval> lit,
-                  std::vector<double>& breaks, std::vector<EdgePoint>& points);
+/// Cuts the lit pieces of an edge into panels, on each of which every strip, the first and those that follow from it up to
+/// `order`, ends at one edge: there its length is linear in the place on the first edge, and a Gauss rule converges fast. The
+/// cuts are the corners of all faces passed, projected back along the strips.
+class PanelPlacer {
+ public:
+  PanelPlacer(std::span<const Wedge> wedges, const Outlines& outlines, const PanelField& field)
+      : wedges_(wedges), outlines_(outlines), field_(field) {}
+
+  /// Fills `points` (cleared first) for the strips that `wave` starts on the lit pieces of its edge.
+  void place(const StripWave& wave, std::span<const LitInterval> lit, std::vector<EdgePoint>& points);
+
+ private:
+  /// Places on an edge as a function of the place s on the first edge: origin + s step.
+  struct EdgeLine {
+    dvec3 origin, step;
+    dvec3 at(double place) const { return origin + place * step; }
+  };
+  /// Strips over [from, to] of the first edge that end at the same edge.
+  struct Span {
+    double from, to;
+    double path_rate;  // change of the largest of its phases per metre of the first edge, over k
+    double sweep;      // how far the strips' ends move along them per metre of the first edge
+  };
+
+  void follow(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level);
+  void end(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level,
+           const OutlineEdge* edge);
+  void project_corners(const StripWave& wave, const EdgeLine& line, double from, double to, std::vector<double>& cuts) const;
+  const OutlineEdge* far_edge(const StripWave& wave, const dvec3& point) const;
+  void fill(const EdgeLine& line, std::vector<EdgePoint>& points);
+  void add_panel(const EdgeLine& line, double from, double to, std::vector<EdgePoint>& points);
+
+  std::span<const Wedge> wedges_;
+  const Outlines& outlines_;
+  PanelField field_;
+  double rounding_ = 0.0;  // [m] cuts nearer to one another are one
+  std::vector<Span> spans_;
+  std::vector<double> cuts_;
+  std::uint32_t panels_ = 0;
+};
 
 }  // namespace raytube

@@ -8,24 +8,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double flattest_link = 1.02;    // n of an edge that is next to no edge at all
-constexpr double shallowest_link = 1e-3;  // sine between the arriving strip and the edge: the wave runs along it, not over it
-constexpr double same_length = 1e-13;     // relative; strips between parallel edges share their kernels
-
-dvec3 strip_direction(const WedgeFace& face, const FaceIncidence& incidence) {
-  return incidence.sin_cone * face.into_face + incidence.cos_cone * incidence.tangent;
-}
-
-// The arriving strip as a wave that grazes one face of the next wedge: its own (phi' = 0) or the other one (phi' = n pi).
-FaceIncidence grazing_incidence(const Wedge& wedge, int face, bool own, const dvec3& direction, double sine) {
-  FaceIncidence result;
-  result.tangent = glm::cross(wedge.faces[face].into_face, wedge.faces[face].normal);
-  result.cos_cone = glm::dot(direction, result.tangent);
-  result.sin_cone = sine;
-  result.source_angle = own ? 0.0 : wedge.n * pi;
-  result.lit = own;
-  return result;
-}
+constexpr double same_length = 1e-13;  // relative; strips between parallel edges share their kernels
 
 void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex factor) {
   sum.soft += factor * kernels.soft;
@@ -37,7 +20,12 @@ void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex facto
 
 StripWalk::StripWalk(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look,
                      std::span<const double> frequencies, int order)
-    : wedges_(wedges), outlines_(outlines), look_(look), order_(order), steps_(order) {
+    : wedges_(wedges),
+      outlines_(outlines),
+      look_(look),
+      order_(order),
+      placer_(wedges, outlines, {look.incident, look.scattered, wavelength(*std::ranges::max_element(frequencies)), order}),
+      steps_(order) {
   for (const double frequency : frequencies) wavenumbers_.push_back(wavenumber(frequency));
   sums_.first.resize(frequencies.size());
   sums_.higher.resize(frequencies.size());
@@ -48,22 +36,22 @@ void StripWalk::add(std::uint32_t index, const WedgeIncidence& incidence, std::s
   for (int face = 0; face < 2; ++face) {
     const FaceIncidence& arriving = incidence.faces[face];
     if (arriving.sin_cone <= sin_cone_floor) continue;  // along the edge: strips of no width
-    start({index, face, arriving, 1.0}, lit);
+    start(strip_wave(wedges_, index, face, arriving, 1.0), lit);
     collect(arriving);
   }
 }
 
-void StripWalk::start(const Wave& wave, std::span<const LitInterval> lit) {
-  const Wedge& wedge = wedges_[wave.wedge];
-  const dvec3 direction = strip_direction(wedge.faces[wave.face], wave.incidence);
-  const double shortest = 2 * pi / *std::ranges::max_element(wavenumbers_);
+void StripWalk::start(const StripWave& wave, std::span<const LitInterval> lit) {
+  placer_.place(wave, lit, points_);
   const dvec3 difference = look_.scattered - look_.incident;
-  place_points({wedge, wave.wedge, wave.face, direction, difference, glm::dot(look_.scattered, direction) - 1, shortest},
-               outlines_, lit, breaks_, points_);
   Step& step = steps_[0];
   step.points.clear();
+  step.panels.clear();
   step.amplitudes.clear();
-  for (const EdgePoint& point : points_) step.points.push_back(point.place);
+  for (const EdgePoint& point : points_) {
+    step.points.push_back(point.place);
+    step.panels.push_back(point.panel);
+  }
   for (const double k : wavenumbers_)
     for (const EdgePoint& point : points_)
       step.amplitudes.push_back(std::polar(point.weight, k * glm::dot(difference, point.place)));
@@ -71,26 +59,24 @@ void StripWalk::start(const Wave& wave, std::span<const LitInterval> lit) {
   follow(0, wave);
 }
 
-void StripWalk::follow(int level, const Wave& wave) {
-  const dvec3 direction = strip_direction(wedges_[wave.wedge].faces[wave.face], wave.incidence);
-  find_exits(steps_[level], wave, direction);
+void StripWalk::follow(int level, const StripWave& wave) {
+  find_ends(steps_[level], wave);
   radiate(level, wave);
-  if (level + 1 < order_) pass_on(level, wave, direction);
+  if (level + 1 < order_) pass_on(level, wave);
 }
 
-void StripWalk::find_exits(Step& step, const Wave& wave, const dvec3& direction) const {
-  const WedgeFace& face = wedges_[wave.wedge].faces[wave.face];
+void StripWalk::find_ends(Step& step, const StripWave& wave) const {
   step.lengths.clear();
   step.exits.clear();
-  for (const dvec3& point : step.points) {
-    const FaceExit exit = outlines_.exit(face, wave.wedge, point, direction);
-    const bool ends = exit.edge && !exit.edge->smooth;
-    step.lengths.push_back(ends ? exit.distance : std::numeric_limits<double>::infinity());
-    step.exits.push_back(ends && exit.edge->wedge != no_index ? exit.edge : nullptr);
+  std::optional<FaceExit> exit;
+  for (std::size_t i = 0; i < step.points.size(); ++i) {
+    if (i == 0 || step.panels[i] != step.panels[i - 1]) exit = strip_end(wedges_, outlines_, wave, step.points[i]);
+    step.exits.push_back(exit ? exit->edge : nullptr);
+    step.lengths.push_back(exit ? exit->edge->distance(step.points[i], wave.direction) : std::numeric_limits<double>::infinity());
   }
 }
 
-void StripWalk::radiate(int level, const Wave& wave) {
+void StripWalk::radiate(int level, const StripWave& wave) {
   const Wedge& wedge = wedges_[wave.wedge];
   const WedgeFace& face = wedge.faces[wave.face];
   const FaceIncidence& incidence = wave.incidence;
@@ -111,7 +97,7 @@ void StripWalk::radiate(int level, const Wave& wave) {
   }
 }
 
-FringeKernels StripWalk::integrate(std::size_t frequency, const Strip& strip, const SplitKernels& endless, const Wave& wave,
+FringeKernels StripWalk::integrate(std::size_t frequency, const Strip& strip, const SplitKernels& endless, const StripWave& wave,
                                    Step& step, bool direct) {
   const std::size_t count = step.points.size();
   const double k = wavenumbers_[frequency], scale = k * wave.incidence.sin_cone * wave.incidence.sin_cone;
@@ -137,36 +123,35 @@ FringeKernels StripWalk::integrate(std::size_t frequency, const Strip& strip, co
   return sum;
 }
 
-// Moves the points from `first` on that leave at the same edge to the next step; false if nothing goes on there.
-bool StripWalk::gather(int level, std::size_t first, const dvec3& direction) {
+// Moves the points from `first` on that leave at the same edge to the next step.
+void StripWalk::gather(int level, std::size_t first, const dvec3& direction) {
   Step &from = steps_[level], &to = steps_[level + 1];
   const OutlineEdge* edge = from.exits[first];
-  if (!edge) return false;
   const std::size_t count = from.points.size();
   to.points.clear();
+  to.panels.clear();
   to.amplitudes.clear();
-  for (std::size_t i = first; i < count; ++i)
-    if (from.exits[i] == edge) to.points.push_back(from.points[i] + from.lengths[i] * direction);
+  for (std::size_t i = first; i < count; ++i) {
+    if (from.exits[i] != edge) continue;
+    to.points.push_back(from.points[i] + from.lengths[i] * direction);
+    to.panels.push_back(from.panels[i]);
+  }
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
     for (std::size_t i = first; i < count; ++i)
       if (from.exits[i] == edge) to.amplitudes.push_back(from.arriving[f * count + i]);
   for (std::size_t i = first; i < count; ++i)
     if (from.exits[i] == edge) from.exits[i] = nullptr;
-  return true;
 }
 
-// The wave at the far edge is half of the current there (the other half is its own reflection), E along the edge is none. In the
-// product of field and length of edge the sine between strip and edge cancels: H dz = -(current) dz_before / 2.
-void StripWalk::pass_on(int level, const Wave& wave, const dvec3& direction) {
+// In the product of field and length of edge the sine between strip and edge cancels: H dz = -(current) dz_before / 2.
+void StripWalk::pass_on(int level, const StripWave& wave) {
   for (std::size_t i = 0; i < steps_[level].points.size(); ++i) {
     const OutlineEdge* edge = steps_[level].exits[i];
-    if (!gather(level, i, direction)) continue;
-    const Wedge& next = wedges_[edge->wedge];
-    const double sine = -glm::dot(direction, edge->into_face);
-    if (next.n < flattest_link || sine < shallowest_link) continue;
-    const int own = edge->wedge_face, other = 1 - own;
-    follow(level + 1, {edge->wedge, own, grazing_incidence(next, own, true, direction, sine), -wave.sign});
-    follow(level + 1, {edge->wedge, other, grazing_incidence(next, other, false, direction, sine), wave.sign});
+    if (!edge) continue;
+    const auto next = waves_beyond(wedges_, wave, *edge);
+    gather(level, i, wave.direction);
+    if (next)
+      for (const StripWave& beyond : *next) follow(level + 1, beyond);
   }
 }
 

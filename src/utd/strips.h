@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "mesh/outlines.h"
 #include "utd/panels.h"
 #include "utd/strip_kernels.h"
 
@@ -32,17 +31,11 @@ class StripWalk {
   StripSums take() { return std::move(sums_); }
 
  private:
-  /// A wave that starts strips on one face of one wedge.
-  struct Wave {
-    std::uint32_t wedge;
-    int face;
-    FaceIncidence incidence;
-    double sign;
-  };
   /// The points from which the strips of one step of a walk start. Amplitudes: frequency after frequency, point after point.
   struct Step {
     std::vector<dvec3> points;
-    std::vector<Complex> amplitudes;  // weight, field and phase of unit eta H along the edge
+    std::vector<std::uint32_t> panels;  // points of one panel leave at one edge
+    std::vector<Complex> amplitudes;    // weight, field and phase of unit eta H along the edge
     std::vector<double> lengths;
     std::vector<const OutlineEdge*> exits;
     std::vector<Complex> arriving;  // at the far ends
@@ -52,14 +45,14 @@ class StripWalk {
     std::array<Complex, 2> soft{}, hard{};
   };
 
-  void start(const Wave& wave, std::span<const LitInterval> lit);
-  void follow(int level, const Wave& wave);
-  void find_exits(Step& step, const Wave& wave, const dvec3& direction) const;
-  void radiate(int level, const Wave& wave);
-  FringeKernels integrate(std::size_t frequency, const Strip& strip, const SplitKernels& endless, const Wave& wave, Step& step,
-                          bool direct);
-  void pass_on(int level, const Wave& wave, const dvec3& direction);
-  bool gather(int level, std::size_t first, const dvec3& direction);
+  void start(const StripWave& wave, std::span<const LitInterval> lit);
+  void follow(int level, const StripWave& wave);
+  void find_ends(Step& step, const StripWave& wave) const;
+  void radiate(int level, const StripWave& wave);
+  FringeKernels integrate(std::size_t frequency, const Strip& strip, const SplitKernels& endless, const StripWave& wave,
+                          Step& step, bool direct);
+  void pass_on(int level, const StripWave& wave);
+  void gather(int level, std::size_t first, const dvec3& direction);
   void collect(const FaceIncidence& incidence);
 
   std::span<const Wedge> wedges_;
@@ -67,8 +60,8 @@ class StripWalk {
   const LookVectors& look_;
   std::vector<double> wavenumbers_;
   int order_;
+  PanelPlacer placer_;
   std::vector<EdgePoint> points_;
-  std::vector<double> breaks_;
   std::vector<Step> steps_;
   std::array<std::vector<Response>, 2> responses_;  // of the face at hand: first strips, higher ones
   StripSums sums_;
