@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "utd/gauss.h"
-
 namespace raytube {
 
 namespace {
 
-// A rule of N points integrates N 2/pi cycles of phase and a little more; the rest of the strips' variation is smooth.
-constexpr double least_points = 4.0;
-constexpr double points_per_cycle = 1.6;
-constexpr double points_per_wavelength = 1.0;
-constexpr double count_slack = 1e-6;  // keeps a count the same when its argument is a whole number but for rounding
-constexpr double same_place = 1e-9;   // of the edge's length
+constexpr double same_place = 1e-9;  // of the edge's length
 
 }  // namespace
 
@@ -54,13 +47,15 @@ void PanelPlacer::follow(const StripWave& wave, const EdgeLine& line, double fro
 void PanelPlacer::end(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level,
                       const OutlineEdge* edge) {
   if (!edge) {
-    spans_.push_back({from, to, std::abs(path_rate), 0.0});
+    spans_.push_back({from, to, std::abs(path_rate), 0.0, {false, false}});
     return;
   }
   const double length = edge->distance(line.origin, wave.direction);
   const double growth = edge->distance(line.origin + line.step, wave.direction) - length;
   const double end_rate = path_rate + (glm::dot(field_.scattered, wave.direction) - 1) * growth;
-  spans_.push_back({from, to, std::max(std::abs(path_rate), std::abs(end_rate)), std::abs(growth)});
+  const auto vanishes = [&](double place) { return std::abs(length + growth * place) < rounding_; };
+  spans_.push_back(
+      {from, to, std::max(std::abs(path_rate), std::abs(end_rate)), std::abs(growth), {vanishes(from), vanishes(to)}});
   if (level + 1 == field_.order) return;
   const auto next = waves_beyond(wedges_, wave, *edge);
   if (!next) return;
@@ -94,26 +89,25 @@ void PanelPlacer::fill(const EdgeLine& line, std::vector<EdgePoint>& points) {
   const double end = cuts_.back();
   for (const double cut : cuts_) {
     if (cut - from < rounding_ || (cut < end && end - cut < rounding_)) continue;
-    add_panel(line, from, cut, points);
+    rule_.clear();
+    add_points(panel(from, cut), field_.wavelength, rule_);
+    for (const PanelPoint& point : rule_) points.push_back({line.at(point.place), point.weight, panels_});
+    ++panels_;
     from = cut;
   }
 }
 
-void PanelPlacer::add_panel(const EdgeLine& line, double from, double to, std::vector<EdgePoint>& points) {
-  const double width = to - from, middle = (from + to) / 2;
-  double path_rate = 0.0, sweep = 0.0;
+Panel PanelPlacer::panel(double from, double to) const {
+  Panel result{from, to};
+  const double middle = (from + to) / 2;
   for (const Span& span : spans_) {
     if (span.from > middle || span.to < middle) continue;
-    path_rate = std::max(path_rate, span.path_rate);
-    sweep = std::max(sweep, span.sweep);
+    result.path_rate = std::max(result.path_rate, span.path_rate);
+    result.sweep = std::max(result.sweep, span.sweep);
+    if (span.vanishes[0] && from - span.from < rounding_) result.root[0] = true;
+    if (span.vanishes[1] && span.to - to < rounding_) result.root[1] = true;
   }
-  const double wanted =
-      least_points + (points_per_cycle * path_rate + points_per_wavelength * (1 + sweep)) * width / field_.wavelength;
-  const int count = static_cast<int>(std::floor(wanted + count_slack)), parts = (count - 1) / most_gauss_points + 1;
-  for (int part = 0; part < parts; ++part)
-    for (const GaussPoint& point : gauss_rule((count + parts - 1) / parts))
-      points.push_back({line.at(from + width * (part + point.place) / parts), width * point.weight / parts, panels_});
-  ++panels_;
+  return result;
 }
 
 }  // namespace raytube

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "utd/panel_rule.h"
 #include "utd/strip_waves.h"
 #include "utd/visibility.h"
 
@@ -42,8 +43,9 @@ class PanelPlacer {
   /// Strips over [from, to] of the first edge that end at the same edge.
   struct Span {
     double from, to;
-    double path_rate;  // change of the largest of its phases per metre of the first edge, over k
-    double sweep;      // how far the strips' ends move along them per metre of the first edge
+    double path_rate;              // change of the largest of its phases per metre of the first edge, over k
+    double sweep;                  // how far the strips' ends move along them per metre of the first edge
+    std::array<bool, 2> vanishes;  // the strips' length, at `from` and at `to`
   };
 
   void follow(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level);
@@ -52,7 +54,7 @@ class PanelPlacer {
   void project_corners(const StripWave& wave, const EdgeLine& line, double from, double to, std::vector<double>& cuts) const;
   const OutlineEdge* far_edge(const StripWave& wave, const dvec3& point) const;
   void fill(const EdgeLine& line, std::vector<EdgePoint>& points);
-  void add_panel(const EdgeLine& line, double from, double to, std::vector<EdgePoint>& points);
+  Panel panel(double from, double to) const;
 
   std::span<const Wedge> wedges_;
   const Outlines& outlines_;
@@ -60,6 +62,7 @@ class PanelPlacer {
   double rounding_ = 0.0;  // [m] cuts nearer to one another are one
   std::vector<Span> spans_;
   std::vector<double> cuts_;
+  std::vector<PanelPoint> rule_;
   std::uint32_t panels_ = 0;
 };
 
