@@ -1,127 +1,99 @@
 #include "utd/erfc_ray.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstdint>
 
-#include "utd/transition.h"
+#include "utd/erfc_ray_fit.h"
 
 namespace raytube {
 
 namespace {
 
 const Complex turn = std::polar(1.0, pi / 4);
+constexpr double series_below = 0.5;
 
-/// Polynomial of the given degree in u, -1 <= u <= 1, through the Chebyshev points.
-template <int degree>
-class Fit {
- public:
-  template <class Function>
-  explicit Fit(Function function) {
-    constexpr int count = degree + 1;
-    std::array<Complex, count> values, chebyshev{};
-    for (int i = 0; i < count; ++i) values[i] = function(std::cos(pi * (i + 0.5) / count));
-    for (int m = 0; m < count; ++m) {
-      for (int i = 0; i < count; ++i) chebyshev[m] += values[i] * std::cos(pi * m * (i + 0.5) / count) * (2.0 / count);
-    }
-    chebyshev[0] *= 0.5;
-    to_powers(chebyshev);
+// Taylor series of sqrt(pi) erf(z)/(2z), sum of (-z^2)^m / (m! (2m + 1)) with z^2 = j x^2: real terms in x^4, imaginary ones in
+// x^2 times that. The first term left out at the switch is 0.25^12 / (12! 25) = 5e-18.
+constexpr std::array<double, 6> erf_series(int first) {
+  std::array<double, 6> result{};
+  double factorial = 1.0, sign = 1.0;
+  for (int m = 0; m < 12; ++m) {
+    factorial *= std::max(m, 1);
+    if (m % 2 != first) continue;
+    result[m / 2] = sign / (factorial * (2 * m + 1));
+    sign = -sign;
   }
-  Fit() = default;
+  return result;
+}
+constexpr auto erf_real = erf_series(0), erf_imaginary = erf_series(1);
 
-  Complex operator()(double u) const {
-    double re = real_[degree], im = imag_[degree];
-    for (int m = degree - 1; m >= 0; --m) {
-      re = re * u + real_[m];
-      im = im * u + imag_[m];
-    }
-    return {re, im};
+bool close(double a, double b) { return std::abs(a - b) * (1 + (a + b) / 2) <= 0.1; }
+
+// W' = 2jxW - 2 e^{j pi/4} / sqrt(pi), hence W^(m+1) = 2j (x W^(m) + m W^(m-1)); a difference about its middle has odd
+// derivatives only. The first term left out is below 1e-15 where close() ends.
+Complex difference_series(double a, double b, Complex at_middle) {
+  const double middle = (a + b) / 2, squared = (a - b) * (a - b) / 4;
+  const Complex j2(0.0, 2.0);
+  Complex before = at_middle, here = j2 * middle * before - 2 * std::numbers::inv_sqrtpi * turn, sum = here;
+  double factor = 1.0;
+  for (int m = 1; m < 9; ++m) {
+    const Complex next = j2 * (middle * here + static_cast<double>(m) * before);
+    before = here;
+    here = next;
+    if (m % 2 == 1) continue;
+    factor *= squared / (m * (m + 1));
+    sum += factor * here;
   }
-
- private:
-  // T_{m+1} = 2 u T_m - T_{m-1}.
-  void to_powers(const std::array<Complex, degree + 1>& chebyshev) {
-    std::array<double, degree + 2> before{}, here{};
-    before[0] = 1.0;
-    here[1] = 1.0;
-    add(before, chebyshev[0]);
-    for (int m = 1; m <= degree; ++m) {
-      add(here, chebyshev[m]);
-      std::array<double, degree + 2> next{};
-      for (int i = 0; i <= degree; ++i) next[i + 1] = 2 * here[i];
-      for (int i = 0; i <= degree + 1; ++i) next[i] -= before[i];
-      before = here;
-      here = next;
-    }
-  }
-
-  void add(const std::array<double, degree + 2>& powers, Complex factor) {
-    for (int i = 0; i <= degree; ++i) {
-      real_[i] += powers[i] * factor.real();
-      imag_[i] += powers[i] * factor.imag();
-    }
-  }
-
-  std::array<double, degree + 1> real_{}, imag_{};
-};
-
-constexpr double reach = 6.0;  // beyond it x W(x) is fitted in 1/x^2, in which it is smooth
-constexpr int pieces = 48;
-constexpr double piece_width = reach / pieces;
-
-Complex exact(double x) { return faddeeva(turn * Complex(0.0, x)); }
-
-struct Table {
-  std::array<Fit<9>, pieces> near;
-  Fit<14> far;
-
-  Table() {
-    for (int i = 0; i < pieces; ++i) near[i] = Fit<9>([&](double u) { return exact((i + 0.5 * (1 + u)) * piece_width); });
-    far = Fit<14>([](double u) {
-      const double x = reach / std::sqrt(0.5 * (1 + u));
-      return x * exact(x);
-    });
-  }
-};
-
-const Table table;
+  return sum;
+}
 
 }  // namespace
 
+Complexes scaled_erfc(const Reals& x) {
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double scale = 1 / polynomial(erfc_denominator, x[i]);
+    result.re[i] = scale * polynomial(erfc_numerator_re, x[i]);
+    result.im[i] = scale * polynomial(erfc_numerator_im, x[i]);
+  }
+  return result;
+}
+
 Complex scaled_erfc(double x) {
-  if (x < reach) {
-    const double place = x / piece_width;
-    const int piece = std::min(static_cast<int>(place), pieces - 1);
-    return table.near[piece](2 * (place - piece) - 1);
-  }
-  const double ratio = reach / x;
-  return table.far(2 * ratio * ratio - 1) / x;
+  Reals alone{};
+  alone[0] = x;
+  return scaled_erfc(alone)[0];
 }
 
-Complex erf_over(double x, Complex value, Complex decay) {
-  if (x > 0.5) return (1.0 - decay * value) / x;
-  // Taylor series, z^{2m+1} (-1)^m / (m! (2m+1)): the first term left out is 0.25^12 / (12! 25) = 5e-18.
-  const Complex squared(0.0, -x * x);  // -z^2
-  Complex sum = 0.0, power = 1.0;
-  for (int m = 0; m < 12; ++m) {
-    sum += power / (2.0 * m + 1);
-    power *= squared / (m + 1.0);
+Complexes erf_over(const Reals& x, const Complexes& values, const Complexes& decay) {
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double x2 = x[i] * x[i], x4 = x2 * x2, scale = std::numbers::sqrt2 * std::numbers::inv_sqrtpi;
+    const double re = polynomial(erf_real, x4), im = -x2 * polynomial(erf_imaginary, x4);
+    const Complex series(scale * (re - im), scale * (re + im)), quotient = (1.0 - decay[i] * values[i]) / x[i];
+    const bool small = x[i] < series_below;
+    result.re[i] = small ? series.real() : quotient.real();
+    result.im[i] = small ? series.imag() : quotient.imag();
   }
-  return 2 * std::numbers::inv_sqrtpi * turn * sum;
+  return result;
 }
 
-Complex divided_difference(double a, double b, Complex at_a, Complex at_b) {
-  const double apart = a - b, middle = (a + b) / 2;
-  if (std::abs(apart) * (1 + middle) > 0.1) return (at_a - at_b) / apart;
-  // W' = 2jxW - 2 e^{j pi/4} / sqrt(pi), hence W^(m+1) = 2j (x W^(m) + m W^(m-1)); a difference about its middle has odd
-  // derivatives only. The first term left out is below 1e-12 at the switch.
-  const Complex j2(0.0, 2.0);
-  std::array<Complex, 8> derivative{scaled_erfc(middle)};
-  derivative[1] = j2 * middle * derivative[0] - 2 * std::numbers::inv_sqrtpi * turn;
-  for (int m = 1; m < 7; ++m) derivative[m + 1] = j2 * (middle * derivative[m] + static_cast<double>(m) * derivative[m - 1]);
-  const double squared = apart * apart;
-  return derivative[1] +
-         squared * (derivative[3] / 24.0 + squared * (derivative[5] / 1920.0 + squared * (derivative[7] / 322560.0)));
+Complexes divided_difference(const Reals& a, const Reals& b, const Complexes& at_a, const Complexes& at_b) {
+  Complexes result;
+  Reals middle;
+  std::uint64_t close_ones = 0;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double inverse = 1 / (a[i] - b[i]);
+    result.re[i] = (at_a.re[i] - at_b.re[i]) * inverse;
+    result.im[i] = (at_a.im[i] - at_b.im[i]) * inverse;
+    middle[i] = (a[i] + b[i]) / 2;
+    close_ones += close(a[i], b[i]) ? 1 : 0;
+  }
+  if (close_ones == 0) return result;
+  const Complexes at_middle = scaled_erfc(middle);
+  for (std::size_t i = 0; i < lanes; ++i)
+    if (close(a[i], b[i])) result.set(i, difference_series(a[i], b[i], at_middle[i]));
+  return result;
 }
 
 }  // namespace raytube

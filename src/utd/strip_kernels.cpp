@@ -15,13 +15,65 @@ constexpr double half_cosine_floor = 2e-5;
 // Source in the plane of the face: phi' keeps to its own side of pi by at least the lit threshold.
 constexpr double closest_to_plane = lit_threshold;
 
-double total_strength(const auto& terms, int count) {
-  double sum = 0.0;
-  for (int i = 0; i < count; ++i) sum += terms[i].strength;
-  return sum;
+void add_products(Complexes& sum, const Complexes& a, const Complexes& b) {
+  for (std::size_t i = 0; i < lanes; ++i) {
+    sum.re[i] += a.re[i] * b.re[i] - a.im[i] * b.im[i];
+    sum.im[i] += a.re[i] * b.im[i] + a.im[i] * b.re[i];
+  }
+}
+
+void add_scaled(Complexes& sum, double factor, const Complexes& values) {
+  for (std::size_t i = 0; i < lanes; ++i) {
+    sum.re[i] += factor * values.re[i];
+    sum.im[i] += factor * values.im[i];
+  }
+}
+
+template <class Values>
+Complexes load(const Values& values, std::size_t first) {
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) result.set(i, values[first + i]);
+  return result;
+}
+
+void store(const Complexes& values, ComplexColumn& column, std::size_t first) {
+  std::copy_n(values.re.value, lanes, column.re.data() + first);
+  std::copy_n(values.im.value, lanes, column.im.data() + first);
 }
 
 }  // namespace
+
+void ComplexColumn::resize(std::size_t size) {
+  const std::size_t whole_blocks = (size + lanes - 1) / lanes * lanes;
+  re.resize(whole_blocks);
+  im.resize(whole_blocks);
+}
+
+void ComplexColumn::set(std::size_t i, Complex value) {
+  re[i] = value.real();
+  im[i] = value.imag();
+}
+
+Complex weighted_sum(const ComplexColumn& column, std::size_t first, std::span<const Complex> weights) {
+  const std::size_t rest = weights.size() / lanes * lanes;
+  Complexes sums{};
+  for (std::size_t i = 0; i < rest; i += lanes) add_products(sums, load(weights, i), load(column, first + i));
+  Complex total = 0.0;
+  for (std::size_t i = 0; i < lanes; ++i) total += sums[i];
+  for (std::size_t i = rest; i < weights.size(); ++i) total += weights[i] * column[first + i];
+  return total;
+}
+
+void KernelBatch::resize(std::size_t size) {
+  for (ComplexColumn* column : {&soft, &hard, &axial, &end}) column->resize(size);
+}
+
+void KernelBatch::set(std::size_t i, const StripKernels& kernels) {
+  soft.set(i, kernels.current.soft);
+  hard.set(i, kernels.current.hard);
+  axial.set(i, kernels.current.axial);
+  end.set(i, kernels.end);
+}
 
 // Kouyoumjian and Pathak (1974) with the observer on the face, phi = 0: N is the nearest integer to (phi' +- pi) / (2 pi n).
 Strip::Term Strip::term(double n, double source, int sign) {
@@ -41,19 +93,22 @@ Strip::Strip(double n, FaceIncidence incidence, double half_cosine) : half_cosin
     terms_[0] = {terms_[0].strength + terms_[1].strength, terms_[0].distance, 0.0};
     term_count_ = 1;
   }
-  if (n != 2.0) add_local_part(n, incidence);
+  has_local_part_ = n != 2.0;
+  if (has_local_part_) find_local_part(n, incidence);
 }
 
-// The kernels of an endless strip, exact (Michaeli 1986) minus uniform.
-void Strip::add_local_part(double n, const FaceIncidence& incidence) {
+double Strip::total_strength() const { return terms_[0].strength + (term_count_ == 2 ? terms_[1].strength : 0.0); }
+
+// The kernels of an endless strip, exact (Michaeli 1986) minus uniform; both are real.
+void Strip::find_local_part(double n, const FaceIncidence& incidence) {
   const FringeKernels exact = fringe_kernels(n, incidence, glance_at(half_cosine_));
   const FringeKernels uniform = endless().current;
-  const double step = (incidence.lit ? 1.0 : 0.0) - 1 / n + total_strength(terms_, term_count_);
-  local_ = {exact.soft - uniform.soft, exact.hard - uniform.hard, step};
+  const double step = (incidence.lit ? 1.0 : 0.0) - 1 / n + total_strength();
+  local_ = {exact.soft.real() - uniform.soft.real(), exact.hard.real() - uniform.hard.real(), step};
 }
 
 StripKernels Strip::endless() const {
-  Complex soft = local_.soft, hard = local_.hard;
+  double soft = local_.soft, hard = local_.hard;
   for (int i = 0; i < term_count_; ++i) {
     const Term& t = terms_[i];
     const double sum = t.distance + half_cosine_;
@@ -61,29 +116,97 @@ StripKernels Strip::endless() const {
     soft -= 2 * t.strength * t.slope / sum;
   }
   const double mu = 1 - 2 * half_cosine_ * half_cosine_;
-  const Complex axial = mu * hard - total_strength(terms_, term_count_) + local_.axial;
-  return {{soft, hard, axial}, 0.0, 0.0};
+  return {{soft, hard, mu * hard - total_strength() + local_.axial}, 0.0};
 }
 
-StripKernels Strip::at(double length) const {
-  if (std::isinf(length)) return endless();
-  const double root = std::sqrt(2 * length), h = half_cosine_, x = h * root;
-  const Complex here = scaled_erfc(x), decay = std::polar(1.0, -x * x), ratio = erf_over(x, here, decay);
-  // Of the local part, which lives within xi < 1 of the edge; all of it, to rounding, on a strip of six wavelengths.
-  const double reached = length > 37.0 ? 1.0 : -std::expm1(-length);
-  Complex soft = reached * local_.soft, hard = reached * local_.hard, arriving = 0.0;
-  for (int i = 0; i < term_count_; ++i) {
-    const Term& t = terms_[i];
-    const double boundary = t.distance * root;
-    const Complex there = scaled_erfc(boundary), difference = decay * divided_difference(boundary, x, there, here);
-    const double share = t.strength / (t.distance + h);
-    hard -= 0.5 * share * root * (ratio + difference);
-    soft += 2 * share * t.slope * (boundary * difference - x * ratio);
-    arriving += t.strength * there;
+struct Strip::Observer {
+  Reals root, x;
+  Complexes value, decay, ratio;
+};
+
+Strip::Observer Strip::observer(const Reals& length) const {
+  Observer result;
+  Reals angle;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    result.root[i] = std::sqrt(2 * length[i]);
+    result.x[i] = half_cosine_ * result.root[i];
+    angle[i] = -2 * half_cosine_ * half_cosine_ * length[i];
   }
-  const double mu = 1 - 2 * h * h;
-  const Complex axial = mu * hard + decay * arriving - total_strength(terms_, term_count_) + reached * local_.axial;
-  return {{soft, hard, axial}, decay, arriving};
+  result.value = scaled_erfc(result.x);
+  result.decay = unit_phasors(angle);
+  result.ratio = erf_over(result.x, result.value, result.decay);
+  return result;
+}
+
+/// G_s, G_h, G_x and, first T, then D T.
+struct Strip::Sums {
+  Complexes soft, hard, axial, end;
+};
+
+// One diffracted wave's share of G_h and G_s, and of T in sum.end.
+void Strip::add(const Term& t, const Observer& at, Sums& sum) const {
+  Reals boundary;
+  for (std::size_t i = 0; i < lanes; ++i) boundary[i] = t.distance * at.root[i];
+  const Complexes there = scaled_erfc(boundary), quotient = divided_difference(boundary, at.x, there, at.value);
+  Complexes hard, soft;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const Complex difference = at.decay[i] * quotient[i], ratio = at.ratio[i];
+    hard.set(i, at.root[i] * (ratio + difference));
+    soft.set(i, boundary[i] * difference - at.x[i] * ratio);
+  }
+  const double share = t.strength / (t.distance + half_cosine_);
+  add_scaled(sum.hard, -0.5 * share, hard);
+  add_scaled(sum.soft, 2 * share * t.slope, soft);
+  add_scaled(sum.end, t.strength, there);
+}
+
+// Of the local part, which lives within xi < 1 of the edge, what a strip of this length has.
+void Strip::add_local(const Reals& length, Sums& sum) const {
+  const Reals reached = one_minus_exp(length);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    sum.soft.re[i] += local_.soft * reached[i];
+    sum.hard.re[i] += local_.hard * reached[i];
+    sum.axial.re[i] += local_.axial * reached[i];
+  }
+}
+
+Strip::Sums Strip::sums(const Reals& length) const {
+  const Observer at = observer(length);
+  Sums sum{};
+  for (int i = 0; i < term_count_; ++i) add(terms_[i], at, sum);
+  Complexes end{};
+  add_products(end, at.decay, sum.end);
+  sum.end = sum.axial = end;
+  for (std::size_t i = 0; i < lanes; ++i) sum.axial.re[i] -= total_strength();
+  if (has_local_part_) add_local(length, sum);
+  add_scaled(sum.axial, 1 - 2 * half_cosine_ * half_cosine_, sum.hard);
+  return sum;
+}
+
+// Lengths past the end and endless ones are 1 here, so that every lane stays finite.
+void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const {
+  for (std::size_t first = 0; first < lengths.size(); first += lanes) {
+    Reals block;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double length = first + i < lengths.size() ? lengths[first + i] : 1.0;
+      block[i] = std::isinf(length) ? 1.0 : length;
+    }
+    const Sums found = sums(block);
+    store(found.soft, batch.soft, first);
+    store(found.hard, batch.hard, first);
+    store(found.axial, batch.axial, first);
+    store(found.end, batch.end, first);
+  }
+}
+
+void Strip::at(std::span<const double> lengths, KernelBatch& batch) const {
+  const auto is_endless = [](double length) { return std::isinf(length); };
+  batch.resize(lengths.size());
+  if (!std::ranges::all_of(lengths, is_endless)) finite_at(lengths, batch);
+  if (std::ranges::none_of(lengths, is_endless)) return;
+  const StripKernels without_end = endless();
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    if (is_endless(lengths[i])) batch.set(i, without_end);
 }
 
 }  // namespace raytube

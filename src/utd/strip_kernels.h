@@ -5,17 +5,40 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "utd/edge_currents.h"
+#include "utd/lanes.h"
 
 namespace raytube {
 
 /// One strip: integrals over the fringe current for unit E or eta H along the edge, as FringeKernels are for an endless one,
-/// and the current that arrives at the end.
+/// and half the hard fringe current at the end, with the phase of what radiates from there: H_fr(X) e^{jX mu} / 2.
 struct StripKernels {
   FringeKernels current;
-  Complex end_phase;  // e^{jX(mu - 1)}: phase of what radiates from the end, relative to the start
-  Complex arriving;   // H_fr(X) e^{jX} / 2: the hard fringe current at the end, without the phase of the way there
+  Complex end;
+};
+
+/// Complex numbers in a row, real and imaginary parts apart, with room for a whole number of blocks of `lanes`.
+struct ComplexColumn {
+  std::vector<double> re, im;
+
+  void resize(std::size_t size);
+  Complex operator[](std::size_t i) const { return {re[i], im[i]}; }
+  void set(std::size_t i, Complex value);
+};
+
+/// Sum of weights[i] column[first + i], in an order that depends on their number alone.
+Complex weighted_sum(const ComplexColumn& column, std::size_t first, std::span<const Complex> weights);
+
+/// The kernels of many strips, as StripKernels are of one.
+struct KernelBatch {
+  ComplexColumn soft, hard, axial, end;
+
+  void resize(std::size_t size);
+  StripKernels operator[](std::size_t i) const { return {{soft[i], hard[i], axial[i]}, end[i]}; }
+  void set(std::size_t i, const StripKernels& kernels);
 };
 
 /// Everything about a strip but its electrical length.
@@ -23,8 +46,8 @@ class Strip {
  public:
   Strip(double n, FaceIncidence incidence, double half_cosine);
 
-  /// `length` is X; infinity gives the kernels of the endless strip.
-  StripKernels at(double length) const;
+  /// Kernels for every length X; infinity gives those of the endless strip. What a length gives is independent of the others.
+  void at(std::span<const double> lengths, KernelBatch& batch) const;
 
  private:
   /// A diffracted wave on the face: B e^{j xi cos(beta)} erfc(e^{j pi/4} sqrt(2 xi) c), c = |cos(beta/2)|.
@@ -33,14 +56,26 @@ class Strip {
     double distance;  // c, 0 on the boundary of the incident or reflected wave
     double slope;     // dc/dphi'
   };
+  /// What all terms of a block share: r = sqrt(2X), x = rh, W(x), e^{-jx^2} and erf(e^{j pi/4} x) / x.
+  struct Observer;
+  struct Sums;
   static Term term(double n, double source, int sign);
-  void add_local_part(double n, const FaceIncidence& incidence);
+  void find_local_part(double n, const FaceIncidence& incidence);
+  double total_strength() const;
   StripKernels endless() const;
+  Observer observer(const Reals& length) const;
+  void add(const Term& term, const Observer& at, Sums& sum) const;
+  void add_local(const Reals& length, Sums& sum) const;
+  Sums sums(const Reals& length) const;
+  void finite_at(std::span<const double> lengths, KernelBatch& batch) const;
 
   std::array<Term, 2> terms_{};
   int term_count_ = 2;
   double half_cosine_;
-  FringeKernels local_{};  // exact minus uniform current of the endless strip
+  bool has_local_part_ = false;
+  struct {
+    double soft = 0.0, hard = 0.0, axial = 0.0;
+  } local_;  // exact minus uniform current of the endless strip
 };
 
 }  // namespace raytube

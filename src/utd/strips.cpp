@@ -68,11 +68,17 @@ void StripWalk::follow(int level, const StripWave& wave) {
 void StripWalk::find_ends(Step& step, const StripWave& wave) const {
   step.lengths.clear();
   step.exits.clear();
+  step.kernel.clear();
+  step.distinct.clear();
   std::optional<FaceExit> exit;
   for (std::size_t i = 0; i < step.points.size(); ++i) {
     if (i == 0 || step.panels[i] != step.panels[i - 1]) exit = strip_end(wedges_, outlines_, wave, step.points[i]);
+    const double length = exit ? exit->edge->distance(step.points[i], wave.direction) : std::numeric_limits<double>::infinity();
     step.exits.push_back(exit ? exit->edge : nullptr);
-    step.lengths.push_back(exit ? exit->edge->distance(step.points[i], wave.direction) : std::numeric_limits<double>::infinity());
+    step.lengths.push_back(length);
+    const double last = step.distinct.empty() ? -1.0 : step.distinct.back();
+    if (length != last && !(std::abs(length - last) < same_length * length)) step.distinct.push_back(length);
+    step.kernel.push_back(step.distinct.size() - 1);
   }
 }
 
@@ -81,11 +87,11 @@ void StripWalk::radiate(int level, const StripWave& wave) {
   const WedgeFace& face = wedge.faces[wave.face];
   const FaceIncidence& incidence = wave.incidence;
   const double half_cosine = glance_half_cosine(face, incidence, look_.scattered);
-  const Strip strip(wedge.n, incidence, half_cosine);
-  const SplitKernels endless = level == 0 ? split_kernels(wedge.n, incidence, half_cosine) : SplitKernels{};
+  find_kernels(Strip(wedge.n, incidence, half_cosine), incidence, steps_[level]);
+  if (level == 0) bound_endless(split_kernels(wedge.n, incidence, half_cosine), face.width, steps_[level]);
   steps_[level].arriving.resize(steps_[level].amplitudes.size());
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-    const FringeKernels sum = integrate(f, strip, endless, wave, steps_[level], level == 0);
+    const FringeKernels sum = integrate(f, steps_[level]);
     Response& response = responses_[level == 0 ? 0 : 1][f];
     for (int receive = 0; receive < 2; ++receive) {
       const double across = wave.sign * glm::dot(look_.receive[receive], face.into_face) / (2 * pi * incidence.sin_cone);
@@ -97,30 +103,37 @@ void StripWalk::radiate(int level, const StripWave& wave) {
   }
 }
 
-FringeKernels StripWalk::integrate(std::size_t frequency, const Strip& strip, const SplitKernels& endless, const StripWave& wave,
-                                   Step& step, bool direct) {
-  const std::size_t count = step.points.size();
-  const double k = wavenumbers_[frequency], scale = k * wave.incidence.sin_cone * wave.incidence.sin_cone;
-  FringeKernels sum{};
-  StripKernels kernels{};
-  double known = -1.0;  // the length `kernels` belong to
-  for (std::size_t i = 0; i < count; ++i) {
-    const double length = step.lengths[i];
-    const Complex amplitude = step.amplitudes[frequency * count + i];
-    if (length != known && !(std::abs(length - known) < same_length * length)) {
-      kernels = strip.at(scale * length);
-      if (direct && std::isinf(length) && endless.active) {
-        const WindowedPole window = windowed_pole(endless.angle, k, wedges_[wave.wedge].faces[wave.face].width);
-        kernels.current = endless.regular;
-        add_product(kernels.current, endless.pole, window.value);
-        if (window.touched) sums_.windowed[frequency] = true;
-      }
-      known = length;
-    }
-    add_product(sum, kernels.current, amplitude);
-    step.arriving[frequency * count + i] = amplitude * kernels.end_phase * kernels.arriving;
+// Frequency after frequency, distinct length after distinct length.
+void StripWalk::find_kernels(const Strip& strip, const FaceIncidence& incidence, const Step& step) {
+  lengths_.clear();
+  for (const double k : wavenumbers_)
+    for (const double length : step.distinct) lengths_.push_back(k * incidence.sin_cone * incidence.sin_cone * length);
+  strip.at(lengths_, kernels_);
+}
+
+void StripWalk::bound_endless(const SplitKernels& endless, double face_width, const Step& step) {
+  if (!endless.active) return;
+  for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    if (!std::isinf(lengths_[i])) continue;
+    const std::size_t frequency = i / step.distinct.size();
+    const WindowedPole window = windowed_pole(endless.angle, wavenumbers_[frequency], face_width);
+    FringeKernels current = endless.regular;
+    add_product(current, endless.pole, window.value);
+    kernels_.set(i, {current, 0.0});
+    if (window.touched) sums_.windowed[frequency] = true;
   }
-  return sum;
+}
+
+FringeKernels StripWalk::integrate(std::size_t frequency, Step& step) {
+  const std::size_t count = step.points.size(), first = frequency * step.distinct.size();
+  weights_.assign(step.distinct.size(), 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Complex amplitude = step.amplitudes[frequency * count + i];
+    weights_[step.kernel[i]] += amplitude;
+    step.arriving[frequency * count + i] = amplitude * kernels_.end[first + step.kernel[i]];
+  }
+  return {weighted_sum(kernels_.soft, first, weights_), weighted_sum(kernels_.hard, first, weights_),
+          weighted_sum(kernels_.axial, first, weights_)};
 }
 
 // Moves the points from `first` on that leave at the same edge to the next step.

@@ -38,7 +38,9 @@ class StripWalk {
     std::vector<Complex> amplitudes;    // weight, field and phase of unit eta H along the edge
     std::vector<double> lengths;
     std::vector<const OutlineEdge*> exits;
-    std::vector<Complex> arriving;  // at the far ends
+    std::vector<double> distinct;     // lengths, of strips in a row that are alike one alone ...
+    std::vector<std::size_t> kernel;  // ... and which of them a point has
+    std::vector<Complex> arriving;    // at the far ends
   };
   /// S of one face for unit E and eta H along its edge, per receive polarisation.
   struct Response {
@@ -49,8 +51,9 @@ class StripWalk {
   void follow(int level, const StripWave& wave);
   void find_ends(Step& step, const StripWave& wave) const;
   void radiate(int level, const StripWave& wave);
-  FringeKernels integrate(std::size_t frequency, const Strip& strip, const SplitKernels& endless, const StripWave& wave,
-                          Step& step, bool direct);
+  void find_kernels(const Strip& strip, const FaceIncidence& incidence, const Step& step);
+  void bound_endless(const SplitKernels& endless, double face_width, const Step& step);
+  FringeKernels integrate(std::size_t frequency, Step& step);
   void pass_on(int level, const StripWave& wave);
   void gather(int level, std::size_t first, const dvec3& direction);
   void collect(const FaceIncidence& incidence);
@@ -63,6 +66,9 @@ class StripWalk {
   PanelPlacer placer_;
   std::vector<EdgePoint> points_;
   std::vector<Step> steps_;
+  std::vector<double> lengths_;  // X of each kernel
+  KernelBatch kernels_;
+  std::vector<Complex> weights_;
   std::array<std::vector<Response>, 2> responses_;  // of the face at hand: first strips, higher ones
   StripSums sums_;
 };
