@@ -18,6 +18,7 @@ void PanelPlacer::place(const StripWave& wave, std::span<const LitInterval> lit,
   rounding_ = same_place * length;
   points.clear();
   panels_ = 0;
+  runs_along_edge_ = false;
   for (const LitInterval& piece : lit) {
     spans_.clear();
     follow(wave, line, piece.begin * length, piece.end * length, glm::dot(field_.scattered - field_.incident, line.step), 0);
@@ -27,6 +28,7 @@ void PanelPlacer::place(const StripWave& wave, std::span<const LitInterval> lit,
 
 // The strips of a wave from [from, to]: neighbours between projected corners that end at one edge are taken together.
 void PanelPlacer::follow(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level) {
+  if (level + 1 < field_.order) look_aside(wave);
   std::vector<double> cuts;
   project_corners(wave, line, from, to, cuts);
   cuts.push_back(to);
@@ -74,6 +76,11 @@ void PanelPlacer::project_corners(const StripWave& wave, const EdgeLine& line, d
     if (glm::dot(edge.start - line.at(place), wave.direction) > 0.0) cuts.push_back(place);
   }
   std::ranges::sort(cuts);
+}
+
+void PanelPlacer::look_aside(const StripWave& wave) {
+  for (const OutlineEdge& edge : outlines_.around(wedges_[wave.wedge].faces[wave.face]))
+    if (edge.wedge != wave.wedge && std::abs(glm::dot(wave.direction, edge.into_face)) < along_edge) runs_along_edge_ = true;
 }
 
 const OutlineEdge* PanelPlacer::far_edge(const StripWave& wave, const dvec3& point) const {

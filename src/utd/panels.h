@@ -34,6 +34,9 @@ class PanelPlacer {
   /// Fills `points` (cleared first) for the strips that `wave` starts on the lit pieces of its edge.
   void place(const StripWave& wave, std::span<const LitInterval> lit, std::vector<EdgePoint>& points);
 
+  /// Whether, at the last place(), one of the waves that go on to further edges ran exactly along an edge of its face.
+  bool runs_along_edge() const { return runs_along_edge_; }
+
  private:
   /// Places on an edge as a function of the place s on the first edge: origin + s step.
   struct EdgeLine {
@@ -52,6 +55,7 @@ class PanelPlacer {
   void end(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level,
            const OutlineEdge* edge);
   void project_corners(const StripWave& wave, const EdgeLine& line, double from, double to, std::vector<double>& cuts) const;
+  void look_aside(const StripWave& wave);
   const OutlineEdge* far_edge(const StripWave& wave, const dvec3& point) const;
   void fill(const EdgeLine& line, std::vector<EdgePoint>& points);
   Panel panel(double from, double to) const;
@@ -64,6 +68,7 @@ class PanelPlacer {
   std::vector<double> cuts_;
   std::vector<PanelPoint> rule_;
   std::uint32_t panels_ = 0;
+  bool runs_along_edge_ = false;
 };
 
 }  // namespace raytube

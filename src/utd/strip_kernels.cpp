@@ -14,6 +14,8 @@ namespace {
 constexpr double half_cosine_floor = 2e-5;
 // Source in the plane of the face: phi' keeps to its own side of pi by at least the lit threshold.
 constexpr double closest_to_plane = lit_threshold;
+// The soft current is singular at its edge, as 1/r; a strip without length starts and ends there.
+constexpr double shortest_root = 1e-9;
 
 void add_products(Complexes& sum, const Complexes& a, const Complexes& b) {
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -65,7 +67,7 @@ Complex weighted_sum(const ComplexColumn& column, std::size_t first, std::span<c
 }
 
 void KernelBatch::resize(std::size_t size) {
-  for (ComplexColumn* column : {&soft, &hard, &axial, &end}) column->resize(size);
+  for (ComplexColumn* column : {&soft, &hard, &axial, &end, &soft_end}) column->resize(size);
 }
 
 void KernelBatch::set(std::size_t i, const StripKernels& kernels) {
@@ -73,6 +75,7 @@ void KernelBatch::set(std::size_t i, const StripKernels& kernels) {
   hard.set(i, kernels.current.hard);
   axial.set(i, kernels.current.axial);
   end.set(i, kernels.end);
+  soft_end.set(i, kernels.soft_end);
 }
 
 // Kouyoumjian and Pathak (1974) with the observer on the face, phi = 0: N is the nearest integer to (phi' +- pi) / (2 pi n).
@@ -116,7 +119,7 @@ StripKernels Strip::endless() const {
     soft -= 2 * t.strength * t.slope / sum;
   }
   const double mu = 1 - 2 * half_cosine_ * half_cosine_;
-  return {{soft, hard, mu * hard - total_strength() + local_.axial}, 0.0};
+  return {{soft, hard, mu * hard - total_strength() + local_.axial}, 0.0, 0.0};
 }
 
 struct Strip::Observer {
@@ -138,12 +141,34 @@ Strip::Observer Strip::observer(const Reals& length) const {
   return result;
 }
 
-/// G_s, G_h, G_x and, first T, then D T.
+/// G_s, G_h, G_x and, first T, then D T; the same of the soft current.
 struct Strip::Sums {
-  Complexes soft, hard, axial, end;
+  Complexes soft, hard, axial, end, soft_end;
 };
 
-// One diffracted wave's share of G_h and G_s, and of T in sum.end.
+// W'(x) = 2jxW - 2 e^{j pi/4} / sqrt(pi)
+Complexes slope_of_erfc(const Reals& x, const Complexes& value) {
+  constexpr double side = std::numbers::sqrt2 * std::numbers::inv_sqrtpi;
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    result.re[i] = -2 * x[i] * value.im[i] - side;
+    result.im[i] = 2 * x[i] * value.re[i] - side;
+  }
+  return result;
+}
+
+// 2j D / r, for the end of the soft current.
+Complexes Strip::soft_phase(const Observer& at) {
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double scale = 2 / (at.root[i] > shortest_root ? at.root[i] : shortest_root);
+    result.re[i] = -scale * at.decay.im[i];
+    result.im[i] = scale * at.decay.re[i];
+  }
+  return result;
+}
+
+// One diffracted wave's share of G_h and G_s, and of T in sum.end, sum.soft_end.
 void Strip::add(const Term& t, const Observer& at, Sums& sum) const {
   Reals boundary;
   for (std::size_t i = 0; i < lanes; ++i) boundary[i] = t.distance * at.root[i];
@@ -158,6 +183,7 @@ void Strip::add(const Term& t, const Observer& at, Sums& sum) const {
   add_scaled(sum.hard, -0.5 * share, hard);
   add_scaled(sum.soft, 2 * share * t.slope, soft);
   add_scaled(sum.end, t.strength, there);
+  if (t.slope != 0.0) add_scaled(sum.soft_end, t.strength * t.slope, slope_of_erfc(boundary, there));
 }
 
 // Of the local part, which lives within xi < 1 of the edge, what a strip of this length has.
@@ -174,8 +200,10 @@ Strip::Sums Strip::sums(const Reals& length) const {
   const Observer at = observer(length);
   Sums sum{};
   for (int i = 0; i < term_count_; ++i) add(terms_[i], at, sum);
-  Complexes end{};
+  Complexes end{}, soft_end{};
   add_products(end, at.decay, sum.end);
+  if (term_count_ == 2) add_products(soft_end, soft_phase(at), sum.soft_end);
+  sum.soft_end = soft_end;
   sum.end = sum.axial = end;
   for (std::size_t i = 0; i < lanes; ++i) sum.axial.re[i] -= total_strength();
   if (has_local_part_) add_local(length, sum);
@@ -196,6 +224,7 @@ void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const
     store(found.hard, batch.hard, first);
     store(found.axial, batch.axial, first);
     store(found.end, batch.end, first);
+    store(found.soft_end, batch.soft_end, first);
   }
 }
 

@@ -14,10 +14,11 @@
 namespace raytube {
 
 /// One strip: integrals over the fringe current for unit E or eta H along the edge, as FringeKernels are for an endless one,
-/// and half the hard fringe current at the end, with the phase of what radiates from there: H_fr(X) e^{jX mu} / 2.
+/// and half the fringe current at the end, with the phase of what radiates from there: H_fr(X) e^{jX mu} / 2 of the hard current
+/// and, over cos(beta'), the part of the soft one that flows along the strip.
 struct StripKernels {
   FringeKernels current;
-  Complex end;
+  Complex end, soft_end;
 };
 
 /// Complex numbers in a row, real and imaginary parts apart, with room for a whole number of blocks of `lanes`.
@@ -34,10 +35,10 @@ Complex weighted_sum(const ComplexColumn& column, std::size_t first, std::span<c
 
 /// The kernels of many strips, as StripKernels are of one.
 struct KernelBatch {
-  ComplexColumn soft, hard, axial, end;
+  ComplexColumn soft, hard, axial, end, soft_end;
 
   void resize(std::size_t size);
-  StripKernels operator[](std::size_t i) const { return {{soft[i], hard[i], axial[i]}, end[i]}; }
+  StripKernels operator[](std::size_t i) const { return {{soft[i], hard[i], axial[i]}, end[i], soft_end[i]}; }
   void set(std::size_t i, const StripKernels& kernels);
 };
 
@@ -64,6 +65,7 @@ class Strip {
   double total_strength() const;
   StripKernels endless() const;
   Observer observer(const Reals& length) const;
+  static Complexes soft_phase(const Observer& at);
   void add(const Term& term, const Observer& at, Sums& sum) const;
   void add_local(const Reals& length, Sums& sum) const;
   Sums sums(const Reals& length) const;

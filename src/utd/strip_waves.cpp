@@ -4,8 +4,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double flattest_link = 1.02;    // n of an edge that is next to no edge at all
-constexpr double shallowest_link = 1e-3;  // sine between the arriving strip and the edge: the wave runs along it, not over it
+constexpr double flattest_link = 1.02;  // n of an edge that is next to no edge at all
 
 // The arriving strip as a wave that grazes one face of the next wedge: its own (phi' = 0) or the other one (phi' = n pi).
 FaceIncidence grazing_incidence(const Wedge& wedge, int face, bool own, const dvec3& direction, double sine) {
@@ -37,7 +36,7 @@ std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedg
   if (edge.wedge == no_index) return std::nullopt;
   const Wedge& next = wedges[edge.wedge];
   const double sine = -glm::dot(wave.direction, edge.into_face);
-  if (next.n < flattest_link || sine < shallowest_link) return std::nullopt;
+  if (next.n < flattest_link || sine < along_edge) return std::nullopt;
   const int own = edge.wedge_face, other = 1 - own;
   // t of the other face is opposite, and so is H along it.
   return std::array{

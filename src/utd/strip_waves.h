@@ -10,6 +10,9 @@
 
 namespace raytube {
 
+/// Sine between a strip and an edge below which the strip runs along the edge.
+inline constexpr double along_edge = 1e-6;
+
 /// A wave that starts strips on one face of one wedge.
 struct StripWave {
   std::uint32_t wedge = no_index;

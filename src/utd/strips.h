@@ -31,32 +31,38 @@ class StripWalk {
   StripSums take() { return std::move(sums_); }
 
  private:
-  /// The points from which the strips of one step of a walk start. Amplitudes: frequency after frequency, point after point.
+  /// The points from which the strips of one step of a walk start. Amplitudes per transmit polarisation: weight, phase and eta H
+  /// along the edge; frequency after frequency, point after point.
   struct Step {
     std::vector<dvec3> points;
     std::vector<std::uint32_t> panels;  // points of one panel leave at one edge
-    std::vector<Complex> amplitudes;    // weight, field and phase of unit eta H along the edge
+    std::array<std::vector<Complex>, 2> amplitudes;
     std::vector<double> lengths;
     std::vector<const OutlineEdge*> exits;
-    std::vector<double> distinct;     // lengths, of strips in a row that are alike one alone ...
-    std::vector<std::size_t> kernel;  // ... and which of them a point has
-    std::vector<Complex> arriving;    // at the far ends
+    std::vector<double> distinct;                  // lengths, of strips in a row that are alike one alone ...
+    std::vector<std::size_t> kernel;               // ... and which of them a point has
+    std::array<std::vector<Complex>, 2> arriving;  // at the far ends
   };
-  /// S of one face for unit E and eta H along its edge, per receive polarisation.
-  struct Response {
-    std::array<Complex, 2> soft{}, hard{};
+  /// S of one face for unit kernels, per receive polarisation.
+  struct Projection {
+    std::array<double, 2> across, along;
   };
 
   void start(const StripWave& wave, std::span<const LitInterval> lit);
+  void place(const StripWave& wave, std::span<const LitInterval> lit);
   void follow(int level, const StripWave& wave);
   void find_ends(Step& step, const StripWave& wave) const;
-  void radiate(int level, const StripWave& wave);
-  void find_kernels(const Strip& strip, const FaceIncidence& incidence, const Step& step);
-  void bound_endless(const SplitKernels& endless, double face_width, const Step& step);
-  FringeKernels integrate(std::size_t frequency, Step& step);
+  void find_kernels(const StripWave& wave, const Step& step);
+  void bound_endless(const StripWave& wave, const Step& step);
+  Projection projection(const StripWave& wave) const;
+  void radiate_direct(const StripWave& wave);
+  void radiate(const StripWave& wave, Step& step);
+  void go_beyond(const StripWave& wave, std::span<const LitInterval> lit);
+  void excite_far_edges(const StripWave& wave, double share);
   void pass_on(int level, const StripWave& wave);
   void gather(int level, std::size_t first, const dvec3& direction);
-  void collect(const FaceIncidence& incidence);
+  void weigh(std::span<const Complex> amplitudes, const Step& step);
+  Complex sum(const ComplexColumn& kernels, std::size_t frequency) const;
 
   std::span<const Wedge> wedges_;
   const Outlines& outlines_;
@@ -68,8 +74,8 @@ class StripWalk {
   std::vector<Step> steps_;
   std::vector<double> lengths_;  // X of each kernel
   KernelBatch kernels_;
-  std::vector<Complex> weights_;
-  std::array<std::vector<Response>, 2> responses_;  // of the face at hand: first strips, higher ones
+  std::vector<Complex> direct_;   // weight and phase of the points of the first strips
+  std::vector<Complex> weights_;  // of each distinct length
   StripSums sums_;
 };
 
