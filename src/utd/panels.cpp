@@ -21,14 +21,14 @@ void PanelPlacer::place(const StripWave& wave, std::span<const LitInterval> lit,
   runs_along_edge_ = false;
   for (const LitInterval& piece : lit) {
     spans_.clear();
-    follow(wave, line, piece.begin * length, piece.end * length, glm::dot(field_.scattered - field_.incident, line.step), 0);
+    follow(wave, line, piece.begin * length, piece.end * length, glm::dot(field_.scattered - field_.incident, line.step));
     fill(line, points);
   }
 }
 
 // The strips of a wave from [from, to]: neighbours between projected corners that end at one edge are taken together.
-void PanelPlacer::follow(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level) {
-  if (level + 1 < field_.order) look_aside(wave);
+void PanelPlacer::follow(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate) {
+  if (wave.left > 1) look_aside(wave);
   std::vector<double> cuts;
   project_corners(wave, line, from, to, cuts);
   cuts.push_back(to);
@@ -37,16 +37,16 @@ void PanelPlacer::follow(const StripWave& wave, const EdgeLine& line, double fro
   for (const double cut : cuts) {
     const OutlineEdge* here = far_edge(wave, line.at((last + cut) / 2));
     if (last > begin && here != edge) {
-      end(wave, line, begin, last, path_rate, level, edge);
+      end(wave, line, begin, last, path_rate, edge);
       begin = last;
     }
     edge = here;
     last = cut;
   }
-  end(wave, line, begin, to, path_rate, level, edge);
+  end(wave, line, begin, to, path_rate, edge);
 }
 
-void PanelPlacer::end(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level,
+void PanelPlacer::end(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate,
                       const OutlineEdge* edge) {
   if (!edge) {
     spans_.push_back({from, to, std::abs(path_rate), 0.0, {false, false}});
@@ -58,11 +58,10 @@ void PanelPlacer::end(const StripWave& wave, const EdgeLine& line, double from, 
   const auto vanishes = [&](double place) { return std::abs(length + growth * place) < rounding_; };
   spans_.push_back(
       {from, to, std::max(std::abs(path_rate), std::abs(end_rate)), std::abs(growth), {vanishes(from), vanishes(to)}});
-  if (level + 1 == field_.order) return;
   const auto next = waves_beyond(wedges_, wave, *edge);
   if (!next) return;
   const EdgeLine there{line.origin + length * wave.direction, line.step + growth * wave.direction};
-  for (const StripWave& beyond : *next) follow(beyond, there, from, to, end_rate, level + 1);
+  for (const StripWave& beyond : *next) follow(beyond, there, from, to, end_rate);
 }
 
 void PanelPlacer::project_corners(const StripWave& wave, const EdgeLine& line, double from, double to,

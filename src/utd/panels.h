@@ -20,11 +20,10 @@ struct EdgePoint {
 struct PanelField {
   dvec3 incident, scattered;  // s', s
   double wavelength;
-  int order;  // strips one after another
 };
 
-/// Cuts the lit pieces of an edge into panels, on each of which every strip, the first and those that follow from it up to
-/// `order`, ends at one edge: there its length is linear in the place on the first edge, and a Gauss rule converges fast. The
+/// Cuts the lit pieces of an edge into panels, on each of which every strip, the first and those that follow from it,
+/// ends at one edge: there its length is linear in the place on the first edge, and a Gauss rule converges fast. The
 /// cuts are the corners of all faces passed, projected back along the strips.
 class PanelPlacer {
  public:
@@ -51,9 +50,8 @@ class PanelPlacer {
     std::array<bool, 2> vanishes;  // the strips' length, at `from` and at `to`
   };
 
-  void follow(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level);
-  void end(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, int level,
-           const OutlineEdge* edge);
+  void follow(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate);
+  void end(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate, const OutlineEdge* edge);
   void project_corners(const StripWave& wave, const EdgeLine& line, double from, double to, std::vector<double>& cuts) const;
   void look_aside(const StripWave& wave);
   const OutlineEdge* far_edge(const StripWave& wave, const dvec3& point) const;

@@ -1,10 +1,13 @@
 #include "utd/strip_waves.h"
 
+#include <cmath>
+
 namespace raytube {
 
 namespace {
 
-constexpr double flattest_link = 1.02;  // n of an edge that is next to no edge at all
+constexpr double thinnest = 2.0 - 1e-9;  // n of a wedge that is not a sheet, met over both sides at once
+constexpr double flattest_link = 1.02;   // n of an edge that is next to no edge at all
 
 // The arriving strip as a wave that grazes one face of the next wedge: its own (phi' = 0) or the other one (phi' = n pi).
 FaceIncidence grazing_incidence(const Wedge& wedge, int face, bool own, const dvec3& direction, double sine) {
@@ -17,11 +20,17 @@ FaceIncidence grazing_incidence(const Wedge& wedge, int face, bool own, const dv
   return result;
 }
 
+dvec3 strip_direction(const WedgeFace& face, const FaceIncidence& incidence) {
+  return incidence.sin_cone * face.into_face + incidence.cos_cone * incidence.tangent;
+}
+
 }  // namespace
 
-StripWave strip_wave(std::span<const Wedge> wedges, std::uint32_t wedge, int face, const FaceIncidence& incidence, double sign) {
-  const dvec3 direction = incidence.sin_cone * wedges[wedge].faces[face].into_face + incidence.cos_cone * incidence.tangent;
-  return {wedge, face, incidence, sign, direction};
+StripWave first_wave(std::span<const Wedge> wedges, std::uint32_t wedge, int face, const FaceIncidence& incidence,
+                     const dvec3& incident, int order) {
+  const WedgeFace& lit = wedges[wedge].faces[face];
+  const bool grazes = std::abs(glm::dot(incident, lit.normal)) <= lit_threshold;
+  return {wedge, face, incidence, 1.0, order, grazes, strip_direction(lit, incidence)};
 }
 
 std::optional<FaceExit> strip_end(std::span<const Wedge> wedges, const Outlines& outlines, const StripWave& wave,
@@ -35,13 +44,17 @@ std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedg
                                                      const OutlineEdge& edge) {
   if (edge.wedge == no_index) return std::nullopt;
   const Wedge& next = wedges[edge.wedge];
+  const bool anew = wave.lights_far_edges && next.n < thinnest;
+  const int left = anew ? wave.left : wave.left - 1;
+  if (left == 0) return std::nullopt;
   const double sine = -glm::dot(wave.direction, edge.into_face);
   if (next.n < flattest_link || sine < along_edge) return std::nullopt;
-  const int own = edge.wedge_face, other = 1 - own;
+  const auto beyond = [&](int face, bool own, double sign) {
+    const FaceIncidence incidence = grazing_incidence(next, face, own, wave.direction, sine);
+    return StripWave{edge.wedge, face, incidence, sign, left, false, strip_direction(next.faces[face], incidence)};
+  };
   // t of the other face is opposite, and so is H along it.
-  return std::array{
-      strip_wave(wedges, edge.wedge, own, grazing_incidence(next, own, true, wave.direction, sine), -wave.sign),
-      strip_wave(wedges, edge.wedge, other, grazing_incidence(next, other, false, wave.direction, sine), wave.sign)};
+  return std::array{beyond(edge.wedge_face, true, -wave.sign), beyond(1 - edge.wedge_face, false, wave.sign)};
 }
 
 }  // namespace raytube

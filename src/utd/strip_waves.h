@@ -18,20 +18,23 @@ struct StripWave {
   std::uint32_t wedge = no_index;
   int face = 0;
   FaceIncidence incidence;
-  double sign = 1.0;  // of H along the edge, against that of the wave it came from
-  dvec3 direction;    // sigma, in the face: of the glancing ray the strips follow
+  double sign = 1.0;              // of H along the edge, against that of the wave it came from
+  int left = 1;                   // strips one after another that are still followed, this one included
+  bool lights_far_edges = false;  // the incident wave only grazes this face: beyond it the count of strips begins anew
+  dvec3 direction;                // sigma, in the face: of the glancing ray the strips follow
 };
 
-/// The wave that `incidence` starts on faces[face] of a wedge.
-StripWave strip_wave(std::span<const Wedge> wedges, std::uint32_t wedge, int face, const FaceIncidence& incidence, double sign);
+/// The wave that the incident wave starts on faces[face] of a wedge.
+StripWave first_wave(std::span<const Wedge> wedges, std::uint32_t wedge, int face, const FaceIncidence& incidence,
+                     const dvec3& incident, int order);
 
 /// Where the strip of `wave` from `point` ends; none if it runs on for ever, over a smooth crease or because nothing stops it.
 std::optional<FaceExit> strip_end(std::span<const Wedge> wedges, const Outlines& outlines, const StripWave& wave,
                                   const dvec3& point);
 
 /// The waves on both faces of the wedge at a strip's end; none where nothing goes on: at a concave or missing wedge, at one that
-/// is nearly flat, or where the strip arrives along it. The wave there is half of the arriving current (the other half is its own
-/// reflection), E along the edge is none.
+/// is nearly flat, where the strip arrives along it, or when no strips are left. The wave there is half of the arriving current
+/// (the other half is its own reflection), E along the edge is none.
 std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedges, const StripWave& wave,
                                                      const OutlineEdge& edge);
 

@@ -26,8 +26,8 @@ StripWalk::StripWalk(std::span<const Wedge> wedges, const Outlines& outlines, co
       outlines_(outlines),
       look_(look),
       order_(order),
-      placer_(wedges, outlines, {look.incident, look.scattered, wavelength(*std::ranges::max_element(frequencies)), order}),
-      steps_(order) {
+      placer_(wedges, outlines, {look.incident, look.scattered, wavelength(*std::ranges::max_element(frequencies))}),
+      steps_(order + 1) {
   for (const double frequency : frequencies) wavenumbers_.push_back(wavenumber(frequency));
   sums_.first.resize(frequencies.size());
   sums_.higher.resize(frequencies.size());
@@ -38,7 +38,7 @@ void StripWalk::add(std::uint32_t index, const WedgeIncidence& incidence, std::s
   for (int face = 0; face < 2; ++face) {
     const FaceIncidence& arriving = incidence.faces[face];
     if (arriving.sin_cone <= sin_cone_floor) continue;  // along the edge: strips of no width
-    start(strip_wave(wedges_, index, face, arriving, 1.0), lit);
+    start(first_wave(wedges_, index, face, arriving, look_.incident, order_), lit);
   }
 }
 
@@ -46,7 +46,7 @@ void StripWalk::start(const StripWave& wave, std::span<const LitInterval> lit) {
   place(wave, lit);
   bound_endless(wave, steps_[0]);
   radiate_direct(wave);
-  if (order_ > 1) go_beyond(wave, lit);
+  go_beyond(wave, lit);
 }
 
 // The points of the first strips, the ends of these and their kernels.
@@ -89,7 +89,7 @@ void StripWalk::follow(int level, const StripWave& wave) {
   find_ends(steps_[level], wave);
   find_kernels(wave, steps_[level]);
   radiate(wave, steps_[level]);
-  if (level + 1 < order_) pass_on(level, wave);
+  pass_on(level, wave);
 }
 
 void StripWalk::find_ends(Step& step, const StripWave& wave) const {
@@ -242,9 +242,9 @@ void StripWalk::pass_on(int level, const StripWave& wave) {
     const OutlineEdge* edge = steps_[level].exits[i];
     if (!edge) continue;
     const auto next = waves_beyond(wedges_, wave, *edge);
+    if (!next) continue;
     gather(level, i, wave.direction);
-    if (next)
-      for (const StripWave& beyond : *next) follow(level + 1, beyond);
+    for (const StripWave& beyond : *next) follow(level + 1, beyond);
   }
 }
 

@@ -55,15 +55,25 @@ double rms_db(const std::vector<Row>& rows, int channel, Rows which, Wanted want
 
 constexpr int vv = 0, hh = 1;
 
+double relative_error(const std::vector<Row>& rows) {
+  double error = 0.0, size = 0.0;
+  for (const Row& row : rows)
+    for (const int c : {vv, hh}) {
+      error += std::norm(row.computed.at(c, c) - row.reference.at(c, c));
+      size += std::norm(row.reference.at(c, c));
+    }
+  return std::sqrt(error / size);
+}
+
 // Tolerances here and below: accuracy of the theory on faces of 2 to 3 wavelengths as established with an independent
 // implementation, rounded up. The references are good to 0.03 dB. Order 1: 0.60 dB; 0.49, 1.6 dB; 1.08, 1.4 dB.
 TEST(FullWave, PlatePhi0) {
   struct Band {
     double from, to, vv[4], hh[4];  // limits per order, 1 to 3
   };
-  const Band bands[] = {{0, 40, {0, 1.9, 0.6, 0.6}, {0, 0.7, 0.35, 0.3}},
-                        {40, 70, {0, 4.8, 1.4, 1.4}, {0, 1.1, 1.05, 1.0}},
-                        {70, 89, {0, 18, 3.2, 3.2}, {0, 4.0, 2.8, 2.8}}};
+  const Band bands[] = {{0, 40, {0, 1.9, 0.25, 0.15}, {0, 0.7, 0.35, 0.3}},
+                        {40, 70, {0, 4.8, 0.8, 0.45}, {0, 1.1, 1.05, 1.0}},
+                        {70, 89, {0, 18, 3.2, 1.1}, {0, 4.0, 2.8, 2.8}}};
   for (const int order : {1, 2, 3}) {
     const auto rows = solve_cut("plate3", "phi0", 10.0, order);
     for (const Band& band : bands) {
@@ -85,7 +95,7 @@ TEST(FullWave, PlateBistatic) {
     const double error_vv = rms_db(rows, vv, Rows::all, above), error_hh = rms_db(rows, hh, Rows::all, above);
     measured(fmt::format("plate3 from 45 deg, order {}, VV, rms", order).c_str(), error_vv, "dB");
     measured(fmt::format("plate3 from 45 deg, order {}, HH, rms", order).c_str(), error_hh, "dB");
-    EXPECT_LE(error_vv, 0.55);
+    EXPECT_LE(error_vv, order == 2 ? 0.8 : 0.6);  // most of it in one null, 30 dB down
     EXPECT_LE(error_hh, 0.45);
   }
 }
@@ -100,7 +110,7 @@ TEST(FullWave, CubeAzimuth) {
     double vv, hh;
   };
   const auto all = [](const Row&) { return true; };
-  for (const Limit& limit : {Limit{10.0, 1, 0.65, 1.85}, {40.0, 1, 0.6, 1.7}, {40.0, 2, 0.6, 1.05}, {40.0, 3, 0.45, 0.95}}) {
+  for (const Limit& limit : {Limit{10.0, 1, 0.65, 1.85}, {40.0, 1, 0.6, 1.7}, {40.0, 2, 0.34, 0.7}, {40.0, 3, 0.38, 0.65}}) {
     const auto rows = solve_cut("cube2", "az_th90", limit.per_wavelength, limit.order);
     const double error_vv = rms_db(rows, vv, Rows::within_20_db, all), error_hh = rms_db(rows, hh, Rows::within_20_db, all);
     const std::string name =
@@ -122,23 +132,23 @@ TEST(FullWave, DihedralAzimuth) {
   EXPECT_LE(error_hh, 1.4);
 }
 
-TEST(FullWave, ComplexAmplitudesAgreeInSignAndPhase) {
-  // Relative complex error of physical optics with fringe currents; a wrong sign, conjugate or basis gives 1 to 2.
-  for (const auto& [body, cut, order, bound] : {std::tuple{"plate3", "phi0", 1, 0.2},
-                                                {"plate3", "phi0", 2, 0.07},
-                                                {"cube2", "az_th90", 1, 0.3},
-                                                {"cube2", "az_th90", 2, 0.08},
-                                                {"dihedral3", "az_th90", 1, 0.3}}) {
-    double error = 0.0, size = 0.0;
-    for (const Row& row : solve_cut(body, cut, 10.0, order))
-      for (const int c : {vv, hh}) {
-        error += std::norm(row.computed.at(c, c) - row.reference.at(c, c));
-        size += std::norm(row.reference.at(c, c));
-      }
-    measured(fmt::format("{} {}, order {}, VV and HH, relative error of S", body, cut, order).c_str(), std::sqrt(error / size),
-             "");
-    EXPECT_LE(std::sqrt(error / size), bound) << body;
-  }
+TEST(FullWave, ComplexAmplitudes) {
+  // Relative complex error of both co-polar channels over a cut; a wrong sign, conjugate or basis gives 1 to 2. Limits per order:
+  // what each reaches, rounded up.
+  struct Limit {
+    const char *body, *cut;
+    double order[4];
+  };
+  for (const Limit& limit : {Limit{"plate3", "phi0", {0, 0.14, 0.04, 0.03}},
+                             {"plate3", "phi45", {0, 0.10, 0.07, 0.06}},
+                             {"plate3", "bistatic_inc_th45_ph0", {0, 0.3, 0.06, 0.06}},
+                             {"cube2", "az_th90", {0, 0.1, 0.06, 0.06}},
+                             {"dihedral3", "az_th90", {0, 0.3, 0.3, 0.3}}})
+    for (const int order : {1, 2, 3}) {
+      const double error = relative_error(solve_cut(limit.body, limit.cut, 10.0, order));
+      measured(fmt::format("{} {}, order {}, relative error of S", limit.body, limit.cut, order).c_str(), error, "");
+      EXPECT_LE(error, limit.order[order]) << limit.body << ' ' << limit.cut << ", order " << order;
+    }
 }
 
 }  // namespace
