@@ -1,6 +1,8 @@
 // Short ways to solve a test target and to compare results.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -36,6 +38,21 @@ inline SweepResult solve_soup(PolygonSoup soup, const Sweep& sweep, const SolveO
 /// Prints a measured figure among the test's output; docs/accuracy.md says how to collect them.
 inline void measured(const char* what, double value, const char* unit) {
   std::printf("measured: %s = %.5g %s\n", what, value, unit);
+}
+
+/// Half a unit of the last digit of a figure as printed: ".0094" or "2.3e-2".
+inline double half_unit(const std::string& printed) {
+  const std::string digits = printed.substr(0, printed.find('e'));
+  const double exponent = digits.size() == printed.size() ? 0.0 : std::stod(printed.substr(digits.size() + 1));
+  const std::size_t point = digits.find('.');
+  const double decimals = point == std::string::npos ? 0.0 : static_cast<double>(digits.size() - 1 - point);
+  return 0.5 * std::pow(10.0, exponent - decimals);
+}
+
+/// Expects a figure that another program has printed, to the digits it has.
+inline void expect_printed(double found, const std::string& printed, const std::string& what) {
+  std::printf("measured: %s: %.5g, printed %s\n", what.c_str(), found, printed.c_str());
+  EXPECT_NEAR(found, std::stod(printed), half_unit(printed)) << what;
 }
 
 inline double dbsm(Complex s) { return 20.0 * std::log10(std::abs(s)) + 10.0 * std::log10(4.0 * pi); }
