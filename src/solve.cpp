@@ -40,7 +40,7 @@ void make_reciprocal(std::vector<ScatteringMatrix>& scattering) {
 EdgeLookResult edge_look(const Target& target, const Sweep& sweep, const Look& look, const EdgeOptions& edges) {
   if (edges.order == 1) return fringe_scattering(target.wedges, target.tracer, look, sweep.frequencies, edges.receiver_shadow);
   return fringe_scattering(target.wedges, target.outlines, target.tracer, look, sweep.frequencies, edges.order,
-                           edges.receiver_shadow);
+                           edges.receiver_shadow, edges.transition);
 }
 
 LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look, const SolveOptions& options,

@@ -8,6 +8,7 @@
 #include "case/document.h"
 #include "case/keys.h"
 #include "case/looks.h"
+#include "case/names.h"
 #include "case/values.h"
 #include "decimal.h"
 #include "error.h"
@@ -84,6 +85,14 @@ void read_tubes(const CaseValue& root, Case& c) {
   if (const CaseValue* up = find(root, "tubes", "up")) c.tubes.up = read_vector(*up, "tubes.up");
 }
 
+TransitionTier read_transition(const CaseValue& value) {
+  const std::string text = read_text(value, "edges.transition");
+  for (const TransitionName& known : transition_names)
+    if (known.name == text) return known.tier;
+  reject(value,
+         fmt::format("edges.transition \"{}\" is unknown; write \"exact\", \"kouyoumjian-pathak\" or \"as-printed\"", text));
+}
+
 void read_edges(const CaseValue& root, Case& c) {
   if (const CaseValue* method = find(root, "edges", "method")) {
     const std::string name = read_text(*method, "edges.method");
@@ -94,6 +103,7 @@ void read_edges(const CaseValue& root, Case& c) {
   if (const CaseValue* order = find(root, "edges", "order")) c.edges.order = read_whole(*order, "edges.order", 1, 3);
   if (const CaseValue* shadow = find(root, "edges", "receiver_shadow"))
     c.edges.receiver_shadow = read_flag(*shadow, "edges.receiver_shadow");
+  if (const CaseValue* transition = find(root, "edges", "transition")) c.edges.transition = read_transition(*transition);
   if (const CaseValue* angle = find(root, "edges", "min_wedge_deg")) {
     const double degrees = read_number(*angle, "edges.min_wedge_deg");
     if (degrees < 0.0 || degrees >= 180.0)

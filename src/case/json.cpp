@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case/case.h"
+#include "case/names.h"
 #include "decimal.h"
 
 namespace raytube {
@@ -28,6 +29,7 @@ Json edges_json(const EdgeOptions& edges) {
   return {{"method", method},
           {"order", edges.order},
           {"receiver_shadow", edges.receiver_shadow},
+          {"transition", transition_name(edges.transition)},
           {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "case/case.h"
+#include "case/names.h"
 #include "decimal.h"
 #include "program/commands.h"
 #include "program/threads.h"
@@ -55,6 +56,9 @@ void print_case(const Case& c) {
   else
     fmt::print("edges        fringe currents, order {}, creases of {} deg and more\n", c.edges.order,
                decimal_degrees(c.edges.min_wedge_angle));
+  if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
+    fmt::print("             transition function {}{}\n", transition_name(c.edges.transition),
+               c.edges.order == 1 ? ", which plays no part at order 1" : "");
   fmt::print("plots        {}\n", c.plots ? "yes" : "no");
   fmt::print("rows         {}\n", c.sweep.rows());
 }

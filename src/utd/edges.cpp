@@ -94,11 +94,11 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tr
 }
 
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
-                                 std::span<const double> frequencies, int order, bool receiver_shadow) {
+                                 std::span<const double> frequencies, int order, bool receiver_shadow, TransitionTier tier) {
   assert(!frequencies.empty() && order > 1);
   const LookVectors vectors = look_vectors(look);
   LitEdges edges(wedges, tracer, vectors, shortest_wavelength(frequencies), receiver_shadow);
-  StripWalk walk(wedges, outlines, vectors, frequencies, order);
+  StripWalk walk(wedges, outlines, vectors, frequencies, order, tier);
   EdgeLookResult result;
   for (std::uint32_t index = 0; index < wedges.size(); ++index) {
     if (!wedges[index].convex()) continue;

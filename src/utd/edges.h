@@ -8,6 +8,7 @@
 #include "mesh/outlines.h"
 #include "mesh/tracer.h"
 #include "sweep.h"
+#include "utd/transition.h"
 
 namespace raytube {
 
@@ -26,8 +27,9 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tr
                                  std::span<const double> frequencies, bool receiver_shadow = false);
 
 /// The same with currents that end where their face ends and diffract again at the edge there: `order` edges in a row, 2 or more.
-/// Bounded in every direction on polygonal faces, and no edge needs a window there.
+/// Bounded in every direction on polygonal faces, and no edge needs a window there. `tier` says how erfc is evaluated.
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
-                                 std::span<const double> frequencies, int order, bool receiver_shadow = false);
+                                 std::span<const double> frequencies, int order, bool receiver_shadow = false,
+                                 TransitionTier tier = TransitionTier::exact);
 
 }  // namespace raytube

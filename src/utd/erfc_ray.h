@@ -10,6 +10,9 @@ namespace raytube {
 Complexes scaled_erfc(const Reals& x);
 Complex scaled_erfc(double x);
 
+// The two quotients below take W as found elsewhere. Where they are removable 0/0, erf(z)/x below x = 1/2 and W[a, b] where
+// |a - b| (1 + (a + b)/2) <= 0.1, they are exact series that do not look at it: finite for any approximation of W.
+
 /// erf(z)/x, entire in x: its value at 0 is 2 e^{j pi/4} / sqrt(pi). `values` are W(x) and `decay` e^{-z^2} = e^{-jx^2}.
 Complexes erf_over(const Reals& x, const Complexes& values, const Complexes& decay);
 

@@ -87,7 +87,8 @@ Strip::Term Strip::term(double n, double source, int sign) {
           sign * std::cos(eps / 2) * std::copysign(0.5, sine)};
 }
 
-Strip::Strip(double n, FaceIncidence incidence, double half_cosine) : half_cosine_(std::max(half_cosine, half_cosine_floor)) {
+Strip::Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTier tier)
+    : half_cosine_(std::max(half_cosine, half_cosine_floor)), scaled_erfc_(scaled_erfc_of(tier)) {
   double& source = incidence.source_angle;
   source = incidence.lit ? std::min(source, pi - closest_to_plane) : std::max(source, pi + closest_to_plane);
   terms_ = {term(n, source, +1), term(n, source, -1)};
@@ -135,7 +136,7 @@ Strip::Observer Strip::observer(const Reals& length) const {
     result.x[i] = half_cosine_ * result.root[i];
     angle[i] = -2 * half_cosine_ * half_cosine_ * length[i];
   }
-  result.value = scaled_erfc(result.x);
+  result.value = scaled_erfc_(result.x);
   result.decay = unit_phasors(angle);
   result.ratio = erf_over(result.x, result.value, result.decay);
   return result;
@@ -172,7 +173,7 @@ Complexes Strip::soft_phase(const Observer& at) {
 void Strip::add(const Term& t, const Observer& at, Sums& sum) const {
   Reals boundary;
   for (std::size_t i = 0; i < lanes; ++i) boundary[i] = t.distance * at.root[i];
-  const Complexes there = scaled_erfc(boundary), quotient = divided_difference(boundary, at.x, there, at.value);
+  const Complexes there = scaled_erfc_(boundary), quotient = divided_difference(boundary, at.x, there, at.value);
   Complexes hard, soft;
   for (std::size_t i = 0; i < lanes; ++i) {
     const Complex difference = at.decay[i] * quotient[i], ratio = at.ratio[i];

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "utd/edge_currents.h"
-#include "utd/lanes.h"
+#include "utd/transition_tiers.h"
 
 namespace raytube {
 
@@ -45,7 +45,7 @@ struct KernelBatch {
 /// Everything about a strip but its electrical length.
 class Strip {
  public:
-  Strip(double n, FaceIncidence incidence, double half_cosine);
+  Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTier tier = TransitionTier::exact);
 
   /// Kernels for every length X; infinity gives those of the endless strip. What a length gives is independent of the others.
   void at(std::span<const double> lengths, KernelBatch& batch) const;
@@ -74,6 +74,7 @@ class Strip {
   std::array<Term, 2> terms_{};
   int term_count_ = 2;
   double half_cosine_;
+  ScaledErfc scaled_erfc_;
   bool has_local_part_ = false;
   struct {
     double soft = 0.0, hard = 0.0, axial = 0.0;

@@ -21,11 +21,12 @@ void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex facto
 }  // namespace
 
 StripWalk::StripWalk(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look,
-                     std::span<const double> frequencies, int order)
+                     std::span<const double> frequencies, int order, TransitionTier tier)
     : wedges_(wedges),
       outlines_(outlines),
       look_(look),
       order_(order),
+      tier_(tier),
       placer_(wedges, outlines, {look.incident, look.scattered, wavelength(*std::ranges::max_element(frequencies))}),
       steps_(order + 1) {
   for (const double frequency : frequencies) wavenumbers_.push_back(wavenumber(frequency));
@@ -116,7 +117,7 @@ void StripWalk::find_kernels(const StripWave& wave, const Step& step) {
   lengths_.clear();
   for (const double k : wavenumbers_)
     for (const double length : step.distinct) lengths_.push_back(k * wave.incidence.sin_cone * wave.incidence.sin_cone * length);
-  Strip(wedge.n, wave.incidence, half_cosine).at(lengths_, kernels_);
+  Strip(wedge.n, wave.incidence, half_cosine, tier_).at(lengths_, kernels_);
 }
 
 void StripWalk::bound_endless(const StripWave& wave, const Step& step) {

@@ -23,7 +23,7 @@ struct StripSums {
 class StripWalk {
  public:
   StripWalk(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look, std::span<const double> frequencies,
-            int order);
+            int order, TransitionTier tier = TransitionTier::exact);
 
   /// The strips of wedge `index` from its lit pieces on, both faces.
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
@@ -69,6 +69,7 @@ class StripWalk {
   const LookVectors& look_;
   std::vector<double> wavenumbers_;
   int order_;
+  TransitionTier tier_;
   PanelPlacer placer_;
   std::vector<EdgePoint> points_;
   std::vector<Step> steps_;

@@ -2,14 +2,16 @@
 
 #include <cmath>
 
-#include "utd/erfc_ray.h"
+#include "utd/transition_tiers.h"
 
 namespace raytube {
 
 // F(X) = sqrt(pi) z e^{z^2} erfc(z) with z = e^{j pi/4} sqrt(X): an identity of the definition.
-Complex transition(double x) {
+Complex transition(double x, TransitionTier tier) {
   const double root = std::sqrt(std::abs(x)), side = root * std::sqrt(pi / 2);
-  const Complex value = Complex(side, side) * scaled_erfc(root);
+  Reals alone{};
+  alone[0] = root;
+  const Complex value = Complex(side, side) * scaled_erfc_of(tier)(alone)[0];
   return x < 0 ? std::conj(value) : value;
 }
 

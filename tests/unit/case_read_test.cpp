@@ -17,6 +17,7 @@ TEST(CaseRead, SmallestCaseGetsEveryDefault) {
   EXPECT_EQ(c.tubes.max_bounces, 8);
   EXPECT_FALSE(c.tubes.up);
   EXPECT_EQ(c.edges.method, EdgeMethod::fringe);
+  EXPECT_EQ(c.edges.transition, TransitionTier::exact);
   EXPECT_EQ(c.edges.min_wedge_angle, 15.0 * degree);
   EXPECT_TRUE(c.plots);
   EXPECT_FALSE(c.sweep.bistatic);
@@ -43,6 +44,16 @@ TEST(CaseRead, EveryKeyIsTaken) {
   EXPECT_EQ(c.edges.order, 3);
   EXPECT_EQ(c.edges.min_wedge_angle, 20.0 * degree);
   EXPECT_FALSE(c.plots);
+}
+
+TEST(CaseRead, TransitionTiersAndTheirEcho) {
+  for (const auto& [name, tier] : {std::pair{"exact", TransitionTier::exact},
+                                   {"as-printed", TransitionTier::as_printed},
+                                   {"kouyoumjian-pathak", TransitionTier::kouyoumjian_pathak}}) {
+    const Case c = read_text(smallest, {std::string("edges.transition=") + name});
+    EXPECT_EQ(c.edges.transition, tier);
+    EXPECT_THAT(resolved_case_json(c), HasSubstr(std::string("\"transition\": \"") + name + '"'));
+  }
 }
 
 TEST(CaseRead, Units) {
@@ -139,9 +150,10 @@ TEST(CaseRead, LookListBistatic) {
 
 TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
   const std::string json = resolved_case_json(read_text(smallest, {"frequency.ghz=9.4"}));
-  for (const char* part : {"\"title\": \"m\"", "\"unit\": \"mm\"", "\"material\": \"pec\"", "\"ghz\": 9.4", "\"theta_deg\": 90.0",
-                           "\"mode\": \"uniform\"", "\"per_wavelength\": 10.0", "\"max_bounces\": 8", "\"method\": \"fringe\"",
-                           "\"order\": 1", "\"receiver_shadow\": false", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
+  for (const char* part :
+       {"\"title\": \"m\"", "\"unit\": \"mm\"", "\"material\": \"pec\"", "\"ghz\": 9.4", "\"theta_deg\": 90.0",
+        "\"mode\": \"uniform\"", "\"per_wavelength\": 10.0", "\"max_bounces\": 8", "\"method\": \"fringe\"", "\"order\": 1",
+        "\"receiver_shadow\": false", "\"transition\": \"exact\"", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
     EXPECT_THAT(json, HasSubstr(part));
   EXPECT_EQ(json.find("\"receive\""), std::string::npos);
 }

@@ -1,0 +1,21 @@
+// Words of a case file for the solver's own choices.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "utd/transition.h"
+
+namespace raytube {
+
+struct TransitionName {
+  std::string_view name;
+  TransitionTier tier;
+};
+inline constexpr std::array<TransitionName, 3> transition_names = {{{"exact", TransitionTier::exact},
+                                                                    {"kouyoumjian-pathak", TransitionTier::kouyoumjian_pathak},
+                                                                    {"as-printed", TransitionTier::as_printed}}};
+
+constexpr std::string_view transition_name(TransitionTier tier) { return transition_names[static_cast<std::size_t>(tier)].name; }
+
+}  // namespace raytube
