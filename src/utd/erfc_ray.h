@@ -10,13 +10,14 @@ namespace raytube {
 Complexes scaled_erfc(const Reals& x);
 Complex scaled_erfc(double x);
 
-// The two quotients below take W as found elsewhere. Where they are removable 0/0, erf(z)/x below x = 1/2 and W[a, b] where
-// |a - b| (1 + (a + b)/2) <= 0.1, they are exact series that do not look at it: finite for any approximation of W.
-
 /// erf(z)/x, entire in x: its value at 0 is 2 e^{j pi/4} / sqrt(pi). `values` are W(x) and `decay` e^{-z^2} = e^{-jx^2}.
 Complexes erf_over(const Reals& x, const Complexes& values, const Complexes& decay);
 
 /// (W(a) - W(b)) / (a - b), W'(a) where a = b; `at_a`, `at_b` are the two values.
 Complexes divided_difference(const Reals& a, const Reals& b, const Complexes& at_a, const Complexes& at_b);
+
+/// Where the two quotients are close to 0/0 and are found as series of the exact W, whatever values were given.
+bool is_removable(double x);
+bool is_removable(double a, double b);
 
 }  // namespace raytube

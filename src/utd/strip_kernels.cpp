@@ -88,7 +88,9 @@ Strip::Term Strip::term(double n, double source, int sign) {
 }
 
 Strip::Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTier tier)
-    : half_cosine_(std::max(half_cosine, half_cosine_floor)), scaled_erfc_(scaled_erfc_of(tier)) {
+    : half_cosine_(std::max(half_cosine, half_cosine_floor)),
+      scaled_erfc_(scaled_erfc_of(tier)),
+      exact_(tier == TransitionTier::exact) {
   double& source = incidence.source_angle;
   source = incidence.lit ? std::min(source, pi - closest_to_plane) : std::max(source, pi + closest_to_plane);
   terms_ = {term(n, source, +1), term(n, source, -1)};
@@ -128,7 +130,7 @@ struct Strip::Observer {
   Complexes value, decay, ratio;
 };
 
-Strip::Observer Strip::observer(const Reals& length) const {
+Strip::Observer Strip::observer(const Reals& length, ScaledErfc erfc) const {
   Observer result;
   Reals angle;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -136,7 +138,7 @@ Strip::Observer Strip::observer(const Reals& length) const {
     result.x[i] = half_cosine_ * result.root[i];
     angle[i] = -2 * half_cosine_ * half_cosine_ * length[i];
   }
-  result.value = scaled_erfc_(result.x);
+  result.value = erfc(result.x);
   result.decay = unit_phasors(angle);
   result.ratio = erf_over(result.x, result.value, result.decay);
   return result;
@@ -170,10 +172,10 @@ Complexes Strip::soft_phase(const Observer& at) {
 }
 
 // One diffracted wave's share of G_h and G_s, and of T in sum.end, sum.soft_end.
-void Strip::add(const Term& t, const Observer& at, Sums& sum) const {
+void Strip::add(const Term& t, const Observer& at, ScaledErfc erfc, Sums& sum) const {
   Reals boundary;
   for (std::size_t i = 0; i < lanes; ++i) boundary[i] = t.distance * at.root[i];
-  const Complexes there = scaled_erfc_(boundary), quotient = divided_difference(boundary, at.x, there, at.value);
+  const Complexes there = erfc(boundary), quotient = divided_difference(boundary, at.x, there, at.value);
   Complexes hard, soft;
   for (std::size_t i = 0; i < lanes; ++i) {
     const Complex difference = at.decay[i] * quotient[i], ratio = at.ratio[i];
@@ -197,10 +199,10 @@ void Strip::add_local(const Reals& length, Sums& sum) const {
   }
 }
 
-Strip::Sums Strip::sums(const Reals& length) const {
-  const Observer at = observer(length);
+Strip::Sums Strip::sums(const Reals& length, ScaledErfc erfc) const {
+  const Observer at = observer(length, erfc);
   Sums sum{};
-  for (int i = 0; i < term_count_; ++i) add(terms_[i], at, sum);
+  for (int i = 0; i < term_count_; ++i) add(terms_[i], at, erfc, sum);
   Complexes end{}, soft_end{};
   add_products(end, at.decay, sum.end);
   if (term_count_ == 2) add_products(soft_end, soft_phase(at), sum.soft_end);
@@ -212,6 +214,29 @@ Strip::Sums Strip::sums(const Reals& length) const {
   return sum;
 }
 
+bool Strip::has_removable_quotient(double length) const {
+  const double root = std::sqrt(2 * length), x = half_cosine_ * root;
+  const auto close = [&](const Term& t) { return is_removable(t.distance * root, x); };
+  return is_removable(x) || std::any_of(terms_.begin(), terms_.begin() + term_count_, close);
+}
+
+// With a rough W the removable quotients are not finite, and their series only if all of a strip's terms have the exact W: the
+// parts of G_x cancel to 1/h^2 where the observer is far off the cone.
+void Strip::restore_removable(const Reals& length, Sums& sums_by_tier) const {
+  std::array<bool, lanes> restored;
+  for (std::size_t i = 0; i < lanes; ++i) restored[i] = has_removable_quotient(length[i]);
+  if (std::ranges::find(restored, true) == restored.end()) return;
+  const Sums exact = sums(length, scaled_erfc);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    if (!restored[i]) continue;
+    sums_by_tier.soft.set(i, exact.soft[i]);
+    sums_by_tier.hard.set(i, exact.hard[i]);
+    sums_by_tier.axial.set(i, exact.axial[i]);
+    sums_by_tier.end.set(i, exact.end[i]);
+    sums_by_tier.soft_end.set(i, exact.soft_end[i]);
+  }
+}
+
 // Lengths past the end and endless ones are 1 here, so that every lane stays finite.
 void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const {
   for (std::size_t first = 0; first < lengths.size(); first += lanes) {
@@ -220,7 +245,8 @@ void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const
       const double length = first + i < lengths.size() ? lengths[first + i] : 1.0;
       block[i] = std::isinf(length) ? 1.0 : length;
     }
-    const Sums found = sums(block);
+    Sums found = sums(block, scaled_erfc_);
+    if (!exact_) restore_removable(block, found);
     store(found.soft, batch.soft, first);
     store(found.hard, batch.hard, first);
     store(found.axial, batch.axial, first);

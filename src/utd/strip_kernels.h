@@ -64,17 +64,20 @@ class Strip {
   void find_local_part(double n, const FaceIncidence& incidence);
   double total_strength() const;
   StripKernels endless() const;
-  Observer observer(const Reals& length) const;
+  Observer observer(const Reals& length, ScaledErfc erfc) const;
   static Complexes soft_phase(const Observer& at);
-  void add(const Term& term, const Observer& at, Sums& sum) const;
+  void add(const Term& term, const Observer& at, ScaledErfc erfc, Sums& sum) const;
   void add_local(const Reals& length, Sums& sum) const;
-  Sums sums(const Reals& length) const;
+  Sums sums(const Reals& length, ScaledErfc erfc) const;
+  bool has_removable_quotient(double length) const;
+  void restore_removable(const Reals& length, Sums& sums_by_tier) const;
   void finite_at(std::span<const double> lengths, KernelBatch& batch) const;
 
   std::array<Term, 2> terms_{};
   int term_count_ = 2;
   double half_cosine_;
   ScaledErfc scaled_erfc_;
+  bool exact_;
   bool has_local_part_ = false;
   struct {
     double soft = 0.0, hard = 0.0, axial = 0.0;

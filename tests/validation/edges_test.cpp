@@ -188,7 +188,8 @@ TEST(EdgeOrders, HalfHiddenEdgeEqualsTheEdgeCutInTheMesh) {
 /// Largest change of S over a cut of a plate of 3 wavelengths [wavelengths] when F is evaluated with this tier.
 double change_by_tier(int order, TransitionTier tier) {
   std::vector<Direction> looks;
-  for (double theta = 2.5; theta < 90; theta += 5) looks.push_back({theta * degree, 0.5});
+  for (const double phi : {0.0, 0.5})  // along two sides of the plate, and across all four
+    for (double theta = 2.5; theta < 90; theta += 5) looks.push_back({theta * degree, phi});
   SolveOptions exact = options(EdgeMethod::fringe, 2.0), rough = exact;
   exact.edges.order = rough.edges.order = order;
   rough.edges.transition = tier;
