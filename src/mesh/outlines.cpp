@@ -21,10 +21,10 @@ double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direct
   constexpr double never = std::numeric_limits<double>::infinity();
   const double inwards = glm::dot(direction, edge.into_face);
   if (inwards > -parallel) return never;
-  const dvec3 along = edge.end - edge.start, offset = point - edge.start;
-  const double squared = glm::dot(along, along), distance = edge.distance(point, direction);
-  if (distance < -behind * std::sqrt(squared)) return never;
-  const double share = glm::dot(offset + distance * direction, along) / squared;
+  const dvec3 offset = point - edge.start;
+  const double distance = -glm::dot(offset, edge.into_face) / inwards;
+  if (distance < -behind * edge.length) return never;
+  const double share = glm::dot(offset + distance * direction, edge.share);
   return share < -vertex_overlap || share > 1.0 + vertex_overlap ? never : std::max(distance, 0.0);
 }
 
@@ -41,8 +41,11 @@ Outlines::Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, doub
 
 void Outlines::add(std::size_t side, const OutlineEdge& edge) {
   if (!wanted_[side]) return;
-  edges_[side].push_back(edge);
-  if (edge.wedge_face == 1) std::swap(edges_[side].back().start, edges_[side].back().end);
+  OutlineEdge& added = edges_[side].emplace_back(edge);
+  if (edge.wedge_face == 1) std::swap(added.start, added.end);
+  const dvec3 along = added.end - added.start;
+  added.share = along / glm::dot(along, along);
+  added.length = glm::length(along);
 }
 
 void Outlines::add_wedges(std::span<const Wedge> wedges) {

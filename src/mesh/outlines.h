@@ -16,6 +16,8 @@ struct OutlineEdge {
   std::uint32_t wedge = no_index;  // the wedge that stands here; no_index if there is none
   int wedge_face = 0;              // this face is faces[wedge_face] of it
   bool smooth = false;             // no wedge because the crease is flatter than one: the surface goes on
+  dvec3 share{0.0};                // (end - start) / length^2: from 0 at the start to 1 at the end
+  double length = 0.0;             // [m]
 
   /// To the edge's line from a point of the face along a direction in it [m].
   double distance(const dvec3& point, const dvec3& direction) const {

@@ -5,115 +5,45 @@
 
 namespace raytube {
 
-namespace {
-
-constexpr double same_place = 1e-9;  // of the edge's length
-
-}  // namespace
-
-void PanelPlacer::place(const StripWave& wave, std::span<const LitInterval> lit, std::vector<EdgePoint>& points) {
-  const Wedge& wedge = wedges_[wave.wedge];
-  const double length = wedge.length();
-  const EdgeLine line{wedge.start, (wedge.end - wedge.start) / length};
-  rounding_ = same_place * length;
-  points.clear();
-  panels_ = 0;
-  runs_along_edge_ = false;
-  for (const LitInterval& piece : lit) {
-    spans_.clear();
-    follow(wave, line, piece.begin * length, piece.end * length, glm::dot(field_.scattered - field_.incident, line.step));
-    fill(line, points);
-  }
+void PanelPlacer::place(const WaveTree& tree, std::span<const LitInterval> lit, double length) {
+  points_.clear();
+  panels_.clear();
+  rows_.clear();
+  for (const LitInterval& piece : lit) fill(tree, piece.begin * length, piece.end * length);
+  for (const StripBundle& bundle : tree.bundles()) rows_.push_back({first_beyond(bundle.from), first_beyond(bundle.to)});
 }
 
-// The strips of a wave from [from, to]: neighbours between projected corners that end at one edge are taken together.
-void PanelPlacer::follow(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate) {
-  if (wave.left > 1) look_aside(wave);
-  std::vector<double> cuts;
-  project_corners(wave, line, from, to, cuts);
-  cuts.push_back(to);
-  double begin = from, last = from;
-  const OutlineEdge* edge = nullptr;
-  for (const double cut : cuts) {
-    const OutlineEdge* here = far_edge(wave, line.at((last + cut) / 2));
-    if (last > begin && here != edge) {
-      end(wave, line, begin, last, path_rate, edge);
-      begin = last;
-    }
-    edge = here;
-    last = cut;
-  }
-  end(wave, line, begin, to, path_rate, edge);
-}
-
-void PanelPlacer::end(const StripWave& wave, const EdgeLine& line, double from, double to, double path_rate,
-                      const OutlineEdge* edge) {
-  if (!edge) {
-    spans_.push_back({from, to, std::abs(path_rate), 0.0, {false, false}});
-    return;
-  }
-  const double length = edge->distance(line.origin, wave.direction);
-  const double growth = edge->distance(line.origin + line.step, wave.direction) - length;
-  const double end_rate = path_rate + (glm::dot(field_.scattered, wave.direction) - 1) * growth;
-  const auto vanishes = [&](double place) { return std::abs(length + growth * place) < rounding_; };
-  spans_.push_back(
-      {from, to, std::max(std::abs(path_rate), std::abs(end_rate)), std::abs(growth), {vanishes(from), vanishes(to)}});
-  const auto next = waves_beyond(wedges_, wave, *edge);
-  if (!next) return;
-  const EdgeLine there{line.origin + length * wave.direction, line.step + growth * wave.direction};
-  for (const StripWave& beyond : *next) follow(beyond, there, from, to, end_rate);
-}
-
-void PanelPlacer::project_corners(const StripWave& wave, const EdgeLine& line, double from, double to,
-                                  std::vector<double>& cuts) const {
-  const WedgeFace& face = wedges_[wave.wedge].faces[wave.face];
-  const dvec3 across = glm::cross(face.normal, wave.direction);
-  const double rate = glm::dot(line.step, across);
-  for (const OutlineEdge& edge : outlines_.around(face)) {
-    const double place = glm::dot(edge.start - line.origin, across) / rate;
-    if (!(place > from + rounding_ && place < to - rounding_)) continue;
-    if (glm::dot(edge.start - line.at(place), wave.direction) > 0.0) cuts.push_back(place);
-  }
-  std::ranges::sort(cuts);
-}
-
-void PanelPlacer::look_aside(const StripWave& wave) {
-  for (const OutlineEdge& edge : outlines_.around(wedges_[wave.wedge].faces[wave.face]))
-    if (edge.wedge != wave.wedge && std::abs(glm::dot(wave.direction, edge.into_face)) < along_edge) runs_along_edge_ = true;
-}
-
-const OutlineEdge* PanelPlacer::far_edge(const StripWave& wave, const dvec3& point) const {
-  const auto exit = strip_end(wedges_, outlines_, wave, point);
-  return exit ? exit->edge : nullptr;
-}
-
-void PanelPlacer::fill(const EdgeLine& line, std::vector<EdgePoint>& points) {
+void PanelPlacer::fill(const WaveTree& tree, double begin, double end) {
   cuts_.clear();
-  for (const Span& span : spans_) cuts_.insert(cuts_.end(), {span.from, span.to});
+  for (const StripBundle& bundle : tree.bundles())
+    if (bundle.from >= begin && bundle.to <= end) cuts_.push_back(bundle.to);
   std::ranges::sort(cuts_);
-  double from = cuts_.front();
-  const double end = cuts_.back();
+  double from = begin;
   for (const double cut : cuts_) {
-    if (cut - from < rounding_ || (cut < end && end - cut < rounding_)) continue;
-    rule_.clear();
-    add_points(panel(from, cut), field_.wavelength, rule_);
-    for (const PanelPoint& point : rule_) points.push_back({line.at(point.place), point.weight, panels_});
-    ++panels_;
+    if (cut - from < tree.rounding() || (cut < end && end - cut < tree.rounding())) continue;
+    panels_.push_back({(from + cut) / 2, static_cast<std::uint32_t>(points_.size())});
+    add_points(panel(tree, from, cut), wavelength_, points_);
     from = cut;
   }
 }
 
-Panel PanelPlacer::panel(double from, double to) const {
+Panel PanelPlacer::panel(const WaveTree& tree, double from, double to) const {
   Panel result{from, to};
-  const double middle = (from + to) / 2;
-  for (const Span& span : spans_) {
-    if (span.from > middle || span.to < middle) continue;
-    result.path_rate = std::max(result.path_rate, span.path_rate);
-    result.sweep = std::max(result.sweep, span.sweep);
-    if (span.vanishes[0] && from - span.from < rounding_) result.root[0] = true;
-    if (span.vanishes[1] && span.to - to < rounding_) result.root[1] = true;
+  const double middle = (from + to) / 2, rounding = tree.rounding();
+  for (const StripBundle& bundle : tree.bundles()) {
+    if (bundle.from > middle || bundle.to < middle) continue;
+    result.path_rate = std::max({result.path_rate, std::abs(bundle.start_rate), std::abs(bundle.end_rate)});
+    result.sweep = std::max(result.sweep, std::abs(bundle.growth));
+    const auto vanishes = [&](double place) { return bundle.edge && std::abs(bundle.length_at(place)) < rounding; };
+    if (from - bundle.from < rounding && vanishes(bundle.from)) result.root[0] = true;
+    if (bundle.to - to < rounding && vanishes(bundle.to)) result.root[1] = true;
   }
   return result;
+}
+
+std::uint32_t PanelPlacer::first_beyond(double place) const {
+  const auto panel = std::ranges::partition_point(panels_, [=](const Placed& placed) { return placed.middle < place; });
+  return panel == panels_.end() ? static_cast<std::uint32_t>(points_.size()) : panel->first;
 }
 
 }  // namespace raytube

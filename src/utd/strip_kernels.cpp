@@ -17,13 +17,6 @@ constexpr double closest_to_plane = lit_threshold;
 // The soft current is singular at its edge, as 1/r; a strip without length starts and ends there.
 constexpr double shortest_root = 1e-9;
 
-void add_products(Complexes& sum, const Complexes& a, const Complexes& b) {
-  for (std::size_t i = 0; i < lanes; ++i) {
-    sum.re[i] += a.re[i] * b.re[i] - a.im[i] * b.im[i];
-    sum.im[i] += a.re[i] * b.im[i] + a.im[i] * b.re[i];
-  }
-}
-
 void add_scaled(Complexes& sum, double factor, const Complexes& values) {
   for (std::size_t i = 0; i < lanes; ++i) {
     sum.re[i] += factor * values.re[i];
@@ -31,40 +24,7 @@ void add_scaled(Complexes& sum, double factor, const Complexes& values) {
   }
 }
 
-template <class Values>
-Complexes load(const Values& values, std::size_t first) {
-  Complexes result;
-  for (std::size_t i = 0; i < lanes; ++i) result.set(i, values[first + i]);
-  return result;
-}
-
-void store(const Complexes& values, ComplexColumn& column, std::size_t first) {
-  std::copy_n(values.re.value, lanes, column.re.data() + first);
-  std::copy_n(values.im.value, lanes, column.im.data() + first);
-}
-
 }  // namespace
-
-void ComplexColumn::resize(std::size_t size) {
-  const std::size_t whole_blocks = (size + lanes - 1) / lanes * lanes;
-  re.resize(whole_blocks);
-  im.resize(whole_blocks);
-}
-
-void ComplexColumn::set(std::size_t i, Complex value) {
-  re[i] = value.real();
-  im[i] = value.imag();
-}
-
-Complex weighted_sum(const ComplexColumn& column, std::size_t first, std::span<const Complex> weights) {
-  const std::size_t rest = weights.size() / lanes * lanes;
-  Complexes sums{};
-  for (std::size_t i = 0; i < rest; i += lanes) add_products(sums, load(weights, i), load(column, first + i));
-  Complex total = 0.0;
-  for (std::size_t i = 0; i < lanes; ++i) total += sums[i];
-  for (std::size_t i = rest; i < weights.size(); ++i) total += weights[i] * column[first + i];
-  return total;
-}
 
 void KernelBatch::resize(std::size_t size) {
   for (ComplexColumn* column : {&soft, &hard, &axial, &end, &soft_end}) column->resize(size);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "utd/columns.h"
 #include "utd/edge_currents.h"
 #include "utd/transition_tiers.h"
 
@@ -20,18 +21,6 @@ struct StripKernels {
   FringeKernels current;
   Complex end, soft_end;
 };
-
-/// Complex numbers in a row, real and imaginary parts apart, with room for a whole number of blocks of `lanes`.
-struct ComplexColumn {
-  std::vector<double> re, im;
-
-  void resize(std::size_t size);
-  Complex operator[](std::size_t i) const { return {re[i], im[i]}; }
-  void set(std::size_t i, Complex value);
-};
-
-/// Sum of weights[i] column[first + i], in an order that depends on their number alone.
-Complex weighted_sum(const ComplexColumn& column, std::size_t first, std::span<const Complex> weights);
 
 /// The kernels of many strips, as StripKernels are of one.
 struct KernelBatch {

@@ -33,11 +33,9 @@ StripWave first_wave(std::span<const Wedge> wedges, std::uint32_t wedge, int fac
   return {wedge, face, incidence, 1.0, order, grazes, strip_direction(lit, incidence)};
 }
 
-std::optional<FaceExit> strip_end(std::span<const Wedge> wedges, const Outlines& outlines, const StripWave& wave,
-                                  const dvec3& point) {
-  const FaceExit exit = outlines.exit(wedges[wave.wedge].faces[wave.face], wave.wedge, point, wave.direction);
-  if (!exit.edge || exit.edge->smooth) return std::nullopt;
-  return exit;
+const OutlineEdge* strip_end(const Outlines& outlines, const WedgeFace& face, const StripWave& wave, const dvec3& point) {
+  const OutlineEdge* edge = outlines.exit(face, wave.wedge, point, wave.direction).edge;
+  return edge && !edge->smooth ? edge : nullptr;
 }
 
 std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedges, const StripWave& wave,

@@ -28,9 +28,9 @@ struct StripWave {
 StripWave first_wave(std::span<const Wedge> wedges, std::uint32_t wedge, int face, const FaceIncidence& incidence,
                      const dvec3& incident, int order);
 
-/// Where the strip of `wave` from `point` ends; none if it runs on for ever, over a smooth crease or because nothing stops it.
-std::optional<FaceExit> strip_end(std::span<const Wedge> wedges, const Outlines& outlines, const StripWave& wave,
-                                  const dvec3& point);
+/// The edge at which the strip of `wave` on `face` from `point` ends; null if it runs on for ever, over a smooth crease or
+/// because nothing stops it.
+const OutlineEdge* strip_end(const Outlines& outlines, const WedgeFace& face, const StripWave& wave, const dvec3& point);
 
 /// The waves on both faces of the wedge at a strip's end; none where nothing goes on: at a concave or missing wedge, at one that
 /// is nearly flat, where the strip arrives along it, or when no strips are left. The wave there is half of the arriving current

@@ -9,7 +9,8 @@ namespace raytube {
 namespace {
 
 constexpr double hair =
-    10 * along_edge;                   // [rad]; above the limit for "exactly", and small enough for its own square not to count
+    10 * along_edge;  // [rad]; above the limit for "exactly", and small enough for its own square not to count
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double same_length = 1e-13;  // relative; strips between parallel edges share their kernels
 
 void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex factor) {
@@ -18,17 +19,20 @@ void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex facto
   sum.axial += factor * kernels.axial;
 }
 
+bool alike(const StripBundle& bundle) {
+  return !bundle.edge || std::abs(bundle.growth) * (bundle.to - bundle.from) < same_length * bundle.length_at(bundle.from);
+}
+
 }  // namespace
 
 StripWalk::StripWalk(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look,
                      std::span<const double> frequencies, int order, TransitionTier tier)
     : wedges_(wedges),
-      outlines_(outlines),
       look_(look),
       order_(order),
       tier_(tier),
-      placer_(wedges, outlines, {look.incident, look.scattered, wavelength(*std::ranges::max_element(frequencies))}),
-      steps_(order + 1) {
+      tree_(wedges, outlines, look.incident, look.scattered),
+      placer_(wavelength(*std::ranges::max_element(frequencies))) {
   for (const double frequency : frequencies) wavenumbers_.push_back(wavenumber(frequency));
   sums_.first.resize(frequencies.size());
   sums_.higher.resize(frequencies.size());
@@ -44,90 +48,102 @@ void StripWalk::add(std::uint32_t index, const WedgeIncidence& incidence, std::s
 }
 
 void StripWalk::start(const StripWave& wave, std::span<const LitInterval> lit) {
-  place(wave, lit);
-  bound_endless(wave, steps_[0]);
-  radiate_direct(wave);
-  go_beyond(wave, lit);
-}
-
-// The points of the first strips, the ends of these and their kernels.
-void StripWalk::place(const StripWave& wave, std::span<const LitInterval> lit) {
-  placer_.place(wave, lit, points_);
-  const dvec3 difference = look_.scattered - look_.incident;
-  Step& step = steps_[0];
-  step.points.clear();
-  step.panels.clear();
-  direct_.clear();
-  for (const EdgePoint& point : points_) {
-    step.points.push_back(point.place);
-    step.panels.push_back(point.panel);
+  grow(wave, lit);
+  const bool runs_along_edge = tree_.runs_along_edge();
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+    find_phases(wavenumbers_[f]);
+    find_kernels(0, wavenumbers_[f]);
+    bound_endless(f);
+    radiate_direct(f);
+    if (!runs_along_edge) go_on(f, 1.0);
   }
-  for (const double k : wavenumbers_)
-    for (const EdgePoint& point : points_) direct_.push_back(std::polar(point.weight, k * glm::dot(difference, point.place)));
-  find_ends(step, wave);
-  find_kernels(wave, step);
+  if (runs_along_edge) go_on_beside(wave, lit);
 }
 
 // A wave that runs exactly along an edge at the side of a face meets it over its whole length, and yet its strips never end
 // there. Turned by a hair to either side they do; the limit of a vanishing turn is finite, and half of each counts.
-void StripWalk::go_beyond(const StripWave& wave, std::span<const LitInterval> lit) {
-  if (!placer_.runs_along_edge()) {
-    excite_far_edges(wave, 1.0);
-    pass_on(0, wave);
-    return;
-  }
+void StripWalk::go_on_beside(const StripWave& wave, std::span<const LitInterval> lit) {
   const dvec3 aside = glm::cross(wedges_[wave.wedge].faces[wave.face].normal, wave.direction);
   for (const double turn : {-hair, hair}) {
     StripWave turned = wave;
     turned.direction = glm::normalize(wave.direction + turn * aside);
-    place(turned, lit);
-    excite_far_edges(turned, 0.5);
-    pass_on(0, turned);
+    grow(turned, lit);
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+      find_phases(wavenumbers_[f]);
+      find_kernels(0, wavenumbers_[f]);
+      go_on(f, 0.5);
+    }
   }
 }
 
-void StripWalk::follow(int level, const StripWave& wave) {
-  find_ends(steps_[level], wave);
-  find_kernels(wave, steps_[level]);
-  radiate(wave, steps_[level]);
-  pass_on(level, wave);
+// The tree, its points, and of its waves and bundles what all frequencies share.
+void StripWalk::grow(const StripWave& wave, std::span<const LitInterval> lit) {
+  tree_.grow(wave, lit);
+  placer_.place(tree_, lit, wedges_[wave.wedge].length());
+  faces_.clear();
+  for (const TreeWave& each : tree_.waves()) {
+    const Wedge& wedge = wedges_[each.wave.wedge];
+    const double half_cosine = glance_half_cosine(wedge.faces[each.wave.face], each.wave.incidence, look_.scattered);
+    faces_.push_back({Strip(wedge.n, each.wave.incidence, half_cosine, tier_), projection(each.wave)});
+  }
+  arriving_at_.clear();
+  std::size_t count = 0;
+  for (const PanelPlacer::Row& row : placer_.rows()) {
+    arriving_at_.push_back(count);
+    count += row.size();
+  }
+  for (ComplexColumn& column : arriving_) column.resize(count);
+  first_kernel_.resize(arriving_at_.size());
 }
 
-void StripWalk::find_ends(Step& step, const StripWave& wave) const {
-  step.lengths.clear();
-  step.exits.clear();
-  step.kernel.clear();
-  step.distinct.clear();
-  std::optional<FaceExit> exit;
-  for (std::size_t i = 0; i < step.points.size(); ++i) {
-    if (i == 0 || step.panels[i] != step.panels[i - 1]) exit = strip_end(wedges_, outlines_, wave, step.points[i]);
-    const double length = exit ? exit->edge->distance(step.points[i], wave.direction) : std::numeric_limits<double>::infinity();
-    step.exits.push_back(exit ? exit->edge : nullptr);
-    step.lengths.push_back(length);
-    const double last = step.distinct.empty() ? -1.0 : step.distinct.back();
-    if (length != last && !(std::abs(length - last) < same_length * length)) step.distinct.push_back(length);
-    step.kernel.push_back(step.distinct.size() - 1);
+// The first strips have radiated, and their kernels are at hand.
+void StripWalk::go_on(std::size_t frequency, double share) {
+  excite_far_edges(share);
+  for (std::size_t w = 1; w < tree_.waves().size(); ++w) {
+    find_kernels(w, wavenumbers_[frequency]);
+    radiate(w, frequency);
+    if (tree_.waves()[w].wave.left > 1) pass_on(tree_.waves()[w]);
   }
 }
 
-// Frequency after frequency, distinct length after distinct length.
-void StripWalk::find_kernels(const StripWave& wave, const Step& step) {
-  const Wedge& wedge = wedges_[wave.wedge];
-  const double half_cosine = glance_half_cosine(wedge.faces[wave.face], wave.incidence, look_.scattered);
+void StripWalk::find_phases(double wavenumber) {
+  const EdgeLine& line = tree_.waves()[0].line;
+  const dvec3 difference = wavenumber * (look_.scattered - look_.incident);
+  const double start = glm::dot(difference, line.origin), step = glm::dot(difference, line.step);
+  const std::span<const PanelPoint> points = placer_.points();
+  direct_.resize(points.size());
+  for (std::size_t first = 0; first < points.size(); first += lanes) {
+    Reals angle{};
+    const std::size_t width = std::min(lanes, points.size() - first);
+    for (std::size_t i = 0; i < width; ++i) angle[i] = start + step * points[first + i].place;
+    const Complexes phasors = unit_phasors(angle);
+    for (std::size_t i = 0; i < width; ++i) direct_.set(first + i, points[first + i].weight * phasors[i]);
+  }
+}
+
+void StripWalk::find_kernels(std::size_t wave, double wavenumber) {
+  const TreeWave& here = tree_.waves()[wave];
+  const double scale = wavenumber * here.wave.incidence.sin_cone * here.wave.incidence.sin_cone;
   lengths_.clear();
-  for (const double k : wavenumbers_)
-    for (const double length : step.distinct) lengths_.push_back(k * wave.incidence.sin_cone * wave.incidence.sin_cone * length);
-  Strip(wedge.n, wave.incidence, half_cosine, tier_).at(lengths_, kernels_);
+  for (std::uint32_t b = here.first_bundle; b < here.end_bundle; ++b) {
+    const StripBundle& bundle = tree_.bundles()[b];
+    const PanelPlacer::Row& row = placer_.rows()[b];
+    first_kernel_[b] = lengths_.size();
+    const std::size_t count = row.size() == 0 ? 0 : alike(bundle) ? 1 : row.size();
+    for (const PanelPoint& point : placer_.points().subspan(row.first, count))
+      lengths_.push_back(bundle.edge ? scale * std::max(bundle.length_at(point.place), 0.0) : infinity);
+  }
+  faces_[wave].strip.at(lengths_, kernels_);
 }
 
-void StripWalk::bound_endless(const StripWave& wave, const Step& step) {
+void StripWalk::bound_endless(std::size_t frequency) {
+  const StripWave& wave = tree_.waves()[0].wave;
   const Wedge& wedge = wedges_[wave.wedge];
   const WedgeFace& face = wedge.faces[wave.face];
   const SplitKernels endless = split_kernels(wedge.n, wave.incidence, glance_half_cosine(face, wave.incidence, look_.scattered));
   if (!endless.active) return;
   for (std::size_t i = 0; i < lengths_.size(); ++i) {
     if (!std::isinf(lengths_[i])) continue;
-    const std::size_t frequency = i / step.distinct.size();
     const WindowedPole window = windowed_pole(endless.angle, wavenumbers_[frequency], face.width);
     FringeKernels current = endless.regular;
     add_product(current, endless.pole, window.value);
@@ -147,105 +163,86 @@ StripWalk::Projection StripWalk::projection(const StripWave& wave) const {
   return result;
 }
 
-void StripWalk::weigh(std::span<const Complex> amplitudes, const Step& step) {
-  weights_.assign(step.distinct.size(), 0.0);
-  for (std::size_t i = 0; i < amplitudes.size(); ++i) weights_[step.kernel[i]] += amplitudes[i];
+// Amplitudes of the first strips are direct_; of those that follow they are what arrived with the bundle before.
+StripWalk::Row StripWalk::row(const TreeWave& wave, std::uint32_t bundle) const {
+  const PanelPlacer::Row& points = placer_.rows()[bundle];
+  Row result{points.first, first_kernel_[bundle], points.size(), alike(tree_.bundles()[bundle])};
+  if (wave.parent != no_index) result.amplitude += arriving_at_[wave.parent] - placer_.rows()[wave.parent].first;
+  return result;
 }
 
-Complex StripWalk::sum(const ComplexColumn& kernels, std::size_t frequency) const {
-  return weighted_sum(kernels, frequency * weights_.size(), weights_);
+Complex StripWalk::radiated(const TreeWave& wave, const ComplexColumn& amplitudes, const ComplexColumn& kernels) const {
+  Complex total = 0.0;
+  for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
+    const Row at = row(wave, b);
+    if (at.size == 0) continue;
+    const ColumnPlace weights(amplitudes, at.amplitude);
+    total += at.alike ? sum(weights, at.size) * kernels[at.kernel] : sum_of_products(weights, {kernels, at.kernel}, at.size);
+  }
+  return total;
 }
 
-void StripWalk::radiate_direct(const StripWave& wave) {
-  const std::size_t count = steps_[0].points.size();
-  const Projection seen = projection(wave);
-  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-    weigh(std::span(direct_).subspan(f * count, count), steps_[0]);
-    const Complex hard = sum(kernels_.hard, f), axial = wave.incidence.cos_cone * sum(kernels_.axial, f),
-                  soft = sum(kernels_.soft, f);
-    for (int transmit = 0; transmit < 2; ++transmit) {
-      const double magnetic = glm::dot(look_.magnetic[transmit], wave.incidence.tangent);
-      const double electric = glm::dot(look_.electric[transmit], wave.incidence.tangent);
-      for (int receive = 0; receive < 2; ++receive)
-        sums_.first[f].at(receive, transmit) +=
-            (seen.across[receive] * hard + seen.along[receive] * axial) * magnetic + seen.along[receive] * soft * electric;
-    }
+void StripWalk::radiate_direct(std::size_t frequency) {
+  const TreeWave& wave = tree_.waves()[0];
+  const FaceIncidence& incidence = wave.wave.incidence;
+  const Projection& seen = faces_[0].seen;
+  const Complex hard = radiated(wave, direct_, kernels_.hard), soft = radiated(wave, direct_, kernels_.soft),
+                axial = incidence.cos_cone * radiated(wave, direct_, kernels_.axial);
+  for (int transmit = 0; transmit < 2; ++transmit) {
+    const double magnetic = glm::dot(look_.magnetic[transmit], incidence.tangent);
+    const double electric = glm::dot(look_.electric[transmit], incidence.tangent);
+    for (int receive = 0; receive < 2; ++receive)
+      sums_.first[frequency].at(receive, transmit) +=
+          (seen.across[receive] * hard + seen.along[receive] * axial) * magnetic + seen.along[receive] * soft * electric;
   }
 }
 
-void StripWalk::radiate(const StripWave& wave, Step& step) {
-  const std::size_t count = step.points.size();
-  const Projection seen = projection(wave);
-  for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-    for (int transmit = 0; transmit < 2; ++transmit) {
-      const auto amplitudes = std::span(step.amplitudes[transmit]).subspan(f * count, count);
-      weigh(amplitudes, step);
-      const Complex hard = sum(kernels_.hard, f), axial = wave.incidence.cos_cone * sum(kernels_.axial, f);
-      for (int receive = 0; receive < 2; ++receive)
-        sums_.higher[f].at(receive, transmit) += seen.across[receive] * hard + seen.along[receive] * axial;
-    }
+void StripWalk::radiate(std::size_t wave, std::size_t frequency) {
+  const TreeWave& here = tree_.waves()[wave];
+  const Projection& seen = faces_[wave].seen;
   for (int transmit = 0; transmit < 2; ++transmit) {
-    step.arriving[transmit].clear();
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-      for (std::size_t i = 0; i < count; ++i)
-        step.arriving[transmit].push_back(step.amplitudes[transmit][f * count + i] *
-                                          kernels_.end[f * step.distinct.size() + step.kernel[i]]);
+    const Complex hard = radiated(here, arriving_[transmit], kernels_.hard);
+    const Complex axial = here.wave.incidence.cos_cone * radiated(here, arriving_[transmit], kernels_.axial);
+    for (int receive = 0; receive < 2; ++receive)
+      sums_.higher[frequency].at(receive, transmit) += seen.across[receive] * hard + seen.along[receive] * axial;
   }
 }
 
 // The hard current arrives with the strips. The soft one flows along the edge; what arrives of it is its component along the
 // strips, of the part of the wave whose E lies in the face. The rest is in the plane of incidence: where it grazes, its current
 // is that which the hard waves from the other edges take away again, so that passing it on would count it twice.
-void StripWalk::excite_far_edges(const StripWave& wave, double share) {
-  Step& step = steps_[0];
-  const std::size_t count = step.points.size();
-  const dvec3 across = glm::cross(wedges_[wave.wedge].faces[wave.face].normal, look_.incident);
+void StripWalk::excite_far_edges(double share) {
+  const TreeWave& wave = tree_.waves()[0];
+  const FaceIncidence& incidence = wave.wave.incidence;
+  const dvec3 across = glm::cross(wedges_[wave.wave.wedge].faces[wave.wave.face].normal, look_.incident);
   const double squared = glm::dot(across, across);
-  const double lying = squared > 0.0 ? glm::dot(across, wave.incidence.tangent) * wave.incidence.cos_cone / squared : 0.0;
+  const double lying = squared > 0.0 ? glm::dot(across, incidence.tangent) * incidence.cos_cone / squared : 0.0;
   for (int transmit = 0; transmit < 2; ++transmit) {
-    const double hard = share * glm::dot(look_.magnetic[transmit], wave.incidence.tangent);
+    const double hard = share * glm::dot(look_.magnetic[transmit], incidence.tangent);
     const double soft = share * glm::dot(look_.electric[transmit], across) * lying;
-    step.arriving[transmit].clear();
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t kernel = f * step.distinct.size() + step.kernel[i];
-        step.arriving[transmit].push_back(direct_[f * count + i] *
-                                          (hard * kernels_.end[kernel] + soft * kernels_.soft_end[kernel]));
+    for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
+      const Row at = row(wave, b);
+      for (std::size_t i = 0; i < at.size; ++i) {
+        const std::size_t kernel = at.kernel + (at.alike ? 0 : i);
+        arriving_[transmit].set(arriving_at_[b] + i,
+                                direct_[at.amplitude + i] * (hard * kernels_.end[kernel] + soft * kernels_.soft_end[kernel]));
       }
+    }
   }
-}
-
-// Moves the points from `first` on that leave at the same edge to the next step.
-void StripWalk::gather(int level, std::size_t first, const dvec3& direction) {
-  Step &from = steps_[level], &to = steps_[level + 1];
-  const OutlineEdge* edge = from.exits[first];
-  const std::size_t count = from.points.size();
-  to.points.clear();
-  to.panels.clear();
-  for (std::size_t i = first; i < count; ++i) {
-    if (from.exits[i] != edge) continue;
-    to.points.push_back(from.points[i] + from.lengths[i] * direction);
-    to.panels.push_back(from.panels[i]);
-  }
-  for (int transmit = 0; transmit < 2; ++transmit) {
-    to.amplitudes[transmit].clear();
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-      for (std::size_t i = first; i < count; ++i)
-        if (from.exits[i] == edge) to.amplitudes[transmit].push_back(from.arriving[transmit][f * count + i]);
-  }
-  for (std::size_t i = first; i < count; ++i)
-    if (from.exits[i] == edge) from.exits[i] = nullptr;
 }
 
 // In the product of field and length of edge the sine between strip and edge cancels: H dz = -(current) dz_before / 2.
-void StripWalk::pass_on(int level, const StripWave& wave) {
-  for (std::size_t i = 0; i < steps_[level].points.size(); ++i) {
-    const OutlineEdge* edge = steps_[level].exits[i];
-    if (!edge) continue;
-    const auto next = waves_beyond(wedges_, wave, *edge);
-    if (!next) continue;
-    gather(level, i, wave.direction);
-    for (const StripWave& beyond : *next) follow(level + 1, beyond);
+void StripWalk::pass_on(const TreeWave& wave) {
+  for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
+    const Row at = row(wave, b);
+    if (at.size == 0) continue;
+    for (ComplexColumn& column : arriving_) {
+      const ColumnPlace amplitudes(column, at.amplitude);
+      if (at.alike)
+        scale(amplitudes, kernels_.end[at.kernel], at.size, column, arriving_at_[b]);
+      else
+        multiply(amplitudes, {kernels_.end, at.kernel}, at.size, column, arriving_at_[b]);
+    }
   }
 }
 

@@ -31,52 +31,50 @@ class StripWalk {
   StripSums take() { return std::move(sums_); }
 
  private:
-  /// The points from which the strips of one step of a walk start. Amplitudes per transmit polarisation: weight, phase and eta H
-  /// along the edge; frequency after frequency, point after point.
-  struct Step {
-    std::vector<dvec3> points;
-    std::vector<std::uint32_t> panels;  // points of one panel leave at one edge
-    std::array<std::vector<Complex>, 2> amplitudes;
-    std::vector<double> lengths;
-    std::vector<const OutlineEdge*> exits;
-    std::vector<double> distinct;                  // lengths, of strips in a row that are alike one alone ...
-    std::vector<std::size_t> kernel;               // ... and which of them a point has
-    std::array<std::vector<Complex>, 2> arriving;  // at the far ends
-  };
   /// S of one face for unit kernels, per receive polarisation.
   struct Projection {
     std::array<double, 2> across, along;
   };
+  /// What all frequencies share of a wave.
+  struct Face {
+    Strip strip;
+    Projection seen;
+  };
+  /// A bundle's amplitudes and its kernels: one for each point, or one for all where its strips are alike.
+  struct Row {
+    std::size_t amplitude, kernel, size;
+    bool alike;
+  };
 
   void start(const StripWave& wave, std::span<const LitInterval> lit);
-  void place(const StripWave& wave, std::span<const LitInterval> lit);
-  void follow(int level, const StripWave& wave);
-  void find_ends(Step& step, const StripWave& wave) const;
-  void find_kernels(const StripWave& wave, const Step& step);
-  void bound_endless(const StripWave& wave, const Step& step);
+  void grow(const StripWave& wave, std::span<const LitInterval> lit);
+  void go_on(std::size_t frequency, double share);
+  void go_on_beside(const StripWave& wave, std::span<const LitInterval> lit);
   Projection projection(const StripWave& wave) const;
-  void radiate_direct(const StripWave& wave);
-  void radiate(const StripWave& wave, Step& step);
-  void go_beyond(const StripWave& wave, std::span<const LitInterval> lit);
-  void excite_far_edges(const StripWave& wave, double share);
-  void pass_on(int level, const StripWave& wave);
-  void gather(int level, std::size_t first, const dvec3& direction);
-  void weigh(std::span<const Complex> amplitudes, const Step& step);
-  Complex sum(const ComplexColumn& kernels, std::size_t frequency) const;
+  Row row(const TreeWave& wave, std::uint32_t bundle) const;
+  void find_phases(double wavenumber);
+  void find_kernels(std::size_t wave, double wavenumber);
+  void bound_endless(std::size_t frequency);
+  Complex radiated(const TreeWave& wave, const ComplexColumn& amplitudes, const ComplexColumn& kernels) const;
+  void radiate_direct(std::size_t frequency);
+  void radiate(std::size_t wave, std::size_t frequency);
+  void excite_far_edges(double share);
+  void pass_on(const TreeWave& wave);
 
   std::span<const Wedge> wedges_;
-  const Outlines& outlines_;
   const LookVectors& look_;
   std::vector<double> wavenumbers_;
   int order_;
   TransitionTier tier_;
+  WaveTree tree_;
   PanelPlacer placer_;
-  std::vector<EdgePoint> points_;
-  std::vector<Step> steps_;
-  std::vector<double> lengths_;  // X of each kernel
+  std::vector<Face> faces_;                // of each wave of the tree
+  std::vector<std::size_t> arriving_at_;   // of each bundle of the tree, where its amplitudes are in arriving_
+  ComplexColumn direct_;                   // weight and phase of the first strips
+  std::array<ComplexColumn, 2> arriving_;  // per transmit polarisation, at the ends: weight, phase and eta H along the edge
+  std::vector<double> lengths_;            // X of each kernel of a wave ...
+  std::vector<std::size_t> first_kernel_;  // ... and of each bundle of the tree the first
   KernelBatch kernels_;
-  std::vector<Complex> direct_;   // weight and phase of the points of the first strips
-  std::vector<Complex> weights_;  // of each distinct length
   StripSums sums_;
 };
 

@@ -283,14 +283,18 @@ TEST(StripKernels, RoughTransitionFunctionsStayFiniteWhereQuotientsAreRemovable)
   EXPECT_LE(wrong, 2);  // W(0) = -j instead of 1
 }
 
-TEST(StripKernels, WeightedSumsTakeTheRightElements) {
-  ComplexColumn column;
+TEST(StripKernels, SumsOverColumnsTakeTheRightElements) {
+  ComplexColumn column, weights;
   column.resize(20);
-  for (std::size_t i = 0; i < 20; ++i) column.set(i, Complex(1.0 + static_cast<double>(i), 0.5));
-  const std::vector<Complex> weights(11, Complex(2, 1));
-  // Whole numbers and halves: no rounding. Sum of (2 + j)(1 + i + j/2) over i = 5..15.
-  EXPECT_EQ(weighted_sum(column, 5, weights), Complex(2, 1) * Complex(121, 5.5));
-  EXPECT_EQ(weighted_sum(column, 5, {}), Complex(0.0));
+  weights.resize(20);
+  for (std::size_t i = 0; i < 20; ++i) {
+    column.set(i, Complex(1.0 + static_cast<double>(i), 0.5));
+    weights.set(i, Complex(2, 1));
+  }
+  // Whole numbers and halves: no rounding. Sum of 1 + i + j/2 over i = 5..15.
+  EXPECT_EQ(sum({column, 5}, 11), Complex(121, 5.5));
+  EXPECT_EQ(sum_of_products({weights, 3}, {column, 5}, 11), Complex(2, 1) * Complex(121, 5.5));
+  EXPECT_EQ(sum_of_products({weights, 0}, {column, 5}, 0), Complex(0.0));
 }
 
 }  // namespace
