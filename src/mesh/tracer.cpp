@@ -35,6 +35,10 @@ std::string widest_instruction_set() {
 
 }  // namespace
 
+namespace {
+struct QueryContext;
+}
+
 struct Tracer::Scene {
   explicit Scene(const TriangleMesh& triangles);
   ~Scene() {
@@ -45,6 +49,7 @@ struct Tracer::Scene {
   Scene& operator=(const Scene&) = delete;
 
   void propose(std::span<const Ray> rays, std::span<Hit> hits) const;
+  void intersect(std::span<const Ray> rays, QueryContext& context, bool from_behind, std::span<std::uint32_t> found) const;
   Hit propose_beyond(const Ray& ray, std::span<const std::uint32_t> refused) const;
   bool decide_again(const Ray& ray, std::uint32_t hint, Hit& hit) const;
   Hit decide(const Ray& ray, const Hit& proposal) const;
@@ -87,8 +92,8 @@ void refuse_behind(const RTCFilterFunctionNArguments* arguments) {
 }
 
 template <class RayPacket>
-void load_lane(RayPacket& packet, std::size_t lane, const Ray& ray, double scale, unsigned id) {
-  const dvec3 origin = ray.source_patch == no_index ? ray.origin * scale : ray.origin * scale - start_behind * ray.direction;
+void load_lane(RayPacket& packet, std::size_t lane, const Ray& ray, double scale, bool from_behind) {
+  const dvec3 origin = from_behind ? ray.origin * scale - start_behind * ray.direction : ray.origin * scale;
   packet.org_x[lane] = static_cast<float>(origin.x);
   packet.org_y[lane] = static_cast<float>(origin.y);
   packet.org_z[lane] = static_cast<float>(origin.z);
@@ -100,7 +105,7 @@ void load_lane(RayPacket& packet, std::size_t lane, const Ray& ray, double scale
   packet.time[lane] = 0.0f;
   packet.mask[lane] = 0xffffffffu;
   packet.flags[lane] = 0;
-  packet.id[lane] = id;
+  packet.id[lane] = static_cast<unsigned>(lane);
 }
 
 RTCRayHit single_ray(const Ray& ray, double scale) {
@@ -124,6 +129,14 @@ QueryContext make_context(const ExactHit& exact, const Ray* rays) {
   rtcInitIntersectContext(&context);
   context.exact = &exact;
   context.rays = rays;
+  return context;
+}
+
+QueryContext blocker_context(const ExactHit& exact, const Ray* rays, const std::array<std::uint32_t, 2>& ignored_patches) {
+  QueryContext context = make_context(exact, rays);
+  context.filter = refuse_behind;
+  context.refused_patches = ignored_patches;
+  context.must_contain = true;
   return context;
 }
 
@@ -158,24 +171,31 @@ void Tracer::Scene::add_geometry() {
 
 // Single-precision answers for all rays, sixteen at a time.
 void Tracer::Scene::propose(std::span<const Ray> rays, std::span<Hit> hits) const {
+  std::array<std::uint32_t, packet_width> found;
   for (std::size_t first = 0; first < rays.size(); first += packet_width) {
-    const std::size_t count = std::min(packet_width, rays.size() - first);
-    alignas(64) RTCRayHit16 packet;
-    alignas(64) std::array<int, packet_width> valid{};
-    bool leaves_surface = false;
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      load_lane(packet.ray, lane, rays[first + lane], scale, static_cast<unsigned>(lane));
-      valid[lane] = -1;
-      packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-      leaves_surface |= rays[first + lane].source_patch != no_index;
-    }
-    QueryContext context = make_context(exact, &rays[first]);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    const std::span<const Ray> packet = rays.subspan(first, std::min(packet_width, rays.size() - first));
+    const bool leaves_surface = std::ranges::any_of(packet, [](const Ray& ray) { return ray.source_patch != no_index; });
+    QueryContext context = make_context(exact, packet.data());
     if (leaves_surface) context.filter = refuse_behind;
-    rtcIntersect16(valid.data(), scene, &context, &packet);
-    for (std::size_t lane = 0; lane < count; ++lane)
-      hits[first + lane].triangle = packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID ? no_index : packet.hit.primID[lane];
+    intersect(packet, context, false, found);
+    for (std::size_t lane = 0; lane < packet.size(); ++lane) hits[first + lane].triangle = found[lane];
   }
+}
+
+// One packet.
+void Tracer::Scene::intersect(std::span<const Ray> rays, QueryContext& context, bool from_behind,
+                              std::span<std::uint32_t> found) const {
+  alignas(64) RTCRayHit16 packet;
+  alignas(64) std::array<int, packet_width> valid{};
+  for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+    load_lane(packet.ray, lane, rays[lane], scale, from_behind || rays[lane].source_patch != no_index);
+    valid[lane] = -1;
+    packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+  }
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(valid.data(), scene, &context, &packet);
+  for (std::size_t lane = 0; lane < rays.size(); ++lane)
+    found[lane] = packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID ? no_index : packet.hit.primID[lane];
 }
 
 // The nearest surface other than the refused triangles, again in single precision.
@@ -240,13 +260,19 @@ void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const 
 std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction,
                               const std::array<std::uint32_t, 2>& ignored_patches) const {
   const Ray ray{origin, direction};
-  QueryContext context = make_context(scene_->exact, &ray);
-  context.filter = refuse_behind;
-  context.refused_patches = ignored_patches;
-  context.must_contain = true;
+  QueryContext context = blocker_context(scene_->exact, &ray, ignored_patches);
   RTCRayHit query = single_ray(ray, scene_->scale);
   rtcIntersect1(scene_->scene, &context, &query);
   return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? no_index : query.hit.primID;
+}
+
+void Tracer::blockers(std::span<const Ray> rays, const std::array<std::uint32_t, 2>& ignored_patches,
+                      std::span<std::uint32_t> found) const {
+  for (std::size_t first = 0; first < rays.size(); first += packet_width) {
+    const std::span<const Ray> packet = rays.subspan(first, std::min(packet_width, rays.size() - first));
+    QueryContext context = blocker_context(scene_->exact, packet.data(), ignored_patches);
+    scene_->intersect(packet, context, true, found.subspan(first, packet.size()));
+  }
 }
 
 bool Tracer::meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,

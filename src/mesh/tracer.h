@@ -40,6 +40,9 @@ class Tracer {
   /// A triangle that the half line from `origin` along `direction` meets, other than those of two patches; no_index if there is
   /// none. Never names a triangle that the line misses in double precision. Thread-safe.
   std::uint32_t blocker(const dvec3& origin, const dvec3& direction, const std::array<std::uint32_t, 2>& ignored_patches) const;
+  /// The same for many half lines; best if they lie side by side. found.size() == rays.size().
+  void blockers(std::span<const Ray> rays, const std::array<std::uint32_t, 2>& ignored_patches,
+                std::span<std::uint32_t> found) const;
 
   /// Double-precision decision whether the half line meets `triangle` or one that shares a corner with it. Thread-safe.
   bool meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,

@@ -25,6 +25,7 @@ struct EdgeProbe {
   const Tracer& tracer;
   dvec3 direction;
   dvec3 offset;
+  std::span<const double> crossed;
   std::array<std::uint32_t, 2> own_patches{wedge.faces[0].patch, wedge.faces[1].patch};
 
   dvec3 point(double fraction) const { return glm::mix(wedge.start, wedge.end, fraction) + offset; }
@@ -32,9 +33,21 @@ struct EdgeProbe {
   /// A triangle in the way of this point, or no_index.
   std::uint32_t blocker(double fraction) const { return tracer.blocker(point(fraction), direction, own_patches); }
 
+  /// Whether `place` is where a shadow on the dark end's side stops: half-way to the ends or a hair from it rays tell, just
+  /// beside it the double-precision decision about the blocker they found.
+  bool is_transition(double place, double lit_end, double dark_end) const {
+    const double side = std::copysign(1.0, dark_end - lit_end);
+    const double to_lit = std::min(single_blocker, std::abs(place - lit_end) / 2);
+    const double to_dark = std::min(single_blocker, std::abs(place - dark_end) / 2);
+    if (std::min(to_lit, to_dark) <= clip_tolerance || blocker(place - side * to_lit) != no_index) return false;
+    const std::uint32_t other = blocker(place + side * to_dark);
+    const auto is_dark = [&](double at) { return tracer.meets_around(point(at), direction, other, own_patches); };
+    return other != no_index && is_dark(place + side * clip_tolerance) && !is_dark(place - side * clip_tolerance);
+  }
+
   /// Where the shadow that `blocker` throws on the dark end stops: by search while the interval is wide enough to hold other
   /// blockers, then with this blocker and its neighbours alone, in double precision.
-  double transition(double lit_end, double dark_end, std::uint32_t blocker_there) const {
+  double search(double lit_end, double dark_end, std::uint32_t blocker_there) const {
     while (std::abs(dark_end - lit_end) > clip_tolerance) {
       const double middle = (lit_end + dark_end) / 2;
       bool dark = tracer.meets_around(point(middle), direction, blocker_there, own_patches);
@@ -46,6 +59,14 @@ struct EdgeProbe {
       (dark ? dark_end : lit_end) = middle;
     }
     return (lit_end + dark_end) / 2;
+  }
+
+  /// The same. On a polygonal body it is one of the crossings, which need only be confirmed.
+  double transition(double lit_end, double dark_end, std::uint32_t blocker_there) const {
+    const auto [low, high] = std::minmax(lit_end, dark_end);
+    for (auto place = std::ranges::lower_bound(crossed, low); place != crossed.end() && *place < high; ++place)
+      if (is_transition(*place, lit_end, dark_end)) return *place;
+    return search(lit_end, dark_end, blocker_there);
   }
 };
 
@@ -72,18 +93,15 @@ void choose_points(int regular, std::span<const double> crossed, std::vector<dou
 }
 
 /// Walks along the wedge and notes where light changes to shadow and back.
-void scan(const EdgeProbe& probe, std::span<const double> points, std::vector<LitInterval>& lit) {
-  double previous = points.front(), begin = 0.0;
-  std::uint32_t blocker_before = probe.blocker(previous);
-  for (const double here : points.subspan(1)) {
-    const std::uint32_t blocker = probe.blocker(here);
-    const bool was_lit = blocker_before == no_index, is_lit = blocker == no_index;
-    if (was_lit && !is_lit) lit.push_back({begin, probe.transition(previous, here, blocker)});
-    if (is_lit && !was_lit) begin = probe.transition(here, previous, blocker_before);
-    previous = here;
-    blocker_before = blocker;
+void scan(const EdgeProbe& probe, std::span<const double> points, std::span<const std::uint32_t> blockers,
+          std::vector<LitInterval>& lit) {
+  double begin = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const bool was_lit = blockers[i - 1] == no_index, is_lit = blockers[i] == no_index;
+    if (was_lit && !is_lit) lit.push_back({begin, probe.transition(points[i - 1], points[i], blockers[i])});
+    if (is_lit && !was_lit) begin = probe.transition(points[i], points[i - 1], blockers[i - 1]);
   }
-  if (blocker_before == no_index) lit.push_back({begin, 1.0});
+  if (blockers.back() == no_index) lit.push_back({begin, 1.0});
 }
 
 }  // namespace
@@ -95,7 +113,12 @@ void Visibility::find(std::uint32_t index, const dvec3& away, std::vector<LitInt
   lit.clear();
   crossings_.find(index, crossed_);
   choose_points(point_count(wedges_[index].length(), wavelength_), crossed_, points_);
-  scan({wedges_[index], tracer_, direction_, away * (lift * tracer_.mesh().radius)}, points_, lit);
+  const EdgeProbe probe{wedges_[index], tracer_, direction_, away * (lift * tracer_.mesh().radius), crossed_};
+  rays_.clear();
+  for (const double point : points_) rays_.push_back({probe.point(point), direction_});
+  blockers_.resize(points_.size());
+  tracer_.blockers(rays_, probe.own_patches, blockers_);
+  scan(probe, points_, blockers_, lit);
 }
 
 }  // namespace raytube

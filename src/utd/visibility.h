@@ -22,9 +22,10 @@ class Visibility {
   /// Fills `lit` (cleared first, capacity kept) with the parts of wedge `index` from which nothing but its own two patches lies
   /// on the way along the direction; `away` is the normal of a face along which the rays run, to start them off it, else 0. Test
   /// points stand at most half a wavelength apart, at least 8 and at most 128 of them from end to end, and one more between any
-  /// two neighbours among the places where another wedge passes in front. Each change from one to the next is then bisected to
-  /// 1e-13 of the length. So the shadow of a polygonal body is never missed, however narrow; that of a curved one, whose outline
-  /// is no wedge, can be if it is narrower than the spacing.
+  /// two neighbours among the places where a wedge of the silhouette passes in front. Each change from one to the next is at such
+  /// a place, confirmed in double precision a hair to either side of it, or else bisected to 1e-13 of the length. So the shadow
+  /// of a polygonal body is never missed, however narrow; that of a curved one, whose outline is no wedge, can be if it is
+  /// narrower than the spacing.
   void find(std::uint32_t index, const dvec3& away, std::vector<LitInterval>& lit);
 
  private:
@@ -33,6 +34,8 @@ class Visibility {
   dvec3 direction_;
   double wavelength_;
   Crossings crossings_;
+  std::vector<Ray> rays_;
+  std::vector<std::uint32_t> blockers_;
   std::vector<double> crossed_, points_;
 };
 
