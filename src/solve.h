@@ -17,7 +17,7 @@ enum class EdgeMethod { none, fringe };
 
 struct EdgeOptions {
   EdgeMethod method = EdgeMethod::fringe;
-  int order = 1;                 // edges in a row that a current passes, 1 to 3; 1 takes every face as endless
+  int order = 3;                 // edges in a row that a current passes, 1 to 3; 1 takes every face as endless
   bool receiver_shadow = false;  // an edge hidden from the receiver does not count
   TransitionTier transition = TransitionTier::exact;  // of the transition function; plays a part at order 2 and 3 only
   double min_wedge_angle = 15.0 * degree;             // a crease flatter than this is tessellation, not an edge [rad]

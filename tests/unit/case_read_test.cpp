@@ -152,7 +152,7 @@ TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
   const std::string json = resolved_case_json(read_text(smallest, {"frequency.ghz=9.4"}));
   for (const char* part :
        {"\"title\": \"m\"", "\"unit\": \"mm\"", "\"material\": \"pec\"", "\"ghz\": 9.4", "\"theta_deg\": 90.0",
-        "\"mode\": \"uniform\"", "\"per_wavelength\": 10.0", "\"max_bounces\": 8", "\"method\": \"fringe\"", "\"order\": 1",
+        "\"mode\": \"uniform\"", "\"per_wavelength\": 10.0", "\"max_bounces\": 8", "\"method\": \"fringe\"", "\"order\": 3",
         "\"receiver_shadow\": false", "\"transition\": \"exact\"", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
     EXPECT_THAT(json, HasSubstr(part));
   EXPECT_EQ(json.find("\"receive\""), std::string::npos);
