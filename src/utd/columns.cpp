@@ -6,10 +6,26 @@ namespace raytube {
 
 namespace {
 
-Complex sum(const Complexes& values) {
-  Complex total = 0.0;
-  for (std::size_t i = 0; i < lanes; ++i) total += values[i];
-  return total;
+constexpr std::size_t stride = 4;  // sums side by side: rows are short, and what is left over is added number by number
+
+/// Sums of the numbers 0, 4, 8, ..., of 1, 5, 9, ..., and so on.
+struct PartialSums {
+  double re[stride]{}, im[stride]{};
+
+  [[gnu::always_inline]] void add_product(std::size_t lane, ColumnPlace a, ColumnPlace b, std::size_t i) {
+    re[lane] += a.re[i] * b.re[i] - a.im[i] * b.im[i];
+    im[lane] += a.re[i] * b.im[i] + a.im[i] * b.re[i];
+  }
+  Complex total() const { return {(re[0] + re[2]) + (re[1] + re[3]), (im[0] + im[2]) + (im[1] + im[3])}; }
+};
+
+/// Calls add(lane, i) for every number, whole strides in loops of fixed length.
+template <class Add>
+[[gnu::always_inline]] inline void for_each(std::size_t count, Add add) {
+  std::size_t first = 0;
+  for (; first + stride <= count; first += stride)
+    for (std::size_t lane = 0; lane < stride; ++lane) add(lane, first + lane);
+  for (std::size_t lane = 0; first + lane < count; ++lane) add(lane, first + lane);
 }
 
 }  // namespace
@@ -33,31 +49,29 @@ void add_products(Complexes& sum, const Complexes& a, const Complexes& b) {
 }
 
 Complex sum(ColumnPlace values, std::size_t count) {
-  Complexes sums{};
-  std::size_t first = 0;
-  const auto add = [&](std::size_t width) {
-    for (std::size_t i = 0; i < width; ++i) {
-      sums.re[i] += values.re[first + i];
-      sums.im[i] += values.im[first + i];
-    }
-  };
-  for (; first + lanes <= count; first += lanes) add(lanes);
-  add(count - first);
-  return sum(sums);
+  PartialSums sums;
+  for_each(count, [&](std::size_t lane, std::size_t i) {
+    sums.re[lane] += values.re[i];
+    sums.im[lane] += values.im[i];
+  });
+  return sums.total();
 }
 
 Complex sum_of_products(ColumnPlace a, ColumnPlace b, std::size_t count) {
-  Complexes sums{};
-  std::size_t first = 0;
-  const auto add = [&](std::size_t width) {
-    for (std::size_t i = 0, j = first; i < width; ++i, ++j) {
-      sums.re[i] += a.re[j] * b.re[j] - a.im[j] * b.im[j];
-      sums.im[i] += a.re[j] * b.im[j] + a.im[j] * b.re[j];
-    }
-  };
-  for (; first + lanes <= count; first += lanes) add(lanes);
-  add(count - first);
-  return sum(sums);
+  PartialSums sums;
+  for_each(count, [&](std::size_t lane, std::size_t i) { sums.add_product(lane, a, b, i); });
+  return sums.total();
+}
+
+PairSums sums_of_products(const std::array<ColumnPlace, 2>& a, const std::array<ColumnPlace, 2>& b, std::size_t count) {
+  PartialSums first, second, third, fourth;
+  for_each(count, [&](std::size_t lane, std::size_t i) {
+    first.add_product(lane, a[0], b[0], i);
+    second.add_product(lane, a[0], b[1], i);
+    third.add_product(lane, a[1], b[0], i);
+    fourth.add_product(lane, a[1], b[1], i);
+  });
+  return {{{first.total(), second.total()}, {third.total(), fourth.total()}}};
 }
 
 void scale(ColumnPlace a, Complex factor, std::size_t count, ComplexColumn& to, std::size_t first) {

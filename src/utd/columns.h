@@ -1,6 +1,7 @@
 // Rows of complex numbers, worked through a few at a time. What a sum gives depends on its terms and their number alone.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "utd/lanes.h"
@@ -33,6 +34,10 @@ void add_products(Complexes& sum, const Complexes& a, const Complexes& b);
 /// Sum of `count` numbers, and of the products of as many pairs.
 Complex sum(ColumnPlace values, std::size_t count);
 Complex sum_of_products(ColumnPlace a, ColumnPlace b, std::size_t count);
+
+/// The products of two rows with two others: [p][q] is the sum over a[p] b[q].
+using PairSums = std::array<std::array<Complex, 2>, 2>;
+PairSums sums_of_products(const std::array<ColumnPlace, 2>& a, const std::array<ColumnPlace, 2>& b, std::size_t count);
 
 /// to[first + i] = factor a[i]; factor a[i] b[i].
 void scale(ColumnPlace a, Complex factor, std::size_t count, ComplexColumn& to, std::size_t first);

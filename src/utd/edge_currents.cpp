@@ -19,11 +19,17 @@ Complex wedge_cotangent(double n, Complex x) { return cotangent(x / (2 * n)) / n
 
 // ... which physical optics shares: c_n(x) = (1/n) cot(x/2n) - cot(x/2), regular at x = 0. Taylor series (Bernoulli numbers)
 // below |x| = 0.02: the first term left out is 1e-18, while the difference would lose two digits at the switch.
-Complex cotangent_difference(double n, Complex x) {
-  if (std::abs(x.real()) + std::abs(x.imag()) >= 0.02) return wedge_cotangent(n, x) - cotangent(x / 2.0);
+constexpr double series_below = 0.02;
+
+template <class Number>
+Number difference_over_argument(double n, Number x2) {
   const double m2 = 1 / (n * n), m4 = m2 * m2;
-  const Complex x2 = x * x;
-  return x * ((1 - m2) / 6 + x2 * ((1 - m4) / 360 + x2 * ((1 - m2 * m4) / 15120)));
+  return (1 - m2) / 6 + x2 * ((1 - m4) / 360 + x2 * ((1 - m2 * m4) / 15120));
+}
+
+Complex cotangent_difference(double n, Complex x) {
+  if (std::abs(x.real()) + std::abs(x.imag()) < series_below) return x * difference_over_argument(n, x * x);
+  return wedge_cotangent(n, x) - cotangent(x / 2.0);
 }
 
 // A- and A+ of one face: G_s = (A- - A+)/2, G_h = (A- + A+)/(2 sin g).
@@ -105,6 +111,18 @@ double glance_half_cosine(const WedgeFace& face, const FaceIncidence& incidence,
 
 FringeKernels fringe_kernels(double n, const FaceIncidence& incidence, const Glance& glance) {
   return kernels_of(fringe_terms(n, incidence, glance.angle), glance, axial_constant(n, incidence));
+}
+
+// c_n(g) / sin(g) and -tan(g/2n) / (n sin g), also where g is imaginary; cot(g/2) = (1 + cos g) / sin g.
+double grazing_hard_kernel(double n, bool own_face, const Glance& glance) {
+  const bool is_imaginary = glance.angle.real() == 0.0;
+  const double g = is_imaginary ? glance.angle.imag() : glance.angle.real();
+  const double sine = is_imaginary ? glance.sine.imag() : glance.sine.real();
+  const double tangent = is_imaginary ? std::tanh(g / (2 * n)) : std::tan(g / (2 * n));
+  if (!own_face) return -tangent / (n * sine);
+  const double sign = is_imaginary ? -1.0 : 1.0;
+  if (g < series_below) return g / sine * difference_over_argument(n, sign * g * g);
+  return sign * (1 / (n * tangent) - (1 + glance.cosine.real()) / sine) / sine;
 }
 
 SplitKernels split_kernels(double n, const FaceIncidence& incidence, double half_cosine) {

@@ -47,6 +47,10 @@ struct FringeKernels {
 /// the physical-optics current share. Singular only where source and observer both graze the face, forward (see below).
 FringeKernels fringe_kernels(double n, const FaceIncidence& incidence, const Glance& glance);
 
+/// G_h of a wave that grazes the face itself (phi' = 0) or the other one (phi' = n pi), as fringe_kernels gives it; real, and G_s
+/// = 0.
+double grazing_hard_kernel(double n, bool own_face, const Glance& glance);
+
 /// The kernels with their forward-grazing pole set apart: kernels = regular + cot(y/2) pole, with
 /// y = g + phi' - 2 pi on a lit face, g - phi' on a dark one. `active` when |y| < 1 rad; else y and pole are zero.
 struct SplitKernels {

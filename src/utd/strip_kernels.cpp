@@ -53,14 +53,23 @@ Strip::Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTi
       exact_(tier == TransitionTier::exact) {
   double& source = incidence.source_angle;
   source = incidence.lit ? std::min(source, pi - closest_to_plane) : std::max(source, pi + closest_to_plane);
-  terms_ = {term(n, source, +1), term(n, source, -1)};
-  // A wave that grazes this face or the other one: both terms are the same wave, and it has no soft part.
-  if (source == 0.0 || source == n * pi) {
-    terms_[0] = {terms_[0].strength + terms_[1].strength, terms_[0].distance, 0.0};
-    term_count_ = 1;
-  }
   has_local_part_ = n != 2.0;
+  if (source == 0.0 || source == n * pi) {
+    graze(n, source == 0.0);
+    return;
+  }
+  terms_ = {term(n, source, +1), term(n, source, -1)};
   if (has_local_part_) find_local_part(n, incidence);
+}
+
+// A wave that grazes this face or the other one: both terms are the same wave, eps = pi or (1 - n) pi, and it has no soft part.
+void Strip::graze(double n, bool own_face) {
+  const double tangent = std::tan(pi / (2 * n)), distance = own_face ? 1.0 : std::abs(std::sin((n - 1) * pi / 2));
+  terms_[0] = {own_face ? -1 / (n * tangent) : distance * tangent / n, distance, 0.0};
+  term_count_ = 1;
+  if (!has_local_part_) return;
+  const double exact = grazing_hard_kernel(n, own_face, glance_at(half_cosine_));
+  local_ = {0.0, exact - endless().current.hard.real(), local_step(n, own_face)};
 }
 
 double Strip::total_strength() const { return terms_[0].strength + (term_count_ == 2 ? terms_[1].strength : 0.0); }
@@ -69,9 +78,10 @@ double Strip::total_strength() const { return terms_[0].strength + (term_count_ 
 void Strip::find_local_part(double n, const FaceIncidence& incidence) {
   const FringeKernels exact = fringe_kernels(n, incidence, glance_at(half_cosine_));
   const FringeKernels uniform = endless().current;
-  const double step = (incidence.lit ? 1.0 : 0.0) - 1 / n + total_strength();
-  local_ = {exact.soft.real() - uniform.soft.real(), exact.hard.real() - uniform.hard.real(), step};
+  local_ = {exact.soft.real() - uniform.soft.real(), exact.hard.real() - uniform.hard.real(), local_step(n, incidence.lit)};
 }
+
+double Strip::local_step(double n, bool lit) const { return (lit ? 1.0 : 0.0) - 1 / n + total_strength(); }
 
 StripKernels Strip::endless() const {
   double soft = local_.soft, hard = local_.hard;

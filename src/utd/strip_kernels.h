@@ -50,7 +50,9 @@ class Strip {
   struct Observer;
   struct Sums;
   static Term term(double n, double source, int sign);
+  void graze(double n, bool own_face);
   void find_local_part(double n, const FaceIncidence& incidence);
+  double local_step(double n, bool lit) const;
   double total_strength() const;
   StripKernels endless() const;
   Observer observer(const Reals& length, ScaledErfc erfc) const;

@@ -86,14 +86,26 @@ void StripWalk::grow(const StripWave& wave, std::span<const LitInterval> lit) {
     const double half_cosine = glance_half_cosine(wedge.faces[each.wave.face], each.wave.incidence, look_.scattered);
     faces_.push_back({Strip(wedge.n, each.wave.incidence, half_cosine, tier_), projection(each.wave)});
   }
-  arriving_at_.clear();
+  lay_out_rows();
+}
+
+// Amplitudes of the first strips are direct_; of those that follow they are what arrived with the bundle before.
+void StripWalk::lay_out_rows() {
+  rows_.clear();
   std::size_t count = 0;
-  for (const PanelPlacer::Row& row : placer_.rows()) {
-    arriving_at_.push_back(count);
-    count += row.size();
-  }
+  for (const TreeWave& wave : tree_.waves())
+    for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
+      const PanelPlacer::Row& points = placer_.rows()[b];
+      std::size_t amplitude = points.first;
+      if (wave.parent != no_index) amplitude += rows_[wave.parent].arriving - placer_.rows()[wave.parent].first;
+      rows_.push_back({amplitude, count, 0, points.size(), alike(tree_.bundles()[b])});
+      count += points.size();
+    }
   for (ComplexColumn& column : arriving_) column.resize(count);
-  first_kernel_.resize(arriving_at_.size());
+}
+
+std::span<const StripWalk::Row> StripWalk::rows(const TreeWave& wave) const {
+  return std::span(rows_).subspan(wave.first_bundle, wave.end_bundle - wave.first_bundle);
 }
 
 // The first strips have radiated, and their kernels are at hand.
@@ -127,10 +139,10 @@ void StripWalk::find_kernels(std::size_t wave, double wavenumber) {
   lengths_.clear();
   for (std::uint32_t b = here.first_bundle; b < here.end_bundle; ++b) {
     const StripBundle& bundle = tree_.bundles()[b];
-    const PanelPlacer::Row& row = placer_.rows()[b];
-    first_kernel_[b] = lengths_.size();
-    const std::size_t count = row.size() == 0 ? 0 : alike(bundle) ? 1 : row.size();
-    for (const PanelPoint& point : placer_.points().subspan(row.first, count))
+    Row& row = rows_[b];
+    row.kernel = lengths_.size();
+    const std::size_t count = row.alike ? std::min<std::size_t>(row.size, 1) : row.size;
+    for (const PanelPoint& point : placer_.points().subspan(placer_.rows()[b].first, count))
       lengths_.push_back(bundle.edge ? scale * std::max(bundle.length_at(point.place), 0.0) : infinity);
   }
   faces_[wave].strip.at(lengths_, kernels_);
@@ -163,21 +175,34 @@ StripWalk::Projection StripWalk::projection(const StripWave& wave) const {
   return result;
 }
 
-// Amplitudes of the first strips are direct_; of those that follow they are what arrived with the bundle before.
-StripWalk::Row StripWalk::row(const TreeWave& wave, std::uint32_t bundle) const {
-  const PanelPlacer::Row& points = placer_.rows()[bundle];
-  Row result{points.first, first_kernel_[bundle], points.size(), alike(tree_.bundles()[bundle])};
-  if (wave.parent != no_index) result.amplitude += arriving_at_[wave.parent] - placer_.rows()[wave.parent].first;
-  return result;
+Complex StripWalk::radiated_direct(const ComplexColumn& kernels) const {
+  Complex total = 0.0;
+  for (const Row& row : rows(tree_.waves()[0])) {
+    if (row.size == 0) continue;
+    const ColumnPlace weights(direct_, row.amplitude);
+    total += row.alike ? sum(weights, row.size) * kernels[row.kernel] : sum_of_products(weights, {kernels, row.kernel}, row.size);
+  }
+  return total;
 }
 
-Complex StripWalk::radiated(const TreeWave& wave, const ComplexColumn& amplitudes, const ComplexColumn& kernels) const {
-  Complex total = 0.0;
-  for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
-    const Row at = row(wave, b);
-    if (at.size == 0) continue;
-    const ColumnPlace weights(amplitudes, at.amplitude);
-    total += at.alike ? sum(weights, at.size) * kernels[at.kernel] : sum_of_products(weights, {kernels, at.kernel}, at.size);
+// Per transmit polarisation, the hard current's share across the strips and along them.
+PairSums StripWalk::radiated(const TreeWave& wave) const {
+  PairSums total{};
+  for (const Row& row : rows(wave)) {
+    if (row.size == 0) continue;
+    const std::array<ColumnPlace, 2> weights{ColumnPlace(arriving_[0], row.amplitude), ColumnPlace(arriving_[1], row.amplitude)};
+    const std::array<ColumnPlace, 2> kernels{ColumnPlace(kernels_.hard, row.kernel), ColumnPlace(kernels_.axial, row.kernel)};
+    if (!row.alike) {
+      const PairSums sums = sums_of_products(weights, kernels, row.size);
+      for (int transmit = 0; transmit < 2; ++transmit)
+        for (int part = 0; part < 2; ++part) total[transmit][part] += sums[transmit][part];
+      continue;
+    }
+    for (int transmit = 0; transmit < 2; ++transmit) {
+      const Complex weight = sum(weights[transmit], row.size);
+      total[transmit][0] += weight * kernels_.hard[row.kernel];
+      total[transmit][1] += weight * kernels_.axial[row.kernel];
+    }
   }
   return total;
 }
@@ -186,8 +211,8 @@ void StripWalk::radiate_direct(std::size_t frequency) {
   const TreeWave& wave = tree_.waves()[0];
   const FaceIncidence& incidence = wave.wave.incidence;
   const Projection& seen = faces_[0].seen;
-  const Complex hard = radiated(wave, direct_, kernels_.hard), soft = radiated(wave, direct_, kernels_.soft),
-                axial = incidence.cos_cone * radiated(wave, direct_, kernels_.axial);
+  const Complex hard = radiated_direct(kernels_.hard), soft = radiated_direct(kernels_.soft),
+                axial = incidence.cos_cone * radiated_direct(kernels_.axial);
   for (int transmit = 0; transmit < 2; ++transmit) {
     const double magnetic = glm::dot(look_.magnetic[transmit], incidence.tangent);
     const double electric = glm::dot(look_.electric[transmit], incidence.tangent);
@@ -200,9 +225,9 @@ void StripWalk::radiate_direct(std::size_t frequency) {
 void StripWalk::radiate(std::size_t wave, std::size_t frequency) {
   const TreeWave& here = tree_.waves()[wave];
   const Projection& seen = faces_[wave].seen;
+  const PairSums sums = radiated(here);
   for (int transmit = 0; transmit < 2; ++transmit) {
-    const Complex hard = radiated(here, arriving_[transmit], kernels_.hard);
-    const Complex axial = here.wave.incidence.cos_cone * radiated(here, arriving_[transmit], kernels_.axial);
+    const Complex hard = sums[transmit][0], axial = here.wave.incidence.cos_cone * sums[transmit][1];
     for (int receive = 0; receive < 2; ++receive)
       sums_.higher[frequency].at(receive, transmit) += seen.across[receive] * hard + seen.along[receive] * axial;
   }
@@ -220,28 +245,25 @@ void StripWalk::excite_far_edges(double share) {
   for (int transmit = 0; transmit < 2; ++transmit) {
     const double hard = share * glm::dot(look_.magnetic[transmit], incidence.tangent);
     const double soft = share * glm::dot(look_.electric[transmit], across) * lying;
-    for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
-      const Row at = row(wave, b);
-      for (std::size_t i = 0; i < at.size; ++i) {
-        const std::size_t kernel = at.kernel + (at.alike ? 0 : i);
-        arriving_[transmit].set(arriving_at_[b] + i,
-                                direct_[at.amplitude + i] * (hard * kernels_.end[kernel] + soft * kernels_.soft_end[kernel]));
+    for (const Row& row : rows(wave))
+      for (std::size_t i = 0; i < row.size; ++i) {
+        const std::size_t kernel = row.kernel + (row.alike ? 0 : i);
+        const Complex current = hard * kernels_.end[kernel] + soft * kernels_.soft_end[kernel];
+        arriving_[transmit].set(row.arriving + i, direct_[row.amplitude + i] * current);
       }
-    }
   }
 }
 
 // In the product of field and length of edge the sine between strip and edge cancels: H dz = -(current) dz_before / 2.
 void StripWalk::pass_on(const TreeWave& wave) {
-  for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
-    const Row at = row(wave, b);
-    if (at.size == 0) continue;
+  for (const Row& row : rows(wave)) {
+    if (row.size == 0) continue;
     for (ComplexColumn& column : arriving_) {
-      const ColumnPlace amplitudes(column, at.amplitude);
-      if (at.alike)
-        scale(amplitudes, kernels_.end[at.kernel], at.size, column, arriving_at_[b]);
+      const ColumnPlace amplitudes(column, row.amplitude);
+      if (row.alike)
+        scale(amplitudes, kernels_.end[row.kernel], row.size, column, row.arriving);
       else
-        multiply(amplitudes, {kernels_.end, at.kernel}, at.size, column, arriving_at_[b]);
+        multiply(amplitudes, {kernels_.end, row.kernel}, row.size, column, row.arriving);
     }
   }
 }

@@ -40,9 +40,10 @@ class StripWalk {
     Strip strip;
     Projection seen;
   };
-  /// A bundle's amplitudes and its kernels: one for each point, or one for all where its strips are alike.
+  /// Where a bundle's amplitudes are at its start and at its end, and its kernels: one for each point, or one for all where its
+  /// strips are alike.
   struct Row {
-    std::size_t amplitude, kernel, size;
+    std::size_t amplitude, arriving, kernel, size;
     bool alike;
   };
 
@@ -51,11 +52,13 @@ class StripWalk {
   void go_on(std::size_t frequency, double share);
   void go_on_beside(const StripWave& wave, std::span<const LitInterval> lit);
   Projection projection(const StripWave& wave) const;
-  Row row(const TreeWave& wave, std::uint32_t bundle) const;
+  void lay_out_rows();
+  std::span<const Row> rows(const TreeWave& wave) const;
   void find_phases(double wavenumber);
   void find_kernels(std::size_t wave, double wavenumber);
   void bound_endless(std::size_t frequency);
-  Complex radiated(const TreeWave& wave, const ComplexColumn& amplitudes, const ComplexColumn& kernels) const;
+  Complex radiated_direct(const ComplexColumn& kernels) const;
+  PairSums radiated(const TreeWave& wave) const;
   void radiate_direct(std::size_t frequency);
   void radiate(std::size_t wave, std::size_t frequency);
   void excite_far_edges(double share);
@@ -69,11 +72,10 @@ class StripWalk {
   WaveTree tree_;
   PanelPlacer placer_;
   std::vector<Face> faces_;                // of each wave of the tree
-  std::vector<std::size_t> arriving_at_;   // of each bundle of the tree, where its amplitudes are in arriving_
+  std::vector<Row> rows_;                  // of each bundle
   ComplexColumn direct_;                   // weight and phase of the first strips
   std::array<ComplexColumn, 2> arriving_;  // per transmit polarisation, at the ends: weight, phase and eta H along the edge
-  std::vector<double> lengths_;            // X of each kernel of a wave ...
-  std::vector<std::size_t> first_kernel_;  // ... and of each bundle of the tree the first
+  std::vector<double> lengths_;            // X of each kernel of a wave
   KernelBatch kernels_;
   StripSums sums_;
 };
