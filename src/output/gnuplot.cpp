@@ -10,6 +10,8 @@
 #include <cerrno>
 #include <csignal>
 
+#include "output/files.h"
+
 namespace raytube {
 
 namespace {
@@ -25,8 +27,7 @@ int spawn_silently(const char* const* arguments, pid_t& child) {
   return error;
 }
 
-}  // namespace
-
+// Empty if gnuplot ran the script, otherwise what went wrong.
 std::string run_gnuplot(const std::filesystem::path& script) {
   const std::string name = script.string();
   const std::array<const char*, 4> arguments = {"gnuplot", "-d", name.c_str(), nullptr};  // -d: no user settings
@@ -36,6 +37,46 @@ std::string run_gnuplot(const std::filesystem::path& script) {
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) kill(child, SIGTERM);  // whoever stops us means the plot too
   if (!WIFEXITED(status)) return "gnuplot was stopped";
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("gnuplot failed with status {}", WEXITSTATUS(status));
+}
+
+std::string draw(const std::filesystem::path& picture, const std::string& commands) {
+  const std::filesystem::path script = picture.string() + ".gnuplot";
+  OutputFile file(script);
+  file.write(commands);
+  file.commit();
+  std::string trouble = run_gnuplot(script);
+  std::error_code error;
+  std::filesystem::remove(script, error);
+  const auto size = std::filesystem::file_size(picture, error);
+  if (trouble.empty() && (error || size == 0)) trouble = "gnuplot left no picture";
+  if (!trouble.empty()) std::filesystem::remove(picture, error);
+  return trouble;
+}
+
+}  // namespace
+
+// Inside single quotes gnuplot takes everything literally but the quote itself; SVG allows no control characters.
+std::string gnuplot_quoted(const std::string& text) {
+  std::string inside;
+  for (const char c : text) {
+    if (c == '\'') inside += '\'';
+    inside += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return '\'' + inside + '\'';
+}
+
+std::string gnuplot_preamble(const std::string& terminal, const std::string& canvas, const std::string& file) {
+  return fmt::format(
+      "set encoding utf8\nset terminal {} size {} noenhanced font 'DejaVu Sans,12' background rgb 'white'\nset output {}\n"
+      "set grid lt 1 lw 1 lc rgb '#d9d9d9'\nset key outside right top vertical Left reverse samplen 3\n",
+      terminal, canvas, gnuplot_quoted(file));
+}
+
+std::string draw_pictures(const std::filesystem::path& folder, const std::string& name,
+                          const std::function<std::string(const std::string&, const std::string&)>& script) {
+  const std::filesystem::path png = folder / (name + ".png"), svg = folder / (name + ".svg");
+  const std::string trouble = draw(png, script("pngcairo", png.string()));
+  return trouble.empty() ? draw(svg, script("svg", svg.string())) : trouble;
 }
 
 }  // namespace raytube

@@ -1,12 +1,21 @@
-// Runs gnuplot on a script.
+// Pictures through gnuplot. A picture is a convenience: its absence is told, it is not an error.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace raytube {
 
-/// Empty if gnuplot ran the script, otherwise what went wrong.
-std::string run_gnuplot(const std::filesystem::path& script);
+/// Text as gnuplot takes it literally.
+std::string gnuplot_quoted(const std::string& text);
+
+/// The commands every script begins with: `terminal` is "pngcairo" or "svg", `canvas` its size "1100,640" in pixels.
+std::string gnuplot_preamble(const std::string& terminal, const std::string& canvas, const std::string& file);
+
+/// Draws `name`.png and `name`.svg in `folder`, which holds neither; script(terminal, file) gives the commands that draw `file`.
+/// Returns an empty text, or why there is no picture.
+std::string draw_pictures(const std::filesystem::path& folder, const std::string& name,
+                          const std::function<std::string(const std::string& terminal, const std::string& file)>& script);
 
 }  // namespace raytube

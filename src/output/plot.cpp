@@ -8,7 +8,6 @@
 
 #include "decimal.h"
 #include "output/cuts.h"
-#include "output/files.h"
 #include "output/gnuplot.h"
 
 namespace raytube {
@@ -55,16 +54,6 @@ Scale scale_of(const Cuts& cuts) {
   return {10.0 * std::floor(lowest_shown(cuts, floor) / 10.0), 5.0 * std::ceil((peak + 2.0) / 5.0), floor};
 }
 
-// Inside single quotes gnuplot takes everything literally but the quote itself; SVG allows no control characters.
-std::string quoted(const std::string& text) {
-  std::string inside;
-  for (const char c : text) {
-    if (c == '\'') inside += '\'';
-    inside += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return '\'' + inside + '\'';
-}
-
 // A value under the floor (a null, or -inf) is moved just out of the picture, so that its line leaves through the bottom.
 std::string data_block(std::size_t number, const Cut& cut, const Scale& scale) {
   std::string text = fmt::format("$cut{} << EOD\n", number);
@@ -86,7 +75,7 @@ std::string curve(std::size_t number, int channel, const Cut& cut, const Scale& 
 }
 
 std::string panel(std::size_t number, const Cut& cut, const Scale& scale) {
-  std::string text = "set title " + quoted(cut.fixed) + "\n";
+  std::string text = "set title " + gnuplot_quoted(cut.fixed) + "\n";
   const double margin = cut.x.front() < cut.x.back() ? 0.0 : 1.0;
   text += fmt::format("set xrange [{}:{}]\nplot NaN notitle", cut.x.front() - margin, cut.x.back() + margin);
   for (const int channel : {0, 1, 2, 3}) text += ", \\\n     " + curve(number, channel, cut, scale);
@@ -102,44 +91,25 @@ std::string layout(std::size_t panels) { return panels == 1 ? "1,1" : panels == 
 
 std::string canvas(std::size_t panels) { return panels == 1 ? "1100,640" : panels == 2 ? "1100,1000" : "1700,1000"; }
 
-std::string draw(const std::filesystem::path& picture, const std::string& terminal, const std::string& title, const Sweep& sweep,
-                 const SweepResult& result) {
-  const std::filesystem::path script = picture.string() + ".gnuplot";
-  OutputFile file(script);
-  file.write(rcs_plot_script(terminal, picture.string(), title, sweep, result));
-  file.commit();
-  std::string trouble = run_gnuplot(script);
-  std::error_code error;
-  std::filesystem::remove(script, error);
-  const auto size = std::filesystem::file_size(picture, error);
-  if (trouble.empty() && (error || size == 0)) trouble = "gnuplot left no picture";
-  if (!trouble.empty()) std::filesystem::remove(picture, error);
-  return trouble;
-}
-
 }  // namespace
 
 std::string rcs_plot_script(const std::string& terminal, const std::string& file, const std::string& title, const Sweep& sweep,
                             const SweepResult& result) {
   const Cuts cuts = choose_cuts(sweep, result, most_panels);
   const Scale scale = scale_of(cuts);
-  std::string script = fmt::format(
-      "set encoding utf8\nset terminal {} size {} noenhanced font 'DejaVu Sans,12' background rgb 'white'\nset output {}\n{}"
-      "set grid lt 1 lw 1 lc rgb '#d9d9d9'\nset key outside right top vertical Left reverse samplen 3\nset xlabel '{}'\nset "
-      "ylabel 'σ "
-      "(dBsm)'\n"
-      "set yrange [{}:{}]\n",
-      terminal, canvas(cuts.cuts.size()), quoted(file), line_styles, cuts.axis, scale.bottom, scale.top);
+  std::string script = gnuplot_preamble(terminal, canvas(cuts.cuts.size()), file) + line_styles;
+  script += fmt::format("set xlabel '{}'\nset ylabel 'σ (dBsm)'\nset yrange [{}:{}]\n", cuts.axis, scale.bottom, scale.top);
   for (std::size_t i = 0; i < cuts.cuts.size(); ++i) script += data_block(i, cuts.cuts[i], scale);
-  script += fmt::format("set multiplot layout {} title {}\n", layout(cuts.cuts.size()), quoted(heading(title, cuts)));
+  script += fmt::format("set multiplot layout {} title {}\n", layout(cuts.cuts.size()), gnuplot_quoted(heading(title, cuts)));
   for (std::size_t i = 0; i < cuts.cuts.size(); ++i) script += panel(i, cuts.cuts[i], scale);
   return script + "unset multiplot\nset output\n";
 }
 
 std::string plot_rcs(const std::filesystem::path& folder, const std::string& title, const Sweep& sweep,
                      const SweepResult& result) {
-  std::string trouble = draw(folder / "rcs.png", "pngcairo", title, sweep, result);
-  if (trouble.empty()) trouble = draw(folder / "rcs.svg", "svg", title, sweep, result);
+  const std::string trouble = draw_pictures(folder, "rcs", [&](const std::string& terminal, const std::string& file) {
+    return rcs_plot_script(terminal, file, title, sweep, result);
+  });
   return trouble.empty() ? "" : fmt::format("no plot: {}; rcs.csv holds the same curves", trouble);
 }
 

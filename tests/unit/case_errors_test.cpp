@@ -123,7 +123,7 @@ std::string list_complaint(const std::string& list, const std::string& more = ""
 TEST(CaseErrors, LookLists) {
   EXPECT_THAT(list_complaint("90,0\n"), HasSubstr("looks.csv, line 1: the header must be"));
   EXPECT_THAT(list_complaint("theta_deg,phi_deg\n90,0\n90\n"), HasSubstr("looks.csv, line 3: 1 values where the header names 2"));
-  EXPECT_THAT(list_complaint("theta_deg,phi_deg\n90,x\n"), HasSubstr("line 2: \"x\" is not a finite number"));
+  EXPECT_THAT(list_complaint("theta_deg,phi_deg\n90,x\n"), HasSubstr("line 2, column phi_deg: \"x\" is not a finite number"));
   EXPECT_THAT(list_complaint("theta_deg,phi_deg\n90,nan\n"), HasSubstr("not a finite number"));
   EXPECT_THAT(list_complaint("theta_deg,phi_deg\n181,0\n"), HasSubstr("line 2: theta must lie in 0 to 180"));
   EXPECT_THAT(list_complaint("theta_deg,phi_deg\n"), HasSubstr("no looks"));
