@@ -14,7 +14,6 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<const char*, 4> channel_names = {"vv", "vh", "hv", "hh"};
 constexpr const char* key_columns = "freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg";
 
 constexpr const char* conventions =

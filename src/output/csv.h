@@ -1,11 +1,15 @@
 // The results as tables: one row per look and frequency, looks slowest, frequency fastest.
 #pragma once
 
+#include <array>
 #include <filesystem>
 
 #include "sweep.h"
 
 namespace raytube {
+
+/// Receive polarisation first, as in the names of columns; the order of channels in every output.
+inline constexpr std::array<const char*, 4> channel_names = {"vv", "vh", "hv", "hh"};
 
 /// sigma of one amplitude [dBsm]; -inf for zero. Does not underflow where |S|^2 would.
 double sigma_dbsm(Complex s);

@@ -101,6 +101,10 @@ CutPlan plan_cuts(const RowPlaces& places) {
   return plan;
 }
 
+std::string place_text(const RowPlaces& places, std::size_t row) {
+  return fixed_values(RowPlaces::quantities, places.rows[row], places.told);
+}
+
 std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most) {
   const std::size_t chosen = std::min(most, count);
   std::vector<std::size_t> choice;

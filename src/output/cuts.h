@@ -32,6 +32,9 @@ struct CutPlan {
 /// Takes the quantity that leaves the fewest cuts as the axis, or the look's number if no quantity orders the looks.
 CutPlan plan_cuts(const RowPlaces& places);
 
+/// Where a row lies: "10 GHz, θ = 90°, φ = 12°".
+std::string place_text(const RowPlaces& places, std::size_t row);
+
 /// At most `most` of `count` cuts, evenly spread from the first to the last.
 std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most);
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 
+#include "csv_reader.h"
 #include "error.h"
 #include "program/commands.h"
 
@@ -25,12 +27,28 @@ constexpr const char* trace_examples =
     "Example:\n"
     "  raytube trace case.toml --look 0 --u 0.01 --v -0.02";
 
+constexpr const char* compare_examples =
+    "A and B are tables with a header: rcs.csv, or any file with freq_hz, theta_deg, phi_deg[, rx_theta_deg, rx_phi_deg] and, "
+    "for each\n"
+    "channel pq = vv, vh, hv, hh, re_pq and im_pq [m] or sigma_pq_dbsm. Rows with equal frequency and angles are compared.\n"
+    "With -o it also writes compare.csv, compare.png and compare.svg.\n\n"
+    "Examples:\n"
+    "  raytube compare out/rcs.csv reference.csv\n"
+    "  raytube compare out/rcs.csv reference.csv -o comparison --tolerance-db 0.5\n"
+    "  raytube compare a.csv b.csv --only phi_deg=-45:45 --within-db 40";
+
 void add_case_options(CLI::App& command, Request& request) {
   command.add_option("case", request.case_file, "Case file (TOML)")->required()->type_name("CASE.toml");
   command.add_option("--set", request.overrides, "Override a case key: KEY=VALUE with a dotted key; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_output_option(CLI::App& command, Request& request, const char* description) {
+  command.add_option("-o,--output", request.output_folder, description)->type_name("DIR")->check([](const std::string& name) {
+    return name.empty() ? "needs the name of a folder" : std::string();
+  });
 }
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* description, const char* examples) {
@@ -42,9 +60,7 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* description, 
 CLI::App* add_run(CLI::App& app, Request& request) {
   CLI::App* run = add_command(app, "run", "Compute a case and write the results", run_examples);
   add_case_options(*run, request);
-  run->add_option("-o,--output", request.output_folder, "Folder for the results; default <case folder>/out")
-      ->type_name("DIR")
-      ->check([](const std::string& name) { return name.empty() ? "needs the name of a folder" : std::string(); });
+  add_output_option(*run, request, "Folder for the results; default <case folder>/out");
   run->add_option("--threads", request.threads, "Number of threads; default all cores")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
@@ -74,6 +90,32 @@ CLI::App* add_trace(CLI::App& app, Request& request) {
   return trace;
 }
 
+// As a check of CLI11: empty, or what is wrong.
+std::string not_decibels(const std::string& text) {
+  const std::optional<double> number = parsed_number(text);
+  return number && std::isfinite(*number) && *number >= 0.0 ? "" : "needs a number of decibels, 0 or more (found " + text + ")";
+}
+
+CLI::App* add_compare(CLI::App& app, Request& request) {
+  CLI::App* compare = add_command(app, "compare", "Measure how far a result is from a reference", compare_examples);
+  compare->add_option("result", request.result, "Table to be judged")->required()->type_name("A.csv");
+  compare->add_option("reference", request.reference, "Table to judge it by")->required()->type_name("B.csv");
+  add_output_option(*compare, request, "Folder for compare.csv and the picture; default none");
+  compare->add_option("--tolerance-db", request.tolerance_db, "Exit with 1 if the rms error of a channel exceeds this")
+      ->type_name("X")
+      ->check(not_decibels);
+  compare
+      ->add_option("--within-db", request.within_db,
+                   "Errors in dB are over rows whose reference is this close to its peak; default 20")
+      ->type_name("X")
+      ->check(not_decibels);
+  compare->add_option("--only", request.only, "Only rows with this: COLUMN=VALUE or COLUMN=LOW:HIGH; may be repeated")
+      ->type_name("COLUMN=LOW:HIGH")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  return compare;
+}
+
 void add_later(CLI::App& app, const std::string& name) {
   CLI::App* later = app.add_subcommand(name, "Not in this version");
   later->allow_extras();
@@ -82,11 +124,12 @@ void add_later(CLI::App& app, const std::string& name) {
 
 // CLI11 would only say that a subcommand is required.
 void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
-  if (argc < 2) throw InputError("no command; write run, check or trace and a case file (see raytube --help)");
+  if (argc < 2)
+    throw InputError("no command; write run, check or trace and a case file, or compare and two tables (see raytube --help)");
   const std::string word = argv[1];
   const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
-    throw InputError(fmt::format("unknown command \"{}\"; write run, check or trace (see raytube --help)", word));
+    throw InputError(fmt::format("unknown command \"{}\"; write run, check, trace or compare (see raytube --help)", word));
 }
 
 }  // namespace
@@ -100,7 +143,8 @@ Request parse_command_line(int argc, const char* const* argv) {
   CLI::App* run = add_run(app, request);
   CLI::App* check = add_check(app, request);
   CLI::App* trace = add_trace(app, request);
-  for (const char* name : {"converge", "compare"}) add_later(app, name);
+  CLI::App* compare = add_compare(app, request);
+  for (const char* name : {"converge"}) add_later(app, name);
   check_first_word(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -109,7 +153,11 @@ Request parse_command_line(int argc, const char* const* argv) {
     app.exit(error);
     return request;
   }
-  request.command = *run ? Command::run : *check ? Command::check : *trace ? Command::trace : Command::none;
+  request.command = *run       ? Command::run
+                    : *check   ? Command::check
+                    : *trace   ? Command::trace
+                    : *compare ? Command::compare
+                               : Command::none;
   return request;
 }
 

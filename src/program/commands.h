@@ -2,24 +2,29 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace raytube {
 
-enum class Command { none, run, check, trace };
+enum class Command { none, run, check, trace, compare };
 
 struct Request {
   Command command = Command::none;  // none: help or version was printed
   std::filesystem::path case_file;
   std::vector<std::string> overrides;
-  std::filesystem::path output_folder;  // empty: <case folder>/out
+  std::filesystem::path output_folder;  // empty: <case folder>/out; compare: no files
   int threads = 0;                      // 0: all cores
   std::filesystem::path wedges_csv;     // check: list of wedges; empty: none wanted
   bool parts = false;
   bool quiet = false;
   std::size_t look = 0;
-  double u = 0.0, v = 0.0;  // launch coordinates [m], origin = mesh origin
+  double u = 0.0, v = 0.0;                  // launch coordinates [m], origin = mesh origin
+  std::filesystem::path result, reference;  // compare
+  std::vector<std::string> only;            // compare: COLUMN=LOW:HIGH
+  double within_db = 20.0;                  // compare: rows that count
+  std::optional<double> tolerance_db;       // compare: fall short above it
 };
 
 /// Throws InputError for a command line that cannot be understood.
@@ -29,5 +34,6 @@ Request parse_command_line(int argc, const char* const* argv);
 void run_command(const Request& request);
 void check_command(const Request& request);
 void trace_command(const Request& request);
+void compare_command(const Request& request);
 
 }  // namespace raytube

@@ -24,6 +24,8 @@ void execute(const Request& request) {
       return check_command(request);
     case Command::trace:
       return trace_command(request);
+    case Command::compare:
+      return compare_command(request);
     case Command::none:
       return;
   }

@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 
 #include "case/case.h"
-#include "error.h"
 #include "output/csv.h"
 #include "output/files.h"
 #include "output/manifest.h"
@@ -16,6 +14,7 @@
 #include "program/commands.h"
 #include "program/interrupt.h"
 #include "program/progress_bar.h"
+#include "program/results.h"
 #include "program/threads.h"
 
 namespace raytube {
@@ -42,17 +41,6 @@ SweepResult solve_with_progress(const Target& target, const Case& c, const Reque
   return solve(target, c.sweep, options);
 }
 
-// A folder holds the results of one run: what an earlier run left must not stand beside the new rcs.csv.
-void remove_earlier_results(const fs::path& folder) {
-  std::error_code ignored;
-  for (const char* name : {"run.json", "rcs.csv", "channels.csv", "parts.csv", "rcs.png", "rcs.svg"})
-    fs::remove(folder / name, ignored);
-}
-
-void stop_if_interrupted() {
-  if (InterruptFlag::raised()) throw Interrupted();
-}
-
 void write_tables(const fs::path& folder, const Case& c, const SweepResult& result, bool parts) {
   write_rcs_csv(folder / "rcs.csv", c.sweep, result);
   stop_if_interrupted();
@@ -62,23 +50,10 @@ void write_tables(const fs::path& folder, const Case& c, const SweepResult& resu
   stop_if_interrupted();
 }
 
-void warn(const std::string& sentence) { fmt::print(stderr, "raytube: {}\n", sentence); }
-
 void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result) {
   const std::string trouble = plot_rcs(folder, c.title, c.sweep, result);
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
-}
-
-// A plot is a convenience: one that cannot take its place must not hold up the tables.
-void replace_earlier_results(const NewResults& results, const fs::path& folder) {
-  remove_earlier_results(folder);
-  try {
-    results.place({"rcs.png", "rcs.svg"});
-  } catch (const std::runtime_error& error) {
-    warn(fmt::format("no plot: {}", error.what()));
-  }
-  results.place({"channels.csv", "parts.csv", "rcs.csv", "run.json"});
 }
 
 std::uint64_t peak_rss_bytes() {
@@ -168,7 +143,7 @@ void run_command(const Request& request) {
   manifest.time.total_s = total.seconds();
   write_manifest(results.folder() / "run.json", manifest);
   if (c.plots) draw_plots(results.folder(), c, result);
-  replace_earlier_results(results, folder.path());
+  replace_results(results, folder.path(), {"rcs.png", "rcs.svg"}, {"channels.csv", "parts.csv", "rcs.csv", "run.json"});
   if (!request.quiet) print_summary(result, manifest, folder.path());
 }
 

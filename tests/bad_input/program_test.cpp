@@ -1,57 +1,14 @@
 // Bad input of every kind, through the real program: exit code 2, one sentence, nothing left where results belong.
-#include <gmock/gmock.h>
+#include "program.h"
+
 #include <sched.h>
-#include <sys/wait.h>
-
-#include <algorithm>
-
-#include "scratch.h"
 
 namespace raytube {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace raytube::testing;
-using ::testing::AllOf;
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
-
-const std::string plate = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
-const std::string target = "[target]\nmesh = \"mesh.off\"\nunit = \"mm\"\n";
-const std::string frequency = "[frequency]\nghz = 10\n";
-const std::string look = "[look]\ntheta_deg = 10\nphi_deg = 0\n";
-const std::string good_case = target + frequency + look;
-
-struct Outcome {
-  int code = -1;
-  std::string complaint;  // stderr
-};
-
-class BadInput : public ::testing::Test {
- protected:
-  void SetUp() override {
-    scratch.write("mesh.off", plate);
-    scratch.write("case.toml", good_case);
-  }
-
-  /// Runs the program in the scratch folder with the given words, as a shell would take them.
-  Outcome raytube(const std::string& words, const std::string& under = "") const {
-    const std::string command =
-        "cd '" + scratch.folder().string() + "' && " + under + RAYTUBE_PROGRAM " " + words + " >stdout.txt 2>stderr.txt";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(scratch / "stderr.txt")};
-  }
-
-  void expect_refused(const std::string& words, const std::string& says) const {
-    const Outcome outcome = raytube(words);
-    EXPECT_EQ(outcome.code, 2) << words;
-    EXPECT_EQ(std::count(outcome.complaint.begin(), outcome.complaint.end(), '\n'), 1) << outcome.complaint;
-    EXPECT_THAT(outcome.complaint, AllOf(HasSubstr(says), EndsWith("\n"))) << words;
-    EXPECT_FALSE(fs::exists(scratch / "out")) << words;
-  }
-
-  Scratch scratch;
-};
 
 TEST_F(BadInput, TheGoodCaseIsGood) {
   const Outcome outcome = raytube("run case.toml --set output.plots=false");
@@ -184,10 +141,7 @@ TEST_F(BadInput, CommandLine) {
   expect_refused("trace case.toml --look 0 --u 1e9 --v 0", "--u");
 }
 
-TEST_F(BadInput, NotInThisVersion) {
-  expect_refused("converge case.toml", "not in this version");
-  expect_refused("compare a.csv b.csv --tolerance-db 1", "not in this version");
-}
+TEST_F(BadInput, NotInThisVersion) { expect_refused("converge case.toml", "not in this version"); }
 
 }  // namespace
 }  // namespace raytube

@@ -1,0 +1,39 @@
+// Two results beside each other: common rows, channels, cuts and error measures.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "output/compare.h"
+#include "output/cuts.h"
+#include "output/match_rows.h"
+#include "output/result_table.h"
+
+namespace raytube {
+
+struct Comparison {
+  ResultTable result, reference;
+  double within_db;
+  RowMatch match;
+
+  // Of the common rows:
+  std::array<bool, ResultTable::keys> has_key{};
+  std::vector<ResultTable::Keys> keys;
+  RowPlaces places;
+  CutPlan cuts;
+
+  // Of the channels:
+  std::array<bool, 4> compared{};  // both tables have it
+  std::array<bool, 4> signal{};    // and its reference comes within dynamic_range_db of the highest level of all channels
+  std::array<ChannelPair, 4> pairs;
+  std::array<ErrorMeasures, 4> errors;  // without signal: the peaks alone
+  std::array<double, 4> lag;            // of the result against the reference, see best_lag; NaN for looks in no order
+
+  std::size_t rows() const { return keys.size(); }
+};
+
+/// Throws InputError if the tables share no row or no channel, or if the reference is zero throughout.
+Comparison compare_results(ResultTable result, ResultTable reference, double within_db);
+
+}  // namespace raytube

@@ -1,0 +1,78 @@
+// raytube compare: two results -> error measures, table and picture.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "csv_reader.h"
+#include "error.h"
+#include "output/comparison.h"
+#include "output/comparison_plot.h"
+#include "output/comparison_report.h"
+#include "program/commands.h"
+#include "program/interrupt.h"
+#include "program/results.h"
+
+namespace raytube {
+
+namespace {
+
+// Rows whose column lies in low...high.
+struct Only {
+  ResultTable::Key key;
+  double low, high;
+};
+
+Only parsed_only(const std::string& option) {
+  const std::size_t equals = option.find('=');
+  const std::string column = option.substr(0, equals), range = equals == std::string::npos ? "" : option.substr(equals + 1);
+  const std::size_t colon = range.find(':');
+  const auto low = parsed_number(range.substr(0, colon));
+  const auto high = colon == std::string::npos ? low : parsed_number(range.substr(colon + 1));
+  const auto key = std::ranges::find(key_names, column);
+  if (key == key_names.end() || !low || !high || !(*low <= *high))
+    throw InputError(
+        fmt::format("--only {}: write COLUMN=VALUE or COLUMN=LOW:HIGH with freq_hz, theta_deg, phi_deg, rx_theta_deg or "
+                    "rx_phi_deg, for example --only phi_deg=-45:45",
+                    option));
+  return {static_cast<ResultTable::Key>(key - key_names.begin()), *low, *high};
+}
+
+void keep_chosen_rows(ResultTable& result, ResultTable& reference, const std::vector<std::string>& options) {
+  for (const std::string& option : options) {
+    const auto [key, low, high] = parsed_only(option);
+    if (!result.has_key[key] && !reference.has_key[key])
+      throw InputError(fmt::format("--only {}: neither {} nor {} has that column; leave the option out", option,
+                                   result.file.string(), reference.file.string()));
+    keep_rows(result, key, low, high);
+    keep_rows(reference, key, low, high);
+  }
+}
+
+void write_files(const std::filesystem::path& destination, const Comparison& comparison) {
+  const InterruptFlag interrupt_flag;
+  InterruptFlag::clean_up_first();
+  const OutputFolder folder(destination);
+  const NewResults results(folder.path());
+  write_compare_csv(results.folder() / "compare.csv", comparison);
+  const std::string trouble = plot_comparison(results.folder(), comparison);
+  stop_if_interrupted();
+  if (!trouble.empty()) warn(trouble);
+  replace_results(results, folder.path(), {"compare.png", "compare.svg"}, {"compare.csv"});
+  fmt::print("results in {}: compare.csv{}\n", folder.path().string(), trouble.empty() ? ", compare.png, compare.svg" : "");
+}
+
+}  // namespace
+
+void compare_command(const Request& request) {
+  ResultTable result = read_result_table(request.result), reference = read_result_table(request.reference);
+  keep_chosen_rows(result, reference, request.only);
+  const Comparison comparison = compare_results(std::move(result), std::move(reference), request.within_db);
+  fmt::print("{}", comparison_text(comparison));
+  if (!request.output_folder.empty()) write_files(request.output_folder, comparison);
+  if (!request.tolerance_db) return;
+  if (const std::string above = above_tolerance(comparison, *request.tolerance_db); !above.empty())
+    throw std::runtime_error(fmt::format("rms error above the tolerance of {:g} dB: {}", *request.tolerance_db, above));
+}
+
+}  // namespace raytube

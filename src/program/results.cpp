@@ -1,0 +1,31 @@
+#include "program/results.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "error.h"
+#include "program/interrupt.h"
+
+namespace raytube {
+
+void warn(const std::string& sentence) { fmt::print(stderr, "raytube: {}\n", sentence); }
+
+void stop_if_interrupted() {
+  if (InterruptFlag::raised()) throw Interrupted();
+}
+
+void replace_results(const NewResults& results, const std::filesystem::path& folder, std::initializer_list<const char*> pictures,
+                     std::initializer_list<const char*> tables) {
+  std::error_code ignored;
+  for (auto name = std::rbegin(tables); name != std::rend(tables); ++name) std::filesystem::remove(folder / *name, ignored);
+  for (const char* name : pictures) std::filesystem::remove(folder / name, ignored);
+  try {
+    results.place(pictures);
+  } catch (const std::runtime_error& error) {
+    warn(fmt::format("no plot: {}", error.what()));
+  }
+  results.place(tables);
+}
+
+}  // namespace raytube

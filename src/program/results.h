@@ -1,0 +1,24 @@
+// How every command brings its results into their folder.
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+
+#include "output/files.h"
+
+namespace raytube {
+
+/// One line on stderr; the program goes on.
+void warn(const std::string& sentence);
+
+/// Throws Interrupted once Ctrl-C was pressed.
+void stop_if_interrupted();
+
+/// Removes all the named files, so that nothing of an earlier command stands beside the new results, then places those that were
+/// written, in the order given: whoever finds the last one finds all. A plot is a convenience: one that cannot take its place
+/// costs a warning and does not hold up the tables.
+void replace_results(const NewResults& results, const std::filesystem::path& folder, std::initializer_list<const char*> pictures,
+                     std::initializer_list<const char*> tables);
+
+}  // namespace raytube

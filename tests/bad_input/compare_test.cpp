@@ -1,0 +1,91 @@
+// raytube compare through the real program: exit codes, what is written, what bad input is told.
+#include "program.h"
+
+namespace raytube {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace raytube::testing;
+using ::testing::HasSubstr;
+
+class CompareProgram : public BadInput {
+ protected:
+  void SetUp() override {
+    BadInput::SetUp();
+    scratch.write("a.csv", "freq_hz,theta_deg,phi_deg,sigma_vv_dbsm,sigma_hh_dbsm\n1e9,90,0,10.5,-3\n1e9,90,1,8,-4\n");
+    scratch.write("b.csv", "freq_hz,theta_deg,phi_deg,sigma_vv_dbsm,sigma_hh_dbsm\n1e9,90,0,10,-3\n1e9,90,1,8,-4\n");
+  }
+};
+
+TEST_F(CompareProgram, SaysHowFarApartTheyAre) {
+  EXPECT_EQ(raytube("compare a.csv b.csv").code, 0);
+  const std::string text = text_of(scratch / "stdout.txt");
+  for (const char* part : {"compared    2 rows", "rms                                                   0.3536           0",
+                           "largest in vv: 1 GHz, θ = 90°, φ = 0°, 10.5 against 10 dBsm"})
+    EXPECT_THAT(text, HasSubstr(part));
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder()), {}),
+            6);  // two tables, mesh, case, stdout, stderr: no new ones
+}
+
+TEST_F(CompareProgram, ExitCodeTellsTheTolerance) {
+  EXPECT_EQ(raytube("compare a.csv b.csv --tolerance-db 0.4").code, 0);
+  const Outcome above = raytube("compare a.csv b.csv --tolerance-db 0.3 -o out");
+  EXPECT_EQ(above.code, 1);
+  EXPECT_EQ(above.complaint, "raytube: rms error above the tolerance of 0.3 dB: vv 0.3536 dB\n");
+  EXPECT_TRUE(fs::exists(scratch / "out/compare.csv"));  // that it fell short is a result, too
+  EXPECT_EQ(raytube("compare b.csv b.csv --tolerance-db 0").code, 0);
+  EXPECT_EQ(raytube("compare a.csv b.csv --tolerance-db 0.3 --only phi_deg=1").code, 0);
+}
+
+TEST_F(CompareProgram, ReplacesWhatAnEarlierOneLeft) {
+  fs::create_directory(scratch / "out");
+  for (const char* name : {"compare.csv", "compare.png", "compare.svg", "rcs.csv"})
+    scratch.write(std::string("out/") + name, "earlier");
+  fs::permissions(scratch.write("gnuplot", "#!/bin/sh\nexit 1\n"), fs::perms::owner_all);
+  const std::string command = "PATH=.:$PATH ";
+  const Outcome outcome = raytube("compare a.csv b.csv -o out", command);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.complaint, "raytube: no plot: gnuplot failed with status 1; compare.csv holds the measures\n");
+  EXPECT_THAT(text_of(scratch / "out/compare.csv"), HasSubstr("vv,10.5,10,2,2,"));
+  EXPECT_FALSE(fs::exists(scratch / "out/compare.png"));
+  EXPECT_EQ(text_of(scratch / "out/rcs.csv"), "earlier");
+}
+
+TEST_F(CompareProgram, InterruptWhilePlottingLeavesNothing) {
+  fs::permissions(scratch.write("gnuplot", "#!/bin/sh\nexec sleep 100\n"), fs::perms::owner_all);
+  const Outcome outcome = raytube("compare a.csv b.csv -o out", "PATH=.:$PATH timeout --preserve-status -s INT -k 5 1 ");
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
+TEST_F(CompareProgram, BadTables) {
+  expect_refused("compare none.csv b.csv -o out", "none.csv: cannot be read; give the path of a readable table");
+  expect_refused("compare a.csv . -o out", "cannot be read");
+  scratch.write("c.csv", "0,1,2,3,4\n");
+  expect_refused("compare a.csv c.csv -o out", "c.csv, line 1: no header");
+  scratch.write("c.csv", "phi,sigma\n0,1\n");
+  expect_refused("compare a.csv c.csv -o out", "c.csv, line 1: no column to match rows by");
+  scratch.write("c.csv", "# c\nphi_deg,sigma_vv_dbsm\n0,1\n1,x1\n");
+  expect_refused("compare a.csv c.csv -o out", "c.csv, line 4, column sigma_vv_dbsm: \"x1\" is not a finite number");
+  scratch.write("c.csv", "phi_deg,sigma_vv_dbsm\n50,1\n");
+  expect_refused("compare a.csv c.csv -o out", "have no row in common");
+}
+
+TEST_F(CompareProgram, BadOptions) {
+  expect_refused("compare a.csv", "reference is required");
+  expect_refused("compare a.csv b.csv a.csv", "a.csv");
+  expect_refused("compare a.csv b.csv --tolerance-db -1", "--tolerance-db");
+  expect_refused("compare a.csv b.csv --tolerance-db nan", "--tolerance-db");
+  expect_refused("compare a.csv b.csv --within-db much", "--within-db");
+  expect_refused("compare a.csv b.csv --only phi_deg", "--only phi_deg: write COLUMN=VALUE or COLUMN=LOW:HIGH");
+  expect_refused("compare a.csv b.csv --only phi_deg=2:1", "--only phi_deg=2:1: write");
+  expect_refused("compare a.csv b.csv --only phi=1", "--only phi=1: write");
+  expect_refused("compare a.csv b.csv --only phi_deg=7", "a.csv: no row has phi_deg from 7 to 7; widen --only");
+  scratch.write("c.csv", "phi_deg,sigma_vv_dbsm\n0,1\n");
+  expect_refused("compare c.csv c.csv --only freq_hz=7", "neither c.csv nor c.csv has that column");
+  scratch.write("file", "");
+  EXPECT_EQ(raytube("compare a.csv b.csv -o file").code, 2);
+}
+
+}  // namespace
+}  // namespace raytube
