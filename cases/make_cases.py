@@ -213,6 +213,10 @@ def main():
     write_reference("plate/reference.csv", ["Physical optics, closed form of a rectangular plate"], 3e9, looks,
                     [(plate_po(1.5, 1.5, 3e9, math.radians(t), math.radians(p)),) * 2 for t, p in looks])
 
+    # convergence: 150 mm plate turned 33 degrees in z = 0
+    c, s, h = math.cos(math.radians(33)), math.sin(math.radians(33)), 75.0
+    write_off("convergence/plate33.off", [(x * c - y * s, x * s + y * c, 0) for x, y in ((-h, -h), (h, -h), (h, h), (-h, h))], [(0, 1, 2), (0, 2, 3)])
+
     # dihedral: 150 mm plates, 94 GHz; the whole interior range and a fine strip about the bisector
     w = 150.0
     v = [(0, 0, -w / 2), (w, 0, -w / 2), (w, 0, w / 2), (0, 0, w / 2), (0, w, -w / 2), (0, w, w / 2)]

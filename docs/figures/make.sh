@@ -32,6 +32,9 @@ for body in cube2 dihedral3; do
 done
 for name in plate dihedral powercube cylinder trihedral; do grep -v '^#' cases/$name/reference.csv >"$work/${name}_reference.csv"; done
 grep -v '^#' cases/sphere/reference_bistatic.csv >"$work/sphere_reference.csv"
+"$program" converge cases/convergence/case.toml -o "$work/convergence_plate" >/dev/null
+"$program" converge cases/convergence/dihedral.toml -o "$work/convergence_dihedral" >/dev/null
+for name in convergence_plate convergence_dihedral; do cp "$work/$name/converge.png" docs/figures/$name.png; done
 # theta along the plate's cut is signed: phi = 180 counts negative.
 paste -d, "$work/plate.csv" "$work/plate_reference.csv" >"$work/plate_both.csv"
 for name in dihedral dihedral_off; do
@@ -40,7 +43,7 @@ done
 paste -d, "$work/sphere.csv" "$work/sphere_reference.csv" >"$work/sphere_both.csv"
 
 cd docs/figures
-pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral)
+pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral convergence_plate convergence_dihedral)
 gnuplot -d <<EOF
 set datafile separator ','
 set datafile missing '-inf'

@@ -22,24 +22,6 @@ constexpr std::array<const char*, RowPlaces::quantities> axis_labels = {"azimuth
                                                                         "frequency (GHz)",
                                                                         "look number"};
 
-RowPlaces places_of_rows(const Sweep& sweep) {
-  const bool bistatic = sweep.bistatic;
-  RowPlaces places{{}, {true, true, bistatic, bistatic, true, false}};
-  places.rows.reserve(sweep.rows());
-  for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
-    const auto& [transmit, receive] = sweep.looks[i];
-    Values row{decimal_degrees(transmit.phi), decimal_degrees(transmit.theta)};
-    if (bistatic)
-      row[RowPlaces::rx_phi] = decimal_degrees(receive.phi), row[RowPlaces::rx_theta] = decimal_degrees(receive.theta);
-    row[RowPlaces::look_number] = static_cast<double>(i);
-    for (const double hertz : sweep.frequencies) {
-      row[RowPlaces::frequency] = hertz / 1e9;
-      places.rows.push_back(row);
-    }
-  }
-  return places;
-}
-
 // Rows grouped by everything but the axis, the groups in the order of their first row.
 std::vector<std::vector<std::size_t>> groups_along(Quantity axis, const std::vector<Values>& rows) {
   std::map<Values, std::size_t> index_of;
@@ -88,6 +70,24 @@ Cut curves_of(const CutRows& rows, const SweepResult& result) {
 }
 
 }  // namespace
+
+RowPlaces places_of_rows(const Sweep& sweep) {
+  const bool bistatic = sweep.bistatic;
+  RowPlaces places{{}, {true, true, bistatic, bistatic, true, false}};
+  places.rows.reserve(sweep.rows());
+  for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
+    const auto& [transmit, receive] = sweep.looks[i];
+    Values row{decimal_degrees(transmit.phi), decimal_degrees(transmit.theta)};
+    if (bistatic)
+      row[RowPlaces::rx_phi] = decimal_degrees(receive.phi), row[RowPlaces::rx_theta] = decimal_degrees(receive.theta);
+    row[RowPlaces::look_number] = static_cast<double>(i);
+    for (const double hertz : sweep.frequencies) {
+      row[RowPlaces::frequency] = hertz / 1e9;
+      places.rows.push_back(row);
+    }
+  }
+  return places;
+}
 
 CutPlan plan_cuts(const RowPlaces& places) {
   const std::vector<Values>& rows = places.rows;

@@ -16,6 +16,8 @@ struct RowPlaces {
   std::array<bool, quantities> told{};               // which ones are told of a row; the receiver's only when it differs
 };
 
+RowPlaces places_of_rows(const Sweep& sweep);
+
 /// Rows that differ in one quantity only, ordered by it.
 struct CutRows {
   std::string fixed;  // the others: "10 GHz, θ = 90°"

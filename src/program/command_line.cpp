@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cmath>
 
 #include "csv_reader.h"
@@ -37,6 +38,16 @@ constexpr const char* compare_examples =
     "  raytube compare out/rcs.csv reference.csv -o comparison --tolerance-db 0.5\n"
     "  raytube compare a.csv b.csv --only phi_deg=-45:45 --within-db 40";
 
+constexpr const char* converge_examples =
+    "Solves the whole case at each density, coarse ones first, in place of its tubes.per_wavelength. Prints the observed order, "
+    "the\n"
+    "extrapolated value with its uncertainty, and which density is fine enough. Writes converge.csv, converge.png and "
+    "converge.svg.\n"
+    "Interrupted, it leaves converge.csv with the densities it finished.\n\n"
+    "Examples:\n"
+    "  raytube converge cases/convergence/case.toml\n"
+    "  raytube converge case.toml --densities 5,10,20 --set look.phi_deg=0";
+
 void add_case_options(CLI::App& command, Request& request) {
   command.add_option("case", request.case_file, "Case file (TOML)")->required()->type_name("CASE.toml");
   command.add_option("--set", request.overrides, "Override a case key: KEY=VALUE with a dotted key; may be repeated")
@@ -51,6 +62,12 @@ void add_output_option(CLI::App& command, Request& request, const char* descript
   });
 }
 
+void add_threads_option(CLI::App& command, Request& request) {
+  command.add_option("--threads", request.threads, "Number of threads; default all cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+}
+
 CLI::App* add_command(CLI::App& app, const char* name, const char* description, const char* examples) {
   CLI::App* command = app.add_subcommand(name, description);
   command->footer(examples);
@@ -61,9 +78,7 @@ CLI::App* add_run(CLI::App& app, Request& request) {
   CLI::App* run = add_command(app, "run", "Compute a case and write the results", run_examples);
   add_case_options(*run, request);
   add_output_option(*run, request, "Folder for the results; default <case folder>/out");
-  run->add_option("--threads", request.threads, "Number of threads; default all cores")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+  add_threads_option(*run, request);
   run->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
   run->add_flag("--quiet", request.quiet, "No progress bar, no summary");
   return run;
@@ -116,20 +131,26 @@ CLI::App* add_compare(CLI::App& app, Request& request) {
   return compare;
 }
 
-void add_later(CLI::App& app, const std::string& name) {
-  CLI::App* later = app.add_subcommand(name, "Not in this version");
-  later->allow_extras();
-  later->callback([name] { throw InputError("the command \"" + name + "\" is not in this version; see raytube --help"); });
+CLI::App* add_converge(CLI::App& app, Request& request) {
+  CLI::App* converge = add_command(app, "converge", "Study how a case converges with tube density", converge_examples);
+  add_case_options(*converge, request);
+  add_output_option(*converge, request, "Folder for the results; default <case folder>/out");
+  add_threads_option(*converge, request);
+  converge->add_option("--densities", request.densities, "Tubes per wavelength, at least three; default 2,4,8,16,32,64")
+      ->type_name("N,N,...");
+  return converge;
 }
 
 // CLI11 would only say that a subcommand is required.
 void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2)
-    throw InputError("no command; write run, check or trace and a case file, or compare and two tables (see raytube --help)");
+    throw InputError(
+        "no command; write run, check, trace or converge and a case file, or compare and two tables (see raytube --help)");
   const std::string word = argv[1];
   const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
-    throw InputError(fmt::format("unknown command \"{}\"; write run, check, trace or compare (see raytube --help)", word));
+    throw InputError(
+        fmt::format("unknown command \"{}\"; write run, check, trace, converge or compare (see raytube --help)", word));
 }
 
 }  // namespace
@@ -144,7 +165,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   CLI::App* check = add_check(app, request);
   CLI::App* trace = add_trace(app, request);
   CLI::App* compare = add_compare(app, request);
-  for (const char* name : {"converge"}) add_later(app, name);
+  CLI::App* converge = add_converge(app, request);
   check_first_word(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -153,11 +174,13 @@ Request parse_command_line(int argc, const char* const* argv) {
     app.exit(error);
     return request;
   }
-  request.command = *run       ? Command::run
-                    : *check   ? Command::check
-                    : *trace   ? Command::trace
-                    : *compare ? Command::compare
-                               : Command::none;
+  const std::array<std::pair<const CLI::App*, Command>, 5> commands = {{{run, Command::run},
+                                                                        {check, Command::check},
+                                                                        {trace, Command::trace},
+                                                                        {compare, Command::compare},
+                                                                        {converge, Command::converge}}};
+  for (const auto& [given, command] : commands)
+    if (*given) request.command = command;
   return request;
 }
 

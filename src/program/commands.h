@@ -8,7 +8,7 @@
 
 namespace raytube {
 
-enum class Command { none, run, check, trace, compare };
+enum class Command { none, run, check, trace, compare, converge };
 
 struct Request {
   Command command = Command::none;  // none: help or version was printed
@@ -20,11 +20,12 @@ struct Request {
   bool parts = false;
   bool quiet = false;
   std::size_t look = 0;
-  double u = 0.0, v = 0.0;                  // launch coordinates [m], origin = mesh origin
-  std::filesystem::path result, reference;  // compare
-  std::vector<std::string> only;            // compare: COLUMN=LOW:HIGH
-  double within_db = 20.0;                  // compare: rows that count
-  std::optional<double> tolerance_db;       // compare: fall short above it
+  double u = 0.0, v = 0.0;                   // launch coordinates [m], origin = mesh origin
+  std::string densities = "2,4,8,16,32,64";  // converge: tubes per wavelength
+  std::filesystem::path result, reference;   // compare
+  std::vector<std::string> only;             // compare: COLUMN=LOW:HIGH
+  double within_db = 20.0;                   // compare: rows that count
+  std::optional<double> tolerance_db;        // compare: fall short above it
 };
 
 /// Throws InputError for a command line that cannot be understood.
@@ -35,5 +36,6 @@ void run_command(const Request& request);
 void check_command(const Request& request);
 void trace_command(const Request& request);
 void compare_command(const Request& request);
+void converge_command(const Request& request);
 
 }  // namespace raytube

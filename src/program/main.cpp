@@ -26,6 +26,8 @@ void execute(const Request& request) {
       return trace_command(request);
     case Command::compare:
       return compare_command(request);
+    case Command::converge:
+      return converge_command(request);
     case Command::none:
       return;
   }
@@ -48,8 +50,8 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const InputError& error) {
     return complain(error.what(), bad_input);
-  } catch (const Interrupted&) {
-    return complain("interrupted; no results written", interrupted);
+  } catch (const Interrupted& interruption) {
+    return complain(interruption.what(), interrupted);
   } catch (const std::bad_alloc&) {
     return complain("out of memory; lower tubes.per_wavelength or split the sweep", fell_short);
   } catch (const std::exception& error) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <string>
 
 namespace raytube {
 
@@ -33,6 +32,10 @@ void ProgressBar::show(double share) {
   fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} %  {} left\033[K", "", filled, "", 40 - filled, 100.0 * share,
              duration_text(elapsed * (1.0 - share) / share));
   std::fflush(stderr);
+}
+
+void ProgressBar::note(const std::string& line) {
+  if (visible_) fmt::print(stderr, "\r\033[K{}\n", line);
 }
 
 }  // namespace raytube

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 namespace raytube {
 
@@ -13,6 +14,9 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void show(double share);
+
+  /// A line that stays, above the bar.
+  void note(const std::string& line);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -141,7 +141,5 @@ TEST_F(BadInput, CommandLine) {
   expect_refused("trace case.toml --look 0 --u 1e9 --v 0", "--u");
 }
 
-TEST_F(BadInput, NotInThisVersion) { expect_refused("converge case.toml", "not in this version"); }
-
 }  // namespace
 }  // namespace raytube

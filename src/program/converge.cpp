@@ -1,0 +1,130 @@
+// raytube converge: the same case with finer and finer tubes.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "case/case.h"
+#include "csv_reader.h"
+#include "decimal.h"
+#include "error.h"
+#include "output/convergence_report.h"
+#include "program/commands.h"
+#include "program/interrupt.h"
+#include "program/progress_bar.h"
+#include "program/results.h"
+#include "program/threads.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<double> parsed_densities(const std::string& option) {
+  std::vector<double> densities;
+  for (std::size_t at = 0; at <= option.size();) {
+    const std::size_t end = std::min(option.find(',', at), option.size());
+    const auto density = parsed_number(option.substr(at, end - at));
+    if (!density || !std::isfinite(*density) || *density <= 0.0)
+      throw InputError(fmt::format("--densities {}: write tubes per wavelength with commas between, for example 4,8,16", option));
+    densities.push_back(*density);
+    at = end + 1;
+  }
+  std::ranges::sort(densities);
+  if (densities.size() < 3 || std::ranges::adjacent_find(densities) != densities.end())
+    throw InputError(fmt::format("--densities {}: an order needs three different densities or more, for example 4,8,16", option));
+  return densities;
+}
+
+// Shares of the whole study's work: tubes grow with the square of the density.
+double work(double density) { return density * density; }
+
+// Solves one density after the other and keeps what is finished on disk.
+class Study {
+ public:
+  Study(const Case& c, const Target& target, const Request& request, fs::path destination, const std::vector<double>& densities)
+      : case_(c),
+        target_(target),
+        destination_(std::move(destination)),
+        bar_(isatty(STDERR_FILENO) != 0),
+        study_{c.title, c.sweep, {}, {}} {
+    options_ = {c.tubes, c.edges, request.threads > 0 ? request.threads : all_threads(), false, {}};
+    for (const double density : densities) whole_ += work(density);
+  }
+
+  void add(double density) {
+    options_.tubes.per_wavelength = density;
+    options_.progress = [&](double share) {
+      bar_.show((finished_ + share * work(density)) / whole_);
+      return !InterruptFlag::raised();
+    };
+    SweepResult result = solve(target_, case_.sweep, options_);
+    finished_ += work(density);
+    const Statistics& s = result.statistics;
+    study_.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
+    study_.convergence = study_convergence(study_.results);
+    bar_.note(note());
+  }
+
+  std::size_t finished() const { return study_.results.size(); }
+  std::string text() const { return convergence_text(study_); }
+
+  /// Puts the study so far in the place of what an earlier one left. Returns the folder.
+  fs::path write(bool with_plot) const {
+    const OutputFolder folder(destination_);
+    const NewResults results(folder.path());
+    write_converge_csv(results.folder() / "converge.csv", study_);
+    const std::string trouble = with_plot ? plot_convergence(results.folder(), study_) : "";
+    if (with_plot) stop_if_interrupted();
+    if (!trouble.empty()) warn(trouble);
+    replace_results(results, folder.path(), {"converge.png", "converge.svg"}, {"converge.csv"});
+    return folder.path();
+  }
+
+ private:
+  std::string note() const {
+    const DensityResult& result = study_.results.back();
+    const std::string text =
+        fmt::format("{:>8} tubes per wavelength: {:.2f} s", number_text(result.per_wavelength), result.solve_s);
+    if (finished() == 1) return text;
+    return text + fmt::format(", relative change {:.2g}", study_.convergence.densities[finished() - 2].relative_change);
+  }
+
+  const Case& case_;
+  const Target& target_;
+  fs::path destination_;
+  ProgressBar bar_;
+  SolveOptions options_;
+  ConvergenceStudy study_;
+  double whole_ = 0.0, finished_ = 0.0;
+};
+
+}  // namespace
+
+void converge_command(const Request& request) {
+  const std::vector<double> densities = parsed_densities(request.densities);
+  const Case c = read_case(request.case_file, request.overrides);
+  const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
+  { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
+  const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  const Target target(loaded.mesh, c.edges);
+  const InterruptFlag interrupt_flag;
+  Study study(c, target, request, destination, densities);
+  try {
+    for (const double density : densities) {
+      study.add(density);
+      study.write(false);
+    }
+    InterruptFlag::clean_up_first();
+    const fs::path folder = study.write(c.plots);
+    fmt::print("{}results         {}\n", study.text(), folder.string());
+  } catch (const Interrupted&) {
+    if (study.finished() == 0) throw;
+    throw Interrupted(fmt::format("interrupted; converge.csv in {} holds the {} of {} densities that were finished",
+                                  destination.string(), study.finished(), densities.size()));
+  }
+}
+
+}  // namespace raytube
