@@ -62,20 +62,24 @@ ChannelPair pair_of(const Comparison& c, int channel) {
   return pair;
 }
 
-void fill_channels(Comparison& c) {
-  double highest = sigma_dbsm(0.0);
+void fill_pairs(Comparison& c) {
   for (int channel = 0; channel < 4; ++channel) {
     c.compared[channel] = c.result.has_channel[channel] && c.reference.has_channel[channel];
     if (!c.compared[channel]) continue;
     c.pairs[channel] = pair_of(c, channel);
     c.errors[channel].result_peak_dbsm = std::ranges::max(c.pairs[channel].result_dbsm);
     c.errors[channel].reference_peak_dbsm = std::ranges::max(c.pairs[channel].reference_dbsm);
-    highest = std::max(highest, c.errors[channel].reference_peak_dbsm);
   }
   if (std::ranges::none_of(c.compared, std::identity{}))
     throw InputError(
         fmt::format("{} and {} have no channel in common; give both re_vv and im_vv, or sigma_vv_dbsm, or another one",
                     c.result.file.string(), c.reference.file.string()));
+}
+
+void find_signals(Comparison& c) {
+  double highest = sigma_dbsm(0.0);
+  for (int channel = 0; channel < 4; ++channel)
+    if (c.compared[channel]) highest = std::max(highest, c.errors[channel].reference_peak_dbsm);
   if (highest == sigma_dbsm(0.0))
     throw InputError(
         fmt::format("{}: zero in every row and channel compared; give a reference with a signal", c.reference.file.string()));
@@ -104,7 +108,8 @@ Comparison compare_results(ResultTable result, ResultTable reference, double wit
   Comparison c{std::move(result), std::move(reference), within_db, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   c.match = match_rows(c.result, c.reference);
   fill_keys(c);
-  fill_channels(c);
+  fill_pairs(c);
+  find_signals(c);
   c.places = places_of(c);
   c.cuts = plan_cuts(c.places);
   for (int channel = 0; channel < 4; ++channel) {

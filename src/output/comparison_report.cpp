@@ -108,6 +108,28 @@ std::string csv_comments(const Comparison& c) {
   return text + "# A channel whose reference has no signal has nan throughout.\n";
 }
 
+std::string csv_header() {
+  std::string header =
+      "channel,result_peak_dbsm,reference_peak_dbsm,rows,rows_within,rms_db,mean_abs_db,median_abs_db,p95_abs_db,largest_abs_db,"
+      "bias_db,at_peak_db,relative_error,austin_db,correlation,lag,lag_unit";
+  for (const char* key : key_names) header += fmt::format(",largest_{}", key);
+  return header + '\n';
+}
+
+std::string csv_row(const Comparison& c, int channel) {
+  const ErrorMeasures& e = c.errors[channel];
+  std::string text = channel_names[channel];
+  for (const double value : {e.result_peak_dbsm, e.reference_peak_dbsm}) text += ',' + number_text(value);
+  text += fmt::format(",{},{}", c.rows(), e.within);
+  for (const double value : {e.rms_db, e.mean_abs_db, e.median_abs_db, e.p95_abs_db, e.largest_abs_db, e.bias_db, e.at_peak_db,
+                             e.relative_error, e.austin_db, e.correlation, c.lag[channel]})
+    text += ',' + number_text(value);
+  text += std::string(",") + lag_units[c.cuts.quantity];
+  for (int k = 0; k < ResultTable::keys; ++k)
+    text += ',' + number_text(c.has_key[k] && c.signal[channel] ? c.keys[e.largest_row][k] : ErrorMeasures::undefined);
+  return text + '\n';
+}
+
 }  // namespace
 
 std::string comparison_text(const Comparison& c) {
@@ -122,26 +144,9 @@ std::string comparison_text(const Comparison& c) {
 
 void write_compare_csv(const std::filesystem::path& file, const Comparison& c) {
   OutputFile out(file);
-  out.write(csv_comments(c));
-  out.write(
-      "channel,result_peak_dbsm,reference_peak_dbsm,rows,rows_within,rms_db,mean_abs_db,median_abs_db,p95_abs_db,largest_abs_db,"
-      "bias_db,at_peak_db,relative_error,austin_db,correlation,lag,lag_unit");
-  for (const char* key : key_names) out.write(fmt::format(",largest_{}", key));
-  out.write("\n");
-  for (int channel = 0; channel < 4; ++channel) {
-    if (!c.compared[channel]) continue;
-    const ErrorMeasures& e = c.errors[channel];
-    std::string text = channel_names[channel];
-    for (const double value : {e.result_peak_dbsm, e.reference_peak_dbsm}) text += ',' + number_text(value);
-    text += fmt::format(",{},{}", c.rows(), e.within);
-    for (const double value : {e.rms_db, e.mean_abs_db, e.median_abs_db, e.p95_abs_db, e.largest_abs_db, e.bias_db, e.at_peak_db,
-                               e.relative_error, e.austin_db, e.correlation, c.lag[channel]})
-      text += ',' + number_text(value);
-    text += std::string(",") + lag_units[c.cuts.quantity];
-    for (int k = 0; k < ResultTable::keys; ++k)
-      text += ',' + number_text(c.has_key[k] && c.signal[channel] ? c.keys[e.largest_row][k] : ErrorMeasures::undefined);
-    out.write(text + '\n');
-  }
+  out.write(csv_comments(c) + csv_header());
+  for (int channel = 0; channel < 4; ++channel)
+    if (c.compared[channel]) out.write(csv_row(c, channel));
   out.commit();
 }
 
