@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -29,7 +30,8 @@ bool receiver_elsewhere(const Comparison& c) {
   using Key = ResultTable;
   return std::ranges::any_of(c.keys, [&](const ResultTable::Keys& key) {
     return (c.has_key[Key::rx_theta] && (!c.has_key[Key::theta] || key[Key::rx_theta] != key[Key::theta])) ||
-           (c.has_key[Key::rx_phi] && (!c.has_key[Key::phi] || key[Key::rx_phi] != key[Key::phi]));
+           (c.has_key[Key::rx_phi] &&
+            (!c.has_key[Key::phi] || std::abs(std::remainder(key[Key::rx_phi] - key[Key::phi], 360.0)) > 1e-9));
   });
 }
 

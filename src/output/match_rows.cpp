@@ -20,7 +20,7 @@ using Values = std::vector<double>;
 // A key as a number in which equal steps count alike: the logarithm of a frequency, an azimuth without full turns.
 double coordinate(Key key, double value) {
   if (key == ResultTable::frequency) return std::log(value);
-  if (key != ResultTable::phi && key != ResultTable::rx_phi) return value;
+  if (!is_azimuth(key)) return value;
   const double turned = std::remainder(value, 360.0);
   return turned <= -180.0 + angle_tolerance_deg ? turned + 360.0 : turned;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -143,9 +144,12 @@ ResultTable read_result_table(const std::filesystem::path& file) {
 
 void keep_rows(ResultTable& table, ResultTable::Key key, double low, double high) {
   if (!table.has_key[key]) return;
-  const double slack = 1e-12 * std::max(std::abs(low), std::abs(high));  // 0.1 + 0.2 is not 0.3
-  std::erase_if(table.rows,
-                [&](const ResultTable::Row& row) { return row.key[key] < low - slack || row.key[key] > high + slack; });
+  const double slack = key == ResultTable::frequency ? 1e-12 * high : 1e-9;  // 0.1 + 0.2 is not 0.3
+  const auto outside = [&](double value) { return value < low - slack || value > high + slack; };
+  for (ResultTable::Row& row : table.rows)
+    if (double& value = row.key[key]; is_azimuth(key) && outside(value))
+      value -= 360.0 * std::floor((value - low + slack) / 360.0);
+  std::erase_if(table.rows, [&](const ResultTable::Row& row) { return outside(row.key[key]); });
   if (table.rows.empty())
     throw InputError(fmt::format("{}: no row has {} from {} to {}; widen --only", table.file.string(), key_names[key],
                                  number_text(low), number_text(high)));

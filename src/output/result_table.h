@@ -29,6 +29,9 @@ struct ResultTable {
 inline constexpr std::array<const char*, ResultTable::keys> key_names = {"freq_hz", "theta_deg", "phi_deg", "rx_theta_deg",
                                                                          "rx_phi_deg"};
 
+/// Azimuths 360 degrees apart are the same direction.
+constexpr bool is_azimuth(ResultTable::Key key) { return key == ResultTable::phi || key == ResultTable::rx_phi; }
+
 /// Reads a table (see CsvReader) with a header, in any order of columns; other columns are ignored.
 ///   Keys: freq_hz or freq_ghz; theta_deg, phi_deg to the transmitter; rx_theta_deg, rx_phi_deg to the receiver, which are those
 ///   to the transmitter where they are missing. With theta_i_deg, phi_i_deg these lead to the transmitter, theta_deg, phi_deg to
@@ -37,8 +40,8 @@ inline constexpr std::array<const char*, ResultTable::keys> key_names = {"freq_h
 /// Throws InputError with line and column.
 ResultTable read_result_table(const std::filesystem::path& file);
 
-/// Keeps the rows whose key lies in low...high, ends included; a table without that key keeps all. Throws InputError if none is
-/// left.
+/// Keeps the rows whose key lies in low...high, ends included; an azimuth may lie there by full turns, which are then taken off
+/// it. A table without that key keeps all. Throws InputError if none is left.
 void keep_rows(ResultTable& table, ResultTable::Key key, double low, double high);
 
 }  // namespace raytube

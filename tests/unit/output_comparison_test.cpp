@@ -132,6 +132,17 @@ TEST_F(Compared, OnlyKeepsEndsAndTablesWithoutTheColumn) {
   EXPECT_THROW(keep_rows(read, Key::phi, 7, 8), InputError);
 }
 
+TEST_F(Compared, OnlyFindsAnAzimuthByFullTurnsAndTakesThemOff) {
+  const std::string cut = "phi_deg,sigma_vv_dbsm\n0,3\n10,1\n100,4\n340,1\n350,2\n-370,5\n";
+  ResultTable read = table("a.csv", cut);
+  keep_rows(read, Key::phi, -45, 45);
+  const Comparison c = compare_results(read, read, 20.0);
+  EXPECT_THAT(c.cuts.cuts[0].x, ElementsAre(-20, -10, -10, 0, 10));  // one curve, and monostatic still
+  EXPECT_EQ(c.places.told[RowPlaces::rx_phi], false);
+  keep_rows(read, Key::phi, 350, 350);
+  EXPECT_EQ(read.rows.size(), 2u);
+}
+
 TEST_F(Compared, ChannelsOfBothAreComparedTheOthersNamed) {
   const Comparison c = compared("phi_deg,sigma_vv_dbsm,sigma_vh_dbsm\n0,10,1\n", "phi_deg,sigma_vv_dbsm,sigma_hh_dbsm\n0,11,1\n");
   EXPECT_THAT(c.compared, ElementsAre(true, false, false, false));
