@@ -85,8 +85,11 @@ void find_signals(Comparison& c) {
   if (highest == sigma_dbsm(0.0))
     throw InputError(
         fmt::format("{}: zero in every row and channel compared; give a reference with a signal", c.reference.file.string()));
-  for (int channel = 0; channel < 4; ++channel)
-    c.signal[channel] = c.compared[channel] && c.errors[channel].reference_peak_dbsm >= highest - dynamic_range_db;
+  for (int channel = 0; channel < 4; ++channel) {
+    const ErrorMeasures& peaks = c.errors[channel];
+    c.signal[channel] = c.compared[channel] && peaks.reference_peak_dbsm >= highest - dynamic_range_db;
+    c.unexpected[channel] = c.compared[channel] && !c.signal[channel] && peaks.result_peak_dbsm >= highest - c.within_db;
+  }
 }
 
 // Lists of looks in no order have no axis to be shifted along.

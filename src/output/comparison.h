@@ -24,8 +24,9 @@ struct Comparison {
   CutPlan cuts;
 
   // Of the channels:
-  std::array<bool, 4> compared{};  // both tables have it
-  std::array<bool, 4> signal{};    // and its reference comes within dynamic_range_db of the highest level of all channels
+  std::array<bool, 4> compared{};    // both tables have it
+  std::array<bool, 4> signal{};      // and its reference comes within dynamic_range_db of the highest level of all channels
+  std::array<bool, 4> unexpected{};  // it does not, but the result comes within within_db of that level
   std::array<ChannelPair, 4> pairs;
   std::array<ErrorMeasures, 4> errors;  // without signal: the peaks alone
   std::array<double, 4> lag;            // of the result against the reference, see best_lag; NaN for looks in no order

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "decimal.h"
 #include "output/csv.h"
@@ -86,8 +87,9 @@ std::string left_out_text(const Comparison& c, int channel) {
   if (c.compared[channel])
     return fmt::format(
         "{}: no signal in the reference (peak {:.4g} dBsm, more than {:g} dB below the highest); the result's peak is {:.4g} "
-        "dBsm\n",
-        channel_names[channel], c.errors[channel].reference_peak_dbsm, dynamic_range_db, c.errors[channel].result_peak_dbsm);
+        "dBsm{}\n",
+        channel_names[channel], c.errors[channel].reference_peak_dbsm, dynamic_range_db, c.errors[channel].result_peak_dbsm,
+        c.unexpected[channel] ? ", above any tolerance" : "");
   if (!in_result && !in_reference) return "";
   return fmt::format("{}: in the {} alone\n", channel_names[channel], in_result ? "result" : "reference");
 }
@@ -152,9 +154,10 @@ void write_compare_csv(const std::filesystem::path& file, const Comparison& c) {
 
 std::string above_tolerance(const Comparison& c, double tolerance_db) {
   std::string text;
-  for (int channel = 0; channel < 4; ++channel)
-    if (const double rms = c.errors[channel].rms_db; c.signal[channel] && !(rms <= tolerance_db))
-      text += fmt::format("{}{} {:.4g} dB", text.empty() ? "" : ", ", channel_names[channel], rms);
+  for (int channel = 0; channel < 4; ++channel) {
+    const double rms = c.unexpected[channel] ? std::numeric_limits<double>::infinity() : c.errors[channel].rms_db;
+    if (rms > tolerance_db) text += fmt::format("{}{} {:.4g} dB", text.empty() ? "" : ", ", channel_names[channel], rms);
+  }
   return text;
 }
 

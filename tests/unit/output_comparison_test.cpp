@@ -160,6 +160,14 @@ TEST_F(Compared, RoundingDustIsNoSignal) {
                         "result's peak is -60 dBsm"));
 }
 
+TEST_F(Compared, AStrongSignalInTheResultAloneIsAboveAnyTolerance) {
+  const std::string two = "phi_deg,sigma_vv_dbsm,sigma_vh_dbsm\n";
+  const Comparison c = compared(two + "0,10,-9\n", two + "0,10,-inf\n");
+  EXPECT_EQ(above_tolerance(c, 1e6), "vh inf dB");
+  EXPECT_THAT(comparison_text(c), HasSubstr("the result's peak is -9 dBsm, above any tolerance\n"));
+  EXPECT_EQ(above_tolerance(compared(two + "0,10,-11\n", two + "0,10,-inf\n"), 0.0), "");  // not within 20 dB
+}
+
 TEST_F(Compared, ToleranceNamesTheChannelsAboveIt) {
   const std::string two = "phi_deg,sigma_vv_dbsm,sigma_hh_dbsm\n";
   const Comparison c = compared(two + "0,10.25,3\n", two + "0,10,4\n");
