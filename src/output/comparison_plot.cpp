@@ -125,7 +125,8 @@ std::string comparison_plot_script(const std::string& terminal, const std::strin
   const double range = difference_range(pairs);
   std::string script =
       gnuplot_preamble(terminal, fmt::format("{},900", 300 + 800 * pairs.size()), file) + channel_styles + pale_styles();
-  script += fmt::format("set rmargin 33\nset lmargin 11\nset xlabel '{}'\n", c.cuts.axis);
+  script +=
+      fmt::format("set rmargin 30\nset lmargin 11\nset key at graph 1.02, graph 1 left top\nset xlabel '{}'\n", c.cuts.axis);
   for (std::size_t i = 0; i < pairs.size(); ++i) script += data_block(i, pairs[i], c, scale);
   script +=
       fmt::format("set multiplot layout 2,{} columnsfirst title {}\n", pairs.size(), gnuplot_quoted(heading(c, pairs.size())));

@@ -63,13 +63,13 @@ std::string points(int column, std::size_t count) {
       column, count - 1);
 }
 
+// The words stand where there is room: behind the line for the coarsest density, before it for all others.
 std::string recommended_line(const ConvergenceStudy& study) {
-  if (!study.convergence.recommended) return "";
-  const std::string density = number_text(study.results[*study.convergence.recommended].per_wavelength);
+  const auto& recommended = study.convergence.recommended;
+  if (!recommended) return "";
   return fmt::format(
-      "set arrow 1 from {0}, graph 0 to {0}, graph 1 nohead ls 4\nset label 1 'recommended: {0}' at {0}, graph 0.04 offset "
-      "0.7,0\n",
-      density);
+      "set arrow 1 from {0}, graph 0 to {0}, graph 1 nohead ls 4\nset label 1 'recommended: {0}' at {0}, graph 0.04 {1}\n",
+      number_text(study.results[*recommended].per_wavelength), *recommended == 0 ? "left offset 0.7,0" : "right offset -0.7,0");
 }
 
 }  // namespace
