@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "output/compare.h"
 #include "output/cuts.h"
+#include "output/error_measures.h"
 #include "output/match_rows.h"
 #include "output/result_table.h"
 

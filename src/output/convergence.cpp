@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "output/compare.h"
 #include "output/csv.h"
+#include "output/error_measures.h"
 
 namespace raytube {
 

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "output/compare.h"
+#include "output/error_measures.h"
 
 namespace raytube {
 
@@ -13,7 +12,7 @@ namespace {
 constexpr int most_steps = 200;
 constexpr std::size_t least_points = 5;
 constexpr double least_correlation = 0.5;
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = ErrorMeasures::undefined;
 
 struct Extent {
   double step, longest;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "output/compare.h"
 #include "output/convergence.h"
 #include "output/convergence_report.h"
+#include "output/error_measures.h"
 #include "run.h"
 #include "scratch.h"
 

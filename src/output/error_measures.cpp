@@ -1,4 +1,4 @@
-#include "output/compare.h"
+#include "output/error_measures.h"
 
 #include <algorithm>
 #include <cmath>

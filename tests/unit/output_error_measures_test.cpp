@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "output/compare.h"
 #include "output/csv.h"
 #include "output/curve_lag.h"
+#include "output/error_measures.h"
 
 namespace raytube {
 namespace {
@@ -23,7 +23,7 @@ ChannelPair levels(const std::vector<double>& result, const std::vector<double>&
   return {result, reference, {}, {}};
 }
 
-TEST(CompareMeasures, ByHand) {
+TEST(MeasuredErrors, ByHand) {
   // Differences 1, -2, 3, 0 dB within 20 dB of the peak of 0 dBsm, and 10 dB at -25 dBsm, which only the Austin measure counts.
   const ErrorMeasures e = measure_errors(levels({1, -12, -16, -20, -15}, {0, -10, -19, -20, -25}), 20.0);
   EXPECT_EQ(e.within, 4u);
@@ -40,20 +40,20 @@ TEST(CompareMeasures, ByHand) {
   EXPECT_TRUE(std::isnan(e.relative_error));  // no phase
 }
 
-TEST(CompareMeasures, RelativeErrorIsComplex) {
+TEST(MeasuredErrors, RelativeErrorIsComplex) {
   const ErrorMeasures e = measure_errors(pair_of({{3, 0}, {0, 4}}, {{3, 4}, {0, 0}}), 20.0);
   EXPECT_DOUBLE_EQ(e.relative_error, std::sqrt(16.0 + 16.0) / 5.0);
 }
 
-TEST(CompareMeasures, WithinCanBeWiderOrNarrower) {
+TEST(MeasuredErrors, WithinCanBeWiderOrNarrower) {
   const ChannelPair pair = levels({0, 0, 0}, {0, -20, -40});
   EXPECT_EQ(measure_errors(pair, 0.0).within, 1u);
   EXPECT_EQ(measure_errors(pair, 20.0).within, 2u);
   EXPECT_EQ(measure_errors(pair, 40.0).within, 3u);
 }
 
-// tests/data/compare_measures.py makes the same curves and printed these numbers (numpy 1.24).
-TEST(CompareMeasures, AgreeWithNumpy) {
+// tests/data/error_measures.py makes the same curves and printed these numbers (numpy 1.24).
+TEST(MeasuredErrors, AgreeWithNumpy) {
   const auto lobes = [](double x) {
     return 0.3 * std::exp(-(x - 20) * (x - 20) / 144.0) * std::cos(0.7 * x) * std::polar(1.0, 0.9 * x);
   };
@@ -85,7 +85,7 @@ TEST(CompareMeasures, AgreeWithNumpy) {
   EXPECT_NEAR(best_lag({curves}), 0.280669243971599, 1e-8);
 }
 
-TEST(CompareMeasures, AZeroOnOneSideIsAnInfiniteErrorButTheFloorHoldsTheAustinMeasure) {
+TEST(MeasuredErrors, AZeroOnOneSideIsAnInfiniteErrorButTheFloorHoldsTheAustinMeasure) {
   const ErrorMeasures missing = measure_errors(levels({0, -inf, -30}, {0, -10, -30}), 20.0);
   EXPECT_EQ(missing.rms_db, inf);
   EXPECT_EQ(missing.largest_abs_db, inf);
@@ -100,20 +100,20 @@ TEST(CompareMeasures, AZeroOnOneSideIsAnInfiniteErrorButTheFloorHoldsTheAustinMe
   EXPECT_DOUBLE_EQ(extra.austin_db, 70.0 / 3.0);
 }
 
-TEST(CompareMeasures, EqualCurvesHaveNoErrorAndCorrelateFully) {
+TEST(MeasuredErrors, EqualCurvesHaveNoErrorAndCorrelateFully) {
   const ErrorMeasures e = measure_errors(levels({0, -3, -inf, -9}, {0, -3, -inf, -9}), 20.0);
   for (const double value : {e.rms_db, e.mean_abs_db, e.median_abs_db, e.p95_abs_db, e.largest_abs_db, e.bias_db, e.austin_db})
     EXPECT_EQ(value, 0.0);
   EXPECT_DOUBLE_EQ(e.correlation, 1.0);
 }
 
-TEST(CompareMeasures, CurvesThatDoNotVaryDoNotCorrelate) {
+TEST(MeasuredErrors, CurvesThatDoNotVaryDoNotCorrelate) {
   EXPECT_TRUE(std::isnan(measure_errors(levels({1, 2, 3}, {5, 5, 5}), 20.0).correlation));
   EXPECT_TRUE(std::isnan(measure_errors(levels({1}, {5}), 20.0).correlation));
   EXPECT_DOUBLE_EQ(correlation(std::vector{1.0, 2.0, 3.0}, std::vector{-2.0, -4.0, -6.0}), -1.0);
 }
 
-TEST(CompareMeasures, QuantilesLieBetweenNeighbours) {
+TEST(MeasuredErrors, QuantilesLieBetweenNeighbours) {
   EXPECT_EQ(quantile({3, 1, 2}, 0.5), 2.0);
   EXPECT_EQ(quantile({4, 1, 2, 3}, 0.5), 2.5);
   EXPECT_EQ(quantile({7}, 0.95), 7.0);
