@@ -110,7 +110,8 @@ double lag_along_cuts(const Comparison& c, const ChannelPair& pair) {
 }  // namespace
 
 Comparison compare_results(ResultTable result, ResultTable reference, double within_db) {
-  Comparison c{std::move(result), std::move(reference), within_db, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  Comparison c;
+  c.result = std::move(result), c.reference = std::move(reference), c.within_db = within_db;
   c.match = match_rows(c.result, c.reference);
   fill_keys(c);
   fill_pairs(c);

@@ -52,9 +52,12 @@ struct Convergence {
 /// The errors e1, e2, e3 of three densities n1 < n2 < n3 are taken to be as large as n^-p and to have the correlation rho, 0 to
 /// 1, with one another (over all rows and channels): 1 when they are parallel, as Richardson supposes, 0 when they are
 /// independent, as those of a staircase nearly are. With the changes D1 = S2 - S1, D2 = S3 - S2 and A = (n2/n1)^p, B = (n3/n2)^p:
-///   order        ||D2|| / ||D1|| = (n2^-p - n3^-p) / (n1^-p - n2^-p)     (Roache 1998; for equal ratios of densities whatever
-///   rho) correlation  Re<D1, D2> / ||D1||^2 = (rho (1/B - A/B + A) - 1) / (1 + A^2 - 2 rho A) finest       ||e3|| = ||D2|| /
-///   sqrt(1 + B^2 - 2 rho B) extrapolated S3 + w D2, w = (rho B - 1) / (1 + B^2 - 2 rho B), the least-squares weight
+///
+///     order         ||D2|| / ||D1|| = (n2^-p - n3^-p) / (n1^-p - n2^-p)  (Roache 1998; for n2/n1 = n3/n2 whatever rho)
+///     correlation   Re<D1, D2> / ||D1||^2 = (rho (1/B - A/B + A) - 1) / (1 + A^2 - 2 rho A)
+///     finest        ||e3|| = ||D2|| / sqrt(1 + B^2 - 2 rho B)
+///     extrapolated  S3 + w D2 with the least-squares weight w = (rho B - 1) / (1 + B^2 - 2 rho B)
+///
 /// For rho = 1 these are Richardson's ||D2|| / (B - 1) and w = 1 / (B - 1). The extrapolated value gets the finest one's error as
 /// its uncertainty. In all but the first p is kept within 0.5 and 2, the order of a smooth integrand: beyond that it is chance.
 Convergence study_convergence(std::span<const DensityResult> results);

@@ -74,6 +74,17 @@ std::string conclusions(const ConvergenceStudy& study, const std::string& margin
          margin + "recommendation  " + recommendation_text(study);
 }
 
+std::string csv_row(const ConvergenceStudy& study, std::size_t i) {
+  const DensityResult& result = study.results[i];
+  const DensityErrors& errors = study.convergence.densities[i];
+  const Complex s = strongest(study, result.total);
+  std::string row = fmt::format("{},{},{}", number_text(result.per_wavelength), result.tubes, result.rays);
+  for (const double value : {result.solve_s, s.real(), s.imag(), sigma_dbsm(s), errors.norm, errors.change,
+                             errors.relative_change, errors.order, errors.relative_error, errors.rms_db})
+    row += ',' + number_text(value);
+  return row + '\n';
+}
+
 }  // namespace
 
 std::string convergence_text(const ConvergenceStudy& study) {
@@ -95,16 +106,7 @@ void write_converge_csv(const std::filesystem::path& file, const ConvergenceStud
   out.write(
       "per_wavelength,tubes,rays,solve_s,re_m,im_m,sigma_dbsm,norm_m,change_to_next_m,relative_change_to_next,observed_order,"
       "estimated_relative_error,estimated_rms_db\n");
-  for (std::size_t i = 0; i < study.results.size(); ++i) {
-    const DensityResult& result = study.results[i];
-    const DensityErrors& errors = study.convergence.densities[i];
-    const Complex s = strongest(study, result.total);
-    std::string line = fmt::format("{},{},{}", number_text(result.per_wavelength), result.tubes, result.rays);
-    for (const double value : {result.solve_s, s.real(), s.imag(), sigma_dbsm(s), errors.norm, errors.change,
-                               errors.relative_change, errors.order, errors.relative_error, errors.rms_db})
-      line += ',' + number_text(value);
-    out.write(line + '\n');
-  }
+  for (std::size_t i = 0; i < study.results.size(); ++i) out.write(csv_row(study, i));
   out.commit();
 }
 

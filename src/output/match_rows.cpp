@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -104,29 +105,39 @@ std::vector<std::size_t> sorted_rows(const RowIds& ids, std::size_t begin, std::
   return order;
 }
 
-}  // namespace
-
-RowMatch match_rows(const ResultTable& a, const ResultTable& b) {
-  RowMatch match;
+std::array<bool, ResultTable::keys> common_keys(const ResultTable& a, const ResultTable& b) {
+  std::array<bool, ResultTable::keys> by{};
   for (int k = 0; k < ResultTable::keys; ++k) {
-    match.by[k] = a.has_key[k] && b.has_key[k];
+    by[k] = a.has_key[k] && b.has_key[k];
     if (a.has_key[k] && !b.has_key[k]) check_single_value(a, b, static_cast<Key>(k));
     if (b.has_key[k] && !a.has_key[k]) check_single_value(b, a, static_cast<Key>(k));
   }
-  if (std::ranges::none_of(match.by, std::identity{}))
+  if (std::ranges::none_of(by, std::identity{}))
     throw InputError(fmt::format("{} and {} have no column in common to match rows by; give both the column of what was swept",
                                  a.file.string(), b.file.string()));
-  const RowIds ids = row_ids(a, b, match.by);
-  const std::size_t rows_a = a.rows.size();
+  return by;
+}
+
+// Both tables' rows in the order of their numbers, side by side.
+std::vector<std::pair<std::size_t, std::size_t>> equal_rows(const RowIds& ids, std::size_t rows_a) {
   const std::vector<std::size_t> order_a = sorted_rows(ids, 0, rows_a), order_b = sorted_rows(ids, rows_a, ids.size());
+  std::vector<std::pair<std::size_t, std::size_t>> equal;
   for (std::size_t i = 0, j = 0; i < order_a.size() && j < order_b.size();) {
     const auto &first = ids[order_a[i]], &second = ids[order_b[j]];
-    if (first == second) match.common.emplace_back(order_a[i], order_b[j] - rows_a);
+    if (first == second) equal.emplace_back(order_a[i], order_b[j] - rows_a);
     const bool next_a = first <= second, next_b = second <= first;
     i += next_a, j += next_b;
   }
-  if (match.common.empty()) reject_strangers(a, b, match.by);
-  std::ranges::sort(match.common);
+  std::ranges::sort(equal);
+  return equal;
+}
+
+}  // namespace
+
+RowMatch match_rows(const ResultTable& a, const ResultTable& b) {
+  const auto by = common_keys(a, b);
+  RowMatch match{by, equal_rows(row_ids(a, b, by), a.rows.size())};
+  if (match.common.empty()) reject_strangers(a, b, by);
   return match;
 }
 
