@@ -47,7 +47,7 @@ LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look
                       Progress& progress) {
   LookResult result;
   const double share = 1.0 / static_cast<double>(sweep.looks.size());
-  result.tubes = sbr_scattering(target.tracer, look, sweep.frequencies, options.tubes, progress, share);
+  result.tubes = sbr_scattering(target.tracer, target.faces, look, sweep.frequencies, options.tubes, progress, share);
   if (options.edges.method == EdgeMethod::fringe) result.edges = edge_look(target, sweep, look, options.edges);
   if (sweep.bistatic) return result;
   for (std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) make_reciprocal(bounce);
@@ -85,6 +85,7 @@ class Collector {
     all.rays += part.tubes.rays;
     all.lost_rays += part.tubes.lost_rays;
     all.tubes_cut += part.tubes.tubes_cut;
+    all.sliver_area += part.tubes.sliver_area;
     all.wedges_lit += part.edges.wedges_lit;
     if (all.hits.size() < part.tubes.hits.size()) all.hits.resize(part.tubes.hits.size());
     for (std::size_t b = 0; b < part.tubes.hits.size(); ++b) all.hits[b] += part.tubes.hits[b];
@@ -133,6 +134,7 @@ class Collector {
 Target::Target(const TriangleMesh& triangles, const EdgeOptions& edges)
     : mesh(triangles),
       tracer(triangles),
+      faces(triangles),
       wedges(find_wedges(triangles, edges.min_wedge_angle)),
       outlines(triangles, wedges, edges.min_wedge_angle) {}
 

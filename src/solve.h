@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 
+#include "mesh/face_tree.h"
 #include "mesh/load.h"
 #include "mesh/outlines.h"
 #include "mesh/tracer.h"
@@ -32,13 +33,14 @@ struct SolveOptions {
   std::function<bool(double)> progress;
 };
 
-/// A mesh ready to be solved with these edge options: its ray-tracing structure, wedges and outlines of their faces. Keeps a
+/// A mesh ready to be solved with these edge options: its ray-tracing structures, wedges and outlines of their faces. Keeps a
 /// reference to `mesh`.
 struct Target {
   Target(const TriangleMesh& mesh, const EdgeOptions& edges);
   Target(TriangleMesh&& mesh, const EdgeOptions& edges) = delete;
   const TriangleMesh& mesh;
   Tracer tracer;
+  FaceTree faces;
   std::vector<Wedge> wedges;
   Outlines outlines;
 };

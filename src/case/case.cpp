@@ -75,13 +75,19 @@ dvec3 read_vector(const CaseValue& value, const std::string& key) {
 void read_tubes(const CaseValue& root, Case& c) {
   if (const CaseValue* mode = find(root, "tubes", "mode")) {
     const std::string name = read_text(*mode, "tubes.mode");
-    if (name == "adaptive") reject(*mode, "tubes.mode \"adaptive\" is not in this version; write \"uniform\"");
-    if (name != "uniform") reject(*mode, fmt::format("tubes.mode \"{}\" is unknown; write \"uniform\"", name));
+    if (name != "uniform" && name != "adaptive")
+      reject(*mode, fmt::format("tubes.mode \"{}\" is unknown; write \"uniform\" or \"adaptive\"", name));
+    c.tubes.mode = name == "adaptive" ? TubeMode::adaptive : TubeMode::uniform;
   }
   if (const CaseValue* density = find(root, "tubes", "per_wavelength"))
     c.tubes.per_wavelength = read_positive(*density, "tubes.per_wavelength");
   if (const CaseValue* bounces = find(root, "tubes", "max_bounces"))
     c.tubes.max_bounces = read_whole(*bounces, "tubes.max_bounces", 1, 1000);
+  if (const CaseValue* clip = find(root, "tubes", "clip")) {
+    if (c.tubes.mode == TubeMode::uniform)
+      reject(*clip, "tubes.clip needs tubes.mode = \"adaptive\"; a uniform grid is never clipped, so remove it");
+    c.tubes.clip = read_flag(*clip, "tubes.clip");
+  }
   if (const CaseValue* up = find(root, "tubes", "up")) c.tubes.up = read_vector(*up, "tubes.up");
 }
 

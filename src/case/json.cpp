@@ -19,7 +19,10 @@ Json frequency_json(const Sweep& sweep) {
 }
 
 Json tubes_json(const TubeOptions& tubes) {
-  Json json = {{"mode", "uniform"}, {"per_wavelength", tubes.per_wavelength}, {"max_bounces", tubes.max_bounces}};
+  const bool adaptive = tubes.mode == TubeMode::adaptive;
+  Json json = {
+      {"mode", adaptive ? "adaptive" : "uniform"}, {"per_wavelength", tubes.per_wavelength}, {"max_bounces", tubes.max_bounces}};
+  if (adaptive) json["clip"] = tubes.clip;
   if (tubes.up) json["up"] = {tubes.up->x, tubes.up->y, tubes.up->z};
   return json;
 }

@@ -12,6 +12,8 @@ Beam incident_beam(const LaunchGrid& grid, const SphericalBasis& transmit, const
           {transmit.theta_hat, transmit.phi_hat},
           grid.plane_origin + reference.x * grid.u_hat + reference.y * grid.v_hat,
           grid.u_hat,
+          grid.v_hat,
+          grid.u_hat,
           grid.v_hat};
 }
 
@@ -41,6 +43,8 @@ Footprint footprint(const Beam& beam, const Patch& patch, const SphericalBasis& 
     f.outgoing.field[q] = reflected_field_pec(beam.field[q], n);
   }
   f.outgoing.direction = reflected_direction(d, n);
+  f.outgoing.u_hat = reflected_direction(beam.u_hat, n);
+  f.outgoing.v_hat = reflected_direction(beam.v_hat, n);
   // The reflected phase function equals the incident one on the plane n.r = offset: d'.r + path' = d.r + path there.
   f.outgoing.path = beam.path + 2.0 * glm::dot(d, n) * offset;
   return f;

@@ -11,12 +11,14 @@ namespace raytube {
 
 /// Tubes that have met the same planar patches in the same order travel as one plane wave: direction d, phase
 /// e^{-jk (d.r + path)}, fields of both transmit polarisations. The tube of launch coordinates (u, v) runs through
-/// base + (u - u_0) along_u + (v - v_0) along_v.
+/// base + (u - u_0) along_u + (v - v_0) along_v. `u_hat`, `v_hat` and the direction are orthonormal: the launch axes as
+/// the reflections carry them, so that (u - u_0, v - v_0) of any point r is (u_hat, v_hat).(r - base).
 struct Beam {
   dvec3 direction;
   double path = 0.0;           // [m]
   std::array<dvec3, 2> field;  // of unit incident V and H
   dvec3 base, along_u, along_v;
+  dvec3 u_hat, v_hat;
 };
 
 /// The incident plane wave as launched; phase zero at the centre of the mesh. (u_0, v_0) is `reference`.

@@ -22,6 +22,9 @@ struct LaunchGrid {
   double v_center(std::uint32_t row) const { return v_begin + (row + 0.5) * dv; }
   std::uint64_t cells() const { return std::uint64_t{columns} * rows; }
 
+  /// Launch coordinates of a cell's ray.
+  dvec2 ray_place(std::uint32_t column, std::uint32_t row) const;
+
   /// The ray of a cell leaves a little beside the centre, so that it never runs along mesh edges aligned with the grid.
   Ray ray(std::uint32_t column, std::uint32_t row) const;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sbr/adaptive.h"
 #include "sbr/launch.h"
 
 namespace raytube {
@@ -31,28 +32,53 @@ struct Tiling {
   std::size_t count;
 };
 
+// Faces whose tubes are followed together.
+constexpr std::uint32_t faces_per_tile = 256;
+
+// Adds up tile(0) ... tile(count - 1) in this order, whoever computes them.
+template <class Function>
+TubeSums sum_tiles(std::size_t count, Function tile, Progress& progress, double share) {
+  if (count == 0) progress.add(share);
+  TubeSums sums;
+  for (std::size_t first = 0; first < count; first += tiles_per_batch) {
+    std::vector<TubeSums> batch(std::min(tiles_per_batch, count - first));
+    tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
+      batch[i] = tile(first + i);
+      progress.add(share / static_cast<double>(count));
+    });
+    for (const TubeSums& sum : batch) sums.add(sum);
+  }
+  return sums;
+}
+
 }  // namespace
 
-TubeSums sbr_scattering(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
-                        Progress& progress, double share) {
+TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
+                        const TubeOptions& options, Progress& progress, double share) {
   const SphericalBasis transmit = spherical_basis(look.transmit), receive = spherical_basis(look.receive);
   const double shortest = wavelength(*std::ranges::max_element(frequencies));
   const LaunchGrid grid = launch_grid(tracer.mesh(), look.transmit, shortest, options.per_wavelength, options.up);
   std::vector<double> wavenumbers(frequencies.size());
   std::ranges::transform(frequencies, wavenumbers.begin(), wavenumber);
 
-  const Tiling tiles(grid);
-  if (tiles.count == 0) progress.add(share);
-  TubeSums sums;
-  for (std::size_t first = 0; first < tiles.count; first += tiles_per_batch) {
-    std::vector<TubeSums> batch(std::min(tiles_per_batch, tiles.count - first));
-    tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
-      batch[i] = trace_tile(tracer, grid, tiles[first + i], transmit, receive, wavenumbers, options.max_bounces);
-      progress.add(share / static_cast<double>(tiles.count));
-    });
-    for (const TubeSums& tile : batch) sums.add(tile);
+  // Half the faces of a body look at the radar. Where a cell holds more than one of them, single rays are the cheaper sample.
+  const auto face_count = static_cast<std::uint32_t>(faces.faces().size());
+  if (options.mode == TubeMode::adaptive && (face_count <= faces_per_tile || face_count / 2 <= grid.cells())) {
+    if (grid.cells() == 0)
+      return sum_tiles(
+          0, [](std::size_t) { return TubeSums{}; }, progress, share);
+    const AdaptiveLook adaptive{faces, grid, transmit, receive, wavenumbers, options.max_bounces, options.clip};
+    const auto trace = [&](std::size_t i) {
+      const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
+      return trace_faces(adaptive, begin, std::min(begin + faces_per_tile, face_count));
+    };
+    return sum_tiles((face_count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
   }
-  return sums;
+  const Tiling tiles(grid);
+  const auto trace = [&](std::size_t i) {
+    return trace_tile(tracer, grid, tiles[i], transmit, receive, wavenumbers, options.max_bounces);
+  };
+  return sum_tiles(tiles.count, trace, progress, share);
 }
 
 }  // namespace raytube

@@ -8,23 +8,31 @@
 #include <vector>
 
 #include "field.h"
+#include "mesh/face_tree.h"
 #include "mesh/tracer.h"
 #include "progress.h"
 #include "sbr/tile.h"
 
 namespace raytube {
 
+enum class TubeMode {
+  uniform,  // one tube a cell of the launch grid
+  adaptive  // tubes as wide as the surfaces they meet allow
+};
+
 struct TubeOptions {
-  double per_wavelength = 10.0;  // tubes per wavelength along each side of the launch plane, at the highest frequency
+  TubeMode mode = TubeMode::uniform;
+  double per_wavelength = 10.0;  // cells per wavelength along each side of the launch plane, at the highest frequency
+  bool clip = true;              // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
   int max_bounces = 8;
   std::optional<dvec3> up;  // rows of the launch grid follow this vector's projection; default -theta_hat
 };
 
-/// Traces the uniform tube grid of a look once and integrates the PO current of every bounce, radiating unblocked, for all
-/// frequencies [Hz] and both transmit polarisations. Phase reference: the centre of the mesh. The result does not depend on
-/// the number of threads. Reports its finished tiles as shares of `share` to `progress`.
-TubeSums sbr_scattering(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
-                        Progress& progress, double share);
+/// Traces the tubes of a look once and integrates the PO current of every bounce, radiating unblocked, for all frequencies [Hz]
+/// and both transmit polarisations. Phase reference: the centre of the mesh. The result does not depend on the number of
+/// threads. Reports its finished tiles as shares of `share` to `progress`. `faces` and `tracer` are of the same mesh.
+TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
+                        const TubeOptions& options, Progress& progress, double share);
 
 /// One reflection of a replayed tube, in recentred coordinates.
 struct TubeBounce {

@@ -141,6 +141,7 @@ void TubeSums::add(const TubeSums& other) {
   rays += other.rays;
   lost_rays += other.lost_rays;
   tubes_cut += other.tubes_cut;
+  sliver_area += other.sliver_area;
 }
 
 TubeSums trace_tile(const Tracer& tracer, const LaunchGrid& grid, const Tile& tile, const SphericalBasis& transmit,

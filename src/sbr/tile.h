@@ -21,6 +21,7 @@ struct TubeSums {
   std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
   std::vector<std::uint64_t> hits;                     // [bounce]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;
+  double sliver_area = 0.0;  // [m^2] of the launch plane, left out by adaptive tubes
 
   void add(const TubeSums& other);
 };

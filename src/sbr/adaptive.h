@@ -1,0 +1,27 @@
+// Tubes as wide as the surfaces they meet allow: cut at edges and shadow boundaries, nowhere else.
+#pragma once
+
+#include <span>
+
+#include "mesh/face_tree.h"
+#include "sbr/launch.h"
+#include "sbr/tile.h"
+
+namespace raytube {
+
+/// One look as the adaptive tubes see it.
+struct AdaptiveLook {
+  const FaceTree& tree;
+  const LaunchGrid& grid;
+  const SphericalBasis& transmit;
+  const SphericalBasis& receive;
+  std::span<const double> wavenumbers;
+  int max_bounces;
+  bool clip;  // integrate over exactly the parts lit; else over the cells of the grid whose ray runs through them
+};
+
+/// Follows the light that reaches the faces [begin, end) directly through all its reflections and integrates the currents of
+/// every bounce. Without `clip` the sum over all faces is that of the uniform grid.
+TubeSums trace_faces(const AdaptiveLook& look, std::uint32_t begin, std::uint32_t end);
+
+}  // namespace raytube

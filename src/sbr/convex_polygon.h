@@ -1,0 +1,44 @@
+// Convex polygons of the launch plane and the one operation on them: a cut along a line.
+#pragma once
+
+#include <vector>
+
+#include "field.h"
+
+namespace raytube {
+
+/// Corners counter-clockwise; fewer than three: nothing.
+using ConvexPolygon = std::vector<dvec2>;
+
+/// c + u x + v y: a line (where it is zero) or a depth.
+struct Affine {
+  double c = 0.0, u = 0.0, v = 0.0;
+  double operator()(const dvec2& at) const { return c + u * at.x + v * at.y; }
+  friend Affine operator-(const Affine& a, const Affine& b) { return {a.c - b.c, a.u - b.u, a.v - b.v}; }
+};
+
+struct Bounds {
+  dvec2 low, high;
+  bool overlaps(const Bounds& other, double margin) const {
+    return low.x < other.high.x - margin && other.low.x < high.x - margin && low.y < other.high.y - margin &&
+           other.low.y < high.y - margin;
+  }
+};
+
+struct Range {
+  double low, high;
+};
+
+double area(const ConvexPolygon& polygon);   // negative if clockwise
+dvec2 middle(const ConvexPolygon& polygon);  // mean of the corners, which lies inside
+Bounds bounds(const ConvexPolygon& polygon);
+Range range(const ConvexPolygon& polygon, const Affine& f);
+
+/// Distance to the line from `a` to `b`, positive on its left.
+Affine left_of(const dvec2& a, const dvec2& b);
+
+/// Cuts along f = 0. A corner with |f| <= tolerance lies on the cut and belongs to both parts; a part without a corner beyond
+/// that is left empty. The two parts share the new corners, so their areas add up.
+void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive, ConvexPolygon& negative);
+
+}  // namespace raytube

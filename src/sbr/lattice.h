@@ -1,0 +1,20 @@
+// The uniform grid's cells under a polygon of the launch plane.
+#pragma once
+
+#include <vector>
+
+#include "sbr/convex_polygon.h"
+#include "sbr/launch.h"
+
+namespace raytube {
+
+/// Cells [column_begin, column_end) x [row_begin, row_end).
+struct CellBlock {
+  std::uint32_t column_begin, column_end, row_begin, row_end;
+};
+
+/// Fills `blocks` with the cells of the grid whose ray runs through the polygon, which counts from `reference`. Rows that share
+/// their columns are one block. Polygons that share an edge share no cell and leave none out.
+void cells_under(const LaunchGrid& grid, const dvec2& reference, const ConvexPolygon& polygon, std::vector<CellBlock>& blocks);
+
+}  // namespace raytube

@@ -1,0 +1,87 @@
+// Which surfaces a beam meets first, and where: exact hidden-surface removal in the launch plane.
+#pragma once
+
+#include "mesh/face_tree.h"
+#include "sbr/convex_polygon.h"
+#include "sbr/footprint.h"
+
+namespace raytube {
+
+/// A part of a face that the beam reaches before anything else.
+struct VisiblePart {
+  std::uint32_t face;
+  ConvexPolygon outline;  // counted from the beam's reference
+};
+
+/// Under planar reflections the launch plane maps affinely onto every surface a beam meets, so each face is a convex polygon
+/// there, its depth along the beam is affine, and what the other faces leave of it is a set of convex polygons. The nearest
+/// surface counts, the lower triangle where two coincide. The patch a beam leaves, and what does not rise above its plane, is not
+/// met. Closed bodies are met from outside only. Keeps buffers between calls: one object a thread.
+class VisibleSurfaces {
+ public:
+  explicit VisibleSurfaces(const FaceTree& tree);
+
+  /// Appends what an incident wave sees of the faces [begin, end).
+  void of_faces(const Beam& incident, std::uint32_t begin, std::uint32_t end, std::vector<VisiblePart>& parts);
+
+  /// Appends what the part `region` of a beam that leaves `source_patch` meets.
+  void from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region, std::vector<VisiblePart>& parts);
+
+  /// Area of pieces too thin to be more than rounding, left out so far [m^2].
+  double sliver_area() const { return sliver_area_; }
+
+ private:
+  // A face as the beam sees it, within the region.
+  struct Candidate {
+    std::uint32_t face, patch, triangle;
+    ConvexPolygon outline;
+    Bounds box;
+    Affine depth;
+    Range depths;
+    double tilt;  // |normal . direction|: turns a difference of depth into a height over the plane
+  };
+  // Candidates kept with their memory.
+  struct Pool {
+    std::vector<Candidate> items;
+    std::size_t count = 0;
+    Candidate& next() {
+      if (count == items.size()) items.emplace_back();
+      return items[count];
+    }
+  };
+  // For whom candidates are sought.
+  struct View {
+    const Beam& beam;
+    std::uint32_t source_patch = no_index;
+    const ConvexPolygon* region = nullptr;
+    const Patch* source = nullptr;
+    Affine source_depth;
+  };
+  using Others = std::vector<const Candidate*>;
+
+  void see(const View& view, std::span<const std::uint32_t> faces, bool complete, std::vector<VisiblePart>& parts);
+  void gather(const View& view, std::span<const std::uint32_t> faces, Pool& pool);
+  bool make_candidate(const View& view, std::uint32_t face, Candidate& c);
+  void project(const Beam& beam, std::uint32_t face, ConvexPolygon& outline) const;
+  void clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline);
+  void clip_to_front(const View& view, Candidate& c);
+  void uncover(const Candidate& c, const ConvexPolygon& outline, const Others& others, std::vector<VisiblePart>& parts);
+  bool may_hide(const Candidate& front, const Candidate& c, const Bounds& box) const;
+  Affine behind(const Candidate& front, const Candidate& c) const;
+  bool hides_all(const Candidate& front, const Candidate& c, const ConvexPolygon& outline) const;
+  void subtract(const Candidate& front, const Candidate& c);
+  bool subtract(const Candidate& front, const Affine& order, const ConvexPolygon& piece);
+  bool is_sliver(const ConvexPolygon& polygon) const;
+  void emit(const Candidate& c, const ConvexPolygon& piece, std::vector<VisiblePart>& parts);
+
+  const FaceTree& tree_;
+  double length_rounding_, height_rounding_;
+  double depth_margin_;  // so that no surface coincident with the one in question is missed
+  double sliver_area_ = 0.0;
+  Pool in_view_, in_front_;
+  std::vector<std::uint32_t> found_, found_in_front_;
+  std::vector<ConvexPolygon> pieces_, remaining_;
+  ConvexPolygon inside_, outside_, rest_;
+};
+
+}  // namespace raytube
