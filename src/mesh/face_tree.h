@@ -1,6 +1,7 @@
 // Which faces a bundle of parallel tubes may meet.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -19,7 +20,7 @@ struct Prism {
   const Patch* floor = nullptr;  // the plane the lines start from: only what reaches above it, on the side of `direction`, counts
 };
 
-/// The faces of a mesh in a binary tree of boxes, in double precision.
+/// The faces of a mesh in a tree of boxes, four to a node, in double precision.
 class FaceTree {
  public:
   explicit FaceTree(const TriangleMesh& mesh);
@@ -29,17 +30,23 @@ class FaceTree {
   std::span<const std::uint32_t> corners(std::uint32_t face) const { return faces_.corners_of(faces_.faces[face]); }
   const TriangleMesh& mesh() const { return mesh_; }
 
-  /// Fills `found` with every face whose box reaches into the prism, in increasing order.
+  /// Fills `found` with every face whose box reaches into the prism, in an order fixed by the tree.
   void collect(const Prism& prism, std::vector<std::uint32_t>& found) const;
 
  private:
+  static constexpr int lanes = 4;
+  // Boxes side by side, so that a prism is held against all of them at once. Unused ones are inside out.
+  using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
   struct Node {
-    dvec3 middle, half;          // of the box
-    std::uint32_t begin, end;    // faces
-    std::uint32_t second_child;  // 0: a leaf. The first child follows its parent.
+    Lanes x, y, z;                                // middles
+    Lanes half_x, half_y, half_z;                 // half the sides
+    std::array<std::uint32_t, lanes> begin, end;  // faces
+    std::array<std::uint32_t, lanes> child;       // 0: a leaf
   };
+  struct Query;
 
-  void build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin);
+  std::uint32_t build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin);
+  void set_lane(std::uint32_t node, int lane, std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin);
 
   const TriangleMesh& mesh_;
   Faces faces_;

@@ -19,9 +19,7 @@ class FaceTrace {
  public:
   explicit FaceTrace(const AdaptiveLook& look)
       : look_(look),
-        reference_{look.grid.u_begin + 0.5 * look.grid.columns * look.grid.du,
-                   look.grid.v_begin + 0.5 * look.grid.rows * look.grid.dv},
-        beams_(look.tree.mesh(), look.receive, incident_beam(look.grid, look.transmit, reference_)),
+        beams_(look.tree.mesh(), look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
         visible_(look.tree) {}
 
   TubeSums run(std::uint32_t begin, std::uint32_t end) {
@@ -50,7 +48,7 @@ class FaceTrace {
   void reflect(std::uint32_t beam, int bounce) {
     for (VisiblePart& part : parts_) {
       const std::uint32_t patch = look_.tree.faces()[part.face].patch;
-      const std::uint32_t node = beams_.child(beam, patch);
+      const std::uint32_t node = beams_.child(beam, patch, middle(part.outline));
       if (!integrate(node, part.outline, bounce)) continue;
       ++sums_.hits[static_cast<std::size_t>(bounce)];
       reflected_.push_back({node, patch, std::move(part.outline)});
@@ -61,7 +59,7 @@ class FaceTrace {
   // False if no cell's ray runs through the outline.
   bool integrate(std::uint32_t node, const ConvexPolygon& outline, int bounce) {
     if (!look_.clip) {
-      cells_under(look_.grid, reference_, outline, blocks_);
+      cells_under(look_.grid, outline, blocks_);
       if (blocks_.empty()) return false;
     }
     if (sums_.bounces.size() <= static_cast<std::size_t>(bounce)) {
@@ -83,13 +81,12 @@ class FaceTrace {
       const LaunchGrid& grid = look_.grid;
       const dvec2 size{(block.column_end - block.column_begin) * grid.du, (block.row_end - block.row_begin) * grid.dv};
       const dvec2 low{grid.u_begin + block.column_begin * grid.du, grid.v_begin + block.row_begin * grid.dv};
-      sum += phase_integral(footprint, k, low + 0.5 * size - reference_, size.x, size.y);
+      sum += phase_integral(footprint, k, low + 0.5 * size, size.x, size.y);
     }
     return sum;
   }
 
   const AdaptiveLook& look_;
-  dvec2 reference_;  // launch coordinates of the middle of the launch rectangle
   BeamTree beams_;
   VisibleSurfaces visible_;
   std::vector<VisiblePart> parts_;

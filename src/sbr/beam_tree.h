@@ -17,8 +17,8 @@ class BeamTree {
     nodes_.push_back({{incident, {}}, no_index, no_index});
   }
 
-  /// The footprint of beam `parent` on `patch`, computed on first use.
-  std::uint32_t child(std::uint32_t parent, std::uint32_t patch);
+  /// The footprint of beam `parent` on `patch`, computed on first use, with the anchor then given.
+  std::uint32_t child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
 
   const Footprint& footprint(std::uint32_t node) const { return nodes_[node].footprint; }
   const Beam& beam(std::uint32_t node) const { return nodes_[node].footprint.outgoing; }

@@ -6,15 +6,23 @@
 
 namespace raytube {
 
-Beam incident_beam(const LaunchGrid& grid, const SphericalBasis& transmit, const dvec2& reference) {
+Beam incident_beam(const LaunchGrid& grid, const SphericalBasis& transmit, const dvec2& anchor) {
   return {grid.direction,
           0.0,
           {transmit.theta_hat, transmit.phi_hat},
-          grid.plane_origin + reference.x * grid.u_hat + reference.y * grid.v_hat,
+          anchor,
+          grid.plane_origin + anchor.x * grid.u_hat + anchor.y * grid.v_hat,
           grid.u_hat,
           grid.v_hat,
           grid.u_hat,
           grid.v_hat};
+}
+
+Beam anchored(Beam beam, const dvec2& anchor) {
+  const dvec2 step = anchor - beam.anchor;
+  beam.base += step.x * beam.along_u + step.y * beam.along_v;
+  beam.anchor = anchor;
+  return beam;
 }
 
 Footprint footprint(const Beam& beam, const Patch& patch, const SphericalBasis& receive) {
@@ -25,6 +33,7 @@ Footprint footprint(const Beam& beam, const Patch& patch, const SphericalBasis& 
   const double per_height = 1.0 / glm::dot(d, n);
 
   Footprint f;
+  f.outgoing.anchor = beam.anchor;
   f.outgoing.base = beam.base + d * ((offset - glm::dot(beam.base, n)) * per_height);
   f.outgoing.along_u = beam.along_u - d * (glm::dot(beam.along_u, n) * per_height);
   f.outgoing.along_v = beam.along_v - d * (glm::dot(beam.along_v, n) * per_height);
@@ -52,7 +61,8 @@ Footprint footprint(const Beam& beam, const Patch& patch, const SphericalBasis& 
 
 Complex phase_integral(const Footprint& f, double k, const dvec2& center, double width, double height) {
   const double magnitude = f.area * width * height * sinc(0.5 * k * f.phase_u * width) * sinc(0.5 * k * f.phase_v * height);
-  return std::polar(1.0, k * (f.phase + f.phase_u * center.x + f.phase_v * center.y)) * magnitude;
+  const dvec2 offset = center - f.outgoing.anchor;
+  return std::polar(1.0, k * (f.phase + f.phase_u * offset.x + f.phase_v * offset.y)) * magnitude;
 }
 
 void add_far_field(ScatteringMatrix& sum, const Footprint& f, double k, Complex integral) {

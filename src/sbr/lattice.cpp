@@ -29,9 +29,9 @@ Range crossings(const ConvexPolygon& polygon, double v) {
 
 }  // namespace
 
-void cells_under(const LaunchGrid& grid, const dvec2& reference, const ConvexPolygon& polygon, std::vector<CellBlock>& blocks) {
+void cells_under(const LaunchGrid& grid, const ConvexPolygon& polygon, std::vector<CellBlock>& blocks) {
   blocks.clear();
-  const dvec2 first = grid.ray_place(0, 0) - reference;
+  const dvec2 first = grid.ray_place(0, 0);
   const Bounds box = bounds(polygon);
   const std::uint32_t row_end = first_at_or_after(box.high.y, first.y, grid.dv, grid.rows);
   for (std::uint32_t row = first_at_or_after(box.low.y, first.y, grid.dv, grid.rows); row < row_end; ++row) {

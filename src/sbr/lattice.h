@@ -13,8 +13,8 @@ struct CellBlock {
   std::uint32_t column_begin, column_end, row_begin, row_end;
 };
 
-/// Fills `blocks` with the cells of the grid whose ray runs through the polygon, which counts from `reference`. Rows that share
-/// their columns are one block. Polygons that share an edge share no cell and leave none out.
-void cells_under(const LaunchGrid& grid, const dvec2& reference, const ConvexPolygon& polygon, std::vector<CellBlock>& blocks);
+/// Fills `blocks` with the cells of the grid whose ray runs through the polygon. Rows that share their columns are one block.
+/// Polygons that share an edge share no cell and leave none out.
+void cells_under(const LaunchGrid& grid, const ConvexPolygon& polygon, std::vector<CellBlock>& blocks);
 
 }  // namespace raytube

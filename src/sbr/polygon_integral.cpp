@@ -52,7 +52,8 @@ Complex phase_integral(const Footprint& f, double k, const ConvexPolygon& polygo
     a = b;
     phase_a = phase_b;
   }
-  return std::polar(f.area, k * (f.phase + f.phase_u * origin.x + f.phase_v * origin.y)) * sum;
+  const dvec2 offset = origin - f.outgoing.anchor;
+  return std::polar(f.area, k * (f.phase + f.phase_u * offset.x + f.phase_v * offset.y)) * sum;
 }
 
 }  // namespace raytube

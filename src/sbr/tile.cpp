@@ -22,10 +22,10 @@ class TileTrace {
             const SphericalBasis& receive, std::span<const double> wavenumbers)
       : tracer_(tracer),
         grid_(grid),
-        reference_{0.5 * (grid.u_center(tile.column_begin) + grid.u_center(tile.column_end - 1)),
-                   0.5 * (grid.v_center(tile.row_begin) + grid.v_center(tile.row_end - 1))},
+        middle_{0.5 * (grid.u_center(tile.column_begin) + grid.u_center(tile.column_end - 1)),
+                0.5 * (grid.v_center(tile.row_begin) + grid.v_center(tile.row_end - 1))},
         wavenumbers_(wavenumbers),
-        beams_(tracer.mesh(), receive, incident_beam(grid, transmit, reference_)) {
+        beams_(tracer.mesh(), receive, incident_beam(grid, transmit, middle_)) {
     launch(tile);
   }
 
@@ -70,7 +70,7 @@ class TileTrace {
         ++sums_.lost_rays;
         continue;
       }
-      const std::uint32_t node = beams_.child(tubes_[i].beam, patch);
+      const std::uint32_t node = beams_.child(tubes_[i].beam, patch, middle_);
       const dvec3 point = rays_[i].origin + hit.distance * rays_[i].direction;
       tubes_[alive] = {tubes_[i].column, tubes_[i].row, node};
       rays_[alive] = {point, beams_.beam(node).direction, patch};
@@ -104,8 +104,7 @@ class TileTrace {
     for (const Run& run : runs_) {
       const Footprint& footprint = beams_.footprint(run.node);
       const double width = run.columns * grid_.du;
-      const dvec2 center{grid_.u_begin + run.column_begin * grid_.du + 0.5 * width - reference_.x,
-                         grid_.v_center(run.row) - reference_.y};
+      const dvec2 center{grid_.u_begin + run.column_begin * grid_.du + 0.5 * width, grid_.v_center(run.row)};
       for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
         add_far_field(sums[f], footprint, wavenumbers_[f], phase_integral(footprint, wavenumbers_[f], center, width, grid_.dv));
     }
@@ -113,7 +112,7 @@ class TileTrace {
 
   const Tracer& tracer_;
   const LaunchGrid& grid_;
-  dvec2 reference_;  // launch coordinates of the tile's middle
+  dvec2 middle_;  // of the tile, in launch coordinates
   std::span<const double> wavenumbers_;
   BeamTree beams_;
   std::vector<Tube> tubes_;

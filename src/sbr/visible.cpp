@@ -8,8 +8,8 @@ namespace raytube {
 
 namespace {
 
-// Up to so many faces are compared each with each; beyond, each one asks the tree who stands in front of it.
-constexpr std::size_t few = 32;
+// Up to so many faces are compared each with each; beyond, groups of neighbours ask the tree who stands in front of them.
+constexpr std::size_t few = 32, group = 16;
 // A face with more than this in front of it is halved first.
 constexpr std::size_t many = 48;
 // Seen closer to its own plane than this, a face has no area.
@@ -17,12 +17,12 @@ constexpr double edge_on = 1e-12;
 
 Affine depth_of(const Beam& beam, const Patch& plane) {
   const double scale = 1.0 / glm::dot(plane.normal, beam.direction);
-  return {(plane.offset - glm::dot(plane.normal, beam.base)) * scale, -glm::dot(plane.normal, beam.u_hat) * scale,
-          -glm::dot(plane.normal, beam.v_hat) * scale};
+  const dvec2 slope = -scale * dvec2(glm::dot(plane.normal, beam.u_hat), glm::dot(plane.normal, beam.v_hat));
+  return {(plane.offset - glm::dot(plane.normal, beam.base)) * scale - glm::dot(slope, beam.anchor), slope.x, slope.y};
 }
 
 Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, double farthest) {
-  return {beam.base, beam.u_hat, beam.v_hat, beam.direction, box.low, box.high, farthest, source};
+  return {beam.base, beam.u_hat, beam.v_hat, beam.direction, box.low - beam.anchor, box.high - beam.anchor, farthest, source};
 }
 
 Range over_box(const Affine& f, const dvec2& low, const dvec2& high) {
@@ -34,44 +34,58 @@ Range over_box(const Affine& f, const dvec2& low, const dvec2& high) {
 
 VisibleSurfaces::VisibleSurfaces(const FaceTree& tree)
     : tree_(tree),
-      // Projected coordinates and crossings carry a few roundings of numbers up to the radius. Heights: as for single rays.
+      // Projected coordinates and crossings carry a few roundings of numbers up to the radius, heights of one plane over
+      // another some tens.
       length_rounding_(16.0 * std::numeric_limits<double>::epsilon() * tree.mesh().radius),
-      height_rounding_(8.0 * std::numeric_limits<double>::epsilon() * tree.mesh().radius),
+      height_rounding_(64.0 * std::numeric_limits<double>::epsilon() * tree.mesh().radius),
       depth_margin_(1e-9 * tree.mesh().radius) {}
 
 void VisibleSurfaces::of_faces(const Beam& incident, std::uint32_t begin, std::uint32_t end, std::vector<VisiblePart>& parts) {
   found_.resize(end - begin);
   std::iota(found_.begin(), found_.end(), begin);
-  see({incident, no_index, nullptr, nullptr, {}}, found_, found_.size() == tree_.faces().size(), parts);
+  see_in_groups({incident, no_index, nullptr, nullptr, {}, 1.0}, found_, parts);
 }
 
 void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region,
                                    std::vector<VisiblePart>& parts) {
   const Patch& source = tree_.mesh().patches[source_patch];
   tree_.collect(prism_of(beam, &source, bounds(region), std::numeric_limits<double>::infinity()), found_);
-  see({beam, source_patch, &region, &source, depth_of(beam, source)}, found_, true, parts);
+  const double tilt = std::abs(glm::dot(source.normal, beam.direction));
+  const View view{beam, source_patch, &region, &source, depth_of(beam, source), tilt};
+  if (found_.size() > few) return see_in_groups(view, found_, parts);
+  gather(view, found_, in_view_);
+  uncover(in_view_, in_view_, parts);
 }
 
-// `complete`: no face outside the list can hide one of it.
-void VisibleSurfaces::see(const View& view, std::span<const std::uint32_t> faces, bool complete,
-                          std::vector<VisiblePart>& parts) {
+void VisibleSurfaces::see_in_groups(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
+  for (std::size_t first = 0; first < faces.size(); first += group)
+    see(view, faces.subspan(first, std::min(group, faces.size() - first)), parts);
+}
+
+// Asks the tree who stands in front of these faces; neighbours ask together unless one of them draws in too many.
+void VisibleSurfaces::see(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
   gather(view, faces, in_view_);
-  const bool all_with_all = complete && in_view_.count <= few;
-  Others others;
-  const auto refer_to = [&](const Pool& pool) {
-    others.clear();
-    for (std::size_t i = 0; i < pool.count; ++i) others.push_back(&pool.items[i]);
-  };
-  if (all_with_all) refer_to(in_view_);
-  for (std::size_t i = 0; i < in_view_.count; ++i) {
-    const Candidate& c = in_view_.items[i];
-    if (!all_with_all) {
-      tree_.collect(prism_of(view.beam, view.source, c.box, c.depths.high + depth_margin_), found_in_front_);
-      gather(view, found_in_front_, in_front_);
-      refer_to(in_front_);
-    }
-    uncover(c, c.outline, others, parts);
+  if (in_view_.count == 0) return;
+  Bounds box = in_view_.items[0].box;
+  double farthest = in_view_.items[0].depths.high;
+  for (const Candidate& c : in_view_.used()) {
+    box = {glm::min(box.low, c.box.low), glm::max(box.high, c.box.high)};
+    farthest = std::max(farthest, c.depths.high);
   }
+  tree_.collect(prism_of(view.beam, view.source, box, farthest + depth_margin_), found_in_front_);
+  if (faces.size() > 1 && found_in_front_.size() > few + group * faces.size() / 2) {
+    see(view, faces.first(faces.size() / 2), parts);
+    return see(view, faces.subspan(faces.size() / 2), parts);
+  }
+  gather(view, found_in_front_, in_front_);
+  uncover(in_view_, in_front_, parts);
+}
+
+void VisibleSurfaces::uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts) {
+  others_.clear();
+  for (const Candidate& other : others.used()) others_.push_back(&other);
+  const std::size_t all = others_.size();
+  for (const Candidate& c : candidates.used()) uncover(c, c.outline, 0, all, parts);
 }
 
 void VisibleSurfaces::gather(const View& view, std::span<const std::uint32_t> faces, Pool& pool) {
@@ -94,6 +108,9 @@ bool VisibleSurfaces::make_candidate(const View& view, std::uint32_t face, Candi
   c.depth = depth_of(view.beam, plane);
   if (view.source) clip_to_front(view, c);
   if (c.outline.empty()) return false;
+  c.edges.clear();
+  for (std::size_t i = 0; i < c.outline.size(); ++i)
+    c.edges.push_back(left_of(c.outline[i], c.outline[(i + 1) % c.outline.size()]));
   c.box = bounds(c.outline);
   c.depths = range(c.outline, c.depth);
   return !is_sliver(c.outline);
@@ -103,7 +120,7 @@ void VisibleSurfaces::project(const Beam& beam, std::uint32_t face, ConvexPolygo
   outline.clear();
   for (const std::uint32_t corner : tree_.corners(face)) {
     const dvec3 r = tree_.mesh().vertices[corner] - beam.base;
-    outline.emplace_back(glm::dot(beam.u_hat, r), glm::dot(beam.v_hat, r));
+    outline.push_back(beam.anchor + dvec2(glm::dot(beam.u_hat, r), glm::dot(beam.v_hat, r)));
   }
   if (area(outline) < 0.0) std::ranges::reverse(outline);
 }
@@ -120,31 +137,40 @@ void VisibleSurfaces::clip_to_region(const ConvexPolygon& region, ConvexPolygon&
 void VisibleSurfaces::clip_to_front(const View& view, Candidate& c) {
   const Affine ahead = c.depth - view.source_depth;
   const Range r = range(c.outline, ahead);
-  if (r.high * c.tilt <= height_rounding_) return c.outline.clear();
+  if (r.high * std::min(c.tilt, view.source_tilt) <= height_rounding_) return c.outline.clear();
   if (r.low >= 0.0) return;
   cut(c.outline, ahead, 0.0, inside_, outside_);
   c.outline = inside_;
 }
 
-// What is left of `outline`, a part of `c`, once the others have hidden theirs.
-void VisibleSurfaces::uncover(const Candidate& c, const ConvexPolygon& outline, const Others& others,
+// What is left of `outline`, a part of `c`, once those of others_[begin, end) that stand in front have hidden theirs.
+void VisibleSurfaces::uncover(const Candidate& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end,
                               std::vector<VisiblePart>& parts) {
   const Bounds box = bounds(outline);
-  Others hiding;
-  for (const Candidate* other : others)
-    if (may_hide(*other, c, box)) hiding.push_back(other);
-  if (hiding.size() > many && hiding.size() < others.size()) {
-    if (std::ranges::any_of(hiding, [&](const Candidate* other) { return hides_all(*other, c, outline); })) return;
-    const dvec2 size = box.high - box.low, half = 0.5 * (box.low + box.high);
-    ConvexPolygon low, high;
-    cut(outline, size.x > size.y ? Affine{-half.x, 1.0, 0.0} : Affine{-half.y, 0.0, 1.0}, length_rounding_, high, low);
-    if (!low.empty()) uncover(c, low, hiding, parts);
-    if (!high.empty()) uncover(c, high, hiding, parts);
-    return;
+  const std::size_t first = others_.size();
+  for (std::size_t i = begin; i < end; ++i)
+    if (may_hide(*others_[i], c, box)) others_.push_back(others_[i]);
+  const std::size_t last = others_.size();
+  if (last - first > many && last - first < end - begin) {
+    halve(c, outline, first, last, parts);
+  } else {
+    pieces_.assign(1, outline);
+    for (std::size_t i = first; i < last && !pieces_.empty(); ++i) subtract(*others_[i], c);
+    for (const ConvexPolygon& piece : pieces_) emit(c, piece, parts);
   }
-  pieces_.assign(1, outline);
-  for (const Candidate* other : hiding) subtract(*other, c);
-  for (const ConvexPolygon& piece : pieces_) emit(c, piece, parts);
+  others_.resize(first);
+}
+
+void VisibleSurfaces::halve(const Candidate& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end,
+                            std::vector<VisiblePart>& parts) {
+  for (std::size_t i = begin; i < end; ++i)
+    if (hides_all(*others_[i], c, outline)) return;
+  const Bounds box = bounds(outline);
+  const dvec2 size = box.high - box.low, half = 0.5 * (box.low + box.high);
+  ConvexPolygon low, high;
+  cut(outline, size.x > size.y ? Affine{-half.x, 1.0, 0.0} : Affine{-half.y, 0.0, 1.0}, length_rounding_, high, low);
+  if (!low.empty()) uncover(c, low, begin, end, parts);
+  if (!high.empty()) uncover(c, high, begin, end, parts);
 }
 
 // How far `c` lies behind `front`, positive where that one is nearer. Two planes that coincide are ordered by their triangles,
@@ -159,15 +185,18 @@ Affine VisibleSurfaces::behind(const Candidate& front, const Candidate& c) const
 
 bool VisibleSurfaces::may_hide(const Candidate& front, const Candidate& c, const Bounds& box) const {
   if (front.patch == c.patch || !front.box.overlaps(box, length_rounding_) || front.depths.low > c.depths.high) return false;
+  if (beside(front, c) || beside(c, front)) return false;
   return over_box(behind(front, c), glm::max(front.box.low, box.low), glm::min(front.box.high, box.high)).high > 0.0;
 }
 
+// An edge of `a` separates the two.
+bool VisibleSurfaces::beside(const Candidate& a, const Candidate& b) const {
+  return std::ranges::any_of(a.edges, [&](const Affine& edge) { return range(b.outline, edge).high <= length_rounding_; });
+}
+
 bool VisibleSurfaces::hides_all(const Candidate& front, const Candidate& c, const ConvexPolygon& outline) const {
-  if (range(outline, behind(front, c)).low < 0.0) return false;
-  for (std::size_t i = 0; i < front.outline.size(); ++i)
-    if (range(outline, left_of(front.outline[i], front.outline[(i + 1) % front.outline.size()])).low < -length_rounding_)
-      return false;
-  return true;
+  return range(outline, behind(front, c)).low >= 0.0 &&
+         std::ranges::all_of(front.edges, [&](const Affine& edge) { return range(outline, edge).low >= -length_rounding_; });
 }
 
 void VisibleSurfaces::subtract(const Candidate& front, const Candidate& c) {
@@ -187,8 +216,7 @@ bool VisibleSurfaces::subtract(const Candidate& front, const Affine& order, cons
     return false;
   };
   rest_ = piece;
-  for (std::size_t i = 0; i < front.outline.size(); ++i) {
-    const Affine edge = left_of(front.outline[i], front.outline[(i + 1) % front.outline.size()]);
+  for (const Affine& edge : front.edges) {
     cut(rest_, edge, length_rounding_, inside_, outside_);
     if (inside_.empty()) return leaves_all();
     if (outside_.empty()) continue;

@@ -10,7 +10,7 @@ namespace raytube {
 /// A part of a face that the beam reaches before anything else.
 struct VisiblePart {
   std::uint32_t face;
-  ConvexPolygon outline;  // counted from the beam's reference
+  ConvexPolygon outline;  // in launch coordinates
 };
 
 /// Under planar reflections the launch plane maps affinely onto every surface a beam meets, so each face is a convex polygon
@@ -35,6 +35,7 @@ class VisibleSurfaces {
   struct Candidate {
     std::uint32_t face, patch, triangle;
     ConvexPolygon outline;
+    std::vector<Affine> edges;  // distance to each edge of the outline, positive inside
     Bounds box;
     Affine depth;
     Range depths;
@@ -48,25 +49,32 @@ class VisibleSurfaces {
       if (count == items.size()) items.emplace_back();
       return items[count];
     }
+    std::span<const Candidate> used() const { return {items.data(), count}; }
   };
   // For whom candidates are sought.
   struct View {
     const Beam& beam;
-    std::uint32_t source_patch = no_index;
-    const ConvexPolygon* region = nullptr;
-    const Patch* source = nullptr;
+    std::uint32_t source_patch;
+    const ConvexPolygon* region;
+    const Patch* source;
     Affine source_depth;
+    double source_tilt;  // |normal . direction|
   };
-  using Others = std::vector<const Candidate*>;
 
-  void see(const View& view, std::span<const std::uint32_t> faces, bool complete, std::vector<VisiblePart>& parts);
+  void see_in_groups(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
+  void see(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
   void gather(const View& view, std::span<const std::uint32_t> faces, Pool& pool);
   bool make_candidate(const View& view, std::uint32_t face, Candidate& c);
   void project(const Beam& beam, std::uint32_t face, ConvexPolygon& outline) const;
   void clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline);
   void clip_to_front(const View& view, Candidate& c);
-  void uncover(const Candidate& c, const ConvexPolygon& outline, const Others& others, std::vector<VisiblePart>& parts);
+  void uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts);
+  void uncover(const Candidate& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end,
+               std::vector<VisiblePart>& parts);
+  void halve(const Candidate& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end,
+             std::vector<VisiblePart>& parts);
   bool may_hide(const Candidate& front, const Candidate& c, const Bounds& box) const;
+  bool beside(const Candidate& a, const Candidate& b) const;
   Affine behind(const Candidate& front, const Candidate& c) const;
   bool hides_all(const Candidate& front, const Candidate& c, const ConvexPolygon& outline) const;
   void subtract(const Candidate& front, const Candidate& c);
@@ -80,6 +88,7 @@ class VisibleSurfaces {
   double sliver_area_ = 0.0;
   Pool in_view_, in_front_;
   std::vector<std::uint32_t> found_, found_in_front_;
+  std::vector<const Candidate*> others_;  // who may hide what, one list after the other
   std::vector<ConvexPolygon> pieces_, remaining_;
   ConvexPolygon inside_, outside_, rest_;
 };

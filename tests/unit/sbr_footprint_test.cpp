@@ -64,7 +64,7 @@ TEST(Footprint, IntegralIsTheQuadratureWithItsPhase) {
   const Scene scene;
   const dvec2 center(0.2, -0.1);
   const double width = 0.6, height = 0.4;
-  const Complex closed = phase_integral(scene.onto, k, center, width, height);
+  const Complex closed = phase_integral(scene.onto, k, scene.reference + center, width, height);
   // Midpoint rule: its error falls as steps^-2; Richardson takes that term away.
   const Complex coarse = by_quadrature(scene, center, width, height, 200);
   const Complex fine = by_quadrature(scene, center, width, height, 400);
@@ -77,8 +77,9 @@ TEST(Footprint, ARunOfCellsIsTheSumOfItsCells) {
   const double du = 0.031, dv = 0.029;
   for (const int cells : {2, 7, 40}) {
     Complex sum = 0.0;
-    for (int i = 0; i < cells; ++i) sum += phase_integral(scene.onto, k, {0.1 + (i + 0.5) * du, 0.05}, du, dv);
-    const Complex run = phase_integral(scene.onto, k, {0.1 + 0.5 * cells * du, 0.05}, cells * du, dv);
+    for (int i = 0; i < cells; ++i)
+      sum += phase_integral(scene.onto, k, scene.reference + dvec2{0.1 + (i + 0.5) * du, 0.05}, du, dv);
+    const Complex run = phase_integral(scene.onto, k, scene.reference + dvec2{0.1 + 0.5 * cells * du, 0.05}, cells * du, dv);
     EXPECT_NEAR(std::abs(sum - run), 0.0, 1e-13 * cells * du * dv) << cells;
   }
 }
