@@ -6,7 +6,7 @@ install(FILES error.h field.h material.h progress.h sweep.h solve.h DESTINATION 
 install(FILES mesh/triangle_mesh.h mesh/load.h mesh/outlines.h mesh/wedges.h mesh/tracer.h
         mesh/face_tree.h mesh/faces.h mesh/geometry.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/mesh)
-install(FILES sbr/sbr.h sbr/tile.h sbr/launch.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/sbr)
+install(FILES sbr/sbr.h sbr/launch.h sbr/tube_sums.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/sbr)
 install(FILES utd/transition.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/utd)
 install(EXPORT raytubeTargets NAMESPACE raytube:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/raytube)
 configure_package_config_file(raytubeConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfig.cmake

@@ -10,7 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 20> known_keys = {
+constexpr std::array<std::string_view, 21> known_keys = {
     "title",          "target.mesh",          "target.unit",           "target.material",   "frequency.ghz",
     "look.theta_deg", "look.phi_deg",         "look.looks_csv",        "receive.theta_deg", "receive.phi_deg",
     "tubes.mode",     "tubes.per_wavelength", "tubes.max_bounces",     "tubes.up",          "tubes.clip",

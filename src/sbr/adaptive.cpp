@@ -1,6 +1,6 @@
 #include "sbr/adaptive.h"
 
-#include "sbr/beam_tree.h"
+#include "sbr/cell_tubes.h"
 #include "sbr/lattice.h"
 #include "sbr/polygon_integral.h"
 #include "sbr/visible.h"
@@ -15,18 +15,26 @@ struct PolygonTube {
   ConvexPolygon outline;
 };
 
+// A polygon that holds no more cells than this costs more than their rays.
+constexpr std::uint64_t few_cells = 16;
+// With more tubes than this under way, small ones are no longer worth their number.
+constexpr std::size_t many_tubes = 256;
+
 class FaceTrace {
  public:
   explicit FaceTrace(const AdaptiveLook& look)
       : look_(look),
         beams_(look.tree.mesh(), look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
-        visible_(look.tree) {}
+        visible_(look.tree),
+        cell_tubes_(look.tracer, look.grid, look.wavenumbers, beams_, sums_) {}
 
   TubeSums run(std::uint32_t begin, std::uint32_t end) {
     visible_.of_faces(beams_.beam(BeamTree::root), begin, end, parts_);
     reflect(BeamTree::root, 0);
-    sums_.tubes = sums_.rays = reflected_.size();
-    for (int bounce = 1; !reflected_.empty(); ++bounce) {
+    sums_.rays = sums_.tubes = sums_.hits.empty() ? 0 : sums_.hits[0];
+    for (int bounce = 1; !reflected_.empty() || !cell_tubes_.empty(); ++bounce) {
+      thin_out();
+      cell_tubes_.advance(bounce, look_.max_bounces);
       std::swap(tubes_, reflected_);
       reflected_.clear();
       for (const PolygonTube& tube : tubes_) follow(tube, bounce);
@@ -47,32 +55,56 @@ class FaceTrace {
   // Turns the parts that a beam has met into currents and reflected tubes.
   void reflect(std::uint32_t beam, int bounce) {
     for (VisiblePart& part : parts_) {
+      if (!look_.clip) cells_under(look_.grid, part.outline, blocks_);
+      if (!look_.clip && blocks_.empty()) continue;
       const std::uint32_t patch = look_.tree.faces()[part.face].patch;
       const std::uint32_t node = beams_.child(beam, patch, middle(part.outline));
-      if (!integrate(node, part.outline, bounce)) continue;
-      ++sums_.hits[static_cast<std::size_t>(bounce)];
-      reflected_.push_back({node, patch, std::move(part.outline)});
+      integrate(node, part.outline, bounce);
+      if (look_.clip || cells_in_blocks() > few_cells)
+        reflected_.push_back({node, patch, std::move(part.outline)});
+      else
+        follow_by_rays(node, patch);
     }
     parts_.clear();
   }
 
-  // False if no cell's ray runs through the outline.
-  bool integrate(std::uint32_t node, const ConvexPolygon& outline, int bounce) {
-    if (!look_.clip) {
-      cells_under(look_.grid, outline, blocks_);
-      if (blocks_.empty()) return false;
-    }
-    if (sums_.bounces.size() <= static_cast<std::size_t>(bounce)) {
-      sums_.bounces.emplace_back(look_.wavenumbers.size());
-      sums_.hits.push_back(0);
-    }
+  // Where exact tubes outnumber the cells they cover, those smaller than a cell go on as the uniform grid would have them: as a
+  // whole cell if its ray is theirs, else not at all. So there are never many more tubes than the uniform grid has.
+  void thin_out() {
+    if (!look_.clip || reflected_.size() <= many_tubes) return;
+    const double cell = look_.grid.du * look_.grid.dv;
+    double covered = 0.0;
+    for (const PolygonTube& tube : reflected_) covered += area(tube.outline);
+    if (static_cast<double>(reflected_.size()) * cell <= covered) return;
+    std::erase_if(reflected_, [&](const PolygonTube& tube) {
+      if (area(tube.outline) >= cell) return false;
+      cells_under(look_.grid, tube.outline, blocks_);
+      follow_by_rays(tube.beam, tube.patch);
+      return true;
+    });
+  }
+
+  void follow_by_rays(std::uint32_t beam, std::uint32_t patch) {
+    for (const CellBlock& block : blocks_)
+      for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
+        for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
+          cell_tubes_.add(column, row, beam, patch);
+  }
+
+  std::uint64_t cells_in_blocks() const {
+    std::uint64_t cells = 0;
+    for (const CellBlock& block : blocks_) cells += block.cells();
+    return cells;
+  }
+
+  void integrate(std::uint32_t node, const ConvexPolygon& outline, int bounce) {
     const Footprint& footprint = beams_.footprint(node);
-    std::vector<ScatteringMatrix>& sums = sums_.bounces.back();
+    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
+    ++sums_.hits[static_cast<std::size_t>(bounce)];
     for (std::size_t f = 0; f < sums.size(); ++f) {
       const double k = look_.wavenumbers[f];
       add_far_field(sums[f], footprint, k, look_.clip ? phase_integral(footprint, k, outline) : over_cells(footprint, k));
     }
-    return true;
   }
 
   Complex over_cells(const Footprint& footprint, double k) const {
@@ -93,6 +125,7 @@ class FaceTrace {
   std::vector<PolygonTube> tubes_, reflected_;
   std::vector<CellBlock> blocks_;
   TubeSums sums_;
+  CellTubes cell_tubes_;
 };
 
 }  // namespace

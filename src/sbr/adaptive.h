@@ -4,13 +4,15 @@
 #include <span>
 
 #include "mesh/face_tree.h"
+#include "mesh/tracer.h"
 #include "sbr/launch.h"
-#include "sbr/tile.h"
+#include "sbr/tube_sums.h"
 
 namespace raytube {
 
 /// One look as the adaptive tubes see it.
 struct AdaptiveLook {
+  const Tracer& tracer;
   const FaceTree& tree;
   const LaunchGrid& grid;
   const SphericalBasis& transmit;

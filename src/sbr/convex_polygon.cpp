@@ -5,10 +5,15 @@
 
 namespace raytube {
 
+Affine normalized(const Affine& f) {
+  const double scale = 1.0 / std::sqrt(f.u * f.u + f.v * f.v);
+  return {scale * f.c, scale * f.u, scale * f.v};
+}
+
 double area(const ConvexPolygon& polygon) {
   double twice = 0.0;
   for (std::size_t i = 2; i < polygon.size(); ++i) {
-    const dvec2 a = polygon[i - 1] - polygon[0], b = polygon[i] - polygon[0];
+    const dvec2 a = polygon[i - 1].at - polygon[0].at, b = polygon[i].at - polygon[0].at;
     twice += a.x * b.y - a.y * b.x;
   }
   return 0.5 * twice;
@@ -16,38 +21,39 @@ double area(const ConvexPolygon& polygon) {
 
 dvec2 middle(const ConvexPolygon& polygon) {
   dvec2 sum(0.0);
-  for (const dvec2& p : polygon) sum += p;
+  for (const Corner& corner : polygon) sum += corner.at;
   return sum / static_cast<double>(polygon.size());
 }
 
 Bounds bounds(const ConvexPolygon& polygon) {
-  Bounds b{polygon[0], polygon[0]};
-  for (const dvec2& p : polygon) {
-    b.low = glm::min(b.low, p);
-    b.high = glm::max(b.high, p);
+  Bounds b{polygon[0].at, polygon[0].at};
+  for (const Corner& corner : polygon) {
+    b.low = glm::min(b.low, corner.at);
+    b.high = glm::max(b.high, corner.at);
   }
   return b;
 }
 
 Range range(const ConvexPolygon& polygon, const Affine& f) {
-  Range r{f(polygon[0]), f(polygon[0])};
+  Range r{f(polygon[0].at), f(polygon[0].at)};
   for (std::size_t i = 1; i < polygon.size(); ++i) {
-    const double value = f(polygon[i]);
+    const double value = f(polygon[i].at);
     r.low = std::min(r.low, value);
     r.high = std::max(r.high, value);
   }
   return r;
 }
 
+namespace {
+
+// Distance to the line from `a` to `b`, positive on its left.
 Affine left_of(const dvec2& a, const dvec2& b) {
   const dvec2 along = b - a;
   const double length = glm::length(along);
-  if (length == 0.0) return {};
+  if (length == 0.0) return {1.0, 0.0, 0.0};
   const dvec2 normal(-along.y / length, along.x / length);
   return {-glm::dot(normal, a), normal.x, normal.y};
 }
-
-namespace {
 
 int side(double value, double tolerance) { return value > tolerance ? 1 : value < -tolerance ? -1 : 0; }
 
@@ -58,29 +64,39 @@ dvec2 zero_between(const dvec2& p, double positive, const dvec2& q, double negat
 
 }  // namespace
 
+void set_corners(ConvexPolygon& polygon, std::span<const dvec2> corners) {
+  polygon.resize(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) polygon[i].at = corners[i];
+  if (area(polygon) < 0.0) std::ranges::reverse(polygon);
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    polygon[i].edge = left_of(polygon[i].at, polygon[i + 1 < polygon.size() ? i + 1 : 0].at);
+}
+
 void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive, ConvexPolygon& negative) {
   positive.clear();
   negative.clear();
+  const Affine inward = normalized(f), outward{-inward.c, -inward.u, -inward.v};
   bool any_positive = false, any_negative = false;
-  dvec2 before = polygon.back();
-  double value_before = f(before);
-  int side_before = side(value_before, tolerance);
-  for (const dvec2& here : polygon) {
-    const double value = f(here);
-    const int side_here = side(value, tolerance);
-    if (side_before * side_here < 0) {
+  double value = f(polygon[0].at);
+  int here = side(value, tolerance);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner& corner = polygon[i];
+    const Corner& next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    const double value_next = f(next.at);
+    const int there = side(value_next, tolerance);
+    // Where a part leaves the polygon's rim, it goes on along the cut.
+    if (here >= 0) positive.push_back({corner.at, here == 0 && there < 0 ? inward : corner.edge});
+    if (here <= 0) negative.push_back({corner.at, here == 0 && there > 0 ? outward : corner.edge});
+    if (here * there < 0) {
       const dvec2 crossing =
-          side_here > 0 ? zero_between(here, value, before, value_before) : zero_between(before, value_before, here, value);
-      positive.push_back(crossing);
-      negative.push_back(crossing);
+          here > 0 ? zero_between(corner.at, value, next.at, value_next) : zero_between(next.at, value_next, corner.at, value);
+      positive.push_back({crossing, here > 0 ? inward : corner.edge});
+      negative.push_back({crossing, here > 0 ? corner.edge : outward});
     }
-    if (side_here >= 0) positive.push_back(here);
-    if (side_here <= 0) negative.push_back(here);
-    any_positive |= side_here > 0;
-    any_negative |= side_here < 0;
-    before = here;
-    value_before = value;
-    side_before = side_here;
+    any_positive |= here > 0;
+    any_negative |= here < 0;
+    value = value_next;
+    here = there;
   }
   if (!any_positive) positive.clear();
   if (!any_negative) negative.clear();

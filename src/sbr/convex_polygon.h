@@ -1,14 +1,12 @@
 // Convex polygons of the launch plane and the one operation on them: a cut along a line.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "field.h"
 
 namespace raytube {
-
-/// Corners counter-clockwise; fewer than three: nothing.
-using ConvexPolygon = std::vector<dvec2>;
 
 /// c + u x + v y: a line (where it is zero) or a depth.
 struct Affine {
@@ -16,6 +14,19 @@ struct Affine {
   double operator()(const dvec2& at) const { return c + u * at.x + v * at.y; }
   friend Affine operator-(const Affine& a, const Affine& b) { return {a.c - b.c, a.u - b.u, a.v - b.v}; }
 };
+
+/// A corner and the edge from it to the next one, as the distance to its line, positive inside. Edges keep the line they were cut
+/// along, however short they become: two corners a rounding apart say nothing about it.
+struct Corner {
+  dvec2 at;
+  Affine edge;
+};
+
+/// Corners counter-clockwise; fewer than three: nothing.
+using ConvexPolygon = std::vector<Corner>;
+
+/// The same line, as a distance.
+Affine normalized(const Affine& f);
 
 struct Bounds {
   dvec2 low, high;
@@ -34,11 +45,11 @@ dvec2 middle(const ConvexPolygon& polygon);  // mean of the corners, which lies 
 Bounds bounds(const ConvexPolygon& polygon);
 Range range(const ConvexPolygon& polygon, const Affine& f);
 
-/// Distance to the line from `a` to `b`, positive on its left.
-Affine left_of(const dvec2& a, const dvec2& b);
+/// The polygon of these corners, in whichever sense they run.
+void set_corners(ConvexPolygon& polygon, std::span<const dvec2> corners);
 
-/// Cuts along f = 0. A corner with |f| <= tolerance lies on the cut and belongs to both parts; a part without a corner beyond
-/// that is left empty. The two parts share the new corners, so their areas add up.
+/// Cuts along f = 0, which is no distance as a rule. A corner with |f| <= tolerance lies on the cut and belongs to both parts; a
+/// part without a corner beyond that is left empty. The two parts share the new corners, so their areas add up.
 void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive, ConvexPolygon& negative);
 
 }  // namespace raytube

@@ -17,7 +17,7 @@ std::uint32_t first_at_or_after(double place, double first_ray, double step, std
 Range crossings(const ConvexPolygon& polygon, double v) {
   Range across{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    dvec2 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+    dvec2 p = polygon[i].at, q = polygon[(i + 1) % polygon.size()].at;
     if ((p.y <= v) == (q.y <= v)) continue;
     if (p.y > q.y) std::swap(p, q);
     const double u = p.x + (v - p.y) / (q.y - p.y) * (q.x - p.x);

@@ -11,6 +11,7 @@ namespace raytube {
 /// Cells [column_begin, column_end) x [row_begin, row_end).
 struct CellBlock {
   std::uint32_t column_begin, column_end, row_begin, row_end;
+  std::uint64_t cells() const { return std::uint64_t{column_end - column_begin} * (row_end - row_begin); }
 };
 
 /// Fills `blocks` with the cells of the grid whose ray runs through the polygon. Rows that share their columns are one block.

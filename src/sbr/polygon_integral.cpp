@@ -41,12 +41,12 @@ Complex triangle_phase_mean(double x1, double x2, double x3) {
 
 Complex phase_integral(const Footprint& f, double k, const ConvexPolygon& polygon) {
   // Phases count from the first corner, so that a small polygon far from the reference loses nothing.
-  const dvec2 gradient = k * dvec2(f.phase_u, f.phase_v), origin = polygon[0];
+  const dvec2 gradient = k * dvec2(f.phase_u, f.phase_v), origin = polygon[0].at;
   Complex sum = 0.0;
-  dvec2 a = polygon[1] - origin;
+  dvec2 a = polygon[1].at - origin;
   double phase_a = glm::dot(gradient, a);
   for (std::size_t i = 2; i < polygon.size(); ++i) {
-    const dvec2 b = polygon[i] - origin;
+    const dvec2 b = polygon[i].at - origin;
     const double phase_b = glm::dot(gradient, b);
     sum += 0.5 * (a.x * b.y - a.y * b.x) * triangle_phase_mean(0.0, phase_a, phase_b);
     a = b;

@@ -6,6 +6,7 @@
 
 #include "sbr/adaptive.h"
 #include "sbr/launch.h"
+#include "sbr/tile.h"
 
 namespace raytube {
 
@@ -67,7 +68,7 @@ TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const Look&
     if (grid.cells() == 0)
       return sum_tiles(
           0, [](std::size_t) { return TubeSums{}; }, progress, share);
-    const AdaptiveLook adaptive{faces, grid, transmit, receive, wavenumbers, options.max_bounces, options.clip};
+    const AdaptiveLook adaptive{tracer, faces, grid, transmit, receive, wavenumbers, options.max_bounces, options.clip};
     const auto trace = [&](std::size_t i) {
       const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
       return trace_faces(adaptive, begin, std::min(begin + faces_per_tile, face_count));

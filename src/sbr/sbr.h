@@ -11,7 +11,8 @@
 #include "mesh/face_tree.h"
 #include "mesh/tracer.h"
 #include "progress.h"
-#include "sbr/tile.h"
+#include "sbr/tube_sums.h"
+#include "sweep.h"
 
 namespace raytube {
 

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "sbr/launch.h"
-#include "sweep.h"
+#include "sbr/tube_sums.h"
 
 namespace raytube {
 
@@ -15,16 +14,6 @@ struct Tile {
 };
 
 inline constexpr std::uint32_t tile_columns = 128, tile_rows = 16;
-
-/// Sums and counts of a tile, or of several added up in order.
-struct TubeSums {
-  std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
-  std::vector<std::uint64_t> hits;                     // [bounce]
-  std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;
-  double sliver_area = 0.0;  // [m^2] of the launch plane, left out by adaptive tubes
-
-  void add(const TubeSums& other);
-};
 
 /// Traces every tube of the tile through up to `max_bounces` reflections and integrates the currents of every bounce.
 TubeSums trace_tile(const Tracer& tracer, const LaunchGrid& grid, const Tile& tile, const SphericalBasis& transmit,

@@ -50,11 +50,42 @@ void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch,
                                    std::vector<VisiblePart>& parts) {
   const Patch& source = tree_.mesh().patches[source_patch];
   tree_.collect(prism_of(beam, &source, bounds(region), std::numeric_limits<double>::infinity()), found_);
+  if (found_.empty()) return;
   const double tilt = std::abs(glm::dot(source.normal, beam.direction));
   const View view{beam, source_patch, &region, &source, depth_of(beam, source), tilt};
-  if (found_.size() > few) return see_in_groups(view, found_, parts);
-  gather(view, found_, in_view_);
-  uncover(in_view_, in_view_, parts);
+  gather_nearest_first(view);
+  if (in_view_.count <= few) return uncover(in_view_, in_view_, parts);
+  found_.clear();
+  for (const Candidate& c : in_view_.used()) found_.push_back(c.face);
+  see_in_groups(view, found_, parts);
+}
+
+// Candidates among `found_`, in the order in which their planes begin within the region. One that fills the region ends the
+// search at its own depth.
+void VisibleSurfaces::gather_nearest_first(const View& view) {
+  by_depth_.clear();
+  const Bounds box = bounds(*view.region);
+  for (const std::uint32_t face : found_) {
+    const Patch& plane = tree_.mesh().patches[tree_.faces()[face].patch];
+    if (std::abs(glm::dot(plane.normal, view.beam.direction)) < edge_on) continue;
+    by_depth_.emplace_back(over_box(depth_of(view.beam, plane), box.low, box.high).low, face);
+  }
+  std::ranges::sort(by_depth_);
+  const double filled = (1.0 - 1e-9) * area(*view.region);
+  double farthest = std::numeric_limits<double>::infinity();
+  in_view_.count = 0;
+  for (const auto& [nearest, face] : by_depth_) {
+    if (nearest > farthest) return;
+    if (!make_candidate(view, face, in_view_.next())) continue;
+    const Candidate& c = in_view_.items[in_view_.count++];
+    if (c.depths.high + depth_margin_ < farthest && area(c.outline) >= filled && fills(c, *view.region))
+      farthest = c.depths.high + depth_margin_;
+  }
+}
+
+// Not one corner of the region is left out.
+bool VisibleSurfaces::fills(const Candidate& c, const ConvexPolygon& region) const {
+  return std::ranges::all_of(c.edges, [&](const Affine& edge) { return range(region, edge).low >= -length_rounding_; });
 }
 
 void VisibleSurfaces::see_in_groups(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
@@ -102,34 +133,35 @@ bool VisibleSurfaces::make_candidate(const View& view, std::uint32_t face, Candi
   if (f.patch == view.source_patch || c.tilt < edge_on) return false;
   if (facing > 0.0 && tree_.mesh().closed(f.triangle)) return false;
   c.face = face, c.patch = f.patch, c.triangle = f.triangle;
-  project(view.beam, face, c.outline);
+  project(view.beam, face, c);
   if (view.region) clip_to_region(*view.region, c.outline);
   if (c.outline.empty()) return false;
   c.depth = depth_of(view.beam, plane);
   if (view.source) clip_to_front(view, c);
   if (c.outline.empty()) return false;
-  c.edges.clear();
-  for (std::size_t i = 0; i < c.outline.size(); ++i)
-    c.edges.push_back(left_of(c.outline[i], c.outline[(i + 1) % c.outline.size()]));
   c.box = bounds(c.outline);
   c.depths = range(c.outline, c.depth);
   return !is_sliver(c.outline);
 }
 
-void VisibleSurfaces::project(const Beam& beam, std::uint32_t face, ConvexPolygon& outline) const {
-  outline.clear();
+void VisibleSurfaces::project(const Beam& beam, std::uint32_t face, Candidate& c) {
+  corners_.clear();
   for (const std::uint32_t corner : tree_.corners(face)) {
     const dvec3 r = tree_.mesh().vertices[corner] - beam.base;
-    outline.push_back(beam.anchor + dvec2(glm::dot(beam.u_hat, r), glm::dot(beam.v_hat, r)));
+    corners_.push_back(beam.anchor + dvec2(glm::dot(beam.u_hat, r), glm::dot(beam.v_hat, r)));
   }
-  if (area(outline) < 0.0) std::ranges::reverse(outline);
+  set_corners(c.outline, corners_);
+  c.edges.clear();
+  for (const Corner& corner : c.outline) c.edges.push_back(corner.edge);
 }
 
 void VisibleSurfaces::clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline) {
   if (!bounds(region).overlaps(bounds(outline), length_rounding_)) return outline.clear();
-  for (std::size_t i = 0; i < region.size() && !outline.empty(); ++i) {
-    cut(outline, left_of(region[i], region[(i + 1) % region.size()]), length_rounding_, inside_, outside_);
-    if (!outside_.empty()) outline = inside_;
+  for (const Corner& corner : region) {
+    if (range(outline, corner.edge).low >= -length_rounding_) continue;
+    cut(outline, corner.edge, length_rounding_, inside_, outside_);
+    std::swap(outline, inside_);
+    if (outline.empty()) return;
   }
 }
 
@@ -140,7 +172,8 @@ void VisibleSurfaces::clip_to_front(const View& view, Candidate& c) {
   if (r.high * std::min(c.tilt, view.source_tilt) <= height_rounding_) return c.outline.clear();
   if (r.low >= 0.0) return;
   cut(c.outline, ahead, 0.0, inside_, outside_);
-  c.outline = inside_;
+  std::swap(c.outline, inside_);
+  c.edges.push_back(normalized(ahead));
 }
 
 // What is left of `outline`, a part of `c`, once those of others_[begin, end) that stand in front have hidden theirs.
@@ -176,15 +209,16 @@ void VisibleSurfaces::halve(const Candidate& c, const ConvexPolygon& outline, st
 // How far `c` lies behind `front`, positive where that one is nearer. Two planes that coincide are ordered by their triangles,
 // over all their common box alike.
 Affine VisibleSurfaces::behind(const Candidate& front, const Candidate& c) const {
+  const Affine by_index{front.triangle < c.triangle ? 1.0 : -1.0, 0.0, 0.0};
+  if (front.patch == c.patch) return by_index;
   const Affine difference = c.depth - front.depth;
   const Range r = over_box(difference, glm::max(front.box.low, c.box.low), glm::min(front.box.high, c.box.high));
   const double doubt = height_rounding_ / std::min(front.tilt, c.tilt);
-  if (r.high > doubt || r.low < -doubt) return difference;
-  return {front.triangle < c.triangle ? 1.0 : -1.0, 0.0, 0.0};
+  return r.high > doubt || r.low < -doubt ? difference : by_index;
 }
 
 bool VisibleSurfaces::may_hide(const Candidate& front, const Candidate& c, const Bounds& box) const {
-  if (front.patch == c.patch || !front.box.overlaps(box, length_rounding_) || front.depths.low > c.depths.high) return false;
+  if (front.face == c.face || !front.box.overlaps(box, length_rounding_) || front.depths.low > c.depths.high) return false;
   if (beside(front, c) || beside(c, front)) return false;
   return over_box(behind(front, c), glm::max(front.box.low, box.low), glm::min(front.box.high, box.high)).high > 0.0;
 }

@@ -35,7 +35,7 @@ class VisibleSurfaces {
   struct Candidate {
     std::uint32_t face, patch, triangle;
     ConvexPolygon outline;
-    std::vector<Affine> edges;  // distance to each edge of the outline, positive inside
+    std::vector<Affine> edges;  // of the face itself, without those of the region
     Bounds box;
     Affine depth;
     Range depths;
@@ -64,8 +64,9 @@ class VisibleSurfaces {
   void see_in_groups(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
   void see(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
   void gather(const View& view, std::span<const std::uint32_t> faces, Pool& pool);
+  void gather_nearest_first(const View& view);
   bool make_candidate(const View& view, std::uint32_t face, Candidate& c);
-  void project(const Beam& beam, std::uint32_t face, ConvexPolygon& outline) const;
+  void project(const Beam& beam, std::uint32_t face, Candidate& c);
   void clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline);
   void clip_to_front(const View& view, Candidate& c);
   void uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts);
@@ -76,6 +77,7 @@ class VisibleSurfaces {
   bool may_hide(const Candidate& front, const Candidate& c, const Bounds& box) const;
   bool beside(const Candidate& a, const Candidate& b) const;
   Affine behind(const Candidate& front, const Candidate& c) const;
+  bool fills(const Candidate& c, const ConvexPolygon& region) const;
   bool hides_all(const Candidate& front, const Candidate& c, const ConvexPolygon& outline) const;
   void subtract(const Candidate& front, const Candidate& c);
   bool subtract(const Candidate& front, const Affine& order, const ConvexPolygon& piece);
@@ -90,6 +92,8 @@ class VisibleSurfaces {
   std::vector<std::uint32_t> found_, found_in_front_;
   std::vector<const Candidate*> others_;  // who may hide what, one list after the other
   std::vector<ConvexPolygon> pieces_, remaining_;
+  std::vector<std::pair<double, std::uint32_t>> by_depth_;
+  std::vector<dvec2> corners_;
   ConvexPolygon inside_, outside_, rest_;
 };
 

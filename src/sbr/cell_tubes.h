@@ -1,0 +1,56 @@
+// Tubes of one cell of the launch grid each, followed by single rays.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/tracer.h"
+#include "sbr/beam_tree.h"
+#include "sbr/tube_sums.h"
+
+namespace raytube {
+
+/// Tubes under way, all after the same number of bounces. Beams and sums are their owner's.
+class CellTubes {
+ public:
+  CellTubes(const Tracer& tracer, const LaunchGrid& grid, std::span<const double> wavenumbers, BeamTree& beams, TubeSums& sums)
+      : tracer_(tracer), grid_(grid), wavenumbers_(wavenumbers), beams_(beams), sums_(sums) {}
+
+  bool empty() const { return tubes_.empty(); }
+  void reserve(std::size_t count);
+
+  /// A tube as launched.
+  void launch(std::uint32_t column, std::uint32_t row);
+  /// A tube that travels in `beam`, just reflected by `patch`.
+  void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch);
+
+  /// Sends every tube to the next surface and integrates the currents there as those of bounce `bounce`, counted from 0. Tubes
+  /// that meet none end; all do if the next one would be bounce `max_bounces`.
+  void advance(int bounce, int max_bounces);
+
+ private:
+  struct Tube {
+    std::uint32_t column, row, beam;
+  };
+  // Neighbouring cells of a row whose tubes share a footprint: together one wider tube, integrated in one closed form.
+  struct Run {
+    std::uint32_t node, row, column_begin, columns;
+  };
+
+  void reflect();
+  bool is_leak(const Ray& ray, const Hit& hit, std::uint32_t patch) const;
+  void extend_runs(const Tube& tube);
+  void integrate(int bounce);
+
+  const Tracer& tracer_;
+  const LaunchGrid& grid_;
+  std::span<const double> wavenumbers_;
+  BeamTree& beams_;
+  TubeSums& sums_;
+  std::vector<Tube> tubes_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> hits_;
+  std::vector<Run> runs_;
+};
+
+}  // namespace raytube

@@ -1,0 +1,35 @@
+#include "sbr/tube_sums.h"
+
+namespace raytube {
+
+namespace {
+
+template <class Values>
+void add_at(Values& sum, std::size_t index, const typename Values::value_type& value) {
+  if (sum.size() <= index) sum.resize(index + 1);
+  sum[index] += value;
+}
+
+}  // namespace
+
+std::vector<ScatteringMatrix>& TubeSums::at(int bounce, std::size_t frequencies) {
+  const auto b = static_cast<std::size_t>(bounce);
+  while (bounces.size() <= b) bounces.emplace_back(frequencies);
+  if (hits.size() <= b) hits.resize(b + 1);
+  return bounces[b];
+}
+
+void TubeSums::add(const TubeSums& other) {
+  for (std::size_t b = 0; b < other.bounces.size(); ++b) {
+    if (bounces.size() <= b) bounces.emplace_back(other.bounces[b].size());
+    for (std::size_t f = 0; f < other.bounces[b].size(); ++f) bounces[b][f] += other.bounces[b][f];
+    add_at(hits, b, other.hits[b]);
+  }
+  tubes += other.tubes;
+  rays += other.rays;
+  lost_rays += other.lost_rays;
+  tubes_cut += other.tubes_cut;
+  sliver_area += other.sliver_area;
+}
+
+}  // namespace raytube

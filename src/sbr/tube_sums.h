@@ -1,0 +1,24 @@
+// What a bundle of tubes adds up to.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "field.h"
+
+namespace raytube {
+
+/// Sums and counts of a tile, or of several added up in order.
+struct TubeSums {
+  std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
+  std::vector<std::uint64_t> hits;                     // [bounce]
+  std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;
+  double sliver_area = 0.0;  // [m^2] of the launch plane, left out by adaptive tubes
+
+  /// The sums of a bounce, counted from 0; they and their counter of hits come into being when first asked for.
+  std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);
+
+  void add(const TubeSums& other);
+};
+
+}  // namespace raytube
