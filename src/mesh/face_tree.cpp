@@ -28,6 +28,9 @@ Faces in_order(const Faces& faces, std::span<const std::uint32_t> order) {
     sorted.corners.insert(sorted.corners.end(), corners.begin(), corners.end());
     sorted.faces.push_back(face);
   }
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  for (const std::uint32_t f : faces.face_of_triangle) sorted.face_of_triangle.push_back(place[f]);
   return sorted;
 }
 

@@ -28,6 +28,7 @@ class FaceTree {
   /// In the order of the tree: neighbours in space are neighbours in number.
   std::span<const Face> faces() const { return faces_.faces; }
   std::span<const std::uint32_t> corners(std::uint32_t face) const { return faces_.corners_of(faces_.faces[face]); }
+  std::uint32_t face_of(std::uint32_t triangle) const { return faces_.face_of_triangle[triangle]; }
   const TriangleMesh& mesh() const { return mesh_; }
 
   /// Fills `found` with every face whose box reaches into the prism, in an order fixed by the tree.

@@ -119,8 +119,9 @@ class FaceFinder {
     return kept;
   }
 
-  Faces collected() const {
+  Faces collected() {
     Faces result;
+    result.face_of_triangle.resize(loops_.size());
     for (std::uint32_t t = 0; t < loops_.size(); ++t) {
       if (loops_[t].empty()) continue;
       const std::uint32_t patch = mesh_.triangle_patch[t];
@@ -130,6 +131,10 @@ class FaceFinder {
           {patch, t, static_cast<std::uint32_t>(result.corners.size()), static_cast<std::uint32_t>(corners.size())});
       result.corners.insert(result.corners.end(), corners.begin(), corners.end());
     }
+    for (const Face& face : result.faces)
+      result.face_of_triangle[face.triangle] = static_cast<std::uint32_t>(&face - &result.faces[0]);
+    for (std::uint32_t t = 0; t < loops_.size(); ++t)
+      result.face_of_triangle[t] = result.face_of_triangle[find_root(parents_, t)];
     return result;
   }
 

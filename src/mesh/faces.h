@@ -18,7 +18,8 @@ struct Face {
 /// Every triangle of the mesh is part of exactly one face.
 struct Faces {
   std::vector<Face> faces;
-  std::vector<std::uint32_t> corners;  // vertices of the mesh, face after face
+  std::vector<std::uint32_t> corners;           // vertices of the mesh, face after face
+  std::vector<std::uint32_t> face_of_triangle;  // index in `faces`
 
   std::span<const std::uint32_t> corners_of(const Face& face) const { return {&corners[face.first_corner], face.corners}; }
 };

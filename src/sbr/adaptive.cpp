@@ -25,7 +25,7 @@ class FaceTrace {
   explicit FaceTrace(const AdaptiveLook& look)
       : look_(look),
         beams_(look.tree.mesh(), look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
-        visible_(look.tree),
+        visible_(look.tree, look.tracer),
         cell_tubes_(look.tracer, look.grid, look.wavenumbers, beams_, sums_) {}
 
   TubeSums run(std::uint32_t begin, std::uint32_t end) {
@@ -37,7 +37,8 @@ class FaceTrace {
       cell_tubes_.advance(bounce, look_.max_bounces);
       std::swap(tubes_, reflected_);
       reflected_.clear();
-      for (const PolygonTube& tube : tubes_) follow(tube, bounce);
+      send_middle_rays();
+      for (std::size_t i = 0; i < tubes_.size(); ++i) follow(tubes_[i], in_middle_[i], bounce);
       sums_.rays += tubes_.size();
     }
     sums_.sliver_area = visible_.sliver_area();
@@ -45,8 +46,16 @@ class FaceTrace {
   }
 
  private:
-  void follow(const PolygonTube& tube, int bounce) {
-    visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, parts_);
+  void send_middle_rays() {
+    rays_.clear();
+    for (const PolygonTube& tube : tubes_)
+      rays_.push_back(VisibleSurfaces::middle_ray(beams_.beam(tube.beam), tube.patch, tube.outline));
+    in_middle_.resize(rays_.size());
+    look_.tracer.closest_hits(rays_, in_middle_);
+  }
+
+  void follow(const PolygonTube& tube, const Hit& in_middle, int bounce) {
+    visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, parts_);
     if (bounce < look_.max_bounces) return reflect(tube.beam, bounce);
     sums_.tubes_cut += parts_.size();
     parts_.clear();
@@ -123,6 +132,8 @@ class FaceTrace {
   VisibleSurfaces visible_;
   std::vector<VisiblePart> parts_;
   std::vector<PolygonTube> tubes_, reflected_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> in_middle_;
   std::vector<CellBlock> blocks_;
   TubeSums sums_;
   CellTubes cell_tubes_;

@@ -10,6 +10,8 @@ namespace {
 
 // Up to so many faces are compared each with each; beyond, groups of neighbours ask the tree who stands in front of them.
 constexpr std::size_t few = 32, group = 16;
+// Times the area of its members' boxes, from which on a group's box is mostly empty.
+constexpr double scattered = 2.0;
 // A face with more than this in front of it is halved first.
 constexpr std::size_t many = 48;
 // Seen closer to its own plane than this, a face has no area.
@@ -32,8 +34,9 @@ Range over_box(const Affine& f, const dvec2& low, const dvec2& high) {
 
 }  // namespace
 
-VisibleSurfaces::VisibleSurfaces(const FaceTree& tree)
+VisibleSurfaces::VisibleSurfaces(const FaceTree& tree, const Tracer& tracer)
     : tree_(tree),
+      tracer_(tracer),
       // Projected coordinates and crossings carry a few roundings of numbers up to the radius, heights of one plane over
       // another some tens.
       length_rounding_(16.0 * std::numeric_limits<double>::epsilon() * tree.mesh().radius),
@@ -43,26 +46,55 @@ VisibleSurfaces::VisibleSurfaces(const FaceTree& tree)
 void VisibleSurfaces::of_faces(const Beam& incident, std::uint32_t begin, std::uint32_t end, std::vector<VisiblePart>& parts) {
   found_.resize(end - begin);
   std::iota(found_.begin(), found_.end(), begin);
-  see_in_groups({incident, no_index, nullptr, nullptr, {}, 1.0}, found_, parts);
+  const View view{incident, no_index, nullptr, nullptr, {}, 1.0};
+  gather(view, found_, in_view_);
+  if (found_.size() == tree_.faces().size() && in_view_.count <= few) return uncover(in_view_, in_view_, parts);
+  waiting_.clear();
+  for (const Candidate& c : in_view_.used()) waiting_.push_back(&c);
+  drop_hidden(view);
+  see_in_groups(view, parts);
+}
+
+// Most hidden faces lie behind a single one, and a ray through their middle finds it.
+void VisibleSurfaces::drop_hidden(const View& view) {
+  rays_.clear();
+  for (const Candidate* c : waiting_) rays_.push_back(middle_ray(view.beam, view.source_patch, c->outline));
+  hits_.resize(rays_.size());
+  tracer_.closest_hits(rays_, hits_);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const Candidate& c = *waiting_[i];
+    const std::uint32_t first = hits_[i] ? tree_.face_of(hits_[i].triangle) : c.face;
+    if (first == c.face || !make_candidate(view, first, first_) || !hides_all(first_, c, c.outline)) waiting_[kept++] = &c;
+  }
+  waiting_.resize(kept);
+}
+
+Ray VisibleSurfaces::middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region) {
+  const dvec2 step = middle(region) - beam.anchor;
+  return {beam.base + step.x * beam.along_u + step.y * beam.along_v, beam.direction, source_patch};
 }
 
 void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region,
-                                   std::vector<VisiblePart>& parts) {
+                                   const Hit& in_middle, std::vector<VisiblePart>& parts) {
   const Patch& source = tree_.mesh().patches[source_patch];
-  tree_.collect(prism_of(beam, &source, bounds(region), std::numeric_limits<double>::infinity()), found_);
-  if (found_.empty()) return;
   const double tilt = std::abs(glm::dot(source.normal, beam.direction));
   const View view{beam, source_patch, &region, &source, depth_of(beam, source), tilt};
-  gather_nearest_first(view);
+  double farthest = std::numeric_limits<double>::infinity();
+  if (in_middle && make_candidate(view, tree_.face_of(in_middle.triangle), first_) && fills(first_, region))
+    farthest = first_.depths.high + depth_margin_;
+  tree_.collect(prism_of(beam, &source, bounds(region), farthest), found_);
+  if (found_.empty()) return;
+  gather_nearest_first(view, farthest);
   if (in_view_.count <= few) return uncover(in_view_, in_view_, parts);
-  found_.clear();
-  for (const Candidate& c : in_view_.used()) found_.push_back(c.face);
-  see_in_groups(view, found_, parts);
+  waiting_.clear();
+  for (const Candidate& c : in_view_.used()) waiting_.push_back(&c);
+  see_in_groups(view, parts);
 }
 
 // Candidates among `found_`, in the order in which their planes begin within the region. One that fills the region ends the
 // search at its own depth.
-void VisibleSurfaces::gather_nearest_first(const View& view) {
+void VisibleSurfaces::gather_nearest_first(const View& view, double farthest) {
   by_depth_.clear();
   const Bounds box = bounds(*view.region);
   for (const std::uint32_t face : found_) {
@@ -72,7 +104,6 @@ void VisibleSurfaces::gather_nearest_first(const View& view) {
   }
   std::ranges::sort(by_depth_);
   const double filled = (1.0 - 1e-9) * area(*view.region);
-  double farthest = std::numeric_limits<double>::infinity();
   in_view_.count = 0;
   for (const auto& [nearest, face] : by_depth_) {
     if (nearest > farthest) return;
@@ -88,28 +119,31 @@ bool VisibleSurfaces::fills(const Candidate& c, const ConvexPolygon& region) con
   return std::ranges::all_of(c.edges, [&](const Affine& edge) { return range(region, edge).low >= -length_rounding_; });
 }
 
-void VisibleSurfaces::see_in_groups(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
-  for (std::size_t first = 0; first < faces.size(); first += group)
-    see(view, faces.subspan(first, std::min(group, faces.size() - first)), parts);
+void VisibleSurfaces::see_in_groups(const View& view, std::vector<VisiblePart>& parts) {
+  const std::span<const Candidate* const> all = waiting_;
+  for (std::size_t first = 0; first < all.size(); first += group)
+    see(view, all.subspan(first, std::min(group, all.size() - first)), parts);
 }
 
-// Asks the tree who stands in front of these faces; neighbours ask together unless one of them draws in too many.
-void VisibleSurfaces::see(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
-  gather(view, faces, in_view_);
-  if (in_view_.count == 0) return;
-  Bounds box = in_view_.items[0].box;
-  double farthest = in_view_.items[0].depths.high;
-  for (const Candidate& c : in_view_.used()) {
-    box = {glm::min(box.low, c.box.low), glm::max(box.high, c.box.high)};
-    farthest = std::max(farthest, c.depths.high);
+// Asks the tree who stands in front of these faces. Neighbours ask together unless they lie too scattered for that.
+void VisibleSurfaces::see(const View& view, std::span<const Candidate* const> faces, std::vector<VisiblePart>& parts) {
+  Bounds box = faces[0]->box;
+  double farthest = faces[0]->depths.high, sum_of_areas = 0.0;
+  for (const Candidate* c : faces) {
+    box = {glm::min(box.low, c->box.low), glm::max(box.high, c->box.high)};
+    farthest = std::max(farthest, c->depths.high);
+    sum_of_areas += area(c->box);
   }
-  tree_.collect(prism_of(view.beam, view.source, box, farthest + depth_margin_), found_in_front_);
-  if (faces.size() > 1 && found_in_front_.size() > few + group * faces.size() / 2) {
+  if (faces.size() > 1 && area(box) > scattered * sum_of_areas) {
     see(view, faces.first(faces.size() / 2), parts);
     return see(view, faces.subspan(faces.size() / 2), parts);
   }
+  tree_.collect(prism_of(view.beam, view.source, box, farthest + depth_margin_), found_in_front_);
   gather(view, found_in_front_, in_front_);
-  uncover(in_view_, in_front_, parts);
+  others_.clear();
+  for (const Candidate& other : in_front_.used()) others_.push_back(&other);
+  const std::size_t all = others_.size();
+  for (const Candidate* c : faces) uncover(*c, c->outline, 0, all, parts);
 }
 
 void VisibleSurfaces::uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts) {

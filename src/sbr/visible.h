@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/face_tree.h"
+#include "mesh/tracer.h"
 #include "sbr/convex_polygon.h"
 #include "sbr/footprint.h"
 
@@ -19,13 +20,16 @@ struct VisiblePart {
 /// met. Closed bodies are met from outside only. Keeps buffers between calls: one object a thread.
 class VisibleSurfaces {
  public:
-  explicit VisibleSurfaces(const FaceTree& tree);
+  VisibleSurfaces(const FaceTree& tree, const Tracer& tracer);
 
   /// Appends what an incident wave sees of the faces [begin, end).
   void of_faces(const Beam& incident, std::uint32_t begin, std::uint32_t end, std::vector<VisiblePart>& parts);
 
-  /// Appends what the part `region` of a beam that leaves `source_patch` meets.
-  void from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region, std::vector<VisiblePart>& parts);
+  /// Appends what the part `region` of a beam that leaves `source_patch` meets. `in_middle` is what its middle_ray meets: a
+  /// help, never the answer.
+  void from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region, const Hit& in_middle,
+                    std::vector<VisiblePart>& parts);
+  static Ray middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region);
 
   /// Area of pieces too thin to be more than rounding, left out so far [m^2].
   double sliver_area() const { return sliver_area_; }
@@ -61,10 +65,11 @@ class VisibleSurfaces {
     double source_tilt;  // |normal . direction|
   };
 
-  void see_in_groups(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
-  void see(const View& view, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
+  void drop_hidden(const View& view);
+  void see_in_groups(const View& view, std::vector<VisiblePart>& parts);
+  void see(const View& view, std::span<const Candidate* const> faces, std::vector<VisiblePart>& parts);
   void gather(const View& view, std::span<const std::uint32_t> faces, Pool& pool);
-  void gather_nearest_first(const View& view);
+  void gather_nearest_first(const View& view, double farthest);
   bool make_candidate(const View& view, std::uint32_t face, Candidate& c);
   void project(const Beam& beam, std::uint32_t face, Candidate& c);
   void clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline);
@@ -85,10 +90,15 @@ class VisibleSurfaces {
   void emit(const Candidate& c, const ConvexPolygon& piece, std::vector<VisiblePart>& parts);
 
   const FaceTree& tree_;
+  const Tracer& tracer_;
   double length_rounding_, height_rounding_;
   double depth_margin_;  // so that no surface coincident with the one in question is missed
   double sliver_area_ = 0.0;
   Pool in_view_, in_front_;
+  Candidate first_;
+  std::vector<const Candidate*> waiting_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> hits_;
   std::vector<std::uint32_t> found_, found_in_front_;
   std::vector<const Candidate*> others_;  // who may hide what, one list after the other
   std::vector<ConvexPolygon> pieces_, remaining_;
