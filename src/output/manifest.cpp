@@ -23,6 +23,7 @@ Json counts_json(const Statistics& statistics) {
   json["hits_per_bounce"] = statistics.hits;
   json["lost_rays"] = statistics.lost_rays;
   json["tubes_cut_at_max_bounces"] = statistics.tubes_cut;
+  json["sliver_area_m2"] = statistics.sliver_area;
   json["wedges"] = statistics.wedges;
   json["wedges_lit"] = statistics.wedges_lit;
   json["windowed_rows"] = statistics.windowed_rows;

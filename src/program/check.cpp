@@ -40,6 +40,11 @@ std::string looks_text(const Case& c) {
 
 double highest_frequency(const Sweep& sweep) { return *std::max_element(sweep.frequencies.begin(), sweep.frequencies.end()); }
 
+const char* mode_text(const TubeOptions& tubes) {
+  if (tubes.mode == TubeMode::uniform) return "uniform";
+  return tubes.clip ? "adaptive, cut exactly at edges" : "adaptive, cut at the cells of the grid";
+}
+
 void print_case(const Case& c) {
   std::vector<double> ghz;
   for (const double hertz : c.sweep.frequencies) ghz.push_back(hertz / 1e9);
@@ -48,7 +53,7 @@ void print_case(const Case& c) {
   fmt::print("mesh         {}, one unit is {} m ({}), perfect conductor\n", c.mesh_file.string(), c.metres_per_unit, c.unit);
   fmt::print("frequency    {} GHz\n", values_text(ghz));
   fmt::print("looks        {}\n", looks_text(c));
-  fmt::print("tubes        uniform, {} per wavelength at {} GHz, at most {} bounces\n", c.tubes.per_wavelength,
+  fmt::print("tubes        {}, {} per wavelength at {} GHz, at most {} bounces\n", mode_text(c.tubes), c.tubes.per_wavelength,
              number_text(highest_frequency(c.sweep) / 1e9), c.tubes.max_bounces);
   if (c.tubes.up) fmt::print("             grid rows follow ({}, {}, {})\n", c.tubes.up->x, c.tubes.up->y, c.tubes.up->z);
   if (c.edges.method == EdgeMethod::none)
@@ -148,9 +153,9 @@ void print_cost(const Case& c, const TriangleMesh& mesh) {
   const double per_tube = seconds_per_tube + seconds_per_tube_and_frequency * static_cast<double>(c.sweep.frequencies.size());
   fmt::print("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm\n", first.columns, first.rows, first.du * 1e3,
              first.dv * 1e3);
-  fmt::print("  all looks: {}{:.4g} tubes, very roughly {:.2g} s on {} thread{}\n",
+  fmt::print("  all looks: {}{:.4g} tubes, very roughly {:.2g} s on {} thread{}{}\n",
              c.sweep.looks.size() > most_sampled_looks ? "about " : "", tubes, tubes * per_tube / threads, threads,
-             threads == 1 ? "" : "s");
+             threads == 1 ? "" : "s", c.tubes.mode == TubeMode::adaptive ? "; adaptive tubes are mostly far fewer" : "");
 }
 
 }  // namespace

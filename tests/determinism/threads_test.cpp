@@ -19,11 +19,13 @@ bool same_bytes(const std::vector<ScatteringMatrix>& a, const std::vector<Scatte
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
-TEST(Threads, LibraryGivesTheSameBits) {
+void expect_same_bits_for_any_threads(TubeMode mode, bool clip) {
   Sweep sweep{{9e9, 10e9}, {}, true};
   for (int i = 0; i < 9; ++i) sweep.looks.push_back({{0.3 + 0.2 * i, 0.7 * i}, {0.5 + 0.2 * i, 0.7 * i}});
   for (const PolygonSoup& soup : {shapes::icosphere(3, 0.2), shapes::trihedral(0.5), shapes::cube(0.3)}) {
     SolveOptions o = options(EdgeMethod::fringe);
+    o.tubes.mode = mode;
+    o.tubes.clip = clip;
     o.threads = 1;
     const SweepResult one = solve_soup(soup, sweep, o);
     for (const int threads : thread_counts) {
@@ -34,6 +36,10 @@ TEST(Threads, LibraryGivesTheSameBits) {
     }
   }
 }
+
+TEST(Threads, UniformTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::uniform, true); }
+TEST(Threads, AdaptiveTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::adaptive, true); }
+TEST(Threads, UnclippedAdaptiveTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::adaptive, false); }
 
 // rcs.csv of a case of the repository, thinned so that it runs in a second or two.
 std::string program_output(const std::string& case_name, const std::string& set, int threads) {

@@ -13,6 +13,8 @@ TEST(CaseRead, SmallestCaseGetsEveryDefault) {
   EXPECT_EQ(c.title, "m");
   EXPECT_EQ(c.mesh_file.filename(), "m.stl");
   EXPECT_EQ(c.mesh_file.parent_path(), c.file.parent_path());
+  EXPECT_EQ(c.tubes.mode, TubeMode::uniform);
+  EXPECT_TRUE(c.tubes.clip);
   EXPECT_EQ(c.tubes.per_wavelength, 10.0);
   EXPECT_EQ(c.tubes.max_bounces, 8);
   EXPECT_FALSE(c.tubes.up);
@@ -27,7 +29,7 @@ TEST(CaseRead, EveryKeyIsTaken) {
   const Case c = read_text(
       "title = \"T\"\n[target]\nmesh = \"sub/m.obj\"\nunit = \"ft\"\nmaterial = \"pec\"\n[frequency]\nghz = [1, 2.5]\n"
       "[look]\ntheta_deg = 30\nphi_deg = 40.5\n[receive]\ntheta_deg = 50\nphi_deg = [60, 70]\n"
-      "[tubes]\nmode = \"uniform\"\nper_wavelength = 12\nmax_bounces = 3\nup = [0, 0, 2.0]\n"
+      "[tubes]\nmode = \"adaptive\"\nclip = false\nper_wavelength = 12\nmax_bounces = 3\nup = [0, 0, 2.0]\n"
       "[edges]\nmethod = \"none\"\norder = 3\nmin_wedge_deg = 20\n[output]\nplots = false\n");
   EXPECT_EQ(c.title, "T");
   EXPECT_THAT(c.mesh_file.string(), ::testing::EndsWith("/sub/m.obj"));
@@ -37,6 +39,8 @@ TEST(CaseRead, EveryKeyIsTaken) {
   EXPECT_TRUE(c.sweep.bistatic);
   EXPECT_EQ(c.sweep.looks[1].transmit, (Direction{30.0 * degree, 40.5 * degree}));
   EXPECT_EQ(c.sweep.looks[1].receive, (Direction{50.0 * degree, 70.0 * degree}));
+  EXPECT_EQ(c.tubes.mode, TubeMode::adaptive);
+  EXPECT_FALSE(c.tubes.clip);
   EXPECT_EQ(c.tubes.per_wavelength, 12.0);
   EXPECT_EQ(c.tubes.max_bounces, 3);
   EXPECT_EQ(*c.tubes.up, dvec3(0, 0, 2));

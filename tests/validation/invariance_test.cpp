@@ -74,7 +74,7 @@ std::vector<Look> some_looks(bool bistatic) {
 }
 
 // Worst change of S relative to its largest element over all looks, target, looks and tubes.up turned together.
-double worst_change_under_rotation(const Shape& shape, bool bistatic, int order, const glm::dmat3& turn) {
+double worst_change_under_rotation(const Shape& shape, bool bistatic, SolveOptions original, const glm::dmat3& turn) {
   Sweep sweep{{frequency}, some_looks(bistatic), bistatic}, turned_sweep = sweep;
   const auto turn_direction = [&](const Direction& d) { return direction_of(turn * spherical_basis(d).radial); };
   for (Look& look : turned_sweep.looks) {
@@ -82,8 +82,6 @@ double worst_change_under_rotation(const Shape& shape, bool bistatic, int order,
     look.transmit = turn_direction(look.transmit);
     look.receive = monostatic ? look.transmit : turn_direction(look.receive);
   }
-  SolveOptions original = options(EdgeMethod::fringe);
-  original.edges.order = order;
   original.tubes.up = dvec3(0.2, 0.1, 1.0);
   SolveOptions turned = original;
   turned.tubes.up = turn * *original.tubes.up;
@@ -104,22 +102,24 @@ TEST(Invariance, RotationOfTargetLooksAndGrid) {
   for (const Shape& shape : planar_targets())
     for (const bool bistatic : {false, true})
       for (const int order : {1, 2, 3}) {
+        SolveOptions o = options(EdgeMethod::fringe);
+        o.edges.order = order;
+        o.tubes.mode = order == 3 ? TubeMode::adaptive : TubeMode::uniform;
         double change = 0.0;
-        for (const glm::dmat3& turn : turns) change = std::max(change, worst_change_under_rotation(shape, bistatic, order, turn));
-        const std::string name =
-            fmt::format("{}, {}, edges of order {}", shape.name, bistatic ? "bistatic" : "monostatic", order);
+        for (const glm::dmat3& turn : turns) change = std::max(change, worst_change_under_rotation(shape, bistatic, o, turn));
+        const std::string name = fmt::format("{}, {}, {} tubes, edges of order {}", shape.name,
+                                             bistatic ? "bistatic" : "monostatic", order == 3 ? "adaptive" : "uniform", order);
         measured((name + ", change of S under rotation / peak").c_str(), change, "");
         EXPECT_LE(change, 1e-9) << name;
       }
 }
 
-TEST(Invariance, ScaleOfTargetAndWavelength) {
+void expect_scale_invariance(const SolveOptions& o) {
   for (const Shape& shape : planar_targets())
     for (const double scale : {1000.0, 0.001}) {
       const Sweep sweep{{frequency}, some_looks(false), false}, scaled_sweep{{frequency / scale}, some_looks(false), false};
-      const SweepResult a = solve_soup(shape.soup, sweep, options(EdgeMethod::fringe));
-      const SweepResult b =
-          solve_soup(shapes::transformed(shape.soup, glm::dmat3(1.0), scale), scaled_sweep, options(EdgeMethod::fringe));
+      const SweepResult a = solve_soup(shape.soup, sweep, o);
+      const SweepResult b = solve_soup(shapes::transformed(shape.soup, glm::dmat3(1.0), scale), scaled_sweep, o);
       double worst = 0.0, peak = 0.0;
       for (std::size_t i = 0; i < a.total.size(); ++i) {
         ScatteringMatrix smaller = b.total[i];
@@ -131,6 +131,13 @@ TEST(Invariance, ScaleOfTargetAndWavelength) {
       measured((shape.name + ", change of S / wavelength under scale / peak").c_str(), worst / peak, "");
       EXPECT_LE(worst / peak, 1e-9) << shape.name << " scale " << scale;  // as for rotation
     }
+}
+
+TEST(Invariance, ScaleOfTargetAndWavelength) {
+  SolveOptions o = options(EdgeMethod::fringe);
+  expect_scale_invariance(o);
+  o.tubes.mode = TubeMode::adaptive;
+  expect_scale_invariance(o);
 }
 
 TEST(Invariance, FarOffsetOnlyTurnsThePhase) {
@@ -176,7 +183,8 @@ double raw_asymmetry(const PolygonSoup& soup, const Direction& look, std::size_t
   TubeOptions tubes;
   tubes.per_wavelength = per_wavelength;
   Progress progress(nullptr);
-  const TubeSums sums = sbr_scattering(Tracer(loaded.mesh), FaceTree(loaded.mesh), {look, look}, frequencies, tubes, progress, 1.0);
+  const TubeSums sums =
+      sbr_scattering(Tracer(loaded.mesh), FaceTree(loaded.mesh), {look, look}, frequencies, tubes, progress, 1.0);
   const ScatteringMatrix& s = sums.bounces.at(bounce).at(0);
   return std::abs(s.vh() - s.hv()) / largest(s);
 }
