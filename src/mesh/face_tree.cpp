@@ -34,31 +34,35 @@ Faces in_order(const Faces& faces, std::span<const std::uint32_t> order) {
   return sorted;
 }
 
-// The part of `order` that falls to a lane: quarters of a list halved twice.
-std::span<std::uint32_t> quarter(std::span<std::uint32_t> order, int lane) {
-  const std::size_t half = order.size() / 2;
-  const std::span<std::uint32_t> side = lane < 2 ? order.first(half) : order.subspan(half);
-  return lane % 2 == 0 ? side.first(side.size() / 2) : side.subspan(side.size() / 2);
-}
-
 Box box_of(std::span<const Box> boxes, std::span<const std::uint32_t> order) {
   Box box;
   for (const std::uint32_t f : order) box.add(boxes[f].low), box.add(boxes[f].high);
   return box;
 }
 
-// Halves at the middle along the longest side of the box; ties go by index.
-void halve(std::span<const Box> boxes, std::span<std::uint32_t> order) {
+// Halves at the middle along the longest side of the box, again and again; ties go by index.
+void divide(std::span<const Box> boxes, std::span<std::uint32_t> order, std::span<std::span<std::uint32_t>> parts) {
+  if (parts.size() == 1) {
+    parts[0] = order;
+    return;
+  }
   const Box box = box_of(boxes, order);
   const dvec3 size = box.high - box.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const auto key = [&](std::uint32_t f) { return std::pair(boxes[f].low[axis] + boxes[f].high[axis], f); };
-  std::ranges::nth_element(order, order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2), {}, key);
+  const std::size_t half = order.size() / 2, middle = parts.size() / 2;
+  std::ranges::nth_element(order, order.begin() + static_cast<std::ptrdiff_t>(half), {}, key);
+  divide(boxes, order.first(half), parts.first(middle));
+  divide(boxes, order.subspan(half), parts.subspan(middle));
 }
 
 }  // namespace
 
-FaceTree::FaceTree(const TriangleMesh& mesh) : mesh_(mesh), faces_(find_faces(mesh)) {
+FaceTree::FaceTree(const TriangleMesh& mesh)
+    : mesh_(mesh),
+      faces_(find_faces(mesh)),
+      // A dozen roundings of numbers up to the radius, in the box and in the prism.
+      doubt_(16.0 * std::numeric_limits<float>::epsilon() * mesh.radius) {
   const std::vector<Box> boxes = boxes_of(mesh, faces_);
   std::vector<std::uint32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -69,34 +73,34 @@ FaceTree::FaceTree(const TriangleMesh& mesh) : mesh_(mesh), faces_(find_faces(me
 std::uint32_t FaceTree::build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin) {
   const auto node = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
-  halve(boxes, order);
-  halve(boxes, order.first(order.size() / 2));
-  halve(boxes, order.subspan(order.size() / 2));
+  std::array<std::span<std::uint32_t>, lanes> parts;
+  divide(boxes, order, parts);
   for (int lane = 0; lane < lanes; ++lane) {
-    const std::span<std::uint32_t> part = quarter(order, lane);
-    set_lane(node, lane, boxes, part, begin + static_cast<std::uint32_t>(part.data() - order.data()));
+    const std::span<std::uint32_t> part = parts[lane];
+    const auto first = begin + static_cast<std::uint32_t>(part.data() - order.data());
+    const std::uint32_t child = part.size() > faces_per_leaf ? build(boxes, part, first) : 0;
+    set_lane(node, lane, box_of(boxes, part), first, first + static_cast<std::uint32_t>(part.size()), child);
   }
   return node;
 }
 
-void FaceTree::set_lane(std::uint32_t node, int lane, std::span<const Box> boxes, std::span<std::uint32_t> order,
-                        std::uint32_t begin) {
-  const Box box = box_of(boxes, order);
-  const dvec3 middle = order.empty() ? dvec3(0.0) : box.middle(),
-              half = order.empty() ? dvec3(-std::numeric_limits<double>::infinity()) : 0.5 * (box.high - box.low);
-  const std::uint32_t child = order.size() > faces_per_leaf ? build(boxes, order, begin) : 0;
+void FaceTree::set_lane(std::uint32_t node, int lane, const Box& box, std::uint32_t begin, std::uint32_t end,
+                        std::uint32_t child) {
+  const bool used = begin < end;
+  const dvec3 middle = used ? box.middle() : dvec3(0.0),
+              half = used ? 0.5 * (box.high - box.low) + doubt_ : dvec3(-std::numeric_limits<double>::infinity());
   Node& n = nodes_[node];
-  n.x[lane] = middle.x, n.y[lane] = middle.y, n.z[lane] = middle.z;
-  n.half_x[lane] = half.x, n.half_y[lane] = half.y, n.half_z[lane] = half.z;
-  n.begin[lane] = begin, n.end[lane] = begin + static_cast<std::uint32_t>(order.size());
-  n.child[lane] = child;
+  n.x[lane] = static_cast<float>(middle.x), n.half_x[lane] = static_cast<float>(half.x);
+  n.y[lane] = static_cast<float>(middle.y), n.half_y[lane] = static_cast<float>(half.y);
+  n.z[lane] = static_cast<float>(middle.z), n.half_z[lane] = static_cast<float>(half.z);
+  n.begin[lane] = begin, n.end[lane] = end, n.child[lane] = child;
 }
 
 // A prism as slabs: directions, how much of each a box's sides cover, and the bounds along them.
 struct FaceTree::Query {
   struct Slab {
-    dvec3 axis, cover;
-    double low, high;
+    glm::vec3 axis, cover;
+    float low, high;
     auto touched(const Node& n) const {
       const Lanes at = axis.x * n.x + axis.y * n.y + axis.z * n.z;
       const Lanes reach = cover.x * n.half_x + cover.y * n.half_y + cover.z * n.half_z;
@@ -108,14 +112,15 @@ struct FaceTree::Query {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto slab = [&](int i, const dvec3& axis, double low, double high) {
       const double base = glm::dot(axis, p.base);
-      slabs[i] = {axis, glm::abs(axis), low + base, high + base};
+      slabs[i] = {axis, glm::abs(axis), static_cast<float>(low + base), static_cast<float>(high + base)};
     };
     slab(0, p.u_hat, p.low.x, p.high.x);
     slab(1, p.v_hat, p.low.y, p.high.y);
     slab(2, p.direction, -infinity, p.farthest);
     if (!p.floor) return;
     const double sign = glm::dot(p.floor->normal, p.direction) > 0.0 ? 1.0 : -1.0;
-    slabs[3] = {sign * p.floor->normal, glm::abs(p.floor->normal), sign * p.floor->offset, infinity};
+    slabs[3] = {sign * p.floor->normal, glm::abs(p.floor->normal), static_cast<float>(sign * p.floor->offset),
+                std::numeric_limits<float>::infinity()};
     count = 4;
   }
 
@@ -136,7 +141,7 @@ void FaceTree::collect(const Prism& prism, std::vector<std::uint32_t>& found) co
   found.clear();
   if (nodes_.empty()) return;
   const Query query(prism);
-  std::array<std::uint32_t, 3 * 17> pending;  // three for each of the at most 16 levels of 2^32 faces
+  std::array<std::uint32_t, 7 * 12> pending;  // seven for each of the at most 11 levels of 2^32 faces
   std::size_t count = 0;
   pending[count++] = 0;
   while (count) {

@@ -20,7 +20,7 @@ struct Prism {
   const Patch* floor = nullptr;  // the plane the lines start from: only what reaches above it, on the side of `direction`, counts
 };
 
-/// The faces of a mesh in a tree of boxes, four to a node, in double precision.
+/// The faces of a mesh in a tree of boxes, eight to a node. Boxes are in single precision, enlarged by what that may cost.
 class FaceTree {
  public:
   explicit FaceTree(const TriangleMesh& mesh);
@@ -35,9 +35,9 @@ class FaceTree {
   void collect(const Prism& prism, std::vector<std::uint32_t>& found) const;
 
  private:
-  static constexpr int lanes = 4;
+  static constexpr int lanes = 8;
   // Boxes side by side, so that a prism is held against all of them at once. Unused ones are inside out.
-  using Lanes [[gnu::vector_size(lanes * sizeof(double))]] = double;
+  using Lanes [[gnu::vector_size(lanes * sizeof(float))]] = float;
   struct Node {
     Lanes x, y, z;                                // middles
     Lanes half_x, half_y, half_z;                 // half the sides
@@ -47,10 +47,11 @@ class FaceTree {
   struct Query;
 
   std::uint32_t build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin);
-  void set_lane(std::uint32_t node, int lane, std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin);
+  void set_lane(std::uint32_t node, int lane, const Box& box, std::uint32_t begin, std::uint32_t end, std::uint32_t child);
 
   const TriangleMesh& mesh_;
   Faces faces_;
+  double doubt_;  // [m] what single precision may cost in placing a box
   std::vector<Node> nodes_;
 };
 

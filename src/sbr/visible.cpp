@@ -98,8 +98,8 @@ void VisibleSurfaces::gather_nearest_first(const View& view, double farthest) {
   by_depth_.clear();
   const Bounds box = bounds(*view.region);
   for (const std::uint32_t face : found_) {
+    if (!faces_beam(view, face)) continue;
     const Patch& plane = tree_.mesh().patches[tree_.faces()[face].patch];
-    if (std::abs(glm::dot(plane.normal, view.beam.direction)) < edge_on) continue;
     by_depth_.emplace_back(over_box(depth_of(view.beam, plane), box.low, box.high).low, face);
   }
   std::ranges::sort(by_depth_);
@@ -159,13 +159,18 @@ void VisibleSurfaces::gather(const View& view, std::span<const std::uint32_t> fa
     if (make_candidate(view, face, pool.next())) ++pool.count;
 }
 
+bool VisibleSurfaces::faces_beam(const View& view, std::uint32_t face) const {
+  const Face& f = tree_.faces()[face];
+  const double facing = glm::dot(tree_.mesh().patches[f.patch].normal, view.beam.direction);
+  if (f.patch == view.source_patch || std::abs(facing) < edge_on) return false;
+  return facing < 0.0 || !tree_.mesh().closed(f.triangle);
+}
+
 bool VisibleSurfaces::make_candidate(const View& view, std::uint32_t face, Candidate& c) {
+  if (!faces_beam(view, face)) return false;
   const Face& f = tree_.faces()[face];
   const Patch& plane = tree_.mesh().patches[f.patch];
-  const double facing = glm::dot(plane.normal, view.beam.direction);
-  c.tilt = std::abs(facing);
-  if (f.patch == view.source_patch || c.tilt < edge_on) return false;
-  if (facing > 0.0 && tree_.mesh().closed(f.triangle)) return false;
+  c.tilt = std::abs(glm::dot(plane.normal, view.beam.direction));
   c.face = face, c.patch = f.patch, c.triangle = f.triangle;
   project(view.beam, face, c);
   if (view.region) clip_to_region(*view.region, c.outline);

@@ -70,6 +70,7 @@ class VisibleSurfaces {
   void see(const View& view, std::span<const Candidate* const> faces, std::vector<VisiblePart>& parts);
   void gather(const View& view, std::span<const std::uint32_t> faces, Pool& pool);
   void gather_nearest_first(const View& view, double farthest);
+  bool faces_beam(const View& view, std::uint32_t face) const;
   bool make_candidate(const View& view, std::uint32_t face, Candidate& c);
   void project(const Beam& beam, std::uint32_t face, Candidate& c);
   void clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline);
