@@ -46,7 +46,8 @@ VisibleSurfaces::VisibleSurfaces(const FaceTree& tree, const Tracer& tracer)
 void VisibleSurfaces::of_faces(const Beam& incident, std::uint32_t begin, std::uint32_t end, std::vector<VisiblePart>& parts) {
   found_.resize(end - begin);
   std::iota(found_.begin(), found_.end(), begin);
-  const View view{incident, no_index, nullptr, nullptr, {}, 1.0};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const View view{incident, no_index, nullptr, nullptr, {}, 1.0, {dvec2(-infinity), dvec2(infinity)}};
   gather(view, found_, in_view_);
   if (found_.size() == tree_.faces().size() && in_view_.count <= few) return uncover(in_view_, in_view_, parts);
   waiting_.clear();
@@ -79,11 +80,11 @@ void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch,
                                    const Hit& in_middle, std::vector<VisiblePart>& parts) {
   const Patch& source = tree_.mesh().patches[source_patch];
   const double tilt = std::abs(glm::dot(source.normal, beam.direction));
-  const View view{beam, source_patch, &region, &source, depth_of(beam, source), tilt};
+  const View view{beam, source_patch, &region, &source, depth_of(beam, source), tilt, bounds(region)};
   double farthest = std::numeric_limits<double>::infinity();
   if (in_middle && make_candidate(view, tree_.face_of(in_middle.triangle), first_) && fills(first_, region))
     farthest = first_.depths.high + depth_margin_;
-  tree_.collect(prism_of(beam, &source, bounds(region), farthest), found_);
+  tree_.collect(prism_of(beam, &source, view.box, farthest), found_);
   if (found_.empty()) return;
   gather_nearest_first(view, farthest);
   if (in_view_.count <= few) return uncover(in_view_, in_view_, parts);
@@ -96,11 +97,10 @@ void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch,
 // search at its own depth.
 void VisibleSurfaces::gather_nearest_first(const View& view, double farthest) {
   by_depth_.clear();
-  const Bounds box = bounds(*view.region);
   for (const std::uint32_t face : found_) {
     if (!faces_beam(view, face)) continue;
     const Patch& plane = tree_.mesh().patches[tree_.faces()[face].patch];
-    by_depth_.emplace_back(over_box(depth_of(view.beam, plane), box.low, box.high).low, face);
+    by_depth_.emplace_back(over_box(depth_of(view.beam, plane), view.box.low, view.box.high).low, face);
   }
   std::ranges::sort(by_depth_);
   const double filled = (1.0 - 1e-9) * area(*view.region);
@@ -139,7 +139,9 @@ void VisibleSurfaces::see(const View& view, std::span<const Candidate* const> fa
     return see(view, faces.subspan(faces.size() / 2), parts);
   }
   tree_.collect(prism_of(view.beam, view.source, box, farthest + depth_margin_), found_in_front_);
-  gather(view, found_in_front_, in_front_);
+  View narrowed = view;
+  narrowed.box = box;
+  gather(narrowed, found_in_front_, in_front_);
   others_.clear();
   for (const Candidate& other : in_front_.used()) others_.push_back(&other);
   const std::size_t all = others_.size();
@@ -172,9 +174,7 @@ bool VisibleSurfaces::make_candidate(const View& view, std::uint32_t face, Candi
   const Patch& plane = tree_.mesh().patches[f.patch];
   c.tilt = std::abs(glm::dot(plane.normal, view.beam.direction));
   c.face = face, c.patch = f.patch, c.triangle = f.triangle;
-  project(view.beam, face, c);
-  if (view.region) clip_to_region(*view.region, c.outline);
-  if (c.outline.empty()) return false;
+  if (!project(view, face, c) || (view.region && !clip_to_region(*view.region, c.outline))) return false;
   c.depth = depth_of(view.beam, plane);
   if (view.source) clip_to_front(view, c);
   if (c.outline.empty()) return false;
@@ -183,25 +183,38 @@ bool VisibleSurfaces::make_candidate(const View& view, std::uint32_t face, Candi
   return !is_sliver(c.outline);
 }
 
-void VisibleSurfaces::project(const Beam& beam, std::uint32_t face, Candidate& c) {
+// False if the face lies beside the part of the view in question.
+bool VisibleSurfaces::project(const View& view, std::uint32_t face, Candidate& c) {
+  const Beam& beam = view.beam;
   corners_.clear();
+  Bounds box{dvec2(std::numeric_limits<double>::infinity()), dvec2(-std::numeric_limits<double>::infinity())};
   for (const std::uint32_t corner : tree_.corners(face)) {
     const dvec3 r = tree_.mesh().vertices[corner] - beam.base;
-    corners_.push_back(beam.anchor + dvec2(glm::dot(beam.u_hat, r), glm::dot(beam.v_hat, r)));
+    const dvec2 at = beam.anchor + dvec2(glm::dot(beam.u_hat, r), glm::dot(beam.v_hat, r));
+    corners_.push_back(at);
+    box = {glm::min(box.low, at), glm::max(box.high, at)};
   }
+  if (!box.overlaps(view.box, length_rounding_)) return false;
   set_corners(c.outline, corners_);
   c.edges.clear();
   for (const Corner& corner : c.outline) c.edges.push_back(corner.edge);
+  return true;
 }
 
-void VisibleSurfaces::clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline) {
-  if (!bounds(region).overlaps(bounds(outline), length_rounding_)) return outline.clear();
+bool VisibleSurfaces::clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline) {
+  if (separates(region, outline)) return false;
   for (const Corner& corner : region) {
     if (range(outline, corner.edge).low >= -length_rounding_) continue;
     cut(outline, corner.edge, length_rounding_, inside_, outside_);
     std::swap(outline, inside_);
-    if (outline.empty()) return;
+    if (outline.empty()) return false;
   }
+  return true;
+}
+
+// One of the polygon's edges has the other one on its far side.
+bool VisibleSurfaces::separates(const ConvexPolygon& polygon, const ConvexPolygon& other) const {
+  return std::ranges::any_of(polygon, [&](const Corner& corner) { return range(other, corner.edge).high <= length_rounding_; });
 }
 
 // Only what lies ahead of the surface the beam leaves, by more than rounding, is met: see ExactHit::ahead.
@@ -221,7 +234,7 @@ void VisibleSurfaces::uncover(const Candidate& c, const ConvexPolygon& outline, 
   const Bounds box = bounds(outline);
   const std::size_t first = others_.size();
   for (std::size_t i = begin; i < end; ++i)
-    if (may_hide(*others_[i], c, box)) others_.push_back(others_[i]);
+    if (others_[i]->box.overlaps(box, length_rounding_) && may_hide(*others_[i], c, box)) others_.push_back(others_[i]);
   const std::size_t last = others_.size();
   if (last - first > many && last - first < end - begin) {
     halve(c, outline, first, last, parts);
@@ -257,14 +270,9 @@ Affine VisibleSurfaces::behind(const Candidate& front, const Candidate& c) const
 }
 
 bool VisibleSurfaces::may_hide(const Candidate& front, const Candidate& c, const Bounds& box) const {
-  if (front.face == c.face || !front.box.overlaps(box, length_rounding_) || front.depths.low > c.depths.high) return false;
-  if (beside(front, c) || beside(c, front)) return false;
+  if (front.face == c.face || front.depths.low > c.depths.high) return false;
+  if (separates(front.outline, c.outline) || separates(c.outline, front.outline)) return false;
   return over_box(behind(front, c), glm::max(front.box.low, box.low), glm::min(front.box.high, box.high)).high > 0.0;
-}
-
-// An edge of `a` separates the two.
-bool VisibleSurfaces::beside(const Candidate& a, const Candidate& b) const {
-  return std::ranges::any_of(a.edges, [&](const Affine& edge) { return range(b.outline, edge).high <= length_rounding_; });
 }
 
 bool VisibleSurfaces::hides_all(const Candidate& front, const Candidate& c, const ConvexPolygon& outline) const {
@@ -283,6 +291,7 @@ void VisibleSurfaces::subtract(const Candidate& front, const Candidate& c) {
 // Puts what `front` leaves of the piece in `remaining_`; false if it leaves all of it.
 bool VisibleSurfaces::subtract(const Candidate& front, const Affine& order, const ConvexPolygon& piece) {
   if (!front.box.overlaps(bounds(piece), length_rounding_) || range(piece, order).high <= 0.0) return false;
+  if (separates(piece, front.outline) || separates(front.outline, piece)) return false;
   const std::size_t before = remaining_.size();
   const auto leaves_all = [&] {
     remaining_.resize(before);

@@ -63,6 +63,7 @@ class VisibleSurfaces {
     const Patch* source;
     Affine source_depth;
     double source_tilt;  // |normal . direction|
+    Bounds box;          // only what reaches into it is of interest
   };
 
   void drop_hidden(const View& view);
@@ -72,8 +73,8 @@ class VisibleSurfaces {
   void gather_nearest_first(const View& view, double farthest);
   bool faces_beam(const View& view, std::uint32_t face) const;
   bool make_candidate(const View& view, std::uint32_t face, Candidate& c);
-  void project(const Beam& beam, std::uint32_t face, Candidate& c);
-  void clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline);
+  bool project(const View& view, std::uint32_t face, Candidate& c);
+  bool clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline);
   void clip_to_front(const View& view, Candidate& c);
   void uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts);
   void uncover(const Candidate& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end,
@@ -81,7 +82,7 @@ class VisibleSurfaces {
   void halve(const Candidate& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end,
              std::vector<VisiblePart>& parts);
   bool may_hide(const Candidate& front, const Candidate& c, const Bounds& box) const;
-  bool beside(const Candidate& a, const Candidate& b) const;
+  bool separates(const ConvexPolygon& polygon, const ConvexPolygon& other) const;
   Affine behind(const Candidate& front, const Candidate& c) const;
   bool fills(const Candidate& c, const ConvexPolygon& region) const;
   bool hides_all(const Candidate& front, const Candidate& c, const ConvexPolygon& outline) const;
