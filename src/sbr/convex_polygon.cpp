@@ -44,6 +44,11 @@ Range range(const ConvexPolygon& polygon, const Affine& f) {
   return r;
 }
 
+Range range(const Bounds& box, const Affine& f) {
+  const double across_u = f.u * (box.high.x - box.low.x), across_v = f.v * (box.high.y - box.low.y), corner = f(box.low);
+  return {corner + std::min(across_u, 0.0) + std::min(across_v, 0.0), corner + std::max(across_u, 0.0) + std::max(across_v, 0.0)};
+}
+
 namespace {
 
 // Distance to the line from `a` to `b`, positive on its left.

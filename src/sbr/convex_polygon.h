@@ -44,7 +44,9 @@ inline double area(const Bounds& box) { return (box.high.x - box.low.x) * (box.h
 double area(const ConvexPolygon& polygon);   // negative if clockwise
 dvec2 middle(const ConvexPolygon& polygon);  // mean of the corners, which lies inside
 Bounds bounds(const ConvexPolygon& polygon);
+inline Bounds common(const Bounds& a, const Bounds& b) { return {glm::max(a.low, b.low), glm::min(a.high, b.high)}; }
 Range range(const ConvexPolygon& polygon, const Affine& f);
+Range range(const Bounds& box, const Affine& f);
 
 /// The polygon of these corners, in whichever sense they run.
 void set_corners(ConvexPolygon& polygon, std::span<const dvec2> corners);

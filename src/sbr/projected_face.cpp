@@ -1,0 +1,114 @@
+#include "sbr/projected_face.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raytube {
+
+namespace {
+
+// Seen closer to its own plane than this, a face has no area.
+constexpr double edge_on = 1e-12;
+
+}  // namespace
+
+Affine depth_of(const Beam& beam, const Patch& plane) {
+  const double scale = 1.0 / glm::dot(plane.normal, beam.direction);
+  const dvec2 slope = -scale * dvec2(glm::dot(plane.normal, beam.u_hat), glm::dot(plane.normal, beam.v_hat));
+  return {(plane.offset - glm::dot(plane.normal, beam.base)) * scale - glm::dot(slope, beam.anchor), slope.x, slope.y};
+}
+
+FaceProjector::FaceProjector(const FaceTree& tree)
+    : tree_(tree),
+      // Projected coordinates and crossings carry a few roundings of numbers up to the radius, heights of one plane over
+      // another some tens.
+      length_rounding_(16.0 * std::numeric_limits<double>::epsilon() * tree.mesh().radius),
+      height_rounding_(64.0 * std::numeric_limits<double>::epsilon() * tree.mesh().radius) {}
+
+bool FaceProjector::faces_beam(const BeamView& view, std::uint32_t face) const {
+  const Face& f = tree_.faces()[face];
+  const double facing = glm::dot(tree_.mesh().patches[f.patch].normal, view.beam.direction);
+  if (f.patch == view.source_patch || std::abs(facing) < edge_on) return false;
+  return facing < 0.0 || !tree_.mesh().closed(f.triangle);
+}
+
+bool FaceProjector::project(const BeamView& view, std::uint32_t face, ProjectedFace& f) {
+  if (!faces_beam(view, face)) return false;
+  const Face& source = tree_.faces()[face];
+  const Patch& plane = tree_.mesh().patches[source.patch];
+  f.tilt = std::abs(glm::dot(plane.normal, view.beam.direction));
+  f.face = face, f.patch = source.patch, f.triangle = source.triangle;
+  if (!set_outline(view, f) || (view.region && !clip_to_region(*view.region, f.outline))) return false;
+  f.depth = depth_of(view.beam, plane);
+  if (view.source) clip_to_front(view, f);
+  if (f.outline.empty()) return false;
+  f.box = bounds(f.outline);
+  f.depths = range(f.outline, f.depth);
+  return !is_sliver(f.outline);
+}
+
+// False if the face lies beside the part of the view in question.
+bool FaceProjector::set_outline(const BeamView& view, ProjectedFace& f) {
+  const Beam& beam = view.beam;
+  corners_.clear();
+  Bounds box{dvec2(std::numeric_limits<double>::infinity()), dvec2(-std::numeric_limits<double>::infinity())};
+  for (const std::uint32_t corner : tree_.corners(f.face)) {
+    const dvec3 r = tree_.mesh().vertices[corner] - beam.base;
+    const dvec2 at = beam.anchor + dvec2(glm::dot(beam.u_hat, r), glm::dot(beam.v_hat, r));
+    corners_.push_back(at);
+    box = {glm::min(box.low, at), glm::max(box.high, at)};
+  }
+  if (!box.overlaps(view.box, length_rounding_)) return false;
+  set_corners(f.outline, corners_);
+  f.edges.clear();
+  for (const Corner& corner : f.outline) f.edges.push_back(corner.edge);
+  return true;
+}
+
+bool FaceProjector::clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline) {
+  if (separates(region, outline)) return false;
+  for (const Corner& corner : region) {
+    if (range(outline, corner.edge).low >= -length_rounding_) continue;
+    cut(outline, corner.edge, length_rounding_, inside_, outside_);
+    std::swap(outline, inside_);
+    if (outline.empty()) return false;
+  }
+  return true;
+}
+
+bool FaceProjector::separates(const ConvexPolygon& polygon, const ConvexPolygon& other) const {
+  return std::ranges::any_of(polygon, [&](const Corner& corner) { return range(other, corner.edge).high <= length_rounding_; });
+}
+
+// Only what lies ahead of the surface the beam leaves, by more than rounding, is met: see ExactHit::ahead.
+void FaceProjector::clip_to_front(const BeamView& view, ProjectedFace& f) {
+  const Affine ahead = f.depth - view.source_depth;
+  const Range r = range(f.outline, ahead);
+  if (r.high * std::min(f.tilt, view.source_tilt) <= height_rounding_) return f.outline.clear();
+  if (r.low >= 0.0) return;
+  cut(f.outline, ahead, 0.0, inside_, outside_);
+  std::swap(f.outline, inside_);
+  f.edges.push_back(normalized(ahead));
+}
+
+Affine FaceProjector::behind(const ProjectedFace& front, const ProjectedFace& f) const {
+  const Affine by_index{front.triangle < f.triangle ? 1.0 : -1.0, 0.0, 0.0};
+  if (front.patch == f.patch) return by_index;
+  const Affine difference = f.depth - front.depth;
+  const Range r = range(common(front.box, f.box), difference);
+  const double doubt = height_rounding_ / std::min(front.tilt, f.tilt);
+  return r.high > doubt || r.low < -doubt ? difference : by_index;
+}
+
+bool FaceProjector::fills(const ProjectedFace& f, const ConvexPolygon& outline) const {
+  return std::ranges::all_of(f.edges, [&](const Affine& edge) { return range(outline, edge).low >= -length_rounding_; });
+}
+
+bool FaceProjector::is_sliver(const ConvexPolygon& polygon) const {
+  if (polygon.empty()) return true;
+  const Bounds box = bounds(polygon);
+  return area(polygon) <= length_rounding_ * glm::length(box.high - box.low);
+}
+
+}  // namespace raytube
