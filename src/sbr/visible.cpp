@@ -14,7 +14,7 @@ constexpr std::size_t few = 32, group = 16;
 constexpr double scattered = 2.0;
 // A face with more than this in front of it is halved first, until so many times in a row nothing came of it.
 constexpr std::size_t many = 48;
-constexpr int patience = 4;
+constexpr int patience = 1;
 
 Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, double farthest) {
   return {beam.base, beam.u_hat, beam.v_hat, beam.direction, box.low - beam.anchor, box.high - beam.anchor, farthest, source};
