@@ -7,7 +7,7 @@ namespace raytube {
 namespace {
 
 // Mean of e^{jx} for x uniform between a and b.
-Complex segment_mean(double a, double b) { return std::polar(sinc(0.5 * (b - a)), 0.5 * (a + b)); }
+Complex segment_mean(double a, double b) { return sinc(0.5 * (b - a)) * std::polar(1.0, 0.5 * (a + b)); }
 
 // Power series about the mean phase: 2 sum_p j^p h_p / (p + 2)!, h_p the complete homogeneous polynomials of the three phases.
 // With a spread below 1/2 the terms left out add up to less than 1e-16.

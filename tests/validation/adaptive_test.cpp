@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
@@ -78,6 +79,25 @@ TEST(Adaptive, DihedralIsTheClosedForm) {
     }
   measured("adaptive, dihedral sector, largest |S - closed form| / peak", worst / peak, "");
   EXPECT_LE(worst, 1e-13 * peak);  // phases of 200 rad, rounded
+}
+
+// Light that met all three faces leaves where it came from, so its share of S is A / lambda, A the aperture of the triangular
+// trihedral for direction cosines l <= m <= n (Siegel 1959; Robertson 1947).
+TEST(Adaptive, TrihedralHasTheApertureOfTheClosedForm) {
+  const double a = 1.5;
+  const SweepResult result = solve_soup(shapes::trihedral(a), monostatic(off_axis(), frequency), adaptive(true));
+  double worst = 0.0;
+  for (std::size_t i = 0; i < off_axis().size(); ++i) {
+    const dvec3 r = spherical_basis(off_axis()[i]).radial;
+    std::array<double, 3> cosines{r.x, r.y, r.z};
+    std::ranges::sort(cosines);
+    const auto [l, m, n] = cosines;
+    const double sum = l + m + n;
+    const double aperture = a * a * (l + m <= n ? 4.0 * l * m / sum : sum - 2.0 / sum);
+    worst = std::max(worst, std::abs(std::abs(result.bounces.at(2)[i].vv()) * wavelength(frequency) / aperture - 1.0));
+  }
+  measured("adaptive, trihedral off axis, triple bounce against the closed form, largest relative error", worst, "");
+  EXPECT_LE(worst, 1e-12);  // some hundred roundings
 }
 
 // The staircase of a uniform grid goes away with order 1 to 2; what is left at 160 cells per wavelength is what is asked here.
