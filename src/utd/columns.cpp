@@ -30,7 +30,8 @@ template <class Add>
 
 }  // namespace
 
-void ComplexColumn::resize(std::size_t size) {
+void ComplexColumn::make_room(std::size_t size) {
+  if (size <= re.size()) return;
   const std::size_t whole_blocks = (size + lanes - 1) / lanes * lanes;
   re.resize(whole_blocks);
   im.resize(whole_blocks);

@@ -12,7 +12,7 @@ namespace raytube {
 struct ComplexColumn {
   std::vector<double> re, im;
 
-  void resize(std::size_t size);
+  void make_room(std::size_t size);  // never less than there is
   Complex operator[](std::size_t i) const { return {re[i], im[i]}; }
   void set(std::size_t i, Complex value) {
     re[i] = value.real();

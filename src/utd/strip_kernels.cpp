@@ -26,8 +26,8 @@ void add_scaled(Complexes& sum, double factor, const Complexes& values) {
 
 }  // namespace
 
-void KernelBatch::resize(std::size_t size) {
-  for (ComplexColumn* column : {&soft, &hard, &axial, &end, &soft_end}) column->resize(size);
+void KernelBatch::make_room(std::size_t size) {
+  for (ComplexColumn* column : {&soft, &hard, &axial, &end, &soft_end}) column->make_room(size);
 }
 
 void KernelBatch::set(std::size_t i, const StripKernels& kernels) {
@@ -117,6 +117,10 @@ Strip::Observer Strip::observer(const Reals& length, ScaledErfc erfc) const {
 /// G_s, G_h, G_x and, first T, then D T; the same of the soft current.
 struct Strip::Sums {
   Complexes soft, hard, axial, end, soft_end;
+
+  Sums() {
+    for (Complexes* each : {&soft, &hard, &axial, &end, &soft_end}) *each = {};
+  }
 };
 
 // W'(x) = 2jxW - 2 e^{j pi/4} / sqrt(pi)
@@ -146,17 +150,23 @@ void Strip::add(const Term& t, const Observer& at, ScaledErfc erfc, Sums& sum) c
   Reals boundary;
   for (std::size_t i = 0; i < lanes; ++i) boundary[i] = t.distance * at.root[i];
   const Complexes there = erfc(boundary), quotient = divided_difference(boundary, at.x, there, at.value);
-  Complexes hard, soft;
+  Complexes hard, difference{};
+  add_products(difference, at.decay, quotient);
   for (std::size_t i = 0; i < lanes; ++i) {
-    const Complex difference = at.decay[i] * quotient[i], ratio = at.ratio[i];
-    hard.set(i, at.root[i] * (ratio + difference));
-    soft.set(i, boundary[i] * difference - at.x[i] * ratio);
+    hard.re[i] = at.root[i] * (at.ratio.re[i] + difference.re[i]);
+    hard.im[i] = at.root[i] * (at.ratio.im[i] + difference.im[i]);
   }
   const double share = t.strength / (t.distance + half_cosine_);
   add_scaled(sum.hard, -0.5 * share, hard);
-  add_scaled(sum.soft, 2 * share * t.slope, soft);
   add_scaled(sum.end, t.strength, there);
-  if (t.slope != 0.0) add_scaled(sum.soft_end, t.strength * t.slope, slope_of_erfc(boundary, there));
+  if (t.slope == 0.0) return;
+  Complexes soft;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    soft.re[i] = boundary[i] * difference.re[i] - at.x[i] * at.ratio.re[i];
+    soft.im[i] = boundary[i] * difference.im[i] - at.x[i] * at.ratio.im[i];
+  }
+  add_scaled(sum.soft, 2 * share * t.slope, soft);
+  add_scaled(sum.soft_end, t.strength * t.slope, slope_of_erfc(boundary, there));
 }
 
 // Of the local part, which lives within xi < 1 of the edge, what a strip of this length has.
@@ -171,7 +181,7 @@ void Strip::add_local(const Reals& length, Sums& sum) const {
 
 Strip::Sums Strip::sums(const Reals& length, ScaledErfc erfc) const {
   const Observer at = observer(length, erfc);
-  Sums sum{};
+  Sums sum;
   for (int i = 0; i < term_count_; ++i) add(terms_[i], at, erfc, sum);
   Complexes end{}, soft_end{};
   add_products(end, at.decay, sum.end);
@@ -227,7 +237,7 @@ void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const
 
 void Strip::at(std::span<const double> lengths, KernelBatch& batch) const {
   const auto is_endless = [](double length) { return std::isinf(length); };
-  batch.resize(lengths.size());
+  batch.make_room(lengths.size());
   if (!std::ranges::all_of(lengths, is_endless)) finite_at(lengths, batch);
   if (std::ranges::none_of(lengths, is_endless)) return;
   const StripKernels without_end = endless();

@@ -26,7 +26,7 @@ struct StripKernels {
 struct KernelBatch {
   ComplexColumn soft, hard, axial, end, soft_end;
 
-  void resize(std::size_t size);
+  void make_room(std::size_t size);
   StripKernels operator[](std::size_t i) const { return {{soft[i], hard[i], axial[i]}, end[i], soft_end[i]}; }
   void set(std::size_t i, const StripKernels& kernels);
 };

@@ -22,6 +22,8 @@ struct StripWave {
   int left = 1;                   // strips one after another that are still followed, this one included
   bool lights_far_edges = false;  // the incident wave only grazes this face: beyond it the count of strips begins anew
   dvec3 direction;                // sigma, in the face: of the glancing ray the strips follow
+
+  bool goes_on() const { return left > 1 || lights_far_edges; }
 };
 
 /// The wave that the incident wave starts on faces[face] of a wedge.

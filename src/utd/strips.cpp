@@ -101,7 +101,7 @@ void StripWalk::lay_out_rows() {
       rows_.push_back({amplitude, count, 0, points.size(), alike(tree_.bundles()[b])});
       count += points.size();
     }
-  for (ComplexColumn& column : arriving_) column.resize(count);
+  for (ComplexColumn& column : arriving_) column.make_room(count);
 }
 
 std::span<const StripWalk::Row> StripWalk::rows(const TreeWave& wave) const {
@@ -114,7 +114,7 @@ void StripWalk::go_on(std::size_t frequency, double share) {
   for (std::size_t w = 1; w < tree_.waves().size(); ++w) {
     find_kernels(w, wavenumbers_[frequency]);
     radiate(w, frequency);
-    if (tree_.waves()[w].wave.left > 1) pass_on(tree_.waves()[w]);
+    if (tree_.waves()[w].wave.goes_on()) pass_on(tree_.waves()[w]);
   }
 }
 
@@ -123,7 +123,7 @@ void StripWalk::find_phases(double wavenumber) {
   const dvec3 difference = wavenumber * (look_.scattered - look_.incident);
   const double start = glm::dot(difference, line.origin), step = glm::dot(difference, line.step);
   const std::span<const PanelPoint> points = placer_.points();
-  direct_.resize(points.size());
+  direct_.make_room(points.size());
   for (std::size_t first = 0; first < points.size(); first += lanes) {
     Reals angle{};
     const std::size_t width = std::min(lanes, points.size() - first);
@@ -149,6 +149,7 @@ void StripWalk::find_kernels(std::size_t wave, double wavenumber) {
 }
 
 void StripWalk::bound_endless(std::size_t frequency) {
+  if (std::ranges::none_of(lengths_, [](double length) { return std::isinf(length); })) return;
   const StripWave& wave = tree_.waves()[0].wave;
   const Wedge& wedge = wedges_[wave.wedge];
   const WedgeFace& face = wedge.faces[wave.face];

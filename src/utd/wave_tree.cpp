@@ -29,7 +29,7 @@ void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
       split(waves_[w], parent.from, parent.to);
     }
     waves_[w].end_bundle = static_cast<std::uint32_t>(bundles_.size());
-    go_on(TreeWave(waves_[w]));
+    if (waves_[w].wave.goes_on()) go_on(w);
   }
 }
 
@@ -62,14 +62,15 @@ void WaveTree::end(const TreeWave& wave, double from, double to, const OutlineEd
   bundle.end_rate += (glm::dot(scattered_, direction) - 1) * bundle.growth;
 }
 
-void WaveTree::go_on(const TreeWave& wave) {
-  if (wave.wave.left > 1 && meets_edge_alongside(wave.wave)) runs_along_edge_ = true;
-  for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
+void WaveTree::go_on(std::size_t index) {
+  if (waves_[index].wave.left > 1 && meets_edge_alongside(waves_[index].wave)) runs_along_edge_ = true;
+  for (std::uint32_t b = waves_[index].first_bundle; b < waves_[index].end_bundle; ++b) {
+    const TreeWave& wave = waves_[index];  // until the next ones are added
     const StripBundle& bundle = bundles_[b];
     if (!bundle.edge) continue;
     const auto next = waves_beyond(wedges_, wave.wave, *bundle.edge);
     if (!next) continue;
-    const dvec3& direction = wave.wave.direction;
+    const dvec3 direction = wave.wave.direction;
     const EdgeLine there{wave.line.origin + bundle.length * direction, wave.line.step + bundle.growth * direction};
     for (const StripWave& beyond : *next) waves_.push_back({beyond, there, bundle.end_rate, b});
   }

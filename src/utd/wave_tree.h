@@ -56,7 +56,7 @@ class WaveTree {
  private:
   void split(const TreeWave& wave, double from, double to);
   void end(const TreeWave& wave, double from, double to, const OutlineEdge* edge);
-  void go_on(const TreeWave& wave);
+  void go_on(std::size_t index);
   void project_corners(const TreeWave& wave, double from, double to);
   bool meets_edge_alongside(const StripWave& wave) const;
 

@@ -285,8 +285,8 @@ TEST(StripKernels, RoughTransitionFunctionsStayFiniteWhereQuotientsAreRemovable)
 
 TEST(StripKernels, SumsOverColumnsTakeTheRightElements) {
   ComplexColumn column, weights;
-  column.resize(20);
-  weights.resize(20);
+  column.make_room(20);
+  weights.make_room(20);
   for (std::size_t i = 0; i < 20; ++i) {
     column.set(i, Complex(1.0 + static_cast<double>(i), 0.5));
     weights.set(i, Complex(2, 1));
