@@ -9,7 +9,7 @@
 #include <cmath>
 #include <span>
 
-#include "utd/edges.h"
+#include "utd/edge_sets.h"
 
 namespace raytube {
 
@@ -37,18 +37,14 @@ void make_reciprocal(std::vector<ScatteringMatrix>& scattering) {
   for (ScatteringMatrix& s : scattering) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
 }
 
-EdgeLookResult edge_look(const Target& target, const Sweep& sweep, const Look& look, const EdgeOptions& edges) {
-  if (edges.order == 1) return fringe_scattering(target.wedges, target.tracer, look, sweep.frequencies, edges.receiver_shadow);
-  return fringe_scattering(target.wedges, target.outlines, target.tracer, look, sweep.frequencies, edges.order,
-                           edges.receiver_shadow, edges.transition);
-}
-
-LookResult solve_look(const Target& target, const Sweep& sweep, const Look& look, const SolveOptions& options,
-                      Progress& progress) {
+LookResult solve_look(const Target& target, const EdgeSets& edges, const Sweep& sweep, const Look& look,
+                      const SolveOptions& options, Progress& progress) {
   LookResult result;
   const double share = 1.0 / static_cast<double>(sweep.looks.size());
   result.tubes = sbr_scattering(target.tracer, target.faces, look, sweep.frequencies, options.tubes, progress, share);
-  if (options.edges.method == EdgeMethod::fringe) result.edges = edge_look(target, sweep, look, options.edges);
+  if (options.edges.method == EdgeMethod::fringe)
+    result.edges =
+        edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow, options.edges.transition);
   if (sweep.bistatic) return result;
   for (std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) make_reciprocal(bounce);
   make_reciprocal(result.edges.scattering);
@@ -93,15 +89,23 @@ class Collector {
     if (part.tubes.tubes == 0) ++looks_without_tubes_;
   }
 
-  SweepResult finish(std::span<const Wedge> wedges, EdgeMethod method) {
+  SweepResult finish(const Target& target, EdgeMethod method) {
     std::vector<Skipped>& skipped = result_.statistics.skipped;
     if (looks_without_tubes_) skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
-    if (const Skipped left_out = skipped_wedges(wedges, method); left_out.count) skipped.push_back(left_out);
-    result_.statistics.wedges = wedges.size();
+    for (const Skipped& left_out : skipped_wedges(target.wedges, target.rims, method, sweep_.frequencies))
+      if (left_out.count) skipped.push_back(left_out);
+    result_.statistics.wedges = target.wedges.size();
+    if (method == EdgeMethod::fringe) count_thin_rims(target.rims);
     return std::move(result_);
   }
 
  private:
+  void count_thin_rims(std::span<const Rim> rims) {
+    const auto [lowest, highest] = std::ranges::minmax(sweep_.frequencies);
+    result_.statistics.thin_rims_lowest = thin_rims(rims, lowest);
+    result_.statistics.thin_rims_highest = thin_rims(rims, highest);
+  }
+
   void add_row(std::size_t look, std::size_t f, const LookResult& part) {
     const std::size_t row = sweep_.row(look, f);
     const Complex factor = to_mesh_origin(mesh_, sweep_.looks[look], sweep_.frequencies[f]);
@@ -136,12 +140,21 @@ Target::Target(const TriangleMesh& triangles, const EdgeOptions& edges)
       tracer(triangles),
       faces(triangles),
       wedges(find_wedges(triangles, edges.min_wedge_angle)),
-      outlines(triangles, wedges, edges.min_wedge_angle) {}
+      outlines(triangles, wedges, edges.min_wedge_angle),
+      rims(possible_rims(triangles, wedges, edges)),
+      min_wedge_angle(edges.min_wedge_angle) {}
 
-Skipped skipped_wedges(std::span<const Wedge> wedges, EdgeMethod method) {
-  if (method == EdgeMethod::none) return {"wedges", "edges.method is \"none\"", wedges.size()};
+std::vector<Rim> possible_rims(const TriangleMesh& mesh, std::span<const Wedge> wedges, const EdgeOptions& edges) {
+  return edges.thin_sheets ? find_rims(mesh, wedges) : std::vector<Rim>();
+}
+
+std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
+                                    std::span<const double> frequencies) {
+  if (method == EdgeMethod::none) return {{"wedges", "edges.method is \"none\"", wedges.size()}};
   const auto concave = std::ranges::count_if(wedges, [](const Wedge& wedge) { return !wedge.convex(); });
-  return {"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)};
+  const std::vector<Wedge> merged = merge_thin_rims(wedges, rims, thin_limit(std::ranges::min(frequencies)));
+  return {{"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)},
+          {"wedges", "across the rim of a thin sheet, no longer than it is thick", rim_corners(merged)}};
 }
 
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {
@@ -153,15 +166,16 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   const tbb::global_control limit(parallelism, std::max<std::size_t>(threads, tbb::global_control::active_value(parallelism)));
   Progress progress(options.progress);
 
+  const EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies);
   // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result.
   std::vector<LookResult> looks(sweep.looks.size());
   tbb::task_arena(threads).execute([&] {
     tbb::parallel_for(std::size_t{0}, looks.size(),
-                      [&](std::size_t i) { looks[i] = solve_look(target, sweep, sweep.looks[i], options, progress); });
+                      [&](std::size_t i) { looks[i] = solve_look(target, edges, sweep, sweep.looks[i], options, progress); });
   });
   Collector collector(sweep, target.mesh, options.keep_parts);
   for (std::size_t i = 0; i < looks.size(); ++i) collector.add(i, looks[i]);
-  SweepResult result = collector.finish(target.wedges, options.edges.method);
+  SweepResult result = collector.finish(target, options.edges.method);
   result.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -7,6 +7,7 @@
 #include "mesh/face_tree.h"
 #include "mesh/load.h"
 #include "mesh/outlines.h"
+#include "mesh/thin_sheets.h"
 #include "mesh/tracer.h"
 #include "sbr/sbr.h"
 #include "sweep.h"
@@ -21,7 +22,8 @@ struct EdgeOptions {
   int order = 3;                 // edges in a row that a current passes, 1 to 3; 1 takes every face as endless
   bool receiver_shadow = false;  // an edge hidden from the receiver does not count
   TransitionTier transition = TransitionTier::exact;  // of the transition function; plays a part at order 2 and 3 only
-  double min_wedge_angle = 15.0 * degree;             // a crease flatter than this is tessellation, not an edge [rad]
+  bool thin_sheets = true;                 // the rim of a sheet thinner than wavelength / 10 is the edge of a half plane
+  double min_wedge_angle = 15.0 * degree;  // a crease flatter than this is tessellation, not an edge [rad]
 };
 
 struct SolveOptions {
@@ -33,8 +35,8 @@ struct SolveOptions {
   std::function<bool(double)> progress;
 };
 
-/// A mesh ready to be solved with these edge options: its ray-tracing structures, wedges and outlines of their faces. Keeps a
-/// reference to `mesh`.
+/// A mesh ready to be solved with these edge options: its ray-tracing structures, wedges, outlines of their faces, and the rims
+/// that may be thin (none without `thin_sheets`). Keeps a reference to `mesh`.
 struct Target {
   Target(const TriangleMesh& mesh, const EdgeOptions& edges);
   Target(TriangleMesh&& mesh, const EdgeOptions& edges) = delete;
@@ -43,10 +45,16 @@ struct Target {
   FaceTree faces;
   std::vector<Wedge> wedges;
   Outlines outlines;
+  std::vector<Rim> rims;
+  double min_wedge_angle;
 };
 
-/// The wedges whose fringe currents a solve leaves out, and why.
-Skipped skipped_wedges(std::span<const Wedge> wedges, EdgeMethod method);
+/// The wedges whose fringe currents a solve leaves out, and why; of the rims, what is left out at the lowest frequency.
+std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
+                                    std::span<const double> frequencies);
+
+/// The rims that these edge options let be thin.
+std::vector<Rim> possible_rims(const TriangleMesh& mesh, std::span<const Wedge> wedges, const EdgeOptions& edges);
 
 /// S of every row of the sweep, phase reference at the origin of the mesh's own coordinates. The same bytes for any
 /// number of threads. Throws InputError for an empty or non-physical sweep, Interrupted when `progress` says stop.

@@ -41,8 +41,9 @@ struct Statistics {
   std::uint64_t tubes_cut = 0;      // tubes that still hit a surface after max_bounces
   double sliver_area = 0.0;         // [m^2], sum over looks: parts of adaptive tubes too thin to be more than rounding, left out
   std::uint64_t wedges = 0;         // wedges of the target, convex and concave
-  std::uint64_t wedges_lit = 0;     // sum over looks of the convex wedges at least partly lit
-  std::uint64_t windowed_rows = 0;  // rows touched by the forward-grazing window of the fringe currents
+  std::uint64_t wedges_lit = 0;     // sum over looks of the convex wedges at least partly lit, at the highest frequency
+  std::uint64_t thin_rims_lowest = 0, thin_rims_highest = 0;  // half planes at the lowest and the highest frequency
+  std::uint64_t windowed_rows = 0;                            // rows touched by the forward-grazing window of the fringe currents
   std::vector<Skipped> skipped;
   double solve_s = 0.0;  // mesh and BVH ready -> last sum
 };

@@ -26,14 +26,18 @@ inline PolygonSoup trihedral(double a) {
   return {{{0, 0, 0}, {a, 0, 0}, {0, a, 0}, {0, 0, a}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}};
 }
 
-/// Closed cube of side `a`, centred.
-inline PolygonSoup cube(double a) {
+/// Closed box of the given sides, centred.
+inline PolygonSoup box(const dvec3& sides) {
   PolygonSoup soup;
-  for (int i = 0; i < 8; ++i) soup.points.emplace_back(i & 1 ? a / 2 : -a / 2, i & 2 ? a / 2 : -a / 2, i & 4 ? a / 2 : -a / 2);
+  const dvec3 h = sides / 2.0;
+  for (int i = 0; i < 8; ++i) soup.points.emplace_back(i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z);
   soup.polygons = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return soup;
 }
+
+/// Closed cube of side `a`, centred.
+inline PolygonSoup cube(double a) { return box(dvec3(a)); }
 
 /// Sphere of radius `a`, 20 * 4^subdivisions triangles with corners on it.
 inline PolygonSoup icosphere(int subdivisions, double a = 1.0) {

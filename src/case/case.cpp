@@ -110,6 +110,7 @@ void read_edges(const CaseValue& root, Case& c) {
   if (const CaseValue* shadow = find(root, "edges", "receiver_shadow"))
     c.edges.receiver_shadow = read_flag(*shadow, "edges.receiver_shadow");
   if (const CaseValue* transition = find(root, "edges", "transition")) c.edges.transition = read_transition(*transition);
+  if (const CaseValue* thin = find(root, "edges", "thin_sheets")) c.edges.thin_sheets = read_flag(*thin, "edges.thin_sheets");
   if (const CaseValue* angle = find(root, "edges", "min_wedge_deg")) {
     const double degrees = read_number(*angle, "edges.min_wedge_deg");
     if (degrees < 0.0 || degrees >= 180.0)

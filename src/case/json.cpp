@@ -33,6 +33,7 @@ Json edges_json(const EdgeOptions& edges) {
           {"order", edges.order},
           {"receiver_shadow", edges.receiver_shadow},
           {"transition", transition_name(edges.transition)},
+          {"thin_sheets", edges.thin_sheets},
           {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
 }
 

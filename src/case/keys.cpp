@@ -10,12 +10,28 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 21> known_keys = {
-    "title",          "target.mesh",          "target.unit",           "target.material",   "frequency.ghz",
-    "look.theta_deg", "look.phi_deg",         "look.looks_csv",        "receive.theta_deg", "receive.phi_deg",
-    "tubes.mode",     "tubes.per_wavelength", "tubes.max_bounces",     "tubes.up",          "tubes.clip",
-    "edges.method",   "edges.order",          "edges.receiver_shadow", "edges.transition",  "edges.min_wedge_deg",
-    "output.plots"};
+constexpr std::array<std::string_view, 22> known_keys = {"title",
+                                                         "target.mesh",
+                                                         "target.unit",
+                                                         "target.material",
+                                                         "frequency.ghz",
+                                                         "look.theta_deg",
+                                                         "look.phi_deg",
+                                                         "look.looks_csv",
+                                                         "receive.theta_deg",
+                                                         "receive.phi_deg",
+                                                         "tubes.mode",
+                                                         "tubes.per_wavelength",
+                                                         "tubes.max_bounces",
+                                                         "tubes.up",
+                                                         "tubes.clip",
+                                                         "edges.method",
+                                                         "edges.order",
+                                                         "edges.receiver_shadow",
+                                                         "edges.transition",
+                                                         "edges.thin_sheets",
+                                                         "edges.min_wedge_deg",
+                                                         "output.plots"};
 
 constexpr std::array<std::string_view, 5> later_keys = {"accuracy", "output.image_look", "output.image_per_wavelength", "radar",
                                                         "materials"};

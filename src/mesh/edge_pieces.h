@@ -50,4 +50,7 @@ FaceFrame face_frame(const TriangleMesh& mesh, const PatchSide& side, const dvec
 /// Angle from faces[0] to faces[1] counter-clockwise, 0 ... 2 pi.
 double opening(const FaceFrame& first, const FaceFrame& second);
 
+/// The same over pi, when about `n` is known: angles just above 0 and just below 2 pi differ by rounding only.
+double refined_n(const FaceFrame& first, const FaceFrame& second, double n);
+
 }  // namespace raytube

@@ -71,6 +71,11 @@ double opening(const FaceFrame& first, const FaceFrame& second) {
   return angle < 0.0 ? angle + 2.0 * pi : angle;
 }
 
+double refined_n(const FaceFrame& first, const FaceFrame& second, double n) {
+  const double refined = opening(first, second) / pi;
+  return refined + 2.0 * std::round((n - refined) / 2.0);
+}
+
 bool has_opening(const EdgePiece& piece) { return piece.n * pi > no_opening; }
 
 bool is_wedge(const EdgePiece& piece, double min_wedge_angle) {

@@ -77,7 +77,7 @@ double ExactHit::depth_doubt(const Ray& ray, std::uint32_t triangle) const {
   return doubt_ / std::abs(glm::dot(mesh_.patches[patch(triangle)].normal, ray.direction));
 }
 
-Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const std::array<std::uint32_t, 2>& ignored_patches) const {
+Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
   Hit nearest;
   const auto consider = [&](std::uint32_t candidate) {
     if (std::ranges::find(ignored_patches, patch(candidate)) != ignored_patches.end()) return;

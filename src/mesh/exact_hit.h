@@ -35,7 +35,7 @@ class ExactHit {
 
   /// The nearest triangle that contains the ray, among `triangle` and those sharing a corner with it but not on
   /// an ignored patch; ties to the lower index.
-  Hit nearest_around(const Ray& ray, std::uint32_t triangle, const std::array<std::uint32_t, 2>& ignored_patches) const;
+  Hit nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
 
  private:
   std::array<double, 3> edge_sides(const Ray& ray, std::uint32_t triangle) const;

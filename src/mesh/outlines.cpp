@@ -33,7 +33,7 @@ double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direct
 Outlines::Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle)
     : edges_(2 * mesh.patches.size()), wanted_(2 * mesh.patches.size(), false) {
   for (const Wedge& wedge : wedges)
-    if (wedge.convex())
+    if (wedge.radiates())
       for (const WedgeFace& face : wedge.faces) wanted_[side_index(face.patch, face.back)] = true;
   add_wedges(wedges);
   add_creases(mesh, min_wedge_angle);
@@ -48,12 +48,27 @@ void Outlines::add(std::size_t side, const OutlineEdge& edge) {
   added.length = glm::length(along);
 }
 
+/// An edge of a thin rim stays where it is in the outlines; what stands there is the half plane, and nothing on the rim's own
+/// side.
+void Outlines::add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int face) {
+  const Wedge& w = wedges[wedge];
+  const std::size_t side = side_index(w.faces[face].patch, w.faces[face].back);
+  add(side, {w.start, w.end, w.faces[face].into_face, wedge, face, false});
+  if (w.half_plane == no_index || !wanted_[side]) return;
+  OutlineEdge& edge = edges_[side].back();
+  edge.wedge = no_index;
+  for (int i = 0; i < 2; ++i) {
+    const WedgeFace& own = wedges[w.half_plane].faces[i];
+    if (side_index(own.patch, own.back) != side) continue;
+    edge.wedge = w.half_plane;
+    edge.wedge_face = i;
+  }
+}
+
 void Outlines::add_wedges(std::span<const Wedge> wedges) {
   for (std::uint32_t w = 0; w < wedges.size(); ++w)
-    for (int i = 0; i < 2; ++i) {
-      const WedgeFace& face = wedges[w].faces[i];
-      add(side_index(face.patch, face.back), {wedges[w].start, wedges[w].end, face.into_face, w, i, false});
-    }
+    for (int i = 0; i < 2; ++i)
+      if (wedges[w].thickness() == 0.0) add_wedge(wedges, w, i);
 }
 
 /// What is left of the outlines once the wedges are taken: flat creases, and faces that touch with no space between them.

@@ -35,7 +35,7 @@ struct FaceExit {
 class Outlines {
  public:
   Outlines() = default;
-  /// `wedges` are those of find_wedges with the same `min_wedge_angle`.
+  /// `wedges` are those of find_wedges with the same `min_wedge_angle`, or what merge_thin_rims has made of them.
   Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle);
 
   /// The edges of the face that this wedge face belongs to; its own is among them.
@@ -47,6 +47,7 @@ class Outlines {
 
  private:
   void add(std::size_t side, const OutlineEdge& edge);
+  void add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int face);
   void add_wedges(std::span<const Wedge> wedges);
   void add_creases(const TriangleMesh& mesh, double min_wedge_angle);
 

@@ -71,7 +71,7 @@ struct QueryContext : RTCIntersectContext {
   const ExactHit* exact;
   const Ray* rays;
   std::span<const std::uint32_t> refused_triangles;
-  std::array<std::uint32_t, 2> refused_patches{no_index, no_index};
+  IgnoredPatches refused_patches{no_index, no_index, no_index};
   bool must_contain = false;  // refuse triangles that the ray misses in double precision
 };
 
@@ -132,7 +132,7 @@ QueryContext make_context(const ExactHit& exact, const Ray* rays) {
   return context;
 }
 
-QueryContext blocker_context(const ExactHit& exact, const Ray* rays, const std::array<std::uint32_t, 2>& ignored_patches) {
+QueryContext blocker_context(const ExactHit& exact, const Ray* rays, const IgnoredPatches& ignored_patches) {
   QueryContext context = make_context(exact, rays);
   context.filter = refuse_behind;
   context.refused_patches = ignored_patches;
@@ -216,7 +216,7 @@ Hit Tracer::Scene::decide(const Ray& ray, const Hit& proposal) const {
   std::vector<std::uint32_t> refused;
   for (Hit next = proposal; next; next = propose_beyond(ray, refused)) {
     if (best && exact.distance(ray, next.triangle) > best.distance + exact.depth_doubt(ray, best.triangle)) break;
-    const Hit hit = exact.nearest_around(ray, next.triangle, {ray.source_patch, no_index});
+    const Hit hit = exact.nearest_around(ray, next.triangle, {ray.source_patch, no_index, no_index});
     if (hit && (!best || hit.distance < best.distance)) best = hit;
     if (best && !exact.is_stacked(best.triangle)) break;
     refused.push_back(next.triangle);
@@ -257,8 +257,7 @@ void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const 
   }
 }
 
-std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction,
-                              const std::array<std::uint32_t, 2>& ignored_patches) const {
+std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction, const IgnoredPatches& ignored_patches) const {
   const Ray ray{origin, direction};
   QueryContext context = blocker_context(scene_->exact, &ray, ignored_patches);
   RTCRayHit query = single_ray(ray, scene_->scale);
@@ -266,8 +265,7 @@ std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction,
   return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? no_index : query.hit.primID;
 }
 
-void Tracer::blockers(std::span<const Ray> rays, const std::array<std::uint32_t, 2>& ignored_patches,
-                      std::span<std::uint32_t> found) const {
+void Tracer::blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches, std::span<std::uint32_t> found) const {
   for (std::size_t first = 0; first < rays.size(); first += packet_width) {
     const std::span<const Ray> packet = rays.subspan(first, std::min(packet_width, rays.size() - first));
     QueryContext context = blocker_context(scene_->exact, packet.data(), ignored_patches);
@@ -276,7 +274,7 @@ void Tracer::blockers(std::span<const Ray> rays, const std::array<std::uint32_t,
 }
 
 bool Tracer::meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
-                          const std::array<std::uint32_t, 2>& ignored_patches) const {
+                          const IgnoredPatches& ignored_patches) const {
   return static_cast<bool>(scene_->exact.nearest_around({origin, direction}, triangle, ignored_patches));
 }
 

@@ -25,6 +25,9 @@ struct Hit {
   explicit operator bool() const { return triangle != no_index; }
 };
 
+/// Patches that a query leaves out; no_index fills the rest.
+using IgnoredPatches = std::array<std::uint32_t, 3>;
+
 class Tracer {
  public:
   /// Builds the ray-tracing structure; keeps a reference to `mesh`, which must outlive the tracer.
@@ -37,16 +40,15 @@ class Tracer {
   /// The nearest surface each ray meets. Thread-safe. hits.size() == rays.size().
   void closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const;
 
-  /// A triangle that the half line from `origin` along `direction` meets, other than those of two patches; no_index if there is
+  /// A triangle that the half line from `origin` along `direction` meets, other than those of some patches; no_index if there is
   /// none. Never names a triangle that the line misses in double precision. Thread-safe.
-  std::uint32_t blocker(const dvec3& origin, const dvec3& direction, const std::array<std::uint32_t, 2>& ignored_patches) const;
+  std::uint32_t blocker(const dvec3& origin, const dvec3& direction, const IgnoredPatches& ignored_patches) const;
   /// The same for many half lines; best if they lie side by side. found.size() == rays.size().
-  void blockers(std::span<const Ray> rays, const std::array<std::uint32_t, 2>& ignored_patches,
-                std::span<std::uint32_t> found) const;
+  void blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches, std::span<std::uint32_t> found) const;
 
   /// Double-precision decision whether the half line meets `triangle` or one that shares a corner with it. Thread-safe.
   bool meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
-                    const std::array<std::uint32_t, 2>& ignored_patches) const;
+                    const IgnoredPatches& ignored_patches) const;
 
   /// The instruction set Embree chose on this machine.
   std::string instruction_set() const;

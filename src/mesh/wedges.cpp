@@ -1,7 +1,6 @@
 #include "mesh/wedges.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "mesh/edge_pieces.h"
 
@@ -35,13 +34,6 @@ class PatchRims {
   const TriangleMesh& mesh_;
   std::vector<std::vector<std::uint32_t>> rim_;
 };
-
-/// The sector's angle about the run's own tangent. Angles just above 0 and just below 2 pi differ by rounding only, so the
-/// value nearest to that of the single piece is the right one.
-double refined_n(const FaceFrame& first, const FaceFrame& second, double n) {
-  const double refined = opening(first, second) / pi;
-  return refined + 2.0 * std::round((n - refined) / 2.0);
-}
 
 /// A face is no narrower than the `distance` by which its plane is known.
 Wedge wedge_of(const TriangleMesh& mesh, const PatchRims& rims, const EdgePiece& run, double distance) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -23,9 +24,14 @@ struct Wedge {
   dvec3 start, end;  // recentred coordinates [m]
   double n = 0.0;    // exterior (free-space) angle / pi: 2 half plane, 1.5 outer edge of a cube, 0.5 inner corner
   std::array<WedgeFace, 2> faces;
+  dvec3 across{0.0};             // not 0: this is the edge of a thin sheet, amid its rim; from side 0 to side 1 over it [m]
+  std::uint32_t rim = no_index;  // then the patch of that rim
+  std::uint32_t half_plane = no_index;  // this edge bounds the rim of a thin sheet: the wedge that stands for it (thin_sheets.h)
 
   bool convex() const { return n > 1.0; }
-  double interior_angle() const { return (2.0 - n) * pi; }  // metal side [rad]
+  bool radiates() const { return convex() && half_plane == no_index; }
+  double thickness() const { return std::abs(glm::dot(across, faces[0].normal)); }  // of the sheet, 0 for a sharp edge [m]
+  double interior_angle() const { return (2.0 - n) * pi; }                          // metal side [rad]
   double length() const { return glm::length(end - start); }
 };
 

@@ -116,13 +116,24 @@ void print_wedges(const std::vector<Wedge>& wedges) {
   if (classes.size() > most_lines) fmt::print("  and {} more angles\n", classes.size() - most_lines);
 }
 
-void print_skipped(const Case& c, const LoadedMesh& loaded, const std::vector<Wedge>& wedges) {
+void print_thin_rims(const Case& c, std::span<const Rim> rims) {
+  const auto [lowest, highest] = std::ranges::minmax(c.sweep.frequencies);
+  if (c.edges.method == EdgeMethod::none || thin_rims(rims, lowest) == 0) return;
+  const auto print = [&](double frequency) {
+    fmt::print("  {} half planes at {} GHz: rims of sheets thinner than {:.4g} mm, a tenth of the wavelength\n",
+               thin_rims(rims, frequency), number_text(frequency / 1e9), thin_limit(frequency) * 1e3);
+  };
+  print(lowest);
+  if (highest > lowest) print(highest);
+}
+
+void print_skipped(const Case& c, const LoadedMesh& loaded, const std::vector<Wedge>& wedges, std::span<const Rim> rims) {
   const MeshReport& r = loaded.report;
   std::vector<Skipped> skipped = {{"facets", "fewer than three distinct corners", r.facets_unusable},
                                   {"triangles", "no area", r.triangles_degenerate},
                                   {"triangles", "same corners as another one", r.triangles_duplicate},
                                   {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};
-  skipped.push_back(skipped_wedges(wedges, c.edges.method));
+  for (const Skipped& wedge : skipped_wedges(wedges, rims, c.edges.method, c.sweep.frequencies)) skipped.push_back(wedge);
   fmt::print("\nskipped\n");
   bool nothing = true;
   for (const Skipped& s : skipped) {
@@ -164,12 +175,16 @@ void check_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   const std::vector<Wedge> wedges = find_wedges(loaded.mesh, c.edges.min_wedge_angle);
+  const std::vector<Rim> rims = possible_rims(loaded.mesh, wedges, c.edges);
   print_case(c);
   print_mesh(loaded);
   print_wedges(wedges);
-  print_skipped(c, loaded, wedges);
+  print_thin_rims(c, rims);
+  print_skipped(c, loaded, wedges, rims);
   print_cost(c, loaded.mesh);
-  if (!request.wedges_csv.empty()) write_wedges_csv(request.wedges_csv, loaded.mesh, wedges, c.sweep);
+  if (request.wedges_csv.empty()) return;
+  const std::vector<Wedge> used = merge_thin_rims(wedges, rims, thin_limit(highest_frequency(c.sweep)));
+  write_wedges_csv(request.wedges_csv, loaded.mesh, used, c.sweep);
 }
 
 }  // namespace raytube

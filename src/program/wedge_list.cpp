@@ -47,12 +47,15 @@ void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mes
                       const Sweep& sweep) {
   OutputFile out(file);
   LitFractions lit(mesh, wedges, sweep);
-  out.write("wedge,x1_m,y1_m,z1_m,x2_m,y2_m,z2_m,length_m,interior_deg,n,face1_patch,face2_patch,lit_fraction\n");
+  out.write("wedge,x1_m,y1_m,z1_m,x2_m,y2_m,z2_m,length_m,interior_deg,n,face1_patch,face2_patch,lit_fraction,thickness_m\n");
+  std::uint32_t row = 0;
   for (std::uint32_t i = 0; i < wedges.size(); ++i) {
     const Wedge& w = wedges[i];
-    out.write(std::to_string(i) + ',' + point_text(w.start + mesh.center) + ',' + point_text(w.end + mesh.center) + ',' +
+    if (w.half_plane != no_index) continue;
+    out.write(std::to_string(row++) + ',' + point_text(w.start + mesh.center) + ',' + point_text(w.end + mesh.center) + ',' +
               number_text(w.length()) + ',' + number_text(w.interior_angle() / degree) + ',' + number_text(w.n) + ',' +
-              std::to_string(w.faces[0].patch) + ',' + std::to_string(w.faces[1].patch) + ',' + number_text(lit.of(i)) + '\n');
+              std::to_string(w.faces[0].patch) + ',' + std::to_string(w.faces[1].patch) + ',' + number_text(lit.of(i)) + ',' +
+              number_text(w.thickness()) + '\n');
   }
   out.commit();
 }

@@ -61,20 +61,6 @@ FringeKernels kernels_of(const Terms& terms, const Glance& glance, double consta
 
 double axial_constant(double n, const FaceIncidence& incidence) { return (incidence.lit ? 1.0 : 0.0) - 1 / n; }
 
-ScatteringMatrix project(const FringeKernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,
-                         const LookVectors& look) {
-  ScatteringMatrix result;
-  for (int transmit = 0; transmit < 2; ++transmit) {
-    const FaceMoment moment = face_moment(kernels, incidence, glm::dot(look.electric[transmit], incidence.tangent),
-                                          glm::dot(look.magnetic[transmit], incidence.tangent));
-    for (int receive = 0; receive < 2; ++receive)
-      result.at(receive, transmit) = (glm::dot(look.receive[receive], face.into_face) * moment.across +
-                                      glm::dot(look.receive[receive], incidence.tangent) * moment.along) /
-                                     (2 * pi);
-  }
-  return result;
-}
-
 void add_scaled(ScatteringMatrix& sum, double factor, const ScatteringMatrix& term) {
   for (int receive = 0; receive < 2; ++receive)
     for (int transmit = 0; transmit < 2; ++transmit) sum.at(receive, transmit) += factor * term.at(receive, transmit);
@@ -155,16 +141,30 @@ FaceMoment face_moment(const FringeKernels& kernels, const FaceIncidence& incide
           (kernels.soft * electric + kernels.axial * (incidence.cos_cone * magnetic)) / (sine * sine)};
 }
 
+ScatteringMatrix face_amplitude(const FringeKernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,
+                                const LookVectors& look) {
+  ScatteringMatrix result;
+  for (int transmit = 0; transmit < 2; ++transmit) {
+    const FaceMoment moment = face_moment(kernels, incidence, glm::dot(look.electric[transmit], incidence.tangent),
+                                          glm::dot(look.magnetic[transmit], incidence.tangent));
+    for (int receive = 0; receive < 2; ++receive)
+      result.at(receive, transmit) = (glm::dot(look.receive[receive], face.into_face) * moment.across +
+                                      glm::dot(look.receive[receive], incidence.tangent) * moment.along) /
+                                     (2 * pi);
+  }
+  return result;
+}
+
 EdgeAmplitude edge_amplitude(const Wedge& wedge, const WedgeIncidence& incidence, const LookVectors& look) {
   EdgeAmplitude result;
   for (int side = 0; side < 2; ++side) {
     const WedgeFace& face = wedge.faces[side];
     const FaceIncidence& arriving = incidence.faces[side];
     const SplitKernels kernels = split_kernels(wedge.n, arriving, glance_half_cosine(face, arriving, look.scattered));
-    add_scaled(result.regular, incidence.weight, project(kernels.regular, face, arriving, look));
+    add_scaled(result.regular, incidence.weight, face_amplitude(kernels.regular, face, arriving, look));
     if (!kernels.active) continue;
     result.poles[side] = {.amplitude = {}, .angle = kernels.angle, .face_width = face.width, .active = true};
-    add_scaled(result.poles[side].amplitude, incidence.weight, project(kernels.pole, face, arriving, look));
+    add_scaled(result.poles[side].amplitude, incidence.weight, face_amplitude(kernels.pole, face, arriving, look));
   }
   return result;
 }

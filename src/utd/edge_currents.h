@@ -79,6 +79,10 @@ struct FaceMoment {
 };
 FaceMoment face_moment(const FringeKernels& kernels, const FaceIncidence& incidence, double electric, double magnetic);
 
+/// S per unit length of edge that the currents of one face with these kernels make, both polarisations.
+ScatteringMatrix face_amplitude(const FringeKernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,
+                                const LookVectors& look);
+
 /// S per unit length of edge for a look, both polarisations: S_pq = -(jk eta/4 pi) p_hat . (K_0 + K_1), in which k cancels, so
 /// amplitude(k) = regular + sum over faces of d(y) cot(y/2) pole depends on k only through the window. S of a straight piece [m]
 /// is the amplitude times the integral of e^{jq.r} along it.

@@ -19,6 +19,17 @@ struct Piece {
   double middle;     // (s - s') . c [m], c the piece's midpoint
 };
 
+/// The lit pieces of an edge.
+void clip(const Wedge& wedge, std::span<const LitInterval> lit, const LookVectors& look, std::vector<Piece>& pieces) {
+  const dvec3 difference = look.scattered - look.incident, edge = wedge.end - wedge.start;
+  const double length = wedge.length(), slope = glm::dot(difference, edge), start = glm::dot(difference, wedge.start);
+  pieces.clear();
+  for (const LitInterval& part : lit) {
+    const double share = part.end - part.begin;
+    pieces.push_back({share * length, share * slope / 2, start + slope * (part.begin + part.end) / 2});
+  }
+}
+
 Complex phase_integral(std::span<const Piece> pieces, double wavenumber) {
   Complex sum = 0.0;
   for (const Piece& piece : pieces)
@@ -36,32 +47,20 @@ double shortest_wavelength(std::span<const double> frequencies) { return wavelen
 /// First order, one look: adds wedge after wedge, keeping its buffers between them.
 class EndlessPass {
  public:
-  EndlessPass(const Look& look, std::span<const double> frequencies) : look_(look_vectors(look)), frequencies_(frequencies) {
+  EndlessPass(const LookVectors& look, std::span<const double> frequencies) : look_(look), frequencies_(frequencies) {
     result_.scattering.resize(frequencies.size());
     result_.windowed.resize(frequencies.size());
   }
 
-  const LookVectors& look() const { return look_; }
-
   void add(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
     ++result_.wedges_lit;
-    clip(wedge, lit);
+    clip(wedge, lit, look_, pieces_);
     radiate(edge_amplitude(wedge, incidence, look_));
   }
 
   EdgeLookResult take() { return std::move(result_); }
 
  private:
-  void clip(const Wedge& wedge, std::span<const LitInterval> lit) {
-    const dvec3 difference = look_.scattered - look_.incident, edge = wedge.end - wedge.start;
-    const double length = wedge.length(), slope = glm::dot(difference, edge), start = glm::dot(difference, wedge.start);
-    pieces_.clear();
-    for (const LitInterval& part : lit) {
-      const double share = part.end - part.begin;
-      pieces_.push_back({share * length, share * slope / 2, start + slope * (part.begin + part.end) / 2});
-    }
-  }
-
   void radiate(const EdgeAmplitude& amplitude) {
     for (std::size_t index = 0; index < frequencies_.size(); ++index) {
       const double k = wavenumber(frequencies_[index]);
@@ -71,10 +70,65 @@ class EndlessPass {
     }
   }
 
-  LookVectors look_;
+  const LookVectors& look_;
   std::span<const double> frequencies_;
   std::vector<Piece> pieces_;
   EdgeLookResult result_;
+};
+
+/// What the thickness of sheets adds; nothing at sharp edges.
+class ThicknessPass {
+ public:
+  ThicknessPass(const LookVectors& look, std::span<const double> frequencies) : look_(look), frequencies_(frequencies) {}
+
+  /// The current on the rim.
+  void add_rim(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
+    if (wedge.thickness() > 0.0) add(wedge, lit, [&](double k) { return rim_amplitude(wedge, incidence, look_, k); });
+  }
+
+  /// At first order, the change of the currents on both sides of the sheet.
+  void add_sides(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
+    if (wedge.thickness() == 0.0) return;
+    for (int side = 0; side < 2; ++side) {
+      const WedgeFace& face = wedge.faces[side];
+      const FaceIncidence& arriving = incidence.faces[side];
+      const ThinEdge thin(wedge, side, arriving, glance_half_cosine(face, arriving, look_.scattered), look_.scattered, true);
+      add(
+          wedge, lit, [&](double k) { return face_amplitude(thin.endless(k), face, arriving, look_); }, incidence.weight);
+    }
+  }
+
+  void add_to(std::vector<ScatteringMatrix>& scattering) const {
+    for (std::size_t index = 0; index < sums_.size(); ++index) scattering[index] += sums_[index];
+  }
+
+ private:
+  template <class Amplitude>
+  void add(const Wedge& wedge, std::span<const LitInterval> lit, Amplitude amplitude, double weight = 1.0) {
+    clip(wedge, lit, look_, pieces_);
+    sums_.resize(frequencies_.size());
+    for (std::size_t index = 0; index < frequencies_.size(); ++index) {
+      const double k = wavenumber(frequencies_[index]);
+      add_product(sums_[index], amplitude(k), weight * phase_integral(pieces_, k));
+    }
+  }
+
+  const LookVectors& look_;
+  std::span<const double> frequencies_;
+  std::vector<Piece> pieces_;
+  std::vector<ScatteringMatrix> sums_;  // empty while there are none
+};
+
+/// How a wave meets a wedge. If it comes along a thin sheet only the rim is of account.
+struct Meeting {
+  Meeting(const Wedge& wedge, const dvec3& incident)
+      : incidence(incidence_on(wedge, incident)), rim_only(comes_along_sheet(wedge, incident)) {
+    if (!rim_only) return;
+    incidence.weight = 1.0;
+    incidence.free_side = wedge.faces[0].normal;
+  }
+  WedgeIncidence incidence;
+  bool rim_only;
 };
 
 }  // namespace
@@ -82,15 +136,22 @@ class EndlessPass {
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tracer, const Look& look,
                                  std::span<const double> frequencies, bool receiver_shadow) {
   assert(!frequencies.empty());
-  EndlessPass pass(look, frequencies);
-  LitEdges edges(wedges, tracer, pass.look(), shortest_wavelength(frequencies), receiver_shadow);
+  const LookVectors vectors = look_vectors(look);
+  EndlessPass pass(vectors, frequencies);
+  ThicknessPass thickness(vectors, frequencies);
+  LitEdges edges(wedges, tracer, vectors, shortest_wavelength(frequencies), receiver_shadow);
   for (std::uint32_t index = 0; index < wedges.size(); ++index) {
-    if (!wedges[index].convex()) continue;
-    const WedgeIncidence incidence = incidence_on(wedges[index], pass.look().incident);
+    if (!wedges[index].radiates()) continue;
+    const auto [incidence, rim_only] = Meeting(wedges[index], vectors.incident);
     if (incidence.weight == 0.0 || !edges.find(index, incidence)) continue;
+    thickness.add_rim(wedges[index], incidence, edges.lit());
+    if (rim_only) continue;
+    thickness.add_sides(wedges[index], incidence, edges.lit());
     pass.add(wedges[index], incidence, edges.lit());
   }
-  return pass.take();
+  EdgeLookResult result = pass.take();
+  thickness.add_to(result.scattering);
+  return result;
 }
 
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
@@ -99,17 +160,21 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& 
   const LookVectors vectors = look_vectors(look);
   LitEdges edges(wedges, tracer, vectors, shortest_wavelength(frequencies), receiver_shadow);
   StripWalk walk(wedges, outlines, vectors, frequencies, order, tier);
+  ThicknessPass thickness(vectors, frequencies);
   EdgeLookResult result;
   for (std::uint32_t index = 0; index < wedges.size(); ++index) {
-    if (!wedges[index].convex()) continue;
-    const WedgeIncidence incidence = incidence_on(wedges[index], vectors.incident);
+    if (!wedges[index].radiates()) continue;
+    const auto [incidence, rim_only] = Meeting(wedges[index], vectors.incident);
     // An edge that is only grazed, over one face, takes its light from the edge at the other end of that face.
     if (incidence.weight != 1.0 || !edges.find(index, incidence)) continue;
+    thickness.add_rim(wedges[index], incidence, edges.lit());
+    if (rim_only) continue;
     ++result.wedges_lit;
     walk.add(index, incidence, edges.lit());
   }
   StripSums sums = walk.take();
   result.scattering = std::move(sums.first);
+  thickness.add_to(result.scattering);
   result.higher = std::move(sums.higher);
   result.windowed = std::move(sums.windowed);
   return result;

@@ -39,6 +39,8 @@ class Strip {
   /// Kernels for every length X; infinity gives those of the endless strip. What a length gives is independent of the others.
   void at(std::span<const double> lengths, KernelBatch& batch) const;
 
+  StripKernels endless() const;
+
  private:
   /// A diffracted wave on the face: B e^{j xi cos(beta)} erfc(e^{j pi/4} sqrt(2 xi) c), c = |cos(beta/2)|.
   struct Term {
@@ -54,7 +56,6 @@ class Strip {
   void find_local_part(double n, const FaceIncidence& incidence);
   double local_step(double n, bool lit) const;
   double total_strength() const;
-  StripKernels endless() const;
   Observer observer(const Reals& length, ScaledErfc erfc) const;
   static Complexes soft_phase(const Observer& at);
   void add(const Term& term, const Observer& at, ScaledErfc erfc, Sums& sum) const;

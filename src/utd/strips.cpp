@@ -84,7 +84,10 @@ void StripWalk::grow(const StripWave& wave, std::span<const LitInterval> lit) {
   for (const TreeWave& each : tree_.waves()) {
     const Wedge& wedge = wedges_[each.wave.wedge];
     const double half_cosine = glance_half_cosine(wedge.faces[each.wave.face], each.wave.incidence, look_.scattered);
-    faces_.push_back({Strip(wedge.n, each.wave.incidence, half_cosine, tier_), projection(each.wave)});
+    faces_.push_back({Strip(wedge.n, each.wave.incidence, half_cosine, tier_), std::nullopt, projection(each.wave)});
+    if (wedge.thickness() > 0.0)
+      faces_.back().thin.emplace(wedge, each.wave.face, each.wave.incidence, half_cosine, look_.scattered,
+                                 each.parent == no_index);
   }
   lay_out_rows();
 }
@@ -146,6 +149,16 @@ void StripWalk::find_kernels(std::size_t wave, double wavenumber) {
       lengths_.push_back(bundle.edge ? scale * std::max(bundle.length_at(point.place), 0.0) : infinity);
   }
   faces_[wave].strip.at(lengths_, kernels_);
+  if (faces_[wave].thin) count_thickness(faces_[wave], wavenumber);
+}
+
+void StripWalk::count_thickness(const Face& face, double wavenumber) {
+  const FringeKernels endless = face.strip.endless().current;
+  for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    StripKernels kernels = kernels_[i];
+    face.thin->correct(kernels, endless, wavenumber, lengths_[i]);
+    kernels_.set(i, kernels);
+  }
 }
 
 void StripWalk::bound_endless(std::size_t frequency) {

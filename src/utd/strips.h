@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "utd/panels.h"
 #include "utd/strip_kernels.h"
+#include "utd/thin_edge.h"
 
 namespace raytube {
 
@@ -38,6 +40,7 @@ class StripWalk {
   /// What all frequencies share of a wave.
   struct Face {
     Strip strip;
+    std::optional<ThinEdge> thin;  // if it is the edge of a thin sheet
     Projection seen;
   };
   /// Where a bundle's amplitudes are at its start and at its end, and its kernels: one for each point, or one for all where its
@@ -56,6 +59,7 @@ class StripWalk {
   std::span<const Row> rows(const TreeWave& wave) const;
   void find_phases(double wavenumber);
   void find_kernels(std::size_t wave, double wavenumber);
+  void count_thickness(const Face& face, double wavenumber);
   void bound_endless(std::size_t frequency);
   Complex radiated_direct(const ComplexColumn& kernels) const;
   PairSums radiated(const TreeWave& wave) const;

@@ -26,7 +26,7 @@ struct EdgeProbe {
   dvec3 direction;
   dvec3 offset;
   std::span<const double> crossed;
-  std::array<std::uint32_t, 2> own_patches{wedge.faces[0].patch, wedge.faces[1].patch};
+  IgnoredPatches own_patches{wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim};
 
   dvec3 point(double fraction) const { return glm::mix(wedge.start, wedge.end, fraction) + offset; }
 
@@ -75,6 +75,12 @@ int point_count(double length, double wavelength) {
   return static_cast<int>(std::clamp(wanted, double{min_points}, double{max_points}));
 }
 
+/// From half-way through a thin sheet one would look out of its inside: its edge is seen where the one on the near side is.
+dvec3 to_near_side(const Wedge& wedge, const dvec3& towards) {
+  const double up = glm::dot(towards, wedge.faces[0].normal);
+  return up == 0.0 ? dvec3(0.0) : (up > 0.0 ? -0.5 : 0.5) * wedge.across;
+}
+
 /// Regular test points, and one between neighbouring crossings that have none between them, in order.
 void choose_points(int regular, std::span<const double> crossed, std::vector<double>& points) {
   points.clear();
@@ -113,7 +119,8 @@ void Visibility::find(std::uint32_t index, const dvec3& away, std::vector<LitInt
   lit.clear();
   crossings_.find(index, crossed_);
   choose_points(point_count(wedges_[index].length(), wavelength_), crossed_, points_);
-  const EdgeProbe probe{wedges_[index], tracer_, direction_, away * (lift * tracer_.mesh().radius), crossed_};
+  const dvec3 near_side = to_near_side(wedges_[index], away == dvec3(0.0) ? direction_ : away);
+  const EdgeProbe probe{wedges_[index], tracer_, direction_, away * (lift * tracer_.mesh().radius) + near_side, crossed_};
   rays_.clear();
   for (const double point : points_) rays_.push_back({probe.point(point), direction_});
   blockers_.resize(points_.size());

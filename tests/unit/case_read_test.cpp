@@ -30,7 +30,7 @@ TEST(CaseRead, EveryKeyIsTaken) {
       "title = \"T\"\n[target]\nmesh = \"sub/m.obj\"\nunit = \"ft\"\nmaterial = \"pec\"\n[frequency]\nghz = [1, 2.5]\n"
       "[look]\ntheta_deg = 30\nphi_deg = 40.5\n[receive]\ntheta_deg = 50\nphi_deg = [60, 70]\n"
       "[tubes]\nmode = \"adaptive\"\nclip = false\nper_wavelength = 12\nmax_bounces = 3\nup = [0, 0, 2.0]\n"
-      "[edges]\nmethod = \"none\"\norder = 3\nmin_wedge_deg = 20\n[output]\nplots = false\n");
+      "[edges]\nmethod = \"none\"\norder = 3\nthin_sheets = false\nmin_wedge_deg = 20\n[output]\nplots = false\n");
   EXPECT_EQ(c.title, "T");
   EXPECT_THAT(c.mesh_file.string(), ::testing::EndsWith("/sub/m.obj"));
   EXPECT_EQ(c.metres_per_unit, 0.3048);
@@ -46,6 +46,7 @@ TEST(CaseRead, EveryKeyIsTaken) {
   EXPECT_EQ(*c.tubes.up, dvec3(0, 0, 2));
   EXPECT_EQ(c.edges.method, EdgeMethod::none);
   EXPECT_EQ(c.edges.order, 3);
+  EXPECT_FALSE(c.edges.thin_sheets);
   EXPECT_EQ(c.edges.min_wedge_angle, 20.0 * degree);
   EXPECT_FALSE(c.plots);
 }
@@ -157,7 +158,7 @@ TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
   for (const char* part :
        {"\"title\": \"m\"", "\"unit\": \"mm\"", "\"material\": \"pec\"", "\"ghz\": 9.4", "\"theta_deg\": 90.0",
         "\"mode\": \"uniform\"", "\"per_wavelength\": 10.0", "\"max_bounces\": 8", "\"method\": \"fringe\"", "\"order\": 3",
-        "\"receiver_shadow\": false", "\"transition\": \"exact\"", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
+        "\"receiver_shadow\": false", "\"transition\": \"exact\"", "\"thin_sheets\": true", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
     EXPECT_THAT(json, HasSubstr(part));
   EXPECT_EQ(json.find("\"receive\""), std::string::npos);
 }

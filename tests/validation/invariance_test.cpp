@@ -60,7 +60,8 @@ std::vector<Shape> planar_targets() {
   return {{"plate", shapes::transformed(shapes::plate(5 * lambda, 0.3), rotation(0.4, {1, 2, 0}))},
           {"cube", shapes::cube(4 * lambda)},
           {"dihedral", shapes::dihedral(5 * lambda, 4 * lambda)},
-          {"trihedral", shapes::trihedral(5 * lambda)}};
+          {"trihedral", shapes::trihedral(5 * lambda)},
+          {"thin box", shapes::box(lambda * dvec3(4, 3, 0.05))}};
 }
 
 std::vector<Look> some_looks(bool bistatic) {

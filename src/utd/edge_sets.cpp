@@ -1,0 +1,58 @@
+#include "utd/edge_sets.h"
+
+#include <algorithm>
+
+namespace raytube {
+
+namespace {
+
+EdgeLookResult edges_of_look(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
+                             std::span<const double> frequencies, int order, bool receiver_shadow, TransitionTier tier) {
+  if (order == 1) return fringe_scattering(wedges, tracer, look, frequencies, receiver_shadow);
+  return fringe_scattering(wedges, outlines, tracer, look, frequencies, order, receiver_shadow, tier);
+}
+
+}  // namespace
+
+EdgeSets::EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines,
+                   std::span<const Rim> rims, double min_wedge_angle, std::span<const double> frequencies)
+    : frequency_count_(frequencies.size()) {
+  for (std::size_t place = 0; place < frequencies.size(); ++place) {
+    const std::size_t thin = thin_rims(rims, frequencies[place]);
+    auto set = std::ranges::find(sets_, thin, &Set::thin_rims);
+    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, {}, {}, {}, {}});
+    set->places.push_back(place);
+    set->frequencies.push_back(frequencies[place]);
+  }
+  std::ranges::sort(sets_, {}, &Set::thin_rims);
+  for (Set& set : sets_) {
+    const bool sharp = set.thin_rims == 0;
+    set.wedges = sharp ? wedges : merge_thin_rims(wedges, rims, thin_limit(set.frequencies.front()));
+    set.outlines = sharp ? outlines : Outlines(mesh, set.wedges, min_wedge_angle);
+  }
+}
+
+EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow,
+                                    TransitionTier tier) const {
+  const auto part = [&](const Set& set) {
+    return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier);
+  };
+  if (sets_.size() == 1) return part(sets_.front());
+  EdgeLookResult all;
+  all.scattering.resize(frequency_count_);
+  if (order > 1) all.higher.resize(frequency_count_);
+  all.windowed.resize(frequency_count_);
+  for (const Set& set : sets_) put(set, part(set), all);
+  return all;
+}
+
+void EdgeSets::put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all) {
+  if (all.wedges_lit == 0) all.wedges_lit = part.wedges_lit;
+  for (std::size_t i = 0; i < set.places.size(); ++i) {
+    all.scattering[set.places[i]] = part.scattering[i];
+    all.windowed[set.places[i]] = part.windowed[i];
+    if (!part.higher.empty()) all.higher[set.places[i]] = part.higher[i];
+  }
+}
+
+}  // namespace raytube

@@ -1,0 +1,33 @@
+// The edges of a target at every frequency of a sweep: which rims are thin depends on the wavelength.
+#pragma once
+
+#include "mesh/thin_sheets.h"
+#include "utd/edges.h"
+
+namespace raytube {
+
+class EdgeSets {
+ public:
+  /// `wedges` and `outlines` are those of sharp edges; rims thin at a frequency become half planes there. Frequencies that see
+  /// the same rims as thin share a set, and no set depends on the others.
+  EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines, std::span<const Rim> rims,
+           double min_wedge_angle, std::span<const double> frequencies);
+
+  /// One look at all frequencies, in their order; the lit wedges are counted at the highest.
+  EdgeLookResult scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier) const;
+
+ private:
+  struct Set {
+    std::size_t thin_rims = 0;
+    std::vector<std::size_t> places;  // in the list of frequencies
+    std::vector<double> frequencies;
+    std::vector<Wedge> wedges;
+    Outlines outlines;
+  };
+  static void put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all);
+
+  std::vector<Set> sets_;  // highest frequency first
+  std::size_t frequency_count_;
+};
+
+}  // namespace raytube
