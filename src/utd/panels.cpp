@@ -5,6 +5,14 @@
 
 namespace raytube {
 
+namespace {
+
+// Of a panel's width: strips that vanish so little beyond its end have their root there, as far as a rule can tell. Two cuts may
+// lie this close: where a strip ends almost in a corner.
+constexpr double beside_root = 0.05;
+
+}  // namespace
+
 void PanelPlacer::place(const WaveTree& tree, std::span<const LitInterval> lit, double length) {
   points_.clear();
   panels_.clear();
@@ -29,14 +37,14 @@ void PanelPlacer::fill(const WaveTree& tree, double begin, double end) {
 
 Panel PanelPlacer::panel(const WaveTree& tree, double from, double to) const {
   Panel result{from, to};
-  const double middle = (from + to) / 2, rounding = tree.rounding();
+  const double middle = (from + to) / 2, rounding = tree.rounding(), beside = rounding + beside_root * (to - from);
   for (const StripBundle& bundle : tree.bundles()) {
     if (bundle.from > middle || bundle.to < middle) continue;
     result.path_rate = std::max({result.path_rate, std::abs(bundle.start_rate), std::abs(bundle.end_rate)});
     result.sweep = std::max(result.sweep, std::abs(bundle.growth));
     const auto vanishes = [&](double place) { return bundle.edge && std::abs(bundle.length_at(place)) < rounding; };
-    if (from - bundle.from < rounding && vanishes(bundle.from)) result.root[0] = true;
-    if (bundle.to - to < rounding && vanishes(bundle.to)) result.root[1] = true;
+    if (from - bundle.from < beside && vanishes(bundle.from)) result.root[0] = true;
+    if (bundle.to - to < beside && vanishes(bundle.to)) result.root[1] = true;
   }
   return result;
 }
