@@ -1,8 +1,11 @@
 #include "program/wedge_list.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "decimal.h"
+#include "error.h"
 #include "output/files.h"
 #include "utd/incidence.h"
 #include "utd/visibility.h"
@@ -39,13 +42,23 @@ class LitFractions {
   std::vector<LitInterval> lit_;
 };
 
+// The list takes its place by a rename, which must not replace a folder or a device.
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  const std::filesystem::file_status found = std::filesystem::symlink_status(file);
+  if (!std::filesystem::is_directory(folder) || (std::filesystem::exists(found) && !std::filesystem::is_regular_file(found)))
+    throw InputError(fmt::format("--wedges {}: cannot be written; give an ordinary file in a folder that exists", file.string()));
+  return folder;
+}
+
 std::string point_text(const dvec3& p) { return number_text(p.x) + ',' + number_text(p.y) + ',' + number_text(p.z); }
 
 }  // namespace
 
 void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mesh, std::span<const Wedge> wedges,
                       const Sweep& sweep) {
-  OutputFile out(file);
+  const NewResults results(folder_of(file));
+  OutputFile out(results.folder() / file.filename());
   LitFractions lit(mesh, wedges, sweep);
   out.write("wedge,x1_m,y1_m,z1_m,x2_m,y2_m,z2_m,length_m,interior_deg,n,face1_patch,face2_patch,lit_fraction,thickness_m\n");
   std::uint32_t row = 0;
@@ -58,6 +71,7 @@ void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mes
               number_text(w.thickness()) + '\n');
   }
   out.commit();
+  results.place({file.filename().c_str()});
 }
 
 }  // namespace raytube

@@ -40,6 +40,11 @@ TEST_F(BadInput, MeshForEveryCommand) {
   expect_refused("trace case.toml --look 0 --u 0 --v 0 --set target.mesh=missing.stl", "missing.stl");
 }
 
+TEST_F(BadInput, WedgeList) {
+  expect_refused("check case.toml --wedges missing/wedges.csv", "--wedges missing/wedges.csv: cannot be written");
+  expect_refused("check case.toml --wedges .", "--wedges .: cannot be written");
+}
+
 TEST_F(BadInput, CaseFile) {
   expect_refused("run missing.toml", "missing.toml: no such file");
   expect_refused("run .", "cannot be read");
