@@ -67,7 +67,7 @@ double relative_error(const std::vector<Row>& rows) {
 }
 
 // Tolerances here and below: accuracy of the theory on faces of 2 to 3 wavelengths as established with an independent
-// implementation, rounded up. The references are good to 0.03 dB. Order 1: 0.60 dB; 0.49, 1.6 dB; 1.08, 1.4 dB.
+// implementation, rounded up. The references are good to 0.03 dB.
 TEST(FullWave, PlatePhi0) {
   struct Band {
     double from, to, vv[4], hh[4];  // limits per order, 1 to 3
@@ -103,15 +103,16 @@ TEST(FullWave, PlateBistatic) {
 
 TEST(FullWave, CubeAzimuth) {
   // 20 to 28 cells across the cube: at 10 per wavelength the staircase along its edge alone costs 0.1 and 0.25 dB at order 1 and
-  // more in the lower lobes of orders 2 and 3, so the theory is tested with finer tubes. Limits: what each order reaches, rounded
-  // up.
+  // up to 0.3 dB in the lower lobes of orders 2 and 3, so the theory is tested with finer tubes. Limits: what each order reaches,
+  // rounded up.
   struct Limit {
     double per_wavelength;
     int order;
     double vv, hh;
   };
   const auto all = [](const Row&) { return true; };
-  for (const Limit& limit : {Limit{10.0, 1, 0.65, 1.85}, {10.0, 3, 0.75, 0.95}, {40.0, 1, 0.6, 1.7}, {40.0, 2, 0.34, 0.7}, {40.0, 3, 0.38, 0.65}}) {
+  for (const Limit& limit :
+       {Limit{10.0, 1, 0.65, 1.85}, {10.0, 3, 0.67, 0.72}, {40.0, 1, 0.55, 1.65}, {40.0, 2, 0.34, 0.7}, {40.0, 3, 0.38, 0.65}}) {
     const auto rows = solve_cut("cube2", "az_th90", limit.per_wavelength, limit.order);
     const double error_vv = rms_db(rows, vv, Rows::within_20_db, all), error_hh = rms_db(rows, hh, Rows::within_20_db, all);
     const std::string name =
@@ -141,10 +142,10 @@ TEST(FullWave, ComplexAmplitudes) {
     double order[4];
   };
   for (const Limit& limit : {Limit{"plate3", "phi0", {0, 0.14, 0.04, 0.03}},
-                             {"plate3", "phi45", {0, 0.10, 0.07, 0.06}},
-                             {"plate3", "bistatic_inc_th45_ph0", {0, 0.3, 0.06, 0.06}},
-                             {"cube2", "az_th90", {0, 0.1, 0.06, 0.06}},
-                             {"dihedral3", "az_th90", {0, 0.3, 0.3, 0.3}}})
+                             {"plate3", "phi45", {0, 0.07, 0.045, 0.036}},
+                             {"plate3", "bistatic_inc_th45_ph0", {0, 0.12, 0.026, 0.026}},
+                             {"cube2", "az_th90", {0, 0.085, 0.05, 0.05}},
+                             {"dihedral3", "az_th90", {0, 0.24, 0.24, 0.24}}})
     for (const int order : {1, 2, 3}) {
       const double error = relative_error(solve_cut(limit.body, limit.cut, 10.0, order));
       measured(fmt::format("{} {}, order {}, relative error of S", limit.body, limit.cut, order).c_str(), error, "");
@@ -183,8 +184,8 @@ std::array<double, 2> square_cylinder_error(const Table& table, double incidence
 
 TEST(FullWave, SquareCylinderBistaticDecidesOnReceiverShadow) {
   // All round a square cylinder every edge is hidden from half of the receivers. Counted, the error is that of the wedge currents
-  // (kernel error 2 % on strips of two wavelengths at n = 1.5) and of
-  // the finite length; left out, it is that of the field behind the body.
+  // (kernel error 2 % on strips of two wavelengths at n = 1.5) and of the finite length; left out, it is that of the field behind
+  // the body.
   const Table table(std::string(RAYTUBE_SOURCE_DIR) + "/tests/data/square_cylinder.csv");
   for (const double incidence : {0.0, 20.0, 45.0}) {
     const auto all = square_cylinder_error(table, incidence, false), seen = square_cylinder_error(table, incidence, true);
