@@ -67,7 +67,7 @@ double solve_time(const Target& target, const Sweep& sweep, EdgeMethod method, i
 
 int main(int argc, char** argv) {
   std::uint32_t boxes = 29;
-  int looks = 361, repeat = 1, threads = 2;
+  int looks = 361, repeat = 3, threads = 2;
   CLI::App app{"Time of the edge pass beside that of the tubes"};
   app.add_option("--boxes", boxes, "boxes along each side");
   app.add_option("--looks", looks, "looks on a circle 30 degrees above the ground");
