@@ -24,6 +24,17 @@ void add_scaled(Complexes& sum, double factor, const Complexes& values) {
   }
 }
 
+// W'(x) = 2jxW - 2 e^{j pi/4} / sqrt(pi)
+Complexes slope_of_erfc(const Reals& x, const Complexes& value) {
+  constexpr double side = std::numbers::sqrt2 * std::numbers::inv_sqrtpi;
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    result.re[i] = -2 * x[i] * value.im[i] - side;
+    result.im[i] = 2 * x[i] * value.re[i] - side;
+  }
+  return result;
+}
+
 }  // namespace
 
 void KernelBatch::make_room(std::size_t size) {
@@ -122,17 +133,6 @@ struct Strip::Sums {
     for (Complexes* each : {&soft, &hard, &axial, &end, &soft_end}) *each = {};
   }
 };
-
-// W'(x) = 2jxW - 2 e^{j pi/4} / sqrt(pi)
-Complexes slope_of_erfc(const Reals& x, const Complexes& value) {
-  constexpr double side = std::numbers::sqrt2 * std::numbers::inv_sqrtpi;
-  Complexes result;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    result.re[i] = -2 * x[i] * value.im[i] - side;
-    result.im[i] = 2 * x[i] * value.re[i] - side;
-  }
-  return result;
-}
 
 // 2j D / r, for the end of the soft current.
 Complexes Strip::soft_phase(const Observer& at) {

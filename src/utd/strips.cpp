@@ -52,8 +52,7 @@ void StripWalk::start(const StripWave& wave, std::span<const LitInterval> lit) {
   const bool runs_along_edge = tree_.runs_along_edge();
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     find_phases(wavenumbers_[f]);
-    find_kernels(0, wavenumbers_[f]);
-    bound_endless(f);
+    find_kernels(0, f);
     radiate_direct(f);
     if (!runs_along_edge) go_on(f, 1.0);
   }
@@ -70,7 +69,7 @@ void StripWalk::go_on_beside(const StripWave& wave, std::span<const LitInterval>
     grow(turned, lit);
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
       find_phases(wavenumbers_[f]);
-      find_kernels(0, wavenumbers_[f]);
+      find_kernels(0, f);
       go_on(f, 0.5);
     }
   }
@@ -115,7 +114,7 @@ std::span<const StripWalk::Row> StripWalk::rows(const TreeWave& wave) const {
 void StripWalk::go_on(std::size_t frequency, double share) {
   excite_far_edges(share);
   for (std::size_t w = 1; w < tree_.waves().size(); ++w) {
-    find_kernels(w, wavenumbers_[frequency]);
+    find_kernels(w, frequency);
     radiate(w, frequency);
     if (tree_.waves()[w].wave.goes_on()) pass_on(tree_.waves()[w]);
   }
@@ -136,9 +135,10 @@ void StripWalk::find_phases(double wavenumber) {
   }
 }
 
-void StripWalk::find_kernels(std::size_t wave, double wavenumber) {
+// The thickness of a sheet changes what is left of an endless strip once its pole is bounded.
+void StripWalk::find_kernels(std::size_t wave, std::size_t frequency) {
   const TreeWave& here = tree_.waves()[wave];
-  const double scale = wavenumber * here.wave.incidence.sin_cone * here.wave.incidence.sin_cone;
+  const double scale = wavenumbers_[frequency] * here.wave.incidence.sin_cone * here.wave.incidence.sin_cone;
   lengths_.clear();
   for (std::uint32_t b = here.first_bundle; b < here.end_bundle; ++b) {
     const StripBundle& bundle = tree_.bundles()[b];
@@ -149,7 +149,8 @@ void StripWalk::find_kernels(std::size_t wave, double wavenumber) {
       lengths_.push_back(bundle.edge ? scale * std::max(bundle.length_at(point.place), 0.0) : infinity);
   }
   faces_[wave].strip.at(lengths_, kernels_);
-  if (faces_[wave].thin) count_thickness(faces_[wave], wavenumber);
+  if (wave == 0) bound_endless(frequency);
+  if (faces_[wave].thin) count_thickness(faces_[wave], wavenumbers_[frequency]);
 }
 
 void StripWalk::count_thickness(const Face& face, double wavenumber) {

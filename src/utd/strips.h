@@ -58,7 +58,7 @@ class StripWalk {
   void lay_out_rows();
   std::span<const Row> rows(const TreeWave& wave) const;
   void find_phases(double wavenumber);
-  void find_kernels(std::size_t wave, double wavenumber);
+  void find_kernels(std::size_t wave, std::size_t frequency);
   void count_thickness(const Face& face, double wavenumber);
   void bound_endless(std::size_t frequency);
   Complex radiated_direct(const ComplexColumn& kernels) const;
