@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "utd/edge_sets.h"
@@ -37,11 +38,21 @@ void make_reciprocal(std::vector<ScatteringMatrix>& scattering) {
   for (ScatteringMatrix& s : scattering) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
 }
 
-LookResult solve_look(const Target& target, const EdgeSets& edges, const Sweep& sweep, const Look& look,
-                      const SolveOptions& options, Progress& progress) {
+// A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
+constexpr double most_rise = 1.0 / 16.0;
+
+std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
+  if (tubes.mode != TubeMode::adaptive || !tubes.clip || !tubes.curved) return {};
+  SmoothSurfaces smooth(target.mesh, target.min_wedge_angle, most_rise * wavelength(std::ranges::max(sweep.frequencies)));
+  if (!smooth.any()) return {};
+  return smooth;
+}
+
+LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const EdgeSets& edges, const Sweep& sweep,
+                      const Look& look, const SolveOptions& options, Progress& progress) {
   LookResult result;
   const double share = 1.0 / static_cast<double>(sweep.looks.size());
-  result.tubes = sbr_scattering(target.tracer, target.faces, look, sweep.frequencies, options.tubes, progress, share);
+  result.tubes = sbr_scattering(target.tracer, target.faces, smooth, look, sweep.frequencies, options.tubes, progress, share);
   if (options.edges.method == EdgeMethod::fringe)
     result.edges =
         edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow, options.edges.transition);
@@ -167,11 +178,12 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   Progress progress(options.progress);
 
   const EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies);
+  const std::optional<SmoothSurfaces> smooth = smooth_surfaces(target, sweep, options.tubes);
   // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result.
   std::vector<LookResult> looks(sweep.looks.size());
   tbb::task_arena(threads).execute([&] {
     tbb::parallel_for(std::size_t{0}, looks.size(),
-                      [&](std::size_t i) { looks[i] = solve_look(target, edges, sweep, sweep.looks[i], options, progress); });
+                      [&](std::size_t i) { looks[i] = solve_look(target, smooth ? &*smooth : nullptr, edges, sweep, sweep.looks[i], options, progress); });
   });
   Collector collector(sweep, target.mesh, options.keep_parts);
   for (std::size_t i = 0; i < looks.size(); ++i) collector.add(i, looks[i]);

@@ -68,6 +68,16 @@ FaceTree::FaceTree(const TriangleMesh& mesh)
   std::iota(order.begin(), order.end(), 0u);
   if (!boxes.empty()) build(boxes, order, 0);
   faces_ = in_order(faces_, order);
+  list_triangles();
+}
+
+void FaceTree::list_triangles() {
+  first_triangle_.assign(faces_.faces.size() + 1, 0);
+  for (const std::uint32_t face : faces_.face_of_triangle) ++first_triangle_[face + 1];
+  std::partial_sum(first_triangle_.begin(), first_triangle_.end(), first_triangle_.begin());
+  triangles_.resize(faces_.face_of_triangle.size());
+  std::vector<std::uint32_t> next = first_triangle_;
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) triangles_[next[faces_.face_of_triangle[t]]++] = t;
 }
 
 std::uint32_t FaceTree::build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin) {

@@ -28,6 +28,10 @@ class FaceTree {
   /// In the order of the tree: neighbours in space are neighbours in number.
   std::span<const Face> faces() const { return faces_.faces; }
   std::span<const std::uint32_t> corners(std::uint32_t face) const { return faces_.corners_of(faces_.faces[face]); }
+  /// The triangles of a face.
+  std::span<const std::uint32_t> triangles(std::uint32_t face) const {
+    return std::span(triangles_).subspan(first_triangle_[face], first_triangle_[face + 1] - first_triangle_[face]);
+  }
   std::uint32_t face_of(std::uint32_t triangle) const { return faces_.face_of_triangle[triangle]; }
   const TriangleMesh& mesh() const { return mesh_; }
 
@@ -46,11 +50,13 @@ class FaceTree {
   };
   struct Query;
 
+  void list_triangles();
   std::uint32_t build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin);
   void set_lane(std::uint32_t node, int lane, const Box& box, std::uint32_t begin, std::uint32_t end, std::uint32_t child);
 
   const TriangleMesh& mesh_;
   Faces faces_;
+  std::vector<std::uint32_t> first_triangle_, triangles_;  // of each face, compressed rows
   double doubt_;  // [m] what single precision may cost in placing a box
   std::vector<Node> nodes_;
 };

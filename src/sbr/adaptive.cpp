@@ -29,7 +29,10 @@ class FaceTrace {
         cell_tubes_(look.tracer, look.grid, look.wavenumbers, beams_, sums_) {}
 
   TubeSums run(std::uint32_t begin, std::uint32_t end) {
-    visible_.of_faces(beams_.beam(BeamTree::root), begin, end, parts_);
+    std::vector<std::uint32_t> faces;
+    for (std::uint32_t face = begin; face < end; ++face)
+      if (!look_.smooth || look_.smooth->region(look_.tree.faces()[face].triangle) == no_index) faces.push_back(face);
+    visible_.of_faces(beams_.beam(BeamTree::root), faces, parts_);
     reflect(BeamTree::root, 0);
     sums_.rays = sums_.tubes = sums_.hits.empty() ? 0 : sums_.hits[0];
     for (int bounce = 1; !reflected_.empty() || !cell_tubes_.empty(); ++bounce) {

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "mesh/face_tree.h"
+#include "mesh/smooth.h"
 #include "mesh/tracer.h"
 #include "sbr/launch.h"
 #include "sbr/tube_sums.h"
@@ -19,11 +20,12 @@ struct AdaptiveLook {
   const SphericalBasis& receive;
   std::span<const double> wavenumbers;
   int max_bounces;
+  const SmoothSurfaces* smooth;  // curved surfaces; null: all facets are flat
   bool clip;  // integrate over exactly the parts lit; else over the cells of the grid whose ray runs through them
 };
 
-/// Follows the light that reaches the faces [begin, end) directly through all its reflections and integrates the currents of
-/// every bounce. Without `clip` the sum over all faces is that of the uniform grid.
+/// Follows the light that reaches the flat ones of the faces [begin, end) directly through all its reflections and integrates the
+/// currents of every bounce. Without `clip` the sum over all faces is that of the uniform grid.
 TubeSums trace_faces(const AdaptiveLook& look, std::uint32_t begin, std::uint32_t end);
 
 }  // namespace raytube

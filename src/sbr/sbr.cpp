@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sbr/adaptive.h"
+#include "sbr/curved_cells.h"
 #include "sbr/launch.h"
 #include "sbr/tile.h"
 
@@ -52,29 +53,35 @@ TubeSums sum_tiles(std::size_t count, Function tile, Progress& progress, double 
   return sums;
 }
 
+TubeSums trace_adaptive(const AdaptiveLook& look, Progress& progress, double share) {
+  if (look.grid.cells() == 0)
+    return sum_tiles(
+        0, [](std::size_t) { return TubeSums{}; }, progress, share);
+  const auto face_count = static_cast<std::uint32_t>(look.tree.faces().size());
+  const std::size_t flat_tiles = (face_count + faces_per_tile - 1) / faces_per_tile;
+  std::optional<CurvedLook> curved;
+  if (look.smooth) curved.emplace(look);
+  const auto trace = [&](std::size_t i) {
+    const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
+    if (i < flat_tiles) return trace_faces(look, begin, std::min(begin + faces_per_tile, face_count));
+    return curved->trace(i - flat_tiles);
+  };
+  return sum_tiles(flat_tiles + (curved ? CurvedLook::blocks : 0), trace, progress, share);
+}
+
 }  // namespace
 
-TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
-                        const TubeOptions& options, Progress& progress, double share) {
+TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Look& look,
+                        std::span<const double> frequencies, const TubeOptions& options, Progress& progress, double share) {
   const SphericalBasis transmit = spherical_basis(look.transmit), receive = spherical_basis(look.receive);
   const double shortest = wavelength(*std::ranges::max_element(frequencies));
   const LaunchGrid grid = launch_grid(tracer.mesh(), look.transmit, shortest, options.per_wavelength, options.up);
   std::vector<double> wavenumbers(frequencies.size());
   std::ranges::transform(frequencies, wavenumbers.begin(), wavenumber);
 
-  // Half the faces of a body look at the radar. Where a cell holds more than one of them, single rays are the cheaper sample.
-  const auto face_count = static_cast<std::uint32_t>(faces.faces().size());
-  if (options.mode == TubeMode::adaptive && (face_count <= faces_per_tile || face_count / 2 <= grid.cells())) {
-    if (grid.cells() == 0)
-      return sum_tiles(
-          0, [](std::size_t) { return TubeSums{}; }, progress, share);
-    const AdaptiveLook adaptive{tracer, faces, grid, transmit, receive, wavenumbers, options.max_bounces, options.clip};
-    const auto trace = [&](std::size_t i) {
-      const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
-      return trace_faces(adaptive, begin, std::min(begin + faces_per_tile, face_count));
-    };
-    return sum_tiles((face_count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
-  }
+  const AdaptiveLook adaptive{tracer,  faces,       grid,  transmit, receive, wavenumbers, options.max_bounces,
+                              smooth, options.clip};
+  if (options.mode == TubeMode::adaptive) return trace_adaptive(adaptive, progress, share);
   const Tiling tiles(grid);
   const auto trace = [&](std::size_t i) {
     return trace_tile(tracer, grid, tiles[i], transmit, receive, wavenumbers, options.max_bounces);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace raytube {
 
@@ -25,13 +24,11 @@ Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, double 
 VisibleSurfaces::VisibleSurfaces(const FaceTree& tree, const Tracer& tracer)
     : tree_(tree), tracer_(tracer), projector_(tree), depth_margin_(1e-9 * tree.mesh().radius) {}
 
-void VisibleSurfaces::of_faces(const Beam& incident, std::uint32_t begin, std::uint32_t end, std::vector<VisiblePart>& parts) {
-  found_.resize(end - begin);
-  std::iota(found_.begin(), found_.end(), begin);
+void VisibleSurfaces::of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const BeamView view{incident, no_index, nullptr, {}, 1.0, nullptr, {dvec2(-infinity), dvec2(infinity)}};
-  gather(view, found_, in_view_);
-  if (found_.size() == tree_.faces().size() && in_view_.count <= few) return uncover(in_view_, in_view_, parts);
+  gather(view, faces, in_view_);
+  if (faces.size() == tree_.faces().size() && in_view_.count <= few) return uncover(in_view_, in_view_, parts);
   waiting_.clear();
   for (const ProjectedFace& c : in_view_.used()) waiting_.push_back(&c);
   drop_hidden(view);
@@ -66,7 +63,15 @@ void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch,
   double farthest = std::numeric_limits<double>::infinity();
   if (in_middle && projector_.project(view, tree_.face_of(in_middle.triangle), first_) && projector_.fills(first_, region))
     farthest = first_.depths.high + depth_margin_;
-  tree_.collect(prism_of(beam, &source, view.box, farthest), found_);
+  meet(view, farthest, parts);
+}
+
+void VisibleSurfaces::within(const Beam& incident, const ConvexPolygon& region, std::vector<VisiblePart>& parts) {
+  meet({incident, no_index, nullptr, {}, 1.0, &region, bounds(region)}, std::numeric_limits<double>::infinity(), parts);
+}
+
+void VisibleSurfaces::meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts) {
+  tree_.collect(prism_of(view.beam, view.source, view.box, farthest), found_);
   if (found_.empty()) return;
   gather_nearest_first(view, farthest);
   if (in_view_.count <= few) return uncover(in_view_, in_view_, parts);

@@ -21,13 +21,17 @@ class VisibleSurfaces {
  public:
   VisibleSurfaces(const FaceTree& tree, const Tracer& tracer);
 
-  /// Appends what an incident wave sees of the faces [begin, end).
-  void of_faces(const Beam& incident, std::uint32_t begin, std::uint32_t end, std::vector<VisiblePart>& parts);
+  /// Appends what an incident wave sees of these faces.
+  void of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
 
   /// Appends what the part `region` of a beam that leaves `source_patch` meets. `in_middle` is what its middle_ray meets: a
   /// help, never the answer.
   void from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region, const Hit& in_middle,
                     std::vector<VisiblePart>& parts);
+
+  /// Appends what an incident wave sees within `region`.
+  void within(const Beam& incident, const ConvexPolygon& region, std::vector<VisiblePart>& parts);
+
   static Ray middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region);
 
   /// Area of pieces too thin to be more than rounding, left out so far [m^2].
@@ -45,6 +49,7 @@ class VisibleSurfaces {
     std::span<const ProjectedFace> used() const { return {items.data(), count}; }
   };
 
+  void meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts);
   void drop_hidden(const BeamView& view);
   void see_in_groups(const BeamView& view, std::vector<VisiblePart>& parts);
   void see(const BeamView& view, std::span<const ProjectedFace* const> faces, std::vector<VisiblePart>& parts);

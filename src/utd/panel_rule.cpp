@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "utd/gauss.h"
+#include "gauss.h"
 
 namespace raytube {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "sbr/visible.h"
@@ -24,7 +25,9 @@ struct View {
     const LaunchGrid grid = launch_grid(loaded.mesh, look, 0.1, 10.0, {});
     incident = incident_beam(grid, spherical_basis(look), dvec2(0.0));
     receive = spherical_basis(look);
-    visible.of_faces(incident, 0, static_cast<std::uint32_t>(tree.faces().size()), direct);
+    std::vector<std::uint32_t> all(tree.faces().size());
+    std::iota(all.begin(), all.end(), 0u);
+    visible.of_faces(incident, all, direct);
   }
 
   std::vector<VisiblePart> reflected(const VisiblePart& part) {

@@ -1,4 +1,4 @@
-#include "utd/gauss.h"
+#include "gauss.h"
 
 #include <array>
 #include <cmath>

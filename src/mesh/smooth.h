@@ -1,0 +1,53 @@
+// Curved surfaces behind a tessellation: which facets stand for one, and what it looks like near a point.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace raytube {
+
+/// A surface to second order about `point`: normal . X = X . curvature X / 2, X = r - point. The entry of `curvature` along the
+/// normal is free at this order; it is the stronger principal curvature, which makes spheres and round cylinders exact.
+struct LocalSurface {
+  dvec3 point;            // recentred coordinates [m]
+  dvec3 normal;           // unit, against the ray that asked
+  glm::dmat3 curvature;   // symmetric [1/m]; negative where the surface bends away from the normal
+};
+
+/// Facets joined by creases flatter than wedges are one surface with averaged normals. Facets stay flat where that is truer:
+/// alone in their plane, or much wider than their neighbours across a crease (a panel that runs into a fillet), or where the
+/// surface would rise from the facet by more than `max_rise`: so coarse a mesh does not say what it stands for.
+class SmoothSurfaces {
+ public:
+  /// Creases below `max_crease` [rad] are tessellation; `max_rise` in metres.
+  SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise);
+
+  bool any() const { return facets_ > 0; }
+  std::size_t facets() const { return facets_; }
+
+  /// The surface a triangle is part of; no_index: it is flat.
+  std::uint32_t region(std::uint32_t triangle) const { return region_[triangle]; }
+
+  /// Whether the side from `corner` of a triangle to the next one bounds its surface.
+  bool on_boundary(std::uint32_t triangle, int corner) const { return boundary_[3 * std::size_t{triangle} + corner]; }
+
+  /// How far the surface bends off that side: the point at fraction x of the side lies at its chord minus x (1 - x) times this.
+  dvec3 bend(std::uint32_t triangle, int corner) const;
+
+  /// The surface where the line of a ray (unit direction) meets it, over a triangle with a region. Flat with the facet's plane
+  /// where the surface turns away from the ray although the facet does not.
+  LocalSurface at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const;
+
+ private:
+  const TriangleMesh& mesh_;
+  std::vector<std::uint32_t> region_;
+  std::vector<bool> boundary_;
+  std::vector<std::uint32_t> corner_normal_;  // in normals_, three a triangle
+  std::vector<dvec3> normals_;
+  std::size_t facets_ = 0;
+};
+
+}  // namespace raytube

@@ -1,0 +1,265 @@
+#include "sbr/curved_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sbr/curved_piece.h"
+#include "sbr/visible.h"
+
+namespace raytube {
+
+namespace {
+
+// A cell with more faces than this is split unseen; one with no more than `few` is not worth splitting.
+constexpr std::size_t many = 160, few = 10;
+// Phase [rad] by which a surface may lie off the quadric of its cell, and by which the integrand may vary over it.
+constexpr double phase_tolerance = 0.02, most_phase = 60.0;
+// Seen closer to its own plane than this, a facet has no area.
+constexpr double edge_on = 1e-12;
+// Smallest cell in wavelengths.
+constexpr double smallest_cell = 1.0 / 32.0;
+
+ConvexPolygon rectangle(const Bounds& box) {
+  ConvexPolygon polygon;
+  set_corners(polygon, std::array{box.low, dvec2(box.high.x, box.low.y), box.high, dvec2(box.low.x, box.high.y)});
+  return polygon;
+}
+
+// The part [low, high] of the way from `a` to `b` that lies in the box; low > high: none.
+Range part_within(const Bounds& box, const dvec2& a, const dvec2& b) {
+  Range part{0.0, 1.0};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double way = b[axis] - a[axis];
+    if (way == 0.0) {
+      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return {1.0, 0.0};
+      continue;
+    }
+    const double to_low = (box.low[axis] - a[axis]) / way, to_high = (box.high[axis] - a[axis]) / way;
+    part = {std::max(part.low, std::min(to_low, to_high)), std::min(part.high, std::max(to_low, to_high))};
+  }
+  return part;
+}
+
+}  // namespace
+
+Bounds FacingTriangle::bounds() const {
+  return {glm::min(glm::min(at[0], at[1]), at[2]), glm::max(glm::max(at[0], at[1]), at[2])};
+}
+
+bool FacingTriangle::contains(const dvec2& p) const {
+  int positive = 0, negative = 0;
+  for (int c = 0; c < 3; ++c) {
+    const dvec2 side = at[(c + 1) % 3] - at[c], to = p - at[c];
+    const double turn = side.x * to.y - side.y * to.x;
+    positive += turn > 0.0;
+    negative += turn < 0.0;
+  }
+  return positive == 0 || negative == 0;
+}
+
+namespace {
+
+class CellTrace {
+ public:
+  CellTrace(const AdaptiveLook& look, std::span<const FacingTriangle> facing)
+      : look_(look),
+        facing_(facing),
+        incident_(incident_beam(look.grid, look.transmit, dvec2(0.0))),
+        light_{look.grid, look.transmit, look.receive, look.wavenumbers},
+        highest_(std::ranges::max(look.wavenumbers)),
+        visible_(look.tree, look.tracer) {}
+
+  TubeSums run(const Bounds& block, std::span<const std::uint32_t> triangles) {
+    cell(block, triangles);
+    sums_.tubes = sums_.rays = sums_.hits.empty() ? 0 : sums_.hits[0];
+    return std::move(sums_);
+  }
+
+ private:
+  enum class Verdict { one_piece, bent, crowded };
+
+  // `triangles` in facing_ are all that reach into the cell.
+  void cell(const Bounds& box, std::span<const std::uint32_t> triangles) {
+    if (std::ranges::none_of(triangles, [&](std::uint32_t t) { return facing_[t].region != no_index; })) return;
+    const bool smallest = glm::length(box.high - box.low) * highest_ < 2.0 * pi * smallest_cell;
+    if (triangles.size() > many && !smallest) return split(box, triangles);
+    const std::optional<CurvedPiece> piece = piece_in(box, triangles);
+    if (!piece) return;
+    const Verdict verdict = judge(*piece, box, triangles);
+    if (verdict == Verdict::one_piece) return integrate(*piece, box);
+    if (smallest || (verdict == Verdict::crowded && triangles.size() <= few)) return facets(box);
+    split(box, triangles);
+  }
+
+  void split(const Bounds& box, std::span<const std::uint32_t> triangles) {
+    const dvec2 middle = 0.5 * (box.low + box.high);
+    std::vector<std::uint32_t> inside;
+    for (const Bounds& quarter :
+         {Bounds{box.low, middle}, Bounds{dvec2(middle.x, box.low.y), dvec2(box.high.x, middle.y)},
+          Bounds{dvec2(box.low.x, middle.y), dvec2(middle.x, box.high.y)}, Bounds{middle, box.high}}) {
+      inside.clear();
+      std::ranges::copy_if(triangles, std::back_inserter(inside), [&](std::uint32_t t) { return facing_[t].reaches(quarter); });
+      cell(quarter, inside);
+    }
+  }
+
+  std::uint32_t region(std::uint32_t face) const { return look_.smooth->region(look_.tree.faces()[face].triangle); }
+
+  dvec3 above(const dvec2& at) const {
+    return look_.grid.plane_origin + at.x * look_.grid.u_hat + at.y * look_.grid.v_hat;
+  }
+
+  // The quadric about the cell's middle; where that misses the surface, about the largest part of a facet in the cell.
+  std::optional<CurvedPiece> piece_in(const Bounds& box, std::span<const std::uint32_t> triangles) {
+    dvec2 at = 0.5 * (box.low + box.high);
+    const FacingTriangle* base = nullptr;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t t : triangles) {
+      const FacingTriangle& f = facing_[t];
+      if (f.region == no_index || !f.contains(at)) continue;
+      const double depth = facet_depth(f)(at);
+      if (depth < nearest) base = &f, nearest = depth;
+    }
+    if (!base) {
+      double largest = 0.0;
+      for (const std::uint32_t t : triangles) {
+        const FacingTriangle& f = facing_[t];
+        if (f.region == no_index || !clip(f, box)) continue;
+        if (const double size = area(clipped_); size > largest) base = &f, largest = size, at = middle(clipped_);
+      }
+    }
+    if (!base) return {};
+    base_ = base;
+    return CurvedPiece(look_.grid, look_.smooth->at(above(at), look_.grid.direction, base->triangle));
+  }
+
+  Affine facet_depth(const FacingTriangle& f) const {
+    const TriangleMesh& mesh = look_.tree.mesh();
+    return depth_of(incident_, mesh.patches[mesh.triangle_patch[f.triangle]]);
+  }
+
+  // Fills clipped_ with the part of the triangle in the box.
+  bool clip(const FacingTriangle& f, const Bounds& box) {
+    set_corners(clipped_, f.at);
+    for (const Affine& side : {Affine{-box.low.x, 1.0, 0.0}, Affine{box.high.x, -1.0, 0.0}, Affine{-box.low.y, 0.0, 1.0},
+                               Affine{box.high.y, 0.0, -1.0}}) {
+      cut(clipped_, side, 0.0, inside_, outside_);
+      std::swap(clipped_, inside_);
+      if (clipped_.empty()) return false;
+    }
+    return true;
+  }
+
+  Verdict judge(const CurvedPiece& piece, const Bounds& box, std::span<const std::uint32_t> triangles) {
+    if (highest_ * path_range(light_, piece, box) > most_phase) return Verdict::bent;
+    const double farthest = farthest_depth(piece, box);
+    for (const std::uint32_t t : triangles)
+      if (facing_[t].region != base_->region && reaches_before(facing_[t], box, farthest)) return Verdict::crowded;
+    for (const std::uint32_t t : triangles) {
+      const FacingTriangle& f = facing_[t];
+      if (f.region != base_->region) continue;
+      if (const Verdict verdict = judge_sides(f, piece, box); verdict != Verdict::one_piece) return verdict;
+    }
+    return Verdict::one_piece;
+  }
+
+  double farthest_depth(const CurvedPiece& piece, const Bounds& box) const {
+    double farthest = 0.0;
+    for (const dvec2& at : {box.low, box.high, dvec2(box.low.x, box.high.y), dvec2(box.high.x, box.low.y)})
+      farthest = std::max(farthest, piece.depth(at - piece.anchor()).depth);
+    return farthest + glm::dot(piece.surface().point - look_.grid.plane_origin, look_.grid.direction);
+  }
+
+  bool reaches_before(const FacingTriangle& f, const Bounds& box, double farthest) {
+    return clip(f, box) && range(clipped_, facet_depth(f)).low < farthest;
+  }
+
+  // The surface's sides within the box must lie on the piece, and none may be where the surface ends.
+  Verdict judge_sides(const FacingTriangle& f, const CurvedPiece& piece, const Bounds& box) const {
+    const TriangleMesh& mesh = look_.tree.mesh();
+    const double tolerance = phase_tolerance / (2.0 * highest_);
+    double most_bend = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      const Range part = part_within(box, f.at[c], f.at[(c + 1) % 3]);
+      if (part.low > part.high) continue;
+      if (look_.smooth->on_boundary(f.triangle, c)) return Verdict::crowded;
+      const dvec3 start = mesh.vertices[mesh.triangles[f.triangle][c]],
+                  along = mesh.vertices[mesh.triangles[f.triangle][(c + 1) % 3]] - start, bend = look_.smooth->bend(f.triangle, c);
+      most_bend = std::max(most_bend, glm::length(bend));
+      for (const double x : {part.low, part.high})
+        if (piece.distance(start + x * along - x * (1.0 - x) * bend) > tolerance) return Verdict::bent;
+    }
+    // A facet wider than the cell has no side in it. It may rise from its plane by half of its strongest bend.
+    const dvec2 middle = 0.5 * (box.low + box.high);
+    const bool on_piece = !f.contains(middle) || piece.distance(above(middle) + facet_depth(f)(middle) * look_.grid.direction) <
+                                                     tolerance + 0.5 * most_bend;
+    return on_piece ? Verdict::one_piece : Verdict::bent;
+  }
+
+  void integrate(const CurvedPiece& piece, const Bounds& box) {
+    std::vector<ScatteringMatrix>& sums = sums_.at(0, look_.wavenumbers.size());
+    ++sums_.hits[0];
+    add_curved(sums, light_, piece, box);
+  }
+
+  void facets(const Bounds& box) {
+    parts_.clear();
+    visible_.within(incident_, rectangle(box), parts_);
+    for (const VisiblePart& part : parts_) {
+      if (region(part.face) == no_index) continue;
+      std::vector<ScatteringMatrix>& sums = sums_.at(0, look_.wavenumbers.size());
+      ++sums_.hits[0];
+      const LocalSurface surface =
+          look_.smooth->at(above(middle(part.outline)), look_.grid.direction, look_.tree.faces()[part.face].triangle);
+      add_curved(sums, light_, CurvedPiece(look_.grid, surface), part.outline);
+    }
+  }
+
+  const AdaptiveLook& look_;
+  std::span<const FacingTriangle> facing_;
+  Beam incident_;
+  Illumination light_;
+  double highest_;
+  VisibleSurfaces visible_;
+  const FacingTriangle* base_ = nullptr;
+  ConvexPolygon clipped_, inside_, outside_;
+  std::vector<VisiblePart> parts_;
+  TubeSums sums_;
+};
+
+}  // namespace
+
+CurvedLook::CurvedLook(const AdaptiveLook& look) : look_(look) {
+  const TriangleMesh& mesh = look.tree.mesh();
+  std::vector<dvec2> places;
+  for (const dvec3& r : mesh.vertices) places.emplace_back(glm::dot(r, look.grid.u_hat), glm::dot(r, look.grid.v_hat));
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double towards = glm::dot(mesh.patches[mesh.triangle_patch[t]].normal, look.grid.direction);
+    if (towards > -edge_on && (towards < edge_on || mesh.closed(t))) continue;
+    const Triangle& corners = mesh.triangles[t];
+    facing_.push_back({t, look.smooth->region(t), {places[corners[0]], places[corners[1]], places[corners[2]]}});
+  }
+  fill_blocks();
+}
+
+void CurvedLook::fill_blocks() {
+  const dvec2 low(look_.grid.u_begin, look_.grid.v_begin);
+  const dvec2 size = dvec2(look_.grid.columns * look_.grid.du, look_.grid.rows * look_.grid.dv) / static_cast<double>(across);
+  for (int row = 0; row < across; ++row)
+    for (int column = 0; column < across; ++column)
+      blocks_.push_back({{low + dvec2(column, row) * size, low + dvec2(column + 1, row + 1) * size}, {}});
+  for (std::uint32_t t = 0; t < facing_.size(); ++t) {
+    const Bounds box = facing_[t].bounds();
+    const glm::ivec2 first = glm::max(glm::ivec2(glm::floor((box.low - low) / size - 1e-9)), 0),
+                     last = glm::min(glm::ivec2((box.high - low) / size + 1e-9), across - 1);
+    for (int row = first.y; row <= last.y; ++row)
+      for (int column = first.x; column <= last.x; ++column) blocks_[row * across + column].triangles.push_back(t);
+  }
+}
+
+TubeSums CurvedLook::trace(std::size_t block) const {
+  return CellTrace(look_, facing_).run(blocks_[block].box, blocks_[block].triangles);
+}
+
+}  // namespace raytube

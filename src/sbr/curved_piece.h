@@ -1,0 +1,64 @@
+// Physical optics on a curved surface lit by a plane wave: the quadric about a point instead of the plane through it.
+#pragma once
+
+#include <span>
+
+#include "mesh/smooth.h"
+#include "sbr/conic.h"
+#include "sbr/convex_polygon.h"
+#include "sbr/launch.h"
+
+namespace raytube {
+
+/// What lights a look and what is asked of it.
+struct Illumination {
+  const LaunchGrid& grid;
+  const SphericalBasis& transmit;
+  const SphericalBasis& receive;
+  std::span<const double> wavenumbers;  // [rad/m]
+};
+
+/// A surface to second order as the parallel rays of a look see it: a depth over the launch plane, up to its own limb, where the
+/// rays graze it.
+class CurvedPiece {
+ public:
+  CurvedPiece(const LaunchGrid& grid, const LocalSurface& surface);
+
+  /// The launch coordinates of the point it is expanded about.
+  const dvec2& anchor() const { return anchor_; }
+
+  /// Positive where a ray meets the surface, zero on the limb; in launch coordinates counted from the anchor.
+  const Conic& limb() const { return limb_; }
+
+  /// Depth behind the anchor's point and its slopes along u and v; beyond the limb, that of the limb. `from_anchor` as for the limb.
+  struct Depth {
+    double depth, slope_u, slope_v;
+  };
+  Depth depth(const dvec2& from_anchor) const;
+
+  /// How far a point lies off the surface, to first order [m].
+  double distance(const dvec3& point) const;
+
+  const LocalSurface& surface() const { return surface_; }
+
+ private:
+  LocalSurface surface_;
+  dvec2 anchor_;
+  dvec3 normal_;      // along (u_hat, v_hat, direction)
+  glm::dmat3 curve_;  // in the same frame
+  Conic limb_;        // the discriminant of the quadratic equation for the depth
+};
+
+/// Adds the far field of the physical-optics currents on the piece within a launch rectangle; sums[frequency].
+/// S = -(jk / 4 pi) p . integral of 2 n x (d x e) e^{jk (s - d).r} over the lit surface, in launch coordinates, where the surface
+/// element carries n x (d x e) dS = [p.e + (p.d) (e . grad depth)] du dv. Returns the largest |S_pq| it added.
+double add_curved(std::span<ScatteringMatrix> sums, const Illumination& light, const CurvedPiece& piece, const Bounds& cell);
+
+/// The same over a convex polygon of the launch plane that stays clear of the limb.
+double add_curved(std::span<ScatteringMatrix> sums, const Illumination& light, const CurvedPiece& piece,
+                  const ConvexPolygon& polygon);
+
+/// The range of the exponent of that integral over a rectangle, divided by the wavenumber [m].
+double path_range(const Illumination& light, const CurvedPiece& piece, const Bounds& cell);
+
+}  // namespace raytube
