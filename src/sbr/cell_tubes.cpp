@@ -1,6 +1,29 @@
 #include "sbr/cell_tubes.h"
 
+#include <algorithm>
+
 namespace raytube {
+
+namespace {
+
+// Cells of the coarse grid along one side of the launch plane.
+constexpr std::uint32_t coarseness = 3;
+
+bool stands_for_group(std::uint32_t index, std::uint32_t count) {
+  const std::uint32_t place = index % coarseness;
+  return place == 1 || (place == 0 && index + 1 == count);
+}
+
+struct Group {
+  std::uint32_t begin, end;
+};
+
+Group group_of(std::uint32_t index, std::uint32_t count) {
+  const std::uint32_t begin = index - index % coarseness;
+  return {begin, std::min(begin + coarseness, count)};
+}
+
+}  // namespace
 
 void CellTubes::reserve(std::size_t count) {
   tubes_.reserve(count);
@@ -34,9 +57,8 @@ void CellTubes::advance(int bounce, int max_bounces) {
   rays_.clear();
 }
 
-// Replaces the tubes by those that met a surface, sent on their way from there, and groups them in runs.
+// Replaces the tubes by those that met a surface, sent on their way from there.
 void CellTubes::reflect() {
-  runs_.clear();
   std::size_t alive = 0;
   for (std::size_t i = 0; i < tubes_.size(); ++i) {
     const Hit hit = hits_[i];
@@ -51,7 +73,6 @@ void CellTubes::reflect() {
     const dvec3 point = rays_[i].origin + hit.distance * rays_[i].direction;
     tubes_[alive] = {column, row, node};
     rays_[alive] = {point, beams_.beam(node).direction, patch};
-    extend_runs(tubes_[alive]);
     ++alive;
   }
   tubes_.resize(alive);
@@ -63,27 +84,50 @@ bool CellTubes::is_leak(const Ray& ray, const Hit& hit, std::uint32_t patch) con
   return tracer_.mesh().closed(hit.triangle) && glm::dot(tracer_.mesh().patches[patch].normal, ray.direction) > 0.0;
 }
 
-void CellTubes::extend_runs(const Tube& tube) {
-  if (!runs_.empty()) {
-    Run& last = runs_.back();
-    if (last.node == tube.beam && last.row == tube.row && last.column_begin + last.columns == tube.column) {
-      ++last.columns;
+void CellTubes::find_runs() {
+  runs_.clear();
+  for (const auto& [column, row, node] : tubes_) extend(runs_, node, {column, column + 1, row, row + 1});
+}
+
+void CellTubes::find_coarse_runs() {
+  runs_.clear();
+  for (const auto& [column, row, node] : tubes_) {
+    if (!stands_for_group(row, grid_.rows) || !stands_for_group(column, grid_.columns)) continue;
+    const Group across = group_of(column, grid_.columns), down = group_of(row, grid_.rows);
+    extend(runs_, node, {across.begin, across.end, down.begin, down.end});
+  }
+}
+
+void CellTubes::extend(std::vector<Run>& runs, std::uint32_t node, const CellBlock& cells) {
+  if (!runs.empty()) {
+    Run& last = runs.back();
+    if (last.node == node && last.cells.row_begin == cells.row_begin && last.cells.column_end == cells.column_begin) {
+      last.cells.column_end = cells.column_end;
       return;
     }
   }
-  runs_.push_back({tube.beam, tube.row, tube.column, 1});
+  runs.push_back({node, cells});
 }
 
 void CellTubes::integrate(int bounce) {
   if (tubes_.empty()) return;
   std::vector<ScatteringMatrix>& sums = sums_.at(bounce, wavenumbers_.size());
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
-  for (const Run& run : runs_) {
-    const Footprint& footprint = beams_.footprint(run.node);
-    const double width = run.columns * grid_.du;
-    const dvec2 center{grid_.u_begin + run.column_begin * grid_.du + 0.5 * width, grid_.v_center(run.row)};
+  find_runs();
+  integrate_runs(sums);
+  if (coarse_sums_.empty()) return;
+  find_coarse_runs();
+  integrate_runs(coarse_sums_);
+}
+
+void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) const {
+  for (const auto& [node, cells] : runs_) {
+    const Footprint& footprint = beams_.footprint(node);
+    const dvec2 size{(cells.column_end - cells.column_begin) * grid_.du, (cells.row_end - cells.row_begin) * grid_.dv};
+    const dvec2 low{grid_.u_begin + cells.column_begin * grid_.du, grid_.v_begin + cells.row_begin * grid_.dv};
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-      add_far_field(sums[f], footprint, wavenumbers_[f], phase_integral(footprint, wavenumbers_[f], center, width, grid_.dv));
+      add_far_field(sums[f], footprint, wavenumbers_[f],
+                    phase_integral(footprint, wavenumbers_[f], low + 0.5 * size, size.x, size.y));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "mesh/tracer.h"
 #include "sbr/beam_tree.h"
+#include "sbr/lattice.h"
 #include "sbr/tube_sums.h"
 
 namespace raytube {
@@ -28,19 +29,29 @@ class CellTubes {
   /// that meet none end; all do if the next one would be bounce `max_bounces`.
   void advance(int bounce, int max_bounces);
 
+  /// From now on every three by three cells, counted from the grid's corner, are also taken as one whose ray is the middle one's
+  /// (the first one's where the grid ends before the middle). Wants all tubes of a group, rows one after the other.
+  void sample_coarse_grid() { coarse_sums_.resize(wavenumbers_.size()); }
+  /// Sums over all bounces so far of the cells three times as large; [frequency].
+  const std::vector<ScatteringMatrix>& coarse_sums() const { return coarse_sums_; }
+
  private:
   struct Tube {
     std::uint32_t column, row, beam;
   };
   // Neighbouring cells of a row whose tubes share a footprint: together one wider tube, integrated in one closed form.
   struct Run {
-    std::uint32_t node, row, column_begin, columns;
+    std::uint32_t node;
+    CellBlock cells;
   };
 
   void reflect();
   bool is_leak(const Ray& ray, const Hit& hit, std::uint32_t patch) const;
-  void extend_runs(const Tube& tube);
+  void find_runs();
+  void find_coarse_runs();
+  static void extend(std::vector<Run>& runs, std::uint32_t node, const CellBlock& cells);
   void integrate(int bounce);
+  void integrate_runs(std::vector<ScatteringMatrix>& sums) const;
 
   const Tracer& tracer_;
   const LaunchGrid& grid_;
@@ -51,6 +62,7 @@ class CellTubes {
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   std::vector<Run> runs_;
+  std::vector<ScatteringMatrix> coarse_sums_;
 };
 
 }  // namespace raytube

@@ -12,6 +12,13 @@ void add_at(Values& sum, std::size_t index, const typename Values::value_type& v
 
 }  // namespace
 
+CoarseDifference& CoarseDifference::operator+=(const CoarseDifference& other) {
+  coherent += other.coherent;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) squares[p][q] += other.squares[p][q];
+  return *this;
+}
+
 std::vector<ScatteringMatrix>& TubeSums::at(int bounce, std::size_t frequencies) {
   const auto b = static_cast<std::size_t>(bounce);
   while (bounces.size() <= b) bounces.emplace_back(frequencies);
@@ -25,6 +32,7 @@ void TubeSums::add(const TubeSums& other) {
     for (std::size_t f = 0; f < other.bounces[b].size(); ++f) bounces[b][f] += other.bounces[b][f];
     add_at(hits, b, other.hits[b]);
   }
+  for (std::size_t f = 0; f < other.coarse.size(); ++f) add_at(coarse, f, other.coarse[f]);
   tubes += other.tubes;
   rays += other.rays;
   lost_rays += other.lost_rays;

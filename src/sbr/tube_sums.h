@@ -8,9 +8,19 @@
 
 namespace raytube {
 
+/// What a grid three times as coarse, made of the same rays, gives less than the fine one.
+struct CoarseDifference {
+  ScatteringMatrix coherent;  // sum over tiles of the difference, fine minus coarse [m]
+  std::array<std::array<double, 2>, 2>
+      squares{};  // sum over tiles of its squared magnitude [m^2]; indices as of ScatteringMatrix
+
+  CoarseDifference& operator+=(const CoarseDifference& other);
+};
+
 /// Sums and counts of a tile, or of several added up in order.
 struct TubeSums {
   std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
+  std::vector<CoarseDifference> coarse;                // [frequency], all bounces together; empty: nothing was sampled
   std::vector<std::uint64_t> hits;                     // [bounce]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;
   double sliver_area = 0.0;  // [m^2] of the launch plane, left out by adaptive tubes
