@@ -6,6 +6,7 @@
 
 #include "sbr/adaptive.h"
 #include "sbr/curved_cells.h"
+#include "sbr/curved_tubes.h"
 #include "sbr/launch.h"
 #include "sbr/tile.h"
 
@@ -60,13 +61,14 @@ TubeSums trace_adaptive(const AdaptiveLook& look, Progress& progress, double sha
   const auto face_count = static_cast<std::uint32_t>(look.tree.faces().size());
   const std::size_t flat_tiles = (face_count + faces_per_tile - 1) / faces_per_tile;
   std::optional<CurvedLook> curved;
-  if (look.smooth) curved.emplace(look);
+  std::optional<CurvedBounces> bounces;
+  if (look.smooth) curved.emplace(look), bounces.emplace(look);
   const auto trace = [&](std::size_t i) {
     const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
     if (i < flat_tiles) return trace_faces(look, begin, std::min(begin + faces_per_tile, face_count));
-    return curved->trace(i - flat_tiles);
+    return i < flat_tiles + CurvedLook::blocks ? curved->trace(i - flat_tiles) : bounces->trace(i - flat_tiles - CurvedLook::blocks);
   };
-  return sum_tiles(flat_tiles + (curved ? CurvedLook::blocks : 0), trace, progress, share);
+  return sum_tiles(flat_tiles + (curved ? CurvedLook::blocks + bounces->blocks() : 0), trace, progress, share);
 }
 
 }  // namespace

@@ -1,0 +1,188 @@
+#include "sbr/curved_tubes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "material.h"
+#include "sbr/curved_beam.h"
+
+namespace raytube {
+
+namespace {
+
+// Probes along each side of a block.
+constexpr std::uint32_t probes_across = 24;
+
+// Tubes under way, all after the same number of bounces, and the rays that carry them on. A ray leaves the facet it met, its tube
+// the surface behind it.
+class CurvedTubes {
+ public:
+  CurvedTubes(const AdaptiveLook& look, TubeSums& sums) : look_(look), sums_(sums) {}
+
+  // Launches the cells' tubes and keeps those that a curved surface reflects; found[i]: one of them is cell i's.
+  void launch(std::span<const glm::uvec2> cells) {
+    tubes_.clear(), rays_.clear();
+    for (const glm::uvec2& cell : cells) {
+      const dvec2 at(look_.grid.u_center(cell.x), look_.grid.v_center(cell.y));
+      tubes_.push_back({cell, launched_beam(look_.grid, look_.transmit, at)});
+      rays_.push_back(look_.grid.ray(cell.x, cell.y));
+    }
+    find_hits();
+    keep([&](const Tube&, const Hit& hit) { return look_.smooth->region(hit.triangle) != no_index; });
+  }
+
+  // The cells of the tubes that meet anything next.
+  std::vector<glm::uvec2> meeting() {
+    find_hits();
+    std::vector<glm::uvec2> cells;
+    for (std::size_t i = 0; i < tubes_.size(); ++i)
+      if (hits_[i]) cells.push_back(tubes_[i].cell);
+    return cells;
+  }
+
+  void follow() {
+    for (int bounce = 1; !tubes_.empty(); ++bounce) {
+      find_hits();
+      if (bounce == look_.max_bounces) {
+        sums_.tubes_cut += static_cast<std::uint64_t>(std::ranges::count_if(hits_, [](const Hit& hit) { return bool(hit); }));
+        return;
+      }
+      keep([&](const Tube& tube, const Hit&) {
+        integrate(tube, bounce);
+        return true;
+      });
+    }
+  }
+
+ private:
+  struct Tube {
+    glm::uvec2 cell;
+    CurvedBeam beam;
+    CurvedFootprint footprint{};
+  };
+
+  void find_hits() {
+    hits_.resize(rays_.size());
+    look_.tracer.closest_hits(rays_, hits_);
+    sums_.rays += rays_.size();
+  }
+
+  // Reflects the tubes that met a surface and of which `take` says so.
+  template <class Take>
+  void keep(Take take) {
+    const TriangleMesh& mesh = look_.tracer.mesh();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < tubes_.size(); ++i) {
+      const Hit hit = hits_[i];
+      if (!hit) continue;
+      const std::uint32_t patch = mesh.triangle_patch[hit.triangle];
+      if (mesh.closed(hit.triangle) && glm::dot(mesh.patches[patch].normal, rays_[i].direction) > 0.0) {
+        ++sums_.lost_rays;
+        continue;
+      }
+      Tube tube = tubes_[i];
+      tube.footprint = curved_footprint(tube.beam, surface(tube.beam, hit.triangle), look_.receive);
+      if (!take(tube, hit)) continue;
+      tube.beam = tube.footprint.outgoing;
+      rays_[kept] = {rays_[i].origin + hit.distance * rays_[i].direction, tube.beam.direction, patch};
+      tubes_[kept++] = tube;
+    }
+    tubes_.resize(kept);
+    rays_.resize(kept);
+  }
+
+  // The curved surface unless it would send the tube into the facet; else the facet's plane.
+  LocalSurface surface(const CurvedBeam& beam, std::uint32_t triangle) const {
+    const Patch& patch = look_.tracer.mesh().patches[look_.tracer.mesh().triangle_patch[triangle]];
+    const double facing = glm::dot(patch.normal, beam.direction);
+    if (look_.smooth->region(triangle) != no_index) {
+      const LocalSurface curved = look_.smooth->at(beam.base, beam.direction, triangle);
+      if (glm::dot(reflected_direction(beam.direction, curved.normal), patch.normal) * facing < 0.0) return curved;
+    }
+    const double distance = (patch.offset - glm::dot(patch.normal, beam.base)) / facing;
+    return {beam.base + distance * beam.direction, facing < 0.0 ? patch.normal : -patch.normal, glm::dmat3(0.0)};
+  }
+
+  void integrate(const Tube& tube, int bounce) {
+    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
+    ++sums_.hits[static_cast<std::size_t>(bounce)];
+    for (std::size_t f = 0; f < sums.size(); ++f)
+      add_far_field(sums[f], tube.footprint, look_.wavenumbers[f], {look_.grid.du, look_.grid.dv});
+  }
+
+  const AdaptiveLook& look_;
+  TubeSums& sums_;
+  std::vector<Tube> tubes_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> hits_;
+};
+
+// Groups of stride x stride cells, probed by a ray each; a block is a square of them.
+class Block {
+ public:
+  Block(const LaunchGrid& grid, std::uint32_t stride, const glm::uvec2& block) : grid_(grid), stride_(stride) {
+    const glm::uvec2 groups = (glm::uvec2(grid.columns, grid.rows) + stride - 1u) / stride;
+    first_ = block * probes_across;
+    last_ = glm::min(first_ + probes_across, groups);
+    // Groups beside the block matter too.
+    low_ = glm::uvec2(first_.x - (first_.x > 0 ? 1 : 0), first_.y - (first_.y > 0 ? 1 : 0));
+    high_ = glm::min(last_ + 1u, groups);
+  }
+
+  std::vector<glm::uvec2> probes() const {
+    std::vector<glm::uvec2> cells;
+    for (std::uint32_t row = low_.y; row < high_.y; ++row)
+      for (std::uint32_t column = low_.x; column < high_.x; ++column)
+        cells.push_back(glm::min(glm::uvec2(column, row) * stride_ + stride_ / 2, glm::uvec2(grid_.columns, grid_.rows) - 1u));
+    return cells;
+  }
+
+  // All cells of the block's groups that are, or lie next to, the group of one of these cells.
+  std::vector<glm::uvec2> cells_around(std::span<const glm::uvec2> met) const {
+    const glm::uvec2 size = last_ - first_;
+    std::vector<bool> chosen(std::size_t{size.x} * size.y);
+    for (const glm::uvec2& cell : met) {
+      const glm::ivec2 group = glm::ivec2(cell / stride_) - glm::ivec2(first_);
+      for (int row = std::max(group.y - 1, 0); row <= std::min<int>(group.y + 1, static_cast<int>(size.y) - 1); ++row)
+        for (int column = std::max(group.x - 1, 0); column <= std::min<int>(group.x + 1, static_cast<int>(size.x) - 1); ++column)
+          chosen[std::size_t{size.x} * row + column] = true;
+    }
+    std::vector<glm::uvec2> cells;
+    for (std::size_t group = 0; group < chosen.size(); ++group)
+      if (chosen[group]) add_group(first_ + glm::uvec2(group % size.x, group / size.x), cells);
+    return cells;
+  }
+
+ private:
+  void add_group(const glm::uvec2& group, std::vector<glm::uvec2>& cells) const {
+    const glm::uvec2 begin = group * stride_, end = glm::min(begin + stride_, glm::uvec2(grid_.columns, grid_.rows));
+    for (std::uint32_t row = begin.y; row < end.y; ++row)
+      for (std::uint32_t column = begin.x; column < end.x; ++column) cells.emplace_back(column, row);
+  }
+
+  const LaunchGrid& grid_;
+  std::uint32_t stride_;
+  glm::uvec2 first_, last_, low_, high_;  // groups of the block, and those that are probed
+};
+
+}  // namespace
+
+CurvedBounces::CurvedBounces(const AdaptiveLook& look) : look_(look) {
+  const double half_wavelength = pi / std::ranges::max(look.wavenumbers);
+  stride_ = std::max(1u, static_cast<std::uint32_t>(half_wavelength / std::max(look.grid.du, look.grid.dv)));
+  const std::uint32_t side = probes_across * stride_;
+  across_ = (look.grid.columns + side - 1) / side;
+  down_ = (look.grid.rows + side - 1) / side;
+}
+
+TubeSums CurvedBounces::trace(std::size_t block) const {
+  TubeSums sums;
+  const Block here(look_.grid, stride_, {block % across_, block / across_});
+  CurvedTubes tubes(look_, sums);
+  tubes.launch(here.probes());
+  tubes.launch(here.cells_around(tubes.meeting()));
+  tubes.follow();
+  return sums;
+}
+
+}  // namespace raytube
