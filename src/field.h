@@ -10,6 +10,7 @@
 //   A wedge of interior (metal) angle alpha has the exterior angle n pi = 2 pi - alpha; a half plane is n = 2.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -66,5 +67,12 @@ struct ScatteringMatrix {
   }
   friend ScatteringMatrix operator+(ScatteringMatrix a, const ScatteringMatrix& b) { return a += b; }
 };
+
+inline double largest_amplitude(const ScatteringMatrix& s) {
+  return std::max(std::max(std::abs(s.vv()), std::abs(s.vh())), std::max(std::abs(s.hv()), std::abs(s.hh())));
+}
+
+/// Errors of the magnitudes |S_pq| [m]; indices as of ScatteringMatrix.
+using ChannelErrors = std::array<std::array<double, 2>, 2>;
 
 }  // namespace raytube

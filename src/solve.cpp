@@ -58,6 +58,7 @@ LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const 
         edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow, options.edges.transition);
   if (sweep.bistatic) return result;
   for (std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) make_reciprocal(bounce);
+  for (ChannelErrors& error : result.tubes.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);
   make_reciprocal(result.edges.scattering);
   make_reciprocal(result.edges.higher);
   return result;
@@ -80,6 +81,7 @@ class Collector {
  public:
   Collector(const Sweep& sweep, const TriangleMesh& mesh, bool keep_parts) : sweep_(sweep), mesh_(mesh), keep_parts_(keep_parts) {
     result_.total.resize(sweep.rows());
+    result_.error.resize(sweep.rows());
     if (!keep_parts) return;
     result_.edges_first.resize(sweep.rows());
     result_.edges_higher.resize(sweep.rows());
@@ -120,6 +122,7 @@ class Collector {
   void add_row(std::size_t look, std::size_t f, const LookResult& part) {
     const std::size_t row = sweep_.row(look, f);
     const Complex factor = to_mesh_origin(mesh_, sweep_.looks[look], sweep_.frequencies[f]);
+    result_.error[row] = part.tubes.error[f];
     for (std::size_t b = 0; b < part.tubes.bounces.size(); ++b) {
       const ScatteringMatrix bounce = scaled(part.tubes.bounces[b][f], factor);
       result_.total[row] += bounce;

@@ -51,6 +51,7 @@ struct Statistics {
 /// Complex amplitudes of a sweep, one entry per row (Sweep::row), kept apart by mechanism.
 struct SweepResult {
   std::vector<ScatteringMatrix> total;  // sum of all mechanisms
+  std::vector<ChannelErrors> error;     // estimated numerical error of |S_pq| by the tubes [m]; the edges' own is not in it
   std::vector<std::vector<ScatteringMatrix>>
       bounces;  // bounces[m][row]: PO currents of bounce m + 1; empty unless parts are kept
   // Fringe currents of the lit wedges, and what these currents start at further wedges; empty unless parts are kept.

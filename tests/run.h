@@ -25,6 +25,7 @@ inline Sweep monostatic(const std::vector<Direction>& directions, double frequen
 inline SolveOptions options(EdgeMethod edges, double per_wavelength = 10.0) {
   SolveOptions o;
   o.edges.method = edges;
+  o.tubes.mode = TubeMode::uniform;
   o.tubes.per_wavelength = per_wavelength;
   o.keep_parts = true;
   return o;

@@ -72,6 +72,9 @@ dvec3 read_vector(const CaseValue& value, const std::string& key) {
   return vector;
 }
 
+// Adaptive tubes that no density is given for stop here.
+constexpr double most_per_wavelength = 40.0;
+
 void read_tubes(const CaseValue& root, Case& c) {
   if (const CaseValue* mode = find(root, "tubes", "mode")) {
     const std::string name = read_text(*mode, "tubes.mode");
@@ -88,6 +91,16 @@ void read_tubes(const CaseValue& root, Case& c) {
       reject(*clip, "tubes.clip needs tubes.mode = \"adaptive\"; a uniform grid is never clipped, so remove it");
     c.tubes.clip = read_flag(*clip, "tubes.clip");
   }
+  const bool clipped = c.tubes.mode == TubeMode::adaptive && c.tubes.clip;
+  if (const CaseValue* curved = find(root, "tubes", "curved")) {
+    if (!clipped) reject(*curved, "tubes.curved needs adaptive tubes with clip; the others see facets, so remove it");
+    c.tubes.curved = read_flag(*curved, "tubes.curved");
+  }
+  if (const CaseValue* tolerance = find(root, "accuracy", "tolerance_db")) {
+    if (!clipped) reject(*tolerance, "accuracy.tolerance_db needs adaptive tubes with clip; the others have the density given");
+    c.tubes.tolerance_db = read_positive(*tolerance, "accuracy.tolerance_db");
+  }
+  if (clipped && !find(root, "tubes", "per_wavelength")) c.tubes.per_wavelength = most_per_wavelength;
   if (const CaseValue* up = find(root, "tubes", "up")) c.tubes.up = read_vector(*up, "tubes.up");
 }
 

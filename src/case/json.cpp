@@ -23,6 +23,7 @@ Json tubes_json(const TubeOptions& tubes) {
   Json json = {
       {"mode", adaptive ? "adaptive" : "uniform"}, {"per_wavelength", tubes.per_wavelength}, {"max_bounces", tubes.max_bounces}};
   if (adaptive) json["clip"] = tubes.clip;
+  if (adaptive && tubes.clip) json["curved"] = tubes.curved;
   if (tubes.up) json["up"] = {tubes.up->x, tubes.up->y, tubes.up->z};
   return json;
 }
@@ -51,6 +52,7 @@ std::string resolved_case_json(const Case& c) {
   if (!c.looks.rx_theta_deg.empty())
     json["receive"] = {{"theta_deg", one_or_list(c.looks.rx_theta_deg)}, {"phi_deg", one_or_list(c.looks.rx_phi_deg)}};
   json["tubes"] = tubes_json(c.tubes);
+  if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};
   json["edges"] = edges_json(c.edges);
   json["output"] = {{"plots", c.plots}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace);

@@ -10,7 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 22> known_keys = {"title",
+constexpr std::array<std::string_view, 24> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -25,6 +25,8 @@ constexpr std::array<std::string_view, 22> known_keys = {"title",
                                                          "tubes.max_bounces",
                                                          "tubes.up",
                                                          "tubes.clip",
+                                                         "tubes.curved",
+                                                         "accuracy.tolerance_db",
                                                          "edges.method",
                                                          "edges.order",
                                                          "edges.receiver_shadow",
@@ -33,7 +35,7 @@ constexpr std::array<std::string_view, 22> known_keys = {"title",
                                                          "edges.min_wedge_deg",
                                                          "output.plots"};
 
-constexpr std::array<std::string_view, 5> later_keys = {"accuracy", "output.image_look", "output.image_per_wavelength", "radar",
+constexpr std::array<std::string_view, 4> later_keys = {"output.image_look", "output.image_per_wavelength", "radar",
                                                         "materials"};
 
 template <std::size_t size>

@@ -20,6 +20,7 @@ constexpr const char* conventions =
     "# Time factor exp(+j omega t); a wave travels as exp(-j k r). Phase reference: the origin of the mesh's coordinates.\n"
     "# Scattering amplitude S_pq [m], p receive, q transmit: E_p(scattered) = S_pq E_q(incident) exp(-j k r) / r.\n"
     "# sigma_pq = 4 pi |S_pq|^2; dBsm is 10 log10(sigma / 1 m^2). vh is receive V, transmit H.\n"
+    "# err_pq_db = 20 log10(1 + error / max(|S_pq|, S_max / 100)): estimated numerical error of |S_pq|; S_max is the row's largest.\n"
     "# Directions point from the target: theta from +z, phi from +x towards +y; theta_deg, phi_deg to the "
     "transmitter, rx_ to the receiver.\n"
     "# V is theta-hat and H is phi-hat of each one's own direction, for the transmitter and for the receiver.\n";
@@ -49,7 +50,19 @@ std::string complex_columns(const std::string& suffix) {
 std::string rcs_header() {
   std::string header = key_columns + complex_columns("");
   for (const char* channel : channel_names) header += fmt::format(",sigma_{}_dbsm", channel);
+  for (const char* channel : channel_names) header += fmt::format(",err_{}_db", channel);
   return header + '\n';
+}
+
+// 20 log10(1 + error / max(|S_pq|, S_max / 100)), S_max the largest of the four amplitudes.
+std::array<double, 4> error_levels(const ScatteringMatrix& s, const ChannelErrors& errors) {
+  const std::array<Complex, 4> values = channels(s);
+  const std::array<double, 4> error{errors[0][0], errors[0][1], errors[1][0], errors[1][1]};
+  std::array<double, 4> levels{};
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    if (error[i] > 0.0)
+      levels[i] = 20.0 / std::log(10.0) * std::log1p(error[i] / std::max(std::abs(values[i]), 0.01 * largest_amplitude(s)));
+  return levels;
 }
 
 std::string complex_values(const ScatteringMatrix& s) {
@@ -75,6 +88,7 @@ void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const 
     const ScatteringMatrix& s = result.total[row];
     std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive) + complex_values(s);
     for (const Complex value : channels(s)) line += ',' + number_text(sigma_dbsm(value));
+    for (const double level : error_levels(s, result.error[row])) line += ',' + number_text(level);
     out.write(line + '\n');
   });
   out.commit();

@@ -50,7 +50,10 @@ class Study {
         destination_(std::move(destination)),
         bar_(isatty(STDERR_FILENO) != 0),
         study_{c.title, c.sweep, {}, {}} {
-    options_ = {c.tubes, c.edges, request.threads > 0 ? request.threads : all_threads(), false, {}};
+    // Clipped tubes have no density to study.
+    TubeOptions tubes = c.tubes;
+    if (tubes.clip) tubes.mode = TubeMode::uniform;
+    options_ = {tubes, c.edges, request.threads > 0 ? request.threads : all_threads(), false, {}};
     for (const double density : densities) whole_ += work(density);
   }
 

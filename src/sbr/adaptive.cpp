@@ -1,5 +1,7 @@
 #include "sbr/adaptive.h"
 
+#include <cmath>
+
 #include "sbr/cell_tubes.h"
 #include "sbr/lattice.h"
 #include "sbr/polygon_integral.h"
@@ -89,11 +91,23 @@ class FaceTrace {
     for (const PolygonTube& tube : reflected_) covered += area(tube.outline);
     if (static_cast<double>(reflected_.size()) * cell <= covered) return;
     std::erase_if(reflected_, [&](const PolygonTube& tube) {
-      if (area(tube.outline) >= cell) return false;
+      const double size = area(tube.outline);
+      if (size >= cell) return false;
+      count_thinned(size * (cell - size));
       cells_under(look_.grid, tube.outline, blocks_);
       follow_by_rays(tube.beam, tube.patch);
       return true;
     });
+  }
+
+  // A tube becomes a cell with the probability of their areas' ratio: variance (area) (cell - area), times the (k / 2 pi)^2 that a
+  // perfect conductor radiates at most.
+  void count_thinned(double variance) {
+    const std::size_t frequencies = look_.wavenumbers.size();
+    for (std::size_t f = 0; f < frequencies; ++f)
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q)
+          sums_.add_error(f, frequencies, p, q, look_.wavenumbers[f] / (2.0 * pi) * std::sqrt(variance));
   }
 
   void follow_by_rays(std::uint32_t beam, std::uint32_t patch) {

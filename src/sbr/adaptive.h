@@ -19,9 +19,10 @@ struct AdaptiveLook {
   const SphericalBasis& transmit;
   const SphericalBasis& receive;
   std::span<const double> wavenumbers;
-  int max_bounces;
+  double phase_tolerance;        // [rad] by which a curved surface may lie off its description
   const SmoothSurfaces* smooth;  // curved surfaces; null: all facets are flat
   bool clip;  // integrate over exactly the parts lit; else over the cells of the grid whose ray runs through them
+  int max_bounces;
 };
 
 /// Follows the light that reaches the flat ones of the faces [begin, end) directly through all its reflections and integrates the

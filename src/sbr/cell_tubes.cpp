@@ -69,6 +69,7 @@ void CellTubes::reflect() {
       continue;
     }
     const auto [column, row, beam] = tubes_[i];
+    if (smooth_ && beam == BeamTree::root && smooth_->region(hit.triangle) != no_index) continue;
     const std::uint32_t node = beams_.child(beam, patch, {grid_.u_center(column), grid_.v_center(row)});
     const dvec3 point = rays_[i].origin + hit.distance * rays_[i].direction;
     tubes_[alive] = {column, row, node};

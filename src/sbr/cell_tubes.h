@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/smooth.h"
 #include "mesh/tracer.h"
 #include "sbr/beam_tree.h"
 #include "sbr/lattice.h"
@@ -19,6 +20,9 @@ class CellTubes {
 
   bool empty() const { return tubes_.empty(); }
   void reserve(std::size_t count);
+
+  /// Tubes that meet a curved surface first are someone else's.
+  void leave_out(const SmoothSurfaces* smooth) { smooth_ = smooth; }
 
   /// A tube as launched.
   void launch(std::uint32_t column, std::uint32_t row);
@@ -58,6 +62,7 @@ class CellTubes {
   std::span<const double> wavenumbers_;
   BeamTree& beams_;
   TubeSums& sums_;
+  const SmoothSurfaces* smooth_ = nullptr;
   std::vector<Tube> tubes_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;

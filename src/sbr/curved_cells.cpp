@@ -12,9 +12,11 @@ namespace raytube {
 namespace {
 
 // A cell with more faces than this is split unseen; one with no more than `few` is not worth splitting.
-constexpr std::size_t many = 160, few = 10;
-// Phase [rad] by which a surface may lie off the quadric of its cell, and by which the integrand may vary over it.
-constexpr double phase_tolerance = 0.02, most_phase = 60.0;
+constexpr std::size_t many = 160, few = 24;
+// Phase [rad] by which the integrand may vary over a cell.
+constexpr double most_phase = 60.0;
+// Share of a cell's far field that its quadrature may miss: measured on spheres, where the quadric is exact.
+constexpr double integration_error = 1e-3;
 // Seen closer to its own plane than this, a facet has no area.
 constexpr double edge_on = 1e-12;
 // Smallest cell in wavelengths.
@@ -45,6 +47,19 @@ Range part_within(const Bounds& box, const dvec2& a, const dvec2& b) {
 
 Bounds FacingTriangle::bounds() const {
   return {glm::min(glm::min(at[0], at[1]), at[2]), glm::max(glm::max(at[0], at[1]), at[2])};
+}
+
+// Neither the box's sides nor the triangle's separate them.
+bool FacingTriangle::reaches(const Bounds& box) const {
+  if (!bounds().overlaps(box, 0.0)) return false;
+  const dvec2 middle = 0.5 * (box.low + box.high), half = 0.5 * (box.high - box.low);
+  const dvec2 s = at[1] - at[0], t = at[2] - at[0];
+  const double sense = s.x * t.y - s.y * t.x > 0.0 ? 1.0 : -1.0;
+  for (int c = 0; c < 3; ++c) {
+    const dvec2 side = sense * (at[(c + 1) % 3] - at[c]), to = middle - at[c];
+    if (side.x * to.y - side.y * to.x + std::abs(side.x) * half.y + std::abs(side.y) * half.x < 0.0) return false;
+  }
+  return true;
 }
 
 bool FacingTriangle::contains(const dvec2& p) const {
@@ -87,7 +102,7 @@ class CellTrace {
     const std::optional<CurvedPiece> piece = piece_in(box, triangles);
     if (!piece) return;
     const Verdict verdict = judge(*piece, box, triangles);
-    if (verdict == Verdict::one_piece) return integrate(*piece, box);
+    if (verdict == Verdict::one_piece) return add(curved_far_field(light_, *piece, box));
     if (smallest || (verdict == Verdict::crowded && triangles.size() <= few)) return facets(box);
     split(box, triangles);
   }
@@ -125,7 +140,7 @@ class CellTrace {
       double largest = 0.0;
       for (const std::uint32_t t : triangles) {
         const FacingTriangle& f = facing_[t];
-        if (f.region == no_index || !clip(f, box)) continue;
+        if (f.region == no_index || area(common(f.bounds(), box)) <= largest || !clip(f, box)) continue;
         if (const double size = area(clipped_); size > largest) base = &f, largest = size, at = middle(clipped_);
       }
     }
@@ -154,6 +169,7 @@ class CellTrace {
   Verdict judge(const CurvedPiece& piece, const Bounds& box, std::span<const std::uint32_t> triangles) {
     if (highest_ * path_range(light_, piece, box) > most_phase) return Verdict::bent;
     const double farthest = farthest_depth(piece, box);
+    phase_off_ = 0.0;
     for (const std::uint32_t t : triangles)
       if (facing_[t].region != base_->region && reaches_before(facing_[t], box, farthest)) return Verdict::crowded;
     for (const std::uint32_t t : triangles) {
@@ -172,13 +188,13 @@ class CellTrace {
   }
 
   bool reaches_before(const FacingTriangle& f, const Bounds& box, double farthest) {
-    return clip(f, box) && range(clipped_, facet_depth(f)).low < farthest;
+    const Affine depth = facet_depth(f);
+    return range(common(f.bounds(), box), depth).low < farthest && clip(f, box) && range(clipped_, depth).low < farthest;
   }
 
   // The surface's sides within the box must lie on the piece, and none may be where the surface ends.
-  Verdict judge_sides(const FacingTriangle& f, const CurvedPiece& piece, const Bounds& box) const {
+  Verdict judge_sides(const FacingTriangle& f, const CurvedPiece& piece, const Bounds& box) {
     const TriangleMesh& mesh = look_.tree.mesh();
-    const double tolerance = phase_tolerance / (2.0 * highest_);
     double most_bend = 0.0;
     for (int c = 0; c < 3; ++c) {
       const Range part = part_within(box, f.at[c], f.at[(c + 1) % 3]);
@@ -188,31 +204,37 @@ class CellTrace {
                   along = mesh.vertices[mesh.triangles[f.triangle][(c + 1) % 3]] - start, bend = look_.smooth->bend(f.triangle, c);
       most_bend = std::max(most_bend, glm::length(bend));
       for (const double x : {part.low, part.high})
-        if (piece.distance(start + x * along - x * (1.0 - x) * bend) > tolerance) return Verdict::bent;
+        phase_off_ = std::max(phase_off_, 2.0 * highest_ * piece.distance(start + x * along - x * (1.0 - x) * bend));
     }
     // A facet wider than the cell has no side in it. It may rise from its plane by half of its strongest bend.
     const dvec2 middle = 0.5 * (box.low + box.high);
-    const bool on_piece = !f.contains(middle) || piece.distance(above(middle) + facet_depth(f)(middle) * look_.grid.direction) <
-                                                     tolerance + 0.5 * most_bend;
-    return on_piece ? Verdict::one_piece : Verdict::bent;
+    const bool on_piece =
+        !f.contains(middle) || piece.distance(above(middle) + facet_depth(f)(middle) * look_.grid.direction) <
+                                   0.5 * most_bend + look_.phase_tolerance / (2.0 * highest_);
+    return on_piece && phase_off_ < look_.phase_tolerance ? Verdict::one_piece : Verdict::bent;
   }
 
-  void integrate(const CurvedPiece& piece, const Bounds& box) {
-    std::vector<ScatteringMatrix>& sums = sums_.at(0, look_.wavenumbers.size());
+  // A piece that lies off the surface by some phase is wrong by this share of its far field; integration adds to that.
+  void add(const std::vector<ScatteringMatrix>& part) {
+    std::vector<ScatteringMatrix>& sums = sums_.at(0, part.size());
     ++sums_.hits[0];
-    add_curved(sums, light_, piece, box);
+    for (std::size_t f = 0; f < part.size(); ++f) {
+      sums[f] += part[f];
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q)
+          sums_.add_error(f, part.size(), p, q, (phase_off_ + integration_error) * std::abs(part[f].at(p, q)));
+    }
   }
 
   void facets(const Bounds& box) {
     parts_.clear();
+    phase_off_ = 0.0;
     visible_.within(incident_, rectangle(box), parts_);
     for (const VisiblePart& part : parts_) {
       if (region(part.face) == no_index) continue;
-      std::vector<ScatteringMatrix>& sums = sums_.at(0, look_.wavenumbers.size());
-      ++sums_.hits[0];
       const LocalSurface surface =
           look_.smooth->at(above(middle(part.outline)), look_.grid.direction, look_.tree.faces()[part.face].triangle);
-      add_curved(sums, light_, CurvedPiece(look_.grid, surface), part.outline);
+      add(curved_far_field(light_, CurvedPiece(look_.grid, surface), part.outline));
     }
   }
 
@@ -223,6 +245,7 @@ class CellTrace {
   double highest_;
   VisibleSurfaces visible_;
   const FacingTriangle* base_ = nullptr;
+  double phase_off_ = 0.0;  // of the facets' sides from the piece in question [rad], at the highest frequency
   ConvexPolygon clipped_, inside_, outside_;
   std::vector<VisiblePart> parts_;
   TubeSums sums_;

@@ -16,7 +16,7 @@ struct FacingTriangle {
   std::array<dvec2, 3> at;
 
   Bounds bounds() const;
-  bool reaches(const Bounds& box) const { return bounds().overlaps(box, 0.0); }
+  bool reaches(const Bounds& box) const;
   bool contains(const dvec2& p) const;
 };
 

@@ -59,26 +59,24 @@ class Moments {
     }
   }
 
-  double add_far_field(std::span<ScatteringMatrix> scattering) const {
+  std::vector<ScatteringMatrix> far_field() const {
     const LaunchGrid& grid = light_.grid;
     const std::array<dvec3, 2> incident{light_.transmit.theta_hat, light_.transmit.phi_hat},
         received{light_.receive.theta_hat, light_.receive.phi_hat};
     const double start = glm::dot(change_, piece_.surface().point);
-    double largest = 0.0;
+    std::vector<ScatteringMatrix> scattering(sums_.size());
     for (std::size_t f = 0; f < sums_.size(); ++f) {
       const double k = light_.wavenumbers[f];
       const Complex factor = Complex(0.0, -k / (2.0 * pi)) * std::polar(1.0, k * start);
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) {
           const double forward = glm::dot(received[p], grid.direction);
-          const Complex value = factor * (glm::dot(received[p], incident[q]) * sums_[f].one +
-                                          forward * (glm::dot(incident[q], grid.u_hat) * sums_[f].slope_u +
-                                                     glm::dot(incident[q], grid.v_hat) * sums_[f].slope_v));
-          scattering[f].at(p, q) += value;
-          largest = std::max(largest, std::abs(value));
+          scattering[f].at(p, q) = factor * (glm::dot(received[p], incident[q]) * sums_[f].one +
+                                             forward * (glm::dot(incident[q], grid.u_hat) * sums_[f].slope_u +
+                                                        glm::dot(incident[q], grid.v_hat) * sums_[f].slope_v));
         }
     }
-    return largest;
+    return scattering;
   }
 
  private:
@@ -144,7 +142,7 @@ double path_range(const Illumination& light, const CurvedPiece& piece, const Bou
   return path_ranges(Moments(light, piece), from_anchor(piece, cell)).whole;
 }
 
-double add_curved(std::span<ScatteringMatrix> sums, const Illumination& light, const CurvedPiece& piece, const Bounds& cell) {
+std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const Bounds& cell) {
   const Bounds box = from_anchor(piece, cell);
   Moments moments(light, piece);
   const dvec2 phase = std::ranges::max(light.wavenumbers) * path_ranges(moments, box).along;
@@ -164,11 +162,10 @@ double add_curved(std::span<ScatteringMatrix> sums, const Illumination& light, c
     });
     begin = end;
   }
-  return moments.add_far_field(sums);
+  return moments.far_field();
 }
 
-double add_curved(std::span<ScatteringMatrix> sums, const Illumination& light, const CurvedPiece& piece,
-                  const ConvexPolygon& polygon) {
+std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const ConvexPolygon& polygon) {
   Moments moments(light, piece);
   const dvec2 origin = polygon[0].at - piece.anchor();
   double low = moments.path(origin), high = low;
@@ -177,7 +174,7 @@ double add_curved(std::span<ScatteringMatrix> sums, const Illumination& light, c
     low = std::min(low, path);
     high = std::max(high, path);
   }
-  const auto rule = gauss_rule(points_for(std::ranges::max(light.wavenumbers) * (high - low)));
+  const auto rule = gauss_rule(points_for(std::ranges::max(light.wavenumbers) * (high - low)) - 1);
   // Triangles of a fan, each a square collapsed to a corner (Duffy 1982).
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const dvec2 a = polygon[i - 1].at - polygon[0].at, b = polygon[i].at - polygon[0].at;
@@ -187,7 +184,7 @@ double add_curved(std::span<ScatteringMatrix> sums, const Illumination& light, c
         if (const dvec2 at = origin + x.place * (a + y.place * (b - a)); piece.limb()(at) > 0.0)
           moments.add(at, twice_area * x.weight * x.place * y.weight);
   }
-  return moments.add_far_field(sums);
+  return moments.far_field();
 }
 
 }  // namespace raytube

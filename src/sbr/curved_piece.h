@@ -49,14 +49,13 @@ class CurvedPiece {
   Conic limb_;        // the discriminant of the quadratic equation for the depth
 };
 
-/// Adds the far field of the physical-optics currents on the piece within a launch rectangle; sums[frequency].
+/// Far field of the physical-optics currents on the piece within a launch rectangle, [frequency].
 /// S = -(jk / 4 pi) p . integral of 2 n x (d x e) e^{jk (s - d).r} over the lit surface, in launch coordinates, where the surface
-/// element carries n x (d x e) dS = [p.e + (p.d) (e . grad depth)] du dv. Returns the largest |S_pq| it added.
-double add_curved(std::span<ScatteringMatrix> sums, const Illumination& light, const CurvedPiece& piece, const Bounds& cell);
+/// element carries n x (d x e) dS = [p.e + (p.d) (e . grad depth)] du dv.
+std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const Bounds& cell);
 
 /// The same over a convex polygon of the launch plane that stays clear of the limb.
-double add_curved(std::span<ScatteringMatrix> sums, const Illumination& light, const CurvedPiece& piece,
-                  const ConvexPolygon& polygon);
+std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const ConvexPolygon& polygon);
 
 /// The range of the exponent of that integral over a rectangle, divided by the wavenumber [m].
 double path_range(const Illumination& light, const CurvedPiece& piece, const Bounds& cell);

@@ -17,7 +17,7 @@ constexpr std::uint32_t probes_across = 24;
 // the surface behind it.
 class CurvedTubes {
  public:
-  CurvedTubes(const AdaptiveLook& look, TubeSums& sums) : look_(look), sums_(sums) {}
+  CurvedTubes(const AdaptiveLook& look, TubeSums& sums) : look_(look), sums_(sums), coarse_sums_(look.wavenumbers.size()) {}
 
   // Launches the cells' tubes and keeps those that a curved surface reflects; found[i]: one of them is cell i's.
   void launch(std::span<const glm::uvec2> cells) {
@@ -45,13 +45,14 @@ class CurvedTubes {
       find_hits();
       if (bounce == look_.max_bounces) {
         sums_.tubes_cut += static_cast<std::uint64_t>(std::ranges::count_if(hits_, [](const Hit& hit) { return bool(hit); }));
-        return;
+        break;
       }
       keep([&](const Tube& tube, const Hit&) {
         integrate(tube, bounce);
         return true;
       });
     }
+    if (!sums_.bounces.empty()) sums_.compare_with(coarse_sums_);
   }
 
  private:
@@ -106,8 +107,12 @@ class CurvedTubes {
   void integrate(const Tube& tube, int bounce) {
     std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
-    for (std::size_t f = 0; f < sums.size(); ++f)
-      add_far_field(sums[f], tube.footprint, look_.wavenumbers[f], {look_.grid.du, look_.grid.dv});
+    const dvec2 cell(look_.grid.du, look_.grid.dv);
+    const bool stands_for_nine = tube.cell.x % 3 == 1 && tube.cell.y % 3 == 1;
+    for (std::size_t f = 0; f < sums.size(); ++f) {
+      add_far_field(sums[f], tube.footprint, look_.wavenumbers[f], cell);
+      if (stands_for_nine) add_far_field(coarse_sums_[f], tube.footprint, look_.wavenumbers[f], 3.0 * cell);
+    }
   }
 
   const AdaptiveLook& look_;
@@ -115,6 +120,7 @@ class CurvedTubes {
   std::vector<Tube> tubes_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
+  std::vector<ScatteringMatrix> coarse_sums_;  // of a grid three times as coarse, all bounces
 };
 
 // Groups of stride x stride cells, probed by a ray each; a block is a square of them.

@@ -7,6 +7,7 @@
 #include "sbr/adaptive.h"
 #include "sbr/curved_cells.h"
 #include "sbr/curved_tubes.h"
+#include "sbr/estimate.h"
 #include "sbr/launch.h"
 #include "sbr/tile.h"
 
@@ -54,41 +55,80 @@ TubeSums sum_tiles(std::size_t count, Function tile, Progress& progress, double 
   return sums;
 }
 
-TubeSums trace_adaptive(const AdaptiveLook& look, Progress& progress, double share) {
-  if (look.grid.cells() == 0)
-    return sum_tiles(
-        0, [](std::size_t) { return TubeSums{}; }, progress, share);
+TubeSums trace_uniform(const AdaptiveLook& look, Progress& progress, double share) {
+  const Tiling tiles(look.grid);
+  const auto trace = [&](std::size_t i) {
+    return trace_tile(look.tracer, look.grid, tiles[i], look.transmit, look.receive, look.wavenumbers, look.max_bounces,
+                      look.smooth);
+  };
+  return sum_tiles(tiles.count, trace, progress, share);
+}
+
+TubeSums trace_flat(const AdaptiveLook& look, Progress& progress, double share) {
   const auto face_count = static_cast<std::uint32_t>(look.tree.faces().size());
-  const std::size_t flat_tiles = (face_count + faces_per_tile - 1) / faces_per_tile;
-  std::optional<CurvedLook> curved;
-  std::optional<CurvedBounces> bounces;
-  if (look.smooth) curved.emplace(look), bounces.emplace(look);
   const auto trace = [&](std::size_t i) {
     const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
-    if (i < flat_tiles) return trace_faces(look, begin, std::min(begin + faces_per_tile, face_count));
-    return i < flat_tiles + CurvedLook::blocks ? curved->trace(i - flat_tiles) : bounces->trace(i - flat_tiles - CurvedLook::blocks);
+    return trace_faces(look, begin, std::min(begin + faces_per_tile, face_count));
   };
-  return sum_tiles(flat_tiles + (curved ? CurvedLook::blocks + bounces->blocks() : 0), trace, progress, share);
+  return sum_tiles((face_count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
 }
+
+TubeSums trace_curved(const AdaptiveLook& look, Progress& progress, double share) {
+  const CurvedLook first(look);
+  const CurvedBounces later(look);
+  const auto trace = [&](std::size_t i) { return i < CurvedLook::blocks ? first.trace(i) : later.trace(i - CurvedLook::blocks); };
+  return sum_tiles(CurvedLook::blocks + later.blocks(), trace, progress, share);
+}
+
+// Times the work of a cell that of a flat face is.
+constexpr double cells_per_face = 40.0;
+
+// Half the faces of a body look at the radar. Where a face is dearer than the cells it covers, single rays are the cheaper sample.
+bool cells_are_cheaper(const AdaptiveLook& look) {
+  const auto is_flat = [&](const Face& face) { return !look.smooth || look.smooth->region(face.triangle) == no_index; };
+  const auto flat = std::ranges::count_if(look.tree.faces(), is_flat);
+  const double per_face = look.clip ? cells_per_face : 1.0;
+  return flat > faces_per_tile && 0.5 * per_face * static_cast<double>(flat) > static_cast<double>(look.grid.cells());
+}
+
+TubeSums trace_adaptive(const AdaptiveLook& look, Progress& progress, double share) {
+  if (look.grid.cells() == 0) {
+    progress.add(share);
+    return {};
+  }
+  const double part = look.smooth ? 0.5 * share : share;
+  TubeSums sums = cells_are_cheaper(look) ? trace_uniform(look, progress, part) : trace_flat(look, progress, part);
+  if (look.smooth) sums.add(trace_curved(look, progress, part));
+  return sums;
+}
+
+// Cells per wavelength to begin with, and the least and the most by which they grow.
+constexpr double first_per_wavelength = 10.0, least_growth = 1.5, most_growth = 3.0;
 
 }  // namespace
 
 TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Look& look,
                         std::span<const double> frequencies, const TubeOptions& options, Progress& progress, double share) {
   const SphericalBasis transmit = spherical_basis(look.transmit), receive = spherical_basis(look.receive);
-  const double shortest = wavelength(*std::ranges::max_element(frequencies));
-  const LaunchGrid grid = launch_grid(tracer.mesh(), look.transmit, shortest, options.per_wavelength, options.up);
   std::vector<double> wavenumbers(frequencies.size());
   std::ranges::transform(frequencies, wavenumbers.begin(), wavenumber);
-
-  const AdaptiveLook adaptive{tracer,  faces,       grid,  transmit, receive, wavenumbers, options.max_bounces,
-                              smooth, options.clip};
-  if (options.mode == TubeMode::adaptive) return trace_adaptive(adaptive, progress, share);
-  const Tiling tiles(grid);
-  const auto trace = [&](std::size_t i) {
-    return trace_tile(tracer, grid, tiles[i], transmit, receive, wavenumbers, options.max_bounces);
-  };
-  return sum_tiles(tiles.count, trace, progress, share);
+  const double shortest = wavelength(*std::ranges::max_element(frequencies)), tolerance = relative_error(options.tolerance_db);
+  const bool adaptive = options.mode == TubeMode::adaptive, refined = adaptive && options.clip;
+  double per_wavelength = refined ? std::min(first_per_wavelength, options.per_wavelength) : options.per_wavelength;
+  std::uint64_t rays = 0;
+  while (true) {
+    const LaunchGrid grid = launch_grid(tracer.mesh(), look.transmit, shortest, per_wavelength, options.up);
+    const AdaptiveLook view{tracer,      faces,     grid,   transmit,     receive,
+                            wavenumbers, tolerance, smooth, options.clip, options.max_bounces};
+    TubeSums sums = adaptive ? trace_adaptive(view, progress, share) : trace_uniform(view, progress, share);
+    sums.error = numerical_error(sums, grid, wavenumbers, tracer.mesh().radius);
+    sums.rays += rays;
+    const double too_large = excess(sums, sums.error, tolerance);
+    if (!refined || sums.coarse.empty() || too_large <= 1.0 || per_wavelength >= options.per_wavelength) return sums;
+    per_wavelength = std::min(per_wavelength * std::clamp(too_large, least_growth, most_growth), options.per_wavelength);
+    rays = sums.rays;
+    share = 0.0;
+  }
 }
 
 }  // namespace raytube

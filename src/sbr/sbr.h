@@ -23,9 +23,11 @@ enum class TubeMode {
 };
 
 struct TubeOptions {
-  TubeMode mode = TubeMode::uniform;
-  double per_wavelength = 10.0;  // cells per wavelength along each side of the launch plane, at the highest frequency
-  bool clip = true;              // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
+  TubeMode mode = TubeMode::adaptive;
+  /// Cells per wavelength along each side of the launch plane, at the highest frequency; adaptive with clip: the most.
+  double per_wavelength = 10.0;
+  double tolerance_db = 0.1;  // adaptive with clip: cells are made smaller until the estimated error is below this
+  bool clip = true;           // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
   bool curved = true;            // adaptive with clip: facets that stand for a curved surface are taken as that surface
   int max_bounces = 8;
   std::optional<dvec3> up;  // rows of the launch grid follow this vector's projection; default -theta_hat

@@ -11,33 +11,22 @@ dvec2 middle(const LaunchGrid& grid, const Tile& tile) {
           0.5 * (grid.v_center(tile.row_begin) + grid.v_center(tile.row_end - 1))};
 }
 
-// Fine minus coarse, all bounces of a tile together.
-CoarseDifference coarse_difference(const TubeSums& fine, const ScatteringMatrix& coarse, std::size_t frequency) {
-  ScatteringMatrix sum;
-  for (const std::vector<ScatteringMatrix>& bounce : fine.bounces) sum += bounce[frequency];
-  CoarseDifference difference;
-  for (int p = 0; p < 2; ++p)
-    for (int q = 0; q < 2; ++q) {
-      difference.coherent.at(p, q) = sum.at(p, q) - coarse.at(p, q);
-      difference.squares[p][q] = std::norm(difference.coherent.at(p, q));
-    }
-  return difference;
-}
-
 }  // namespace
 
 TubeSums trace_tile(const Tracer& tracer, const LaunchGrid& grid, const Tile& tile, const SphericalBasis& transmit,
-                    const SphericalBasis& receive, std::span<const double> wavenumbers, int max_bounces) {
+                    const SphericalBasis& receive, std::span<const double> wavenumbers, int max_bounces,
+                    const SmoothSurfaces* smooth) {
   TubeSums sums;
   BeamTree beams(tracer.mesh(), receive, incident_beam(grid, transmit, middle(grid, tile)));
   CellTubes tubes(tracer, grid, wavenumbers, beams, sums);
   sums.tubes = std::uint64_t{tile.row_end - tile.row_begin} * (tile.column_end - tile.column_begin);
   tubes.reserve(sums.tubes);
   tubes.sample_coarse_grid();
+  tubes.leave_out(smooth);
   for (std::uint32_t row = tile.row_begin; row < tile.row_end; ++row)
     for (std::uint32_t column = tile.column_begin; column < tile.column_end; ++column) tubes.launch(column, row);
   for (int bounce = 0; !tubes.empty(); ++bounce) tubes.advance(bounce, max_bounces);
-  for (std::size_t f = 0; f < wavenumbers.size(); ++f) sums.coarse.push_back(coarse_difference(sums, tubes.coarse_sums()[f], f));
+  sums.compare_with(tubes.coarse_sums());
   return sums;
 }
 

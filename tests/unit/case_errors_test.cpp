@@ -48,7 +48,6 @@ const Bad bad_values[] = {
     {"tubes.max_bounces=2000", "from 1 to 1000"},
     {"tubes.up=[0,0]", "three numbers"},
     {"tubes.up=[0,0,0]", "zero vector"},
-    {"tubes.clip=true", "needs tubes.mode = \"adaptive\""},
     {"edges.method=utd", "not in this version; write \"fringe\" or \"none\""},
     {"edges.order=0", "from 1 to 3"},
     {"edges.order=4", "from 1 to 3"},
@@ -57,7 +56,8 @@ const Bad bad_values[] = {
     {"edges.min_wedge_deg=180", "less than 180"},
     {"output.plots=yes", "true or false"},
     {"output.image_look=0", "not in this version"},
-    {"accuracy.tolerance_db=0.1", "\"accuracy\" is not in this version"},
+    
+    {"accuracy.tolerance_db=-1", "accuracy.tolerance_db"},
     {"radar.range_m=3", "\"radar\" is not in this version"},
     {"materials.glass=3", "\"materials\" is not in this version"},
     {"edges.methd=none", "did you mean \"edges.method\""},
@@ -69,6 +69,13 @@ const Bad bad_values[] = {
 TEST(CaseErrors, BadValueNamesTheOptionAndTheRemedy) {
   for (const auto& [option, says] : bad_values)
     EXPECT_THAT(complaint(smallest, {option}), AllOf(HasSubstr(std::string("--set ") + option + ": "), HasSubstr(says)));
+}
+
+TEST(CaseErrors, UniformTubesAreNeverClippedNorRefined) {
+  const std::string uniform = "tubes.mode=uniform";
+  EXPECT_THAT(complaint(smallest, {uniform, "tubes.clip=true"}), HasSubstr("needs tubes.mode = \"adaptive\""));
+  EXPECT_THAT(complaint(smallest, {uniform, "tubes.curved=true"}), HasSubstr("needs adaptive tubes with clip"));
+  EXPECT_THAT(complaint(smallest, {uniform, "accuracy.tolerance_db=1"}), HasSubstr("needs adaptive tubes with clip"));
 }
 
 TEST(CaseErrors, NamesFileAndLine) {

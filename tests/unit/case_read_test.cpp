@@ -13,9 +13,11 @@ TEST(CaseRead, SmallestCaseGetsEveryDefault) {
   EXPECT_EQ(c.title, "m");
   EXPECT_EQ(c.mesh_file.filename(), "m.stl");
   EXPECT_EQ(c.mesh_file.parent_path(), c.file.parent_path());
-  EXPECT_EQ(c.tubes.mode, TubeMode::uniform);
+  EXPECT_EQ(c.tubes.mode, TubeMode::adaptive);
   EXPECT_TRUE(c.tubes.clip);
-  EXPECT_EQ(c.tubes.per_wavelength, 10.0);
+  EXPECT_TRUE(c.tubes.curved);
+  EXPECT_EQ(c.tubes.tolerance_db, 0.1);
+  EXPECT_EQ(c.tubes.per_wavelength, 40.0);
   EXPECT_EQ(c.tubes.max_bounces, 8);
   EXPECT_FALSE(c.tubes.up);
   EXPECT_EQ(c.edges.method, EdgeMethod::fringe);
@@ -157,10 +159,16 @@ TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
   const std::string json = resolved_case_json(read_text(smallest, {"frequency.ghz=9.4"}));
   for (const char* part :
        {"\"title\": \"m\"", "\"unit\": \"mm\"", "\"material\": \"pec\"", "\"ghz\": 9.4", "\"theta_deg\": 90.0",
-        "\"mode\": \"uniform\"", "\"per_wavelength\": 10.0", "\"max_bounces\": 8", "\"method\": \"fringe\"", "\"order\": 3",
+        "\"mode\": \"adaptive\"", "\"per_wavelength\": 40.0", "\"clip\": true", "\"curved\": true", "\"tolerance_db\": 0.1", "\"max_bounces\": 8", "\"method\": \"fringe\"", "\"order\": 3",
         "\"receiver_shadow\": false", "\"transition\": \"exact\"", "\"thin_sheets\": true", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
     EXPECT_THAT(json, HasSubstr(part));
   EXPECT_EQ(json.find("\"receive\""), std::string::npos);
+}
+
+TEST(CaseRead, UniformTubesHaveADensityAndNoTolerance) {
+  const Case c = read_text(smallest, {"tubes.mode=uniform"});
+  EXPECT_EQ(c.tubes.per_wavelength, 10.0);
+  EXPECT_EQ(resolved_case_json(c).find("tolerance_db"), std::string::npos);
 }
 
 TEST(CaseRead, ResolvedCaseKeepsFileNamesRelativeToTheCase) {

@@ -27,6 +27,7 @@ ScatteringMatrix matrix(double base) {
 SweepResult small_result(const Sweep& sweep) {
   SweepResult result;
   for (std::size_t row = 0; row < sweep.rows(); ++row) result.total.push_back(matrix(static_cast<double>(row + 1)));
+  result.error.assign(sweep.rows(), {{{0.01, 0.002}, {0.0, 0.5}}});
   result.bounces = {result.total, std::vector<ScatteringMatrix>(sweep.rows())};
   result.edges_first.resize(sweep.rows());
   result.edges_higher.resize(sweep.rows());
@@ -48,7 +49,8 @@ TEST(OutputCsv, RcsHasTheColumnsAndStatesTheConventions) {
   const std::string text = text_of(scratch / "rcs.csv");
   EXPECT_EQ(header_of(text),
             "freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,re_vv,im_vv,re_vh,im_vh,re_hv,im_hv,re_hh,im_hh,"
-            "sigma_vv_dbsm,sigma_vh_dbsm,sigma_hv_dbsm,sigma_hh_dbsm");
+            "sigma_vv_dbsm,sigma_vh_dbsm,sigma_hv_dbsm,sigma_hh_dbsm,"
+            "err_vv_db,err_vh_db,err_hv_db,err_hh_db");
   for (const char* word : {"exp(+j omega t)", "origin", "4 pi |S_pq|^2", "theta-hat", "dBsm"})
     EXPECT_NE(text.find(word), std::string::npos) << word;
 }
@@ -76,6 +78,22 @@ TEST(OutputCsv, ZeroIsMinusInfinityAndNeverMinusZero) {
   EXPECT_EQ(table.text(0, "im_hh"), "0");
   EXPECT_EQ(table.text(0, "sigma_vh_dbsm"), "-inf");
   EXPECT_NEAR(table.number(0, "sigma_hh_dbsm"), 10.0 * std::log10(4.0 * pi), 1e-12);
+}
+
+// A weak channel's error is held against a hundredth of the row's largest amplitude.
+TEST(OutputCsv, ErrorsAreLevelsAboveTheAmplitude) {
+  const Scratch scratch;
+  const Sweep sweep = small_sweep(false);
+  const SweepResult result = small_result(sweep);
+  write_rcs_csv(scratch / "rcs.csv", sweep, result);
+  const Table table((scratch / "rcs.csv").string());
+  const ScatteringMatrix& s = result.total[2];
+  constexpr double rounding = 1e-12;  // of 1 + small, in the plain form here
+  const auto level = [](double error, double amplitude) { return 20.0 * std::log10(1.0 + error / amplitude); };
+  EXPECT_NEAR(table.number(2, "err_vv_db"), level(0.01, std::abs(s.vv())), rounding);
+  EXPECT_NEAR(table.number(2, "err_vh_db"), level(0.002, 0.01 * largest_amplitude(s)), rounding);
+  EXPECT_EQ(table.number(2, "err_hv_db"), 0.0);
+  EXPECT_NEAR(table.number(2, "err_hh_db"), level(0.5, std::abs(s.hh())), rounding);
 }
 
 TEST(OutputCsv, SigmaDoesNotUnderflow) {
@@ -137,6 +155,7 @@ TEST(OutputCsv, PartsStateTheConventionsAndKeepTheirColumnsWhereNothingIsHit) {
   const Sweep sweep = small_sweep(false);
   SweepResult nothing;
   nothing.total.resize(sweep.rows());
+  nothing.error.resize(sweep.rows());
   nothing.edges_first.resize(sweep.rows());
   nothing.edges_higher.resize(sweep.rows());
   write_parts_csv(scratch / "parts.csv", sweep, nothing);
