@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/geometry.h"
 #include "mesh/stacked.h"
 
 namespace raytube {
@@ -21,19 +22,27 @@ ExactHit::ExactHit(const TriangleMesh& mesh)
   for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
   incident_.resize(3 * mesh.triangles.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  balls_.reserve(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) balls_.push_back(ball(t));
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::uint32_t vertex : mesh.triangles[t]) incident_[next[vertex]++] = t;
 }
 
-double ExactHit::distance(const Ray& ray, std::uint32_t triangle) const {
-  const Patch& plane = mesh_.patches[patch(triangle)];
-  return (plane.offset - glm::dot(plane.normal, ray.origin)) / glm::dot(plane.normal, ray.direction);
+double ExactHit::safe_side(std::uint32_t triangle) const {
+  if (stacked_[triangle]) return std::numeric_limits<double>::infinity();
+  const int corner = longest_edge(mesh_.vertices, mesh_.triangles[triangle]);
+  const auto& corners = mesh_.triangles[triangle];
+  return 2.0 * doubt_ * glm::distance(mesh_.vertices[corners[corner]], mesh_.vertices[corners[(corner + 1) % 3]]);
 }
 
-bool ExactHit::ahead(const Ray& ray, std::uint32_t triangle) const {
-  const Patch& plane = mesh_.patches[patch(triangle)];
-  const double height = plane.offset - glm::dot(plane.normal, ray.origin);
-  return std::abs(height) > rounding_ && height * glm::dot(plane.normal, ray.direction) > 0.0;
+// About the centroid; wider by the doubt, far more than single precision can move it.
+ExactHit::Ball ExactHit::ball(std::uint32_t triangle) const {
+  const auto& [i, j, k] = mesh_.triangles[triangle];
+  const dvec3 middle = (mesh_.vertices[i] + mesh_.vertices[j] + mesh_.vertices[k]) / 3.0;
+  double radius = 0.0;
+  for (const std::uint32_t vertex : mesh_.triangles[triangle])
+    radius = std::max(radius, glm::distance(middle, mesh_.vertices[vertex]));
+  return {glm::vec3(middle), static_cast<float>(radius + doubt_)};
 }
 
 namespace {

@@ -30,8 +30,9 @@ using IgnoredPatches = std::array<std::uint32_t, 3>;
 
 class Tracer {
  public:
-  /// Builds the ray-tracing structure; keeps a reference to `mesh`, which must outlive the tracer.
-  explicit Tracer(const TriangleMesh& mesh);
+  /// Builds the ray-tracing structure; keeps a reference to `mesh`, which must outlive the tracer. Rays go to Embree `packet` at
+  /// a time (1, 8 or 16); nothing but speed depends on it.
+  explicit Tracer(const TriangleMesh& mesh, int packet = 16);
   ~Tracer();
   Tracer(Tracer&&) noexcept;
 
@@ -39,6 +40,9 @@ class Tracer {
 
   /// The nearest surface each ray meets. Thread-safe. hits.size() == rays.size().
   void closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const;
+
+  /// The same without the distances; no_index where there is none. found.size() == rays.size().
+  void closest_triangles(std::span<const Ray> rays, std::span<std::uint32_t> found) const;
 
   /// A triangle that the half line from `origin` along `direction` meets, other than those of some patches; no_index if there is
   /// none. Never names a triangle that the line misses in double precision. Thread-safe.

@@ -1,16 +1,48 @@
 #include "sbr/beam_tree.h"
 
+#include <algorithm>
+
 namespace raytube {
 
-std::uint32_t BeamTree::child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
-  if (nodes_[parent].recent_patch == patch) return nodes_[parent].recent_child;
-  const auto next = static_cast<std::uint32_t>(nodes_.size());
-  const auto [entry, is_new] = children_.try_emplace(std::uint64_t{parent} << 32 | patch, next);
-  if (is_new)
-    nodes_.push_back({raytube::footprint(anchored(beam(parent), anchor), mesh_.patches[patch], receive_), no_index, no_index});
+void BeamTree::restart(const Beam& incident) {
+  nodes_.clear();
+  nodes_.push_back({{incident, {}}});
+  if (slots_.empty()) slots_.resize(64);
+  std::ranges::fill(slots_, Slot{});
+}
+
+std::uint32_t BeamTree::find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
+  Slot& place = slot(parent, patch);
+  if (place.child == no_index) place = {parent, patch, add_child(parent, patch, anchor)};
+  const std::uint32_t child = place.child;
   nodes_[parent].recent_patch = patch;
-  nodes_[parent].recent_child = entry->second;
-  return entry->second;
+  nodes_[parent].recent_child = child;
+  if (2 * nodes_.size() > slots_.size()) widen();
+  return child;
+}
+
+std::uint32_t BeamTree::add_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
+  const Beam& beam = this->beam(parent);
+  const Patch& plane = mesh_.patches[patch];
+  const bool from_behind = glm::dot(plane.normal, beam.direction) > 0.0;
+  nodes_.push_back({raytube::footprint(anchored(beam, anchor), plane, receive_), no_index, no_index, from_behind});
+  return static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+// Where the child is or would be. Fibonacci hashing: Knuth, The Art of Computer Programming 3, section 6.4.
+BeamTree::Slot& BeamTree::slot(std::uint32_t parent, std::uint32_t patch) {
+  const std::uint64_t mixed = (std::uint64_t{parent} << 32 | patch) * 0x9e3779b97f4a7c15u;
+  for (std::size_t i = mixed >> 32;; ++i) {
+    Slot& place = slots_[i & (slots_.size() - 1)];
+    if (place.child == no_index || (place.parent == parent && place.patch == patch)) return place;
+  }
+}
+
+void BeamTree::widen() {
+  std::vector<Slot> before(2 * slots_.size());
+  before.swap(slots_);
+  for (const Slot& taken : before)
+    if (taken.child != no_index) slot(taken.parent, taken.patch) = taken;
 }
 
 }  // namespace raytube

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "sbr/footprint.h"
@@ -14,25 +13,42 @@ class BeamTree {
   static constexpr std::uint32_t root = 0;
 
   BeamTree(const TriangleMesh& mesh, const SphericalBasis& receive, const Beam& incident) : mesh_(mesh), receive_(receive) {
-    nodes_.push_back({{incident, {}}, no_index, no_index});
+    restart(incident);
   }
 
+  /// Forgets all beams but keeps their memory.
+  void restart(const Beam& incident);
+
   /// The footprint of beam `parent` on `patch`, computed on first use, with the anchor then given.
-  std::uint32_t child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
+  std::uint32_t child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
+    const Node& node = nodes_[parent];
+    return node.recent_patch == patch ? node.recent_child : find_child(parent, patch, anchor);
+  }
 
   const Footprint& footprint(std::uint32_t node) const { return nodes_[node].footprint; }
   const Beam& beam(std::uint32_t node) const { return nodes_[node].footprint.outgoing; }
+  /// True if the patch of this beam's footprint is lit from the side its normal points away from.
+  bool from_behind(std::uint32_t node) const { return nodes_[node].from_behind; }
 
  private:
   struct Node {
     Footprint footprint;
-    std::uint32_t recent_patch, recent_child;  // neighbouring tubes mostly ask for the same child
+    std::uint32_t recent_patch = no_index, recent_child = no_index;  // neighbouring tubes mostly ask for the same child
+    bool from_behind = false;
   };
+  struct Slot {
+    std::uint32_t parent = no_index, patch = no_index, child = no_index;
+  };
+
+  std::uint32_t find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
+  std::uint32_t add_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
+  Slot& slot(std::uint32_t parent, std::uint32_t patch);
+  void widen();
 
   const TriangleMesh& mesh_;
   const SphericalBasis& receive_;
   std::vector<Node> nodes_;
-  std::unordered_map<std::uint64_t, std::uint32_t> children_;
+  std::vector<Slot> slots_;  // hash table with linear probing; a power of two of them, at most half in use
 };
 
 }  // namespace raytube

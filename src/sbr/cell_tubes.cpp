@@ -25,64 +25,63 @@ Group group_of(std::uint32_t index, std::uint32_t count) {
 
 }  // namespace
 
-void CellTubes::reserve(std::size_t count) {
-  tubes_.reserve(count);
-  rays_.reserve(count);
-  hits_.reserve(count);
-}
-
-void CellTubes::launch(std::uint32_t column, std::uint32_t row) {
-  tubes_.push_back({column, row, BeamTree::root});
-  rays_.push_back(grid_.ray(column, row));
+void CellTubes::launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end) {
+  std::size_t next = tubes_.size();
+  tubes_.resize(next + column_end - column_begin);
+  rays_.resize(tubes_.size());
+  for (std::uint32_t column = column_begin; column < column_end; ++column, ++next) {
+    tubes_[next] = {column, row, BeamTree::root};
+    rays_[next] = grid_.ray(column, row);
+  }
 }
 
 void CellTubes::add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) {
+  tubes_.push_back({column, row, beam});
+  rays_.push_back(reflected_ray(column, row, beam, patch));
+}
+
+Ray CellTubes::reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const {
   const Beam& b = beams_.beam(beam);
   const dvec2 step = grid_.ray_place(column, row) - b.anchor;
-  tubes_.push_back({column, row, beam});
-  rays_.push_back({b.base + step.x * b.along_u + step.y * b.along_v, b.direction, patch});
+  return {b.base + step.x * b.along_u + step.y * b.along_v, b.direction, patch};
 }
 
 void CellTubes::advance(int bounce, int max_bounces) {
-  hits_.resize(rays_.size());
-  tracer_.closest_hits(rays_, hits_);
+  found_.resize(rays_.size());
+  tracer_.closest_triangles(rays_, found_);
   sums_.rays += rays_.size();
   if (bounce < max_bounces) {
     reflect();
     integrate(bounce);
     return;
   }
-  for (const Hit& hit : hits_) sums_.tubes_cut += hit ? 1 : 0;
+  for (const std::uint32_t triangle : found_) sums_.tubes_cut += triangle != no_index ? 1 : 0;
   tubes_.clear();
   rays_.clear();
 }
 
 // Replaces the tubes by those that met a surface, sent on their way from there.
 void CellTubes::reflect() {
+  const TriangleMesh& mesh = tracer_.mesh();
   std::size_t alive = 0;
   for (std::size_t i = 0; i < tubes_.size(); ++i) {
-    const Hit hit = hits_[i];
-    if (!hit) continue;
-    const std::uint32_t patch = tracer_.mesh().triangle_patch[hit.triangle];
-    if (is_leak(rays_[i], hit, patch)) {
+    const std::uint32_t triangle = found_[i];
+    if (triangle == no_index) continue;
+    const auto [column, row, beam] = tubes_[i];
+    if (smooth_ && beam == BeamTree::root && smooth_->region(triangle) != no_index) continue;
+    const std::uint32_t patch = mesh.triangle_patch[triangle],
+                        node = beams_.child(beam, patch, {grid_.u_center(column), grid_.v_center(row)});
+    // Only a ray that slipped through an edge meets a closed body from inside.
+    if (beams_.from_behind(node) && mesh.closed(triangle)) {
       ++sums_.lost_rays;
       continue;
     }
-    const auto [column, row, beam] = tubes_[i];
-    if (smooth_ && beam == BeamTree::root && smooth_->region(hit.triangle) != no_index) continue;
-    const std::uint32_t node = beams_.child(beam, patch, {grid_.u_center(column), grid_.v_center(row)});
-    const dvec3 point = rays_[i].origin + hit.distance * rays_[i].direction;
     tubes_[alive] = {column, row, node};
-    rays_[alive] = {point, beams_.beam(node).direction, patch};
+    rays_[alive] = reflected_ray(column, row, node, patch);
     ++alive;
   }
   tubes_.resize(alive);
   rays_.resize(alive);
-}
-
-// Only a ray that slipped through an edge meets a closed body from inside.
-bool CellTubes::is_leak(const Ray& ray, const Hit& hit, std::uint32_t patch) const {
-  return tracer_.mesh().closed(hit.triangle) && glm::dot(tracer_.mesh().patches[patch].normal, ray.direction) > 0.0;
 }
 
 void CellTubes::find_runs() {
@@ -112,7 +111,7 @@ void CellTubes::extend(std::vector<Run>& runs, std::uint32_t node, const CellBlo
 
 void CellTubes::integrate(int bounce) {
   if (tubes_.empty()) return;
-  std::vector<ScatteringMatrix>& sums = sums_.at(bounce, wavenumbers_.size());
+  std::vector<ScatteringMatrix>& sums = sums_.at(bounce, frequencies_);
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
   find_runs();
   integrate_runs(sums);
@@ -121,15 +120,13 @@ void CellTubes::integrate(int bounce) {
   integrate_runs(coarse_sums_);
 }
 
-void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) const {
+void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) {
   for (const auto& [node, cells] : runs_) {
-    const Footprint& footprint = beams_.footprint(node);
     const dvec2 size{(cells.column_end - cells.column_begin) * grid_.du, (cells.row_end - cells.row_begin) * grid_.dv};
     const dvec2 low{grid_.u_begin + cells.column_begin * grid_.du, grid_.v_begin + cells.row_begin * grid_.dv};
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-      add_far_field(sums[f], footprint, wavenumbers_[f],
-                    phase_integral(footprint, wavenumbers_[f], low + 0.5 * size, size.x, size.y));
+    far_fields_.add(beams_.footprint(node), low + 0.5 * size, size);
   }
+  far_fields_.add_up(sums);
 }
 
 }  // namespace raytube

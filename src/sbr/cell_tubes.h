@@ -7,6 +7,7 @@
 #include "mesh/smooth.h"
 #include "mesh/tracer.h"
 #include "sbr/beam_tree.h"
+#include "sbr/far_fields.h"
 #include "sbr/lattice.h"
 #include "sbr/tube_sums.h"
 
@@ -16,16 +17,15 @@ namespace raytube {
 class CellTubes {
  public:
   CellTubes(const Tracer& tracer, const LaunchGrid& grid, std::span<const double> wavenumbers, BeamTree& beams, TubeSums& sums)
-      : tracer_(tracer), grid_(grid), wavenumbers_(wavenumbers), beams_(beams), sums_(sums) {}
+      : tracer_(tracer), grid_(grid), frequencies_(wavenumbers.size()), far_fields_(wavenumbers), beams_(beams), sums_(sums) {}
 
   bool empty() const { return tubes_.empty(); }
-  void reserve(std::size_t count);
 
   /// Tubes that meet a curved surface first are someone else's.
   void leave_out(const SmoothSurfaces* smooth) { smooth_ = smooth; }
 
-  /// A tube as launched.
-  void launch(std::uint32_t column, std::uint32_t row);
+  /// Tubes as launched, of the cells [column_begin, column_end) of a row.
+  void launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end);
   /// A tube that travels in `beam`, just reflected by `patch`.
   void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch);
 
@@ -33,9 +33,9 @@ class CellTubes {
   /// that meet none end; all do if the next one would be bounce `max_bounces`.
   void advance(int bounce, int max_bounces);
 
-  /// From now on every three by three cells, counted from the grid's corner, are also taken as one whose ray is the middle one's
+  /// From here on every three by three cells, counted from the grid's corner, are also taken as one whose ray is the middle one's
   /// (the first one's where the grid ends before the middle). Wants all tubes of a group, rows one after the other.
-  void sample_coarse_grid() { coarse_sums_.resize(wavenumbers_.size()); }
+  void sample_coarse_grid() { coarse_sums_.assign(frequencies_, {}); }
   /// Sums over all bounces so far of the cells three times as large; [frequency].
   const std::vector<ScatteringMatrix>& coarse_sums() const { return coarse_sums_; }
 
@@ -49,23 +49,24 @@ class CellTubes {
     CellBlock cells;
   };
 
+  Ray reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const;
   void reflect();
-  bool is_leak(const Ray& ray, const Hit& hit, std::uint32_t patch) const;
   void find_runs();
   void find_coarse_runs();
   static void extend(std::vector<Run>& runs, std::uint32_t node, const CellBlock& cells);
   void integrate(int bounce);
-  void integrate_runs(std::vector<ScatteringMatrix>& sums) const;
+  void integrate_runs(std::vector<ScatteringMatrix>& sums);
 
   const Tracer& tracer_;
   const LaunchGrid& grid_;
-  std::span<const double> wavenumbers_;
+  std::size_t frequencies_;
+  FarFields far_fields_;
   BeamTree& beams_;
   TubeSums& sums_;
   const SmoothSurfaces* smooth_ = nullptr;
   std::vector<Tube> tubes_;
   std::vector<Ray> rays_;
-  std::vector<Hit> hits_;
+  std::vector<std::uint32_t> found_;  // triangles met
   std::vector<Run> runs_;
   std::vector<ScatteringMatrix> coarse_sums_;
 };

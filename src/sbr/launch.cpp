@@ -41,16 +41,6 @@ std::uint32_t cells_along(double extent, double cells_per_metre) {
 
 }  // namespace
 
-dvec2 LaunchGrid::ray_place(std::uint32_t column, std::uint32_t row) const {
-  constexpr double beside_u = 0.01 * (std::numbers::sqrt2 - 1.0), beside_v = 0.01 * (std::numbers::sqrt3 - 1.0);
-  return {u_center(column) + beside_u * du, v_center(row) + beside_v * dv};
-}
-
-Ray LaunchGrid::ray(std::uint32_t column, std::uint32_t row) const {
-  const dvec2 place = ray_place(column, row);
-  return {plane_origin + place.x * u_hat + place.y * v_hat, direction};
-}
-
 LaunchGrid launch_grid(const TriangleMesh& mesh, const Direction& transmit, double wavelength, double per_wavelength,
                        const std::optional<dvec3>& up) {
   LaunchGrid grid;

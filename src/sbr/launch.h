@@ -23,10 +23,16 @@ struct LaunchGrid {
   std::uint64_t cells() const { return std::uint64_t{columns} * rows; }
 
   /// Launch coordinates of a cell's ray.
-  dvec2 ray_place(std::uint32_t column, std::uint32_t row) const;
+  dvec2 ray_place(std::uint32_t column, std::uint32_t row) const {
+    constexpr double beside_u = 0.01 * (std::numbers::sqrt2 - 1.0), beside_v = 0.01 * (std::numbers::sqrt3 - 1.0);
+    return {u_center(column) + beside_u * du, v_center(row) + beside_v * dv};
+  }
 
   /// The ray of a cell leaves a little beside the centre, so that it never runs along mesh edges aligned with the grid.
-  Ray ray(std::uint32_t column, std::uint32_t row) const;
+  Ray ray(std::uint32_t column, std::uint32_t row) const {
+    const dvec2 place = ray_place(column, row);
+    return {plane_origin + place.x * u_hat + place.y * v_hat, direction};
+  }
 };
 
 /// Grid of `per_wavelength` cells per wavelength along each side, fitted to the exact extent: ceil(extent * per_wavelength /

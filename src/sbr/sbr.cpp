@@ -1,5 +1,6 @@
 #include "sbr/sbr.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -57,10 +58,10 @@ TubeSums sum_tiles(std::size_t count, Function tile, Progress& progress, double 
 
 TubeSums trace_uniform(const AdaptiveLook& look, Progress& progress, double share) {
   const Tiling tiles(look.grid);
-  const auto trace = [&](std::size_t i) {
-    return trace_tile(look.tracer, look.grid, tiles[i], look.transmit, look.receive, look.wavenumbers, look.max_bounces,
-                      look.smooth);
-  };
+  tbb::enumerable_thread_specific<TileTracer> tile_tracers([&] {
+    return TileTracer(look.tracer, look.grid, look.transmit, look.receive, look.wavenumbers, look.max_bounces, look.smooth);
+  });
+  const auto trace = [&](std::size_t i) { return tile_tracers.local().trace(tiles[i]); };
   return sum_tiles(tiles.count, trace, progress, share);
 }
 

@@ -1,6 +1,6 @@
 #include "sbr/tile.h"
 
-#include "sbr/cell_tubes.h"
+#include <utility>
 
 namespace raytube {
 
@@ -13,21 +13,15 @@ dvec2 middle(const LaunchGrid& grid, const Tile& tile) {
 
 }  // namespace
 
-TubeSums trace_tile(const Tracer& tracer, const LaunchGrid& grid, const Tile& tile, const SphericalBasis& transmit,
-                    const SphericalBasis& receive, std::span<const double> wavenumbers, int max_bounces,
-                    const SmoothSurfaces* smooth) {
-  TubeSums sums;
-  BeamTree beams(tracer.mesh(), receive, incident_beam(grid, transmit, middle(grid, tile)));
-  CellTubes tubes(tracer, grid, wavenumbers, beams, sums);
-  sums.tubes = std::uint64_t{tile.row_end - tile.row_begin} * (tile.column_end - tile.column_begin);
-  tubes.reserve(sums.tubes);
-  tubes.sample_coarse_grid();
-  tubes.leave_out(smooth);
-  for (std::uint32_t row = tile.row_begin; row < tile.row_end; ++row)
-    for (std::uint32_t column = tile.column_begin; column < tile.column_end; ++column) tubes.launch(column, row);
-  for (int bounce = 0; !tubes.empty(); ++bounce) tubes.advance(bounce, max_bounces);
-  sums.compare_with(tubes.coarse_sums());
-  return sums;
+TubeSums TileTracer::trace(const Tile& tile) {
+  sums_ = {};
+  sums_.tubes = std::uint64_t{tile.row_end - tile.row_begin} * (tile.column_end - tile.column_begin);
+  beams_.restart(incident_beam(grid_, transmit_, middle(grid_, tile)));
+  tubes_.sample_coarse_grid();
+  for (std::uint32_t row = tile.row_begin; row < tile.row_end; ++row) tubes_.launch(row, tile.column_begin, tile.column_end);
+  for (int bounce = 0; !tubes_.empty(); ++bounce) tubes_.advance(bounce, max_bounces_);
+  sums_.compare_with(tubes_.coarse_sums());
+  return std::move(sums_);
 }
 
 }  // namespace raytube

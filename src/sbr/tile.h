@@ -3,9 +3,7 @@
 
 #include <span>
 
-#include "mesh/smooth.h"
-#include "sbr/launch.h"
-#include "sbr/tube_sums.h"
+#include "sbr/cell_tubes.h"
 
 namespace raytube {
 
@@ -15,13 +13,33 @@ struct Tile {
 };
 
 // Multiples of three, so that no group of the coarse grid is cut, and of the packet's width.
-inline constexpr std::uint32_t tile_columns = 144, tile_rows = 15;
+inline constexpr std::uint32_t tile_columns = 48, tile_rows = 45;
 
-/// Traces every tube of the tile through up to `max_bounces` reflections and integrates the currents of every bounce, over the
-/// cells and over those of a grid three times as coarse; with `smooth` only those that meet a flat surface first. The tile begins
-/// at a column and a row divisible by three.
-TubeSums trace_tile(const Tracer& tracer, const LaunchGrid& grid, const Tile& tile, const SphericalBasis& transmit,
-                    const SphericalBasis& receive, std::span<const double> wavenumbers, int max_bounces,
-                    const SmoothSurfaces* smooth);
+/// Traces tile after tile of one look, with `smooth` only tubes that meet a flat surface first; kept from one to the next is only memory. Keeps references to all it is given.
+class TileTracer {
+ public:
+  TileTracer(const Tracer& tracer, const LaunchGrid& grid, const SphericalBasis& transmit, const SphericalBasis& receive,
+             std::span<const double> wavenumbers, int max_bounces, const SmoothSurfaces* smooth)
+      : grid_(grid),
+        transmit_(transmit),
+        max_bounces_(max_bounces),
+        beams_(tracer.mesh(), receive, incident_beam(grid, transmit, dvec2(0.0))),
+        tubes_(tracer, grid, wavenumbers, beams_, sums_) {
+    tubes_.leave_out(smooth);
+  }
+  TileTracer(const TileTracer&) = delete;
+
+  /// Traces every tube of the tile through up to `max_bounces` reflections and integrates the currents of every bounce, over the
+  /// cells and over those of a grid three times as coarse. The tile begins at a column and a row divisible by three.
+  TubeSums trace(const Tile& tile);
+
+ private:
+  const LaunchGrid& grid_;
+  const SphericalBasis& transmit_;
+  int max_bounces_;
+  BeamTree beams_;
+  TubeSums sums_;
+  CellTubes tubes_;
+};
 
 }  // namespace raytube

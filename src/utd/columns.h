@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "utd/lanes.h"
+#include "lanes.h"
 
 namespace raytube {
 

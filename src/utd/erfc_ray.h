@@ -1,7 +1,7 @@
 // The complementary error function on the diagonal of the complex plane, where every transition of an edge current lives.
 #pragma once
 
-#include "utd/lanes.h"
+#include "lanes.h"
 
 namespace raytube {
 

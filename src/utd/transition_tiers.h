@@ -1,7 +1,7 @@
 // W(x) of erfc_ray.h by transition functions of different accuracy.
 #pragma once
 
-#include "utd/lanes.h"
+#include "lanes.h"
 #include "utd/transition.h"
 
 namespace raytube {

@@ -1,4 +1,4 @@
-#include "utd/lanes.h"
+#include "lanes.h"
 
 #include <algorithm>
 #include <bit>
@@ -52,6 +52,13 @@ Complexes unit_phasors(const Reals& angle) {
     result.re[i] = quadrant == 1.0 || quadrant == 2.0 ? -re : re;
     result.im[i] = quadrant >= 2.0 ? -im : im;
   }
+  return result;
+}
+
+Reals sincs(const Reals& x) {
+  const Complexes phasors = unit_phasors(x);
+  Reals result;
+  for (std::size_t i = 0; i < lanes; ++i) result[i] = x[i] == 0.0 ? 1.0 : phasors.im[i] / x[i];
   return result;
 }
 

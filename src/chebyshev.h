@@ -1,0 +1,35 @@
+// Many wavenumbers from a few: sums of waves over a short stretch of path are known from their values at Chebyshev points.
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "field.h"
+
+namespace raytube {
+
+/// Chebyshev points of the first kind on the interval of some wavenumbers, and the weights of the barycentric formula there.
+struct ChebyshevNodes {
+  std::vector<double> at;       // the nodes [rad/m]
+  std::vector<double> weights;  // [wavenumber][node]: the value at a wavenumber is the sum of weights times values at the nodes
+};
+
+/// The wavenumbers of a sweep. One thread's: keeps the nodes it has computed.
+class Band {
+ public:
+  explicit Band(std::span<const double> wavenumbers);
+
+  std::span<const double> wavenumbers() const { return wavenumbers_; }
+
+  /// Nodes for a function of k that is a sum of A e^{jkx}, all |x| <= half_span [m]. What they give differs from it by less than
+  /// 1e-12 of the sum of |A|. Null where the wavenumbers are so few that nodes would not pay.
+  const ChebyshevNodes* nodes(double half_span);
+
+ private:
+  std::vector<double> wavenumbers_;
+  double middle_ = 0.0, half_width_ = 0.0;
+  std::map<std::size_t, ChebyshevNodes> nodes_;  // by their number
+};
+
+}  // namespace raytube
