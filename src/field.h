@@ -65,6 +65,12 @@ struct ScatteringMatrix {
       for (int q = 0; q < 2; ++q) s[p][q] += other.s[p][q];
     return *this;
   }
+  ScatteringMatrix& operator*=(Complex factor) {
+    for (auto& row : s)
+      for (Complex& value : row) value *= factor;
+    return *this;
+  }
+  friend ScatteringMatrix operator-(ScatteringMatrix a, ScatteringMatrix b) { return a += (b *= -1.0); }
   friend ScatteringMatrix operator+(ScatteringMatrix a, const ScatteringMatrix& b) { return a += b; }
 };
 

@@ -70,11 +70,7 @@ Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double freque
   return std::polar(1.0, wavenumber(frequency) * glm::dot(change, mesh.center));
 }
 
-ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) {
-  for (auto& row : matrix.s)
-    for (Complex& value : row) value *= factor;
-  return matrix;
-}
+ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) { return matrix *= factor; }
 
 // Puts the looks' results in their rows, in look order, and adds up the counts.
 class Collector {

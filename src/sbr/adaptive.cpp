@@ -103,11 +103,12 @@ class FaceTrace {
   // A tube becomes a cell with the probability of their areas' ratio: variance (area) (cell - area), times the (k / 2 pi)^2 that a
   // perfect conductor radiates at most.
   void count_thinned(double variance) {
-    const std::size_t frequencies = look_.wavenumbers.size();
-    for (std::size_t f = 0; f < frequencies; ++f)
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q)
-          sums_.add_error(f, frequencies, p, q, look_.wavenumbers[f] / (2.0 * pi) * std::sqrt(variance));
+    sums_.pieces.resize(look_.wavenumbers.size());
+    for (std::size_t f = 0; f < sums_.pieces.size(); ++f) {
+      const double square = std::pow(look_.wavenumbers[f] / (2.0 * pi), 2) * variance;
+      for (auto& row : sums_.pieces[f].squares)
+        for (double& channel : row) channel += square;
+    }
   }
 
   void follow_by_rays(std::uint32_t beam, std::uint32_t patch) {

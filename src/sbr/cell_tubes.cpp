@@ -6,21 +6,19 @@ namespace raytube {
 
 namespace {
 
-// Cells of the coarse grid along one side of the launch plane.
+// Cells of a coarse grid along one side of the launch plane.
 constexpr std::uint32_t coarseness = 3;
-
-bool stands_for_group(std::uint32_t index, std::uint32_t count) {
-  const std::uint32_t place = index % coarseness;
-  return place == 1 || (place == 0 && index + 1 == count);
-}
 
 struct Group {
   std::uint32_t begin, end;
+  bool empty() const { return begin == end; }
 };
 
-Group group_of(std::uint32_t index, std::uint32_t count) {
-  const std::uint32_t begin = index - index % coarseness;
-  return {begin, std::min(begin + coarseness, count)};
+// The group that a cell stands for among [begin, end), in the coarse grid moved by so many cells; begin is divisible by three.
+Group group_of(std::uint32_t index, std::uint32_t moved, std::uint32_t begin, std::uint32_t end) {
+  const std::uint32_t place = (index + moved) % coarseness;
+  if (place != 1 && !(place == 0 && index + 1 == end)) return {};
+  return {index - std::min(place, index - begin), std::min(index - place + coarseness, end)};
 }
 
 }  // namespace
@@ -89,11 +87,14 @@ void CellTubes::find_runs() {
   for (const auto& [column, row, node] : tubes_) extend(runs_, node, {column, column + 1, row, row + 1});
 }
 
-void CellTubes::find_coarse_runs() {
+void CellTubes::find_coarse_runs(std::uint32_t grid) {
+  const CellBlock& block = coarse_block_;
   runs_.clear();
   for (const auto& [column, row, node] : tubes_) {
-    if (!stands_for_group(row, grid_.rows) || !stands_for_group(column, grid_.columns)) continue;
-    const Group across = group_of(column, grid_.columns), down = group_of(row, grid_.rows);
+    const Group down = group_of(row, grid, block.row_begin, block.row_end);
+    if (down.empty()) continue;
+    const Group across = group_of(column, grid, block.column_begin, block.column_end);
+    if (across.empty()) continue;
     extend(runs_, node, {across.begin, across.end, down.begin, down.end});
   }
 }
@@ -115,9 +116,11 @@ void CellTubes::integrate(int bounce) {
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
   find_runs();
   integrate_runs(sums);
-  if (coarse_sums_.empty()) return;
-  find_coarse_runs();
-  integrate_runs(coarse_sums_);
+  for (std::uint32_t grid = 0; grid < coarse_grids; ++grid) {
+    if (coarse_sums_[grid].empty()) continue;
+    find_coarse_runs(grid);
+    integrate_runs(coarse_sums_[grid]);
+  }
 }
 
 void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) {

@@ -33,11 +33,14 @@ class CellTubes {
   /// that meet none end; all do if the next one would be bounce `max_bounces`.
   void advance(int bounce, int max_bounces);
 
-  /// From here on every three by three cells, counted from the grid's corner, are also taken as one whose ray is the middle one's
-  /// (the first one's where the grid ends before the middle). Wants all tubes of a group, rows one after the other.
-  void sample_coarse_grid() { coarse_sums_.assign(frequencies_, {}); }
-  /// Sums over all bounces so far of the cells three times as large; [frequency].
-  const std::vector<ScatteringMatrix>& coarse_sums() const { return coarse_sums_; }
+  /// From here on the cells of `block` are also taken in the groups of the coarse grids. A group that the block cuts has the middle
+  /// cell's ray, or its only one's. Wants all tubes of the block, rows one after the other.
+  void sample_coarse_grids(const CellBlock& block) {
+    coarse_block_ = block;
+    for (std::vector<ScatteringMatrix>& sums : coarse_sums_) sums.assign(frequencies_, {});
+  }
+  /// Sums over all bounces so far; [grid][frequency].
+  const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums() const { return coarse_sums_; }
 
  private:
   struct Tube {
@@ -52,7 +55,7 @@ class CellTubes {
   Ray reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const;
   void reflect();
   void find_runs();
-  void find_coarse_runs();
+  void find_coarse_runs(std::uint32_t grid);
   static void extend(std::vector<Run>& runs, std::uint32_t node, const CellBlock& cells);
   void integrate(int bounce);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);
@@ -68,7 +71,8 @@ class CellTubes {
   std::vector<Ray> rays_;
   std::vector<std::uint32_t> found_;  // triangles met
   std::vector<Run> runs_;
-  std::vector<ScatteringMatrix> coarse_sums_;
+  CellBlock coarse_block_{};
+  std::array<std::vector<ScatteringMatrix>, coarse_grids> coarse_sums_;
 };
 
 }  // namespace raytube

@@ -218,11 +218,11 @@ class CellTrace {
   void add(const std::vector<ScatteringMatrix>& part) {
     std::vector<ScatteringMatrix>& sums = sums_.at(0, part.size());
     ++sums_.hits[0];
+    sums_.pieces.resize(part.size());
     for (std::size_t f = 0; f < part.size(); ++f) {
       sums[f] += part[f];
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q)
-          sums_.add_error(f, part.size(), p, q, (phase_off_ + integration_error) * std::abs(part[f].at(p, q)));
+      ScatteringMatrix error = part[f];
+      sums_.pieces[f].add(error *= phase_off_ + integration_error);
     }
   }
 

@@ -17,7 +17,9 @@ constexpr std::uint32_t probes_across = 24;
 // the surface behind it.
 class CurvedTubes {
  public:
-  CurvedTubes(const AdaptiveLook& look, TubeSums& sums) : look_(look), sums_(sums), coarse_sums_(look.wavenumbers.size()) {}
+  CurvedTubes(const AdaptiveLook& look, TubeSums& sums) : look_(look), sums_(sums) {
+    for (auto& sums_of_grid : coarse_sums_) sums_of_grid.resize(look.wavenumbers.size());
+  }
 
   // Launches the cells' tubes and keeps those that a curved surface reflects; found[i]: one of them is cell i's.
   void launch(std::span<const glm::uvec2> cells) {
@@ -108,10 +110,11 @@ class CurvedTubes {
     std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
     const dvec2 cell(look_.grid.du, look_.grid.dv);
-    const bool stands_for_nine = tube.cell.x % 3 == 1 && tube.cell.y % 3 == 1;
     for (std::size_t f = 0; f < sums.size(); ++f) {
       add_far_field(sums[f], tube.footprint, look_.wavenumbers[f], cell);
-      if (stands_for_nine) add_far_field(coarse_sums_[f], tube.footprint, look_.wavenumbers[f], 3.0 * cell);
+      for (std::uint32_t grid = 0; grid < coarse_grids; ++grid)
+        if (tube.cell.x % 3 == 1 - grid && tube.cell.y % 3 == 1 - grid)
+          add_far_field(coarse_sums_[grid][f], tube.footprint, look_.wavenumbers[f], 3.0 * cell);
     }
   }
 
@@ -120,7 +123,7 @@ class CurvedTubes {
   std::vector<Tube> tubes_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
-  std::vector<ScatteringMatrix> coarse_sums_;  // of a grid three times as coarse, all bounces
+  std::array<std::vector<ScatteringMatrix>, coarse_grids> coarse_sums_;  // [grid][frequency], all bounces
 };
 
 // Groups of stride x stride cells, probed by a ray each; a block is a square of them.

@@ -8,18 +8,18 @@ namespace raytube {
 
 namespace {
 
-// A grid's error falls with its cell to the power 1 (edges along the grid) to 1.5 (across it): the difference to a grid three times
-// as coarse is 2 to 4.2 times the error on average. One sample of it may be small by chance, so nothing is taken off.
-constexpr double error_per_difference = 1.0;
-
 // Phases of some k radius are known to a few roundings, on a current of unit amplitude all over the launch plane.
 double rounding(const LaunchGrid& grid, double k, double radius) {
   const double area = grid.columns * grid.du * grid.rows * grid.dv;
   return 4.0 * std::numeric_limits<double>::epsilon() * (1.0 + k * radius) * k * area / (2.0 * pi);
 }
 
-double sampling(const CoarseDifference& coarse, int p, int q) {
-  return error_per_difference * std::max(std::abs(coarse.coherent.at(p, q)), std::sqrt(coarse.squares[p][q]));
+// A grid's error falls with its cell to the power 1 (edges along the grid) to 1.5 (across it): the difference to a grid three times
+// as coarse is 2 to 4.2 times the error on average. Two samples of it may be small by chance, so nothing is taken off.
+double sampling(const std::array<ErrorSum, coarse_grids>& coarse, int p, int q) {
+  double largest = 0.0;
+  for (const ErrorSum& difference : coarse) largest = std::max(largest, difference.size(p, q));
+  return largest;
 }
 
 }  // namespace
@@ -34,8 +34,8 @@ std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGri
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q) {
         const double sampled = sums.coarse.empty() ? 0.0 : sampling(sums.coarse[f], p, q);
-        const double squared = sums.squared_errors.empty() ? 0.0 : sums.squared_errors[f][p][q];
-        errors[f][p][q] = certain + std::sqrt(sampled * sampled + squared);
+        const double known = sums.pieces.empty() ? 0.0 : sums.pieces[f].size(p, q);
+        errors[f][p][q] = certain + std::hypot(sampled, known);
       }
   }
   return errors;

@@ -17,7 +17,7 @@ TubeSums TileTracer::trace(const Tile& tile) {
   sums_ = {};
   sums_.tubes = std::uint64_t{tile.row_end - tile.row_begin} * (tile.column_end - tile.column_begin);
   beams_.restart(incident_beam(grid_, transmit_, middle(grid_, tile)));
-  tubes_.sample_coarse_grid();
+  tubes_.sample_coarse_grids({tile.column_begin, tile.column_end, tile.row_begin, tile.row_end});
   for (std::uint32_t row = tile.row_begin; row < tile.row_end; ++row) tubes_.launch(row, tile.column_begin, tile.column_end);
   for (int bounce = 0; !tubes_.empty(); ++bounce) tubes_.advance(bounce, max_bounces_);
   sums_.compare_with(tubes_.coarse_sums());

@@ -8,21 +8,29 @@
 
 namespace raytube {
 
-/// What a grid three times as coarse, made of the same rays, gives less than the fine one.
-struct CoarseDifference {
-  ScatteringMatrix coherent;  // sum over tiles of the difference, fine minus coarse [m]
-  std::array<std::array<double, 2>, 2>
-      squares{};  // sum over tiles of its squared magnitude [m^2]; indices as of ScatteringMatrix
+/// Errors of parts, added up as if they knew of one another and as if they did not.
+struct ErrorSum {
+  ScatteringMatrix coherent;  // sum of the errors [m]
+  ChannelErrors squares{};    // sum of their squared magnitudes [m^2]
 
-  CoarseDifference& operator+=(const CoarseDifference& other);
+  /// One more part.
+  void add(const ScatteringMatrix& error);
+  ErrorSum& operator+=(const ErrorSum& other);
+  /// The larger of the two sums' magnitudes [m].
+  double size(int p, int q) const { return std::max(std::abs(coherent.at(p, q)), std::sqrt(squares[p][q])); }
 };
+
+/// The cells of a look in groups of three by three, each of them one cell whose ray is its middle one's: counted from the grid's
+/// corner, and from one cell beside it. An edge along the grid may by chance lie between the groups of one of them.
+inline constexpr int coarse_grids = 2;
 
 /// Sums and counts of a tile, or of several added up in order.
 struct TubeSums {
   std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
-  std::vector<CoarseDifference> coarse;                // [frequency], all bounces together; empty: nothing was sampled
+  /// [frequency][grid], all bounces together: fine minus coarse, summed over tiles; empty: nothing was sampled.
+  std::vector<std::array<ErrorSum, coarse_grids>> coarse;
+  std::vector<ErrorSum> pieces;                        // [frequency], of single tubes whose error is known; empty: there are none
   std::vector<ChannelErrors> error;                    // [frequency], estimate for the whole look [m]; empty in its parts
-  std::vector<ChannelErrors> squared_errors;           // [frequency], sum of those of single tubes, where known [m^2]
   std::vector<std::uint64_t> hits;                     // [bounce]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;
   double sliver_area = 0.0;  // [m^2] of the launch plane, left out by adaptive tubes
@@ -30,11 +38,8 @@ struct TubeSums {
   /// The sums of a bounce, counted from 0; they and their counter of hits come into being when first asked for.
   std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);
 
-  /// Sets `coarse` from what the coarse grid gives for all that has been added up so far.
-  void compare_with(const std::vector<ScatteringMatrix>& coarse_sums);
-
-  /// Counts an error of |S_pq| that is independent of the others.
-  void add_error(std::size_t frequency, std::size_t frequencies, int p, int q, double size);
+  /// Sets `coarse` from what the coarse grids, [grid][frequency], give for all that has been added up so far.
+  void compare_with(const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums);
 
   void add(const TubeSums& other);
 };

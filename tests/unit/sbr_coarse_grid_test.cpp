@@ -37,7 +37,7 @@ double mismatch(const TubeSums& fine, const TubeSums& coarse) {
   for (int p = 0; p < 2; ++p)
     for (int q = 0; q < 2; ++q)
       worst =
-          std::max(worst, std::abs(all_bounces(fine, p, q) - fine.coarse.at(0).coherent.at(p, q) - all_bounces(coarse, p, q)));
+          std::max(worst, std::abs(all_bounces(fine, p, q) - fine.coarse.at(0)[0].coherent.at(p, q) - all_bounces(coarse, p, q)));
   return worst / largest(coarse);
 }
 
@@ -62,7 +62,7 @@ TEST(CoarseGrid, CoversTheLastColumnsAndRowsToo) {
   for (const double side : {1.5, 1.51, 1.52, 1.53, 1.54})  // 150 to 154 cells: remainders 0, 1, 2
     for (const Direction& look : {Direction{0.0, 0.0}, Direction{0.3, 0.0}}) {
       const TubeSums sums = tubes(shapes::plate(side), look, wavelength(frequency) * 100);
-      EXPECT_LE(std::abs(sums.coarse.at(0).coherent.vv()), 1e-12 * 1.5 * 1.5 / wavelength(frequency)) << side;
+      EXPECT_LE(std::abs(sums.coarse.at(0)[0].coherent.vv()), 1e-12 * 1.5 * 1.5 / wavelength(frequency)) << side;
     }
 }
 
@@ -72,11 +72,11 @@ TEST(CoarseGrid, SquaresAreThoseOfTheTiles) {
   TubeSums two = tile;
   two.add(tile);
   for (int p = 0; p < 2; ++p) {
-    const double square = std::norm(tile.coarse.at(0).coherent.at(p, p));
+    const double square = std::norm(tile.coarse.at(0)[0].coherent.at(p, p));
     EXPECT_GT(square, 0.0);
-    EXPECT_EQ(tile.coarse.at(0).squares[p][p], square);
-    EXPECT_EQ(two.coarse.at(0).squares[p][p], 2.0 * square);
-    EXPECT_EQ(two.coarse.at(0).coherent.at(p, p), 2.0 * tile.coarse.at(0).coherent.at(p, p));
+    EXPECT_EQ(tile.coarse.at(0)[0].squares[p][p], square);
+    EXPECT_EQ(two.coarse.at(0)[0].squares[p][p], 2.0 * square);
+    EXPECT_EQ(two.coarse.at(0)[0].coherent.at(p, p), 2.0 * tile.coarse.at(0)[0].coherent.at(p, p));
   }
 }
 
@@ -98,7 +98,7 @@ TEST(CoarseGrid, DifferenceIsTheSizeOfTheCoarseError) {
   for (int i = 0; i < 40; ++i) {
     const Direction look{(2 + 1.5 * i) * degree, 20 * degree};
     const TubeSums sums = tubes(shapes::plate(1.5, turn), look, 10.0);
-    const Complex difference = sums.coarse.at(0).coherent.vv(), coarse = all_bounces(sums, 0, 0) - difference;
+    const Complex difference = sums.coarse.at(0)[0].coherent.vv(), coarse = all_bounces(sums, 0, 0) - difference;
     ratios.push_back(std::abs(difference) / std::abs(coarse - closed_forms::plate(1.5, k, look, turn)));
   }
   measured("difference of the grids / error of the coarse one, median", quantile(ratios, 0.5), "");

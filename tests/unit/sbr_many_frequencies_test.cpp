@@ -54,7 +54,7 @@ ScatteringMatrix bounces(const TubeSums& sums, std::size_t f) {
   return sum;
 }
 
-ScatteringMatrix coarse(const TubeSums& sums, std::size_t f) { return sums.coarse[f].coherent; }
+ScatteringMatrix coarse(const TubeSums& sums, std::size_t f) { return sums.coarse[f][0].coherent; }
 
 struct Target {
   PolygonSoup soup;
