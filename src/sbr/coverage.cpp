@@ -1,0 +1,86 @@
+#include "sbr/coverage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+// A face takes as long to fill in as about so many cells take to trace.
+constexpr std::size_t cells_per_face = 8;
+// Times the radius; far above the rounding of a projection, far below a cell.
+constexpr double margin = 1e-9;
+
+struct Interval {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void include(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
+// Of the lattice first + i * step, the places from `low` to `high`, both included, within [begin, end).
+struct Places {
+  Places(double low, double high, double first, double step, std::uint32_t begin, std::uint32_t end)
+      : from(clamped(std::ceil((low - first) / step), begin, end)),
+        to(clamped(std::floor((high - first) / step) + 1.0, begin, end)) {}
+  static std::uint32_t clamped(double place, std::uint32_t begin, std::uint32_t end) {
+    return static_cast<std::uint32_t>(std::clamp(place, double(begin), double(end)));
+  }
+  std::uint32_t from, to;
+};
+
+// What a convex polygon covers of the band low <= y <= high.
+Interval across_band(std::span<const dvec2> corners, double low, double high) {
+  Interval across;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    dvec2 p = corners[i], q = corners[(i + 1) % corners.size()];
+    if (p.y > q.y) std::swap(p, q);
+    if (q.y < low || p.y > high) continue;
+    const auto at = [&](double y) { return y <= p.y ? p.x : y >= q.y ? q.x : p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x); };
+    across.include(at(low));
+    across.include(at(high));
+  }
+  return across;
+}
+
+}  // namespace
+
+Coverage::Coverage(const FaceTree& faces, const LaunchGrid& grid, const Tile& tile)
+    : grid_(grid), tile_(tile), margin_(margin * faces.mesh().radius) {
+  const dvec2 low{grid.u_begin + tile.column_begin * grid.du, grid.v_begin + tile.row_begin * grid.dv},
+      high{grid.u_begin + tile.column_end * grid.du, grid.v_begin + tile.row_end * grid.dv};
+  std::vector<std::uint32_t> found;
+  faces.collect({grid.plane_origin, grid.u_hat, grid.v_hat, grid.direction, low, high}, found);
+  const std::size_t cells = std::size_t{tile.row_end - tile.row_begin} * (tile.column_end - tile.column_begin);
+  const bool too_many = found.size() * cells_per_face > cells;
+  cells_.assign(cells, too_many ? 1 : 0);
+  if (too_many) return;
+  for (const std::uint32_t face : found) mark(faces, face);
+}
+
+void Coverage::mark(const FaceTree& faces, std::uint32_t face) {
+  corners_.clear();
+  Interval rows;
+  for (const std::uint32_t corner : faces.corners(face)) {
+    const dvec3 r = faces.mesh().vertices[corner] - grid_.plane_origin;
+    corners_.emplace_back(glm::dot(grid_.u_hat, r), glm::dot(grid_.v_hat, r));
+    rows.include(corners_.back().y);
+  }
+  const double first = grid_.ray_place(0, 0).y;
+  const Places places(rows.low - margin_, rows.high + margin_, first, grid_.dv, tile_.row_begin, tile_.row_end);
+  for (std::uint32_t row = places.from; row < places.to; ++row) {
+    const double v = first + row * grid_.dv;
+    const Interval across = across_band(corners_, v - margin_, v + margin_);
+    if (across.low <= across.high) mark_row(row, across.low, across.high);
+  }
+}
+
+void Coverage::mark_row(std::uint32_t row, double low, double high) {
+  const Places places(low - margin_, high + margin_, grid_.ray_place(0, 0).x, grid_.du, tile_.column_begin, tile_.column_end);
+  if (places.from < places.to)
+    std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(place(places.from, row)), places.to - places.from, 1);
+}
+
+}  // namespace raytube

@@ -1,0 +1,35 @@
+// Which cells of a tile have the target under them.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "mesh/face_tree.h"
+#include "sbr/tile.h"
+
+namespace raytube {
+
+/// Marks the cells whose ray can meet the target, and perhaps a few more: the faces whose boxes reach into the tile, projected
+/// and filled row by row. Where that would take longer than to trace the cells, all are marked.
+class Coverage {
+ public:
+  Coverage(const FaceTree& faces, const LaunchGrid& grid, const Tile& tile);
+
+  bool covered(std::uint32_t column, std::uint32_t row) const { return cells_[place(column, row)]; }
+  std::uint64_t empty_cells() const { return static_cast<std::uint64_t>(std::ranges::count(cells_, 0)); }
+
+ private:
+  std::size_t place(std::uint32_t column, std::uint32_t row) const {
+    return std::size_t{row - tile_.row_begin} * (tile_.column_end - tile_.column_begin) + (column - tile_.column_begin);
+  }
+  void mark(const FaceTree& faces, std::uint32_t face);
+  void mark_row(std::uint32_t row, double low, double high);
+
+  const LaunchGrid& grid_;
+  const Tile& tile_;
+  double margin_;  // [m]
+  std::vector<std::uint8_t> cells_;
+  std::vector<dvec2> corners_;
+};
+
+}  // namespace raytube
