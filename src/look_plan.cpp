@@ -1,8 +1,9 @@
 #include "look_plan.h"
 
 #include <bit>
-#include <map>
+#include <cstdint>
 #include <numeric>
+#include <unordered_map>
 
 namespace raytube {
 
@@ -12,15 +13,38 @@ namespace {
 constexpr double lattice = 1e-10;
 constexpr double rounding = 1e-14;  // of unit vectors from angles of up to a turn, with their conversion from degrees
 
+constexpr long long turn = 3'600'000'000'000;  // in steps of the lattice
+
+// theta, phi of the transmitter, then of the receiver, in steps of the lattice, 0 to a turn.
 using Key = std::array<long long, 4>;
 
-long long place(double angle) {
-  const auto turn = std::llround(360.0 / lattice), at = std::llround(std::remainder(angle, 2.0 * pi) / degree / lattice);
-  return at < 0 ? at + turn : at == turn ? 0 : at;
-}
+struct KeyHash {
+  std::size_t operator()(const Key& key) const {
+    std::uint64_t hash = 0;
+    for (const long long place : key)
+      hash = (hash ^ static_cast<std::uint64_t>(place)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
+    return hash ^ (hash >> 32);
+  }
+};
+
+long long within_turn(long long place) { return ((place % turn) + turn) % turn; }
+
+long long place(double angle) { return within_turn(std::llround(std::remainder(angle, 2.0 * pi) / degree / lattice)); }
 
 Key key_of(const Look& look) {
   return {place(look.transmit.theta), place(look.transmit.phi), place(look.receive.theta), place(look.receive.phi)};
+}
+
+// Bit a of `mirrors`: across the plane on which coordinate a is 0.
+Key image(Key key, unsigned mirrors) {
+  for (const int theta : {0, 2}) {
+    const int phi = theta + 1;
+    if (mirrors & 1) key[phi] = turn / 2 - key[phi];
+    if (mirrors & 2) key[phi] = -key[phi];
+    if (mirrors & 4) key[theta] = turn / 2 - key[theta];
+    key[phi] = within_turn(key[phi]), key[theta] = within_turn(key[theta]);
+  }
+  return key;
 }
 
 // Axes, not angles alone: at the poles they say how the polarisations lie.
@@ -44,19 +68,21 @@ class Planner {
   Planner(std::span<const Look> looks, unsigned mirrors) : looks_(looks), mirrors_(mirrors) {}
 
   LookPlan run() {
-    for (std::size_t i = 0; i < looks_.size(); ++i)
-      if (!follows(looks_[i])) add(i);
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
+      const Key key = key_of(looks_[i]);
+      if (!follows(looks_[i], key)) add(i, key);
+    }
     return std::move(plan_);
   }
 
  private:
-  // Bit a of `mirrors`: across the plane on which coordinate a is 0. None comes first.
-  bool follows(const Look& look) {
+  // No mirror comes first.
+  bool follows(const Look& look, const Key& key) {
     for (unsigned mirrors = 0; mirrors < 8; ++mirrors) {
       if (mirrors & ~mirrors_) continue;
-      const Look wanted = image(look, mirrors);
-      const auto found = known_.find(key_of(wanted));
+      const auto found = known_.find(image(key, mirrors));
       if (found == known_.end()) continue;
+      const Look wanted = image(look, mirrors);
       const Look& known = looks_[plan_.computed[found->second]];
       if (!same_to_rounding(wanted.transmit, known.transmit) || !same_to_rounding(wanted.receive, known.receive)) continue;
       plan_.sources.push_back({found->second, std::popcount(mirrors) % 2 == 1});
@@ -66,15 +92,15 @@ class Planner {
     return false;
   }
 
-  void add(std::size_t look) {
-    known_.emplace(key_of(looks_[look]), plan_.computed.size());
+  void add(std::size_t look, const Key& key) {
+    known_.emplace(key, plan_.computed.size());
     plan_.sources.push_back({plan_.computed.size()});
     plan_.computed.push_back(look);
   }
 
   std::span<const Look> looks_;
   unsigned mirrors_;
-  std::map<Key, std::size_t> known_;  // places in the plan
+  std::unordered_map<Key, std::size_t, KeyHash> known_;  // places in the plan
   LookPlan plan_;
 };
 

@@ -8,7 +8,8 @@ std::vector<Skipped> skipped_items(const SkipCounts& counts) {
                                 {"tubes", "empty cells of the grid", counts.empty_cells},
                                 {"faces in a look", "turned away from the transmitter", counts.faces_away},
                                 {"reflected tubes", nothing_in_front, counts.reflected_tubes},
-                                {"edge passes", "the target has no edge that radiates", counts.edgeless_looks},
+                                {"wedges", "inside a closed body", counts.enclosed_wedges},
+                                {"edge passes", "no edge of the target can radiate", counts.edgeless_looks},
                                 {"edge passes", "no edge is lit", counts.unlit_looks}};
   std::erase_if(items, [](const Skipped& item) { return item.count == 0; });
   return items;

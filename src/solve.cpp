@@ -10,6 +10,9 @@
 #include <optional>
 #include <span>
 
+#include "mesh/enclosed.h"
+#include "mesh/mirror.h"
+#include "skipped.h"
 #include "utd/edge_sets.h"
 
 namespace raytube {
@@ -48,12 +51,21 @@ std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep&
   return smooth;
 }
 
+LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes, bool curved) {
+  if (!tubes.skip) return plan_all(sweep.looks.size());
+  const bool exact = tubes.mode == TubeMode::adaptive && tubes.clip && (!curved || target.convexity.no_reflection);
+  if (!exact) return plan_looks(sweep.looks, {false, false, false});
+  const LookPlan at_best = plan_looks(sweep.looks, {true, true, true});
+  if (at_best.mirrored == 0) return at_best;
+  return plan_looks(sweep.looks, find_mirror_planes(target.mesh, target.wedges, curved));
+}
+
 LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const EdgeSets& edges, const Sweep& sweep,
-                      const Look& look, const SolveOptions& options, Progress& progress) {
+                      const Look& look, const SolveOptions& options, Progress& progress, double share) {
   LookResult result;
-  const double share = 1.0 / static_cast<double>(sweep.looks.size());
-  result.tubes = sbr_scattering(target.tracer, target.faces, smooth, look, sweep.frequencies, options.tubes, progress, share);
-  if (options.edges.method == EdgeMethod::fringe)
+  result.tubes = sbr_scattering(target.tracer, target.faces, smooth, target.convexity, look, sweep.frequencies, options.tubes,
+                                progress, share);
+  if (options.edges.method == EdgeMethod::fringe && (edges.radiate() || !options.tubes.skip))
     result.edges =
         edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow, options.edges.transition);
   if (sweep.bistatic) return result;
@@ -75,71 +87,95 @@ ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) { return matrix
 // Puts the looks' results in their rows, in look order, and adds up the counts.
 class Collector {
  public:
-  Collector(const Sweep& sweep, const TriangleMesh& mesh, bool keep_parts) : sweep_(sweep), mesh_(mesh), keep_parts_(keep_parts) {
+  Collector(const Sweep& sweep, const Target& target, const SolveOptions& options)
+      : sweep_(sweep), target_(target), options_(options) {
     result_.total.resize(sweep.rows());
     result_.error.resize(sweep.rows());
-    if (!keep_parts) return;
+    if (!options.keep_parts) return;
     result_.edges_first.resize(sweep.rows());
     result_.edges_higher.resize(sweep.rows());
   }
 
-  void add(std::size_t look, const LookResult& part) {
-    for (std::size_t f = 0; f < sweep_.frequencies.size(); ++f) add_row(look, f, part);
+  // What was traced for a look.
+  void count(const LookResult& part) {
     Statistics& all = result_.statistics;
     all.tubes += part.tubes.tubes;
     all.rays += part.tubes.rays;
     all.lost_rays += part.tubes.lost_rays;
     all.tubes_cut += part.tubes.tubes_cut;
     all.sliver_area += part.tubes.sliver_area;
-    all.wedges_lit += part.edges.wedges_lit;
     if (all.hits.size() < part.tubes.hits.size()) all.hits.resize(part.tubes.hits.size());
     for (std::size_t b = 0; b < part.tubes.hits.size(); ++b) all.hits[b] += part.tubes.hits[b];
-    for (const bool windowed : part.edges.windowed) all.windowed_rows += windowed ? 1 : 0;
-    if (part.tubes.tubes == 0) ++looks_without_tubes_;
+    skipped_.empty_cells += part.tubes.empty_cells;
+    skipped_.faces_away += part.tubes.faces_away;
   }
 
-  SweepResult finish(const Target& target, EdgeMethod method) {
-    std::vector<Skipped>& skipped = result_.statistics.skipped;
-    if (looks_without_tubes_) skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
-    for (const Skipped& left_out : skipped_wedges(target.wedges, target.rims, method, sweep_.frequencies))
-      if (left_out.count) skipped.push_back(left_out);
-    result_.statistics.wedges = target.wedges.size();
-    if (method == EdgeMethod::fringe) count_thin_rims(target.rims);
+  // The rows of a look.
+  void add(std::size_t look, const LookResult& part, const LookSource& source) {
+    for (std::size_t f = 0; f < sweep_.frequencies.size(); ++f) add_row(look, f, part, source);
+    Statistics& all = result_.statistics;
+    all.wedges_lit += part.edges.wedges_lit;
+    for (const bool windowed : part.edges.windowed) all.windowed_rows += windowed ? 1 : 0;
+    if (part.tubes.tubes == 0) ++looks_without_tubes_;
+    if (options_.edges.method == EdgeMethod::fringe && !part.edges.lit)
+      ++(part.edges.scattering.empty() ? skipped_.edgeless_looks : skipped_.unlit_looks);
+  }
+
+  SweepResult finish(const LookPlan& plan) {
+    Statistics& all = result_.statistics;
+    if (looks_without_tubes_)
+      all.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
+    for (const Skipped& left_out : skipped_wedges(target_.wedges, target_.rims, options_.edges.method, sweep_.frequencies))
+      if (left_out.count) all.skipped.push_back(left_out);
+    skipped_.repeated_looks = plan.repeated;
+    skipped_.mirrored_looks = plan.mirrored;
+    if (options_.tubes.skip) count_spared_by_shape();
+    for (const Skipped& item : skipped_items(skipped_)) all.skipped.push_back(item);
+    all.wedges = target_.wedges.size();
+    if (options_.edges.method == EdgeMethod::fringe) count_thin_rims(target_.rims);
     return std::move(result_);
   }
 
  private:
+  void count_spared_by_shape() {
+    const std::vector<std::uint64_t>& hits = result_.statistics.hits;
+    if (target_.convexity.no_reflection && !hits.empty()) skipped_.reflected_tubes = hits[0];
+    if (options_.edges.method == EdgeMethod::fringe) skipped_.enclosed_wedges = target_.wedges_enclosed;
+  }
+
   void count_thin_rims(std::span<const Rim> rims) {
     const auto [lowest, highest] = std::ranges::minmax(sweep_.frequencies);
     result_.statistics.thin_rims_lowest = thin_rims(rims, lowest);
     result_.statistics.thin_rims_highest = thin_rims(rims, highest);
   }
 
-  void add_row(std::size_t look, std::size_t f, const LookResult& part) {
+  void add_row(std::size_t look, std::size_t f, const LookResult& part, const LookSource& source) {
     const std::size_t row = sweep_.row(look, f);
-    const Complex factor = to_mesh_origin(mesh_, sweep_.looks[look], sweep_.frequencies[f]);
+    const Complex factor = to_mesh_origin(target_.mesh, sweep_.looks[look], sweep_.frequencies[f]);
     result_.error[row] = part.tubes.error[f];
     for (std::size_t b = 0; b < part.tubes.bounces.size(); ++b) {
-      const ScatteringMatrix bounce = scaled(part.tubes.bounces[b][f], factor);
+      const ScatteringMatrix bounce = scaled(from_source(part.tubes.bounces[b][f], source), factor);
       result_.total[row] += bounce;
-      if (!keep_parts_) continue;
+      if (!options_.keep_parts) continue;
       if (result_.bounces.size() <= b) result_.bounces.emplace_back(sweep_.rows());
       result_.bounces[b][row] = bounce;
     }
     if (part.edges.scattering.empty()) return;
-    add_edges(row, scaled(part.edges.scattering[f], factor), result_.edges_first);
-    if (!part.edges.higher.empty()) add_edges(row, scaled(part.edges.higher[f], factor), result_.edges_higher);
+    add_edges(row, scaled(from_source(part.edges.scattering[f], source), factor), result_.edges_first);
+    if (part.edges.higher.empty()) return;
+    add_edges(row, scaled(from_source(part.edges.higher[f], source), factor), result_.edges_higher);
   }
 
   void add_edges(std::size_t row, const ScatteringMatrix& edges, std::vector<ScatteringMatrix>& part) {
     result_.total[row] += edges;
-    if (keep_parts_) part[row] = edges;
+    if (options_.keep_parts) part[row] = edges;
   }
 
   const Sweep& sweep_;
-  const TriangleMesh& mesh_;
-  bool keep_parts_;
+  const Target& target_;
+  const SolveOptions& options_;
   std::uint64_t looks_without_tubes_ = 0;
+  SkipCounts skipped_;
   SweepResult result_;
 };
 
@@ -149,14 +185,12 @@ Target::Target(const TriangleMesh& triangles, const EdgeOptions& edges)
     : mesh(triangles),
       tracer(triangles),
       faces(triangles),
+      convexity(find_convexity(triangles)),
       wedges(find_wedges(triangles, edges.min_wedge_angle)),
+      wedges_enclosed(mark_enclosed(triangles, find_enclosed_components(faces), wedges)),
       outlines(triangles, wedges, edges.min_wedge_angle),
-      rims(possible_rims(triangles, wedges, edges)),
+      rims(edges.thin_sheets ? find_rims(triangles, wedges) : std::vector<Rim>()),
       min_wedge_angle(edges.min_wedge_angle) {}
-
-std::vector<Rim> possible_rims(const TriangleMesh& mesh, std::span<const Wedge> wedges, const EdgeOptions& edges) {
-  return edges.thin_sheets ? find_rims(mesh, wedges) : std::vector<Rim>();
-}
 
 std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
                                     std::span<const double> frequencies) {
@@ -165,6 +199,10 @@ std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<con
   const std::vector<Wedge> merged = merge_thin_rims(wedges, rims, thin_limit(std::ranges::min(frequencies)));
   return {{"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)},
           {"wedges", "across the rim of a thin sheet, no longer than it is thick", rim_corners(merged)}};
+}
+
+LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
+  return plan_of(target, sweep, tubes, smooth_surfaces(target, sweep, tubes).has_value());
 }
 
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {
@@ -176,17 +214,26 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   const tbb::global_control limit(parallelism, std::max<std::size_t>(threads, tbb::global_control::active_value(parallelism)));
   Progress progress(options.progress);
 
-  const EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies);
+  const EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
+                       options.tubes.skip);
   const std::optional<SmoothSurfaces> smooth = smooth_surfaces(target, sweep, options.tubes);
   // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result.
-  std::vector<LookResult> looks(sweep.looks.size());
+  const LookPlan plan = plan_of(target, sweep, options.tubes, smooth.has_value());
+  std::vector<LookResult> computed(plan.computed.size());
+  const double share = 1.0 / static_cast<double>(computed.size());
   tbb::task_arena(threads).execute([&] {
-    tbb::parallel_for(std::size_t{0}, looks.size(),
-                      [&](std::size_t i) { looks[i] = solve_look(target, smooth ? &*smooth : nullptr, edges, sweep, sweep.looks[i], options, progress); });
+    tbb::parallel_for(std::size_t{0}, computed.size(), [&](std::size_t i) {
+      const Look& look = sweep.looks[plan.computed[i]];
+      computed[i] = solve_look(target, smooth ? &*smooth : nullptr, edges, sweep, look, options, progress, share);
+    });
   });
-  Collector collector(sweep, target.mesh, options.keep_parts);
-  for (std::size_t i = 0; i < looks.size(); ++i) collector.add(i, looks[i]);
-  SweepResult result = collector.finish(target, options.edges.method);
+  Collector collector(sweep, target, options);
+  for (const LookResult& look : computed) collector.count(look);
+  for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
+    const LookSource& source = plan.sources[i];
+    collector.add(i, computed[source.place], source);
+  }
+  SweepResult result = collector.finish(plan);
   result.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

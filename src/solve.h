@@ -4,6 +4,8 @@
 #include <functional>
 #include <span>
 
+#include "look_plan.h"
+#include "mesh/convexity.h"
 #include "mesh/face_tree.h"
 #include "mesh/load.h"
 #include "mesh/outlines.h"
@@ -35,26 +37,29 @@ struct SolveOptions {
   std::function<bool(double)> progress;
 };
 
-/// A mesh ready to be solved with these edge options: its ray-tracing structures, wedges, outlines of their faces, and the rims
-/// that may be thin (none without `thin_sheets`). Keeps a reference to `mesh`.
+/// A mesh ready to be solved with these edge options: its ray-tracing structures, wedges, outlines of their faces, and
+/// the rims that may be thin (none without `thin_sheets`). Keeps a reference to `mesh`.
 struct Target {
   Target(const TriangleMesh& mesh, const EdgeOptions& edges);
   Target(TriangleMesh&& mesh, const EdgeOptions& edges) = delete;
   const TriangleMesh& mesh;
   Tracer tracer;
   FaceTree faces;
+  Convexity convexity;
   std::vector<Wedge> wedges;
+  std::uint64_t wedges_enclosed;  // of these, marked so
   Outlines outlines;
   std::vector<Rim> rims;
   double min_wedge_angle;
 };
 
+/// Which looks are computed, and which follow from these. Images of looks follow where tubes are cut exactly: the grid of uniform
+/// tubes, and of those that curved surfaces reflect, is not its own image.
+LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes);
+
 /// The wedges whose fringe currents a solve leaves out, and why; of the rims, what is left out at the lowest frequency.
 std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
                                     std::span<const double> frequencies);
-
-/// The rims that these edge options let be thin.
-std::vector<Rim> possible_rims(const TriangleMesh& mesh, std::span<const Wedge> wedges, const EdgeOptions& edges);
 
 /// S of every row of the sweep, phase reference at the origin of the mesh's own coordinates. The same bytes for any
 /// number of threads. Throws InputError for an empty or non-physical sweep, Interrupted when `progress` says stop.

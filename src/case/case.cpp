@@ -101,6 +101,7 @@ void read_tubes(const CaseValue& root, Case& c) {
     c.tubes.tolerance_db = read_positive(*tolerance, "accuracy.tolerance_db");
   }
   if (clipped && !find(root, "tubes", "per_wavelength")) c.tubes.per_wavelength = most_per_wavelength;
+  if (const CaseValue* skip = find(root, "tubes", "skip")) c.tubes.skip = read_flag(*skip, "tubes.skip");
   if (const CaseValue* up = find(root, "tubes", "up")) c.tubes.up = read_vector(*up, "tubes.up");
 }
 

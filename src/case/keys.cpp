@@ -10,7 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 24> known_keys = {"title",
+constexpr std::array<std::string_view, 25> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -27,6 +27,7 @@ constexpr std::array<std::string_view, 24> known_keys = {"title",
                                                          "tubes.clip",
                                                          "tubes.curved",
                                                          "accuracy.tolerance_db",
+                                                         "tubes.skip",
                                                          "edges.method",
                                                          "edges.order",
                                                          "edges.receiver_shadow",

@@ -147,14 +147,14 @@ struct FaceTree::Query {
   int count = 3;
 };
 
-void FaceTree::collect(const Prism& prism, std::vector<std::uint32_t>& found) const {
+void FaceTree::collect(const Prism& prism, std::vector<std::uint32_t>& found, std::size_t most) const {
   found.clear();
   if (nodes_.empty()) return;
   const Query query(prism);
   std::array<std::uint32_t, 7 * 12> pending;  // seven for each of the at most 11 levels of 2^32 faces
   std::size_t count = 0;
   pending[count++] = 0;
-  while (count) {
+  while (count && found.size() <= most) {
     const Node& node = nodes_[pending[--count]];
     for (unsigned bits = query.touched(node); bits; bits &= bits - 1) {
       const int lane = std::countr_zero(bits);

@@ -35,8 +35,10 @@ class FaceTree {
   std::uint32_t face_of(std::uint32_t triangle) const { return faces_.face_of_triangle[triangle]; }
   const TriangleMesh& mesh() const { return mesh_; }
 
-  /// Fills `found` with every face whose box reaches into the prism, in an order fixed by the tree.
-  void collect(const Prism& prism, std::vector<std::uint32_t>& found) const;
+  /// Fills `found` with every face whose box reaches into the prism, in an order fixed by the tree. Gives up soon after the
+  /// first `most` of them.
+  void collect(const Prism& prism, std::vector<std::uint32_t>& found,
+               std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
  private:
   static constexpr int lanes = 8;

@@ -8,10 +8,12 @@
 #include "case/case.h"
 #include "case/names.h"
 #include "decimal.h"
+#include "mesh/mirror.h"
 #include "program/commands.h"
 #include "program/threads.h"
 #include "program/wedge_list.h"
 #include "sbr/launch.h"
+#include "skipped.h"
 
 namespace raytube {
 
@@ -74,14 +76,22 @@ void print_components(const std::vector<Component>& components) {
   if (components.size() > most_lines) fmt::print("  and {} more components\n", components.size() - most_lines);
 }
 
-void print_mesh(const LoadedMesh& loaded) {
-  const TriangleMesh& mesh = loaded.mesh;
-  fmt::print("\nmesh report\n  {} facets read, {} triangles traced, {} vertices\n", loaded.report.facets_read,
-             loaded.report.triangles_traced, mesh.vertices.size());
-  for (const MeshNote& note : loaded.report.notes()) fmt::print("  {}: {}\n", note.what, note.count);
+void print_shape(const Target& target) {
+  if (target.convexity.no_reflection) fmt::print("  {}\n", target.convexity.no_shadow ? "convex body" : nothing_in_front);
+  const std::array<bool, 3> mirrors = find_mirror_planes(target.mesh, target.wedges);
+  for (int axis = 0; axis < 3; ++axis)
+    if (mirrors[axis]) fmt::print("  its own mirror image across {} = {:.6g} m\n", "xyz"[axis], target.mesh.center[axis]);
+}
+
+void print_mesh(const MeshReport& report, const Target& target) {
+  const TriangleMesh& mesh = target.mesh;
+  fmt::print("\nmesh report\n  {} facets read, {} triangles traced, {} vertices\n", report.facets_read, report.triangles_traced,
+             mesh.vertices.size());
+  for (const MeshNote& note : report.notes()) fmt::print("  {}: {}\n", note.what, note.count);
   fmt::print("  centre ({:.6g}, {:.6g}, {:.6g}) m, radius {:.6g} m\n", mesh.center.x, mesh.center.y, mesh.center.z, mesh.radius);
   fmt::print("  planar patches: {}\n  components: {}\n", mesh.patches.size(), mesh.components.size());
   print_components(mesh.components);
+  print_shape(target);
 }
 
 struct WedgeClass {
@@ -127,21 +137,35 @@ void print_thin_rims(const Case& c, std::span<const Rim> rims) {
   if (highest > lowest) print(highest);
 }
 
-void print_skipped(const Case& c, const LoadedMesh& loaded, const std::vector<Wedge>& wedges, std::span<const Rim> rims) {
-  const MeshReport& r = loaded.report;
+// What only the run itself can count.
+std::vector<std::string> skipped_as_found(const Case& c, const Target& target) {
+  std::vector<std::string> lines;
+  if (c.tubes.mode == TubeMode::adaptive)
+    lines.push_back("in every look: faces of closed bodies turned away from the transmitter");
+  if (!c.tubes.skip) return lines;
+  if (c.tubes.mode == TubeMode::uniform) lines.push_back("in every look: empty cells of the grid");
+  if (target.convexity.no_reflection) lines.push_back(fmt::format("all reflected tubes: {}", nothing_in_front));
+  if (c.edges.method == EdgeMethod::fringe) lines.push_back("in every look: edges that are not lit");
+  return lines;
+}
+
+void print_skipped(const Case& c, const MeshReport& r, const Target& target, const LookPlan& plan) {
   std::vector<Skipped> skipped = {{"facets", "fewer than three distinct corners", r.facets_unusable},
                                   {"triangles", "no area", r.triangles_degenerate},
                                   {"triangles", "same corners as another one", r.triangles_duplicate},
                                   {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};
-  for (const Skipped& wedge : skipped_wedges(wedges, rims, c.edges.method, c.sweep.frequencies)) skipped.push_back(wedge);
+  for (const Skipped& wedge : skipped_wedges(target.wedges, target.rims, c.edges.method, c.sweep.frequencies))
+    skipped.push_back(wedge);
+  SkipCounts counts{.repeated_looks = plan.repeated, .mirrored_looks = plan.mirrored};
+  if (c.tubes.skip && c.edges.method == EdgeMethod::fringe) counts.enclosed_wedges = target.wedges_enclosed;
+  for (const Skipped& item : skipped_items(counts)) skipped.push_back(item);
+  std::vector<std::string> lines;
+  for (const Skipped& s : skipped)
+    if (s.count) lines.push_back(fmt::format("{} {}: {}", s.count, s.what, s.why));
+  for (const std::string& line : skipped_as_found(c, target)) lines.push_back(line);
+  if (lines.empty()) lines.emplace_back("nothing");
   fmt::print("\nskipped\n");
-  bool nothing = true;
-  for (const Skipped& s : skipped) {
-    if (s.count == 0) continue;
-    fmt::print("  {} {}: {}\n", s.count, s.what, s.why);
-    nothing = false;
-  }
-  if (nothing) fmt::print("  nothing\n");
+  for (const std::string& line : lines) fmt::print("  {}\n", line);
 }
 
 LaunchGrid grid_of(const Case& c, const TriangleMesh& mesh, std::size_t look) {
@@ -150,23 +174,24 @@ LaunchGrid grid_of(const Case& c, const TriangleMesh& mesh, std::size_t look) {
 }
 
 // Exact for few looks; a mean over evenly spread ones for many.
-double tubes_of_all_looks(const Case& c, const TriangleMesh& mesh) {
-  const std::size_t looks = c.sweep.looks.size(), sampled = std::min(looks, most_sampled_looks);
+double tubes_of_all_looks(const Case& c, const TriangleMesh& mesh, const LookPlan& plan) {
+  const std::size_t looks = plan.computed.size(), sampled = std::min(looks, most_sampled_looks);
   double tubes = 0.0;
-  for (std::size_t i = 0; i < sampled; ++i) tubes += static_cast<double>(grid_of(c, mesh, i * looks / sampled).cells());
+  for (std::size_t i = 0; i < sampled; ++i)
+    tubes += static_cast<double>(grid_of(c, mesh, plan.computed[i * looks / sampled]).cells());
   return tubes * static_cast<double>(looks) / static_cast<double>(sampled);
 }
 
-void print_cost(const Case& c, const TriangleMesh& mesh) {
+void print_cost(const Case& c, const TriangleMesh& mesh, const LookPlan& plan) {
   const LaunchGrid first = grid_of(c, mesh, 0);
-  const double tubes = tubes_of_all_looks(c, mesh);
+  const double tubes = tubes_of_all_looks(c, mesh, plan);
   const int threads = all_threads();
   const double per_tube = seconds_per_tube + seconds_per_tube_and_frequency * static_cast<double>(c.sweep.frequencies.size());
   fmt::print("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm\n", first.columns, first.rows, first.du * 1e3,
              first.dv * 1e3);
-  fmt::print("  all looks: {}{:.4g} tubes, very roughly {:.2g} s on {} thread{}{}\n",
-             c.sweep.looks.size() > most_sampled_looks ? "about " : "", tubes, tubes * per_tube / threads, threads,
-             threads == 1 ? "" : "s", c.tubes.mode == TubeMode::adaptive ? "; adaptive tubes are mostly far fewer" : "");
+  fmt::print("  looks computed: {}\n  all of them: {}{:.4g} tubes, very roughly {:.2g} s on {} thread{}{}\n",
+             plan.computed.size(), plan.computed.size() > most_sampled_looks ? "about " : "", tubes, tubes * per_tube / threads,
+             threads, threads == 1 ? "" : "s", c.tubes.mode == TubeMode::adaptive ? "; adaptive tubes are mostly far fewer" : "");
 }
 
 }  // namespace
@@ -174,16 +199,16 @@ void print_cost(const Case& c, const TriangleMesh& mesh) {
 void check_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
-  const std::vector<Wedge> wedges = find_wedges(loaded.mesh, c.edges.min_wedge_angle);
-  const std::vector<Rim> rims = possible_rims(loaded.mesh, wedges, c.edges);
+  const Target target(loaded.mesh, c.edges);
+  const LookPlan plan = plan_of(target, c.sweep, c.tubes);
   print_case(c);
-  print_mesh(loaded);
-  print_wedges(wedges);
-  print_thin_rims(c, rims);
-  print_skipped(c, loaded, wedges, rims);
-  print_cost(c, loaded.mesh);
+  print_mesh(loaded.report, target);
+  print_wedges(target.wedges);
+  print_thin_rims(c, target.rims);
+  print_skipped(c, loaded.report, target, plan);
+  print_cost(c, loaded.mesh, plan);
   if (request.wedges_csv.empty()) return;
-  const std::vector<Wedge> used = merge_thin_rims(wedges, rims, thin_limit(highest_frequency(c.sweep)));
+  const std::vector<Wedge> used = merge_thin_rims(target.wedges, target.rims, thin_limit(highest_frequency(c.sweep)));
   write_wedges_csv(request.wedges_csv, loaded.mesh, used, c.sweep);
 }
 

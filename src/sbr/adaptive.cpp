@@ -34,10 +34,12 @@ class FaceTrace {
     std::vector<std::uint32_t> faces;
     for (std::uint32_t face = begin; face < end; ++face)
       if (!look_.smooth || look_.smooth->region(look_.tree.faces()[face].triangle) == no_index) faces.push_back(face);
-    visible_.of_faces(beams_.beam(BeamTree::root), faces, parts_);
+    const Beam& incident = beams_.beam(BeamTree::root);
+    look_.known.no_shadow ? visible_.of_whole_faces(incident, faces, parts_) : visible_.of_faces(incident, faces, parts_);
     reflect(BeamTree::root, 0);
     sums_.rays = sums_.tubes = sums_.hits.empty() ? 0 : sums_.hits[0];
-    for (int bounce = 1; !reflected_.empty() || !cell_tubes_.empty(); ++bounce) {
+    count_faces_away(begin, end);
+    for (int bounce = 1; !look_.known.no_reflection && !(reflected_.empty() && cell_tubes_.empty()); ++bounce) {
       thin_out();
       cell_tubes_.advance(bounce, look_.max_bounces);
       std::swap(tubes_, reflected_);
@@ -51,6 +53,13 @@ class FaceTrace {
   }
 
  private:
+  void count_faces_away(std::uint32_t begin, std::uint32_t end) {
+    const TriangleMesh& mesh = look_.tree.mesh();
+    for (const Face& face : look_.tree.faces().subspan(begin, end - begin))
+      if (mesh.closed(face.triangle) && glm::dot(mesh.patches[face.patch].normal, look_.grid.direction) >= 0.0)
+        ++sums_.faces_away;
+  }
+
   void send_middle_rays() {
     rays_.clear();
     for (const PolygonTube& tube : tubes_)
@@ -100,8 +109,8 @@ class FaceTrace {
     });
   }
 
-  // A tube becomes a cell with the probability of their areas' ratio: variance (area) (cell - area), times the (k / 2 pi)^2 that a
-  // perfect conductor radiates at most.
+  // A tube becomes a cell with the probability of their areas' ratio: variance (area) (cell - area), times the (k / 2 pi)^2 that
+  // a perfect conductor radiates at most.
   void count_thinned(double variance) {
     sums_.pieces.resize(look_.wavenumbers.size());
     for (std::size_t f = 0; f < sums_.pieces.size(); ++f) {

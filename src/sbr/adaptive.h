@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "mesh/convexity.h"
 #include "mesh/face_tree.h"
 #include "mesh/smooth.h"
 #include "mesh/tracer.h"
@@ -23,6 +24,8 @@ struct AdaptiveLook {
   const SmoothSurfaces* smooth;  // curved surfaces; null: all facets are flat
   bool clip;  // integrate over exactly the parts lit; else over the cells of the grid whose ray runs through them
   int max_bounces;
+  bool skip;        // empty cells of the grid
+  Convexity known;  // what need not be looked for
 };
 
 /// Follows the light that reaches the flat ones of the faces [begin, end) directly through all its reflections and integrates the

@@ -20,6 +20,10 @@ class CellTubes {
       : tracer_(tracer), grid_(grid), frequencies_(wavenumbers.size()), far_fields_(wavenumbers), beams_(beams), sums_(sums) {}
 
   bool empty() const { return tubes_.empty(); }
+  void clear() {
+    tubes_.clear();
+    rays_.clear();
+  }
 
   /// Tubes that meet a curved surface first are someone else's.
   void leave_out(const SmoothSurfaces* smooth) { smooth_ = smooth; }

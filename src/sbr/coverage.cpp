@@ -47,17 +47,30 @@ Interval across_band(std::span<const dvec2> corners, double low, double high) {
 
 }  // namespace
 
-Coverage::Coverage(const FaceTree& faces, const LaunchGrid& grid, const Tile& tile)
-    : grid_(grid), tile_(tile), margin_(margin * faces.mesh().radius) {
+Coverage::Coverage(const FaceTree* faces, const LaunchGrid& grid, const Tile& tile)
+    : grid_(grid),
+      tile_(tile),
+      margin_(faces ? margin * faces->mesh().radius : 0.0),
+      cells_(std::size_t{tile.row_end - tile.row_begin} * (tile.column_end - tile.column_begin), faces ? 0 : 1) {
+  if (!faces) return;
   const dvec2 low{grid.u_begin + tile.column_begin * grid.du, grid.v_begin + tile.row_begin * grid.dv},
       high{grid.u_begin + tile.column_end * grid.du, grid.v_begin + tile.row_end * grid.dv};
+  const std::size_t most_faces = cells_.size() / cells_per_face;
   std::vector<std::uint32_t> found;
-  faces.collect({grid.plane_origin, grid.u_hat, grid.v_hat, grid.direction, low, high}, found);
-  const std::size_t cells = std::size_t{tile.row_end - tile.row_begin} * (tile.column_end - tile.column_begin);
-  const bool too_many = found.size() * cells_per_face > cells;
-  cells_.assign(cells, too_many ? 1 : 0);
-  if (too_many) return;
-  for (const std::uint32_t face : found) mark(faces, face);
+  faces->collect({grid.plane_origin, grid.u_hat, grid.v_hat, grid.direction, low, high}, found, most_faces);
+  if (found.size() > most_faces) {
+    std::ranges::fill(cells_, 1);
+    return;
+  }
+  for (const std::uint32_t face : found) mark(*faces, face);
+}
+
+Coverage::Span Coverage::next(std::uint32_t row, std::uint32_t column) const {
+  const auto at = [&](std::uint32_t c) { return cells_.begin() + static_cast<std::ptrdiff_t>(place(c, row)); };
+  const auto end_of_row = at(tile_.column_end), begin = std::find(at(column), end_of_row, 1),
+             end = std::find(begin, end_of_row, 0);
+  return {tile_.column_end - static_cast<std::uint32_t>(end_of_row - begin),
+          tile_.column_end - static_cast<std::uint32_t>(end_of_row - end)};
 }
 
 void Coverage::mark(const FaceTree& faces, std::uint32_t face) {

@@ -13,9 +13,16 @@ namespace raytube {
 /// and filled row by row. Where that would take longer than to trace the cells, all are marked.
 class Coverage {
  public:
-  Coverage(const FaceTree& faces, const LaunchGrid& grid, const Tile& tile);
+  /// Columns [begin, end); none if they are equal.
+  struct Span {
+    std::uint32_t begin, end;
+  };
 
-  bool covered(std::uint32_t column, std::uint32_t row) const { return cells_[place(column, row)]; }
+  /// Without `faces` every cell is covered.
+  Coverage(const FaceTree* faces, const LaunchGrid& grid, const Tile& tile);
+
+  /// The first covered cells of a row at or after a column.
+  Span next(std::uint32_t row, std::uint32_t column) const;
   std::uint64_t empty_cells() const { return static_cast<std::uint64_t>(std::ranges::count(cells_, 0)); }
 
  private:

@@ -58,8 +58,10 @@ TubeSums sum_tiles(std::size_t count, Function tile, Progress& progress, double 
 
 TubeSums trace_uniform(const AdaptiveLook& look, Progress& progress, double share) {
   const Tiling tiles(look.grid);
+  const NotTraced not_traced{look.skip ? &look.tree : nullptr, look.known.no_reflection};
   tbb::enumerable_thread_specific<TileTracer> tile_tracers([&] {
-    return TileTracer(look.tracer, look.grid, look.transmit, look.receive, look.wavenumbers, look.max_bounces, look.smooth);
+    return TileTracer(look.tracer, look.grid, look.transmit, look.receive, look.wavenumbers, look.max_bounces, look.smooth,
+                      not_traced);
   });
   const auto trace = [&](std::size_t i) { return tile_tracers.local().trace(tiles[i]); };
   return sum_tiles(tiles.count, trace, progress, share);
@@ -78,13 +80,14 @@ TubeSums trace_curved(const AdaptiveLook& look, Progress& progress, double share
   const CurvedLook first(look);
   const CurvedBounces later(look);
   const auto trace = [&](std::size_t i) { return i < CurvedLook::blocks ? first.trace(i) : later.trace(i - CurvedLook::blocks); };
-  return sum_tiles(CurvedLook::blocks + later.blocks(), trace, progress, share);
+  return sum_tiles(CurvedLook::blocks + (look.known.no_reflection ? 0 : later.blocks()), trace, progress, share);
 }
 
 // Times the work of a cell that of a flat face is.
 constexpr double cells_per_face = 40.0;
 
-// Half the faces of a body look at the radar. Where a face is dearer than the cells it covers, single rays are the cheaper sample.
+// Half the faces of a body look at the radar. Where a face is dearer than the cells it covers, single rays are the cheaper
+// sample.
 bool cells_are_cheaper(const AdaptiveLook& look) {
   const auto is_flat = [&](const Face& face) { return !look.smooth || look.smooth->region(face.triangle) == no_index; };
   const auto flat = std::ranges::count_if(look.tree.faces(), is_flat);
@@ -108,19 +111,22 @@ constexpr double first_per_wavelength = 10.0, least_growth = 1.5, most_growth = 
 
 }  // namespace
 
-TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Look& look,
-                        std::span<const double> frequencies, const TubeOptions& options, Progress& progress, double share) {
+TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
+                        const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
+                        double share) {
   const SphericalBasis transmit = spherical_basis(look.transmit), receive = spherical_basis(look.receive);
   std::vector<double> wavenumbers(frequencies.size());
   std::ranges::transform(frequencies, wavenumbers.begin(), wavenumber);
   const double shortest = wavelength(*std::ranges::max_element(frequencies)), tolerance = relative_error(options.tolerance_db);
   const bool adaptive = options.mode == TubeMode::adaptive, refined = adaptive && options.clip;
   double per_wavelength = refined ? std::min(first_per_wavelength, options.per_wavelength) : options.per_wavelength;
+  const Convexity known = options.skip ? convexity : Convexity{};
   std::uint64_t rays = 0;
   while (true) {
     const LaunchGrid grid = launch_grid(tracer.mesh(), look.transmit, shortest, per_wavelength, options.up);
-    const AdaptiveLook view{tracer,      faces,     grid,   transmit,     receive,
-                            wavenumbers, tolerance, smooth, options.clip, options.max_bounces};
+    const AdaptiveLook view{tracer,       faces,     grid,   transmit,     receive,
+                            wavenumbers,  tolerance, smooth, options.clip, options.max_bounces,
+                            options.skip, known};
     TubeSums sums = adaptive ? trace_adaptive(view, progress, share) : trace_uniform(view, progress, share);
     sums.error = numerical_error(sums, grid, wavenumbers, tracer.mesh().radius);
     sums.rays += rays;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "field.h"
+#include "mesh/convexity.h"
 #include "mesh/face_tree.h"
 #include "mesh/smooth.h"
 #include "mesh/tracer.h"
@@ -30,15 +31,17 @@ struct TubeOptions {
   bool clip = true;           // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
   bool curved = true;            // adaptive with clip: facets that stand for a curved surface are taken as that surface
   int max_bounces = 8;
+  bool skip = true;         // false: also what adds nothing, or is known from another look, is computed
   std::optional<dvec3> up;  // rows of the launch grid follow this vector's projection; default -theta_hat
 };
 
 /// Traces the tubes of a look once and integrates the PO current of every bounce, radiating unblocked, for all frequencies [Hz]
 /// and both transmit polarisations. Phase reference: the centre of the mesh. The result does not depend on the number of
-/// threads. Reports its finished tiles as shares of `share` to `progress`. `faces`, `tracer` and `smooth` are of the same mesh;
-/// without `smooth` every facet is flat.
-TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Look& look,
-                        std::span<const double> frequencies, const TubeOptions& options, Progress& progress, double share);
+/// threads. Reports its finished tiles as shares of `share` to `progress`. `faces`, `tracer`, `smooth` and `convexity`
+/// are of the same mesh; without `smooth` every facet is flat.
+TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
+                        const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
+                        double share);
 
 /// One reflection of a replayed tube, in recentred coordinates.
 struct TubeBounce {

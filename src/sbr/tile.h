@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "mesh/face_tree.h"
 #include "sbr/cell_tubes.h"
 
 namespace raytube {
@@ -15,14 +16,22 @@ struct Tile {
 // Multiples of three, so that no group of the coarse grid is cut, and of the packet's width.
 inline constexpr std::uint32_t tile_columns = 48, tile_rows = 45;
 
-/// Traces tile after tile of one look, with `smooth` only tubes that meet a flat surface first; kept from one to the next is only memory. Keeps references to all it is given.
+/// What a look need not trace.
+struct NotTraced {
+  const FaceTree* faces = nullptr;  // cells under which none of these lies launch no tube; null: all do
+  bool reflected_tubes = false;     // they meet nothing
+};
+
+/// Traces tile after tile of one look, with `smooth` only tubes that meet a flat surface first; kept from one to the next is
+/// only memory. Keeps references to all it is given.
 class TileTracer {
  public:
   TileTracer(const Tracer& tracer, const LaunchGrid& grid, const SphericalBasis& transmit, const SphericalBasis& receive,
-             std::span<const double> wavenumbers, int max_bounces, const SmoothSurfaces* smooth)
+             std::span<const double> wavenumbers, int max_bounces, const SmoothSurfaces* smooth, const NotTraced& not_traced)
       : grid_(grid),
         transmit_(transmit),
         max_bounces_(max_bounces),
+        not_traced_(not_traced),
         beams_(tracer.mesh(), receive, incident_beam(grid, transmit, dvec2(0.0))),
         tubes_(tracer, grid, wavenumbers, beams_, sums_) {
     tubes_.leave_out(smooth);
@@ -34,9 +43,12 @@ class TileTracer {
   TubeSums trace(const Tile& tile);
 
  private:
+  void launch(const Tile& tile);
+
   const LaunchGrid& grid_;
   const SphericalBasis& transmit_;
   int max_bounces_;
+  NotTraced not_traced_;
   BeamTree beams_;
   TubeSums sums_;
   CellTubes tubes_;

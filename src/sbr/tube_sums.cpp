@@ -55,6 +55,8 @@ void TubeSums::add(const TubeSums& other) {
   rays += other.rays;
   lost_rays += other.lost_rays;
   tubes_cut += other.tubes_cut;
+  empty_cells += other.empty_cells;
+  faces_away += other.faces_away;
   sliver_area += other.sliver_area;
 }
 

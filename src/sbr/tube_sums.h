@@ -33,7 +33,8 @@ struct TubeSums {
   std::vector<ChannelErrors> error;                    // [frequency], estimate for the whole look [m]; empty in its parts
   std::vector<std::uint64_t> hits;                     // [bounce]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;
-  double sliver_area = 0.0;  // [m^2] of the launch plane, left out by adaptive tubes
+  std::uint64_t empty_cells = 0, faces_away = 0;  // not traced: see SkipCounts
+  double sliver_area = 0.0;                       // [m^2] of the launch plane, left out by adaptive tubes
 
   /// The sums of a bounce, counted from 0; they and their counter of hits come into being when first asked for.
   std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);

@@ -19,20 +19,32 @@ Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, double 
   return {beam.base, beam.u_hat, beam.v_hat, beam.direction, box.low - beam.anchor, box.high - beam.anchor, farthest, source};
 }
 
+// All that an incident wave lights.
+BeamView view_of(const Beam& incident) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {incident, no_index, nullptr, {}, 1.0, nullptr, {dvec2(-infinity), dvec2(infinity)}};
+}
+
 }  // namespace
 
 VisibleSurfaces::VisibleSurfaces(const FaceTree& tree, const Tracer& tracer)
     : tree_(tree), tracer_(tracer), projector_(tree), depth_margin_(1e-9 * tree.mesh().radius) {}
 
 void VisibleSurfaces::of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const BeamView view{incident, no_index, nullptr, {}, 1.0, nullptr, {dvec2(-infinity), dvec2(infinity)}};
+  const BeamView view = view_of(incident);
   gather(view, faces, in_view_);
   if (faces.size() == tree_.faces().size() && in_view_.count <= few) return uncover(in_view_, in_view_, parts);
   waiting_.clear();
   for (const ProjectedFace& c : in_view_.used()) waiting_.push_back(&c);
   drop_hidden(view);
   see_in_groups(view, parts);
+}
+
+void VisibleSurfaces::of_whole_faces(const Beam& incident, std::span<const std::uint32_t> faces,
+                                     std::vector<VisiblePart>& parts) {
+  const BeamView view = view_of(incident);
+  for (const std::uint32_t face : faces)
+    if (projector_.project(view, face, first_)) emit(first_, first_.outline, parts);
 }
 
 // Most hidden faces lie behind a single one, and a ray through their middle finds it.

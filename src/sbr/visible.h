@@ -24,6 +24,9 @@ class VisibleSurfaces {
   /// Appends what an incident wave sees of these faces.
   void of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
 
+  /// The same where no face shadows another: each is seen whole.
+  void of_whole_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
+
   /// Appends what the part `region` of a beam that leaves `source_patch` meets. `in_middle` is what its middle_ray meets: a
   /// help, never the answer.
   void from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region, const Hit& in_middle,

@@ -15,7 +15,7 @@ EdgeLookResult edges_of_look(std::span<const Wedge> wedges, const Outlines& outl
 }  // namespace
 
 EdgeSets::EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines,
-                   std::span<const Rim> rims, double min_wedge_angle, std::span<const double> frequencies)
+                   std::span<const Rim> rims, double min_wedge_angle, std::span<const double> frequencies, bool skip_enclosed)
     : frequency_count_(frequencies.size()) {
   for (std::size_t place = 0; place < frequencies.size(); ++place) {
     const std::size_t thin = thin_rims(rims, frequencies[place]);
@@ -29,7 +29,14 @@ EdgeSets::EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, c
     const bool sharp = set.thin_rims == 0;
     set.wedges = sharp ? wedges : merge_thin_rims(wedges, rims, thin_limit(set.frequencies.front()));
     set.outlines = sharp ? outlines : Outlines(mesh, set.wedges, min_wedge_angle);
+    if (skip_enclosed) continue;
+    for (Wedge& wedge : set.wedges) wedge.enclosed = false;
   }
+}
+
+bool EdgeSets::radiate() const {
+  const auto one_does = [](const Wedge& wedge) { return wedge.radiates() && !wedge.enclosed; };
+  return std::ranges::any_of(sets_, [&](const Set& set) { return std::ranges::any_of(set.wedges, one_does); });
 }
 
 EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow,
@@ -47,6 +54,7 @@ EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int 
 }
 
 void EdgeSets::put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all) {
+  all.lit = all.lit || part.lit;
   if (all.wedges_lit == 0) all.wedges_lit = part.wedges_lit;
   for (std::size_t i = 0; i < set.places.size(); ++i) {
     all.scattering[set.places[i]] = part.scattering[i];

@@ -10,8 +10,12 @@ class EdgeSets {
  public:
   /// `wedges` and `outlines` are those of sharp edges; rims thin at a frequency become half planes there. Frequencies that see
   /// the same rims as thin share a set, and no set depends on the others.
+  /// Without `skip_enclosed` even edges that no light reaches are asked whether they are lit.
   EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines, std::span<const Rim> rims,
-           double min_wedge_angle, std::span<const double> frequencies);
+           double min_wedge_angle, std::span<const double> frequencies, bool skip_enclosed);
+
+  /// Whether any edge does, in any look.
+  bool radiate() const;
 
   /// One look at all frequencies, in their order; the lit wedges are counted at the highest.
   EdgeLookResult scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier) const;

@@ -140,16 +140,19 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tr
   EndlessPass pass(vectors, frequencies);
   ThicknessPass thickness(vectors, frequencies);
   LitEdges edges(wedges, tracer, vectors, shortest_wavelength(frequencies), receiver_shadow);
+  bool lit = false;
   for (std::uint32_t index = 0; index < wedges.size(); ++index) {
-    if (!wedges[index].radiates()) continue;
+    if (!wedges[index].radiates() || wedges[index].enclosed) continue;
     const auto [incidence, rim_only] = Meeting(wedges[index], vectors.incident);
     if (incidence.weight == 0.0 || !edges.find(index, incidence)) continue;
+    lit = true;
     thickness.add_rim(wedges[index], incidence, edges.lit());
     if (rim_only) continue;
     thickness.add_sides(wedges[index], incidence, edges.lit());
     pass.add(wedges[index], incidence, edges.lit());
   }
   EdgeLookResult result = pass.take();
+  result.lit = lit;
   thickness.add_to(result.scattering);
   return result;
 }
@@ -163,10 +166,11 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& 
   ThicknessPass thickness(vectors, frequencies);
   EdgeLookResult result;
   for (std::uint32_t index = 0; index < wedges.size(); ++index) {
-    if (!wedges[index].radiates()) continue;
+    if (!wedges[index].radiates() || wedges[index].enclosed) continue;
     const auto [incidence, rim_only] = Meeting(wedges[index], vectors.incident);
     // An edge that is only grazed, over one face, takes its light from the edge at the other end of that face.
     if (incidence.weight != 1.0 || !edges.find(index, incidence)) continue;
+    result.lit = true;
     thickness.add_rim(wedges[index], incidence, edges.lit());
     if (rim_only) continue;
     ++result.wedges_lit;

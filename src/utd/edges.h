@@ -17,6 +17,7 @@ struct EdgeLookResult {
   std::vector<ScatteringMatrix> scattering;  // the lit edges' own currents
   std::vector<ScatteringMatrix> higher;      // what these start at other edges; empty at first order
   std::uint64_t wedges_lit = 0;
+  bool lit = false;            // any edge radiates
   std::vector<bool> windowed;  // per frequency: the forward-grazing window touched the row
 };
 

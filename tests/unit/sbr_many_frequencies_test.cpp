@@ -19,7 +19,8 @@ TubeSums tubes(const LoadedMesh& loaded, const Direction& look, const std::vecto
   Progress progress(nullptr);
   TubeOptions options;
   options.mode = TubeMode::uniform;
-  return sbr_scattering(Tracer(loaded.mesh), FaceTree(loaded.mesh), nullptr, {look, look}, frequencies, options, progress, 1.0);
+  return sbr_scattering(Tracer(loaded.mesh), FaceTree(loaded.mesh), nullptr, {}, {look, look}, frequencies, options, progress,
+                        1.0);
 }
 
 double largest(const ScatteringMatrix& s) {
