@@ -8,15 +8,12 @@ namespace raytube {
 namespace {
 
 // e^{jzx} on |x| <= 1 is the sum of 2 j^n J_n(z) T_n(x) (DLMF 10.12), and |J_n(z)| <= (z/2)^n / n! (DLMF 10.14.4). `count` nodes
-// leave an error of four times the terms from n = count on. Rounded up to a multiple of four, so that few different sets are
-// needed.
-std::size_t nodes_needed(double z, std::size_t limit) {
+// leave an error of four times the terms from n = count on. Coefficients of an amplitude fall by `rate` each; those of a product
+// by the larger of the two. Rounded up to a multiple of four, so that few different sets are needed.
+std::size_t nodes_needed(double z, double rate, std::size_t limit) {
   double bound = 1.0;
   std::size_t count = 0;
-  while (bound > 1e-13 || static_cast<double>(count) < z) {
-    bound *= 0.5 * z / static_cast<double>(++count);
-    if (count > limit) break;
-  }
+  while (bound > 1e-13 && count <= limit) bound *= std::max(0.5 * z / static_cast<double>(++count), rate);
   return std::max<std::size_t>(4, (count + 3) / 4 * 4);
 }
 
@@ -49,10 +46,13 @@ Band::Band(std::span<const double> wavenumbers) : wavenumbers_(wavenumbers.begin
   const auto [low, high] = std::ranges::minmax(wavenumbers_);
   middle_ = 0.5 * (low + high);
   half_width_ = 0.5 * (high - low);
+  // One over the sum of the half axes of the ellipse with its foci at the ends of the band that runs through k = 0 (Trefethen,
+  // Approximation Theory and Approximation Practice, 2013, theorem 8.1).
+  rate_ = half_width_ / (middle_ + std::sqrt(low * high));
 }
 
-const ChebyshevNodes* Band::nodes(double half_span) {
-  const std::size_t most = wavenumbers_.size() / 2, count = nodes_needed(half_width_ * half_span, most);
+const ChebyshevNodes* Band::nodes(double half_span, double rate) {
+  const std::size_t most = wavenumbers_.size() / 2, count = nodes_needed(half_width_ * half_span, rate, most);
   if (count > most) return nullptr;
   const auto [entry, is_new] = nodes_.try_emplace(count);
   if (is_new) entry->second = make_nodes(count, middle_, half_width_, wavenumbers_);

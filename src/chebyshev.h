@@ -24,11 +24,16 @@ class Band {
 
   /// Nodes for a function of k that is a sum of A e^{jkx}, all |x| <= half_span [m]. What they give differs from it by less than
   /// 1e-12 of the sum of |A|. Null where the wavenumbers are so few that nodes would not pay.
-  const ChebyshevNodes* nodes(double half_span);
+  const ChebyshevNodes* nodes(double half_span) { return nodes(half_span, 0.0); }
+  /// The same with amplitudes that change slowly with k: analytic but for k = 0, as roots and Fresnel integrals are.
+  const ChebyshevNodes* nodes_of_fresnel(double half_span) { return nodes(half_span, rate_); }
 
  private:
+  const ChebyshevNodes* nodes(double half_span, double rate);
+
   std::vector<double> wavenumbers_;
   double middle_ = 0.0, half_width_ = 0.0;
+  double rate_ = 0.0;                            // ratio of successive Chebyshev coefficients of a function singular at k = 0
   std::map<std::size_t, ChebyshevNodes> nodes_;  // by their number
 };
 

@@ -19,6 +19,17 @@ void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex facto
   sum.axial += factor * kernels.axial;
 }
 
+std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
+  std::vector<double> result;
+  for (const double frequency : frequencies) result.push_back(wavenumber(frequency));
+  return result;
+}
+
+void add_scaled(ScatteringMatrix& sum, const ScatteringMatrix& term, Complex factor) {
+  for (int receive = 0; receive < 2; ++receive)
+    for (int transmit = 0; transmit < 2; ++transmit) sum.at(receive, transmit) += factor * term.at(receive, transmit);
+}
+
 bool alike(const StripBundle& bundle) {
   return !bundle.edge || std::abs(bundle.growth) * (bundle.to - bundle.from) < same_length * bundle.length_at(bundle.from);
 }
@@ -29,11 +40,11 @@ StripWalk::StripWalk(std::span<const Wedge> wedges, const Outlines& outlines, co
                      std::span<const double> frequencies, int order, TransitionTier tier)
     : wedges_(wedges),
       look_(look),
+      band_(wavenumbers_of(frequencies)),
       order_(order),
       tier_(tier),
       tree_(wedges, outlines, look.incident, look.scattered),
       placer_(wavelength(*std::ranges::max_element(frequencies))) {
-  for (const double frequency : frequencies) wavenumbers_.push_back(wavenumber(frequency));
   sums_.first.resize(frequencies.size());
   sums_.higher.resize(frequencies.size());
   sums_.windowed.resize(frequencies.size());
@@ -50,29 +61,93 @@ void StripWalk::add(std::uint32_t index, const WedgeIncidence& incidence, std::s
 void StripWalk::start(const StripWave& wave, std::span<const LitInterval> lit) {
   grow(wave, lit);
   const bool runs_along_edge = tree_.runs_along_edge();
-  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-    find_phases(wavenumbers_[f]);
-    find_kernels(0, f);
-    radiate_direct(f);
-    if (!runs_along_edge) go_on(f, 1.0);
-  }
-  if (runs_along_edge) go_on_beside(wave, lit);
+  add_tree({true, runs_along_edge ? 0.0 : 1.0});
+  if (runs_along_edge) start_beside(wave, lit);
 }
 
 // A wave that runs exactly along an edge at the side of a face meets it over its whole length, and yet its strips never end
 // there. Turned by a hair to either side they do; the limit of a vanishing turn is finite, and half of each counts.
-void StripWalk::go_on_beside(const StripWave& wave, std::span<const LitInterval> lit) {
+void StripWalk::start_beside(const StripWave& wave, std::span<const LitInterval> lit) {
   const dvec3 aside = glm::cross(wedges_[wave.wedge].faces[wave.face].normal, wave.direction);
   for (const double turn : {-hair, hair}) {
     StripWave turned = wave;
     turned.direction = glm::normalize(wave.direction + turn * aside);
     grow(turned, lit);
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      find_phases(wavenumbers_[f]);
-      find_kernels(0, f);
-      go_on(f, 0.5);
+    add_tree({false, 0.5});
+  }
+}
+
+// Of many frequencies a few are computed and the others interpolated, but not where the kernels are rough or change with k in
+// ways of their own.
+void StripWalk::add_tree(const Part& part) {
+  if (tree_.bundles().empty()) return;
+  note_windows();
+  const auto is_thin = [](const Face& face) { return face.thin.has_value(); };
+  const PathRange range = paths();
+  const bool smooth = tier_ == TransitionTier::exact && std::ranges::none_of(faces_, is_thin);
+  if (const ChebyshevNodes* nodes = smooth ? band_.nodes_of_fresnel(0.5 * (range.high - range.low)) : nullptr)
+    interpolate(*nodes, 0.5 * (range.low + range.high), part);
+  else
+    radiate_at(band_.wavenumbers(), part, sums_);
+}
+
+void StripWalk::interpolate(const ChebyshevNodes& nodes, double path, const Part& part) {
+  samples_.first.assign(nodes.at.size(), {});
+  samples_.higher.assign(nodes.at.size(), {});
+  radiate_at(nodes.at, part, samples_);
+  const auto add = [&](const std::vector<ScatteringMatrix>& samples, std::vector<ScatteringMatrix>& sums) {
+    std::vector<ScatteringMatrix> level(samples.size());
+    for (std::size_t n = 0; n < samples.size(); ++n) add_scaled(level[n], samples[n], std::polar(1.0, -nodes.at[n] * path));
+    auto weight = nodes.weights.begin();
+    for (std::size_t f = 0; f < sums.size(); ++f) {
+      ScatteringMatrix value;
+      for (const ScatteringMatrix& sample : level) add_scaled(value, sample, *weight++);
+      add_scaled(sums[f], value, std::polar(1.0, band_.wavenumbers()[f] * path));
+    }
+  };
+  if (part.first) add(samples_.first, sums_.first);
+  if (part.higher > 0.0) add(samples_.higher, sums_.higher);
+}
+
+void StripWalk::radiate_at(std::span<const double> wavenumbers, const Part& part, StripSums& sums) {
+  kernels_.resize(std::max(kernels_.size(), tree_.waves().size()));
+  for (std::size_t begin = 0; begin < wavenumbers.size(); begin += block) {
+    const std::span<const double> here = wavenumbers.subspan(begin, std::min(block, wavenumbers.size() - begin));
+    find_kernels(0, here);
+    for (std::size_t w = 1; part.higher > 0.0 && w < tree_.waves().size(); ++w) find_kernels(w, here);
+    for (std::size_t place = 0; place < here.size(); ++place) {
+      find_phases(here[place]);
+      if (part.first) radiate_direct(place, sums.first[begin + place]);
+      if (part.higher > 0.0) go_on(place, part.higher, sums.higher[begin + place]);
     }
   }
+}
+
+// Along a strip the phase changes by its length times (s . sigma - 1), and where it ends the next ones start.
+StripWalk::PathRange StripWalk::paths() const {
+  const EdgeLine& line = tree_.waves()[0].line;
+  PathRange range{infinity, -infinity};
+  const auto include = [&](double path) {
+    range.low = std::min(range.low, path);
+    range.high = std::max(range.high, path);
+  };
+  std::vector<double> from_end(tree_.bundles().size()),
+      to_end(tree_.bundles().size());  // at both sides of a bundle's strips' ends
+  for (const TreeWave& wave : tree_.waves())
+    for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
+      const StripBundle& bundle = tree_.bundles()[b];
+      const double change = bundle.edge ? glm::dot(look_.scattered, wave.wave.direction) - 1.0 : 0.0;
+      const auto start = [&](double place) {
+        if (wave.parent == no_index) return glm::dot(look_.scattered - look_.incident, line.at(place));
+        const StripBundle& before = tree_.bundles()[wave.parent];
+        const double share = (place - before.from) / (before.to - before.from);
+        return from_end[wave.parent] + share * (to_end[wave.parent] - from_end[wave.parent]);
+      };
+      from_end[b] = start(bundle.from) + change * (bundle.edge ? bundle.length_at(bundle.from) : 0.0);
+      to_end[b] = start(bundle.to) + change * (bundle.edge ? bundle.length_at(bundle.to) : 0.0);
+      for (const double path : {start(bundle.from), start(bundle.to), from_end[b], to_end[b]}) include(path);
+    }
+  return range;
 }
 
 // The tree, its points, and of its waves and bundles what all frequencies share.
@@ -110,13 +185,12 @@ std::span<const StripWalk::Row> StripWalk::rows(const TreeWave& wave) const {
   return std::span(rows_).subspan(wave.first_bundle, wave.end_bundle - wave.first_bundle);
 }
 
-// The first strips have radiated, and their kernels are at hand.
-void StripWalk::go_on(std::size_t frequency, double share) {
-  excite_far_edges(share);
+// The kernels are at hand.
+void StripWalk::go_on(std::size_t place, double share, ScatteringMatrix& sum) {
+  excite_far_edges(place, share);
   for (std::size_t w = 1; w < tree_.waves().size(); ++w) {
-    find_kernels(w, frequency);
-    radiate(w, frequency);
-    if (tree_.waves()[w].wave.goes_on()) pass_on(tree_.waves()[w]);
+    radiate(w, place, sum);
+    if (tree_.waves()[w].wave.goes_on()) pass_on(w, place);
   }
 }
 
@@ -136,47 +210,70 @@ void StripWalk::find_phases(double wavenumber) {
 }
 
 // The thickness of a sheet changes what is left of an endless strip once its pole is bounded.
-void StripWalk::find_kernels(std::size_t wave, std::size_t frequency) {
+void StripWalk::find_kernels(std::size_t wave, std::span<const double> wavenumbers) {
   const TreeWave& here = tree_.waves()[wave];
-  const double scale = wavenumbers_[frequency] * here.wave.incidence.sin_cone * here.wave.incidence.sin_cone;
   lengths_.clear();
-  for (std::uint32_t b = here.first_bundle; b < here.end_bundle; ++b) {
-    const StripBundle& bundle = tree_.bundles()[b];
-    Row& row = rows_[b];
-    row.kernel = lengths_.size();
-    const std::size_t count = row.alike ? std::min<std::size_t>(row.size, 1) : row.size;
-    for (const PanelPoint& point : placer_.points().subspan(placer_.rows()[b].first, count))
-      lengths_.push_back(bundle.edge ? scale * std::max(bundle.length_at(point.place), 0.0) : infinity);
+  for (const double k : wavenumbers) {
+    const std::size_t first = lengths_.size();
+    const double scale = k * here.wave.incidence.sin_cone * here.wave.incidence.sin_cone;
+    for (std::uint32_t b = here.first_bundle; b < here.end_bundle; ++b) {
+      const StripBundle& bundle = tree_.bundles()[b];
+      Row& row = rows_[b];
+      row.kernel = lengths_.size() - first;
+      const std::size_t count = row.alike ? std::min<std::size_t>(row.size, 1) : row.size;
+      for (const PanelPoint& point : placer_.points().subspan(placer_.rows()[b].first, count))
+        lengths_.push_back(bundle.edge ? scale * std::max(bundle.length_at(point.place), 0.0) : infinity);
+    }
   }
-  faces_[wave].strip.at(lengths_, kernels_);
-  if (wave == 0) bound_endless(frequency);
-  if (faces_[wave].thin) count_thickness(faces_[wave], wavenumbers_[frequency]);
+  kernels_[wave].stride = lengths_.size() / wavenumbers.size();
+  faces_[wave].strip.at(lengths_, kernels_[wave].batch);
+  if (wave == 0) bound_endless(wavenumbers);
+  if (faces_[wave].thin) count_thickness(wave, wavenumbers);
 }
 
-void StripWalk::count_thickness(const Face& face, double wavenumber) {
-  const FringeKernels endless = face.strip.endless().current;
+void StripWalk::count_thickness(std::size_t wave, std::span<const double> wavenumbers) {
+  const FringeKernels endless = faces_[wave].strip.endless().current;
   for (std::size_t i = 0; i < lengths_.size(); ++i) {
-    StripKernels kernels = kernels_[i];
-    face.thin->correct(kernels, endless, wavenumber, lengths_[i]);
-    kernels_.set(i, kernels);
+    StripKernels kernels = kernels_[wave].batch[i];
+    faces_[wave].thin->correct(kernels, endless, wavenumbers[i / kernels_[wave].stride], lengths_[i]);
+    kernels_[wave].batch.set(i, kernels);
   }
 }
 
-void StripWalk::bound_endless(std::size_t frequency) {
-  if (std::ranges::none_of(lengths_, [](double length) { return std::isinf(length); })) return;
+bool StripWalk::runs_for_ever(const TreeWave& wave) const {
+  for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b)
+    if (!tree_.bundles()[b].edge && rows_[b].size > 0) return true;
+  return false;
+}
+
+SplitKernels StripWalk::split_endless() const {
   const StripWave& wave = tree_.waves()[0].wave;
   const Wedge& wedge = wedges_[wave.wedge];
-  const WedgeFace& face = wedge.faces[wave.face];
-  const SplitKernels endless = split_kernels(wedge.n, wave.incidence, glance_half_cosine(face, wave.incidence, look_.scattered));
+  return split_kernels(wedge.n, wave.incidence, glance_half_cosine(wedge.faces[wave.face], wave.incidence, look_.scattered));
+}
+
+void StripWalk::bound_endless(std::span<const double> wavenumbers) {
+  if (!runs_for_ever(tree_.waves()[0])) return;
+  const SplitKernels endless = split_endless();
   if (!endless.active) return;
+  const StripWave& wave = tree_.waves()[0].wave;
   for (std::size_t i = 0; i < lengths_.size(); ++i) {
     if (!std::isinf(lengths_[i])) continue;
-    const WindowedPole window = windowed_pole(endless.angle, wavenumbers_[frequency], face.width);
+    const double k = wavenumbers[i / kernels_[0].stride];
     FringeKernels current = endless.regular;
-    add_product(current, endless.pole, window.value);
-    kernels_.set(i, {current, 0.0, 0.0});
-    if (window.touched) sums_.windowed[frequency] = true;
+    add_product(current, endless.pole, windowed_pole(endless.angle, k, wedges_[wave.wedge].faces[wave.face].width).value);
+    kernels_[0].batch.set(i, {current, 0.0, 0.0});
   }
+}
+
+void StripWalk::note_windows() {
+  if (!runs_for_ever(tree_.waves()[0])) return;
+  const SplitKernels endless = split_endless();
+  if (!endless.active) return;
+  const StripWave& wave = tree_.waves()[0].wave;
+  for (std::size_t f = 0; f < sums_.windowed.size(); ++f)
+    if (windowed_pole(endless.angle, band_.wavenumbers()[f], wedges_[wave.wedge].faces[wave.face].width).touched)
+      sums_.windowed[f] = true;
 }
 
 StripWalk::Projection StripWalk::projection(const StripWave& wave) const {
@@ -190,23 +287,27 @@ StripWalk::Projection StripWalk::projection(const StripWave& wave) const {
   return result;
 }
 
-Complex StripWalk::radiated_direct(const ComplexColumn& kernels) const {
+Complex StripWalk::radiated_direct(const ComplexColumn& kernels, std::size_t place) const {
   Complex total = 0.0;
+  const std::size_t shift = place * kernels_[0].stride;
   for (const Row& row : rows(tree_.waves()[0])) {
     if (row.size == 0) continue;
     const ColumnPlace weights(direct_, row.amplitude);
-    total += row.alike ? sum(weights, row.size) * kernels[row.kernel] : sum_of_products(weights, {kernels, row.kernel}, row.size);
+    const std::size_t kernel = shift + row.kernel;
+    total += row.alike ? sum(weights, row.size) * kernels[kernel] : sum_of_products(weights, {kernels, kernel}, row.size);
   }
   return total;
 }
 
 // Per transmit polarisation, the hard current's share across the strips and along them.
-PairSums StripWalk::radiated(const TreeWave& wave) const {
+PairSums StripWalk::radiated(std::size_t wave, std::size_t place) const {
   PairSums total{};
-  for (const Row& row : rows(wave)) {
+  const auto& [batch, stride] = kernels_[wave];
+  for (const Row& row : rows(tree_.waves()[wave])) {
     if (row.size == 0) continue;
+    const std::size_t kernel = place * stride + row.kernel;
     const std::array<ColumnPlace, 2> weights{ColumnPlace(arriving_[0], row.amplitude), ColumnPlace(arriving_[1], row.amplitude)};
-    const std::array<ColumnPlace, 2> kernels{ColumnPlace(kernels_.hard, row.kernel), ColumnPlace(kernels_.axial, row.kernel)};
+    const std::array<ColumnPlace, 2> kernels{ColumnPlace(batch.hard, kernel), ColumnPlace(batch.axial, kernel)};
     if (!row.alike) {
       const PairSums sums = sums_of_products(weights, kernels, row.size);
       for (int transmit = 0; transmit < 2; ++transmit)
@@ -215,43 +316,45 @@ PairSums StripWalk::radiated(const TreeWave& wave) const {
     }
     for (int transmit = 0; transmit < 2; ++transmit) {
       const Complex weight = sum(weights[transmit], row.size);
-      total[transmit][0] += weight * kernels_.hard[row.kernel];
-      total[transmit][1] += weight * kernels_.axial[row.kernel];
+      total[transmit][0] += weight * batch.hard[kernel];
+      total[transmit][1] += weight * batch.axial[kernel];
     }
   }
   return total;
 }
 
-void StripWalk::radiate_direct(std::size_t frequency) {
+void StripWalk::radiate_direct(std::size_t place, ScatteringMatrix& sum) const {
   const TreeWave& wave = tree_.waves()[0];
   const FaceIncidence& incidence = wave.wave.incidence;
   const Projection& seen = faces_[0].seen;
-  const Complex hard = radiated_direct(kernels_.hard), soft = radiated_direct(kernels_.soft),
-                axial = incidence.cos_cone * radiated_direct(kernels_.axial);
+  const KernelBatch& batch = kernels_[0].batch;
+  const Complex hard = radiated_direct(batch.hard, place), soft = radiated_direct(batch.soft, place),
+                axial = incidence.cos_cone * radiated_direct(batch.axial, place);
   for (int transmit = 0; transmit < 2; ++transmit) {
     const double magnetic = glm::dot(look_.magnetic[transmit], incidence.tangent);
     const double electric = glm::dot(look_.electric[transmit], incidence.tangent);
     for (int receive = 0; receive < 2; ++receive)
-      sums_.first[frequency].at(receive, transmit) +=
+      sum.at(receive, transmit) +=
           (seen.across[receive] * hard + seen.along[receive] * axial) * magnetic + seen.along[receive] * soft * electric;
   }
 }
 
-void StripWalk::radiate(std::size_t wave, std::size_t frequency) {
+void StripWalk::radiate(std::size_t wave, std::size_t place, ScatteringMatrix& sum) const {
   const TreeWave& here = tree_.waves()[wave];
   const Projection& seen = faces_[wave].seen;
-  const PairSums sums = radiated(here);
+  const PairSums sums = radiated(wave, place);
   for (int transmit = 0; transmit < 2; ++transmit) {
     const Complex hard = sums[transmit][0], axial = here.wave.incidence.cos_cone * sums[transmit][1];
     for (int receive = 0; receive < 2; ++receive)
-      sums_.higher[frequency].at(receive, transmit) += seen.across[receive] * hard + seen.along[receive] * axial;
+      sum.at(receive, transmit) += seen.across[receive] * hard + seen.along[receive] * axial;
   }
 }
 
 // The hard current arrives with the strips. The soft one flows along the edge; what arrives of it is its component along the
 // strips, of the part of the wave whose E lies in the face. The rest is in the plane of incidence: where it grazes, its current
 // is that which the hard waves from the other edges take away again, so that passing it on would count it twice.
-void StripWalk::excite_far_edges(double share) {
+void StripWalk::excite_far_edges(std::size_t place, double share) {
+  const auto& [batch, stride] = kernels_[0];
   const TreeWave& wave = tree_.waves()[0];
   const FaceIncidence& incidence = wave.wave.incidence;
   const dvec3 across = glm::cross(wedges_[wave.wave.wedge].faces[wave.wave.face].normal, look_.incident);
@@ -262,23 +365,25 @@ void StripWalk::excite_far_edges(double share) {
     const double soft = share * glm::dot(look_.electric[transmit], across) * lying;
     for (const Row& row : rows(wave))
       for (std::size_t i = 0; i < row.size; ++i) {
-        const std::size_t kernel = row.kernel + (row.alike ? 0 : i);
-        const Complex current = hard * kernels_.end[kernel] + soft * kernels_.soft_end[kernel];
+        const std::size_t kernel = place * stride + row.kernel + (row.alike ? 0 : i);
+        const Complex current = hard * batch.end[kernel] + soft * batch.soft_end[kernel];
         arriving_[transmit].set(row.arriving + i, direct_[row.amplitude + i] * current);
       }
   }
 }
 
 // In the product of field and length of edge the sine between strip and edge cancels: H dz = -(current) dz_before / 2.
-void StripWalk::pass_on(const TreeWave& wave) {
-  for (const Row& row : rows(wave)) {
+void StripWalk::pass_on(std::size_t wave, std::size_t place) {
+  const auto& [batch, stride] = kernels_[wave];
+  for (const Row& row : rows(tree_.waves()[wave])) {
     if (row.size == 0) continue;
+    const std::size_t kernel = place * stride + row.kernel;
     for (ComplexColumn& column : arriving_) {
       const ColumnPlace amplitudes(column, row.amplitude);
       if (row.alike)
-        scale(amplitudes, kernels_.end[row.kernel], row.size, column, row.arriving);
+        scale(amplitudes, batch.end[kernel], row.size, column, row.arriving);
       else
-        multiply(amplitudes, {kernels_.end, row.kernel}, row.size, column, row.arriving);
+        multiply(amplitudes, {batch.end, kernel}, row.size, column, row.arriving);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "chebyshev.h"
 #include "utd/panels.h"
 #include "utd/strip_kernels.h"
 #include "utd/thin_edge.h"
@@ -43,34 +44,59 @@ class StripWalk {
     std::optional<ThinEdge> thin;  // if it is the edge of a thin sheet
     Projection seen;
   };
-  /// Where a bundle's amplitudes are at its start and at its end, and its kernels: one for each point, or one for all where its
-  /// strips are alike.
+  /// Where a bundle's amplitudes are at its start and at its end, and its kernels at the first wavenumber of a block: one for
+  /// each point, or one for all where its strips are alike.
   struct Row {
     std::size_t amplitude, arriving, kernel, size;
     bool alike;
   };
 
+  /// Frequencies whose kernels are found together, so that lanes are full where a wave has a kernel or two.
+  static constexpr std::size_t block = lanes;
+  /// What a tree adds: its first strips, and the share of those that follow them.
+  struct Part {
+    bool first;
+    double higher;
+  };
+
+  /// Of a wave at the wavenumbers of a block.
+  struct Kernels {
+    KernelBatch batch;
+    std::size_t stride = 0;  // from one wavenumber to the next
+  };
+  /// Bounds of the exponents over k of what a tree radiates [m].
+  struct PathRange {
+    double low, high;
+  };
+
   void start(const StripWave& wave, std::span<const LitInterval> lit);
   void grow(const StripWave& wave, std::span<const LitInterval> lit);
-  void go_on(std::size_t frequency, double share);
-  void go_on_beside(const StripWave& wave, std::span<const LitInterval> lit);
+  void start_beside(const StripWave& wave, std::span<const LitInterval> lit);
+  void add_tree(const Part& part);
+  void interpolate(const ChebyshevNodes& nodes, double path, const Part& part);
+  void radiate_at(std::span<const double> wavenumbers, const Part& part, StripSums& sums);
+  PathRange paths() const;
+  void go_on(std::size_t place, double share, ScatteringMatrix& sum);
   Projection projection(const StripWave& wave) const;
   void lay_out_rows();
   std::span<const Row> rows(const TreeWave& wave) const;
   void find_phases(double wavenumber);
-  void find_kernels(std::size_t wave, std::size_t frequency);
-  void count_thickness(const Face& face, double wavenumber);
-  void bound_endless(std::size_t frequency);
-  Complex radiated_direct(const ComplexColumn& kernels) const;
-  PairSums radiated(const TreeWave& wave) const;
-  void radiate_direct(std::size_t frequency);
-  void radiate(std::size_t wave, std::size_t frequency);
-  void excite_far_edges(double share);
-  void pass_on(const TreeWave& wave);
+  void find_kernels(std::size_t wave, std::span<const double> wavenumbers);
+  void count_thickness(std::size_t wave, std::span<const double> wavenumbers);
+  bool runs_for_ever(const TreeWave& wave) const;
+  SplitKernels split_endless() const;
+  void bound_endless(std::span<const double> wavenumbers);
+  void note_windows();
+  Complex radiated_direct(const ComplexColumn& kernels, std::size_t place) const;
+  PairSums radiated(std::size_t wave, std::size_t place) const;
+  void radiate_direct(std::size_t place, ScatteringMatrix& sum) const;
+  void radiate(std::size_t wave, std::size_t place, ScatteringMatrix& sum) const;
+  void excite_far_edges(std::size_t place, double share);
+  void pass_on(std::size_t wave, std::size_t place);
 
   std::span<const Wedge> wedges_;
   const LookVectors& look_;
-  std::vector<double> wavenumbers_;
+  Band band_;
   int order_;
   TransitionTier tier_;
   WaveTree tree_;
@@ -80,8 +106,8 @@ class StripWalk {
   ComplexColumn direct_;                   // weight and phase of the first strips
   std::array<ComplexColumn, 2> arriving_;  // per transmit polarisation, at the ends: weight, phase and eta H along the edge
   std::vector<double> lengths_;            // X of each kernel of a wave
-  KernelBatch kernels_;
-  StripSums sums_;
+  std::vector<Kernels> kernels_;           // of each wave
+  StripSums sums_, samples_;
 };
 
 }  // namespace raytube
