@@ -25,9 +25,11 @@ std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
   return result;
 }
 
-void add_scaled(ScatteringMatrix& sum, const ScatteringMatrix& term, Complex factor) {
-  for (int receive = 0; receive < 2; ++receive)
-    for (int transmit = 0; transmit < 2; ++transmit) sum.at(receive, transmit) += factor * term.at(receive, transmit);
+template <class Factor>
+ScatteringMatrix scaled(ScatteringMatrix matrix, Factor factor) {
+  for (auto& row : matrix.s)
+    for (Complex& value : row) value *= factor;
+  return matrix;
 }
 
 bool alike(const StripBundle& bundle) {
@@ -82,72 +84,80 @@ void StripWalk::start_beside(const StripWave& wave, std::span<const LitInterval>
 void StripWalk::add_tree(const Part& part) {
   if (tree_.bundles().empty()) return;
   note_windows();
+  find_paths();
   const auto is_thin = [](const Face& face) { return face.thin.has_value(); };
-  const PathRange range = paths();
   const bool smooth = tier_ == TransitionTier::exact && std::ranges::none_of(faces_, is_thin);
-  if (const ChebyshevNodes* nodes = smooth ? band_.nodes_of_fresnel(0.5 * (range.high - range.low)) : nullptr)
-    interpolate(*nodes, 0.5 * (range.low + range.high), part);
+  const double half_span = std::ranges::max_element(paths_, {}, &PathRange::half)->half();
+  if (const ChebyshevNodes* nodes = smooth ? band_.nodes_of_fresnel(half_span) : nullptr)
+    interpolate(*nodes, part);
   else
-    radiate_at(band_.wavenumbers(), part, sums_);
+    radiate_at(band_.wavenumbers(), part, [&](std::size_t wave, std::size_t f) -> ScatteringMatrix& {
+      return wave == 0 ? sums_.first[f] : sums_.higher[f];
+    });
 }
 
-void StripWalk::interpolate(const ChebyshevNodes& nodes, double path, const Part& part) {
-  samples_.first.assign(nodes.at.size(), {});
-  samples_.higher.assign(nodes.at.size(), {});
-  radiate_at(nodes.at, part, samples_);
-  const auto add = [&](const std::vector<ScatteringMatrix>& samples, std::vector<ScatteringMatrix>& sums) {
-    std::vector<ScatteringMatrix> level(samples.size());
-    for (std::size_t n = 0; n < samples.size(); ++n) add_scaled(level[n], samples[n], std::polar(1.0, -nodes.at[n] * path));
-    auto weight = nodes.weights.begin();
-    for (std::size_t f = 0; f < sums.size(); ++f) {
-      ScatteringMatrix value;
-      for (const ScatteringMatrix& sample : level) add_scaled(value, sample, *weight++);
-      add_scaled(sums[f], value, std::polar(1.0, band_.wavenumbers()[f] * path));
-    }
-  };
-  if (part.first) add(samples_.first, sums_.first);
-  if (part.higher > 0.0) add(samples_.higher, sums_.higher);
+void StripWalk::interpolate(const ChebyshevNodes& nodes, const Part& part) {
+  const std::size_t waves = part.higher > 0.0 ? tree_.waves().size() : 1;
+  samples_.resize(std::max(samples_.size(), waves));
+  for (std::size_t w = 0; w < waves; ++w) samples_[w].assign(nodes.at.size(), {});
+  radiate_at(nodes.at, part, [&](std::size_t wave, std::size_t n) -> ScatteringMatrix& { return samples_[wave][n]; });
+  for (std::size_t w = 0; w < waves; ++w)
+    for (std::size_t n = 0; n < nodes.at.size(); ++n)
+      samples_[w][n] = scaled(samples_[w][n], std::polar(1.0, -nodes.at[n] * paths_[w].middle()));
+  for (std::size_t w = part.first ? 0 : 1; w < waves; ++w) add_samples(nodes, w, w == 0 ? sums_.first : sums_.higher);
 }
 
-void StripWalk::radiate_at(std::span<const double> wavenumbers, const Part& part, StripSums& sums) {
-  kernels_.resize(std::max(kernels_.size(), tree_.waves().size()));
+void StripWalk::add_samples(const ChebyshevNodes& nodes, std::size_t wave, std::vector<ScatteringMatrix>& sums) const {
+  auto weight = nodes.weights.begin();
+  for (std::size_t f = 0; f < sums.size(); ++f) {
+    ScatteringMatrix value;
+    for (const ScatteringMatrix& sample : samples_[wave]) value += scaled(sample, *weight++);
+    sums[f] += scaled(value, std::polar(1.0, band_.wavenumbers()[f] * paths_[wave].middle()));
+  }
+}
+
+// sum_of(wave, i): where S of a wave at wavenumbers[i] goes.
+template <class SumOf>
+void StripWalk::radiate_at(std::span<const double> wavenumbers, const Part& part, SumOf sum_of) {
+  const std::size_t waves = part.higher > 0.0 ? tree_.waves().size() : 1;
+  kernels_.resize(std::max(kernels_.size(), waves));
   for (std::size_t begin = 0; begin < wavenumbers.size(); begin += block) {
     const std::span<const double> here = wavenumbers.subspan(begin, std::min(block, wavenumbers.size() - begin));
-    find_kernels(0, here);
-    for (std::size_t w = 1; part.higher > 0.0 && w < tree_.waves().size(); ++w) find_kernels(w, here);
+    for (std::size_t w = 0; w < waves; ++w) find_kernels(w, here);
     for (std::size_t place = 0; place < here.size(); ++place) {
       find_phases(here[place]);
-      if (part.first) radiate_direct(place, sums.first[begin + place]);
-      if (part.higher > 0.0) go_on(place, part.higher, sums.higher[begin + place]);
+      if (part.first) radiate_direct(place, sum_of(0, begin + place));
+      if (waves > 1) excite_far_edges(place, part.higher);
+      for (std::size_t w = 1; w < waves; ++w) {
+        radiate(w, place, sum_of(w, begin + place));
+        if (tree_.waves()[w].wave.goes_on()) pass_on(w, place);
+      }
     }
   }
 }
 
 // Along a strip the phase changes by its length times (s . sigma - 1), and where it ends the next ones start.
-StripWalk::PathRange StripWalk::paths() const {
+void StripWalk::find_paths() {
   const EdgeLine& line = tree_.waves()[0].line;
-  PathRange range{infinity, -infinity};
-  const auto include = [&](double path) {
-    range.low = std::min(range.low, path);
-    range.high = std::max(range.high, path);
-  };
-  std::vector<double> from_end(tree_.bundles().size()),
-      to_end(tree_.bundles().size());  // at both sides of a bundle's strips' ends
-  for (const TreeWave& wave : tree_.waves())
+  paths_.clear();
+  from_ends_.resize(tree_.bundles().size());
+  to_ends_.resize(tree_.bundles().size());
+  for (const TreeWave& wave : tree_.waves()) {
+    const auto start = [&](double place) {
+      if (wave.parent == no_index) return glm::dot(look_.scattered - look_.incident, line.at(place));
+      const StripBundle& before = tree_.bundles()[wave.parent];
+      const double share = before.to > before.from ? (place - before.from) / (before.to - before.from) : 0.0;
+      return from_ends_[wave.parent] + share * (to_ends_[wave.parent] - from_ends_[wave.parent]);
+    };
+    PathRange& range = paths_.emplace_back(PathRange{infinity, -infinity});
     for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
       const StripBundle& bundle = tree_.bundles()[b];
       const double change = bundle.edge ? glm::dot(look_.scattered, wave.wave.direction) - 1.0 : 0.0;
-      const auto start = [&](double place) {
-        if (wave.parent == no_index) return glm::dot(look_.scattered - look_.incident, line.at(place));
-        const StripBundle& before = tree_.bundles()[wave.parent];
-        const double share = (place - before.from) / (before.to - before.from);
-        return from_end[wave.parent] + share * (to_end[wave.parent] - from_end[wave.parent]);
-      };
-      from_end[b] = start(bundle.from) + change * (bundle.edge ? bundle.length_at(bundle.from) : 0.0);
-      to_end[b] = start(bundle.to) + change * (bundle.edge ? bundle.length_at(bundle.to) : 0.0);
-      for (const double path : {start(bundle.from), start(bundle.to), from_end[b], to_end[b]}) include(path);
+      from_ends_[b] = start(bundle.from) + change * bundle.length_at(bundle.from);
+      to_ends_[b] = start(bundle.to) + change * bundle.length_at(bundle.to);
+      range.include({start(bundle.from), start(bundle.to), from_ends_[b], to_ends_[b]});
     }
-  return range;
+  }
 }
 
 // The tree, its points, and of its waves and bundles what all frequencies share.
@@ -183,15 +193,6 @@ void StripWalk::lay_out_rows() {
 
 std::span<const StripWalk::Row> StripWalk::rows(const TreeWave& wave) const {
   return std::span(rows_).subspan(wave.first_bundle, wave.end_bundle - wave.first_bundle);
-}
-
-// The kernels are at hand.
-void StripWalk::go_on(std::size_t place, double share, ScatteringMatrix& sum) {
-  excite_far_edges(place, share);
-  for (std::size_t w = 1; w < tree_.waves().size(); ++w) {
-    radiate(w, place, sum);
-    if (tree_.waves()[w].wave.goes_on()) pass_on(w, place);
-  }
 }
 
 void StripWalk::find_phases(double wavenumber) {

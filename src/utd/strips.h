@@ -1,7 +1,9 @@
 // Edge currents that end where their face ends, and the waves that go on from there. Derived in docs/edges.md.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <vector>
@@ -64,19 +66,26 @@ class StripWalk {
     KernelBatch batch;
     std::size_t stride = 0;  // from one wavenumber to the next
   };
-  /// Bounds of the exponents over k of what a tree radiates [m].
+  /// Bounds of the exponents over k of what a wave radiates [m].
   struct PathRange {
     double low, high;
+    double middle() const { return 0.5 * (low + high); }
+    double half() const { return 0.5 * (high - low); }
+    void include(std::initializer_list<double> paths) {
+      low = std::min(low, std::ranges::min(paths));
+      high = std::max(high, std::ranges::max(paths));
+    }
   };
 
   void start(const StripWave& wave, std::span<const LitInterval> lit);
   void grow(const StripWave& wave, std::span<const LitInterval> lit);
   void start_beside(const StripWave& wave, std::span<const LitInterval> lit);
   void add_tree(const Part& part);
-  void interpolate(const ChebyshevNodes& nodes, double path, const Part& part);
-  void radiate_at(std::span<const double> wavenumbers, const Part& part, StripSums& sums);
-  PathRange paths() const;
-  void go_on(std::size_t place, double share, ScatteringMatrix& sum);
+  void interpolate(const ChebyshevNodes& nodes, const Part& part);
+  void add_samples(const ChebyshevNodes& nodes, std::size_t wave, std::vector<ScatteringMatrix>& sums) const;
+  template <class SumOf>
+  void radiate_at(std::span<const double> wavenumbers, const Part& part, SumOf sum_of);
+  void find_paths();
   Projection projection(const StripWave& wave) const;
   void lay_out_rows();
   std::span<const Row> rows(const TreeWave& wave) const;
@@ -101,13 +110,16 @@ class StripWalk {
   TransitionTier tier_;
   WaveTree tree_;
   PanelPlacer placer_;
-  std::vector<Face> faces_;                // of each wave of the tree
-  std::vector<Row> rows_;                  // of each bundle
-  ComplexColumn direct_;                   // weight and phase of the first strips
-  std::array<ComplexColumn, 2> arriving_;  // per transmit polarisation, at the ends: weight, phase and eta H along the edge
-  std::vector<double> lengths_;            // X of each kernel of a wave
-  std::vector<Kernels> kernels_;           // of each wave
-  StripSums sums_, samples_;
+  std::vector<Face> faces_;                  // of each wave of the tree
+  std::vector<Row> rows_;                    // of each bundle
+  ComplexColumn direct_;                     // weight and phase of the first strips
+  std::array<ComplexColumn, 2> arriving_;    // per transmit polarisation, at the ends: weight, phase and eta H along the edge
+  std::vector<double> lengths_;              // X of each kernel of a wave
+  std::vector<Kernels> kernels_;             // of each wave
+  std::vector<PathRange> paths_;             // of each wave
+  std::vector<double> from_ends_, to_ends_;  // exponents over k where the strips from both sides of each bundle end [m]
+  std::vector<std::vector<ScatteringMatrix>> samples_;  // of each wave at the nodes
+  StripSums sums_;
 };
 
 }  // namespace raytube
