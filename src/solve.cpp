@@ -45,7 +45,8 @@ void make_reciprocal(std::vector<ScatteringMatrix>& scattering) {
 constexpr double most_rise = 1.0 / 16.0;
 
 std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
-  if (tubes.mode != TubeMode::adaptive || !tubes.clip || !tubes.curved) return {};
+  if (tubes.mode != TubeMode::adaptive || !tubes.clip || tubes.curved == CurvedSurfaces::never) return {};
+  if (tubes.curved == CurvedSurfaces::convex && !target.convexity.no_reflection) return {};
   SmoothSurfaces smooth(target.mesh, target.min_wedge_angle, most_rise * wavelength(std::ranges::max(sweep.frequencies)));
   if (!smooth.any()) return {};
   return smooth;

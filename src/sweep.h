@@ -38,7 +38,7 @@ struct Statistics {
   std::uint64_t rays = 0;           // segments traced: launched tubes and every reflected segment
   std::vector<std::uint64_t> hits;  // hits[m]: tubes that met a surface at bounce m + 1
   std::uint64_t lost_rays = 0;      // rays that met a closed body from inside (a leak); their tube ends there
-  std::uint64_t tubes_cut = 0;      // tubes that still hit a surface after max_bounces
+  std::uint64_t tubes_cut = 0;      // tubes that still hit a surface after max_bounces, or that curved surfaces made too wide
   double sliver_area = 0.0;         // [m^2], sum over looks: parts of adaptive tubes too thin to be more than rounding, left out
   std::uint64_t wedges = 0;         // wedges of the target, convex and concave
   std::uint64_t wedges_lit = 0;     // sum over looks of the convex wedges at least partly lit, at the highest frequency

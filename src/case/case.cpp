@@ -75,6 +75,13 @@ dvec3 read_vector(const CaseValue& value, const std::string& key) {
 // Adaptive tubes that no density is given for stop here.
 constexpr double most_per_wavelength = 40.0;
 
+CurvedSurfaces read_curved(const CaseValue& value) {
+  const std::string text = read_text(value, "tubes.curved");
+  for (const CurvedName& known : curved_names)
+    if (known.name == text) return known.where;
+  reject(value, fmt::format("tubes.curved \"{}\" is unknown; write \"convex\", \"always\" or \"never\"", text));
+}
+
 void read_tubes(const CaseValue& root, Case& c) {
   if (const CaseValue* mode = find(root, "tubes", "mode")) {
     const std::string name = read_text(*mode, "tubes.mode");
@@ -94,7 +101,7 @@ void read_tubes(const CaseValue& root, Case& c) {
   const bool clipped = c.tubes.mode == TubeMode::adaptive && c.tubes.clip;
   if (const CaseValue* curved = find(root, "tubes", "curved")) {
     if (!clipped) reject(*curved, "tubes.curved needs adaptive tubes with clip; the others see facets, so remove it");
-    c.tubes.curved = read_flag(*curved, "tubes.curved");
+    c.tubes.curved = read_curved(*curved);
   }
   if (const CaseValue* tolerance = find(root, "accuracy", "tolerance_db")) {
     if (!clipped) reject(*tolerance, "accuracy.tolerance_db needs adaptive tubes with clip; the others have the density given");

@@ -23,7 +23,7 @@ Json tubes_json(const TubeOptions& tubes) {
   Json json = {
       {"mode", adaptive ? "adaptive" : "uniform"}, {"per_wavelength", tubes.per_wavelength}, {"max_bounces", tubes.max_bounces}};
   if (adaptive) json["clip"] = tubes.clip;
-  if (adaptive && tubes.clip) json["curved"] = tubes.curved;
+  if (adaptive && tubes.clip) json["curved"] = curved_name(tubes.curved);
   json["skip"] = tubes.skip;
   if (tubes.up) json["up"] = {tubes.up->x, tubes.up->y, tubes.up->z};
   return json;

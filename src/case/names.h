@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "sbr/sbr.h"
 #include "utd/transition.h"
 
 namespace raytube {
@@ -17,5 +18,14 @@ inline constexpr std::array<TransitionName, 3> transition_names = {{{"exact", Tr
                                                                     {"as-printed", TransitionTier::as_printed}}};
 
 constexpr std::string_view transition_name(TransitionTier tier) { return transition_names[static_cast<std::size_t>(tier)].name; }
+
+struct CurvedName {
+  std::string_view name;
+  CurvedSurfaces where;
+};
+inline constexpr std::array<CurvedName, 3> curved_names = {
+    {{"never", CurvedSurfaces::never}, {"convex", CurvedSurfaces::convex}, {"always", CurvedSurfaces::always}}};
+
+constexpr std::string_view curved_name(CurvedSurfaces where) { return curved_names[static_cast<std::size_t>(where)].name; }
 
 }  // namespace raytube

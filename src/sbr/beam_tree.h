@@ -46,7 +46,7 @@ class BeamTree {
   void widen();
 
   const TriangleMesh& mesh_;
-  const SphericalBasis& receive_;
+  SphericalBasis receive_;
   std::vector<Node> nodes_;
   std::vector<Slot> slots_;  // hash table with linear probing; a power of two of them, at most half in use
 };

@@ -10,6 +10,8 @@ namespace raytube {
 
 namespace {
 
+// A tube wider than this many wavelengths where it meets a surface ends there.
+constexpr double most_width = 4.0;
 // Probes along each side of a block.
 constexpr std::uint32_t probes_across = 24;
 
@@ -86,6 +88,10 @@ class CurvedTubes {
       Tube tube = tubes_[i];
       tube.footprint = curved_footprint(tube.beam, surface(tube.beam, hit.triangle), look_.receive);
       if (!take(tube, hit)) continue;
+      if (is_too_wide(tube.footprint)) {
+        ++sums_.tubes_cut;
+        continue;
+      }
       tube.beam = tube.footprint.outgoing;
       rays_[kept] = {rays_[i].origin + hit.distance * rays_[i].direction, tube.beam.direction, patch};
       tubes_[kept++] = tube;
@@ -104,6 +110,12 @@ class CurvedTubes {
     }
     const double distance = (patch.offset - glm::dot(patch.normal, beam.base)) / facing;
     return {beam.base + distance * beam.direction, facing < 0.0 ? patch.normal : -patch.normal, glm::dmat3(0.0)};
+  }
+
+  // Beyond some wavelengths the derivatives at a tube's middle say little about its rims.
+  bool is_too_wide(const CurvedFootprint& f) const {
+    const double limit = most_width * 2.0 * pi / std::ranges::max(look_.wavenumbers);
+    return glm::length(f.outgoing.along_u) * look_.grid.du > limit || glm::length(f.outgoing.along_v) * look_.grid.dv > limit;
   }
 
   void integrate(const Tube& tube, int bounce) {

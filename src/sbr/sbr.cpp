@@ -76,18 +76,10 @@ TubeSums trace_flat(const AdaptiveLook& look, Progress& progress, double share) 
   return sum_tiles((face_count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
 }
 
-TubeSums trace_curved(const AdaptiveLook& look, Progress& progress, double share) {
-  const CurvedLook first(look);
-  const CurvedBounces later(look);
-  const auto trace = [&](std::size_t i) { return i < CurvedLook::blocks ? first.trace(i) : later.trace(i - CurvedLook::blocks); };
-  return sum_tiles(CurvedLook::blocks + (look.known.no_reflection ? 0 : later.blocks()), trace, progress, share);
-}
-
 // Times the work of a cell that of a flat face is.
-constexpr double cells_per_face = 40.0;
+constexpr double cells_per_face = 20.0;
 
-// Half the faces of a body look at the radar. Where a face is dearer than the cells it covers, single rays are the cheaper
-// sample.
+// Half the faces of a body look at the radar. Where a face is dearer than the cells it covers, single rays are the cheaper sample.
 bool cells_are_cheaper(const AdaptiveLook& look) {
   const auto is_flat = [&](const Face& face) { return !look.smooth || look.smooth->region(face.triangle) == no_index; };
   const auto flat = std::ranges::count_if(look.tree.faces(), is_flat);
@@ -95,47 +87,131 @@ bool cells_are_cheaper(const AdaptiveLook& look) {
   return flat > faces_per_tile && 0.5 * per_face * static_cast<double>(flat) > static_cast<double>(look.grid.cells());
 }
 
-TubeSums trace_adaptive(const AdaptiveLook& look, Progress& progress, double share) {
-  if (look.grid.cells() == 0) {
-    progress.add(share);
-    return {};
-  }
-  const double part = look.smooth ? 0.5 * share : share;
-  TubeSums sums = cells_are_cheaper(look) ? trace_uniform(look, progress, part) : trace_flat(look, progress, part);
-  if (look.smooth) sums.add(trace_curved(look, progress, part));
-  return sums;
+TubeSums trace_faces_or_cells(const AdaptiveLook& look, Progress& progress, double share) {
+  return cells_are_cheaper(look) ? trace_uniform(look, progress, share) : trace_flat(look, progress, share);
+}
+
+TubeSums trace_curved(const AdaptiveLook& look, Progress& progress, double share) {
+  const CurvedLook curved(look);
+  return sum_tiles(CurvedLook::blocks, [&](std::size_t i) { return curved.trace(i); }, progress, share);
+}
+
+TubeSums trace_curved_bounces(const AdaptiveLook& look, Progress& progress, double share) {
+  const CurvedBounces bounces(look);
+  return sum_tiles(bounces.blocks(), [&](std::size_t i) { return bounces.trace(i); }, progress, share);
 }
 
 // Cells per wavelength to begin with, and the least and the most by which they grow.
-constexpr double first_per_wavelength = 10.0, least_growth = 1.5, most_growth = 3.0;
+constexpr double first_per_wavelength = 10.0, least_growth = 1.5, most_growth = 4.0;
+
+// A part of a look, on a grid of its own density.
+struct Part {
+  TubeSums (*trace)(const AdaptiveLook&, Progress&, double share);
+  double per_wavelength;
+  TubeSums sums{};
+
+  // More cells make it better: there are some, or small polygons became some.
+  bool sampled() const { return !sums.coarse.empty() || (trace == trace_faces_or_cells && !sums.pieces.empty()); }
+};
+
+TubeSums total(const std::vector<Part>& parts) {
+  TubeSums sums;
+  for (const Part& part : parts) {
+    sums.add(part.sums);
+    sums.error.resize(part.sums.error.size());
+    for (std::size_t f = 0; f < sums.error.size(); ++f)
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) sums.error[f][p][q] += part.sums.error[f][p][q];
+  }
+  return sums;
+}
+
+// One look with these options, at any density.
+class LookTracer {
+ public:
+  LookTracer(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
+             const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress)
+      : tracer_(tracer),
+        faces_(faces),
+        smooth_(smooth),
+        known_(options.skip ? convexity : Convexity{}),
+        look_(look),
+        transmit_(spherical_basis(look.transmit)),
+        receive_(spherical_basis(look.receive)),
+        wavelength_(wavelength(std::ranges::max(frequencies))),
+        tolerance_(relative_error(options.tolerance_db)),
+        options_(options),
+        progress_(progress) {
+    for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
+  }
+
+  TubeSums once(double share) const {
+    Part part{options_.mode == TubeMode::adaptive ? trace_faces_or_cells : trace_uniform, options_.per_wavelength};
+    retrace(part, share);
+    return std::move(part.sums);
+  }
+
+  /// Each part is sampled more finely until the whole is within the tolerance.
+  TubeSums refined(double share) const {
+    const double density = std::min(first_per_wavelength, options_.per_wavelength);
+    std::vector<Part> parts{{trace_faces_or_cells, density}};
+    if (smooth_) parts.push_back({trace_curved, density});
+    if (smooth_ && !known_.no_reflection) parts.push_back({trace_curved_bounces, density});
+    for (Part& part : parts) retrace(part, share / static_cast<double>(parts.size()));
+    TubeSums sums = total(parts);
+    while (excess(sums, sums.error, tolerance_) > 1.0 && refine(parts, sums)) sums = total(parts);
+    return sums;
+  }
+
+ private:
+  // False if no part can be made better.
+  bool refine(std::vector<Part>& parts, const TubeSums& sums) const {
+    bool any = false;
+    for (Part& part : parts) {
+      const double too_large = excess(sums, part.sums.error, tolerance_) * static_cast<double>(parts.size());
+      if (too_large <= 1.0 || !part.sampled() || part.per_wavelength >= options_.per_wavelength) continue;
+      part.per_wavelength =
+          std::min(part.per_wavelength * std::clamp(too_large, least_growth, most_growth), options_.per_wavelength);
+      retrace(part, 0.0);
+      any = true;
+    }
+    return any;
+  }
+
+  void retrace(Part& part, double share) const {
+    const LaunchGrid grid = launch_grid(tracer_.mesh(), look_.transmit, wavelength_, part.per_wavelength, options_.up);
+    const AdaptiveLook view{tracer_,      faces_,     grid,    transmit_,     receive_,
+                            wavenumbers_, tolerance_, smooth_, options_.clip, options_.max_bounces,
+                            options_.skip, known_};
+    const std::uint64_t rays_before = part.sums.rays;
+    part.sums = {};
+    if (grid.cells() > 0)
+      part.sums = part.trace(view, progress_, share);
+    else
+      progress_.add(share);
+    part.sums.rays += rays_before;
+    part.sums.error = numerical_error(part.sums, grid, wavenumbers_, tracer_.mesh().radius);
+  }
+
+  const Tracer& tracer_;
+  const FaceTree& faces_;
+  const SmoothSurfaces* smooth_;
+  Convexity known_;
+  const Look& look_;
+  SphericalBasis transmit_, receive_;
+  double wavelength_, tolerance_;
+  const TubeOptions& options_;
+  Progress& progress_;
+  std::vector<double> wavenumbers_;
+};
 
 }  // namespace
 
 TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
                         const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
                         double share) {
-  const SphericalBasis transmit = spherical_basis(look.transmit), receive = spherical_basis(look.receive);
-  std::vector<double> wavenumbers(frequencies.size());
-  std::ranges::transform(frequencies, wavenumbers.begin(), wavenumber);
-  const double shortest = wavelength(*std::ranges::max_element(frequencies)), tolerance = relative_error(options.tolerance_db);
-  const bool adaptive = options.mode == TubeMode::adaptive, refined = adaptive && options.clip;
-  double per_wavelength = refined ? std::min(first_per_wavelength, options.per_wavelength) : options.per_wavelength;
-  const Convexity known = options.skip ? convexity : Convexity{};
-  std::uint64_t rays = 0;
-  while (true) {
-    const LaunchGrid grid = launch_grid(tracer.mesh(), look.transmit, shortest, per_wavelength, options.up);
-    const AdaptiveLook view{tracer,       faces,     grid,   transmit,     receive,
-                            wavenumbers,  tolerance, smooth, options.clip, options.max_bounces,
-                            options.skip, known};
-    TubeSums sums = adaptive ? trace_adaptive(view, progress, share) : trace_uniform(view, progress, share);
-    sums.error = numerical_error(sums, grid, wavenumbers, tracer.mesh().radius);
-    sums.rays += rays;
-    const double too_large = excess(sums, sums.error, tolerance);
-    if (!refined || sums.coarse.empty() || too_large <= 1.0 || per_wavelength >= options.per_wavelength) return sums;
-    per_wavelength = std::min(per_wavelength * std::clamp(too_large, least_growth, most_growth), options.per_wavelength);
-    rays = sums.rays;
-    share = 0.0;
-  }
+  const LookTracer tubes(tracer, faces, smooth, convexity, look, frequencies, options, progress);
+  return options.mode == TubeMode::adaptive && options.clip ? tubes.refined(share) : tubes.once(share);
 }
 
 }  // namespace raytube

@@ -48,6 +48,7 @@ const Bad bad_values[] = {
     {"tubes.max_bounces=2000", "from 1 to 1000"},
     {"tubes.up=[0,0]", "three numbers"},
     {"tubes.up=[0,0,0]", "zero vector"},
+    {"tubes.curved=yes", "\"yes\" is unknown; write \"convex\", \"always\" or \"never\""},
     {"edges.method=utd", "not in this version; write \"fringe\" or \"none\""},
     {"edges.order=0", "from 1 to 3"},
     {"edges.order=4", "from 1 to 3"},
@@ -74,7 +75,7 @@ TEST(CaseErrors, BadValueNamesTheOptionAndTheRemedy) {
 TEST(CaseErrors, UniformTubesAreNeverClippedNorRefined) {
   const std::string uniform = "tubes.mode=uniform";
   EXPECT_THAT(complaint(smallest, {uniform, "tubes.clip=true"}), HasSubstr("needs tubes.mode = \"adaptive\""));
-  EXPECT_THAT(complaint(smallest, {uniform, "tubes.curved=true"}), HasSubstr("needs adaptive tubes with clip"));
+  EXPECT_THAT(complaint(smallest, {uniform, "tubes.curved=always"}), HasSubstr("needs adaptive tubes with clip"));
   EXPECT_THAT(complaint(smallest, {uniform, "accuracy.tolerance_db=1"}), HasSubstr("needs adaptive tubes with clip"));
 }
 

@@ -16,7 +16,7 @@ TEST(CaseRead, SmallestCaseGetsEveryDefault) {
   EXPECT_EQ(c.tubes.mode, TubeMode::adaptive);
   EXPECT_TRUE(c.tubes.clip);
   EXPECT_TRUE(c.tubes.skip);
-  EXPECT_TRUE(c.tubes.curved);
+  EXPECT_EQ(c.tubes.curved, CurvedSurfaces::convex);
   EXPECT_EQ(c.tubes.tolerance_db, 0.1);
   EXPECT_EQ(c.tubes.per_wavelength, 40.0);
   EXPECT_EQ(c.tubes.max_bounces, 8);
@@ -161,7 +161,7 @@ TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
   const std::string json = resolved_case_json(read_text(smallest, {"frequency.ghz=9.4"}));
   for (const char* part :
        {"\"title\": \"m\"", "\"unit\": \"mm\"", "\"material\": \"pec\"", "\"ghz\": 9.4", "\"theta_deg\": 90.0",
-        "\"mode\": \"adaptive\"", "\"per_wavelength\": 40.0", "\"clip\": true", "\"skip\": true", "\"curved\": true",
+        "\"mode\": \"adaptive\"", "\"per_wavelength\": 40.0", "\"clip\": true", "\"skip\": true", "\"curved\": \"convex\"",
         "\"tolerance_db\": 0.1", "\"max_bounces\": 8", "\"method\": \"fringe\"", "\"order\": 3", "\"receiver_shadow\": false",
         "\"transition\": \"exact\"", "\"thin_sheets\": true", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
     EXPECT_THAT(json, HasSubstr(part));

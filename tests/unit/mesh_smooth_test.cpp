@@ -80,7 +80,7 @@ TEST(SmoothSurfaces, PanelKeepsItsPlaneNextToAFillet) {
     const double slope = -(2.5 + 5.0 * i) * degree;
     profile.push_back(profile.back() + 0.1 * dvec2(std::cos(slope), std::sin(slope)));
   }
-  for (const dvec2& p : profile) soup.vertices.insert(soup.vertices.end(), {dvec3(p.x, -1.0, p.y), dvec3(p.x, 1.0, p.y)});
+  for (const dvec2& p : profile) soup.points.insert(soup.points.end(), {dvec3(p.x, -1.0, p.y), dvec3(p.x, 1.0, p.y)});
   for (std::uint32_t i = 0; i + 1 < profile.size(); ++i) soup.polygons.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
   const LoadedMesh loaded = build_mesh(soup, 1.0);
   const SmoothSurfaces smooth(loaded.mesh, crease, 1.0);

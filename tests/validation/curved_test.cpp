@@ -16,7 +16,7 @@ constexpr double k = 2.0 * pi;
 SolveOptions curved(bool on = true) {
   SolveOptions o = options(EdgeMethod::none);
   o.tubes.mode = TubeMode::adaptive;
-  o.tubes.curved = on;
+  o.tubes.curved = on ? CurvedSurfaces::always : CurvedSurfaces::never;
   return o;
 }
 
@@ -94,8 +94,8 @@ TEST(Curved, CylinderBroadsideIsRound) {
 TEST(Curved, SphereAboveAPlateHasTwoDoubleBounces) {
   constexpr double a = 5.0;
   PolygonSoup scene = shapes::transformed(shapes::icosphere(5, a), glm::dmat3(1.0), 1.0, {0.0, 0.0, 8.0});
-  const auto base = static_cast<std::uint32_t>(scene.vertices.size());
-  for (const dvec2 corner : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)}) scene.vertices.emplace_back(40.0 * corner, 0.0);
+  const auto base = static_cast<std::uint32_t>(scene.points.size());
+  for (const dvec2 corner : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)}) scene.points.emplace_back(40.0 * corner, 0.0);
   scene.polygons.push_back({base, base + 1, base + 2, base + 3});
   SolveOptions fine = curved();
   fine.tubes.per_wavelength = 20.0;

@@ -74,7 +74,7 @@ TEST(Skip, ReflectedTubesOfConvexTargets) {
     for (SolveOptions o : {uniform(EdgeMethod::none), adaptive(EdgeMethod::none)})
       for (const bool clip : {true, false}) {
         o.tubes.clip = clip;
-        o.tubes.curved = false;
+        o.tubes.curved = CurvedSurfaces::never;
         const auto [with, without] = solve_both(soup, monostatic(around(7), frequency), o);
         EXPECT_TRUE(same_bytes(with.total, without.total)) << name;
         EXPECT_EQ(count(with, "reflected tubes", "in front"), with.statistics.hits[0]) << name;
