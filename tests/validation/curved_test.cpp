@@ -70,8 +70,8 @@ Complex po_cylinder_broadside(double a, double b) {
   return Complex(0.0, -k / (2.0 * pi)) * b * sum;
 }
 
-// 72 facets of 5 degrees rise by 5e-3 wavelengths: flat, they are wrong by 4 pi 5e-3 / 3 = 2 % in amplitude and phase; curved by
-// 1e-3, the most their description may be off.
+// 72 facets of 5 degrees rise by 5e-3 wavelengths: flat, they are wrong by 4 pi 5e-3 2 / 3 = 4 % in phase; curved by no more than
+// the tolerance of 0.1 dB that was asked for.
 TEST(Curved, CylinderBroadsideIsRound) {
   constexpr double a = 5.0, b = 8.0;
   for (const double azimuth : {0.0, 0.03}) {
@@ -82,7 +82,7 @@ TEST(Curved, CylinderBroadsideIsRound) {
     };
     measured("cylinder broadside, relative error, curved", error(true), "");
     measured("cylinder broadside, relative error, flat facets", error(false), "");
-    EXPECT_LE(error(true), 2e-3);
+    EXPECT_LE(error(true), std::pow(10.0, 0.1 / 20.0) - 1.0);
     EXPECT_GE(error(false), 1e-2);
   }
 }
