@@ -4,21 +4,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "solve.h"
+#include "timing.h"
 
 namespace {
 
 using namespace raytube;
+using bench::median;
 
 constexpr double side = 0.3;       // [m] of the whole field
 constexpr std::uint32_t cuts = 3;  // per side of a box's face: 2 x 9 triangles on each of six faces
-
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + values.size() / 2);
-  return values[values.size() / 2];
-}
 
 void add_face(PolygonSoup& soup, const dvec3& corner, const dvec3& u, const dvec3& v) {
   const auto first = static_cast<std::uint32_t>(soup.points.size());
