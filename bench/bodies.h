@@ -1,0 +1,51 @@
+// What is solved in the studies.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/case.h"
+
+namespace raytube::bench {
+
+/// A target and the looks at it. It stays where it is made: `target` refers to `mesh`.
+struct Body {
+  Body(std::string title, LoadedMesh&& loaded, Sweep looks)
+      : name(std::move(title)), mesh(std::move(loaded.mesh)), sweep(std::move(looks)), target(mesh, no_edges()) {}
+  Body(const Body&) = delete;
+  static EdgeOptions no_edges();
+
+  std::string name;
+  TriangleMesh mesh;
+  Sweep sweep;
+  Target target;
+};
+
+/// Monostatic looks from (theta, phi) [deg] at these frequencies [Hz].
+Sweep looks_from(std::vector<double> frequencies, std::initializer_list<std::pair<double, double>> degrees);
+/// Four looks at an upright dihedral, in its plane and off its bisector.
+Sweep dihedral_looks(std::vector<double> frequencies);
+/// `count` looks of an even walk over azimuth, at elevations that suit a vehicle or a corner.
+Sweep looks_round(double frequency, int count);
+
+Case repository_case(const std::string& file);  // relative to the source folder
+LoadedMesh repository_mesh(const std::string& case_file);
+
+/// Options of one way to lay tubes, edges off: only tubes are compared.
+SolveOptions tubes(TubeMode mode, double per_wavelength, int threads, bool clip = true);
+
+/// S of several runs, taken in turn so that whatever disturbs the machine meets all alike.
+struct Outcome {
+  std::vector<ScatteringMatrix> scattering;
+  std::uint64_t rays = 0;
+  double seconds = 0.0;
+};
+Outcome solved(const Body& body, const Sweep& sweep, const SolveOptions& options);
+
+using Run = std::function<Outcome(int repeat)>;
+std::vector<std::vector<Outcome>> in_turn(const std::vector<Run>& runs, int repeats);
+double median_seconds(const std::vector<Outcome>& outcomes);
+
+}  // namespace raytube::bench
