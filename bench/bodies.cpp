@@ -45,6 +45,7 @@ SolveOptions tubes(TubeMode mode, double per_wavelength, int threads, bool clip)
   options.tubes.mode = mode;
   options.tubes.per_wavelength = per_wavelength;
   options.tubes.clip = clip;
+  options.tubes.curved = false;
   options.edges.method = EdgeMethod::none;
   options.threads = threads;
   return options;

@@ -33,7 +33,7 @@ Sweep looks_round(double frequency, int count);
 Case repository_case(const std::string& file);  // relative to the source folder
 LoadedMesh repository_mesh(const std::string& case_file);
 
-/// Options of one way to lay tubes, edges off: only tubes are compared.
+/// Options of one way to lay tubes, edges off and every facet flat: only tubes are compared, on the same surface.
 SolveOptions tubes(TubeMode mode, double per_wavelength, int threads, bool clip = true);
 
 /// S of several runs, taken in turn so that whatever disturbs the machine meets all alike.

@@ -5,6 +5,7 @@
 #include "closed_forms.h"
 #include "monte_carlo.h"
 #include "shapes.h"
+#include "smooth_forms.h"
 #include "studies.h"
 #include "vehicle.h"
 
@@ -60,23 +61,36 @@ Truth exact_tubes(const Body& body, double grid_density, int threads) {
   return truth;
 }
 
+// S of both co-polar channels as a function of the look.
+template <class Function>
+std::vector<ScatteringMatrix> at_every_look(const Body& body, Function s) {
+  std::vector<ScatteringMatrix> scattering;
+  for (const Look& look : body.sweep.looks) scattering.push_back({{{{s(look.transmit, -1), 0.0}, {0.0, s(look.transmit, 1)}}}});
+  return scattering;
+}
+
 Truth turned_plate(const Body& body, double side, double turn) {
-  Truth truth{"closed form (Knott, Shaeffer & Tuley 2004, ch. 5)", {}};
-  for (const Look& look : body.sweep.looks) {
-    const Complex s = closed_forms::plate(side, wavenumber(body.sweep.frequencies[0]), look.transmit, turn);
-    truth.scattering.push_back({{{{s, 0.0}, {0.0, s}}}});
-  }
-  return truth;
+  const double k = wavenumber(body.sweep.frequencies[0]);
+  return {"closed form of a plate (Knott, Shaeffer & Tuley 2004, ch. 5)",
+          at_every_look(body, [&](const Direction& look, int) { return closed_forms::plate(side, k, look, turn); })};
 }
 
 Truth upright_dihedral(const Body& body, double side) {
-  Truth truth{"closed form (single bounces as plates, double bounce as flat aperture)", {}};
   const double k = wavenumber(body.sweep.frequencies[0]);
-  for (const Look& look : body.sweep.looks) {
-    const auto of = [&](int sign) { return closed_forms::dihedral(side, side, k, look.transmit.phi, sign); };
-    truth.scattering.push_back({{{{of(-1), 0.0}, {0.0, of(1)}}}});
-  }
-  return truth;
+  return {"closed form of a dihedral (single bounces as plates, double bounce as flat aperture)",
+          at_every_look(body,
+                        [&](const Direction& look, int sign) { return closed_forms::dihedral(side, side, k, look.phi, sign); })};
+}
+
+Truth smooth_sphere(const Body& body, double radius) {
+  const double k = wavenumber(body.sweep.frequencies[0]);
+  return {"closed form of a sphere", at_every_look(body, [&](const Direction&, int) { return sphere_po(radius, k); })};
+}
+
+Truth smooth_cylinder(const Body& body, double radius, double length) {
+  const double k = wavenumber(body.sweep.frequencies[0]);
+  return {"closed form of a cylinder",
+          at_every_look(body, [&](const Direction& look, int) { return cylinder_po(radius, length, k, look.theta); })};
 }
 
 Json point(const std::vector<Outcome>& outcomes, const Truth& truth) {
@@ -89,10 +103,17 @@ Json point(const std::vector<Outcome>& outcomes, const Truth& truth) {
           {"relative_error", error.relative()}};
 }
 
+// What a body is measured against: facets against facets, curved surfaces against what the facets stand for.
+struct Truths {
+  Truth facets;
+  std::optional<Truth> smooth = {};
+};
+
 struct Method {
   std::string name;
   std::vector<double> samples;  // cells per wavelength, or rays launched
   std::function<Run(double)> run;
+  bool curved = false;
 };
 
 Method grid_method(const std::string& name, const Body& body, const std::vector<double>& densities, const SolveOptions& options) {
@@ -115,11 +136,19 @@ Method random_method(const Body& body, const Settings& settings) {
           }};
 }
 
-std::vector<Method> methods(const Body& body, const std::vector<double>& densities, const Settings& settings) {
+std::vector<Method> methods(const Body& body, bool curved, const std::vector<double>& densities, const Settings& settings) {
   const auto options = [&](TubeMode mode, bool clip) { return tubes(mode, densities[0], settings.threads, clip); };
-  return {grid_method("uniform", body, densities, options(TubeMode::uniform, false)),
-          grid_method("adaptive", body, densities, options(TubeMode::adaptive, false)),
-          grid_method("adaptive + clip", body, densities, options(TubeMode::adaptive, true)), random_method(body, settings)};
+  std::vector<Method> all{grid_method("uniform", body, densities, options(TubeMode::uniform, false)),
+                          grid_method("adaptive", body, densities, options(TubeMode::adaptive, false)),
+                          grid_method("adaptive + clip", body, densities, options(TubeMode::adaptive, true))};
+  if (curved) {
+    SolveOptions as_curved = options(TubeMode::adaptive, true);
+    as_curved.tubes.curved = true;
+    all.push_back(grid_method("adaptive, curved", body, densities, as_curved));
+    all.back().curved = true;
+  }
+  all.push_back(random_method(body, settings));
+  return all;
 }
 
 std::vector<std::vector<Outcome>> outcomes_of(const std::vector<Method>& methods, int repeats) {
@@ -129,14 +158,18 @@ std::vector<std::vector<Outcome>> outcomes_of(const std::vector<Method>& methods
   return in_turn(runs, repeats);
 }
 
-Json study(const Body& body, const Truth& truth, const std::vector<double>& densities, const Settings& settings) {
-  const std::vector<Method> all = methods(body, densities, settings);
+Json study(const Body& body, const Truths& truths, const std::vector<double>& densities, const Settings& settings) {
+  const std::vector<Method> all = methods(body, truths.smooth.has_value(), densities, settings);
   const std::vector<std::vector<Outcome>> outcomes = outcomes_of(all, settings.repeats);
-  Json json = {{"body", body.name}, {"triangles", body.mesh.triangles.size()}, {"truth", truth.from}, {"check", truth.check}};
+  Json json = {{"body", body.name},
+               {"triangles", body.mesh.triangles.size()},
+               {"truth", truths.facets.from},
+               {"check", truths.facets.check}};
+  if (truths.smooth) json["smooth_truth"] = truths.smooth->from;
   std::size_t next = 0;
   for (const Method& method : all)
     for (const double sample : method.samples) {
-      Json p = point(outcomes[next++], truth);
+      Json p = point(outcomes[next++], method.curved ? *truths.smooth : truths.facets);
       p["samples"] = sample;
       json["methods"][method.name].push_back(p);
     }
@@ -162,19 +195,19 @@ Json planar_bodies(const Scope& scope, const Settings& settings) {
   const Body plate("plate turned 33°", build_mesh(shapes::plate(plate_side, turn), 1.0), plate_looks()),
       dihedral("dihedral", repository_mesh("cases/dihedral/case.toml"), dihedral_looks({94e9})),
       trihedral("trihedral", repository_mesh("cases/trihedral/case.toml"), trihedral_looks());
-  return {study(plate, turned_plate(plate, plate_side, turn), scope.densities, settings),
-          study(dihedral, upright_dihedral(dihedral, dihedral_side), scope.coarse, settings),
-          study(trihedral, exact_tubes(trihedral, scope.check_density, settings.threads), scope.densities, settings)};
+  return {study(plate, {turned_plate(plate, plate_side, turn)}, scope.densities, settings),
+          study(dihedral, {upright_dihedral(dihedral, dihedral_side)}, scope.coarse, settings),
+          study(trihedral, {exact_tubes(trihedral, scope.check_density, settings.threads)}, scope.densities, settings)};
 }
 
 Json curved_bodies(const Scope& scope, const Settings& settings) {
   const Body sphere("sphere", repository_mesh("cases/sphere/case.toml"), sphere_looks()),
       cylinder("cylinder", repository_mesh("cases/cylinder/case.toml"), cylinder_looks()),
       loader("vehicle", build_mesh(vehicle(scope.triangles), 1.0), looks_round(3e9, scope.vehicle_looks));
-  Json json;
-  for (const Body* body : {&sphere, &cylinder, &loader})
-    json.push_back(study(*body, exact_tubes(*body, scope.check_density, settings.threads), scope.densities, settings));
-  return json;
+  const auto facets = [&](const Body& body) { return exact_tubes(body, scope.check_density, settings.threads); };
+  return {study(sphere, {facets(sphere), smooth_sphere(sphere, 1.0)}, scope.densities, settings),
+          study(cylinder, {facets(cylinder), smooth_cylinder(cylinder, 0.09, 0.3)}, scope.densities, settings),
+          study(loader, {facets(loader)}, scope.densities, settings)};
 }
 
 }  // namespace

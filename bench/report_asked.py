@@ -1,7 +1,7 @@
 """The first table: what was asked of raytube's speed, what was measured, and whether it is reached."""
 from report_format import number, ratio, seconds, table
-from report_numbers import (LEVEL_DB, RANDOM, RAYS, body_named, clipped_against_grid, curve, dihedral_ratios, embree_ratios, exponent,
-                            growths, needed)
+from report_numbers import (CLIP, LEVEL_DB, RANDOM, RAYS, body_named, clipped_against_grid, curve, default_tubes, dihedral_ratios, embree_ratios,
+                            exponent, growths, needed)
 
 
 def verdict(reached):
@@ -14,9 +14,9 @@ def short(growth):
 
 def at_random(data):
     for name in ("dihedral", "sphere"):
-        costs = needed(body_named(data, name), RAYS)
-        tubes = costs["adaptive + clip"]
-        yield [f"{name}: rays for {LEVEL_DB} dB, {RANDOM} / adaptive + clip", "≥ 100", ratio(costs[RANDOM], tubes),
+        body = body_named(data, name)
+        costs, tubes = needed(body, RAYS), needed(body, RAYS)[default_tubes(body)]
+        yield [f"{name}: rays for {LEVEL_DB} dB, {RANDOM} / {default_tubes(body)}", "≥ 100", ratio(costs[RANDOM], tubes),
                verdict(costs[RANDOM][0] >= 100 * tubes[0])]
 
 
@@ -54,11 +54,11 @@ def throughput(data):
 
 def frequency(data):
     (growth,) = growths(data, "GHz")
-    grid, tubes = (curve(growth, mode) for mode in ("uniform", "adaptive + clip"))
+    grid, tubes = (curve(growth, mode) for mode in ("uniform", CLIP))
     yield [f"{short(growth)}, time against frequency, {grid[0][0]:g} to {grid[-1][0]:g} GHz: exponent, adaptive (uniform)", "≤ 0.6 (2)",
            f"{exponent(tubes):.2f} ({exponent(grid):.2f})", verdict(exponent(tubes) <= 0.6)]
     for growth in growths(data, "frequencies"):
-        grid, tubes = (dict(curve(growth, mode)) for mode in ("uniform", "adaptive + clip"))
+        grid, tubes = (dict(curve(growth, mode)) for mode in ("uniform", CLIP))
         if 101 in grid:
             yield [f"{short(growth)}: time of 101 frequencies / 1, uniform (adaptive)", "≤ 2",
                    f"{grid[101] / grid[1]:.2f} ({tubes[101] / tubes[1]:.2f})", verdict(grid[101] <= 2 * grid[1])]
@@ -66,7 +66,7 @@ def frequency(data):
 
 def threads(data):
     for growth in growths(data, "threads"):
-        for mode in ("uniform", "adaptive + clip"):
+        for mode in ("uniform", CLIP):
             times = dict(curve(growth, mode))
             yield [f"{short(growth)}, {mode}: speed of 2 threads / 1", "≥ 1.85", f"{times[1] / times[2]:.2f}",
                    verdict(times[1] >= 1.85 * times[2])]

@@ -1,8 +1,8 @@
 """What the report concludes from the numbers: crossings, laws, exponents, ratios."""
 import math
 
-TUBES = ("uniform", "adaptive", "adaptive + clip")
-RANDOM = "Monte Carlo"
+CLIP, CURVED, RANDOM = "adaptive + clip", "adaptive, curved", "Monte Carlo"
+METHODS = ("uniform", "adaptive", CLIP, CURVED, RANDOM)
 LEVEL_DB = 0.1
 RAYS, TIME = "rays_per_look", "seconds_per_look"
 
@@ -13,15 +13,16 @@ def needed_by_tubes(points, what):
     good = len(points)
     while good and points[good - 1]["rms_db"] <= LEVEL_DB:
         good -= 1
-    if good == 0:
-        return points[0][what], "≤"
     if good == len(points):
         return points[-1][what], ">"
+    cheapest = min(p[what] for p in points[good:])  # finer cells may need fewer tubes
+    if good == 0:
+        return cheapest, "≤"
     above, below = points[good - 1], points[good]
     if below["rms_db"] < LEVEL_DB / 100:  # a jump to the exact answer is no curve to read off
-        return below[what], ""
+        return cheapest, ""
     share = math.log(above["rms_db"] / LEVEL_DB) / math.log(above["rms_db"] / below["rms_db"])
-    return above[what] * (below[what] / above[what])**share, ""
+    return min(cheapest, above[what] * (below[what] / above[what])**share), ""
 
 
 def needed_at_random(points, what):
@@ -33,8 +34,13 @@ def needed_at_random(points, what):
 
 def needed(body, what):
     """{method: (rays or seconds a look for LEVEL_DB, sign)}"""
-    methods = body["methods"]
-    return {**{name: needed_by_tubes(methods[name], what) for name in TUBES}, RANDOM: needed_at_random(methods[RANDOM], what)}
+    return {name: needed_at_random(points, what) if name == RANDOM else needed_by_tubes(points, what)
+            for name, points in body["methods"].items()}
+
+
+def default_tubes(body):
+    """What raytube does unless told otherwise: surfaces that facets stand for are taken as such where there are any."""
+    return CURVED if CURVED in body["methods"] else CLIP
 
 
 def exponent(pairs):
@@ -65,7 +71,7 @@ def at_density(points, density):
 def clipped_against_grid(body):
     """Relative error of clipped tubes, and their share of the rays of the uniform grid of ten cells per wavelength. Where they are the
     truth themselves, their distance from the finest uniform grid stands for the error: it is the larger by far."""
-    grid, clipped = (at_density(body["methods"][name], 10) for name in ("uniform", "adaptive + clip"))
+    grid, clipped = (at_density(body["methods"][name], 10) for name in ("uniform", CLIP))
     return (body["check"] or clipped)["relative_error"], clipped[RAYS] / grid[RAYS]
 
 

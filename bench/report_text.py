@@ -1,8 +1,8 @@
 """The page: tables, pictures, and the sentences that follow from the numbers."""
 from report_asked import asked_and_measured
 from report_format import number, ratio, seconds, signed, table
-from report_numbers import (LEVEL_DB, RANDOM, RAYS, TIME, TUBES, body_named, curve, dihedral_ratios, embree_ratios, exponent, growths,
-                            needed)
+from report_numbers import (CLIP, LEVEL_DB, METHODS, RANDOM, RAYS, TIME, body_named, curve, default_tubes, dihedral_ratios, embree_ratios,
+                            exponent, growths, needed)
 
 
 def head(data):
@@ -21,6 +21,8 @@ def truths(data):
     by_truth = {}
     for body in data["error"]:
         by_truth.setdefault(body["truth"], []).append(body["body"])
+        if "smooth_truth" in body:
+            by_truth.setdefault(body["smooth_truth"] + " (physical optics)", []).append(f"{body['body']}, curved")
     return "\n".join(f"- {truth}: {', '.join(names)}" for truth, names in by_truth.items())
 
 
@@ -38,18 +40,19 @@ def needed_table(data, what, text):
     rows = []
     for body in data["error"]:
         costs = needed(body, what)
-        clip = costs["adaptive + clip"]
-        rows.append([body["body"], f"{body['triangles']:,}", ratio(costs[RANDOM], clip), ratio(costs["uniform"], clip),
-                     *(signed(text(value), s) for value, s in (costs[m] for m in (*TUBES, RANDOM)))])
-    return table(["target", "triangles", f"{RANDOM} / clip", "uniform / clip", *TUBES, RANDOM], rows)
+        cells = [signed(text(costs[m][0]), costs[m][1]) if m in costs else "–" for m in METHODS]
+        least = costs[default_tubes(body)]
+        rows.append([body["body"], f"{body['triangles']:,}", ratio(costs[RANDOM], least), ratio(costs["uniform"], least), *cells])
+    return table(["target", "triangles", f"{RANDOM} / default", "uniform / default", *METHODS], rows)
 
 
 def random_sentence(data):
     parts = []
     for name in ("dihedral", "sphere"):
-        costs = needed(body_named(data, name), RAYS)
-        clip, grid = (ratio(costs[RANDOM], costs[m]) for m in ("adaptive + clip", "uniform"))
-        parts.append(f"on the {name} {clip} times as many as clipped tubes, {grid} times as many as the uniform grid")
+        body = body_named(data, name)
+        costs = needed(body, RAYS)
+        tubes, grid = (ratio(costs[RANDOM], costs[m]) for m in (default_tubes(body), "uniform"))
+        parts.append(f"on the {name} {tubes} times as many as adaptive tubes, {grid} times as many as the uniform grid")
     return f"For {LEVEL_DB} dB, rays at random need " + "; ".join(parts) + ".\n"
 
 
@@ -57,8 +60,9 @@ def errors(data, plots):
     pictures = picture("error_rays", "rms error against rays per look", plots) + picture("error_time", "rms error against time per look", plots)
     return f"""## Error against rays and time
 
-Four ways to sample the same physical-optics currents, up to 8 bounces, edges off (`edges.method = "none"`): the **uniform** grid at several
-densities; **adaptive** tubes over the same cells (`tubes.clip = false`); **adaptive + clip**, tubes that end exactly at edges and shadows; and
+Ways to sample the same physical-optics currents, up to 8 bounces, edges off (`edges.method = "none"`): the **uniform** grid at several
+densities; **adaptive** tubes over the same cells (`tubes.clip = false`); **adaptive + clip**, tubes that end exactly at edges and shadows; **adaptive,
+curved**, the same on the surface that facets stand for, which is the default on tessellated bodies (the vehicle's facets are kept flat); and
 **Monte Carlo**, rays from random places of the launch rectangle (splitmix64, {data['machine']['repeats']} seeds), each one point sample of the
 integrand, traced by the same tracer. Looks off every symmetry; rms over looks, seeds, VV and HH where the truth is within 20 dB of its peak.
 Errors below 10⁻⁵ dB are drawn there.
@@ -69,7 +73,7 @@ The truth is
 
 On flat facets clipped tubes have no sampling error once cells outnumber facets;
 {checks(data)}.
-How far facets are from a smooth body is not counted: it is the same for all four.
+How far facets are from a smooth body is not counted where facets are kept.
 
 {pictures}Rays per look for {LEVEL_DB} dB rms, interpolated on these curves; Monte Carlo by its law, error ∝ 1/√rays, through the points below 1 dB,
 or the finest one.
@@ -100,7 +104,7 @@ With all the physics, {100 * min(ratios):.0f} to {100 * max(ratios):.0f} % of ba
 
 
 def growth_row(growth):
-    grid, clipped = (curve(growth, mode) for mode in ("uniform", "adaptive + clip"))
+    grid, clipped = (curve(growth, mode) for mode in ("uniform", CLIP))
     cells = [growth["body"], growth["variable"], f"{grid[0][0]:,.0f} – {grid[-1][0]:,.0f}"]
     for places in (grid, clipped):
         (_, first), (_, last) = places[0], places[-1]
@@ -110,12 +114,12 @@ def growth_row(growth):
 
 def growth(data, plots):
     (frequency,) = growths(data, "GHz")
-    grid, clipped = (exponent(curve(frequency, mode)) for mode in ("uniform", "adaptive + clip"))
+    grid, clipped = (exponent(curve(frequency, mode)) for mode in ("uniform", CLIP))
     columns = [f"{mode}: {what}" for mode in ("uniform", "adaptive") for what in ("last / first", "exponent", "first; last")]
     return f"""## Growth
 
 Time at the last value over that at the first, and the exponent of the power law fitted through all values. 10 cells per wavelength at the highest
-frequency; adaptive with clip, which on flat faces is exact at every frequency, so that its time is the time at a fixed tolerance.
+frequency; adaptive with clip, facets kept flat, which on flat faces is exact at every frequency, so that its time is the time at a fixed tolerance.
 
 {picture("growth", "growth of the time", plots)}{table(["target", "variable", "range", *columns], [growth_row(g) for g in data["growth"]])}
 The uniform grid's time grows as frequency to the power {grid:.2f}, that of adaptive tubes to the power {clipped:.2f}.
