@@ -1,6 +1,7 @@
 // What is solved in the studies.
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -36,7 +37,7 @@ LoadedMesh repository_mesh(const std::string& case_file);
 /// Options of one way to lay tubes, edges off and every facet flat: only tubes are compared, on the same surface.
 SolveOptions tubes(TubeMode mode, double per_wavelength, int threads, bool clip = true);
 
-/// S of several runs, taken in turn so that whatever disturbs the machine meets all alike.
+/// What one run gave.
 struct Outcome {
   std::vector<ScatteringMatrix> scattering;
   std::uint64_t rays = 0;
@@ -45,6 +46,7 @@ struct Outcome {
 Outcome solved(const Body& body, const Sweep& sweep, const SolveOptions& options);
 
 using Run = std::function<Outcome(int repeat)>;
+/// Every run `repeats` times, in turn, so that whatever disturbs the machine meets all alike; [run][repeat].
 std::vector<std::vector<Outcome>> in_turn(const std::vector<Run>& runs, int repeats);
 double median_seconds(const std::vector<Outcome>& outcomes);
 
