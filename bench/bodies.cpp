@@ -33,21 +33,30 @@ Sweep looks_round(double frequency, int count) {
   return sweep;
 }
 
-Case repository_case(const std::string& file) { return read_case(std::filesystem::path(RAYTUBE_SOURCE_DIR) / file); }
+Case repository_case(const std::string& file, const std::string& mode) {
+  return read_case(std::filesystem::path(RAYTUBE_SOURCE_DIR) / file, {"tubes.mode=\"" + mode + "\""});
+}
 
 LoadedMesh repository_mesh(const std::string& case_file) {
-  const Case c = repository_case(case_file);
+  const Case c = repository_case(case_file, "uniform");
   return load_mesh(c.mesh_file, c.metres_per_unit);
 }
 
-SolveOptions tubes(TubeMode mode, double per_wavelength, int threads, bool clip) {
+SolveOptions over_cells(TubeMode mode, double per_wavelength, int threads) {
   SolveOptions options;
   options.tubes.mode = mode;
   options.tubes.per_wavelength = per_wavelength;
-  options.tubes.clip = clip;
-  options.tubes.curved = false;
+  options.tubes.clip = false;
   options.edges.method = EdgeMethod::none;
   options.threads = threads;
+  return options;
+}
+
+SolveOptions clipped(double tolerance_db, int threads, bool curved, double most_per_wavelength) {
+  SolveOptions options = over_cells(TubeMode::adaptive, most_per_wavelength, threads);
+  options.tubes.clip = true;
+  options.tubes.curved = curved;
+  options.tubes.tolerance_db = tolerance_db;
   return options;
 }
 

@@ -31,11 +31,15 @@ Sweep dihedral_looks(std::vector<double> frequencies);
 /// `count` looks of an even walk over azimuth, at elevations that suit a vehicle or a corner.
 Sweep looks_round(double frequency, int count);
 
-Case repository_case(const std::string& file);  // relative to the source folder
+/// A case of the repository (file relative to the source folder) as it stands but for `tubes.mode`.
+Case repository_case(const std::string& file, const std::string& mode);
 LoadedMesh repository_mesh(const std::string& case_file);
 
-/// Options of one way to lay tubes, edges off and every facet flat: only tubes are compared, on the same surface.
-SolveOptions tubes(TubeMode mode, double per_wavelength, int threads, bool clip = true);
+/// Tubes over the cells of a grid, edges off: the uniform mode, or adaptive tubes without clip.
+SolveOptions over_cells(TubeMode mode, double per_wavelength, int threads);
+/// Adaptive tubes that end exactly at edges, edges off, refined until their estimated error is below `tolerance_db` or cells
+/// reach `most_per_wavelength`. Facets are kept flat unless `curved`.
+SolveOptions clipped(double tolerance_db, int threads, bool curved = false, double most_per_wavelength = 40.0);
 
 /// What one run gave.
 struct Outcome {

@@ -1,4 +1,5 @@
-// Solver time of a case beside the time bare rtcIntersect16 takes for the very same rays, in one run on one machine.
+// Solver time of a case, uniform tubes, beside the time bare rtcIntersect16 takes for the very same rays, in one run on one
+// machine.
 //   embree_ratio [--threads N] [--repeat N] CASE.toml...
 // Prints, per case, the median of N runs of each (taken in turn) and their ratio. No plots, no files.
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ using namespace raytube;
 using bench::median;
 
 void measure(const std::string& file, int threads, int repeat) {
-  const Case c = read_case(file);
+  const Case c = read_case(file, {"tubes.mode=\"uniform\""});
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   const Target target(loaded.mesh, c.edges);
   SolveOptions options;

@@ -53,10 +53,10 @@ struct Truth {
 // Clipped tubes integrate over exactly what is lit, whatever the density; where a body has more facets than cells they need a
 // fine one. The uniform grid comes from elsewhere to the same value.
 Truth exact_tubes(const Body& body, double grid_density, int threads) {
-  constexpr double density = 80.0;
+  constexpr double density = 80.0, no_tolerance_db = 1e-9;
   Truth truth{fmt::format("adaptive + clip at {} per wavelength", density),
-              solved(body, body.sweep, tubes(TubeMode::adaptive, density, threads)).scattering};
-  const Outcome grid = solved(body, body.sweep, tubes(TubeMode::uniform, grid_density, threads));
+              solved(body, body.sweep, clipped(no_tolerance_db, threads, false, density)).scattering};
+  const Outcome grid = solved(body, body.sweep, over_cells(TubeMode::uniform, grid_density, threads));
   truth.check = {{"uniform_per_wavelength", grid_density}, {"relative_error", relative_error(grid.scattering, truth.scattering)}};
   return truth;
 }
@@ -111,17 +111,25 @@ struct Truths {
 
 struct Method {
   std::string name;
-  std::vector<double> samples;  // cells per wavelength, or rays launched
+  std::vector<double> samples;  // cells per wavelength, tolerance [dB], or rays launched
   std::function<Run(double)> run;
   bool curved = false;
 };
 
-Method grid_method(const std::string& name, const Body& body, const std::vector<double>& densities, const SolveOptions& options) {
-  return {name, densities, [&body, options](double density) -> Run {
-            SolveOptions with_density = options;
-            with_density.tubes.per_wavelength = density;
-            return [&body, with_density](int) { return solved(body, body.sweep, with_density); };
+Method cell_method(const std::string& name, const Body& body, TubeMode mode, const std::vector<double>& densities, int threads) {
+  return {name, densities, [&body, mode, threads](double density) -> Run {
+            return [&body, options = over_cells(mode, density, threads)](int) { return solved(body, body.sweep, options); };
           }};
+}
+
+Method clipped_method(const std::string& name, const Body& body, bool curved, const Settings& settings) {
+  std::vector<double> tolerances{1, 0.1};
+  if (!settings.quick) tolerances = {3, 1, 0.3, 0.1, 0.03, 0.01};
+  return {name, tolerances,
+          [&body, curved, threads = settings.threads](double tolerance) -> Run {
+            return [&body, options = clipped(tolerance, threads, curved)](int) { return solved(body, body.sweep, options); };
+          },
+          curved};
 }
 
 Method random_method(const Body& body, const Settings& settings) {
@@ -137,16 +145,10 @@ Method random_method(const Body& body, const Settings& settings) {
 }
 
 std::vector<Method> methods(const Body& body, bool curved, const std::vector<double>& densities, const Settings& settings) {
-  const auto options = [&](TubeMode mode, bool clip) { return tubes(mode, densities[0], settings.threads, clip); };
-  std::vector<Method> all{grid_method("uniform", body, densities, options(TubeMode::uniform, false)),
-                          grid_method("adaptive", body, densities, options(TubeMode::adaptive, false)),
-                          grid_method("adaptive + clip", body, densities, options(TubeMode::adaptive, true))};
-  if (curved) {
-    SolveOptions as_curved = options(TubeMode::adaptive, true);
-    as_curved.tubes.curved = true;
-    all.push_back(grid_method("adaptive, curved", body, densities, as_curved));
-    all.back().curved = true;
-  }
+  std::vector<Method> all{cell_method("uniform", body, TubeMode::uniform, densities, settings.threads),
+                          cell_method("adaptive", body, TubeMode::adaptive, densities, settings.threads),
+                          clipped_method("adaptive + clip", body, false, settings)};
+  if (curved) all.push_back(clipped_method("adaptive, curved", body, true, settings));
   all.push_back(random_method(body, settings));
   return all;
 }

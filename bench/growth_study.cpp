@@ -14,13 +14,13 @@ struct Place {
   Run run;
 };
 
-Run run_of(const Body& body, Sweep sweep, TubeMode mode, int threads) {
-  return [&body, sweep = std::move(sweep), options = tubes(mode, 10.0, threads)](int) { return solved(body, sweep, options); };
+Run run_of(const Body& body, const Sweep& sweep, const SolveOptions& options) {
+  return [&body, sweep, options](int) { return solved(body, sweep, options); };
 }
 
 void add_both_modes(std::vector<Place>& places, double x, const Body& body, const Sweep& sweep, int threads) {
-  places.push_back({x, "uniform", run_of(body, sweep, TubeMode::uniform, threads)});
-  places.push_back({x, "adaptive + clip", run_of(body, sweep, TubeMode::adaptive, threads)});
+  places.push_back({x, "uniform", run_of(body, sweep, over_cells(TubeMode::uniform, 10.0, threads))});
+  places.push_back({x, "adaptive + clip", run_of(body, sweep, clipped(0.1, threads))});
 }
 
 Json measured(const std::string& body, const std::string& variable, const std::vector<Place>& places, int repeats) {

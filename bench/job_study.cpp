@@ -28,10 +28,9 @@ Json dihedral_rows(const Settings& settings) {
   Json rows;
   for (const double density : {12.0, 25.0}) {
     if (settings.quick && density > 12.0) break;
-    const std::pair<const char*, SolveOptions> modes[] = {
-        {"uniform", tubes(TubeMode::uniform, density, settings.threads)},
-        {"adaptive", tubes(TubeMode::adaptive, density, settings.threads, false)},
-        {"adaptive + clip", tubes(TubeMode::adaptive, density, settings.threads)}};
+    const std::pair<const char*, SolveOptions> modes[] = {{"uniform", over_cells(TubeMode::uniform, density, settings.threads)},
+                                                          {"adaptive", over_cells(TubeMode::adaptive, density, settings.threads)},
+                                                          {"adaptive + clip", clipped(0.1, settings.threads)}};
     std::vector<Run> runs;
     for (const auto& [name, options] : modes) runs.push_back([&body, options](int) { return solved(body, body.sweep, options); });
     const std::vector<std::vector<Outcome>> outcomes = in_turn(runs, settings.repeats);
@@ -45,31 +44,28 @@ Json dihedral_rows(const Settings& settings) {
   return rows;
 }
 
-double solve_seconds(const Target& target, const Case& job, TubeMode mode, int threads) {
+double solve_seconds(const Target& target, const Case& job, int threads) {
   SolveOptions options;
   options.tubes = job.tubes;
-  options.tubes.mode = mode;
   options.edges = job.edges;
   options.threads = threads;
   return solve(target, job.sweep, options).statistics.solve_s;
 }
 
-// A case as it stands but for the mode of its tubes.
 Json job_row(const std::string& file, const Settings& settings) {
-  const Case job = repository_case(file);
-  const LoadedMesh loaded = load_mesh(job.mesh_file, job.metres_per_unit);
-  const Target target(loaded.mesh, job.edges);
+  const Case tubes = repository_case(file, "adaptive"), grid = repository_case(file, "uniform");
+  const LoadedMesh loaded = load_mesh(grid.mesh_file, grid.metres_per_unit);
+  const Target target(loaded.mesh, grid.edges);
   std::vector<double> adaptive, uniform, bare;
   on_threads(settings.threads, [&] {
     for (int i = 0; i < settings.repeats; ++i) {
-      adaptive.push_back(solve_seconds(target, job, TubeMode::adaptive, settings.threads));
-      uniform.push_back(solve_seconds(target, job, TubeMode::uniform, settings.threads));
-      bare.push_back(bare_embree_time(target, job.sweep, job.tubes).seconds);
+      adaptive.push_back(solve_seconds(target, tubes, settings.threads));
+      uniform.push_back(solve_seconds(target, grid, settings.threads));
+      bare.push_back(bare_embree_time(target, grid.sweep, grid.tubes).seconds);
     }
   });
   return {{"case", file},
-          {"title", job.title},
-          {"looks", job.sweep.looks.size()},
+          {"looks", grid.sweep.looks.size()},
           {"adaptive_s", median(adaptive)},
           {"uniform_s", median(uniform)},
           {"bare_s", median(bare)}};

@@ -8,8 +8,8 @@ RAYS, TIME = "rays_per_look", "seconds_per_look"
 
 
 def needed_by_tubes(points, what):
-    """Rays or time a look from which on the rms error stays below LEVEL_DB: interpolated between two densities on logarithmic axes.
-    Returns (value, sign): "≤" if the coarsest density does already, ">" if the finest does not yet, else ""."""
+    """Rays or time a look from which on the rms error stays below LEVEL_DB: interpolated between two points on logarithmic axes.
+    Returns (value, sign): "≤" if the coarsest does already, ">" if the finest does not yet, else ""."""
     good = len(points)
     while good and points[good - 1]["rms_db"] <= LEVEL_DB:
         good -= 1
@@ -63,15 +63,15 @@ def body_named(data, name):
     return next(b for b in data["error"] if b["body"].startswith(name))
 
 
-def at_density(points, density):
-    """The point of a density, or the finest one there is."""
-    return next((p for p in points if p["samples"] == density), points[-1])
+def at_sample(points, sample):
+    """The point of a density or tolerance, or the finest one there is."""
+    return next((p for p in points if p["samples"] == sample), points[-1])
 
 
 def clipped_against_grid(body):
     """Relative error of clipped tubes, and their share of the rays of the uniform grid of ten cells per wavelength. Where they are the
     truth themselves, their distance from the finest uniform grid stands for the error: it is the larger by far."""
-    grid, clipped = (at_density(body["methods"][name], 10) for name in ("uniform", CLIP))
+    grid, clipped = at_sample(body["methods"]["uniform"], 10), at_sample(body["methods"][CLIP], LEVEL_DB)
     return (body["check"] or clipped)["relative_error"], clipped[RAYS] / grid[RAYS]
 
 

@@ -61,8 +61,9 @@ def errors(data, plots):
     return f"""## Error against rays and time
 
 Ways to sample the same physical-optics currents, up to 8 bounces, edges off (`edges.method = "none"`): the **uniform** grid at several
-densities; **adaptive** tubes over the same cells (`tubes.clip = false`); **adaptive + clip**, tubes that end exactly at edges and shadows; **adaptive,
-curved**, the same on the surface that facets stand for, which is the default on tessellated bodies (the vehicle's facets are kept flat); and
+densities; **adaptive** tubes over the same cells (`tubes.clip = false`); **adaptive + clip**, tubes that end exactly at edges and shadows, refined
+until their own estimate of the error is below a tolerance (facets kept flat); **adaptive, curved**, the same on the surface that facets stand for, the
+default on tessellated bodies; and
 **Monte Carlo**, rays from random places of the launch rectangle (splitmix64, {data['machine']['repeats']} seeds), each one point sample of the
 integrand, traced by the same tracer. Looks off every symmetry; rms over looks, seeds, VV and HH where the truth is within 20 dB of its peak.
 Errors below 10⁻⁵ dB are drawn there.
@@ -77,7 +78,7 @@ How far facets are from a smooth body is not counted where facets are kept.
 
 {pictures}Rays per look for {LEVEL_DB} dB rms, interpolated on these curves; Monte Carlo by its law, error ∝ 1/√rays, through the points below 1 dB,
 or the finest one.
-`≤`: the coarsest density does already; `>`: the finest does not yet.
+`≤`: the coarsest density or tolerance does already; `>`: the finest does not yet.
 
 {needed_table(data, RAYS, number)}
 {random_sentence(data)}
@@ -119,7 +120,7 @@ def growth(data, plots):
     return f"""## Growth
 
 Time at the last value over that at the first, and the exponent of the power law fitted through all values. 10 cells per wavelength at the highest
-frequency; adaptive with clip, facets kept flat, which on flat faces is exact at every frequency, so that its time is the time at a fixed tolerance.
+frequency; adaptive with clip at a tolerance of 0.1 dB, facets kept flat, which on flat faces is exact at every frequency, so that its time is the time at a fixed tolerance.
 
 {picture("growth", "growth of the time", plots)}{table(["target", "variable", "range", *columns], [growth_row(g) for g in data["growth"]])}
 The uniform grid's time grows as frequency to the power {grid:.2f}, that of adaptive tubes to the power {clipped:.2f}.
