@@ -47,6 +47,7 @@ SolveOptions over_cells(TubeMode mode, double per_wavelength, int threads) {
   options.tubes.mode = mode;
   options.tubes.per_wavelength = per_wavelength;
   options.tubes.clip = false;
+  options.tubes.skip = false;  // every ray counts here
   options.edges.method = EdgeMethod::none;
   options.threads = threads;
   return options;

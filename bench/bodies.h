@@ -35,7 +35,7 @@ Sweep looks_round(double frequency, int count);
 Case repository_case(const std::string& file, const std::string& mode);
 LoadedMesh repository_mesh(const std::string& case_file);
 
-/// Tubes over the cells of a grid, edges off: the uniform mode, or adaptive tubes without clip.
+/// Tubes over the cells of a grid, edges off, nothing skipped: the uniform mode, or adaptive tubes without clip.
 SolveOptions over_cells(TubeMode mode, double per_wavelength, int threads);
 /// Adaptive tubes that end exactly at edges, edges off, refined until their estimated error is below `tolerance_db` or cells
 /// reach `most_per_wavelength`. Facets are kept flat unless `curved`.
