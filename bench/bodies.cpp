@@ -56,7 +56,7 @@ SolveOptions over_cells(TubeMode mode, double per_wavelength, int threads) {
 SolveOptions clipped(double tolerance_db, int threads, bool curved, double most_per_wavelength) {
   SolveOptions options = over_cells(TubeMode::adaptive, most_per_wavelength, threads);
   options.tubes.clip = true;
-  options.tubes.curved = curved;
+  options.tubes.curved = curved ? CurvedSurfaces::always : CurvedSurfaces::never;
   options.tubes.tolerance_db = tolerance_db;
   return options;
 }
