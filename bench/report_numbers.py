@@ -83,6 +83,6 @@ def dihedral_ratios(data):
             for r in rows}
 
 
-def embree_ratios(data):
+def embree_ratios(data, least_triangles=0):
     """Rays per second of the uniform mode over those of bare Embree; both shot the same rays."""
-    return [t["bare_s"] / t["solve_s"] for t in data["throughput"]]
+    return [t["bare_s"] / t["solve_s"] for t in data["throughput"] if t["triangles"] >= least_triangles]

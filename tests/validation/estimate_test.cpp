@@ -1,0 +1,87 @@
+// The estimate of the numerical error against the error itself: the uniform grid's against exact polygons of the same facets.
+#include <gtest/gtest.h>
+
+#include "run.h"
+#include "shapes.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+
+constexpr double frequency = speed_of_light;  // wavelength 1 m
+
+struct Honesty {
+  int covered = 0, values = 0;
+  std::vector<double> ratios;  // estimate over true error, where that is above 1e-6 of the row's largest amplitude
+};
+
+void compare(const SweepResult& result, const SweepResult& truth, Honesty& honesty) {
+  for (std::size_t row = 0; row < result.total.size(); ++row)
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) {
+        const double error = std::abs(std::abs(result.total[row].at(p, q)) - std::abs(truth.total[row].at(p, q)));
+        const double estimate = result.error[row][p][q];
+        ++honesty.values;
+        honesty.covered += error <= estimate ? 1 : 0;
+        if (error > 1e-6 * largest_amplitude(truth.total[row])) honesty.ratios.push_back(estimate / error);
+      }
+}
+
+Sweep looks(double theta, int count) {
+  std::vector<Direction> directions;
+  for (int i = 0; i < count; ++i) directions.push_back({theta + 0.003 * i, 0.05 + 1.45 * i / count});
+  return monostatic(directions, frequency);
+}
+
+// At least 95 % covered, and not above 20 times the error in the median: what an estimate is worth. Each target by itself.
+void expect_honest(const char* what, const PolygonSoup& soup, double theta) {
+  SolveOptions exact = options(EdgeMethod::none);
+  exact.tubes.mode = TubeMode::adaptive;
+  exact.tubes.curved = CurvedSurfaces::never;
+  Honesty honesty;
+  const Sweep sweep = looks(theta, 40);
+  const SweepResult truth = solve_soup(soup, sweep, exact);
+  for (const double per_wavelength : {5.0, 10.0, 17.0})
+    compare(solve_soup(soup, sweep, options(EdgeMethod::none, per_wavelength)), truth, honesty);
+  const double covered = static_cast<double>(honesty.covered) / honesty.values;
+  measured((std::string("estimate, ") + what + ", covered").c_str(), 100.0 * covered, "%");
+  measured((std::string("estimate, ") + what + ", median of estimate / error").c_str(), quantile(honesty.ratios, 0.5), "");
+  EXPECT_GE(covered, 0.95) << what;
+  EXPECT_LE(quantile(honesty.ratios, 0.5), 20.0) << what;
+}
+
+TEST(Estimate, CoversTheErrorOfUniformTubes) {
+  expect_honest("plate", shapes::plate(5.0, 33 * degree), 0.3);
+  expect_honest("cube", shapes::cube(4.0), 1.2);
+  expect_honest("dihedral", shapes::dihedral(5.0, 4.0), 1.4);
+  expect_honest("trihedral", shapes::trihedral(6.0), 0.9);
+  expect_honest("cylinder", shapes::cylinder(2.0, 5.0, 36), 1.1);
+}
+
+// Polygons are exact, and know it: rounding of some 1e-13 of what a launch plane radiates at most.
+TEST(Estimate, PolygonsAreExactToRounding) {
+  SolveOptions exact = options(EdgeMethod::none);
+  exact.tubes.mode = TubeMode::adaptive;
+  const SweepResult result = solve_soup(shapes::cube(4.0), looks(1.2, 10), exact);
+  for (const ChannelErrors& error : result.error) EXPECT_LE(error[0][0], 1e-11 * 16.0 * 3.0);
+}
+
+// A sphere of many small facets is sampled; cells get smaller until the tolerance is met.
+TEST(Estimate, ToleranceIsMet) {
+  const PolygonSoup soup = shapes::icosphere(4, 1.5);
+  SolveOptions o = options(EdgeMethod::none);
+  o.tubes.mode = TubeMode::adaptive;
+  o.tubes.curved = CurvedSurfaces::never;
+  o.tubes.per_wavelength = 80.0;
+  const Sweep sweep = looks(1.0, 6);
+  for (const double tolerance_db : {0.5, 0.1}) {
+    o.tubes.tolerance_db = tolerance_db;
+    const SweepResult result = solve_soup(soup, sweep, o);
+    for (std::size_t row = 0; row < sweep.rows(); ++row)
+      EXPECT_LE(result.error[row][0][0], (std::pow(10.0, tolerance_db / 20.0) - 1.0) * std::abs(result.total[row].vv()));
+  }
+}
+
+}  // namespace
+}  // namespace raytube
