@@ -11,7 +11,7 @@ run() { # NAME CASE [options]
   local name=$1 file=$2
   shift 2
   "$program" run "$file" -o "$work/$name" --quiet --parts --set output.plots=false "$@"
-  grep -v '^#' "$work/$name/rcs.csv" >"$work/$name.csv"
+  grep -v '^#' "$work/$name/rcs.csv" | cut -d, -f1-17 >"$work/$name.csv"  # keys, S, sigma
 }
 off=(--set 'edges.method="none"')
 fine=(--set tubes.per_wavelength=40)
