@@ -15,6 +15,7 @@
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "program/threads.h"
+#include "sbr/launch.h"
 
 namespace raytube {
 
@@ -36,6 +37,19 @@ std::vector<double> parsed_densities(const std::string& option) {
   if (densities.size() < 3 || std::ranges::adjacent_find(densities) != densities.end())
     throw InputError(fmt::format("--densities {}: an order needs three different densities or more, for example 4,8,16", option));
   return densities;
+}
+
+// Refuses now what the last density would be refused for after hours.
+void check_finest(double density, const std::string& option, const Case& c, const TriangleMesh& mesh) {
+  const double shortest = wavelength(std::ranges::max(c.sweep.frequencies));
+  try {
+    for (const Look& look : c.sweep.looks) launch_grid(mesh, look.transmit, shortest, density, c.tubes.up);
+  } catch (const InputError&) {
+    throw InputError(fmt::format(
+        "--densities {}: {} tubes per wavelength are more than 10^6 along one side of the launch plane; lower it, or check "
+        "target.unit and frequency.ghz",
+        option, number_text(density)));
+  }
 }
 
 // Shares of the whole study's work: tubes grow with the square of the density.
@@ -112,6 +126,7 @@ void converge_command(const Request& request) {
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  check_finest(densities.back(), request.densities, c, loaded.mesh);
   const Target target(loaded.mesh, c.edges);
   const InterruptFlag interrupt_flag;
   Study study(c, target, request, destination, densities);
