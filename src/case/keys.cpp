@@ -36,8 +36,7 @@ constexpr std::array<std::string_view, 25> known_keys = {"title",
                                                          "edges.min_wedge_deg",
                                                          "output.plots"};
 
-constexpr std::array<std::string_view, 4> later_keys = {"output.image_look", "output.image_per_wavelength", "radar",
-                                                        "materials"};
+constexpr std::array<std::string_view, 4> later_keys = {"output.image_look", "output.image_per_wavelength", "radar", "materials"};
 
 template <std::size_t size>
 bool contains(const std::array<std::string_view, size>& keys, std::string_view key) {

@@ -59,7 +59,7 @@ class FaceTree {
   const TriangleMesh& mesh_;
   Faces faces_;
   std::vector<std::uint32_t> first_triangle_, triangles_;  // of each face, compressed rows
-  double doubt_;  // [m] what single precision may cost in placing a box
+  double doubt_;                                           // [m] what single precision may cost in placing a box
   std::vector<Node> nodes_;
 };
 

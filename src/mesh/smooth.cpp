@@ -14,7 +14,9 @@ constexpr double panel_ratio = 4.0;
 // Flatter creases are the rounding of coordinates.
 constexpr double least_crease = 1e-6;
 
-dvec3 patch_normal(const TriangleMesh& mesh, std::uint32_t triangle) { return mesh.patches[mesh.triangle_patch[triangle]].normal; }
+dvec3 patch_normal(const TriangleMesh& mesh, std::uint32_t triangle) {
+  return mesh.patches[mesh.triangle_patch[triangle]].normal;
+}
 
 std::size_t corner_of(const TriangleMesh& mesh, std::uint32_t triangle, std::uint32_t vertex) {
   const Triangle& t = mesh.triangles[triangle];
@@ -74,9 +76,8 @@ class Tessellation {
   // Whether a patch reaches further than `width` from an edge of it.
   bool reaches(std::uint32_t patch, const EdgeTable::Edge& edge, double width) const {
     const dvec3 start = mesh_.vertices[edge.low], along = glm::normalize(mesh_.vertices[edge.high] - start);
-    return std::ranges::any_of(corners_[patch], [&](std::uint32_t v) {
-      return glm::length(glm::cross(mesh_.vertices[v] - start, along)) > width;
-    });
+    return std::ranges::any_of(
+        corners_[patch], [&](std::uint32_t v) { return glm::length(glm::cross(mesh_.vertices[v] - start, along)) > width; });
   }
 
   double width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const {
@@ -223,7 +224,8 @@ LocalSurface facet_plane(const Patch& patch, const dvec3& origin, const dvec3& d
 // Second fundamental form of a parametrised surface with tangents a1, a2 and second derivatives r11, r12, r22 (do Carmo 1976,
 // section 3-3), as a matrix of space, with the stronger principal curvature along the normal.
 glm::dmat3 curvature_of(const dvec3& a1, const dvec3& a2, const dvec3& n, const dvec3& r11, const dvec3& r12, const dvec3& r22) {
-  const dvec3 dual1 = glm::cross(a2, n) / glm::dot(a1, glm::cross(a2, n)), dual2 = glm::cross(n, a1) / glm::dot(a2, glm::cross(n, a1));
+  const dvec3 dual1 = glm::cross(a2, n) / glm::dot(a1, glm::cross(a2, n)),
+              dual2 = glm::cross(n, a1) / glm::dot(a2, glm::cross(n, a1));
   const double l = glm::dot(n, r11), m = glm::dot(n, r12), r = glm::dot(n, r22);
   const dvec3 area = glm::cross(a1, a2);
   const double sum = l * glm::dot(dual1, dual1) + 2.0 * m * glm::dot(dual1, dual2) + r * glm::dot(dual2, dual2);

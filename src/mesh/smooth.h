@@ -12,9 +12,9 @@ namespace raytube {
 /// A surface to second order about `point`: normal . X = X . curvature X / 2, X = r - point. The entry of `curvature` along the
 /// normal is free at this order; it is the stronger principal curvature, which makes spheres and round cylinders exact.
 struct LocalSurface {
-  dvec3 point;            // recentred coordinates [m]
-  dvec3 normal;           // unit, against the ray that asked
-  glm::dmat3 curvature;   // symmetric [1/m]; negative where the surface bends away from the normal
+  dvec3 point;           // recentred coordinates [m]
+  dvec3 normal;          // unit, against the ray that asked
+  glm::dmat3 curvature;  // symmetric [1/m]; negative where the surface bends away from the normal
 };
 
 /// Facets joined by creases flatter than wedges are one surface with averaged normals. Facets stay flat where that is truer:

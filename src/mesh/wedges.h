@@ -27,7 +27,7 @@ struct Wedge {
   dvec3 across{0.0};             // not 0: this is the edge of a thin sheet, amid its rim; from side 0 to side 1 over it [m]
   std::uint32_t rim = no_index;  // then the patch of that rim
   std::uint32_t half_plane = no_index;  // this edge bounds the rim of a thin sheet: the wedge that stands for it (thin_sheets.h)
-  bool enclosed = false;  // inside a closed body, where no light comes: mark_enclosed
+  bool enclosed = false;                // inside a closed body, where no light comes: mark_enclosed
 
   bool convex() const { return n > 1.0; }
   bool radiates() const { return convex() && half_plane == no_index; }

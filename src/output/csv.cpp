@@ -20,7 +20,8 @@ constexpr const char* conventions =
     "# Time factor exp(+j omega t); a wave travels as exp(-j k r). Phase reference: the origin of the mesh's coordinates.\n"
     "# Scattering amplitude S_pq [m], p receive, q transmit: E_p(scattered) = S_pq E_q(incident) exp(-j k r) / r.\n"
     "# sigma_pq = 4 pi |S_pq|^2; dBsm is 10 log10(sigma / 1 m^2). vh is receive V, transmit H.\n"
-    "# err_pq_db = 20 log10(1 + error / max(|S_pq|, S_max / 100)): estimated numerical error of |S_pq|; S_max is the row's largest.\n"
+    "# err_pq_db = 20 log10(1 + error / max(|S_pq|, S_max / 100)): estimated numerical error of |S_pq|; S_max is the row's "
+    "largest.\n"
     "# Directions point from the target: theta from +z, phi from +x towards +y; theta_deg, phi_deg to the "
     "transmitter, rx_ to the receiver.\n"
     "# V is theta-hat and H is phi-hat of each one's own direction, for the transmitter and for the receiver.\n";

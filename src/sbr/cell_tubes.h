@@ -37,8 +37,8 @@ class CellTubes {
   /// that meet none end; all do if the next one would be bounce `max_bounces`.
   void advance(int bounce, int max_bounces);
 
-  /// From here on the cells of `block` are also taken in the groups of the coarse grids. A group that the block cuts has the middle
-  /// cell's ray, or its only one's. Wants all tubes of the block, rows one after the other.
+  /// From here on the cells of `block` are also taken in the groups of the coarse grids. A group that the block cuts has the
+  /// middle cell's ray, or its only one's. Wants all tubes of the block, rows one after the other.
   void sample_coarse_grids(const CellBlock& block) {
     coarse_block_ = block;
     for (std::vector<ScatteringMatrix>& sums : coarse_sums_) sums.assign(frequencies_, {});

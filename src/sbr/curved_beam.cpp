@@ -26,9 +26,9 @@ double triple(const dvec3& a, const dvec3& b, const dvec3& c) { return glm::dot(
 // How often the tube's cross-section vanishes within this distance.
 int caustics_within(const CurvedBeam& beam, double distance) {
   const dvec3& d = beam.direction;
-  const std::array<double, 2> roots =
-      quadratic_roots(triple(beam.bend_u, beam.bend_v, d),
-                      triple(beam.along_u, beam.bend_v, d) + triple(beam.bend_u, beam.along_v, d), triple(beam.along_u, beam.along_v, d));
+  const std::array<double, 2> roots = quadratic_roots(triple(beam.bend_u, beam.bend_v, d),
+                                                      triple(beam.along_u, beam.bend_v, d) + triple(beam.bend_u, beam.along_v, d),
+                                                      triple(beam.along_u, beam.along_v, d));
   return static_cast<int>(std::ranges::count_if(roots, [&](double root) { return root > 0.0 && root < distance; }));
 }
 
@@ -43,13 +43,15 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
   const dvec3 &d = beam.direction, &n = surface.normal;
   const double distance = glm::dot(surface.point - beam.base, d), facing = glm::dot(d, n);
   const dvec3 across_u = beam.along_u + distance * beam.bend_u, across_v = beam.along_v + distance * beam.bend_v;
-  const dvec3 along_u = across_u - d * (glm::dot(across_u, n) / facing), along_v = across_v - d * (glm::dot(across_v, n) / facing);
+  const dvec3 along_u = across_u - d * (glm::dot(across_u, n) / facing),
+              along_v = across_v - d * (glm::dot(across_v, n) / facing);
 
   CurvedFootprint f;
   f.outgoing.caustics = beam.caustics + caustics_within(beam, distance);
   constexpr std::array<Complex, 4> quarter_turns{Complex(1, 0), Complex(0, 1), Complex(-1, 0), Complex(0, -1)};
   // Amplitude 1 / sqrt(cross-section), surface per launch area cross-section / |facing|.
-  const Complex strength = quarter_turns[f.outgoing.caustics % 4] * (std::sqrt(std::abs(triple(across_u, across_v, d))) / -facing);
+  const Complex strength =
+      quarter_turns[f.outgoing.caustics % 4] * (std::sqrt(std::abs(triple(across_u, across_v, d))) / -facing);
   const std::array<dvec3, 2> receive_axes{receive.theta_hat, receive.phi_hat};
   for (int q = 0; q < 2; ++q) {
     const dvec3 current = surface_current_pec(d, beam.field[q], n);

@@ -110,9 +110,8 @@ class CellTrace {
   void split(const Bounds& box, std::span<const std::uint32_t> triangles) {
     const dvec2 middle = 0.5 * (box.low + box.high);
     std::vector<std::uint32_t> inside;
-    for (const Bounds& quarter :
-         {Bounds{box.low, middle}, Bounds{dvec2(middle.x, box.low.y), dvec2(box.high.x, middle.y)},
-          Bounds{dvec2(box.low.x, middle.y), dvec2(middle.x, box.high.y)}, Bounds{middle, box.high}}) {
+    for (const Bounds& quarter : {Bounds{box.low, middle}, Bounds{dvec2(middle.x, box.low.y), dvec2(box.high.x, middle.y)},
+                                  Bounds{dvec2(box.low.x, middle.y), dvec2(middle.x, box.high.y)}, Bounds{middle, box.high}}) {
       inside.clear();
       std::ranges::copy_if(triangles, std::back_inserter(inside), [&](std::uint32_t t) { return facing_[t].reaches(quarter); });
       cell(quarter, inside);
@@ -121,9 +120,7 @@ class CellTrace {
 
   std::uint32_t region(std::uint32_t face) const { return look_.smooth->region(look_.tree.faces()[face].triangle); }
 
-  dvec3 above(const dvec2& at) const {
-    return look_.grid.plane_origin + at.x * look_.grid.u_hat + at.y * look_.grid.v_hat;
-  }
+  dvec3 above(const dvec2& at) const { return look_.grid.plane_origin + at.x * look_.grid.u_hat + at.y * look_.grid.v_hat; }
 
   // The quadric about the cell's middle; where that misses the surface, about the largest part of a facet in the cell.
   std::optional<CurvedPiece> piece_in(const Bounds& box, std::span<const std::uint32_t> triangles) {
@@ -201,16 +198,16 @@ class CellTrace {
       if (part.low > part.high) continue;
       if (look_.smooth->on_boundary(f.triangle, c)) return Verdict::crowded;
       const dvec3 start = mesh.vertices[mesh.triangles[f.triangle][c]],
-                  along = mesh.vertices[mesh.triangles[f.triangle][(c + 1) % 3]] - start, bend = look_.smooth->bend(f.triangle, c);
+                  along = mesh.vertices[mesh.triangles[f.triangle][(c + 1) % 3]] - start,
+                  bend = look_.smooth->bend(f.triangle, c);
       most_bend = std::max(most_bend, glm::length(bend));
       for (const double x : {part.low, part.high})
         phase_off_ = std::max(phase_off_, 2.0 * highest_ * piece.distance(start + x * along - x * (1.0 - x) * bend));
     }
     // A facet wider than the cell has no side in it. It may rise from its plane by half of its strongest bend.
     const dvec2 middle = 0.5 * (box.low + box.high);
-    const bool on_piece =
-        !f.contains(middle) || piece.distance(above(middle) + facet_depth(f)(middle) * look_.grid.direction) <
-                                   0.5 * most_bend + look_.phase_tolerance / (2.0 * highest_);
+    const bool on_piece = !f.contains(middle) || piece.distance(above(middle) + facet_depth(f)(middle) * look_.grid.direction) <
+                                                     0.5 * most_bend + look_.phase_tolerance / (2.0 * highest_);
     return on_piece && phase_off_ < look_.phase_tolerance ? Verdict::one_piece : Verdict::bent;
   }
 

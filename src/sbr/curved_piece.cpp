@@ -81,9 +81,7 @@ class Moments {
 
  private:
   // Exponent / k, counted from the anchor.
-  double path(const dvec2& at, double depth) const {
-    return along_.x * at.x + along_.y * at.y + along_.z * depth;
-  }
+  double path(const dvec2& at, double depth) const { return along_.x * at.x + along_.y * at.y + along_.z * depth; }
 
   struct Sum {
     Complex one, slope_u, slope_v;
@@ -96,9 +94,7 @@ class Moments {
 
 // Points enough for e^{jx} over a range of x: a rule of n points has the polynomials up to 2n - 1, and the Legendre series of
 // e^{jx} ends soon after half the range (Trefethen 2013, Approximation theory and practice, chapter 8).
-int points_for(double phase_range) {
-  return std::min(5 + static_cast<int>(0.3 * phase_range), most_gauss_points);
-}
+int points_for(double phase_range) { return std::min(5 + static_cast<int>(0.3 * phase_range), most_gauss_points); }
 
 // On the limb the depth ends like a square root; x = -cos takes that out of the integrand.
 template <class Function>
@@ -112,7 +108,9 @@ void for_points(double low, double high, bool at_limb, double phase_range, Funct
   }
 }
 
-Bounds from_anchor(const CurvedPiece& piece, const Bounds& cell) { return {cell.low - piece.anchor(), cell.high - piece.anchor()}; }
+Bounds from_anchor(const CurvedPiece& piece, const Bounds& cell) {
+  return {cell.low - piece.anchor(), cell.high - piece.anchor()};
+}
 
 struct Ranges {
   dvec2 along{0.0};    // along u and along v, the larger of three rows
@@ -156,16 +154,16 @@ std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const 
     for_points(begin, end, at_limb, phase[across], [&](double row, double row_weight) {
       const Chord part = chord(piece.limb(), axis, row, box.low[axis], box.high[axis]);
       if (part.low == part.high) return;
-      for_points(part.low, part.high, part.cut, phase[axis], [&](double x, double weight) {
-        moments.add(axis == 0 ? dvec2(x, row) : dvec2(row, x), row_weight * weight);
-      });
+      for_points(part.low, part.high, part.cut, phase[axis],
+                 [&](double x, double weight) { moments.add(axis == 0 ? dvec2(x, row) : dvec2(row, x), row_weight * weight); });
     });
     begin = end;
   }
   return moments.far_field();
 }
 
-std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const ConvexPolygon& polygon) {
+std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece,
+                                               const ConvexPolygon& polygon) {
   Moments moments(light, piece);
   const dvec2 origin = polygon[0].at - piece.anchor();
   double low = moments.path(origin), high = low;

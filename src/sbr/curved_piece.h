@@ -30,7 +30,8 @@ class CurvedPiece {
   /// Positive where a ray meets the surface, zero on the limb; in launch coordinates counted from the anchor.
   const Conic& limb() const { return limb_; }
 
-  /// Depth behind the anchor's point and its slopes along u and v; beyond the limb, that of the limb. `from_anchor` as for the limb.
+  /// Depth behind the anchor's point and its slopes along u and v; beyond the limb, that of the limb. `from_anchor` as for the
+  /// limb.
   struct Depth {
     double depth, slope_u, slope_v;
   };

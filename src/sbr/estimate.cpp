@@ -14,8 +14,8 @@ double rounding(const LaunchGrid& grid, double k, double radius) {
   return 4.0 * std::numeric_limits<double>::epsilon() * (1.0 + k * radius) * k * area / (2.0 * pi);
 }
 
-// A grid's error falls with its cell to the power 1 (edges along the grid) to 1.5 (across it): the difference to a grid three times
-// as coarse is 2 to 4.2 times the error on average. Two samples of it may be small by chance, so nothing is taken off.
+// A grid's error falls with its cell to the power 1 (edges along the grid) to 1.5 (across it): the difference to a grid three
+// times as coarse is 2 to 4.2 times the error on average. Two samples of it may be small by chance, so nothing is taken off.
 double sampling(const std::array<ErrorSum, coarse_grids>& coarse, int p, int q) {
   double square = 0.0;
   for (const ErrorSum& difference : coarse) square += std::pow(difference.size(p, q), 2);

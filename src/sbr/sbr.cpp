@@ -79,7 +79,8 @@ TubeSums trace_flat(const AdaptiveLook& look, Progress& progress, double share) 
 // Times the work of a cell that of a flat face is.
 constexpr double cells_per_face = 20.0;
 
-// Half the faces of a body look at the radar. Where a face is dearer than the cells it covers, single rays are the cheaper sample.
+// Half the faces of a body look at the radar. Where a face is dearer than the cells it covers, single rays are the cheaper
+// sample.
 bool cells_are_cheaper(const AdaptiveLook& look) {
   const auto is_flat = [&](const Face& face) { return !look.smooth || look.smooth->region(face.triangle) == no_index; };
   const auto flat = std::ranges::count_if(look.tree.faces(), is_flat);
@@ -93,12 +94,14 @@ TubeSums trace_faces_or_cells(const AdaptiveLook& look, Progress& progress, doub
 
 TubeSums trace_curved(const AdaptiveLook& look, Progress& progress, double share) {
   const CurvedLook curved(look);
-  return sum_tiles(CurvedLook::blocks, [&](std::size_t i) { return curved.trace(i); }, progress, share);
+  return sum_tiles(
+      CurvedLook::blocks, [&](std::size_t i) { return curved.trace(i); }, progress, share);
 }
 
 TubeSums trace_curved_bounces(const AdaptiveLook& look, Progress& progress, double share) {
   const CurvedBounces bounces(look);
-  return sum_tiles(bounces.blocks(), [&](std::size_t i) { return bounces.trace(i); }, progress, share);
+  return sum_tiles(
+      bounces.blocks(), [&](std::size_t i) { return bounces.trace(i); }, progress, share);
 }
 
 // Cells per wavelength to begin with, and the least and the most by which they grow.
@@ -180,8 +183,8 @@ class LookTracer {
 
   void retrace(Part& part, double share) const {
     const LaunchGrid grid = launch_grid(tracer_.mesh(), look_.transmit, wavelength_, part.per_wavelength, options_.up);
-    const AdaptiveLook view{tracer_,      faces_,     grid,    transmit_,     receive_,
-                            wavenumbers_, tolerance_, smooth_, options_.clip, options_.max_bounces,
+    const AdaptiveLook view{tracer_,       faces_,     grid,    transmit_,     receive_,
+                            wavenumbers_,  tolerance_, smooth_, options_.clip, options_.max_bounces,
                             options_.skip, known_};
     const std::uint64_t rays_before = part.sums.rays;
     part.sums = {};

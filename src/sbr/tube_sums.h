@@ -29,9 +29,9 @@ struct TubeSums {
   std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
   /// [frequency][grid], all bounces together: fine minus coarse, summed over tiles; empty: nothing was sampled.
   std::vector<std::array<ErrorSum, coarse_grids>> coarse;
-  std::vector<ErrorSum> pieces;                        // [frequency], of single tubes whose error is known; empty: there are none
-  std::vector<ChannelErrors> error;                    // [frequency], estimate for the whole look [m]; empty in its parts
-  std::vector<std::uint64_t> hits;                     // [bounce]
+  std::vector<ErrorSum> pieces;      // [frequency], of single tubes whose error is known; empty: there are none
+  std::vector<ChannelErrors> error;  // [frequency], estimate for the whole look [m]; empty in its parts
+  std::vector<std::uint64_t> hits;   // [bounce]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;
   std::uint64_t empty_cells = 0, faces_away = 0;  // not traced: see SkipCounts
   double sliver_area = 0.0;                       // [m^2] of the launch plane, left out by adaptive tubes

@@ -57,7 +57,7 @@ const Bad bad_values[] = {
     {"edges.min_wedge_deg=180", "less than 180"},
     {"output.plots=yes", "true or false"},
     {"output.image_look=0", "not in this version"},
-    
+
     {"accuracy.tolerance_db=-1", "accuracy.tolerance_db"},
     {"radar.range_m=3", "\"radar\" is not in this version"},
     {"materials.glass=3", "\"materials\" is not in this version"},

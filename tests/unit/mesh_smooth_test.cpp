@@ -72,7 +72,8 @@ TEST(SmoothSurfaces, CoarseOrEdgedMeshesStayFacets) {
   EXPECT_FALSE(SmoothSurfaces(build_mesh(shapes::cube(1.0), 1.0).mesh, crease, 1.0).any());
 }
 
-// A wide panel that runs into a fillet of narrow facets, 5 degrees each: the panel keeps its plane, and the fillet begins along it.
+// A wide panel that runs into a fillet of narrow facets, 5 degrees each: the panel keeps its plane, and the fillet begins along
+// it.
 TEST(SmoothSurfaces, PanelKeepsItsPlaneNextToAFillet) {
   PolygonSoup soup;
   std::vector<dvec2> profile{{-3.0, 0.0}, {0.0, 0.0}};

@@ -67,7 +67,8 @@ ScatteringMatrix sphere_by_angles(const Direction& transmit, const Direction& re
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < 2 * steps; ++j) {
       const double polar = (i + 0.5) * 0.5 * pi / steps, azimuth = (j + 0.5) * pi / steps;
-      const dvec3 n = std::cos(polar) * t.radial + std::sin(polar) * (std::cos(azimuth) * t.theta_hat + std::sin(azimuth) * t.phi_hat);
+      const dvec3 n =
+          std::cos(polar) * t.radial + std::sin(polar) * (std::cos(azimuth) * t.theta_hat + std::sin(azimuth) * t.phi_hat);
       const double area = radius * radius * std::sin(polar) * (0.5 * pi / steps) * (pi / steps);
       const Complex factor = Complex(0.0, -k / (4.0 * pi)) * std::polar(area, k * glm::dot(r.radial + t.radial, radius * n));
       for (int p = 0; p < 2; ++p)
@@ -110,7 +111,8 @@ TEST(CurvedBeam, ConcaveMirrorFocusesAtHalfItsRadius) {
 TEST(CurvedBeam, DerivativesAreThoseOfNeighbouringRays) {
   const LaunchGrid grid = plane_towards({0.0, 0.0});
   const SphericalBasis basis = spherical_basis({0.0, 0.0});
-  const dvec3 n = glm::normalize(dvec3(0.3, 0.1, 1.0)), a = glm::normalize(glm::cross(n, dvec3(0.0, 1.0, 0.0))), b = glm::cross(n, a);
+  const dvec3 n = glm::normalize(dvec3(0.3, 0.1, 1.0)), a = glm::normalize(glm::cross(n, dvec3(0.0, 1.0, 0.0))),
+              b = glm::cross(n, a);
   const LocalSurface cap{{0.0, 0.0, 0.0}, n, -glm::outerProduct(a, a) / 2.0 - glm::outerProduct(b, b) / 5.0};
   const CurvedBeam out = curved_footprint(launched_beam(grid, basis, dvec2(0.0)), cap, basis).outgoing;
   constexpr double step = 1e-4;
@@ -118,7 +120,8 @@ TEST(CurvedBeam, DerivativesAreThoseOfNeighbouringRays) {
     const dvec3 across = step * (along_u ? grid.u_hat : grid.v_hat);
     dvec3 x = across;  // on the cap, above `across`: fixed-point iteration of n.x = x.C x / 2
     for (int i = 0; i < 50; ++i) x.z += (0.5 * glm::dot(x, cap.curvature * x) - glm::dot(n, x)) / n.z;
-    const dvec3 normal = glm::normalize(n - cap.curvature * x), d = grid.direction - 2.0 * glm::dot(grid.direction, normal) * normal;
+    const dvec3 normal = glm::normalize(n - cap.curvature * x),
+                d = grid.direction - 2.0 * glm::dot(grid.direction, normal) * normal;
     EXPECT_LE(glm::length(x - out.base - step * (along_u ? out.along_u : out.along_v)), 1e-8);
     EXPECT_LE(glm::length(d - out.direction - step * (along_u ? out.bend_u : out.bend_v)), 1e-8);
   }

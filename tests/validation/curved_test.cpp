@@ -33,8 +33,8 @@ Complex po_sphere(double a) {
   return -Complex(0.0, k * a * a) * (turn / Complex(0.0, c) + (turn - 1.0) / (c * c));
 }
 
-// The bar for a sphere of 20 wavelengths with 81 920 facets is 0.05 dB with no more than two tubes per wavelength; 0.005 dB leaves
-// a margin of ten over what is measured.
+// The bar for a sphere of 20 wavelengths with 81 920 facets is 0.05 dB with no more than two tubes per wavelength; 0.005 dB
+// leaves a margin of ten over what is measured.
 TEST(Curved, SphereOfManyWavelengthsTakesFewTubes) {
   constexpr double a = 20.0;
   const auto looks = all_round(8);
@@ -87,15 +87,16 @@ TEST(Curved, CylinderBroadsideIsRound) {
   }
 }
 
-// A sphere above a wide plate: plate and sphere in either order give a / 2 each in the direction of the radar, so the second bounce
-// is a (geometrical optics of the sphere, image in the plate). H: along the plate, where its physical optics has no edge-on lobe.
-// The rest is the ripple of the sphere's shadow boundary, 1/sqrt(ka) of a few percent. Flat facets do not spread the tubes and
-// miss a third.
+// A sphere above a wide plate: plate and sphere in either order give a / 2 each in the direction of the radar, so the second
+// bounce is a (geometrical optics of the sphere, image in the plate). H: along the plate, where its physical optics has no
+// edge-on lobe. The rest is the ripple of the sphere's shadow boundary, 1/sqrt(ka) of a few percent. Flat facets do not spread
+// the tubes and miss a third.
 TEST(Curved, SphereAboveAPlateHasTwoDoubleBounces) {
   constexpr double a = 5.0;
   PolygonSoup scene = shapes::transformed(shapes::icosphere(5, a), glm::dmat3(1.0), 1.0, {0.0, 0.0, 8.0});
   const auto base = static_cast<std::uint32_t>(scene.points.size());
-  for (const dvec2 corner : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)}) scene.points.emplace_back(40.0 * corner, 0.0);
+  for (const dvec2 corner : {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)})
+    scene.points.emplace_back(40.0 * corner, 0.0);
   scene.polygons.push_back({base, base + 1, base + 2, base + 3});
   SolveOptions fine = curved();
   fine.tubes.per_wavelength = 20.0;
