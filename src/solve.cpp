@@ -42,7 +42,7 @@ void make_reciprocal(std::vector<ScatteringMatrix>& scattering) {
 }
 
 // A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
-constexpr double most_rise = 1.0 / 16.0;
+constexpr double most_rise = 1.0 / 32.0;
 
 std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
   if (tubes.mode != TubeMode::adaptive || !tubes.clip || tubes.curved == CurvedSurfaces::never) return {};

@@ -173,6 +173,7 @@ SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, doub
     if (tessellation.panel(t)) continue;
     region_[t] = groups[t];
     ++facets_;
+    for (int c = 0; c < 3; ++c) rise_ = std::max(rise_, 0.25 * glm::length(bend(t, c)));
   }
 }
 

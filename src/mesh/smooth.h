@@ -28,6 +28,9 @@ class SmoothSurfaces {
   bool any() const { return facets_ > 0; }
   std::size_t facets() const { return facets_; }
 
+  /// The most by which a surface rises from its facets [m]: so far the outline of the facets lies within its limb.
+  double rise() const { return rise_; }
+
   /// The surface a triangle is part of; no_index: it is flat.
   std::uint32_t region(std::uint32_t triangle) const { return region_[triangle]; }
 
@@ -48,6 +51,7 @@ class SmoothSurfaces {
   std::vector<std::uint32_t> corner_normal_;  // in normals_, three a triangle
   std::vector<dvec3> normals_;
   std::size_t facets_ = 0;
+  double rise_ = 0.0;
 };
 
 }  // namespace raytube

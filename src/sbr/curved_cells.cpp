@@ -15,12 +15,13 @@ namespace {
 constexpr std::size_t many = 160, few = 24;
 // Phase [rad] by which the integrand may vary over a cell.
 constexpr double most_phase = 60.0;
-// Share of a cell's far field that its quadrature may miss: measured on spheres, where the quadric is exact.
-constexpr double integration_error = 1e-3;
+// Share of a cell's far field that its quadrature and the limb of a tessellation may miss: some times what spheres show.
+constexpr double integration_error = 2e-3;
 // Seen closer to its own plane than this, a facet has no area.
 constexpr double edge_on = 1e-12;
-// Smallest cell in wavelengths.
-constexpr double smallest_cell = 1.0 / 32.0;
+// Smallest cell in wavelengths, and in rises of the surface over its facets: what a limb has beyond the facets' outline is found
+// from the cells that this outline crosses.
+constexpr double smallest_cell = 1.0 / 32.0, least_rises = 16.0;
 
 ConvexPolygon rectangle(const Bounds& box) {
   ConvexPolygon polygon;
@@ -83,6 +84,7 @@ class CellTrace {
         incident_(incident_beam(look.grid, look.transmit, dvec2(0.0))),
         light_{look.grid, look.transmit, look.receive, look.wavenumbers},
         highest_(std::ranges::max(look.wavenumbers)),
+        smallest_(std::max(smallest_cell * 2.0 * pi / highest_, least_rises * look.smooth->rise())),
         visible_(look.tree, look.tracer) {}
 
   TubeSums run(const Bounds& block, std::span<const std::uint32_t> triangles) {
@@ -97,12 +99,13 @@ class CellTrace {
   // `triangles` in facing_ are all that reach into the cell.
   void cell(const Bounds& box, std::span<const std::uint32_t> triangles) {
     if (std::ranges::none_of(triangles, [&](std::uint32_t t) { return facing_[t].region != no_index; })) return;
-    const bool smallest = glm::length(box.high - box.low) * highest_ < 2.0 * pi * smallest_cell;
+    const bool smallest = glm::length(box.high - box.low) < smallest_;
     if (triangles.size() > many && !smallest) return split(box, triangles);
     const std::optional<CurvedPiece> piece = piece_in(box, triangles);
     if (!piece) return;
     const Verdict verdict = judge(*piece, box, triangles);
-    if (verdict == Verdict::one_piece) return add(curved_far_field(light_, *piece, box));
+    const bool as_one_piece = verdict == Verdict::one_piece || (smallest && verdict == Verdict::bent);
+    if (as_one_piece) return add(curved_far_field(light_, *piece, box));
     if (smallest || (verdict == Verdict::crowded && triangles.size() <= few)) return facets(box);
     split(box, triangles);
   }
@@ -194,13 +197,13 @@ class CellTrace {
     const TriangleMesh& mesh = look_.tree.mesh();
     double most_bend = 0.0;
     for (int c = 0; c < 3; ++c) {
+      const dvec3 bend = look_.smooth->bend(f.triangle, c);
+      most_bend = std::max(most_bend, glm::length(bend));
       const Range part = part_within(box, f.at[c], f.at[(c + 1) % 3]);
       if (part.low > part.high) continue;
       if (look_.smooth->on_boundary(f.triangle, c)) return Verdict::crowded;
       const dvec3 start = mesh.vertices[mesh.triangles[f.triangle][c]],
-                  along = mesh.vertices[mesh.triangles[f.triangle][(c + 1) % 3]] - start,
-                  bend = look_.smooth->bend(f.triangle, c);
-      most_bend = std::max(most_bend, glm::length(bend));
+                  along = mesh.vertices[mesh.triangles[f.triangle][(c + 1) % 3]] - start;
       for (const double x : {part.low, part.high})
         phase_off_ = std::max(phase_off_, 2.0 * highest_ * piece.distance(start + x * along - x * (1.0 - x) * bend));
     }
@@ -211,7 +214,8 @@ class CellTrace {
     return on_piece && phase_off_ < look_.phase_tolerance ? Verdict::one_piece : Verdict::bent;
   }
 
-  // A piece that lies off the surface by some phase is wrong by this share of its far field; integration adds to that.
+  // A piece that lies off the surface by some phase is wrong by as large a share of its far field. Twice: sides are only looked
+  // at where they enter and leave the cell.
   void add(const std::vector<ScatteringMatrix>& part) {
     std::vector<ScatteringMatrix>& sums = sums_.at(0, part.size());
     ++sums_.hits[0];
@@ -219,7 +223,7 @@ class CellTrace {
     for (std::size_t f = 0; f < part.size(); ++f) {
       sums[f] += part[f];
       ScatteringMatrix error = part[f];
-      sums_.pieces[f].add(error *= phase_off_ + integration_error);
+      sums_.pieces[f].add(error *= 2.0 * phase_off_ + integration_error);
     }
   }
 
@@ -239,7 +243,7 @@ class CellTrace {
   std::span<const FacingTriangle> facing_;
   Beam incident_;
   Illumination light_;
-  double highest_;
+  double highest_, smallest_;  // wavenumber [rad/m], cell [m]
   VisibleSurfaces visible_;
   const FacingTriangle* base_ = nullptr;
   double phase_off_ = 0.0;  // of the facets' sides from the piece in question [rad], at the highest frequency
