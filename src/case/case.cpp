@@ -104,7 +104,8 @@ void read_tubes(const CaseValue& root, Case& c) {
     c.tubes.curved = read_curved(*curved);
   }
   if (const CaseValue* tolerance = find(root, "accuracy", "tolerance_db")) {
-    if (!clipped) reject(*tolerance, "accuracy.tolerance_db needs adaptive tubes with clip; the others have the density given");
+    if (!clipped)
+      reject(*tolerance, "accuracy.tolerance_db needs adaptive tubes with clip; the others have the density given, so remove it");
     c.tubes.tolerance_db = read_positive(*tolerance, "accuracy.tolerance_db");
   }
   if (clipped && !find(root, "tubes", "per_wavelength")) c.tubes.per_wavelength = most_per_wavelength;

@@ -55,17 +55,6 @@ std::string rcs_header() {
   return header + '\n';
 }
 
-// 20 log10(1 + error / max(|S_pq|, S_max / 100)), S_max the largest of the four amplitudes.
-std::array<double, 4> error_levels(const ScatteringMatrix& s, const ChannelErrors& errors) {
-  const std::array<Complex, 4> values = channels(s);
-  const std::array<double, 4> error{errors[0][0], errors[0][1], errors[1][0], errors[1][1]};
-  std::array<double, 4> levels{};
-  for (std::size_t i = 0; i < levels.size(); ++i)
-    if (error[i] > 0.0)
-      levels[i] = 20.0 / std::log(10.0) * std::log1p(error[i] / std::max(std::abs(values[i]), 0.01 * largest_amplitude(s)));
-  return levels;
-}
-
 std::string complex_values(const ScatteringMatrix& s) {
   std::string text;
   for (const Complex value : channels(s)) text += ',' + complex_text(value);
@@ -82,6 +71,16 @@ std::string polar_text(Complex value) {
 
 double sigma_dbsm(Complex s) { return 20.0 * std::log10(std::hypot(s.real(), s.imag())) + 10.0 * std::log10(4.0 * pi); }
 
+std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelErrors& errors) {
+  const std::array<Complex, 4> values = channels(s);
+  const std::array<double, 4> error{errors[0][0], errors[0][1], errors[1][0], errors[1][1]};
+  std::array<double, 4> levels{};
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    if (error[i] > 0.0)
+      levels[i] = 20.0 / std::log(10.0) * std::log1p(error[i] / std::max(std::abs(values[i]), 0.01 * largest_amplitude(s)));
+  return levels;
+}
+
 void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
   out.write(conventions + rcs_header());
@@ -89,7 +88,7 @@ void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const 
     const ScatteringMatrix& s = result.total[row];
     std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive) + complex_values(s);
     for (const Complex value : channels(s)) line += ',' + number_text(sigma_dbsm(value));
-    for (const double level : error_levels(s, result.error[row])) line += ',' + number_text(level);
+    for (const double level : error_levels_db(s, result.error[row])) line += ',' + number_text(level);
     out.write(line + '\n');
   });
   out.commit();

@@ -14,6 +14,10 @@ inline constexpr std::array<const char*, 4> channel_names = {"vv", "vh", "hv", "
 /// sigma of one amplitude [dBsm]; -inf for zero. Does not underflow where |S|^2 would.
 double sigma_dbsm(Complex s);
 
+/// err_pq_db of a row, in the order of channel_names: 20 log10(1 + error / max(|S_pq|, S_max / 100)), S_max the largest
+/// amplitude.
+std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelErrors& errors);
+
 /// rcs.csv: complex S and sigma of the four channels.
 void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
 

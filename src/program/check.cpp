@@ -168,9 +168,17 @@ void print_skipped(const Case& c, const MeshReport& r, const Target& target, con
   for (const std::string& line : lines) fmt::print("  {}\n", line);
 }
 
+bool clipped(const TubeOptions& tubes) { return tubes.mode == TubeMode::adaptive && tubes.clip; }
+
 LaunchGrid grid_of(const Case& c, const TriangleMesh& mesh, std::size_t look) {
   return launch_grid(mesh, c.sweep.looks[look].transmit, wavelength(highest_frequency(c.sweep)), c.tubes.per_wavelength,
                      c.tubes.up);
+}
+
+void print_clipped_cost(const TriangleMesh& mesh, const LookPlan& plan) {
+  fmt::print(
+      "\ncost\n  looks computed: {}\n  adaptive tubes, clipped: {} planar patches; the fewer, the quicker, at any frequency\n",
+      plan.computed.size(), mesh.patches.size());
 }
 
 // Exact for few looks; a mean over evenly spread ones for many.
@@ -206,7 +214,10 @@ void check_command(const Request& request) {
   print_wedges(target.wedges);
   print_thin_rims(c, target.rims);
   print_skipped(c, loaded.report, target, plan);
-  print_cost(c, loaded.mesh, plan);
+  if (clipped(c.tubes))
+    print_clipped_cost(loaded.mesh, plan);
+  else
+    print_cost(c, loaded.mesh, plan);
   if (request.wedges_csv.empty()) return;
   const std::vector<Wedge> used = merge_thin_rims(target.wedges, target.rims, thin_limit(highest_frequency(c.sweep)));
   write_wedges_csv(request.wedges_csv, loaded.mesh, used, c.sweep);

@@ -104,14 +104,29 @@ double peak_sigma_dbsm(const SweepResult& result) {
   return peak;
 }
 
-void print_summary(const SweepResult& result, const Manifest& manifest, const fs::path& folder) {
+void print_errors(const SweepResult& result, const TubeOptions& tubes) {
+  double largest = 0.0;
+  std::size_t above = 0;
+  for (std::size_t row = 0; row < result.total.size(); ++row) {
+    const double level = std::ranges::max(error_levels_db(result.total[row], result.error[row]));
+    largest = std::max(largest, level);
+    above += level > tubes.tolerance_db ? 1 : 0;
+  }
+  fmt::print("error       {:.2g} dB at most, by the estimate", largest);
+  const bool refined = tubes.mode == TubeMode::adaptive && tubes.clip;
+  if (refined && above > 0) fmt::print("; {} of {} rows above accuracy.tolerance_db", above, result.total.size());
+  fmt::print("\n");
+}
+
+void print_summary(const SweepResult& result, const TubeOptions& tubes, const Manifest& manifest, const fs::path& folder) {
   const Statistics& s = result.statistics;
   fmt::print("rays        {} in {} tubes, {:.2f} s on {} thread{}\n", s.rays, s.tubes, s.solve_s, manifest.threads,
              manifest.threads == 1 ? "" : "s");
   fmt::print("lost rays   {}\n", s.lost_rays);
-  if (s.tubes_cut) fmt::print("cut tubes   {} still bounced after tubes.max_bounces\n", s.tubes_cut);
+  if (s.tubes_cut) fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide\n", s.tubes_cut);
   for (const Skipped& skipped : s.skipped) fmt::print("skipped     {} ({}): {}\n", skipped.what, skipped.count, skipped.why);
   fmt::print("peak sigma  {:.2f} dBsm\n", peak_sigma_dbsm(result));
+  print_errors(result, tubes);
   fmt::print("results     {}\n", folder.string());
 }
 
@@ -144,7 +159,7 @@ void run_command(const Request& request) {
   write_manifest(results.folder() / "run.json", manifest);
   if (c.plots) draw_plots(results.folder(), c, result);
   replace_results(results, folder.path(), {"rcs.png", "rcs.svg"}, {"channels.csv", "parts.csv", "rcs.csv", "run.json"});
-  if (!request.quiet) print_summary(result, manifest, folder.path());
+  if (!request.quiet) print_summary(result, c.tubes, manifest, folder.path());
 }
 
 }  // namespace raytube

@@ -107,6 +107,9 @@ TubeSums trace_curved_bounces(const AdaptiveLook& look, Progress& progress, doub
 // Cells per wavelength to begin with, and the least and the most by which they grow.
 constexpr double first_per_wavelength = 10.0, least_growth = 1.5, most_growth = 4.0;
 
+// Cells along one side that are not exceeded for the tolerance's sake: a launch grid refuses 10^6.
+constexpr double finest_grid = 9e5;
+
 // A part of a look, on a grid of its own density.
 struct Part {
   TubeSums (*trace)(const AdaptiveLook&, Progress&, double share);
@@ -170,11 +173,11 @@ class LookTracer {
   // False if no part can be made better.
   bool refine(std::vector<Part>& parts, const TubeSums& sums) const {
     bool any = false;
+    const double most = std::min(options_.per_wavelength, finest_grid * wavelength_ / (2.0 * tracer_.mesh().radius));
     for (Part& part : parts) {
       const double too_large = excess(sums, part.sums.error, tolerance_) * static_cast<double>(parts.size());
-      if (too_large <= 1.0 || !part.sampled() || part.per_wavelength >= options_.per_wavelength) continue;
-      part.per_wavelength =
-          std::min(part.per_wavelength * std::clamp(too_large, least_growth, most_growth), options_.per_wavelength);
+      if (too_large <= 1.0 || !part.sampled() || part.per_wavelength >= most) continue;
+      part.per_wavelength = std::min(part.per_wavelength * std::clamp(too_large, least_growth, most_growth), most);
       retrace(part, 0.0);
       any = true;
     }
