@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/edge_table.h"
+#include "mesh/patch_rims.h"
 
 namespace raytube {
 
@@ -26,11 +26,11 @@ std::size_t corner_of(const TriangleMesh& mesh, std::uint32_t triangle, std::uin
 // The creases of a tessellation, and which patches keep their planes.
 class Tessellation {
  public:
-  Tessellation(const TriangleMesh& mesh, double max_crease) : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()) {
+  Tessellation(const TriangleMesh& mesh, double max_crease)
+      : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()), rims_(mesh, edges_) {
     crossable_.resize(edges_.size());
     panel_.assign(mesh.patches.size(), true);
     for (std::size_t e = 0; e < edges_.size(); ++e) crossable_[e] = is_smooth(edges_[e], std::cos(max_crease));
-    collect_corners();
     for (std::size_t e = 0; e < edges_.size(); ++e)
       if (crossable_[e] && is_crease(edges_[e])) set_curved(edges_[e]);
     for (std::size_t e = 0; e < edges_.size(); ++e)
@@ -63,21 +63,11 @@ class Tessellation {
     for (const EdgeTable::Side& side : edge.sides) panel_[mesh_.triangle_patch[side.triangle]] = false;
   }
 
-  void collect_corners() {
-    corners_.resize(mesh_.patches.size());
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const auto [low, high, sides] = edges_[e];
-      const auto patch = [&](const EdgeTable::Side& side) { return mesh_.triangle_patch[side.triangle]; };
-      if (sides.size() == 2 && patch(sides[0]) == patch(sides[1])) continue;
-      for (const EdgeTable::Side& side : sides) corners_[patch(side)].insert(corners_[patch(side)].end(), {low, high});
-    }
-  }
-
   // Whether a patch reaches further than `width` from an edge of it.
   bool reaches(std::uint32_t patch, const EdgeTable::Edge& edge, double width) const {
     const dvec3 start = mesh_.vertices[edge.low], along = glm::normalize(mesh_.vertices[edge.high] - start);
     return std::ranges::any_of(
-        corners_[patch], [&](std::uint32_t v) { return glm::length(glm::cross(mesh_.vertices[v] - start, along)) > width; });
+        rims_[patch], [&](std::uint32_t v) { return glm::length(glm::cross(mesh_.vertices[v] - start, along)) > width; });
   }
 
   double width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const {
@@ -94,8 +84,8 @@ class Tessellation {
 
   const TriangleMesh& mesh_;
   EdgeTable edges_;
+  PatchRims rims_;
   std::vector<bool> crossable_, panel_;
-  std::vector<std::vector<std::uint32_t>> corners_;  // of each patch's rim
 };
 
 // Corners of triangles that share a vertex and hang together without a wedge share a normal: that of a panel among them, else the

@@ -3,37 +3,17 @@
 #include <algorithm>
 
 #include "mesh/edge_pieces.h"
+#include "mesh/patch_rims.h"
 
 namespace raytube {
 
 namespace {
 
-/// The vertices on the rim of each patch; the patch's extent in any direction is theirs.
-class PatchRims {
- public:
-  PatchRims(const TriangleMesh& mesh, const EdgeTable& edges) : mesh_(mesh), rim_(mesh.patches.size()) {
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      const auto [low, high, sides] = edges[e];
-      const auto patch = [&](const EdgeTable::Side& side) { return mesh.triangle_patch[side.triangle]; };
-      if (sides.size() == 2 && patch(sides[0]) == patch(sides[1])) continue;
-      for (const EdgeTable::Side& side : sides) rim_[patch(side)].insert(rim_[patch(side)].end(), {low, high});
-    }
-    for (auto& vertices : rim_) {
-      std::sort(vertices.begin(), vertices.end());
-      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    }
-  }
-
-  double extent(std::uint32_t patch, const dvec3& from, const dvec3& direction) const {
-    double extent = 0.0;
-    for (const std::uint32_t v : rim_[patch]) extent = std::max(extent, glm::dot(mesh_.vertices[v] - from, direction));
-    return extent;
-  }
-
- private:
-  const TriangleMesh& mesh_;
-  std::vector<std::vector<std::uint32_t>> rim_;
-};
+double extent(const TriangleMesh& mesh, std::span<const std::uint32_t> vertices, const dvec3& from, const dvec3& direction) {
+  double extent = 0.0;
+  for (const std::uint32_t v : vertices) extent = std::max(extent, glm::dot(mesh.vertices[v] - from, direction));
+  return extent;
+}
 
 /// A face is no narrower than the `distance` by which its plane is known.
 Wedge wedge_of(const TriangleMesh& mesh, const PatchRims& rims, const EdgePiece& run, double distance) {
@@ -44,7 +24,7 @@ Wedge wedge_of(const TriangleMesh& mesh, const PatchRims& rims, const EdgePiece&
     const std::uint32_t patch = run.faces[i].patch;
     frames[i] = face_frame(mesh, run.faces[i], tangent, i);
     wedge.faces[i] = {patch, frames[i].into_face, frames[i].normal,
-                      std::max(distance, rims.extent(patch, wedge.start, frames[i].into_face)), run.faces[i].back};
+                      std::max(distance, extent(mesh, rims[patch], wedge.start, frames[i].into_face)), run.faces[i].back};
   }
   wedge.n = refined_n(frames[0], frames[1], run.n);
   return wedge;

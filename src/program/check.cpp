@@ -140,12 +140,13 @@ void print_thin_rims(const Case& c, std::span<const Rim> rims) {
 // What only the run itself can count.
 std::vector<std::string> skipped_as_found(const Case& c, const Target& target) {
   std::vector<std::string> lines;
-  if (c.tubes.mode == TubeMode::adaptive)
+  if (c.tubes.mode == TubeMode::adaptive && std::ranges::any_of(target.mesh.components, &Component::closed))
     lines.push_back("in every look: faces of closed bodies turned away from the transmitter");
   if (!c.tubes.skip) return lines;
   if (c.tubes.mode == TubeMode::uniform) lines.push_back("in every look: empty cells of the grid");
   if (target.convexity.no_reflection) lines.push_back(fmt::format("all reflected tubes: {}", nothing_in_front));
-  if (c.edges.method == EdgeMethod::fringe) lines.push_back("in every look: edges that are not lit");
+  if (c.edges.method == EdgeMethod::fringe && std::ranges::any_of(target.wedges, &Wedge::radiates))
+    lines.push_back("in every look: edges that are not lit");
   return lines;
 }
 

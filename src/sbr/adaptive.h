@@ -12,7 +12,7 @@
 
 namespace raytube {
 
-/// One look as the adaptive tubes see it.
+/// One look as its tubes see it.
 struct AdaptiveLook {
   const Tracer& tracer;
   const FaceTree& tree;

@@ -17,8 +17,6 @@ constexpr std::size_t many = 160, few = 24;
 constexpr double most_phase = 60.0;
 // Share of a cell's far field that its quadrature and the limb of a tessellation may miss: some times what spheres show.
 constexpr double integration_error = 2e-3;
-// Seen closer to its own plane than this, a facet has no area.
-constexpr double edge_on = 1e-12;
 // Smallest cell in wavelengths, and in rises of the surface over its facets: what a limb has beyond the facets' outline is found
 // from the cells that this outline crosses.
 constexpr double smallest_cell = 1.0 / 32.0, least_rises = 16.0;

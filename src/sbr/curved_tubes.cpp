@@ -23,7 +23,7 @@ class CurvedTubes {
     for (auto& sums_of_grid : coarse_sums_) sums_of_grid.resize(look.wavenumbers.size());
   }
 
-  // Launches the cells' tubes and keeps those that a curved surface reflects; found[i]: one of them is cell i's.
+  // Launches the cells' tubes and keeps those that a curved surface reflects.
   void launch(std::span<const glm::uvec2> cells) {
     tubes_.clear(), rays_.clear();
     for (const glm::uvec2& cell : cells) {

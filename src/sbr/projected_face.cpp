@@ -6,13 +6,6 @@
 
 namespace raytube {
 
-namespace {
-
-// Seen closer to its own plane than this, a face has no area.
-constexpr double edge_on = 1e-12;
-
-}  // namespace
-
 Affine depth_of(const Beam& beam, const Patch& plane) {
   const double scale = 1.0 / glm::dot(plane.normal, beam.direction);
   const dvec2 slope = -scale * dvec2(glm::dot(plane.normal, beam.u_hat), glm::dot(plane.normal, beam.v_hat));

@@ -18,6 +18,9 @@ struct BeamView {
   Bounds box;                   // only what reaches into it is of interest
 };
 
+/// Seen closer to its own plane than this (|normal . direction|), a face has no area.
+inline constexpr double edge_on = 1e-12;
+
 struct ProjectedFace {
   std::uint32_t face, patch, triangle;
   ConvexPolygon outline;      // within the region
