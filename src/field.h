@@ -78,6 +78,11 @@ inline double largest_amplitude(const ScatteringMatrix& s) {
   return std::max(std::max(std::abs(s.vv()), std::abs(s.vh())), std::max(std::abs(s.hv()), std::abs(s.hh())));
 }
 
+/// Root of the sum of squares: the same in every pair of polarisation bases.
+inline double frobenius_norm(const ScatteringMatrix& s) {
+  return std::sqrt(std::norm(s.vv()) + std::norm(s.vh()) + std::norm(s.hv()) + std::norm(s.hh()));
+}
+
 /// Errors of the magnitudes |S_pq| [m]; indices as of ScatteringMatrix.
 using ChannelErrors = std::array<std::array<double, 2>, 2>;
 

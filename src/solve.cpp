@@ -12,6 +12,7 @@
 
 #include "mesh/enclosed.h"
 #include "mesh/mirror.h"
+#include "sbr/estimate.h"
 #include "skipped.h"
 #include "utd/edge_sets.h"
 
@@ -23,6 +24,7 @@ namespace {
 struct LookResult {
   TubeSums tubes;
   EdgeLookResult edges;
+  BetweenResult between;
 };
 
 void check(const Sweep& sweep, const SolveOptions& options) {
@@ -61,6 +63,19 @@ LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tu
   return plan_looks(sweep.looks, find_mirror_planes(target.mesh, target.wedges, curved));
 }
 
+// What quadrature may leave of the tolerance, at the frequency where most comes back.
+constexpr double between_share = 0.1;
+
+double between_tolerance(const TubeSums& tubes, const SolveOptions& options) {
+  double strongest = 0.0;
+  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
+    ScatteringMatrix sum;
+    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
+    strongest = std::max(strongest, frobenius_norm(sum));
+  }
+  return between_share * relative_error(options.tubes.tolerance_db) * strongest;
+}
+
 LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const EdgeSets& edges, const Sweep& sweep,
                       const Look& look, const SolveOptions& options, Progress& progress, double share) {
   LookResult result;
@@ -69,11 +84,13 @@ LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const 
   if (options.edges.method == EdgeMethod::fringe && (edges.radiate() || !options.tubes.skip))
     result.edges =
         edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow, options.edges.transition);
+  result.between = edges.between(target.faces, target.tracer, look, between_tolerance(result.tubes, options));
   if (sweep.bistatic) return result;
   for (std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) make_reciprocal(bounce);
   for (ChannelErrors& error : result.tubes.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);
   make_reciprocal(result.edges.scattering);
   make_reciprocal(result.edges.higher);
+  make_reciprocal(result.between.scattering);
   return result;
 }
 
@@ -95,6 +112,7 @@ class Collector {
     if (!options.keep_parts) return;
     result_.edges_first.resize(sweep.rows());
     result_.edges_higher.resize(sweep.rows());
+    result_.between.resize(sweep.rows());
   }
 
   // What was traced for a look.
@@ -116,6 +134,7 @@ class Collector {
     for (std::size_t f = 0; f < sweep_.frequencies.size(); ++f) add_row(look, f, part, source);
     Statistics& all = result_.statistics;
     all.wedges_lit += part.edges.wedges_lit;
+    all.painted_pieces += part.between.lit_pieces;
     for (const bool windowed : part.edges.windowed) all.windowed_rows += windowed ? 1 : 0;
     if (part.tubes.tubes == 0) ++looks_without_tubes_;
     if (options_.edges.method == EdgeMethod::fringe && !part.edges.lit)
@@ -161,10 +180,18 @@ class Collector {
       if (result_.bounces.size() <= b) result_.bounces.emplace_back(sweep_.rows());
       result_.bounces[b][row] = bounce;
     }
+    add_between(row, f, part, source, factor);
     if (part.edges.scattering.empty()) return;
     add_edges(row, scaled(from_source(part.edges.scattering[f], source), factor), result_.edges_first);
     if (part.edges.higher.empty()) return;
     add_edges(row, scaled(from_source(part.edges.higher[f], source), factor), result_.edges_higher);
+  }
+
+  void add_between(std::size_t row, std::size_t f, const LookResult& part, const LookSource& source, Complex factor) {
+    if (part.between.scattering.empty()) return;
+    add_edges(row, scaled(from_source(part.between.scattering[f], source), factor), result_.between);
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) result_.error[row][p][q] += part.between.error[f][p][q];
   }
 
   void add_edges(std::size_t row, const ScatteringMatrix& edges, std::vector<ScatteringMatrix>& part) {
@@ -215,8 +242,10 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   const tbb::global_control limit(parallelism, std::max<std::size_t>(threads, tbb::global_control::active_value(parallelism)));
   Progress progress(options.progress);
 
-  const EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
-                       options.tubes.skip);
+  EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
+                 options.tubes.skip);
+  if (options.edges.between && options.edges.method == EdgeMethod::fringe && !target.convexity.no_reflection)
+    edges.prepare_between(target.mesh);
   const std::optional<SmoothSurfaces> smooth = smooth_surfaces(target, sweep, options.tubes);
   // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result.
   const LookPlan plan = plan_of(target, sweep, options.tubes, smooth.has_value());

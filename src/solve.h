@@ -22,6 +22,7 @@ enum class EdgeMethod { none, fringe };
 struct EdgeOptions {
   EdgeMethod method = EdgeMethod::fringe;
   int order = 3;                 // edges in a row that a current passes, 1 to 3; 1 takes every face as endless
+  bool between = true;           // edges light other surfaces: diffraction between surfaces
   bool receiver_shadow = false;  // an edge hidden from the receiver does not count
   TransitionTier transition = TransitionTier::exact;  // of the transition function; plays a part at order 2 and 3 only
   bool thin_sheets = true;                 // the rim of a sheet thinner than wavelength / 10 is the edge of a half plane

@@ -43,7 +43,9 @@ struct Statistics {
   std::uint64_t wedges = 0;         // wedges of the target, convex and concave
   std::uint64_t wedges_lit = 0;     // sum over looks of the convex wedges at least partly lit, at the highest frequency
   std::uint64_t thin_rims_lowest = 0, thin_rims_highest = 0;  // half planes at the lowest and the highest frequency
-  std::uint64_t windowed_rows = 0;                            // rows touched by the forward-grazing window of the fringe currents
+  std::uint64_t painted_pieces =
+      0;                            // sum over looks of the pieces of edges that light other surfaces, once for each wave on them
+  std::uint64_t windowed_rows = 0;  // rows touched by the forward-grazing window of the fringe currents
   std::vector<Skipped> skipped;
   double solve_s = 0.0;  // mesh and BVH ready -> last sum
 };
@@ -51,11 +53,13 @@ struct Statistics {
 /// Complex amplitudes of a sweep, one entry per row (Sweep::row), kept apart by mechanism.
 struct SweepResult {
   std::vector<ScatteringMatrix> total;  // sum of all mechanisms
-  std::vector<ChannelErrors> error;     // estimated numerical error of |S_pq| by the tubes [m]; the edges' own is not in it
+  std::vector<ChannelErrors>
+      error;  // estimated numerical error of |S_pq| by tubes and painted waves [m]; not by the edges' own currents
   std::vector<std::vector<ScatteringMatrix>>
       bounces;  // bounces[m][row]: PO currents of bounce m + 1; empty unless parts are kept
   // Fringe currents of the lit wedges, and what these currents start at further wedges; empty unless parts are kept.
   std::vector<ScatteringMatrix> edges_first, edges_higher;
+  std::vector<ScatteringMatrix> between;  // currents that diffracted waves paint on other surfaces; empty unless parts are kept
   Statistics statistics;
 };
 

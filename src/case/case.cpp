@@ -129,6 +129,7 @@ void read_edges(const CaseValue& root, Case& c) {
     c.edges.method = name == "none" ? EdgeMethod::none : EdgeMethod::fringe;
   }
   if (const CaseValue* order = find(root, "edges", "order")) c.edges.order = read_whole(*order, "edges.order", 1, 3);
+  if (const CaseValue* between = find(root, "edges", "between")) c.edges.between = read_flag(*between, "edges.between");
   if (const CaseValue* shadow = find(root, "edges", "receiver_shadow"))
     c.edges.receiver_shadow = read_flag(*shadow, "edges.receiver_shadow");
   if (const CaseValue* transition = find(root, "edges", "transition")) c.edges.transition = read_transition(*transition);

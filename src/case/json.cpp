@@ -33,6 +33,7 @@ Json edges_json(const EdgeOptions& edges) {
   const char* method = edges.method == EdgeMethod::fringe ? "fringe" : "none";
   return {{"method", method},
           {"order", edges.order},
+          {"between", edges.between},
           {"receiver_shadow", edges.receiver_shadow},
           {"transition", transition_name(edges.transition)},
           {"thin_sheets", edges.thin_sheets},

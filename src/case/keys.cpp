@@ -10,7 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 25> known_keys = {"title",
+constexpr std::array<std::string_view, 26> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -30,6 +30,7 @@ constexpr std::array<std::string_view, 25> known_keys = {"title",
                                                          "tubes.skip",
                                                          "edges.method",
                                                          "edges.order",
+                                                         "edges.between",
                                                          "edges.receiver_shadow",
                                                          "edges.transition",
                                                          "edges.thin_sheets",

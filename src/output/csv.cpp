@@ -115,12 +115,14 @@ void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, cons
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
   std::string header = conventions + std::string(key_columns);
   for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
-  out.write(header + complex_columns("_edges_first_order") + complex_columns("_edges_second_order") + '\n');
+  out.write(header + complex_columns("_edges_first_order") + complex_columns("_edges_second_order") +
+            complex_columns("_between") + '\n');
   for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
     std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive);
     for (std::size_t m = 0; m < bounces; ++m)
       line += complex_values(m < result.bounces.size() ? result.bounces[m][row] : ScatteringMatrix{});
-    out.write(line + complex_values(result.edges_first[row]) + complex_values(result.edges_higher[row]) + '\n');
+    out.write(line + complex_values(result.edges_first[row]) + complex_values(result.edges_higher[row]) +
+              complex_values(result.between[row]) + '\n');
   });
   out.commit();
 }

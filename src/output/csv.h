@@ -24,8 +24,9 @@ void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const 
 /// channels.csv: magnitude sqrt(sigma) [m] and phase [rad] received in V and H, one row per transmit polarisation.
 void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
 
-/// parts.csv: complex S of bounce 1, 2, ..., of the edges at first order and of all their higher orders together, side by side;
-/// they add up to rcs.csv. Bounce 1 has its columns even where nothing was hit. Needs a result with parts.
+/// parts.csv: complex S of bounce 1, 2, ..., of the edges at first order, of all their higher orders together, and of what
+/// their waves paint on other surfaces, side by side; they add up to rcs.csv. Bounce 1 has its columns even where nothing was
+/// hit. Needs a result with parts.
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
 
 }  // namespace raytube

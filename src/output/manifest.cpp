@@ -26,6 +26,7 @@ Json counts_json(const Statistics& statistics) {
   json["sliver_area_m2"] = statistics.sliver_area;
   json["wedges"] = statistics.wedges;
   json["wedges_lit"] = statistics.wedges_lit;
+  json["painted_pieces"] = statistics.painted_pieces;
   json["thin_rims"] = {{"lowest_frequency", statistics.thin_rims_lowest}, {"highest_frequency", statistics.thin_rims_highest}};
   json["windowed_rows"] = statistics.windowed_rows;
   json["skipped"] = Json::array();

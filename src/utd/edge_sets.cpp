@@ -20,7 +20,7 @@ EdgeSets::EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, c
   for (std::size_t place = 0; place < frequencies.size(); ++place) {
     const std::size_t thin = thin_rims(rims, frequencies[place]);
     auto set = std::ranges::find(sets_, thin, &Set::thin_rims);
-    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, {}, {}, {}, {}});
+    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, {}, {}, {}, {}, {}});
     set->places.push_back(place);
     set->frequencies.push_back(frequencies[place]);
   }
@@ -50,6 +50,26 @@ EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int 
   if (order > 1) all.higher.resize(frequency_count_);
   all.windowed.resize(frequency_count_);
   for (const Set& set : sets_) put(set, part(set), all);
+  return all;
+}
+
+void EdgeSets::prepare_between(const TriangleMesh& mesh) {
+  for (Set& set : sets_) set.axes = edge_axes(mesh, set.wedges);
+}
+
+BetweenResult EdgeSets::between(const FaceTree& tree, const Tracer& tracer, const Look& look, double tolerance) const {
+  BetweenResult all;
+  for (const Set& set : sets_) {
+    const BetweenResult part = between_scattering(tree, tracer, set.wedges, set.axes, look, set.frequencies, tolerance);
+    if (part.scattering.empty()) continue;
+    all.scattering.resize(frequency_count_);
+    all.error.resize(frequency_count_);
+    if (all.lit_pieces == 0) all.lit_pieces = part.lit_pieces;
+    for (std::size_t i = 0; i < set.places.size(); ++i) {
+      all.scattering[set.places[i]] = part.scattering[i];
+      all.error[set.places[i]] = part.error[i];
+    }
+  }
   return all;
 }
 

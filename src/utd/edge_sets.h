@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/thin_sheets.h"
+#include "utd/between.h"
 #include "utd/edges.h"
 
 namespace raytube {
@@ -13,12 +14,20 @@ class EdgeSets {
   /// Without `skip_enclosed` even edges that no light reaches are asked whether they are lit.
   EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines, std::span<const Rim> rims,
            double min_wedge_angle, std::span<const double> frequencies, bool skip_enclosed);
+  EdgeSets(const EdgeSets&) = delete;
 
   /// Whether any edge does, in any look.
   bool radiate() const;
 
   /// One look at all frequencies, in their order; the lit wedges are counted at the highest.
   EdgeLookResult scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier) const;
+
+  /// Finds the edges that may light other surfaces than their own.
+  void prepare_between(const TriangleMesh& mesh);
+
+  /// What the waves of edges do on other surfaces in one look at all frequencies; nothing unless prepared. Quadrature stops
+  /// within `tolerance` [m].
+  BetweenResult between(const FaceTree& tree, const Tracer& tracer, const Look& look, double tolerance) const;
 
  private:
   struct Set {
@@ -27,6 +36,7 @@ class EdgeSets {
     std::vector<double> frequencies;
     std::vector<Wedge> wedges;
     Outlines outlines;
+    std::vector<EdgeAxis> axes;  // into `wedges`; empty: nothing is between
   };
   static void put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all);
 

@@ -25,8 +25,8 @@ struct EdgeWaveTerms {
 /// Kouyoumjian and Pathak (1974) for a plane wave, L = s sin^2 beta0, each product of cotangent and transition function written
 /// with W: cot[(pi +- beta)/2n] F(kLa) of the angular distance eps to the boundary becomes
 ///   strength = -sgn(eps) |sin(eps/2)| / (2n tan(|eps|/2n)),   rate = sqrt(2) |sin(eps/2)|,
-/// finite everywhere. Exact for n = 2, where the two waves of a pair are one (Sommerfeld 1896). Within 1e-12 rad of a boundary its
-/// wave counts nothing: the geometrical-optics ray there must have the weight 1/2. Angles as in DiffractedRay.
+/// finite everywhere. Exact for n = 2, where the two waves of a pair are one (Sommerfeld 1896). Within 1e-12 rad of a boundary
+/// its wave counts nothing: the geometrical-optics ray there must have the weight 1/2. Angles as in DiffractedRay.
 EdgeWaveTerms edge_wave_terms(double n, double source_angle, double observation_angle);
 
 }  // namespace raytube

@@ -1,0 +1,172 @@
+#include "utd/between.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "utd/azimuth_integral.h"
+#include "utd/lit_edges.h"
+#include "utd/reflected_light.h"
+
+namespace raytube {
+
+namespace {
+
+// Mirror images of the corners are cuts of the integral too where there are no more than this.
+constexpr std::size_t most_corners = 200;
+constexpr double same_azimuth = 1e-9;     // [rad]
+constexpr double least_tolerance = 1e-6;  // [wavelengths]
+// Panels to begin with where nothing else cuts [rad].
+constexpr double widest_panel = 0.4;
+
+PlaneWave incident_wave(const LookVectors& look) { return {look.incident, look.electric, 0.0}; }
+
+/// The pieces of an edge that the incident wave lights.
+void add_direct_light(const EdgeAxis& axis, std::uint32_t index, const PlaneWave& wave, LitEdges& edges,
+                      std::vector<EdgeLight>& lights) {
+  const WedgeIncidence incidence = incidence_on(*axis.wedge, wave.direction);
+  if (incidence.weight == 0.0 || incidence.faces[0].sin_cone < 1e-4 || !edges.find(index, incidence)) return;
+  const bool reversed = axis.origin != axis.wedge->start;
+  for (const LitInterval& lit : edges.lit()) {
+    const double from = reversed ? 1.0 - lit.end : lit.begin, to = reversed ? 1.0 - lit.begin : lit.end;
+    lights.push_back({&axis, &wave, incidence.faces[0], from * axis.length, to * axis.length, incidence.weight});
+  }
+}
+
+class CutFinder {
+ public:
+  CutFinder(const FaceTree& tree, const EdgeLight& light) : tree_(tree), light_(light) {
+    const Wedge& wedge = *light.edge->wedge;
+    end_ = wedge.n * pi;
+    cuts_ = {0.0, end_};
+  }
+
+  std::vector<double> find() {
+    add_boundaries();
+    add_corners();
+    std::ranges::sort(cuts_);
+    std::vector<double> kept{0.0};
+    for (const double cut : cuts_)
+      if (cut - kept.back() > same_azimuth && end_ - cut > same_azimuth) subdivide(kept, cut);
+    subdivide(kept, end_);
+    return kept;
+  }
+
+ private:
+  static void subdivide(std::vector<double>& cuts, double to) {
+    const double from = cuts.back();
+    const int parts = static_cast<int>(std::ceil((to - from) / widest_panel));
+    for (int i = 1; i < parts; ++i) cuts.push_back(from + (to - from) * i / parts);
+    cuts.push_back(to);
+  }
+
+  // Shadow and reflection boundaries: the diffracted waves jump there.
+  void add_boundaries() {
+    const double source = light_.incidence.source_angle, n = light_.edge->wedge->n;
+    for (const double azimuth : {source + pi, source - pi, pi - source, (2 * n - 1) * pi - source})
+      if (azimuth > 0.0 && azimuth < end_) cuts_.push_back(azimuth);
+  }
+
+  void add_corners() {
+    const TriangleMesh& mesh = tree_.mesh();
+    if (mesh.vertices.size() > most_corners) return;
+    for (const dvec3& corner : mesh.vertices) add(corner);
+    if (mesh.vertices.size() * mesh.patches.size() > most_corners) return;
+    for (const Patch& plane : mesh.patches) {
+      add_grazing(plane.normal);
+      for (const Patch& mirror : mesh.patches)
+        add_grazing(plane.normal - 2 * glm::dot(plane.normal, mirror.normal) * mirror.normal);
+    }
+    for (const Patch& plane : mesh.patches)
+      for (const dvec3& corner : mesh.vertices) add(corner - 2 * (glm::dot(plane.normal, corner) - plane.offset) * plane.normal);
+  }
+
+  // Where rays run along a plane: A cos(azimuth - a) = B of the components of its normal.
+  void add_grazing(const dvec3& normal) {
+    const WedgeFace& face = light_.edge->wedge->faces[0];
+    const double x = glm::dot(normal, face.into_face), y = glm::dot(normal, face.normal);
+    const double along = -glm::dot(normal, light_.edge->tangent) * light_.incidence.cos_cone;
+    const double across = light_.incidence.sin_cone * std::hypot(x, y);
+    if (std::abs(along) >= across) return;
+    const double middle = std::atan2(y, x), aside = std::acos(along / across);
+    for (double azimuth : {middle - aside, middle + aside}) {
+      azimuth -= 2 * pi * std::floor(azimuth / (2 * pi));
+      if (azimuth < end_) cuts_.push_back(azimuth);
+    }
+  }
+
+  void add(const dvec3& point) {
+    const WedgeFace& face = light_.edge->wedge->faces[0];
+    const dvec3 from_edge = point - light_.edge->origin;
+    const double x = glm::dot(from_edge, face.into_face), y = glm::dot(from_edge, face.normal);
+    if (std::hypot(x, y) < flat_fraction * tree_.mesh().radius) return;
+    const double azimuth = std::atan2(y, x);
+    cuts_.push_back(std::clamp(azimuth < 0.0 ? azimuth + 2 * pi : azimuth, 0.0, end_));
+  }
+
+  const FaceTree& tree_;
+  const EdgeLight& light_;
+  double end_;
+  std::vector<double> cuts_;
+};
+
+double farthest_corner(const TriangleMesh& mesh, const EdgeLight& light) {
+  const dvec3 middle = light.edge->origin + 0.5 * light.edge->length * light.edge->tangent;
+  double farthest = 0.0;
+  for (const dvec3& corner : mesh.vertices) farthest = std::max(farthest, glm::length(corner - middle));
+  return farthest;
+}
+
+struct Job {
+  const EdgeLight* light;
+  int reflections;
+};
+
+AzimuthIntegral painted(const FaceTree& tree, const LookVectors& look, std::span<const double> wavenumbers, const Job& job,
+                        double tolerance) {
+  EdgePainter painter(tree, look, wavenumbers, *job.light, job.reflections);
+  const auto density = [&](double azimuth, std::vector<ScatteringMatrix>& result) { painter.at(azimuth, result); };
+  const double turns = std::ranges::max(wavenumbers) * farthest_corner(tree.mesh(), *job.light);
+  return integrate_over_azimuth(density, wavenumbers.size(), CutFinder(tree, *job.light).find(), turns, tolerance);
+}
+
+}  // namespace
+
+BetweenResult between_scattering(const FaceTree& tree, const Tracer& tracer, std::span<const Wedge> wedges,
+                                 std::span<const EdgeAxis> axes, const Look& look, std::span<const double> frequencies,
+                                 double tolerance) {
+  BetweenResult result;
+  if (axes.empty()) return result;
+  const LookVectors vectors = look_vectors(look);
+  const double shortest = wavelength(std::ranges::max(frequencies));
+  const PlaneWave incident = incident_wave(vectors);
+  LitEdges edges(wedges, tracer, vectors, shortest, false);
+  std::vector<EdgeLight> direct;
+  for (const EdgeAxis& axis : axes)
+    add_direct_light(axis, static_cast<std::uint32_t>(axis.wedge - wedges.data()), incident, edges, direct);
+  const std::deque<ReflectedWave> reflected = ReflectedLight(tree, axes, incident, shortest).waves(most_reflections);
+  std::vector<Job> jobs;
+  for (const EdgeLight& light : direct) jobs.push_back({&light, most_reflections});
+  for (const ReflectedWave& wave : reflected)
+    for (const EdgeLight& light : wave.lights) jobs.push_back({&light, most_reflections - static_cast<int>(wave.patches.size())});
+  if (jobs.empty()) return result;
+  std::vector<double> wavenumbers;
+  for (const double frequency : frequencies) wavenumbers.push_back(wavenumber(frequency));
+  std::vector<AzimuthIntegral> parts(jobs.size());
+  const double share = std::max(tolerance, least_tolerance * shortest) / std::sqrt(static_cast<double>(jobs.size()));
+  tbb::parallel_for(std::size_t{0}, jobs.size(),
+                    [&](std::size_t i) { parts[i] = painted(tree, vectors, wavenumbers, jobs[i], share); });
+  result.scattering.resize(frequencies.size());
+  result.error.resize(frequencies.size());
+  result.lit_pieces = jobs.size();
+  for (const AzimuthIntegral& part : parts)
+    for (std::size_t f = 0; f < frequencies.size(); ++f) {
+      result.scattering[f] += part.value[f];
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) result.error[f][p][q] += part.error[f][p][q];
+    }
+  return result;
+}
+
+}  // namespace raytube

@@ -1,0 +1,27 @@
+// Diffraction between surfaces: waves that edges send to other surfaces, which physical optics lights as if there were none.
+// Derived in docs/between.md.
+#pragma once
+
+#include <vector>
+
+#include "mesh/face_tree.h"
+#include "utd/edge_axes.h"
+
+namespace raytube {
+
+struct BetweenResult {
+  std::vector<ScatteringMatrix> scattering;  // per frequency; phase reference: centre of the mesh. Empty: nothing is painted
+  std::vector<ChannelErrors> error;          // per frequency, estimated, of its quadrature [m]
+  std::uint64_t lit_pieces = 0;              // of edges, each once per wave that lights it
+};
+
+/// Reflections of a path from the transmitter over an edge to the last surface it lights, before and after the edge together.
+inline constexpr int most_reflections = 2;
+
+/// S of the currents that diffracted waves paint on other surfaces than those of their own edge, at most one edge a path, all
+/// facets taken as planes. Quadrature stops within `tolerance` [m], as far as it can tell. Not symmetric in a monostatic look.
+BetweenResult between_scattering(const FaceTree& tree, const Tracer& tracer, std::span<const Wedge> wedges,
+                                 std::span<const EdgeAxis> axes, const Look& look, std::span<const double> frequencies,
+                                 double tolerance);
+
+}  // namespace raytube

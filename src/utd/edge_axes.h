@@ -1,0 +1,15 @@
+// The edges of a target that may light other surfaces.
+#pragma once
+
+#include <vector>
+
+#include "mesh/face_tree.h"
+#include "utd/edge_painter.h"
+
+namespace raytube {
+
+/// Axes of the convex wedges that see anything of the mesh but their own faces, in the order of the wedges; none on a convex
+/// body. They point into `wedges`.
+std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges);
+
+}  // namespace raytube

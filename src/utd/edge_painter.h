@@ -1,0 +1,95 @@
+// What the waves of a lit edge do on other surfaces: they are painted there as physical-optics currents, and radiate.
+// Derived in docs/between.md.
+#pragma once
+
+#include <vector>
+
+#include "utd/edge_currents.h"
+#include "utd/edge_wave.h"
+#include "utd/sheet.h"
+
+namespace raytube {
+
+/// E e^{-jk (d.r + path)}: the incident wave, or what surfaces have made of it. Fields of unit transmit V and H.
+struct PlaneWave {
+  dvec3 direction;
+  std::array<dvec3, 2> electric;
+  double path = 0.0;  // [m]
+};
+
+/// A wedge with its own coordinates: places along the tangent of its first face, from `origin`, 0 <= place <= length [m].
+struct EdgeAxis {
+  const Wedge* wedge = nullptr;
+  dvec3 origin, tangent;
+  double length = 0.0;
+  // At either end: the faces of the wedge that meet another surface there in a fold, which carries on their waves as a mirror.
+  std::array<std::vector<int>, 2> stops{};
+};
+
+/// A piece of an edge lit by a plane wave.
+struct EdgeLight {
+  const EdgeAxis* edge;
+  const PlaneWave* wave;
+  FaceIncidence incidence;  // on the first face
+  double from, to;          // places
+  double weight = 1.0;      // of the light
+};
+
+/// Adds up, azimuth by azimuth about the edge, the far field of the currents that the waves of one lit piece paint on all they
+/// meet: on the first surface, and after up to `reflections` reflections on further ones. The edge's own two faces are not met on
+/// the way out. Beyond an end of the piece the wave fades (corner factor); beyond one in a fold its mirror image takes over.
+class EdgePainter {
+ public:
+  EdgePainter(const FaceTree& tree, const LookVectors& look, std::span<const double> wavenumbers, const EdgeLight& light,
+              int reflections);
+
+  /// dS / d(azimuth) [m] per wavenumber; `azimuth` is phi of the diffracted rays, measured as phi'.
+  void at(double azimuth, std::vector<ScatteringMatrix>& density);
+
+ private:
+  /// Diffracted rays of one azimuth on their way.
+  struct Rays {
+    Sheet sheet;
+    double path = 0.0, path_rate = 0.0;  // way from the edge to where the sheet begins [m]
+    std::array<dvec3, 2> field;          // E of a unit soft and of a unit hard wave
+    std::uint32_t source_patch = no_index;
+  };
+  /// Where they meet a face.
+  struct Footprint {
+    double from, to;                            // places
+    double path, path_rate;                     // length of the rays from the edge on [m]
+    double phase, phase_rate;                   // exponent / k
+    double area;                                // of the face per place, azimuth and length of the ray
+    std::array<std::array<double, 2>, 2> seen;  // [receive][soft, hard]: p_hat . eta J per unit wave
+  };
+  /// Integrals over a footprint of the incident and of the reflected waves.
+  struct Pair {
+    Complex incident, reflected;
+  };
+
+  Rays leaving(double azimuth) const;
+  void find_corners(const dvec3& direction);
+  bool closed(int end, const dvec3& direction) const;
+  void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, std::vector<ScatteringMatrix>& density);
+  Footprint footprint(const Rays& rays, const SheetHit& hit, const Patch& plane) const;
+  void paint(const Footprint& on, std::vector<ScatteringMatrix>& density);
+  Pair integral(const Footprint& on, double k) const;
+  void add_piece(const Footprint& on, double k, double from, double to, Pair& sum) const;
+  void add_corner(const Footprint& on, double k, double corner, double inwards, Pair& sum) const;
+  void add_beside_corner(const Footprint& on, double k, double corner, double side, double from, double to, Pair& sum) const;
+
+  const FaceTree& tree_;
+  const LookVectors& look_;
+  std::span<const double> wavenumbers_;
+  const EdgeLight& light_;
+  int reflections_;
+  SheetTracer tracer_;
+  std::array<std::vector<SheetHit>, 3> hits_;      // by reflections left
+  std::array<std::array<double, 2>, 2> arriving_;  // [transmit][soft, hard]: components of E at the edge
+  // Of the azimuth at hand.
+  EdgeWaveTerms terms_;
+  std::array<bool, 2> open_{};      // the lit piece ends there
+  std::array<double, 2> corner_{};  // where it, or its mirror image beyond a fold, ends
+};
+
+}  // namespace raytube

@@ -1,0 +1,115 @@
+#include "utd/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+// A tree of no more faces is not worth asking.
+constexpr std::size_t few_faces = 24;
+constexpr double parallel = 1e-9;     // sine between rays and a plane below which they never meet
+constexpr double same_place = 1e-12;  // in radii of the target
+
+}  // namespace
+
+Sheet reflected(const Sheet& sheet, const SheetHit& hit, const dvec3& normal) {
+  const dvec3& d = sheet.direction;
+  return {sheet.base + hit.length * d, sheet.step + hit.growth * d, d - 2 * glm::dot(d, normal) * normal, hit.from, hit.to};
+}
+
+void SheetTracer::trace(const Sheet& sheet, const IgnoredPatches& ignored_patches, std::vector<SheetHit>& hits) {
+  hits.clear();
+  gather(sheet, ignored_patches);
+  if (crossed_.empty()) return;
+  cut();
+  const double least = same_place * tree_.mesh().radius;
+  for (std::size_t i = 1; i < cuts_.size(); ++i) {
+    if (cuts_[i] - cuts_[i - 1] <= least) continue;
+    const SheetHit* first = first_at((cuts_[i - 1] + cuts_[i]) / 2);
+    if (!first) continue;
+    if (!hits.empty() && hits.back().face == first->face && hits.back().to == cuts_[i - 1])
+      hits.back().to = cuts_[i];
+    else
+      hits.push_back({first->face, cuts_[i - 1], cuts_[i], first->length, first->growth});
+  }
+}
+
+void SheetTracer::gather(const Sheet& sheet, const IgnoredPatches& ignored_patches) {
+  crossed_.clear();
+  const TriangleMesh& mesh = tree_.mesh();
+  near_.clear();
+  if (tree_.faces().size() <= few_faces) {
+    for (std::uint32_t face = 0; face < tree_.faces().size(); ++face) near_.push_back(face);
+  } else {
+    const dvec3 u = glm::normalize(sheet.step - glm::dot(sheet.step, sheet.direction) * sheet.direction);
+    const dvec3 v = glm::cross(sheet.direction, u);
+    const double rate = glm::dot(sheet.step, u);
+    tree_.collect({sheet.base, u, v, sheet.direction, {rate * sheet.from, 0.0}, {rate * sheet.to, 0.0}}, near_);
+  }
+  for (const std::uint32_t face : near_) {
+    const Face& polygon = tree_.faces()[face];
+    if (std::ranges::find(ignored_patches, polygon.patch) != ignored_patches.end()) continue;
+    const double facing = glm::dot(mesh.patches[polygon.patch].normal, sheet.direction);
+    if (std::abs(facing) < parallel || (facing > 0.0 && mesh.closed(polygon.triangle))) continue;
+    cross(sheet, face);
+  }
+}
+
+// Where the sheet's plane cuts a convex polygon: a segment, in places and distances.
+void SheetTracer::cross(const Sheet& sheet, std::uint32_t face) {
+  const TriangleMesh& mesh = tree_.mesh();
+  const std::span<const std::uint32_t> corners = tree_.corners(face);
+  const dvec3 normal = glm::cross(sheet.step, sheet.direction);
+  const dvec3 across = sheet.step - glm::dot(sheet.step, sheet.direction) * sheet.direction;
+  const double scale = 1.0 / glm::dot(across, across);
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+  dvec3 before = mesh.vertices[corners.back()] - sheet.base;
+  double height_before = glm::dot(normal, before);
+  for (const std::uint32_t corner : corners) {
+    const dvec3 here = mesh.vertices[corner] - sheet.base;
+    const double height = glm::dot(normal, here);
+    if ((height >= 0.0) != (height_before >= 0.0)) {
+      const dvec3 point = before + height_before / (height_before - height) * (here - before);
+      const double place = scale * glm::dot(across, point);
+      from = std::min(from, place);
+      to = std::max(to, place);
+    }
+    before = here;
+    height_before = height;
+  }
+  from = std::max(from, sheet.from);
+  to = std::min(to, sheet.to);
+  if (!(from < to)) return;
+  const Patch& plane = mesh.patches[tree_.faces()[face].patch];
+  const double facing = glm::dot(plane.normal, sheet.direction);
+  crossed_.push_back({face, from, to, (plane.offset - glm::dot(plane.normal, sheet.base)) / facing,
+                      -glm::dot(plane.normal, sheet.step) / facing});
+}
+
+// Between neighbouring cuts the order of the faces is the same, and all lie on one side of the start.
+void SheetTracer::cut() {
+  cuts_.clear();
+  for (const SheetHit& face : crossed_) {
+    cuts_.insert(cuts_.end(), {face.from, face.to});
+    const double start = -face.length / face.growth;
+    if (start > face.from && start < face.to) cuts_.push_back(start);
+  }
+  std::ranges::sort(cuts_);
+}
+
+const SheetHit* SheetTracer::first_at(double place) const {
+  const SheetHit* first = nullptr;
+  double nearest = std::numeric_limits<double>::infinity();
+  const double start = same_place * tree_.mesh().radius;
+  for (const SheetHit& face : crossed_) {
+    const double distance = face.length + face.growth * place;
+    if (face.from > place || face.to < place || distance <= start || distance >= nearest) continue;
+    first = &face;
+    nearest = distance;
+  }
+  return first;
+}
+
+}  // namespace raytube
