@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -15,6 +16,7 @@
 #include "sbr/estimate.h"
 #include "skipped.h"
 #include "utd/edge_sets.h"
+#include "utd/ray_fields.h"
 
 namespace raytube {
 
@@ -34,6 +36,7 @@ void check(const Sweep& sweep, const SolveOptions& options) {
   if (!(options.tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
   if (options.edges.order < 1 || options.edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
   if (options.tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
+  if (!(options.edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
 }
 
 // Reciprocity: the true S of a monostatic look has S_vh = S_hv, so dropping our antisymmetric part brings S closer. One bounce
@@ -94,6 +97,22 @@ LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const 
   return result;
 }
 
+// The same with rays in the place of currents; a path counts as a tube.
+LookResult solve_look(const RayFields& rays, const Sweep& sweep, const Look& look, Progress& progress, double share) {
+  RayLookResult found = rays.look(look, sweep.frequencies);
+  LookResult result;
+  result.tubes.bounces = std::move(found.bounces);
+  result.tubes.error.resize(sweep.frequencies.size());
+  result.tubes.tubes = std::accumulate(found.paths.begin(), found.paths.end(), found.edge_rays);
+  result.tubes.hits = std::move(found.paths);
+  result.tubes.rays = found.rays;
+  result.tubes.tubes_cut = found.cut ? 1 : 0;
+  result.edges.wedges_lit = found.edge_rays;
+  result.edges.scattering = std::move(found.edges);
+  progress.add(share);
+  return result;
+}
+
 // Moves the phase reference from the centre of the mesh to the origin of its own coordinates.
 Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency) {
   const dvec3 change = spherical_basis(look.receive).radial + spherical_basis(look.transmit).radial;
@@ -136,7 +155,7 @@ class Collector {
     all.wedges_lit += part.edges.wedges_lit;
     all.painted_pieces += part.between.lit_pieces;
     for (const bool windowed : part.edges.windowed) all.windowed_rows += windowed ? 1 : 0;
-    if (part.tubes.tubes == 0) ++looks_without_tubes_;
+    if (part.tubes.tubes == 0 && options_.edges.method != EdgeMethod::utd) ++looks_without_tubes_;
     if (options_.edges.method == EdgeMethod::fringe && !part.edges.lit)
       ++(part.edges.scattering.empty() ? skipped_.edgeless_looks : skipped_.unlit_looks);
   }
@@ -160,7 +179,7 @@ class Collector {
   void count_spared_by_shape() {
     const std::vector<std::uint64_t>& hits = result_.statistics.hits;
     if (target_.convexity.no_reflection && !hits.empty()) skipped_.reflected_tubes = hits[0];
-    if (options_.edges.method == EdgeMethod::fringe) skipped_.enclosed_wedges = target_.wedges_enclosed;
+    if (options_.edges.method != EdgeMethod::none) skipped_.enclosed_wedges = target_.wedges_enclosed;
   }
 
   void count_thin_rims(std::span<const Rim> rims) {
@@ -224,13 +243,25 @@ std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<con
                                     std::span<const double> frequencies) {
   if (method == EdgeMethod::none) return {{"wedges", "edges.method is \"none\"", wedges.size()}};
   const auto concave = std::ranges::count_if(wedges, [](const Wedge& wedge) { return !wedge.convex(); });
+  if (method == EdgeMethod::utd)
+    return {{"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)}};
   const std::vector<Wedge> merged = merge_thin_rims(wedges, rims, thin_limit(std::ranges::min(frequencies)));
   return {{"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)},
           {"wedges", "across the rim of a thin sheet, no longer than it is thick", rim_corners(merged)}};
 }
 
-LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
+LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes, EdgeMethod method) {
+  if (method == EdgeMethod::utd)
+    return tubes.skip ? plan_looks(sweep.looks, {false, false, false}) : plan_all(sweep.looks.size());
   return plan_of(target, sweep, tubes, smooth_surfaces(target, sweep, tubes).has_value());
+}
+
+double ray_range(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
+  if (edges.method != EdgeMethod::utd) return 0.0;
+  const double range =
+      edges.utd_range > 0.0 ? edges.utd_range : default_ray_range(target.mesh, std::ranges::max(sweep.frequencies));
+  check_ray_range(target.mesh, range);
+  return range;
 }
 
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {
@@ -246,15 +277,22 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
                  options.tubes.skip);
   if (options.edges.between && options.edges.method == EdgeMethod::fringe && !target.convexity.no_reflection)
     edges.prepare_between(target.mesh);
-  const std::optional<SmoothSurfaces> smooth = smooth_surfaces(target, sweep, options.tubes);
+  const double range = ray_range(target, sweep, options.edges);
+  std::optional<RayFields> rays;
+  if (range > 0.0)
+    rays.emplace(target.tracer, target.wedges, range, target.convexity.no_reflection ? 1 : options.tubes.max_bounces);
+  const std::optional<SmoothSurfaces> smooth =
+      rays ? std::optional<SmoothSurfaces>() : smooth_surfaces(target, sweep, options.tubes);
   // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result.
-  const LookPlan plan = plan_of(target, sweep, options.tubes, smooth.has_value());
+  const LookPlan plan =
+      rays ? plan_of(target, sweep, options.tubes, EdgeMethod::utd) : plan_of(target, sweep, options.tubes, smooth.has_value());
   std::vector<LookResult> computed(plan.computed.size());
   const double share = 1.0 / static_cast<double>(computed.size());
   tbb::task_arena(threads).execute([&] {
     tbb::parallel_for(std::size_t{0}, computed.size(), [&](std::size_t i) {
       const Look& look = sweep.looks[plan.computed[i]];
-      computed[i] = solve_look(target, smooth ? &*smooth : nullptr, edges, sweep, look, options, progress, share);
+      computed[i] = rays ? solve_look(*rays, sweep, look, progress, share)
+                         : solve_look(target, smooth ? &*smooth : nullptr, edges, sweep, look, options, progress, share);
     });
   });
   Collector collector(sweep, target, options);
@@ -264,6 +302,7 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
     collector.add(i, computed[source.place], source);
   }
   SweepResult result = collector.finish(plan);
+  result.statistics.ray_range = range;
   result.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

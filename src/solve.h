@@ -17,7 +17,9 @@
 
 namespace raytube {
 
-enum class EdgeMethod { none, fringe };
+/// What edges add. utd: no currents at all, but rays of geometrical optics and rays that one edge diffracts (utd/ray_fields.h), a
+/// mode to compare with programs that trace paths.
+enum class EdgeMethod { none, fringe, utd };
 
 struct EdgeOptions {
   EdgeMethod method = EdgeMethod::fringe;
@@ -26,6 +28,7 @@ struct EdgeOptions {
   bool receiver_shadow = false;  // an edge hidden from the receiver does not count
   TransitionTier transition = TransitionTier::exact;  // of the transition function; plays a part at order 2 and 3 only
   bool thin_sheets = true;                 // the rim of a sheet thinner than wavelength / 10 is the edge of a half plane
+  double utd_range = 0.0;                  // of transmitter and receiver with method utd [m]; 0: default_ray_range
   double min_wedge_angle = 15.0 * degree;  // a crease flatter than this is tessellation, not an edge [rad]
 };
 
@@ -55,12 +58,15 @@ struct Target {
 };
 
 /// Which looks are computed, and which follow from these. Images of looks follow where tubes are cut exactly: the grid of uniform
-/// tubes, and of those that curved surfaces reflect, is not its own image.
-LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes);
+/// tubes, and of those that curved surfaces reflect, is not its own image; nor are radars at a finite distance from the origin.
+LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes, EdgeMethod method);
 
 /// The wedges whose fringe currents a solve leaves out, and why; of the rims, what is left out at the lowest frequency.
 std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
                                     std::span<const double> frequencies);
+
+/// Where transmitter and receiver stand with method utd [m], 0 with another one.
+double ray_range(const Target& target, const Sweep& sweep, const EdgeOptions& edges);
 
 /// S of every row of the sweep, phase reference at the origin of the mesh's own coordinates. The same bytes for any
 /// number of threads. Throws InputError for an empty or non-physical sweep, Interrupted when `progress` says stop.

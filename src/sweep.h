@@ -43,9 +43,9 @@ struct Statistics {
   std::uint64_t wedges = 0;         // wedges of the target, convex and concave
   std::uint64_t wedges_lit = 0;     // sum over looks of the convex wedges at least partly lit, at the highest frequency
   std::uint64_t thin_rims_lowest = 0, thin_rims_highest = 0;  // half planes at the lowest and the highest frequency
-  std::uint64_t painted_pieces =
-      0;                            // sum over looks of the pieces of edges that light other surfaces, once for each wave on them
-  std::uint64_t windowed_rows = 0;  // rows touched by the forward-grazing window of the fringe currents
+  std::uint64_t painted_pieces = 0;  // sum over looks: pieces of edges that light other surfaces, once for each wave on them
+  std::uint64_t windowed_rows = 0;   // rows touched by the forward-grazing window of the fringe currents
+  double ray_range = 0.0;            // [m]: edges.method utd, amplitudes are apparent ones at this range; else 0
   std::vector<Skipped> skipped;
   double solve_s = 0.0;  // mesh and BVH ready -> last sum
 };

@@ -121,12 +121,19 @@ TransitionTier read_transition(const CaseValue& value) {
          fmt::format("edges.transition \"{}\" is unknown; write \"exact\", \"kouyoumjian-pathak\" or \"as-printed\"", text));
 }
 
+EdgeMethod read_method(const CaseValue& value) {
+  const std::string text = read_text(value, "edges.method");
+  for (const EdgeMethodName& known : edge_method_names)
+    if (known.name == text) return known.method;
+  reject(value, fmt::format("edges.method \"{}\" is not in this version; write \"fringe\", \"none\" or \"utd\"", text));
+}
+
 void read_edges(const CaseValue& root, Case& c) {
-  if (const CaseValue* method = find(root, "edges", "method")) {
-    const std::string name = read_text(*method, "edges.method");
-    if (name != "fringe" && name != "none")
-      reject(*method, fmt::format("edges.method \"{}\" is not in this version; write \"fringe\" or \"none\"", name));
-    c.edges.method = name == "none" ? EdgeMethod::none : EdgeMethod::fringe;
+  if (const CaseValue* method = find(root, "edges", "method")) c.edges.method = read_method(*method);
+  if (const CaseValue* range = find(root, "edges", "utd_range_m")) {
+    if (c.edges.method != EdgeMethod::utd)
+      reject(*range, "edges.utd_range_m needs edges.method = \"utd\"; currents radiate to infinity, so remove it");
+    c.edges.utd_range = read_positive(*range, "edges.utd_range_m");
   }
   if (const CaseValue* order = find(root, "edges", "order")) c.edges.order = read_whole(*order, "edges.order", 1, 3);
   if (const CaseValue* between = find(root, "edges", "between")) c.edges.between = read_flag(*between, "edges.between");

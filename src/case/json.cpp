@@ -30,14 +30,15 @@ Json tubes_json(const TubeOptions& tubes) {
 }
 
 Json edges_json(const EdgeOptions& edges) {
-  const char* method = edges.method == EdgeMethod::fringe ? "fringe" : "none";
-  return {{"method", method},
-          {"order", edges.order},
-          {"between", edges.between},
-          {"receiver_shadow", edges.receiver_shadow},
-          {"transition", transition_name(edges.transition)},
-          {"thin_sheets", edges.thin_sheets},
-          {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
+  Json json = {{"method", edge_method_name(edges.method)},
+               {"order", edges.order},
+               {"between", edges.between},
+               {"receiver_shadow", edges.receiver_shadow},
+               {"transition", transition_name(edges.transition)},
+               {"thin_sheets", edges.thin_sheets},
+               {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
+  if (edges.utd_range > 0.0) json["utd_range_m"] = edges.utd_range;
+  return json;
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ constexpr std::array<std::string_view, 26> known_keys = {"title",
                                                          "edges.receiver_shadow",
                                                          "edges.transition",
                                                          "edges.thin_sheets",
+                                                         "edges.utd_range_m",
                                                          "edges.min_wedge_deg",
                                                          "output.plots"};
 

@@ -4,8 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "sbr/sbr.h"
-#include "utd/transition.h"
+#include "solve.h"
 
 namespace raytube {
 
@@ -18,6 +17,17 @@ inline constexpr std::array<TransitionName, 3> transition_names = {{{"exact", Tr
                                                                     {"as-printed", TransitionTier::as_printed}}};
 
 constexpr std::string_view transition_name(TransitionTier tier) { return transition_names[static_cast<std::size_t>(tier)].name; }
+
+struct EdgeMethodName {
+  std::string_view name;
+  EdgeMethod method;
+};
+inline constexpr std::array<EdgeMethodName, 3> edge_method_names = {
+    {{"none", EdgeMethod::none}, {"fringe", EdgeMethod::fringe}, {"utd", EdgeMethod::utd}}};
+
+constexpr std::string_view edge_method_name(EdgeMethod method) {
+  return edge_method_names[static_cast<std::size_t>(method)].name;
+}
 
 struct CurvedName {
   std::string_view name;

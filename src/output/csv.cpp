@@ -26,6 +26,12 @@ constexpr const char* conventions =
     "transmitter, rx_ to the receiver.\n"
     "# V is theta-hat and H is phi-hat of each one's own direction, for the transmitter and for the receiver.\n";
 
+std::string range_note(const SweepResult& result) {
+  if (!(result.statistics.ray_range > 0.0)) return {};
+  return fmt::format("# edges.method = \"utd\": S is the apparent amplitude for transmitter and receiver {} m from the origin.\n",
+                     number_text(result.statistics.ray_range));
+}
+
 std::array<Complex, 4> channels(const ScatteringMatrix& s) { return {s.vv(), s.vh(), s.hv(), s.hh()}; }
 
 std::string direction_text(const Direction& direction) {
@@ -83,7 +89,7 @@ std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelEr
 
 void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
-  out.write(conventions + rcs_header());
+  out.write(conventions + range_note(result) + rcs_header());
   for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
     const ScatteringMatrix& s = result.total[row];
     std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive) + complex_values(s);
@@ -113,7 +119,7 @@ void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, c
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
-  std::string header = conventions + std::string(key_columns);
+  std::string header = conventions + range_note(result) + key_columns;
   for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
   out.write(header + complex_columns("_edges_first_order") + complex_columns("_edges_second_order") +
             complex_columns("_between") + '\n');

@@ -29,6 +29,7 @@ Json counts_json(const Statistics& statistics) {
   json["painted_pieces"] = statistics.painted_pieces;
   json["thin_rims"] = {{"lowest_frequency", statistics.thin_rims_lowest}, {"highest_frequency", statistics.thin_rims_highest}};
   json["windowed_rows"] = statistics.windowed_rows;
+  if (statistics.ray_range > 0.0) json["utd_range_m"] = statistics.ray_range;
   json["skipped"] = Json::array();
   for (const Skipped& skipped : statistics.skipped)
     json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});

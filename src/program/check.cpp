@@ -55,12 +55,15 @@ void print_case(const Case& c) {
   fmt::print("mesh         {}, one unit is {} m ({}), perfect conductor\n", c.mesh_file.string(), c.metres_per_unit, c.unit);
   fmt::print("frequency    {} GHz\n", values_text(ghz));
   fmt::print("looks        {}\n", looks_text(c));
-  fmt::print("tubes        {}, {} per wavelength at {} GHz, at most {} bounces\n", mode_text(c.tubes), c.tubes.per_wavelength,
-             number_text(highest_frequency(c.sweep) / 1e9), c.tubes.max_bounces);
+  if (c.edges.method == EdgeMethod::utd)
+    fmt::print("tubes        none: rays in their place (edges.method \"utd\"), at most {} reflections\n", c.tubes.max_bounces);
+  else
+    fmt::print("tubes        {}, {} per wavelength at {} GHz, at most {} bounces\n", mode_text(c.tubes), c.tubes.per_wavelength,
+               number_text(highest_frequency(c.sweep) / 1e9), c.tubes.max_bounces);
   if (c.tubes.up) fmt::print("             grid rows follow ({}, {}, {})\n", c.tubes.up->x, c.tubes.up->y, c.tubes.up->z);
   if (c.edges.method == EdgeMethod::none)
     fmt::print("edges        none\n");
-  else
+  else if (c.edges.method == EdgeMethod::fringe)
     fmt::print("edges        fringe currents, order {}, creases of {} deg and more\n", c.edges.order,
                decimal_degrees(c.edges.min_wedge_angle));
   if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
@@ -128,7 +131,7 @@ void print_wedges(const std::vector<Wedge>& wedges) {
 
 void print_thin_rims(const Case& c, std::span<const Rim> rims) {
   const auto [lowest, highest] = std::ranges::minmax(c.sweep.frequencies);
-  if (c.edges.method == EdgeMethod::none || thin_rims(rims, lowest) == 0) return;
+  if (c.edges.method != EdgeMethod::fringe || thin_rims(rims, lowest) == 0) return;
   const auto print = [&](double frequency) {
     fmt::print("  {} half planes at {} GHz: rims of sheets thinner than {:.4g} mm, a tenth of the wavelength\n",
                thin_rims(rims, frequency), number_text(frequency / 1e9), thin_limit(frequency) * 1e3);
@@ -140,6 +143,10 @@ void print_thin_rims(const Case& c, std::span<const Rim> rims) {
 // What only the run itself can count.
 std::vector<std::string> skipped_as_found(const Case& c, const Target& target) {
   std::vector<std::string> lines;
+  if (c.edges.method == EdgeMethod::utd) {
+    lines.push_back("all currents: edges.method is \"utd\", geometrical optics and diffracted rays alone");
+    return lines;
+  }
   if (c.tubes.mode == TubeMode::adaptive && std::ranges::any_of(target.mesh.components, &Component::closed))
     lines.push_back("in every look: faces of closed bodies turned away from the transmitter");
   if (!c.tubes.skip) return lines;
@@ -158,7 +165,7 @@ void print_skipped(const Case& c, const MeshReport& r, const Target& target, con
   for (const Skipped& wedge : skipped_wedges(target.wedges, target.rims, c.edges.method, c.sweep.frequencies))
     skipped.push_back(wedge);
   SkipCounts counts{.repeated_looks = plan.repeated, .mirrored_looks = plan.mirrored};
-  if (c.tubes.skip && c.edges.method == EdgeMethod::fringe) counts.enclosed_wedges = target.wedges_enclosed;
+  if (c.tubes.skip && c.edges.method != EdgeMethod::none) counts.enclosed_wedges = target.wedges_enclosed;
   for (const Skipped& item : skipped_items(counts)) skipped.push_back(item);
   std::vector<std::string> lines;
   for (const Skipped& s : skipped)
@@ -180,6 +187,14 @@ void print_clipped_cost(const TriangleMesh& mesh, const LookPlan& plan) {
   fmt::print(
       "\ncost\n  looks computed: {}\n  adaptive tubes, clipped: {} planar patches; the fewer, the quicker, at any frequency\n",
       plan.computed.size(), mesh.patches.size());
+}
+
+void print_rays(const Case& c, const Target& target, const LookPlan& plan) {
+  fmt::print("\nrays in the place of currents (edges.method \"utd\")\n");
+  fmt::print("  transmitter and receiver {:.6g} m from the origin; amplitudes are apparent ones at that range\n",
+             ray_range(target, c.sweep, c.edges));
+  fmt::print("  looks computed: {}; {} planar patches as mirrors, {} wedges\n", plan.computed.size(), target.mesh.patches.size(),
+             target.wedges.size());
 }
 
 // Exact for few looks; a mean over evenly spread ones for many.
@@ -209,13 +224,15 @@ void check_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   const Target target(loaded.mesh, c.edges);
-  const LookPlan plan = plan_of(target, c.sweep, c.tubes);
+  const LookPlan plan = plan_of(target, c.sweep, c.tubes, c.edges.method);
   print_case(c);
   print_mesh(loaded.report, target);
   print_wedges(target.wedges);
   print_thin_rims(c, target.rims);
   print_skipped(c, loaded.report, target, plan);
-  if (clipped(c.tubes))
+  if (c.edges.method == EdgeMethod::utd)
+    print_rays(c, target, plan);
+  else if (clipped(c.tubes))
     print_clipped_cost(loaded.mesh, plan);
   else
     print_cost(c, loaded.mesh, plan);

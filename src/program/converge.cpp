@@ -123,6 +123,9 @@ class Study {
 void converge_command(const Request& request) {
   const std::vector<double> densities = parsed_densities(request.densities);
   const Case c = read_case(request.case_file, request.overrides);
+  if (c.edges.method == EdgeMethod::utd)
+    throw InputError(
+        fmt::format("{}: edges.method \"utd\" has no tubes whose density could be studied; remove it", c.file.string()));
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);

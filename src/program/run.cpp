@@ -120,13 +120,16 @@ void print_errors(const SweepResult& result, const TubeOptions& tubes) {
 
 void print_summary(const SweepResult& result, const TubeOptions& tubes, const Manifest& manifest, const fs::path& folder) {
   const Statistics& s = result.statistics;
-  fmt::print("rays        {} in {} tubes, {:.2f} s on {} thread{}\n", s.rays, s.tubes, s.solve_s, manifest.threads,
-             manifest.threads == 1 ? "" : "s");
+  const bool paths = s.ray_range > 0.0;
+  fmt::print("rays        {} in {} {}, {:.2f} s on {} thread{}\n", s.rays, s.tubes, paths ? "paths" : "tubes", s.solve_s,
+             manifest.threads, manifest.threads == 1 ? "" : "s");
+  if (paths) fmt::print("range       {:.6g} m: amplitudes are apparent ones (edges.method \"utd\")\n", s.ray_range);
   fmt::print("lost rays   {}\n", s.lost_rays);
-  if (s.tubes_cut) fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide\n", s.tubes_cut);
+  if (paths && s.tubes_cut) fmt::print("cut search  in {} looks: too many sequences of mirrors\n", s.tubes_cut);
+  if (!paths && s.tubes_cut) fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide\n", s.tubes_cut);
   for (const Skipped& skipped : s.skipped) fmt::print("skipped     {} ({}): {}\n", skipped.what, skipped.count, skipped.why);
   fmt::print("peak sigma  {:.2f} dBsm\n", peak_sigma_dbsm(result));
-  print_errors(result, tubes);
+  if (!paths) print_errors(result, tubes);
   fmt::print("results     {}\n", folder.string());
 }
 

@@ -57,6 +57,7 @@ TEST_F(ConvergeProgram, BadInputIsRefused) {
   expect_refused("converge case.toml --densities -4,8,16", "write tubes per wavelength");
   expect_refused("converge case.toml --densities 4,8,1e9",
                  "--densities 4,8,1e9: 1000000000 tubes per wavelength are more than 10^6");
+  expect_refused("converge case.toml --set edges.method=utd", "has no tubes whose density could be studied");
   expect_refused("converge case.toml --threads 0", "--threads");
   expect_refused("converge case.toml --parts", "--parts");
   scratch.write("file", "");

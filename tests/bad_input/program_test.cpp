@@ -43,6 +43,9 @@ TEST_F(BadInput, MeshForEveryCommand) {
 TEST_F(BadInput, WedgeList) {
   expect_refused("check case.toml --wedges missing/wedges.csv", "--wedges missing/wedges.csv: cannot be written");
   expect_refused("check case.toml --wedges .", "--wedges .: cannot be written");
+  const std::string near = "case.toml --set edges.method=utd --set edges.utd_range_m=1e-3";
+  expect_refused("run " + near, "edges.utd_range_m is 0.001 m, but the target reaches 0.00141421 m");
+  expect_refused("check " + near, "edges.utd_range_m is 0.001 m");
 }
 
 TEST_F(BadInput, CaseFile) {

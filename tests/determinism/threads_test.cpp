@@ -41,6 +41,19 @@ TEST(Threads, UniformTubesGiveTheSameBits) { expect_same_bits_for_any_threads(Tu
 TEST(Threads, AdaptiveTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::adaptive, true); }
 TEST(Threads, UnclippedAdaptiveTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::adaptive, false); }
 
+TEST(Threads, RaysInThePlaceOfCurrentsGiveTheSameBits) {
+  Sweep sweep{{9e9, 10e9}, {}, true};
+  for (int i = 0; i < 9; ++i) sweep.looks.push_back({{0.3 + 0.2 * i, 0.7 * i}, {0.5 + 0.2 * i, 0.7 * i}});
+  SolveOptions o = options(EdgeMethod::utd);
+  o.threads = 1;
+  const SweepResult one = solve_soup(shapes::trihedral(0.5), sweep, o);
+  EXPECT_GT(largest_amplitude(one.total[0]), 0.0);
+  for (const int threads : thread_counts) {
+    o.threads = threads;
+    EXPECT_TRUE(same_bytes(one.total, solve_soup(shapes::trihedral(0.5), sweep, o).total)) << threads << " threads";
+  }
+}
+
 // rcs.csv of a case of the repository, thinned so that it runs in a second or two.
 std::string program_output(const std::string& case_name, const std::string& set, int threads) {
   const Scratch scratch;

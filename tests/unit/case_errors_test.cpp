@@ -49,7 +49,8 @@ const Bad bad_values[] = {
     {"tubes.up=[0,0]", "three numbers"},
     {"tubes.up=[0,0,0]", "zero vector"},
     {"tubes.curved=yes", "\"yes\" is unknown; write \"convex\", \"always\" or \"never\""},
-    {"edges.method=utd", "not in this version; write \"fringe\" or \"none\""},
+    {"edges.method=gtd", "not in this version; write \"fringe\", \"none\" or \"utd\""},
+    {"edges.utd_range_m=5", "needs edges.method = \"utd\"; currents radiate to infinity, so remove it"},
     {"edges.order=0", "from 1 to 3"},
     {"edges.order=4", "from 1 to 3"},
     {"edges.transition=rough", "\"rough\" is unknown; write \"exact\", \"kouyoumjian-pathak\" or \"as-printed\""},
@@ -77,6 +78,12 @@ TEST(CaseErrors, UniformTubesAreNeverClippedNorRefined) {
   EXPECT_THAT(complaint(smallest, {uniform, "tubes.clip=true"}), HasSubstr("needs tubes.mode = \"adaptive\""));
   EXPECT_THAT(complaint(smallest, {uniform, "tubes.curved=always"}), HasSubstr("needs adaptive tubes with clip"));
   EXPECT_THAT(complaint(smallest, {uniform, "accuracy.tolerance_db=1"}), HasSubstr("needs adaptive tubes with clip"));
+}
+
+TEST(CaseErrors, RangeOfRaysIsPositive) {
+  for (const char* range : {"0", "-3", "nan"})
+    EXPECT_THAT(complaint(smallest, {"edges.method=utd", std::string("edges.utd_range_m=") + range}),
+                HasSubstr("edges.utd_range_m must be"));
 }
 
 TEST(CaseErrors, NamesFileAndLine) {

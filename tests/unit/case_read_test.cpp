@@ -55,6 +55,14 @@ TEST(CaseRead, EveryKeyIsTaken) {
   EXPECT_FALSE(c.plots);
 }
 
+TEST(CaseRead, RaysAndTheirRangeAndTheirEcho) {
+  const Case c = read_text(smallest, {"edges.method=utd", "edges.utd_range_m=12.5"});
+  EXPECT_EQ(c.edges.method, EdgeMethod::utd);
+  EXPECT_EQ(c.edges.utd_range, 12.5);
+  EXPECT_THAT(resolved_case_json(c), ::testing::HasSubstr("\"utd_range_m\": 12.5"));
+  EXPECT_EQ(read_text(smallest, {"edges.method=utd"}).edges.utd_range, 0.0);  // follows from the mesh
+}
+
 TEST(CaseRead, TransitionTiersAndTheirEcho) {
   for (const auto& [name, tier] : {std::pair{"exact", TransitionTier::exact},
                                    {"as-printed", TransitionTier::as_printed},

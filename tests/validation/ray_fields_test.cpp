@@ -1,0 +1,135 @@
+// edges.method = "utd": rays in the place of currents, at a finite distance.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "run.h"
+#include "shapes.h"
+#include "utd/diffracted_field.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+
+constexpr double frequency = speed_of_light, k = 2 * pi;  // wavelength 1 m
+
+SolveOptions at_range(double range) {
+  SolveOptions o = options(EdgeMethod::utd);
+  o.edges.utd_range = range;
+  return o;
+}
+
+Sweep bistatic(const Direction& transmit, const Direction& receive) { return {{frequency}, {{transmit, receive}}, true}; }
+
+/// A plate in z = 0 from x = 0 to 2 and y = -1 to 1.
+PolygonSoup plate_beside_the_origin() { return {{{0, -1, 0}, {2, -1, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}}; }
+
+void expect_near(Complex found, Complex expected, double tolerance, const char* what) {
+  EXPECT_LE(std::abs(found - expected), tolerance) << what << ": " << found << ", expected " << expected;
+}
+
+// From an image behind a mirror the field at the receiver is that over the whole way: |S| = range^2 / way.
+TEST(RayFields, PlateAtNormalIncidenceReadsItsImage) {
+  PolygonSoup soup = shapes::plate(3);
+  const double height = 0.3, range = 12;
+  for (dvec3& point : soup.points) point.z = height;
+  const SweepResult result = solve_soup(soup, monostatic({{0, 0}}, frequency), at_range(range));
+  const Complex image = -std::polar(range * range / (2 * (range - height)), 2 * k * height);
+  // Rounding of phases k range = 75, 1e-14 each.
+  expect_near(result.bounces[0][0].vv(), image, 1e-10, "V");
+  expect_near(result.bounces[0][0].hh(), image, 1e-10, "H");
+  EXPECT_EQ(result.bounces.size(), 1u);
+}
+
+TEST(RayFields, CornersReadHalfTheRange) {
+  // All orders of the faces are one wave, at -1 times the place of the source: E across the fold of a dihedral turns round, E
+  // along it and in a trihedral comes back as it was.
+  const double range = 40;
+  for (const double phi : {20.0, 45.0, 73.0}) {
+    const SweepResult s =
+        solve_soup(shapes::dihedral(3, 3), monostatic({{90 * degree, phi * degree}}, frequency), at_range(range));
+    expect_near(s.bounces.at(1)[0].vv(), range / 2, 1e-10, "dihedral, V");
+    expect_near(s.bounces.at(1)[0].hh(), -range / 2, 1e-10, "dihedral, H");
+  }
+  const SweepResult s = solve_soup(shapes::trihedral(4), monostatic({{0.9, 0.8}}, frequency), at_range(range));
+  ASSERT_EQ(s.bounces.size(), 3u);
+  expect_near(s.bounces[2][0].vv(), range / 2, 1e-10, "trihedral, V");
+  expect_near(s.bounces[2][0].hh(), range / 2, 1e-10, "trihedral, H");
+}
+
+// A plate whose middle is not the origin of its coordinates.
+TEST(RayFields, EdgesOfAPlateAreThoseOfThePublicFunction) {
+  const double range = 30, h = 1.5;
+  const dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), middle(4, -2, 1);
+  const StraightEdge rims[] = {{middle + h * x, -x, z, 2.0, -h, h},
+                               {middle - h * x, x, z, 2.0, -h, h},
+                               {middle + h * y, -y, z, 2.0, -h, h},
+                               {middle - h * y, y, z, 2.0, -h, h}};
+  const Direction from{40 * degree, 20 * degree}, to{65 * degree, 170 * degree};
+  const SphericalBasis transmit = spherical_basis(from), receive = spherical_basis(to);
+  PolygonSoup soup = shapes::plate(2 * h);
+  for (dvec3& point : soup.points) point += middle;
+  const SweepResult found = solve_soup(soup, bistatic(from, to), at_range(range));
+  for (const int q : {0, 1}) {
+    const RaySource source{Spreading::point, range * transmit.radial, z, {q == 0 ? transmit.theta_hat : transmit.phi_hat, {}}};
+    ComplexVector sum;
+    for (const StraightEdge& rim : rims) sum += diffracted_field(rim, source, range * receive.radial, k);
+    sum = std::polar(range * range, 2 * k * range) * sum;
+    // Rounding of phases k range = 190; the sum is some 5 m.
+    expect_near(found.edges_first[0].at(0, q), dot(sum, receive.theta_hat), 1e-10, "received V");
+    expect_near(found.edges_first[0].at(1, q), dot(sum, receive.phi_hat), 1e-10, "received H");
+  }
+}
+
+// Where the light of one ray ends the edge's own changes sides; exactly there the ray counts half and the edge nothing.
+void expect_continuous(const Direction& transmit, double receive_theta, double receive_phi) {
+  const double range = 20;
+  const auto at = [&](double theta) {
+    return solve_soup(plate_beside_the_origin(), bistatic(transmit, {theta, receive_phi}), at_range(range));
+  };
+  const SweepResult before = at(receive_theta - 1e-8), on = at(receive_theta), after = at(receive_theta + 1e-8);
+  // The total changes by about k range |S| a radian; half a ray is 5 m.
+  EXPECT_LE(largest_amplitude(before.total[0] - after.total[0]), 1e-4);
+  EXPECT_LE(largest_amplitude(before.total[0] - on.total[0]), 1e-4);
+  const auto rays = [](const SweepResult& r) { return r.bounces.empty() ? 0.0 : std::abs(r.bounces[0][0].vv()); };
+  EXPECT_GT(std::abs(rays(before) - rays(after)), 4.0);
+  EXPECT_NEAR(rays(on), (rays(before) + rays(after)) / 2, 1e-4);
+}
+
+TEST(RayFields, ReflectedRayEndsAtTheRimWithoutAJump) { expect_continuous({30 * degree, 0}, 30 * degree, pi); }
+
+TEST(RayFields, ShadowEndsAtTheRimWithoutAJump) { expect_continuous({30 * degree, 0}, 150 * degree, pi); }
+
+TEST(RayFields, NothingArrivesBehindALargePlate) {
+  // In the middle of the shadow, 60 wavelengths wide and as far away, only the edges are left: four times 1 / (2 sqrt(pi) z) with
+  // z = sqrt(2 kL) sin 27 degrees = 9.2, kL = 210, over a way 134/120 as long: 0.11 of the incident field.
+  const SweepResult s = solve_soup(shapes::plate(60), bistatic({0, 0}, {pi, 0}), at_range(60));
+  const Complex incident = -60.0 * 60.0 / 120.0;  // of the direct ray; theta_hat has turned round
+  EXPECT_LE(std::abs(s.total[0].vv() + incident), 0.11 * std::abs(incident));
+  EXPECT_EQ(s.bounces[0][0].vv(), -incident);
+}
+
+TEST(RayFields, BistaticLooksAreReciprocal) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> theta(0.05, pi - 0.05), phi(-pi, pi);
+  for (const PolygonSoup& soup : {shapes::cube(2), shapes::dihedral(3, 3)})
+    for (int i = 0; i < 20; ++i) {
+      const Direction a{theta(random), phi(random)}, b{theta(random), phi(random)};
+      const ScatteringMatrix there = solve_soup(soup, bistatic(a, b), at_range(25)).total[0];
+      const ScatteringMatrix back = solve_soup(soup, bistatic(b, a), at_range(25)).total[0];
+      for (const int p : {0, 1})
+        for (const int q : {0, 1}) expect_near(there.at(p, q), back.at(q, p), 1e-9, "reciprocity");  // rounding of phases
+    }
+}
+
+TEST(RayFields, TargetBeyondTheRangeIsRefused) {
+  EXPECT_THROW(solve_soup(shapes::plate(3), monostatic({{0, 0}}, frequency), at_range(2.0)), InputError);
+  EXPECT_THROW(solve_soup(shapes::plate(3), monostatic({{0, 0}}, frequency), at_range(-1.0)), InputError);
+  // Left to itself: ten times 2 D^2 / lambda, D^2 = 18.
+  const SweepResult s = solve_soup(shapes::plate(3), monostatic({{0, 0}}, frequency), at_range(0.0));
+  EXPECT_NEAR(s.statistics.ray_range, 360.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace raytube
