@@ -43,9 +43,18 @@ TEST_F(BadInput, MeshForEveryCommand) {
 TEST_F(BadInput, WedgeList) {
   expect_refused("check case.toml --wedges missing/wedges.csv", "--wedges missing/wedges.csv: cannot be written");
   expect_refused("check case.toml --wedges .", "--wedges .: cannot be written");
-  const std::string near = "case.toml --set edges.method=utd --set edges.utd_range_m=1e-3";
-  expect_refused("run " + near, "edges.utd_range_m is 0.001 m, but the target reaches 0.00141421 m");
-  expect_refused("check " + near, "edges.utd_range_m is 0.001 m");
+}
+
+TEST_F(BadInput, RaysInThePlaceOfCurrentsNameTheirRange) {
+  const std::string rays = "case.toml --set edges.method=utd --set output.plots=false --set edges.utd_range_m=";
+  expect_refused("run " + rays + "1e-3", "edges.utd_range_m is 0.001 m, but the target reaches 0.00141421 m");
+  expect_refused("check " + rays + "1e-3", "edges.utd_range_m is 0.001 m");
+  EXPECT_EQ(raytube("check " + rays + "0.5").code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"),
+              AllOf(HasSubstr("edges.method \"utd\""), HasSubstr("transmitter and receiver 0.5 m from the origin")));
+  EXPECT_EQ(raytube("run " + rays + "0.5 --parts").code, 0);
+  EXPECT_THAT(text_of(scratch / "out/rcs.csv"), HasSubstr("transmitter and receiver 0.5 m from the origin"));
+  EXPECT_THAT(text_of(scratch / "out/run.json"), HasSubstr("\"utd_range_m\": 0.5"));
 }
 
 TEST_F(BadInput, CaseFile) {

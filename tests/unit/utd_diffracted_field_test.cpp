@@ -102,6 +102,19 @@ TEST(DiffractedField, FadesBeyondTheEndAndIsWholeFarInside) {
   EXPECT_NEAR(share(0.0), 0.5, 1e-12);  // half an edge, seen from straight across its end
 }
 
+TEST(DiffractedField, PiecesOfAnEdgeAddUpToTheWhole) {
+  // What one piece loses at the cut the other one has: H of the one end is 1 - H of the other.
+  const RaySource source = point_source(place(4, 0.8, 2));
+  for (const double cut : {-0.5, 0.3, 1.9}) {
+    const dvec3 observer = place(6, 3.0, -3);
+    const ComplexVector whole = diffracted_field(wedge(1.5, -1, 2), source, observer, k);
+    const ComplexVector first = diffracted_field(wedge(1.5, -1, cut), source, observer, k);
+    const ComplexVector second = diffracted_field(wedge(1.5, cut, 2), source, observer, k);
+    EXPECT_LE(norm(first + second - whole), 1e-13 * norm(whole));
+    EXPECT_GT(std::min(norm(first), norm(second)), 1e-3 * norm(whole));
+  }
+}
+
 dvec3 turned(const dvec3& v) {
   const dvec3 axis = glm::normalize(dvec3(1, -2, 0.5));
   return std::cos(1.1) * v + std::sin(1.1) * glm::cross(axis, v) + (1 - std::cos(1.1)) * glm::dot(axis, v) * axis;

@@ -42,6 +42,17 @@ TEST(RayFields, PlateAtNormalIncidenceReadsItsImage) {
   EXPECT_EQ(result.bounces.size(), 1u);
 }
 
+TEST(RayFields, RimsOfARectangleTurnItsMirrorIntoItsFarField) {
+  // The image alone reads range / 2. In the far zone all rims and corners lie within the transition of its light; edges cut
+  // sharply would leave -1 of it, edges with all of a corner's wave +1. Shared between the two edges that meet there, range / 2
+  // goes and what stays is -j area / lambda of physical optics; the next order has opposite signs in V and H. 1e-3: area / range
+  // is 6e-5, rounding of range^2 times phases k range is 2e-4.
+  PolygonSoup soup{{{-1.1, -1.3, 0}, {1.9, -1.3, 0}, {1.9, 0.7, 0}, {-1.1, 0.7, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const ScatteringMatrix s = solve_soup(soup, monostatic({{0, 0}}, frequency), at_range(1e5)).total[0];
+  expect_near(0.5 * (s.vv() + s.hh()), Complex(0, -6), 1e-3, "mean of V and H");
+  EXPECT_LE(std::abs(s.vv() - s.hh()), 0.5);  // soft and hard edge waves of four rims, some 0.1 m each
+}
+
 TEST(RayFields, CornersReadHalfTheRange) {
   // All orders of the faces are one wave, at -1 times the place of the source: E across the fold of a dihedral turns round, E
   // along it and in a trihedral comes back as it was.
