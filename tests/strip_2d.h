@@ -20,6 +20,13 @@ inline StripKernels kernels_at(const Strip& strip, double length) {
   return batch[0];
 }
 
+/// Of the current between two lengths.
+inline StripKernels piece_of(const Strip& strip, double begin, double end) {
+  KernelBatch batch;
+  strip.between(std::span(&begin, 1), std::span(&end, 1), batch);
+  return batch[0];
+}
+
 /// What one edge of a strip adds, both sides of the sheet: the two faces of a half plane, whose currents have opposite normals.
 struct EdgeStrips {
   Complex radiated;

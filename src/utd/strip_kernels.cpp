@@ -245,4 +245,16 @@ void Strip::at(std::span<const double> lengths, KernelBatch& batch) const {
     if (is_endless(lengths[i])) batch.set(i, without_end);
 }
 
+void Strip::between(std::span<const double> begins, std::span<const double> ends, KernelBatch& batch) const {
+  KernelBatch before;
+  at(begins, before);
+  at(ends, batch);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const StripKernels to_begin = before[i], to_end = batch[i];
+    batch.soft.set(i, to_end.current.soft - to_begin.current.soft);
+    batch.hard.set(i, to_end.current.hard - to_begin.current.hard);
+    batch.axial.set(i, to_end.current.axial - to_begin.current.axial);
+  }
+}
+
 }  // namespace raytube

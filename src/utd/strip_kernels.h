@@ -39,6 +39,10 @@ class Strip {
   /// Kernels for every length X; infinity gives those of the endless strip. What a length gives is independent of the others.
   void at(std::span<const double> lengths, KernelBatch& batch) const;
 
+  /// The same for the current between two finite lengths alone, with the phase of what radiates as if it had run on straight;
+  /// `end` is at the second. For the part of a strip that a fold has mirrored, half_cosine being that of the mirrored direction.
+  void between(std::span<const double> begins, std::span<const double> ends, KernelBatch& batch) const;
+
   StripKernels endless() const;
 
  private:
