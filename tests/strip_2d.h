@@ -22,8 +22,10 @@ inline StripKernels kernels_at(const Strip& strip, double length) {
 
 /// Of the current between two lengths.
 inline StripKernels piece_of(const Strip& strip, double begin, double end) {
-  KernelBatch batch;
-  strip.between(std::span(&begin, 1), std::span(&end, 1), batch);
+  KernelBatch batch, shorter;
+  strip.at(std::span(&end, 1), batch);
+  strip.at(std::span(&begin, 1), shorter);
+  batch.subtract_currents(shorter, 1);
   return batch[0];
 }
 

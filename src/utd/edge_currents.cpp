@@ -90,8 +90,8 @@ Glance glance_at(double half_cosine) {
   return {g, std::max(2 * half_cosine * half_sine, 1e-9), cosine};
 }
 
-double glance_half_cosine(const WedgeFace& face, const FaceIncidence& incidence, const dvec3& scattered) {
-  const dvec3 glancing_ray = incidence.sin_cone * face.into_face + incidence.cos_cone * incidence.tangent;
+double glance_half_cosine(const dvec3& into_face, const FaceIncidence& incidence, const dvec3& scattered) {
+  const dvec3 glancing_ray = incidence.sin_cone * into_face + incidence.cos_cone * incidence.tangent;
   return glm::length(scattered - glancing_ray) / (2 * incidence.sin_cone);
 }
 

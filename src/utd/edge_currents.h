@@ -33,7 +33,10 @@ struct Glance {
 /// `half_cosine` is cos(g/2) = |s - sigma| / (2 sin beta') >= 0, which keeps its digits when s is close to sigma.
 /// Above 1 (observer far off the Keller cone) g is imaginary; both signs give the same kernels.
 Glance glance_at(double half_cosine);
-double glance_half_cosine(const WedgeFace& face, const FaceIncidence& incidence, const dvec3& scattered);
+double glance_half_cosine(const dvec3& into_face, const FaceIncidence& incidence, const dvec3& scattered);
+inline double glance_half_cosine(const WedgeFace& face, const FaceIncidence& incidence, const dvec3& scattered) {
+  return glance_half_cosine(face.into_face, incidence, scattered);
+}
 
 /// Half-line integrals of the fringe current across one face, for unit E or eta H along the edge:
 /// G_s of the soft (E_z), G_h of the hard (H_z) current, and G_x = U - 1/n + mu G_h of d(H_z)/dx.

@@ -49,6 +49,14 @@ void KernelBatch::set(std::size_t i, const StripKernels& kernels) {
   soft_end.set(i, kernels.soft_end);
 }
 
+void KernelBatch::subtract_currents(const KernelBatch& shorter, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    soft.set(i, soft[i] - shorter.soft[i]);
+    hard.set(i, hard[i] - shorter.hard[i]);
+    axial.set(i, axial[i] - shorter.axial[i]);
+  }
+}
+
 // Kouyoumjian and Pathak (1974) with the observer on the face, phi = 0: N is the nearest integer to (phi' +- pi) / (2 pi n).
 Strip::Term Strip::term(double n, double source, int sign) {
   const double beta = 2 * pi * n * std::round((sign * pi + source) / (2 * pi * n)) - source;
@@ -243,18 +251,6 @@ void Strip::at(std::span<const double> lengths, KernelBatch& batch) const {
   const StripKernels without_end = endless();
   for (std::size_t i = 0; i < lengths.size(); ++i)
     if (is_endless(lengths[i])) batch.set(i, without_end);
-}
-
-void Strip::between(std::span<const double> begins, std::span<const double> ends, KernelBatch& batch) const {
-  KernelBatch before;
-  at(begins, before);
-  at(ends, batch);
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const StripKernels to_begin = before[i], to_end = batch[i];
-    batch.soft.set(i, to_end.current.soft - to_begin.current.soft);
-    batch.hard.set(i, to_end.current.hard - to_begin.current.hard);
-    batch.axial.set(i, to_end.current.axial - to_begin.current.axial);
-  }
 }
 
 }  // namespace raytube

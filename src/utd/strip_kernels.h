@@ -29,6 +29,8 @@ struct KernelBatch {
   void make_room(std::size_t size);
   StripKernels operator[](std::size_t i) const { return {{soft[i], hard[i], axial[i]}, end[i], soft_end[i]}; }
   void set(std::size_t i, const StripKernels& kernels);
+  /// Leaves of the first `count` currents what lies beyond shorter strips: for the part of a current that a fold has mirrored.
+  void subtract_currents(const KernelBatch& shorter, std::size_t count);
 };
 
 /// Everything about a strip but its electrical length.
@@ -38,10 +40,6 @@ class Strip {
 
   /// Kernels for every length X; infinity gives those of the endless strip. What a length gives is independent of the others.
   void at(std::span<const double> lengths, KernelBatch& batch) const;
-
-  /// The same for the current between two finite lengths alone, with the phase of what radiates as if it had run on straight;
-  /// `end` is at the second. For the part of a strip that a fold has mirrored, half_cosine being that of the mirrored direction.
-  void between(std::span<const double> begins, std::span<const double> ends, KernelBatch& batch) const;
 
   StripKernels endless() const;
 

@@ -22,6 +22,11 @@ struct StripWave {
   int left = 1;                   // strips one after another that are still followed, this one included
   bool lights_far_edges = false;  // the incident wave only grazes this face: beyond it the count of strips begins anew
   dvec3 direction;                // sigma, in the face: of the glancing ray the strips follow
+  dvec3 across;                   // x_f, mirrored with the strips as the tangent and the direction are
+  // The wedge and its face whose fringe current this is; of a mirrored wave not those it starts at.
+  std::uint32_t source = no_index;
+  int source_face = 0;
+  int mirrors = 0;  // folds that have mirrored it
 
   bool goes_on() const { return left > 1 || lights_far_edges; }
 };
@@ -39,5 +44,10 @@ const OutlineEdge* strip_end(const Outlines& outlines, const WedgeFace& face, co
 /// (the other half is its own reflection), E along the edge is none.
 std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedges, const StripWave& wave,
                                                      const OutlineEdge& edge);
+
+/// The same strips after the fold at their end, where the face meets another one at a right angle in front of it. By image theory
+/// they run on in the face with mirrored directions and, J' = -R J, the opposite sign. None at other edges: where the angle is
+/// not right the reflected wave leaves the face.
+std::optional<StripWave> mirrored_wave(std::span<const Wedge> wedges, const StripWave& wave, const OutlineEdge& edge);
 
 }  // namespace raytube

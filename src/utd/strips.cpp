@@ -32,20 +32,23 @@ ScatteringMatrix scaled(ScatteringMatrix matrix, Factor factor) {
   return matrix;
 }
 
-bool alike(const StripBundle& bundle) {
-  return !bundle.edge || std::abs(bundle.growth) * (bundle.to - bundle.from) < same_length * bundle.length_at(bundle.from);
+bool alike(const TreeWave& wave, const StripBundle& bundle) {
+  const double growth = std::max({std::abs(bundle.growth), std::abs(wave.behind.growth), std::abs(wave.detour.growth)});
+  return !bundle.edge || growth * (bundle.to - bundle.from) < same_length * bundle.length_at(bundle.from);
 }
+
+void multiply(ComplexColumn& column, std::size_t i, Complex factor) { column.set(i, factor * column[i]); }
 
 }  // namespace
 
 StripWalk::StripWalk(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look,
-                     std::span<const double> frequencies, int order, TransitionTier tier)
+                     std::span<const double> frequencies, int order, TransitionTier tier, bool mirror_at_folds)
     : wedges_(wedges),
       look_(look),
       band_(wavenumbers_of(frequencies)),
       order_(order),
       tier_(tier),
-      tree_(wedges, outlines, look.incident, look.scattered),
+      tree_(wedges, outlines, look.incident, look.scattered, mirror_at_folds),
       placer_(wavelength(*std::ranges::max_element(frequencies))) {
   sums_.first.resize(frequencies.size());
   sums_.higher.resize(frequencies.size());
@@ -126,13 +129,21 @@ void StripWalk::radiate_at(std::span<const double> wavenumbers, const Part& part
     for (std::size_t w = 0; w < waves; ++w) find_kernels(w, here);
     for (std::size_t place = 0; place < here.size(); ++place) {
       find_phases(here[place]);
-      if (part.first) radiate_direct(place, sum_of(0, begin + place));
-      if (waves > 1) excite_far_edges(place, part.higher);
-      for (std::size_t w = 1; w < waves; ++w) {
-        radiate(w, place, sum_of(w, begin + place));
-        if (tree_.waves()[w].wave.goes_on()) pass_on(w, place);
-      }
+      if (part.first) radiate_direct(0, place, 1.0, sum_of(0, begin + place));
+      if (waves > 1) excite_far_edges(0, place, part.higher);
+      for (std::size_t w = 1; w < waves; ++w) radiate_higher(w, place, part.higher, sum_of(w, begin + place));
     }
+  }
+}
+
+void StripWalk::radiate_higher(std::size_t wave, std::size_t place, double share, ScatteringMatrix& sum) {
+  const bool goes_on = tree_.waves()[wave].wave.goes_on();
+  if (tree_.waves()[wave].direct) {
+    radiate_direct(wave, place, share, sum);
+    if (goes_on) excite_far_edges(wave, place, share);
+  } else {
+    radiate(wave, place, sum);
+    if (goes_on) pass_on(wave, place);
   }
 }
 
@@ -166,17 +177,17 @@ void StripWalk::grow(const StripWave& wave, std::span<const LitInterval> lit) {
   placer_.place(tree_, lit, wedges_[wave.wedge].length());
   faces_.clear();
   for (const TreeWave& each : tree_.waves()) {
-    const Wedge& wedge = wedges_[each.wave.wedge];
-    const double half_cosine = glance_half_cosine(wedge.faces[each.wave.face], each.wave.incidence, look_.scattered);
+    const Wedge& wedge = wedges_[each.wave.source];
+    const double half_cosine = glance_half_cosine(each.wave.across, each.wave.incidence, look_.scattered);
     faces_.push_back({Strip(wedge.n, each.wave.incidence, half_cosine, tier_), std::nullopt, projection(each.wave)});
     if (wedge.thickness() > 0.0)
-      faces_.back().thin.emplace(wedge, each.wave.face, each.wave.incidence, half_cosine, look_.scattered,
-                                 each.parent == no_index);
+      faces_.back().thin.emplace(wedge, each.wave.source_face, each.wave.incidence, half_cosine, look_.scattered, each.direct);
   }
   lay_out_rows();
 }
 
-// Amplitudes of the first strips are direct_; of those that follow they are what arrived with the bundle before.
+// Amplitudes of the first strips are direct_; of those that follow they are what arrived with the bundle before. Mirrored ones
+// have those of the strips they continue.
 void StripWalk::lay_out_rows() {
   rows_.clear();
   std::size_t count = 0;
@@ -184,8 +195,11 @@ void StripWalk::lay_out_rows() {
     for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
       const PanelPlacer::Row& points = placer_.rows()[b];
       std::size_t amplitude = points.first;
-      if (wave.parent != no_index) amplitude += rows_[wave.parent].arriving - placer_.rows()[wave.parent].first;
-      rows_.push_back({amplitude, count, 0, points.size(), alike(tree_.bundles()[b])});
+      if (wave.parent != no_index) {
+        const Row& before = rows_[wave.parent];
+        amplitude += (wave.wave.mirrors > 0 ? before.amplitude : before.arriving) - placer_.rows()[wave.parent].first;
+      }
+      rows_.push_back({amplitude, count, 0, points.size(), alike(wave, tree_.bundles()[b])});
       count += points.size();
     }
   for (ComplexColumn& column : arriving_) column.make_room(count);
@@ -210,10 +224,9 @@ void StripWalk::find_phases(double wavenumber) {
   }
 }
 
-// The thickness of a sheet changes what is left of an endless strip once its pole is bounded.
-void StripWalk::find_kernels(std::size_t wave, std::span<const double> wavenumbers) {
+void StripWalk::find_lengths(std::size_t wave, std::span<const double> wavenumbers) {
   const TreeWave& here = tree_.waves()[wave];
-  lengths_.clear();
+  for (std::vector<double>* each : {&lengths_, &behind_, &detours_}) each->clear();
   for (const double k : wavenumbers) {
     const std::size_t first = lengths_.size();
     const double scale = k * here.wave.incidence.sin_cone * here.wave.incidence.sin_cone;
@@ -222,22 +235,47 @@ void StripWalk::find_kernels(std::size_t wave, std::span<const double> wavenumbe
       Row& row = rows_[b];
       row.kernel = lengths_.size() - first;
       const std::size_t count = row.alike ? std::min<std::size_t>(row.size, 1) : row.size;
-      for (const PanelPoint& point : placer_.points().subspan(placer_.rows()[b].first, count))
-        lengths_.push_back(bundle.edge ? scale * std::max(bundle.length_at(point.place), 0.0) : infinity);
+      for (const PanelPoint& point : placer_.points().subspan(placer_.rows()[b].first, count)) {
+        behind_.push_back(scale * here.behind.at(point.place));
+        detours_.push_back(k * here.detour.at(point.place));
+        lengths_.push_back(bundle.edge ? behind_.back() + scale * std::max(bundle.length_at(point.place), 0.0) : infinity);
+      }
     }
   }
   kernels_[wave].stride = lengths_.size() / wavenumbers.size();
-  faces_[wave].strip.at(lengths_, kernels_[wave].batch);
-  if (wave == 0) bound_endless(wavenumbers);
-  if (faces_[wave].thin) count_thickness(wave, wavenumbers);
 }
 
-void StripWalk::count_thickness(std::size_t wave, std::span<const double> wavenumbers) {
-  const FringeKernels endless = faces_[wave].strip.endless().current;
+// The thickness of a sheet changes what is left of an endless strip once its pole is bounded.
+void StripWalk::find_kernels(std::size_t wave, std::span<const double> wavenumbers) {
+  find_lengths(wave, wavenumbers);
+  KernelBatch& batch = kernels_[wave].batch;
+  faces_[wave].strip.at(lengths_, batch);
+  if (wave == 0) bound_endless(wavenumbers);
+  if (faces_[wave].thin) count_thickness(wave, wavenumbers, lengths_, batch);
+  if (tree_.waves()[wave].wave.mirrors > 0) keep_mirrored_part(wave, wavenumbers);
+}
+
+// Seen from the image of the source, the current from the fold on. One that runs for ever, over a smooth crease, is left out: the
+// fold's own surface does not go on for ever.
+void StripWalk::keep_mirrored_part(std::size_t wave, std::span<const double> wavenumbers) {
+  KernelBatch& batch = kernels_[wave].batch;
+  faces_[wave].strip.at(behind_, shorter_);
+  if (faces_[wave].thin) count_thickness(wave, wavenumbers, behind_, shorter_);
+  batch.subtract_currents(shorter_, lengths_.size());
   for (std::size_t i = 0; i < lengths_.size(); ++i) {
-    StripKernels kernels = kernels_[wave].batch[i];
-    faces_[wave].thin->correct(kernels, endless, wavenumbers[i / kernels_[wave].stride], lengths_[i]);
-    kernels_[wave].batch.set(i, kernels);
+    const Complex turn = std::isinf(lengths_[i]) ? 0.0 : std::polar(1.0, detours_[i]);
+    for (ComplexColumn* column : {&batch.soft, &batch.hard, &batch.axial, &batch.end, &batch.soft_end})
+      multiply(*column, i, turn);
+  }
+}
+
+void StripWalk::count_thickness(std::size_t wave, std::span<const double> wavenumbers, std::span<const double> lengths,
+                                KernelBatch& batch) {
+  const FringeKernels endless = faces_[wave].strip.endless().current;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    StripKernels kernels = batch[i];
+    faces_[wave].thin->correct(kernels, endless, wavenumbers[i / kernels_[wave].stride], lengths[i]);
+    batch.set(i, kernels);
   }
 }
 
@@ -280,7 +318,7 @@ void StripWalk::note_windows() {
 StripWalk::Projection StripWalk::projection(const StripWave& wave) const {
   Projection result;
   for (int receive = 0; receive < 2; ++receive) {
-    const double across = glm::dot(look_.receive[receive], wedges_[wave.wedge].faces[wave.face].into_face);
+    const double across = glm::dot(look_.receive[receive], wave.across);
     const double along = glm::dot(look_.receive[receive], wave.incidence.tangent) / wave.incidence.sin_cone;
     result.across[receive] = wave.sign * across / (2 * pi * wave.incidence.sin_cone);
     result.along[receive] = wave.sign * along / (2 * pi * wave.incidence.sin_cone);
@@ -288,10 +326,10 @@ StripWalk::Projection StripWalk::projection(const StripWave& wave) const {
   return result;
 }
 
-Complex StripWalk::radiated_direct(const ComplexColumn& kernels, std::size_t place) const {
+Complex StripWalk::radiated_direct(std::size_t wave, const ComplexColumn& kernels, std::size_t place) const {
   Complex total = 0.0;
-  const std::size_t shift = place * kernels_[0].stride;
-  for (const Row& row : rows(tree_.waves()[0])) {
+  const std::size_t shift = place * kernels_[wave].stride;
+  for (const Row& row : rows(tree_.waves()[wave])) {
     if (row.size == 0) continue;
     const ColumnPlace weights(direct_, row.amplitude);
     const std::size_t kernel = shift + row.kernel;
@@ -324,16 +362,15 @@ PairSums StripWalk::radiated(std::size_t wave, std::size_t place) const {
   return total;
 }
 
-void StripWalk::radiate_direct(std::size_t place, ScatteringMatrix& sum) const {
-  const TreeWave& wave = tree_.waves()[0];
-  const FaceIncidence& incidence = wave.wave.incidence;
-  const Projection& seen = faces_[0].seen;
-  const KernelBatch& batch = kernels_[0].batch;
-  const Complex hard = radiated_direct(batch.hard, place), soft = radiated_direct(batch.soft, place),
-                axial = incidence.cos_cone * radiated_direct(batch.axial, place);
+void StripWalk::radiate_direct(std::size_t wave, std::size_t place, double share, ScatteringMatrix& sum) const {
+  const FaceIncidence& incidence = tree_.waves()[0].wave.incidence;
+  const Projection& seen = faces_[wave].seen;
+  const KernelBatch& batch = kernels_[wave].batch;
+  const Complex hard = radiated_direct(wave, batch.hard, place), soft = radiated_direct(wave, batch.soft, place),
+                axial = incidence.cos_cone * radiated_direct(wave, batch.axial, place);
   for (int transmit = 0; transmit < 2; ++transmit) {
-    const double magnetic = glm::dot(look_.magnetic[transmit], incidence.tangent);
-    const double electric = glm::dot(look_.electric[transmit], incidence.tangent);
+    const double magnetic = share * glm::dot(look_.magnetic[transmit], incidence.tangent);
+    const double electric = share * glm::dot(look_.electric[transmit], incidence.tangent);
     for (int receive = 0; receive < 2; ++receive)
       sum.at(receive, transmit) +=
           (seen.across[receive] * hard + seen.along[receive] * axial) * magnetic + seen.along[receive] * soft * electric;
@@ -354,17 +391,17 @@ void StripWalk::radiate(std::size_t wave, std::size_t place, ScatteringMatrix& s
 // The hard current arrives with the strips. The soft one flows along the edge; what arrives of it is its component along the
 // strips, of the part of the wave whose E lies in the face. The rest is in the plane of incidence: where it grazes, its current
 // is that which the hard waves from the other edges take away again, so that passing it on would count it twice.
-void StripWalk::excite_far_edges(std::size_t place, double share) {
-  const auto& [batch, stride] = kernels_[0];
-  const TreeWave& wave = tree_.waves()[0];
-  const FaceIncidence& incidence = wave.wave.incidence;
-  const dvec3 across = glm::cross(wedges_[wave.wave.wedge].faces[wave.wave.face].normal, look_.incident);
+void StripWalk::excite_far_edges(std::size_t wave, std::size_t place, double share) {
+  const auto& [batch, stride] = kernels_[wave];
+  const StripWave& first = tree_.waves()[0].wave;
+  const FaceIncidence& incidence = first.incidence;
+  const dvec3 across = glm::cross(wedges_[first.wedge].faces[first.face].normal, look_.incident);
   const double squared = glm::dot(across, across);
   const double lying = squared > 0.0 ? glm::dot(across, incidence.tangent) * incidence.cos_cone / squared : 0.0;
   for (int transmit = 0; transmit < 2; ++transmit) {
     const double hard = share * glm::dot(look_.magnetic[transmit], incidence.tangent);
     const double soft = share * glm::dot(look_.electric[transmit], across) * lying;
-    for (const Row& row : rows(wave))
+    for (const Row& row : rows(tree_.waves()[wave]))
       for (std::size_t i = 0; i < row.size; ++i) {
         const std::size_t kernel = place * stride + row.kernel + (row.alike ? 0 : i);
         const Complex current = hard * batch.end[kernel] + soft * batch.soft_end[kernel];

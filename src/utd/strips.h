@@ -24,11 +24,12 @@ struct StripSums {
 
 /// Follows the fringe current of each edge point along its glancing ray over the face. Where the face ends at a convex wedge, the
 /// current grazes that edge and diffracts there into both of its faces; `order` counts the strips one after another. A strip
-/// that ends at a concave wedge ends there; one that reaches a smooth crease runs on for ever, as a first-order one.
+/// that ends at a concave wedge ends there or, with `mirror_at_folds`, runs on mirrored if the angle is a right one; one that
+/// reaches a smooth crease runs on for ever, as a first-order one.
 class StripWalk {
  public:
   StripWalk(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look, std::span<const double> frequencies,
-            int order, TransitionTier tier = TransitionTier::exact);
+            int order, TransitionTier tier = TransitionTier::exact, bool mirror_at_folds = false);
 
   /// The strips of wedge `index` from its lit pieces on, both faces.
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
@@ -90,17 +91,21 @@ class StripWalk {
   void lay_out_rows();
   std::span<const Row> rows(const TreeWave& wave) const;
   void find_phases(double wavenumber);
+  void find_lengths(std::size_t wave, std::span<const double> wavenumbers);
   void find_kernels(std::size_t wave, std::span<const double> wavenumbers);
-  void count_thickness(std::size_t wave, std::span<const double> wavenumbers);
+  void keep_mirrored_part(std::size_t wave, std::span<const double> wavenumbers);
+  void count_thickness(std::size_t wave, std::span<const double> wavenumbers, std::span<const double> lengths,
+                       KernelBatch& batch);
   bool runs_for_ever(const TreeWave& wave) const;
   SplitKernels split_endless() const;
   void bound_endless(std::span<const double> wavenumbers);
   void note_windows();
-  Complex radiated_direct(const ComplexColumn& kernels, std::size_t place) const;
+  Complex radiated_direct(std::size_t wave, const ComplexColumn& kernels, std::size_t place) const;
   PairSums radiated(std::size_t wave, std::size_t place) const;
-  void radiate_direct(std::size_t place, ScatteringMatrix& sum) const;
+  void radiate_direct(std::size_t wave, std::size_t place, double share, ScatteringMatrix& sum) const;
   void radiate(std::size_t wave, std::size_t place, ScatteringMatrix& sum) const;
-  void excite_far_edges(std::size_t place, double share);
+  void radiate_higher(std::size_t wave, std::size_t place, double share, ScatteringMatrix& sum);
+  void excite_far_edges(std::size_t wave, std::size_t place, double share);
   void pass_on(std::size_t wave, std::size_t place);
 
   std::span<const Wedge> wedges_;
@@ -110,11 +115,13 @@ class StripWalk {
   TransitionTier tier_;
   WaveTree tree_;
   PanelPlacer placer_;
-  std::vector<Face> faces_;                  // of each wave of the tree
-  std::vector<Row> rows_;                    // of each bundle
-  ComplexColumn direct_;                     // weight and phase of the first strips
-  std::array<ComplexColumn, 2> arriving_;    // per transmit polarisation, at the ends: weight, phase and eta H along the edge
-  std::vector<double> lengths_;              // X of each kernel of a wave
+  std::vector<Face> faces_;                // of each wave of the tree
+  std::vector<Row> rows_;                  // of each bundle
+  ComplexColumn direct_;                   // weight and phase of the first strips
+  std::array<ComplexColumn, 2> arriving_;  // per transmit polarisation, at the ends: weight, phase and eta H along the edge
+  std::vector<double> lengths_;            // X of each kernel of a wave
+  std::vector<double> behind_, detours_;   // of each kernel of a mirrored wave: X at its start; phase of the image of its source
+  KernelBatch shorter_;
   std::vector<Kernels> kernels_;             // of each wave
   std::vector<PathRange> paths_;             // of each wave
   std::vector<double> from_ends_, to_ends_;  // exponents over k where the strips from both sides of each bundle end [m]

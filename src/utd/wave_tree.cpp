@@ -20,6 +20,7 @@ void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
   waves_.clear();
   bundles_.clear();
   waves_.push_back({wave, {wedge.start, step}, glm::dot(scattered_ - incident_, step)});
+  waves_[0].direct = true;
   for (std::size_t w = 0; w < waves_.size(); ++w) {
     waves_[w].first_bundle = static_cast<std::uint32_t>(bundles_.size());
     if (w == 0) {
@@ -29,7 +30,7 @@ void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
       split(waves_[w], parent.from, parent.to);
     }
     waves_[w].end_bundle = static_cast<std::uint32_t>(bundles_.size());
-    if (waves_[w].wave.goes_on()) go_on(w);
+    if (mirror_at_folds_ || waves_[w].wave.goes_on()) go_on(w);
   }
 }
 
@@ -65,15 +66,34 @@ void WaveTree::end(const TreeWave& wave, double from, double to, const OutlineEd
 void WaveTree::go_on(std::size_t index) {
   if (waves_[index].wave.left > 1 && meets_edge_alongside(waves_[index].wave)) runs_along_edge_ = true;
   for (std::uint32_t b = waves_[index].first_bundle; b < waves_[index].end_bundle; ++b) {
-    const TreeWave& wave = waves_[index];  // until the next ones are added
     const StripBundle& bundle = bundles_[b];
     if (!bundle.edge) continue;
+    if (mirror_at_folds_) mirror(index, b);
+    const TreeWave& wave = waves_[index];  // until the next ones are added
     const auto next = waves_beyond(wedges_, wave.wave, *bundle.edge);
     if (!next) continue;
     const dvec3 direction = wave.wave.direction;
     const EdgeLine there{wave.line.origin + bundle.length * direction, wave.line.step + bundle.growth * direction};
     for (const StripWave& beyond : *next) waves_.push_back({beyond, there, bundle.end_rate, b});
   }
+}
+
+// The straight path from the image of the source in the fold is l (s . sigma - s . sigma') longer, l the way to the fold.
+void WaveTree::mirror(std::size_t index, std::uint32_t bundle) {
+  const TreeWave wave = waves_[index];
+  const StripBundle& before = bundles_[bundle];
+  const auto mirrored = mirrored_wave(wedges_, wave.wave, *before.edge);
+  if (!mirrored) return;
+  const dvec3 direction = wave.wave.direction;
+  const Linear way{wave.behind.value + before.length, wave.behind.growth + before.growth};
+  const double turn = glm::dot(scattered_, direction - mirrored->direction);
+  waves_.push_back({.wave = *mirrored,
+                    .line = {wave.line.origin + before.length * direction, wave.line.step + before.growth * direction},
+                    .path_rate = before.end_rate,
+                    .parent = bundle,
+                    .behind = way,
+                    .detour = {wave.detour.value + turn * way.value, wave.detour.growth + turn * way.growth},
+                    .direct = wave.direct});
 }
 
 // Corners ahead of the strips, projected back along them; and the end.

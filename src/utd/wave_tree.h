@@ -25,6 +25,12 @@ struct StripBundle {
   double length_at(double place) const { return length + growth * place; }
 };
 
+/// What depends on the place on the first edge and is linear in it.
+struct Linear {
+  double value = 0.0, growth = 0.0;
+  double at(double place) const { return value + place * growth; }
+};
+
 /// One wave of the tree.
 struct TreeWave {
   StripWave wave;
@@ -32,14 +38,20 @@ struct TreeWave {
   double path_rate;                                // change of its phase there per metre of the first edge, over k
   std::uint32_t parent = no_index;                 // the bundle whose strips end there; none for the first wave
   std::uint32_t first_bundle = 0, end_bundle = 0;  // its own
+
+  // Of mirrored strips: how far their current has come, and how much the path over the image of its source, from which they run
+  // straight, exceeds that over the source itself [m].
+  Linear behind{}, detour{};
+  bool direct = false;  // the current is that of the first wave
 };
 
 /// Finds all waves and bundles, each wave after the one it comes from. Keeps its buffers from one tree to the next.
 class WaveTree {
  public:
   /// For a look with the directions s' and s.
-  WaveTree(std::span<const Wedge> wedges, const Outlines& outlines, const dvec3& incident, const dvec3& scattered)
-      : wedges_(wedges), outlines_(outlines), incident_(incident), scattered_(scattered) {}
+  WaveTree(std::span<const Wedge> wedges, const Outlines& outlines, const dvec3& incident, const dvec3& scattered,
+           bool mirror_at_folds)
+      : wedges_(wedges), outlines_(outlines), incident_(incident), scattered_(scattered), mirror_at_folds_(mirror_at_folds) {}
 
   /// The tree of `wave`, started on the lit pieces of its edge.
   void grow(const StripWave& wave, std::span<const LitInterval> lit);
@@ -57,12 +69,14 @@ class WaveTree {
   void split(const TreeWave& wave, double from, double to);
   void end(const TreeWave& wave, double from, double to, const OutlineEdge* edge);
   void go_on(std::size_t index);
+  void mirror(std::size_t index, std::uint32_t bundle);
   void project_corners(const TreeWave& wave, double from, double to);
   bool meets_edge_alongside(const StripWave& wave) const;
 
   std::span<const Wedge> wedges_;
   const Outlines& outlines_;
   dvec3 incident_, scattered_;
+  bool mirror_at_folds_;
   double rounding_ = 0.0;
   std::vector<TreeWave> waves_;
   std::vector<StripBundle> bundles_;

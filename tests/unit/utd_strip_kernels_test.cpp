@@ -206,6 +206,32 @@ TEST(StripKernels, OfAWedgeHaveTheErrorOfTheUniformWave) {
   }
 }
 
+TEST(StripKernels, OfACurrentThatAFoldMirroredAreExact) {
+  // The part from the fold on: as for whole strips, the series' Bessel functions carry some end * 1e-15.
+  for (const auto& [begin, end] : {std::pair(2.0, 4.0), {6.0, 7.5}, {20.0, 60.0}})
+    for (const double source : {0.0, 0.6, 2.9, 3.6, 2 * pi}) {
+      const ExactCurrent to_begin(2.0, source, begin), to_end(2.0, source, end);
+      for (const double mu : {-0.8, 0.5, 0.95}) {
+        const FringeKernels shorter = to_begin.kernels(mu), longer = to_end.kernels(mu);
+        const FringeKernels found = piece_of(Strip(2.0, incidence_at(source), half_cosine_of(mu)), begin, end).current;
+        EXPECT_LE(std::abs(found.hard - (longer.hard - shorter.hard)), 1e-14 * end) << source << ' ' << mu;
+        EXPECT_LE(std::abs(found.soft - (longer.soft - shorter.soft)), 1e-14 * end) << source << ' ' << mu;
+        EXPECT_LE(std::abs(found.axial - (longer.axial - shorter.axial)), 1e-14 * end) << source << ' ' << mu;
+      }
+    }
+}
+
+TEST(StripKernels, OfAMirroredCurrentVanishWithItsLength) {
+  // The hard current is 2 at most, the kernel half its integral; rounding is that of the two strips of length 20.
+  for (const double n : {2.0, 1.5})
+    for (const double source : {0.0, 0.8, n * pi})
+      for (const double length : {1.0, 1e-3, 1e-6, 0.0}) {
+        const StripKernels part = piece_of(Strip(n, incidence_at(source), 0.6), 20.0, 20.0 + length);
+        EXPECT_LE(std::abs(part.current.hard), length + 1e-13) << n << ' ' << source;
+        EXPECT_LE(std::abs(part.current.soft), length + 1e-13) << n << ' ' << source;
+      }
+}
+
 TEST(StripKernels, EndlessStripsAreTheFirstOrderKernels) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   // 1e-12 of the kernels' size: they are the same functions, added up in another order.

@@ -1,0 +1,135 @@
+// Edge currents that a right-angled fold mirrors, against image theory.
+#include <gtest/gtest.h>
+
+#include "run.h"
+#include "shapes.h"
+#include "utd/strips.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+
+/// The first frequency is looked at; the second one, six times as high, makes the points along the edges dense enough to be
+/// exact.
+constexpr double frequencies[] = {speed_of_light, 6 * speed_of_light};
+
+/// A face in z = 0, and walls that meet it at right angles over both its sides.
+class FoldScene {
+ public:
+  FoldScene(PolygonSoup soup, bool quadrant)
+      : quadrant_(quadrant),
+        loaded_(build_mesh(std::move(soup), 1.0)),
+        target_(loaded_.mesh, options(EdgeMethod::fringe).edges) {}
+
+  /// Strips of the free edges of the face where x, and with `quadrant` y, are positive.
+  ScatteringMatrix strips(const LookVectors& look, int order, bool mirror_at_folds) const {
+    const dvec3& center = loaded_.mesh.center;
+    StripWalk walk(target_.wedges, target_.outlines, look, frequencies, order, TransitionTier::exact, mirror_at_folds);
+    for (std::uint32_t i = 0; i < target_.wedges.size(); ++i) {
+      const Wedge& wedge = target_.wedges[i];
+      const dvec3 start = wedge.start + center, end = wedge.end + center;
+      if (wedge.n != 2.0 || std::abs(start.z) + std::abs(end.z) > rounding) continue;
+      LitInterval lit{0.0, 1.0};
+      keep_positive(start.x, end.x, lit);
+      if (quadrant_) keep_positive(start.y, end.y, lit);
+      if (lit.begin < lit.end) walk.add(i, incidence_on(wedge, look.incident), std::span(&lit, 1));
+    }
+    const StripSums sums = walk.take();
+    ScatteringMatrix result = sums.first[0] + sums.higher[0];
+    return result *= std::polar(1.0, 2 * pi * glm::dot(look.scattered - look.incident, center));
+  }
+
+ private:
+  static constexpr double rounding = 1e-9;
+
+  static void keep_positive(double start, double end, LitInterval& lit) {
+    if (std::max(start, end) < rounding) lit.end = 0.0;
+    if (start < -rounding && end > rounding) lit.begin = std::max(lit.begin, start / (start - end));
+    if (end < -rounding && start > rounding) lit.end = std::min(lit.end, start / (start - end));
+  }
+
+  bool quadrant_;
+  LoadedMesh loaded_;
+  Target target_;
+};
+
+LookVectors turned(LookVectors look, const dvec3& mirror) {
+  look.scattered *= mirror;
+  for (dvec3& receive : look.receive) receive *= mirror;
+  return look;
+}
+
+const Look looks[] = {{{0.9, 0.4}, {1.3, 2.1}}, {{0.7, -0.6}, {0.7, -0.6}}, {{1.2, 2.4}, {2.0, -1.0}}, {{2.1, 0.9}, {0.5, 3.0}}};
+
+/// Largest difference between two scenes in the sum over the mirrors of S(s) with a receiver mirrored like s, each mirror with
+/// the sign -1; and the largest sum.
+std::pair<double, double> compare(const FoldScene& fold, const FoldScene& plate, std::span<const dvec3> mirrors,
+                                  bool mirror_at_folds = true) {
+  double worst = 0.0, size = 0.0;
+  for (const Look& look : looks)
+    for (const int order : {1, 2, 3}) {
+      ScatteringMatrix wall, image;
+      for (const dvec3& mirror : mirrors) {
+        const LookVectors there = turned(look_vectors(look), mirror);
+        const double sign = mirror.x * mirror.y;
+        wall += fold.strips(there, order, mirror_at_folds) *= sign;
+        image += plate.strips(there, order, mirror_at_folds) *= sign;
+      }
+      worst = std::max(worst, largest_amplitude(wall - image));
+      size = std::max(size, largest_amplitude(image));
+    }
+  return {worst, size};
+}
+
+/// A trapezoid at a wall: its strips meet the fold in all directions. Without the wall, the face and its image.
+PolygonSoup trapezoid(bool wall) {
+  PolygonSoup soup{{{0, -1.5, 0}, {2.5, -1.1, 0}, {2.5, 1.2, 0}, {0, 1.2, 0}}, {{0, 1, 2, 3}}};
+  if (wall) {
+    soup.points.insert(soup.points.end(), {{0, -1.5, 2}, {0, 1.2, 2}, {0, -1.5, -2}, {0, 1.2, -2}});
+    soup.polygons.insert(soup.polygons.end(), {{0, 3, 5, 4}, {0, 6, 7, 3}});
+  } else {
+    soup.points.insert(soup.points.end(), {{-2.5, -1.1, 0}, {-2.5, 1.2, 0}});
+    soup.polygons.push_back({0, 3, 5, 4});
+  }
+  return soup;
+}
+
+/// A rectangle in the corner of two walls, and the plate that it is a quarter of.
+PolygonSoup quarter(bool walls) {
+  if (!walls) return {{{-2.5, -1.3, 0}, {2.5, -1.3, 0}, {2.5, 1.3, 0}, {-2.5, 1.3, 0}}, {{0, 1, 2, 3}}};
+  return {{{0, 0, 0},
+           {2.5, 0, 0},
+           {2.5, 1.3, 0},
+           {0, 1.3, 0},
+           {0, 0, 2},
+           {2.5, 0, 2},
+           {0, 1.3, 2},
+           {0, 0, -2},
+           {2.5, 0, -2},
+           {0, 1.3, -2}},
+          {{0, 1, 2, 3}, {0, 3, 6, 4}, {0, 7, 9, 3}, {0, 4, 5, 1}, {0, 1, 8, 7}}};
+}
+
+// F of the face with its walls, P of the face with its images, of which the edges in front of the walls are lit. There both have
+// the same current J, apart from what walls mirror; J' = -R J, R the mirror: F(s) - R F(Rs) = P(s) - R P(Rs).
+TEST(FoldMirror, StripsOfAFaceAtAWallAreThoseOfTheFaceAndItsImage) {
+  const FoldScene fold(trapezoid(true), false), plate(trapezoid(false), false);
+  const dvec3 mirrors[] = {{1, 1, 1}, {-1, 1, 1}};
+  const auto [worst, size] = compare(fold, plate, mirrors);
+  measured("strips at a wall against strips of the image, largest difference", worst / size, "");
+  EXPECT_LE(worst, 1e-6 * size);  // of the rules along the edges: the wall cuts other panels
+  EXPECT_GE(compare(fold, plate, mirrors, false).first, 0.05 * size);
+}
+
+TEST(FoldMirror, StripsInTheCornerOfTwoWallsAreThoseOfTheFaceAndItsImages) {
+  const FoldScene fold(quarter(true), true), plate(quarter(false), true);
+  const dvec3 mirrors[] = {{1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}};
+  const auto [worst, size] = compare(fold, plate, mirrors);
+  measured("strips between two walls against strips of the images, largest difference", worst / size, "");
+  EXPECT_LE(worst, 1e-6 * size);
+  EXPECT_GE(compare(fold, plate, mirrors, false).first, 0.05 * size);
+}
+
+}  // namespace
+}  // namespace raytube
