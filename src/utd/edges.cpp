@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "utd/lit_edges.h"
@@ -131,6 +132,70 @@ struct Meeting {
   bool rim_only;
 };
 
+/// Order 2 or more, one look: strips of edge after edge.
+class StripPass {
+ public:
+  StripPass(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look, std::span<const double> frequencies,
+            int order, TransitionTier tier, bool mirror_at_folds)
+      : wedges_(wedges),
+        incident_(look.incident),
+        walk_(wedges, outlines, look, frequencies, order, tier, mirror_at_folds),
+        thickness_(look, frequencies) {}
+
+  /// None if the edge adds nothing. One that is only grazed, over one face, takes its light from the edge at the other end of
+  /// that face.
+  std::optional<Meeting> meeting(std::uint32_t index) const {
+    if (!wedges_[index].radiates() || wedges_[index].enclosed) return std::nullopt;
+    const Meeting result(wedges_[index], incident_);
+    return result.incidence.weight == 1.0 ? std::optional(result) : std::nullopt;
+  }
+
+  void add(std::uint32_t index, const Meeting& meeting, std::span<const LitInterval> lit) {
+    result_.lit = true;
+    thickness_.add_rim(wedges_[index], meeting.incidence, lit);
+    if (meeting.rim_only) return;
+    ++result_.wedges_lit;
+    walk_.add(index, meeting.incidence, lit);
+  }
+
+  EdgeLookResult take() {
+    StripSums sums = walk_.take();
+    result_.scattering = std::move(sums.first);
+    thickness_.add_to(result_.scattering);
+    result_.higher = std::move(sums.higher);
+    result_.windowed = std::move(sums.windowed);
+    return std::move(result_);
+  }
+
+ private:
+  std::span<const Wedge> wedges_;
+  dvec3 incident_;
+  StripWalk walk_;
+  ThicknessPass thickness_;
+  EdgeLookResult result_;
+};
+
+/// The weights of its pieces, each once.
+std::vector<double> weights_of(const ReflectedLook& look) {
+  std::vector<double> weights;
+  for (const LitPieces& pieces : look.pieces) weights.push_back(pieces.weight);
+  std::ranges::sort(weights);
+  weights.erase(std::unique(weights.begin(), weights.end()), weights.end());
+  return weights;
+}
+
+void add_weighted(EdgeLookResult& sum, const EdgeLookResult& part, double path, double weight,
+                  std::span<const double> frequencies) {
+  for (std::size_t i = 0; i < frequencies.size(); ++i) {
+    const Complex factor = std::polar(weight, -wavenumber(frequencies[i]) * path);
+    add_product(sum.scattering[i], part.scattering[i], factor);
+    add_product(sum.higher[i], part.higher[i], factor);
+    if (part.windowed[i]) sum.windowed[i] = true;
+  }
+  sum.lit = sum.lit || part.lit;
+  sum.wedges_lit += part.wedges_lit;
+}
+
 }  // namespace
 
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tracer, const Look& look,
@@ -158,29 +223,34 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tr
 }
 
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
-                                 std::span<const double> frequencies, int order, bool receiver_shadow, TransitionTier tier) {
+                                 std::span<const double> frequencies, int order, bool receiver_shadow, TransitionTier tier,
+                                 bool mirror_at_folds) {
   assert(!frequencies.empty() && order > 1);
   const LookVectors vectors = look_vectors(look);
   LitEdges edges(wedges, tracer, vectors, shortest_wavelength(frequencies), receiver_shadow);
-  StripWalk walk(wedges, outlines, vectors, frequencies, order, tier);
-  ThicknessPass thickness(vectors, frequencies);
+  StripPass pass(wedges, outlines, vectors, frequencies, order, tier, mirror_at_folds);
+  for (std::uint32_t index = 0; index < wedges.size(); ++index)
+    if (const auto meeting = pass.meeting(index); meeting && edges.find(index, meeting->incidence))
+      pass.add(index, *meeting, edges.lit());
+  return pass.take();
+}
+
+EdgeLookResult reflected_fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines,
+                                           std::span<const ReflectedLook> looks, std::span<const double> frequencies, int order,
+                                           TransitionTier tier, bool mirror_at_folds) {
+  assert(!frequencies.empty() && order >= 1);
   EdgeLookResult result;
-  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
-    if (!wedges[index].radiates() || wedges[index].enclosed) continue;
-    const auto [incidence, rim_only] = Meeting(wedges[index], vectors.incident);
-    // An edge that is only grazed, over one face, takes its light from the edge at the other end of that face.
-    if (incidence.weight != 1.0 || !edges.find(index, incidence)) continue;
-    result.lit = true;
-    thickness.add_rim(wedges[index], incidence, edges.lit());
-    if (rim_only) continue;
-    ++result.wedges_lit;
-    walk.add(index, incidence, edges.lit());
-  }
-  StripSums sums = walk.take();
-  result.scattering = std::move(sums.first);
-  thickness.add_to(result.scattering);
-  result.higher = std::move(sums.higher);
-  result.windowed = std::move(sums.windowed);
+  result.scattering.resize(frequencies.size());
+  result.higher.resize(frequencies.size());
+  result.windowed.resize(frequencies.size());
+  for (const ReflectedLook& look : looks)
+    for (const double weight : weights_of(look)) {
+      StripPass pass(wedges, outlines, look.look, frequencies, order, tier, mirror_at_folds);
+      for (const LitPieces& pieces : look.pieces)
+        if (const auto meeting = pass.meeting(pieces.wedge); meeting && pieces.weight == weight && !pieces.lit.empty())
+          pass.add(pieces.wedge, *meeting, pieces.lit);
+      add_weighted(result, pass.take(), look.path, weight, frequencies);
+    }
   return result;
 }
 

@@ -8,7 +8,9 @@
 #include "mesh/outlines.h"
 #include "mesh/tracer.h"
 #include "sweep.h"
+#include "utd/edge_currents.h"
 #include "utd/transition.h"
+#include "utd/visibility.h"
 
 namespace raytube {
 
@@ -28,9 +30,32 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tr
                                  std::span<const double> frequencies, bool receiver_shadow = false);
 
 /// The same with currents that end where their face ends and diffract again at the edge there: `order` edges in a row, 2 or more.
-/// Bounded in every direction on polygonal faces, and no edge needs a window there. `tier` says how erfc is evaluated.
+/// Bounded in every direction on polygonal faces, and no edge needs a window there. `tier` says how erfc is evaluated. With
+/// `mirror_at_folds` currents that end at a right-angled fold run on mirrored: right only if what edges send to other faces is
+/// painted there, too.
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
                                  std::span<const double> frequencies, int order, bool receiver_shadow = false,
-                                 TransitionTier tier = TransitionTier::exact);
+                                 TransitionTier tier = TransitionTier::exact, bool mirror_at_folds = false);
+
+/// Parts of one edge in a wave that has been reflected before.
+struct LitPieces {
+  std::uint32_t wedge;
+  std::vector<LitInterval> lit;  // in order
+  double weight = 1.0;           // 1/2 where the edge lies on the border of the beam
+};
+
+/// A reflected plane wave E e^{-jk (s' . r + path)} and what it lights; `look` has its s', E and eta H of a unit wave that was
+/// transmitted.
+struct ReflectedLook {
+  LookVectors look;
+  double path = 0.0;  // [m]
+  std::vector<LitPieces> pieces;
+};
+
+/// The same currents for edges lit by reflected waves, 1 or more in a row; at order 1 they end with their face, too. Edges that
+/// are only grazed, and those that do not radiate, add nothing.
+EdgeLookResult reflected_fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines,
+                                           std::span<const ReflectedLook> looks, std::span<const double> frequencies, int order,
+                                           TransitionTier tier = TransitionTier::exact, bool mirror_at_folds = true);
 
 }  // namespace raytube
