@@ -1,6 +1,7 @@
 // Edge currents that a right-angled fold mirrors, against image theory.
 #include <gtest/gtest.h>
 
+#include "dihedral_2d.h"
 #include "run.h"
 #include "shapes.h"
 #include "utd/strips.h"
@@ -129,6 +130,34 @@ TEST(FoldMirror, StripsInTheCornerOfTwoWallsAreThoseOfTheFaceAndItsImages) {
   measured("strips between two walls against strips of the images, largest difference", worst / size, "");
   EXPECT_LE(worst, 1e-6 * size);
   EXPECT_GE(compare(fold, plate, mirrors, false).first, 0.05 * size);
+}
+
+TEST(FoldMirror, OfADihedralIsThatInTwoDimensions) {
+  // Strips of the outer edge of the plate at y = 0, across the fold; S = j P L / pi of a height L (soft), -j P L / pi (hard).
+  constexpr double w = 3.0, height = 2.0;
+  const LoadedMesh loaded = build_mesh(shapes::dihedral(w, height), 1.0);
+  const Target target(loaded.mesh, options(EdgeMethod::fringe).edges);
+  const auto outer = std::ranges::find_if(
+      target.wedges, [&](const Wedge& wedge) { return std::min(wedge.start.x, wedge.end.x) + loaded.mesh.center.x > w - 1e-9; });
+  ASSERT_NE(outer, target.wedges.end());
+  constexpr LitInterval all{0.0, 1.0};
+  for (const double from : {20.0, 50.0, 300.0})
+    for (const double to : {20.0, 61.0, 130.0, 200.0, 333.0}) {
+      const LookVectors look = look_vectors({{pi / 2, from * degree}, {pi / 2, to * degree}});
+      StripWalk walk(target.wedges, target.outlines, look, frequencies, 1, TransitionTier::exact, true);
+      walk.add(static_cast<std::uint32_t>(outer - target.wedges.begin()), incidence_on(*outer, look.incident),
+               std::span(&all, 1));
+      const StripSums sums = walk.take();
+      const Complex per_height = std::polar(pi / height, 2 * pi * glm::dot(look.scattered - look.incident, loaded.mesh.center));
+      const ScatteringMatrix found = sums.first[0] + sums.higher[0];
+      for (const bool hard : {false, true}) {
+        const Dihedral2d flat(pi / 2, w, hard);
+        const Complex p = flat.fringe(flat.edge_lights(from * degree, 0)[0], to * degree, FringeEnd::mirrored);
+        const Complex s = (hard ? found.hh() : found.vv()) * per_height;
+        EXPECT_LE(std::abs(s - Complex(0.0, hard ? -1.0 : 1.0) * p), 1e-12)
+            << from << ' ' << to << ' ' << hard;  // the same kernels
+      }
+    }
 }
 
 }  // namespace
