@@ -280,6 +280,23 @@ TEST(Between2d, SoftFringeNeedsTheMirrorToo) {
   }
 }
 
+TEST(Between2d, SoftFringeNeedsTheMirrorForReciprocityToo) {
+  const Model endless{1, 1}, mirrored{1, 1, FringeEnd::mirrored}, with_rays{1, 1, FringeEnd::mirrored, false};
+  const double before = reciprocity_defect(endless, false), after = reciprocity_defect(mirrored, false);
+  measured("defect, soft, endless", before, "");
+  measured("defect, soft, mirrored", after, "");
+  measured("defect, soft, mirrored, with H of the ray", reciprocity_defect(with_rays, false), "");
+  EXPECT_LE(after, before / 2);
+  const Dihedral2d target(pi / 2, 3, false);
+  for (const auto& [first, last] : {std::pair(2, 88), {95, 175}, {185, 265}, {275, 355}}) {
+    const Cut cut = read_cut("bistatic", 90, 3, false, first, last);
+    const double open = errors(cut, [&](double from, double to) { return endless(target, from, to); }).relative;
+    const double closed = errors(cut, [&](double from, double to) { return mirrored(target, from, to); }).relative;
+    std::printf("measured: %d to %d deg, soft: relative error %.4f endless, %.4f mirrored\n", first, last, open, closed);
+    EXPECT_LE(closed, 0.95 * open);  // in every sector, behind the plates and in their shadow, too
+  }
+}
+
 TEST(Between2d, TheNextStripsCloseTheMirroredPart) {
   // A factor closes the wave where it is, the next strips with its value at the edge: 1/(2kl) of a wave apart, a fortieth.
   const Model factor{1, 1, FringeEnd::closed}, strips{1, 1, FringeEnd::linked};

@@ -25,8 +25,15 @@ class FoldScene {
 
   /// Strips of the free edges of the face where x, and with `quadrant` y, are positive.
   ScatteringMatrix strips(const LookVectors& look, int order, bool mirror_at_folds) const {
+    ScatteringMatrix result = strips_at(frequencies, look, order, mirror_at_folds)[0];
+    return result *= std::polar(1.0, 2 * pi * glm::dot(look.scattered - look.incident, loaded_.mesh.center));
+  }
+
+  /// The same at several frequencies; phase reference: centre of the mesh.
+  std::vector<ScatteringMatrix> strips_at(std::span<const double> at, const LookVectors& look, int order,
+                                          bool mirror_at_folds = true) const {
     const dvec3& center = loaded_.mesh.center;
-    StripWalk walk(target_.wedges, target_.outlines, look, frequencies, order, TransitionTier::exact, mirror_at_folds);
+    StripWalk walk(target_.wedges, target_.outlines, look, at, order, TransitionTier::exact, mirror_at_folds);
     for (std::uint32_t i = 0; i < target_.wedges.size(); ++i) {
       const Wedge& wedge = target_.wedges[i];
       const dvec3 start = wedge.start + center, end = wedge.end + center;
@@ -36,9 +43,9 @@ class FoldScene {
       if (quadrant_) keep_positive(start.y, end.y, lit);
       if (lit.begin < lit.end) walk.add(i, incidence_on(wedge, look.incident), std::span(&lit, 1));
     }
-    const StripSums sums = walk.take();
-    ScatteringMatrix result = sums.first[0] + sums.higher[0];
-    return result *= std::polar(1.0, 2 * pi * glm::dot(look.scattered - look.incident, center));
+    StripSums sums = walk.take();
+    for (std::size_t i = 0; i < at.size(); ++i) sums.first[i] += sums.higher[i];
+    return sums.first;
   }
 
  private:
@@ -158,6 +165,32 @@ TEST(FoldMirror, OfADihedralIsThatInTwoDimensions) {
             << from << ' ' << to << ' ' << hard;  // the same kernels
       }
     }
+}
+
+TEST(FoldMirror, OtherAnglesThanTheRightOneDoNotMirror) {
+  PolygonSoup soup = trapezoid(true);
+  for (std::size_t i = 4; i < soup.points.size(); ++i) soup.points[i].x = 0.2 * soup.points[i].z;
+  const FoldScene leaning(soup, false);
+  const LookVectors look = look_vectors(looks[0]);
+  const ScatteringMatrix asked = leaning.strips_at(frequencies, look, 2, true)[0];
+  EXPECT_GT(largest_amplitude(asked), 0.01);
+  EXPECT_EQ(largest_amplitude(asked - leaning.strips_at(frequencies, look, 2, false)[0]), 0.0);
+}
+
+TEST(FoldMirror, ManyFrequenciesAreThoseOfEachAlone) {
+  // Of many, a few are computed and the others interpolated, to rounding; both share the points of the highest one.
+  const FoldScene fold(quarter(true), true);
+  const LookVectors look = look_vectors(looks[0]);
+  std::vector<double> many;
+  for (int i = 0; i <= 100; ++i) many.push_back(speed_of_light * (1 + 0.001 * i));
+  const std::vector<ScatteringMatrix> together = fold.strips_at(many, look, 3);
+  double worst = 0.0;
+  for (int i = 0; i <= 100; i += 7) {
+    const double few[] = {many[i], many.back()};
+    worst = std::max(worst, largest_amplitude(together[i] - fold.strips_at(few, look, 3)[0]));
+  }
+  measured("mirrored strips, many frequencies against each alone", worst, "wavelengths");
+  EXPECT_LE(worst, 1e-10);
 }
 
 }  // namespace
