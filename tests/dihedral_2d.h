@@ -84,6 +84,23 @@ class Dihedral2d {
     return light.amplitude * radiation(1 - light.plate, to) * sum;
   }
 
+  /// What the same wave, reflected by the other plate, makes the edge's own plate radiate; with H of the ray.
+  Complex painted_back(const EdgeLight& light, double to) const {
+    const Plate &mirror = plates_[1 - light.plate], &target = plates_[light.plate];
+    const dvec2 edge = w_ * target.along;
+    const double height = glm::dot(edge, mirror.normal);
+    Complex sum = 0.0;
+    for (const GaussPoint& point : points_) {
+      const dvec2 place = point.place * target.along, image = mirrored(place, 1 - light.plate), way = image - edge;
+      const double reflection = glm::dot(edge - height / glm::dot(way, mirror.normal) * way, mirror.along);
+      const dvec2 ray = mirrored(glm::normalize(way), 1 - light.plate);
+      if (reflection <= 0.0 || reflection >= w_ || glm::dot(ray, target.normal) >= 0.0) continue;
+      const Complex wave = (hard_ ? 1.0 : -1.0) * edge_wave(light, image, Boundaries::both);
+      sum += point.weight * current_of(ray, target.normal) * wave * phase(direction_at(to), place);
+    }
+    return light.amplitude * radiation(light.plate, to) * sum;
+  }
+
   /// Each plate in the whole field of the other one's half plane: its waves with both their boundaries, or the reflected one's
   /// alone. With a right angle the former is the same as all bounces and the painted waves of both edges; else beams that return
   /// are missing, and so is what the plate beyond the fold, which is not there, would have to be rid of.
