@@ -10,7 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 26> known_keys = {"title",
+constexpr std::array<std::string_view, 27> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
