@@ -87,7 +87,8 @@ LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const 
   if (options.edges.method == EdgeMethod::fringe && (edges.radiate() || !options.tubes.skip))
     result.edges =
         edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow, options.edges.transition);
-  result.between = edges.between(target.faces, target.tracer, look, between_tolerance(result.tubes, options));
+  result.between = edges.between(target.faces, target.tracer, look,
+                                 {options.edges.order, options.edges.transition, between_tolerance(result.tubes, options)});
   if (sweep.bistatic) return result;
   for (std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) make_reciprocal(bounce);
   for (ChannelErrors& error : result.tubes.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);

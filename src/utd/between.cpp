@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "utd/azimuth_integral.h"
+#include "utd/edges.h"
 #include "utd/lit_edges.h"
 #include "utd/reflected_light.h"
 
@@ -16,23 +17,10 @@ namespace {
 // Mirror images of the corners are cuts of the integral too where there are no more than this.
 constexpr std::size_t most_corners = 200;
 constexpr double same_azimuth = 1e-9;     // [rad]
+constexpr double least_sine = 1e-4;       // between wave and edge: along it hardly anything is diffracted
 constexpr double least_tolerance = 1e-6;  // [wavelengths]
 // Panels to begin with where nothing else cuts [rad].
 constexpr double widest_panel = 0.4;
-
-PlaneWave incident_wave(const LookVectors& look) { return {look.incident, look.electric, 0.0}; }
-
-/// The pieces of an edge that the incident wave lights.
-void add_direct_light(const EdgeAxis& axis, std::uint32_t index, const PlaneWave& wave, LitEdges& edges,
-                      std::vector<EdgeLight>& lights) {
-  const WedgeIncidence incidence = incidence_on(*axis.wedge, wave.direction);
-  if (incidence.weight == 0.0 || incidence.faces[0].sin_cone < 1e-4 || !edges.find(index, incidence)) return;
-  const bool reversed = axis.origin != axis.wedge->start;
-  for (const LitInterval& lit : edges.lit()) {
-    const double from = reversed ? 1.0 - lit.end : lit.begin, to = reversed ? 1.0 - lit.begin : lit.end;
-    lights.push_back({&axis, &wave, incidence.faces[0], from * axis.length, to * axis.length, incidence.weight});
-  }
-}
 
 class CutFinder {
  public:
@@ -131,42 +119,103 @@ AzimuthIntegral painted(const FaceTree& tree, const LookVectors& look, std::span
   return integrate_over_azimuth(density, wavenumbers.size(), CutFinder(tree, *job.light).find(), turns, tolerance);
 }
 
+LitInterval along_wedge(const EdgeLight& light) {
+  const EdgeAxis& axis = *light.edge;
+  const double from = light.from / axis.length, to = light.to / axis.length;
+  return axis.reversed() ? LitInterval{1.0 - to, 1.0 - from} : LitInterval{from, to};
+}
+
+ReflectedLook reflected_look(const ReflectedWave& wave, const LookVectors& look, const Wedge* first_wedge) {
+  ReflectedLook result{look, wave.wave.path, {}};
+  result.look.incident = wave.wave.direction;
+  result.look.electric = wave.wave.electric;
+  for (int q = 0; q < 2; ++q) result.look.magnetic[q] = glm::cross(wave.wave.direction, wave.wave.electric[q]);
+  for (const EdgeLight& light : wave.lights)
+    result.pieces.push_back({static_cast<std::uint32_t>(light.edge->wedge - first_wedge), {along_wedge(light)}, light.weight});
+  return result;
+}
+
+// All waves that light edges, and what becomes of them.
+class BetweenLook {
+ public:
+  BetweenLook(const BetweenScene& scene, const Look& look, std::span<const double> frequencies)
+      : scene_(scene), look_(look_vectors(look)), incident_{look_.incident, look_.electric, 0.0}, frequencies_(frequencies) {
+    const double shortest = wavelength(std::ranges::max(frequencies));
+    LitEdges edges(scene.wedges, scene.tracer, look_, shortest, false);
+    for (const EdgeAxis& axis : scene.axes) add_direct_light(axis, edges);
+    reflected_ = ReflectedLight(scene.tree, scene.axes, incident_, shortest).waves(most_reflections);
+    for (const EdgeLight& light : direct_) jobs_.push_back({&light, most_reflections});
+    for (const ReflectedWave& wave : reflected_)
+      for (const EdgeLight& light : wave.lights)
+        jobs_.push_back({&light, most_reflections - static_cast<int>(wave.patches.size())});
+  }
+  BetweenLook(const BetweenLook&) = delete;
+
+  BetweenResult solve(const BetweenOptions& options) {
+    BetweenResult result;
+    if (jobs_.empty()) return result;
+    result.scattering.resize(frequencies_.size());
+    result.error.resize(frequencies_.size());
+    result.lit_pieces = jobs_.size();
+    paint(options.tolerance, result);
+    if (options.order > 1) add_fringe(options, result);
+    return result;
+  }
+
+ private:
+  void add_direct_light(const EdgeAxis& axis, LitEdges& edges) {
+    const WedgeIncidence incidence = incidence_on(*axis.wedge, look_.incident);
+    if (incidence.weight == 0.0 || incidence.faces[0].sin_cone < least_sine) return;
+    if (!edges.find(static_cast<std::uint32_t>(axis.wedge - scene_.wedges.data()), incidence)) return;
+    for (const LitInterval& lit : edges.lit()) {
+      const double from = axis.reversed() ? 1.0 - lit.end : lit.begin, to = axis.reversed() ? 1.0 - lit.begin : lit.end;
+      direct_.push_back({&axis, &incident_, incidence.faces[0], from * axis.length, to * axis.length, incidence.weight});
+    }
+  }
+
+  void paint(double tolerance, BetweenResult& result) const {
+    std::vector<double> wavenumbers;
+    for (const double frequency : frequencies_) wavenumbers.push_back(wavenumber(frequency));
+    std::vector<AzimuthIntegral> parts(jobs_.size());
+    const double least = least_tolerance * wavelength(std::ranges::max(frequencies_));
+    const double share = std::max(tolerance, least) / std::sqrt(static_cast<double>(jobs_.size()));
+    tbb::parallel_for(std::size_t{0}, jobs_.size(),
+                      [&](std::size_t i) { parts[i] = painted(scene_.tree, look_, wavenumbers, jobs_[i], share); });
+    for (const AzimuthIntegral& part : parts)
+      for (std::size_t f = 0; f < frequencies_.size(); ++f) {
+        result.scattering[f] += part.value[f];
+        for (int p = 0; p < 2; ++p)
+          for (int q = 0; q < 2; ++q) result.error[f][p][q] += part.error[f][p][q];
+      }
+  }
+
+  void add_fringe(const BetweenOptions& options, BetweenResult& result) const {
+    std::vector<ReflectedLook> looks;
+    for (const ReflectedWave& wave : reflected_)
+      if (wave.patches.size() == 1) looks.push_back(reflected_look(wave, look_, scene_.wedges.data()));
+    const EdgeLookResult fringe =
+        reflected_fringe_scattering(scene_.wedges, scene_.outlines, looks, frequencies_, options.order, options.transition);
+    for (std::size_t f = 0; f < frequencies_.size(); ++f) {
+      result.scattering[f] += fringe.scattering[f];
+      result.scattering[f] += fringe.higher[f];
+    }
+  }
+
+  const BetweenScene& scene_;
+  LookVectors look_;
+  PlaneWave incident_;
+  std::span<const double> frequencies_;
+  std::vector<EdgeLight> direct_;
+  std::deque<ReflectedWave> reflected_;
+  std::vector<Job> jobs_;
+};
+
 }  // namespace
 
-BetweenResult between_scattering(const FaceTree& tree, const Tracer& tracer, std::span<const Wedge> wedges,
-                                 std::span<const EdgeAxis> axes, const Look& look, std::span<const double> frequencies,
-                                 double tolerance) {
-  BetweenResult result;
-  if (axes.empty()) return result;
-  const LookVectors vectors = look_vectors(look);
-  const double shortest = wavelength(std::ranges::max(frequencies));
-  const PlaneWave incident = incident_wave(vectors);
-  LitEdges edges(wedges, tracer, vectors, shortest, false);
-  std::vector<EdgeLight> direct;
-  for (const EdgeAxis& axis : axes)
-    add_direct_light(axis, static_cast<std::uint32_t>(axis.wedge - wedges.data()), incident, edges, direct);
-  const std::deque<ReflectedWave> reflected = ReflectedLight(tree, axes, incident, shortest).waves(most_reflections);
-  std::vector<Job> jobs;
-  for (const EdgeLight& light : direct) jobs.push_back({&light, most_reflections});
-  for (const ReflectedWave& wave : reflected)
-    for (const EdgeLight& light : wave.lights) jobs.push_back({&light, most_reflections - static_cast<int>(wave.patches.size())});
-  if (jobs.empty()) return result;
-  std::vector<double> wavenumbers;
-  for (const double frequency : frequencies) wavenumbers.push_back(wavenumber(frequency));
-  std::vector<AzimuthIntegral> parts(jobs.size());
-  const double share = std::max(tolerance, least_tolerance * shortest) / std::sqrt(static_cast<double>(jobs.size()));
-  tbb::parallel_for(std::size_t{0}, jobs.size(),
-                    [&](std::size_t i) { parts[i] = painted(tree, vectors, wavenumbers, jobs[i], share); });
-  result.scattering.resize(frequencies.size());
-  result.error.resize(frequencies.size());
-  result.lit_pieces = jobs.size();
-  for (const AzimuthIntegral& part : parts)
-    for (std::size_t f = 0; f < frequencies.size(); ++f) {
-      result.scattering[f] += part.value[f];
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) result.error[f][p][q] += part.error[f][p][q];
-    }
-  return result;
+BetweenResult between_scattering(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
+                                 const BetweenOptions& options) {
+  if (scene.axes.empty()) return {};
+  return BetweenLook(scene, look, frequencies).solve(options);
 }
 
 }  // namespace raytube

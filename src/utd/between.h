@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "mesh/face_tree.h"
+#include "mesh/outlines.h"
 #include "utd/edge_axes.h"
+#include "utd/transition.h"
 
 namespace raytube {
 
@@ -15,13 +17,28 @@ struct BetweenResult {
   std::uint64_t lit_pieces = 0;              // of edges, each once per wave that lights it
 };
 
+/// A target as diffracted waves see it.
+struct BetweenScene {
+  const FaceTree& tree;
+  const Tracer& tracer;
+  std::span<const Wedge> wedges;
+  const Outlines& outlines;
+  std::span<const EdgeAxis> axes;  // into `wedges`
+};
+
+struct BetweenOptions {
+  int order = 3;  // of the fringe currents
+  TransitionTier transition = TransitionTier::exact;
+  double tolerance = 0.0;  // at which quadrature stops, as far as it can tell [m]
+};
+
 /// Reflections of a path from the transmitter over an edge to the last surface it lights, before and after the edge together.
 inline constexpr int most_reflections = 2;
 
 /// S of the currents that diffracted waves paint on other surfaces than those of their own edge, at most one edge a path, all
-/// facets taken as planes. Quadrature stops within `tolerance` [m], as far as it can tell. Not symmetric in a monostatic look.
-BetweenResult between_scattering(const FaceTree& tree, const Tracer& tracer, std::span<const Wedge> wedges,
-                                 std::span<const EdgeAxis> axes, const Look& look, std::span<const double> frequencies,
-                                 double tolerance);
+/// facets taken as planes; at order 2 and 3 also of the fringe currents of edges that light reaches after one reflection. Not
+/// symmetric in a monostatic look.
+BetweenResult between_scattering(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
+                                 const BetweenOptions& options);
 
 }  // namespace raytube

@@ -24,6 +24,9 @@ struct EdgeAxis {
   double length = 0.0;
   // At either end: the faces of the wedge that meet another surface there in a fold, which carries on their waves as a mirror.
   std::array<std::vector<int>, 2> stops{};
+
+  /// Whether places count from the wedge's end.
+  bool reversed() const { return origin != wedge->start; }
 };
 
 /// A piece of an edge lit by a plane wave.

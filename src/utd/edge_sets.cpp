@@ -7,9 +7,10 @@ namespace raytube {
 namespace {
 
 EdgeLookResult edges_of_look(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
-                             std::span<const double> frequencies, int order, bool receiver_shadow, TransitionTier tier) {
+                             std::span<const double> frequencies, int order, bool receiver_shadow, TransitionTier tier,
+                             bool mirror_at_folds) {
   if (order == 1) return fringe_scattering(wedges, tracer, look, frequencies, receiver_shadow);
-  return fringe_scattering(wedges, outlines, tracer, look, frequencies, order, receiver_shadow, tier);
+  return fringe_scattering(wedges, outlines, tracer, look, frequencies, order, receiver_shadow, tier, mirror_at_folds);
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ bool EdgeSets::radiate() const {
 EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow,
                                     TransitionTier tier) const {
   const auto part = [&](const Set& set) {
-    return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier);
+    return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier,
+                         !set.axes.empty());
   };
   if (sets_.size() == 1) return part(sets_.front());
   EdgeLookResult all;
@@ -57,10 +59,12 @@ void EdgeSets::prepare_between(const TriangleMesh& mesh) {
   for (Set& set : sets_) set.axes = edge_axes(mesh, set.wedges);
 }
 
-BetweenResult EdgeSets::between(const FaceTree& tree, const Tracer& tracer, const Look& look, double tolerance) const {
+BetweenResult EdgeSets::between(const FaceTree& tree, const Tracer& tracer, const Look& look,
+                                const BetweenOptions& options) const {
   BetweenResult all;
   for (const Set& set : sets_) {
-    const BetweenResult part = between_scattering(tree, tracer, set.wedges, set.axes, look, set.frequencies, tolerance);
+    const BetweenScene scene{tree, tracer, set.wedges, set.outlines, set.axes};
+    const BetweenResult part = between_scattering(scene, look, set.frequencies, options);
     if (part.scattering.empty()) continue;
     all.scattering.resize(frequency_count_);
     all.error.resize(frequency_count_);

@@ -25,9 +25,8 @@ class EdgeSets {
   /// Finds the edges that may light other surfaces than their own.
   void prepare_between(const TriangleMesh& mesh);
 
-  /// What the waves of edges do on other surfaces in one look at all frequencies; nothing unless prepared. Quadrature stops
-  /// within `tolerance` [m].
-  BetweenResult between(const FaceTree& tree, const Tracer& tracer, const Look& look, double tolerance) const;
+  /// What the waves of edges do on other surfaces in one look at all frequencies; nothing unless prepared.
+  BetweenResult between(const FaceTree& tree, const Tracer& tracer, const Look& look, const BetweenOptions& options) const;
 
  private:
   struct Set {
