@@ -4,85 +4,27 @@
 #include <cmath>
 #include <limits>
 
-#include "utd/erfc_ray.h"
-#include "utd/filon.h"
-
 namespace raytube {
-
-namespace {
-
-// How far past an end of the edge its waves are followed, as sqrt(k detour): they have faded to 0.002 there and are let fade to
-// nothing, so that no path ends in a jump.
-constexpr double faded = 4.0;
-
-double fading(double detour) {
-  const double u = detour / (faded * faded), rest = std::max(1.0 - u * u * u * u, 0.0);
-  return rest * rest;
-}
-// Electrical distance from the edge below which the waves on a face no longer change.
-constexpr double at_edge = 0.05;
-// A rule takes in distances from the edge up to this ratio: waves change with their root.
-constexpr double octaves = 8.0;
-
-const FilonRule<8>& short_rule() {
-  static const FilonRule<8> rule;
-  return rule;
-}
-
-const FilonRule<16>& long_rule() {
-  static const FilonRule<16> rule;
-  return rule;
-}
-
-void add_terms(const std::array<EdgeWaveTerm, 2>& terms, int each, const Reals& root, Complexes& sum) {
-  for (int i = 0; i < each; ++i) {
-    Reals x;
-    for (std::size_t lane = 0; lane < lanes; ++lane) x[lane] = terms[i].rate * root[lane];
-    const Complexes wave = scaled_erfc(x);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      sum.re[lane] += terms[i].strength * wave.re[lane];
-      sum.im[lane] += terms[i].strength * wave.im[lane];
-    }
-  }
-}
-
-// The same, each wave with its share of the corner's: see add_beside_corner().
-void add_shares(const std::array<EdgeWaveTerm, 2>& terms, int each, const Reals& root, const Reals& detour, Complexes& sum) {
-  for (int i = 0; i < each; ++i) {
-    Reals x;
-    for (std::size_t lane = 0; lane < lanes; ++lane) x[lane] = terms[i].rate * root[lane];
-    const Complexes wave = scaled_erfc(x);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const double z2 = x[lane] * x[lane], all = z2 + detour[lane];
-      const double share = terms[i].strength * fading(detour[lane]) * (all > 0.0 ? z2 / all : 1.0);
-      sum.re[lane] += share * wave.re[lane];
-      sum.im[lane] += share * wave.im[lane];
-    }
-  }
-}
-
-}  // namespace
 
 EdgePainter::EdgePainter(const FaceTree& tree, const LookVectors& look, std::span<const double> wavenumbers,
                          const EdgeLight& light, int reflections)
     : tree_(tree), look_(look), wavenumbers_(wavenumbers), light_(light), reflections_(reflections), tracer_(tree) {
   const dvec3& d = light.wave->direction;
-  const dvec3 hard = -glm::cross(light.edge->tangent, d) / light.incidence.sin_cone, soft = glm::cross(d, hard);
-  for (int q = 0; q < 2; ++q) arriving_[q] = {glm::dot(soft, light.wave->electric[q]), glm::dot(hard, light.wave->electric[q])};
+  const dvec3 turning = -glm::cross(light.edge->tangent, d) / light.incidence.sin_cone, up = glm::cross(d, turning);
+  for (int q = 0; q < 2; ++q) arriving_[q] = {glm::dot(up, light.wave->electric[q]), glm::dot(turning, light.wave->electric[q])};
 }
 
 void EdgePainter::at(double azimuth, std::vector<ScatteringMatrix>& density) {
   density.assign(wavenumbers_.size(), {});
   const Wedge& wedge = *light_.edge->wedge;
   terms_ = edge_wave_terms(wedge.n, light_.incidence.source_angle, azimuth);
-  const Rays rays = leaving(azimuth);
-  find_corners(rays.sheet.direction);
-  Rays widened = rays;
-  const double margin = faded * std::sqrt(4 * (1 + reflections_) * tree_.mesh().radius / std::ranges::min(wavenumbers_)) /
-                        light_.incidence.sin_cone;
-  if (open_[0]) widened.sheet.from -= margin;
-  if (open_[1]) widened.sheet.to += margin;
-  follow(widened, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, reflections_, density);
+  Rays rays = leaving(azimuth);
+  const EdgeWaveIntegral waves = this->waves(rays.sheet.direction);
+  const double longest = 2 * (1 + reflections_) * tree_.mesh().radius;
+  const double margin = EdgeWaveIntegral::reach(longest, std::ranges::min(wavenumbers_), light_.incidence.sin_cone);
+  if (!closed(0, rays.sheet.direction)) rays.sheet.from -= margin;
+  if (!closed(1, rays.sheet.direction)) rays.sheet.to += margin;
+  follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, reflections_, waves, density);
 }
 
 EdgePainter::Rays EdgePainter::leaving(double azimuth) const {
@@ -90,8 +32,9 @@ EdgePainter::Rays EdgePainter::leaving(double azimuth) const {
   const dvec3& t = light_.edge->tangent;
   const dvec3 across = std::cos(azimuth) * face.into_face + std::sin(azimuth) * face.normal;
   const dvec3 direction = glm::normalize(light_.incidence.sin_cone * across + light_.incidence.cos_cone * t);
-  const dvec3 hard = glm::cross(t, across), soft = glm::cross(direction, hard);
-  return {{light_.edge->origin, t, direction, light_.from, light_.to}, 0.0, 0.0, {soft, hard}};
+  const dvec3 turning = glm::cross(t, across), up = glm::cross(direction, turning);
+  const std::array<dvec3, components> magnetic{-turning, up, across, turning};
+  return {{light_.edge->origin, t, direction, light_.from, light_.to}, 0.0, 0.0, magnetic};
 }
 
 // A surface on which the edge ends goes on with its waves as their mirror. An open sheet has one on either side, or none.
@@ -103,25 +46,37 @@ bool EdgePainter::closed(int end, const dvec3& direction) const {
   });
 }
 
-void EdgePainter::find_corners(const dvec3& direction) {
+// A closed end is the middle of the piece and its mirror image.
+EdgeWaveIntegral EdgePainter::waves(const dvec3& direction) const {
   constexpr double none = std::numeric_limits<double>::infinity();
-  for (int end = 0; end < 2; ++end) open_[end] = !closed(end, direction);
-  corner_[0] = open_[0] ? light_.from : open_[1] ? 2 * light_.from - light_.to : -none;
-  corner_[1] = open_[1] ? light_.to : open_[0] ? 2 * light_.to - light_.from : none;
+  const double from = light_.from, to = light_.to;
+  const bool first = !closed(0, direction), last = !closed(1, direction);
+  return {terms_,
+          light_.incidence.cos_cone,
+          light_.incidence.sin_cone,
+          from,
+          to,
+          {first  ? from
+           : last ? 2 * from - to
+                  : -none,
+           last    ? to
+           : first ? 2 * to - from
+                   : none}};
 }
 
-void EdgePainter::follow(const Rays& rays, const IgnoredPatches& ignored, int reflections,
+void EdgePainter::follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, const EdgeWaveIntegral& waves,
                          std::vector<ScatteringMatrix>& density) {
   std::vector<SheetHit>& hits = hits_[reflections];
   tracer_.trace(rays.sheet, ignored, hits);
   for (const SheetHit& hit : hits) {
     const std::uint32_t patch = tree_.faces()[hit.face].patch;
     const Patch& plane = tree_.mesh().patches[patch];
-    paint(footprint(rays, hit, plane), density);
+    paint(footprint(rays, hit, plane), waves, density);
     if (reflections == 0) continue;
-    Rays next{reflected(rays.sheet, hit, plane.normal), rays.path + hit.length, rays.path_rate + hit.growth, rays.field, patch};
-    for (dvec3& field : next.field) field = 2 * glm::dot(plane.normal, field) * plane.normal - field;
-    follow(next, {patch, no_index, no_index}, reflections - 1, density);
+    Rays next{reflected(rays.sheet, hit, plane.normal), rays.path + hit.length, rays.path_rate + hit.growth, rays.magnetic,
+              patch};
+    for (dvec3& field : next.magnetic) field -= 2 * glm::dot(plane.normal, field) * plane.normal;
+    follow(next, {patch, no_index, no_index}, reflections - 1, waves, density);
   }
 }
 
@@ -130,123 +85,42 @@ void EdgePainter::follow(const Rays& rays, const IgnoredPatches& ignored, int re
 EdgePainter::Footprint EdgePainter::footprint(const Rays& rays, const SheetHit& hit, const Patch& plane) const {
   const FaceIncidence& in = light_.incidence;
   const Sheet& sheet = rays.sheet;
-  const double path = rays.path + hit.length, path_rate = rays.path_rate + hit.growth;
   const double facing = glm::dot(plane.normal, sheet.direction);
   const dvec3 base = sheet.base + hit.length * sheet.direction, step = sheet.step + hit.growth * sheet.direction;
   const double start = glm::dot(light_.wave->direction, light_.edge->origin) + light_.wave->path;
-  Footprint on{hit.from,
-               hit.to,
-               path,
-               path_rate,
-               glm::dot(look_.scattered, base) - start - path,
-               glm::dot(look_.scattered, step) - in.cos_cone - path_rate,
-               in.sin_cone * in.sin_cone / std::abs(facing),
-               {}};
+  RayRow row{hit.from, hit.to, rays.path + hit.length, rays.path_rate + hit.growth};
+  row.phase = glm::dot(look_.scattered, base) - start - row.path;
+  row.phase_rate = glm::dot(look_.scattered, step) - in.cos_cone - row.path_rate;
+  Footprint on{row, in.sin_cone * in.sin_cone / std::abs(facing), {}};
   const dvec3 normal = facing > 0.0 ? -plane.normal : plane.normal;
-  for (int kind = 0; kind < 2; ++kind) {
-    const dvec3 current = 2.0 * glm::cross(normal, glm::cross(sheet.direction, rays.field[kind]));
-    for (int p = 0; p < 2; ++p) on.seen[p][kind] = glm::dot(look_.receive[p], current);
+  for (int c = 0; c < components; ++c) {
+    const dvec3 current = 2.0 * glm::cross(normal, rays.magnetic[c]);
+    for (int p = 0; p < 2; ++p) on.seen[p][c] = glm::dot(look_.receive[p], current);
   }
   return on;
 }
 
-// S = -(jk / 4 pi) p_hat . eta J * integral (Stratton & Chu 1939); the diffracted E is minus the sum of the waves.
-void EdgePainter::paint(const Footprint& on, std::vector<ScatteringMatrix>& density) {
+// S = -(jk / 4 pi) p_hat . eta J * integral (Stratton & Chu 1939). Of the ray, eta H = -s_hat x (b0_hat E_s u_s + phi_hat E_h
+// u_h), the diffracted E being minus the sum of the waves; the slopes of E_z and eta H_z, both -sin(beta0) of E_s and E_h, add
+//   eta H = (j / k sin(beta0)) {E_s [phi_hat du_s/d(rho) - rho_hat du_s/(rho d(phi))]
+//                               + cos(beta0) E_h [rho_hat du_h/d(rho) + phi_hat du_h/(rho d(phi))]}      (Maxwell's equations).
+void EdgePainter::paint(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const {
+  const FaceIncidence& in = light_.incidence;
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     const double k = wavenumbers_[f];
-    const Pair pair = integral(on, k);
-    const Complex factor = Complex(0.0, light_.weight * k / (4 * pi));
-    const Complex soft = factor * (pair.incident - pair.reflected), hard = factor * (pair.incident + pair.reflected);
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q)
-        density[f].at(p, q) += on.seen[p][0] * arriving_[q][0] * soft + on.seen[p][1] * arriving_[q][1] * hard;
-  }
-}
-
-EdgePainter::Pair EdgePainter::integral(const Footprint& on, double k) const {
-  Pair sum;
-  const double from = std::max(on.from, light_.from), to = std::min(on.to, light_.to);
-  if (from < to) {
-    const double unit = at_edge / k, near = on.path + on.path_rate * from, far = on.path + on.path_rate * to;
-    const double ratio = std::max(near, unit) / std::max(far, unit);
-    const int parts = 1 + static_cast<int>(std::abs(std::log(ratio)) / std::log(octaves));
-    double begin = from;
-    for (int i = 1; i <= parts; ++i) {
-      const double path = std::max(near, unit) * std::pow(ratio, -static_cast<double>(i) / parts);
-      const double end = i == parts ? to : std::clamp((path - on.path) / on.path_rate, begin, to);
-      add_piece(on, k, begin, end, sum);
-      begin = end;
+    const WaveIntegrals sums = waves.over(on.row, k);
+    const WaveSums soft_waves = sums.incident - sums.reflected, hard_waves = sums.incident + sums.reflected;
+    const Complex ray(0.0, light_.weight * on.area * k / (4 * pi));
+    const double slope = light_.weight * on.area / (4 * pi * in.sin_cone);
+    for (int p = 0; p < 2; ++p) {
+      const std::array<double, components>& seen = on.seen[p];
+      const Complex of_soft =
+          ray * seen[soft] * soft_waves.value + slope * (seen[around] * soft_waves.outwards - seen[outwards] * soft_waves.around);
+      const Complex of_hard = ray * seen[hard] * hard_waves.value +
+                              slope * in.cos_cone * (seen[outwards] * hard_waves.outwards + seen[around] * hard_waves.around);
+      for (int q = 0; q < 2; ++q) density[f].at(p, q) += arriving_[q][0] * of_soft + arriving_[q][1] * of_hard;
     }
   }
-  add_corner(on, k, corner_[0], 1.0, sum);
-  add_corner(on, k, corner_[1], -1.0, sum);
-  return sum;
-}
-
-void EdgePainter::add_piece(const Footprint& on, double k, double from, double to, Pair& sum) const {
-  const FilonRule<8>& rule = short_rule();
-  const double half = (to - from) / 2, middle = (from + to) / 2;
-  Reals path, root;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    path[i] = std::max(on.path + on.path_rate * (middle + half * rule.at[i]), 0.0);
-    root[i] = light_.incidence.sin_cone * std::sqrt(k * path[i]);
-  }
-  Complexes incident{}, reflected{};
-  add_terms(terms_.incident, terms_.each, root, incident);
-  add_terms(terms_.reflected, terms_.each, root, reflected);
-  const std::array<Complex, 8> weights = rule.weights(k * on.phase_rate * half);
-  Pair here;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    here.incident += path[i] * weights[i] * incident[i];
-    here.reflected += path[i] * weights[i] * reflected[i];
-  }
-  const Complex factor = on.area * half * std::polar(1.0, k * (on.phase + on.phase_rate * middle));
-  sum.incident += factor * here.incident;
-  sum.reflected += factor * here.reflected;
-}
-
-void EdgePainter::add_corner(const Footprint& on, double k, double corner, double inwards, Pair& sum) const {
-  const double longest = std::max(on.path + on.path_rate * on.from, on.path + on.path_rate * on.to);
-  const double reach = faded * std::sqrt(2 * longest / k) / light_.incidence.sin_cone;
-  const double low = std::max(on.from, corner - reach), high = std::min(on.to, corner + reach);
-  add_beside_corner(on, k, corner, -inwards, low, std::min(high, corner), sum);
-  add_beside_corner(on, k, corner, inwards, std::max(low, corner), high, sum);
-}
-
-// Where the rays' start passes a corner the wave of the edge neither stops nor goes on: Fresnel's step of the detour over the
-// corner, 1 - D inside and D outside with D = e^{-jx^2} W(x) / 2, x^2 = k detour. It is divided between the two edges that meet
-// there: z^2 / (z^2 + x^2) of it is this one's, z^2 the argument X of the wave's own transition. `side` is 1 inside.
-void EdgePainter::add_beside_corner(const Footprint& on, double k, double corner, double side, double from, double to,
-                                    Pair& sum) const {
-  if (!(from < to)) return;
-  const FilonRule<16>& rule = long_rule();
-  const double half = (to - from) / 2, middle = (from + to) / 2, cosine = light_.incidence.cos_cone;
-  const std::array<Complex, 16> weights = rule.weights(k * on.phase_rate * half);
-  Pair here;
-  for (std::size_t first = 0; first < 16; first += lanes) {
-    Reals path, root, x, detour;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const double place = middle + half * rule.at[first + i], beyond = place - corner;
-      path[i] = std::max(on.path + on.path_rate * place, 0.0);
-      root[i] = light_.incidence.sin_cone * std::sqrt(k * path[i]);
-      const double via = std::hypot(beyond + path[i] * cosine, path[i] * light_.incidence.sin_cone);
-      const double all = via + path[i], longer = all > 0.0 ? beyond * (beyond + 2 * path[i] * cosine) / all : 0.0;
-      detour[i] = all > 0.0 ? std::max(k * beyond * (beyond - cosine * longer) / all, 0.0) : 0.0;
-      x[i] = std::sqrt(detour[i]);
-    }
-    Complexes incident{}, reflected{};
-    add_shares(terms_.incident, terms_.each, root, detour, incident);
-    add_shares(terms_.reflected, terms_.each, root, detour, reflected);
-    const Complexes step = scaled_erfc(x), turn = unit_phasors(detour);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const Complex weight = path[i] * weights[first + i] * std::conj(turn[i]) * step[i];
-      here.incident += weight * incident[i];
-      here.reflected += weight * reflected[i];
-    }
-  }
-  const Complex factor = -side / 2 * on.area * half * std::polar(1.0, k * (on.phase + on.phase_rate * middle));
-  sum.incident += factor * here.incident;
-  sum.reflected += factor * here.reflected;
 }
 
 }  // namespace raytube

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "utd/edge_currents.h"
-#include "utd/edge_wave.h"
+#include "utd/edge_wave_integral.h"
 #include "utd/sheet.h"
 
 namespace raytube {
@@ -50,36 +50,30 @@ class EdgePainter {
   void at(double azimuth, std::vector<ScatteringMatrix>& density);
 
  private:
+  /// Components of H that the waves of an edge have along them: that of a ray, of a soft and of a hard wave, and what their
+  /// slopes add.
+  enum Component { soft, hard, outwards, around, components };
   /// Diffracted rays of one azimuth on their way.
   struct Rays {
     Sheet sheet;
-    double path = 0.0, path_rate = 0.0;  // way from the edge to where the sheet begins [m]
-    std::array<dvec3, 2> field;          // E of a unit soft and of a unit hard wave
+    double path = 0.0, path_rate = 0.0;      // way from the edge to where the sheet begins [m]
+    std::array<dvec3, components> magnetic;  // directions
     std::uint32_t source_patch = no_index;
   };
   /// Where they meet a face.
   struct Footprint {
-    double from, to;                            // places
-    double path, path_rate;                     // length of the rays from the edge on [m]
-    double phase, phase_rate;                   // exponent / k
-    double area;                                // of the face per place, azimuth and length of the ray
-    std::array<std::array<double, 2>, 2> seen;  // [receive][soft, hard]: p_hat . eta J per unit wave
-  };
-  /// Integrals over a footprint of the incident and of the reflected waves.
-  struct Pair {
-    Complex incident, reflected;
+    RayRow row;
+    double area;                                         // of the face per place, azimuth and length of the ray
+    std::array<std::array<double, components>, 2> seen;  // [receive]: p_hat . eta J per unit eta H along each direction
   };
 
   Rays leaving(double azimuth) const;
-  void find_corners(const dvec3& direction);
+  EdgeWaveIntegral waves(const dvec3& direction) const;
   bool closed(int end, const dvec3& direction) const;
-  void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, std::vector<ScatteringMatrix>& density);
+  void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, const EdgeWaveIntegral& waves,
+              std::vector<ScatteringMatrix>& density);
   Footprint footprint(const Rays& rays, const SheetHit& hit, const Patch& plane) const;
-  void paint(const Footprint& on, std::vector<ScatteringMatrix>& density);
-  Pair integral(const Footprint& on, double k) const;
-  void add_piece(const Footprint& on, double k, double from, double to, Pair& sum) const;
-  void add_corner(const Footprint& on, double k, double corner, double inwards, Pair& sum) const;
-  void add_beside_corner(const Footprint& on, double k, double corner, double side, double from, double to, Pair& sum) const;
+  void paint(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const;
 
   const FaceTree& tree_;
   const LookVectors& look_;
@@ -89,10 +83,7 @@ class EdgePainter {
   SheetTracer tracer_;
   std::array<std::vector<SheetHit>, 3> hits_;      // by reflections left
   std::array<std::array<double, 2>, 2> arriving_;  // [transmit][soft, hard]: components of E at the edge
-  // Of the azimuth at hand.
-  EdgeWaveTerms terms_;
-  std::array<bool, 2> open_{};      // the lit piece ends there
-  std::array<double, 2> corner_{};  // where it, or its mirror image beyond a fold, ends
+  EdgeWaveTerms terms_;                            // of the azimuth at hand
 };
 
 }  // namespace raytube

@@ -9,25 +9,36 @@ namespace {
 
 constexpr double on_boundary = 1e-12;  // [rad] closer than this the side is undecided: tie rule
 
-// |sin(eps/2)| / (n tan(eps/2n)): 1 on the boundary.
+// sin(eps/2) / (n tan(eps/2n)), eps >= 0: 1 on the boundary.
 double relative_strength(double n, double eps) {
   if (eps < 1e-8) return 1.0;
   return std::sin(eps / 2) / (n * std::tan(eps / (2 * n)));
 }
 
-// The wave whose boundary lies the signed angular distance pi - sign (2 pi n N - beta) away.
+// Its derivative; close to the boundary that of 1 - eps^2 (1/24 + 1/12n^2).
+double relative_strength_slope(double n, double eps) {
+  if (eps < 1e-4) return -eps * (1.0 / 12 + 1.0 / (6 * n * n));
+  const double sine = std::sin(eps / (2 * n));
+  return std::cos(eps / 2) / (2 * n * std::tan(eps / (2 * n))) - std::sin(eps / 2) / (2 * n * n * sine * sine);
+}
+
+// `eps` is the signed angular distance to the wave's boundary and `turn` how it changes with the azimuth, 1 or -1.
+EdgeWaveTerm at_distance(double eps, double turn, double strength, double slope) {
+  const double side = std::abs(eps) < on_boundary ? 0.0 : std::copysign(1.0, eps);
+  return {-side / 2 * strength, std::numbers::sqrt2 * std::abs(std::sin(eps / 2)), -turn / 2 * slope,
+          side * turn * std::cos(eps / 2) / std::numbers::sqrt2};
+}
+
 EdgeWaveTerm term(double n, double beta, int sign) {
   const double image = std::round((beta + sign * pi) / (2 * pi * n));
   const double eps = pi - sign * (2 * pi * n * image - beta), distance = std::abs(eps);
-  const double side = distance < on_boundary ? 0.0 : std::copysign(0.5, -eps);
-  return {side * relative_strength(n, distance), std::numbers::sqrt2 * std::abs(std::sin(eps / 2))};
+  return at_distance(eps, sign, relative_strength(n, distance), relative_strength_slope(n, distance));
 }
 
 // The two cotangents of a half plane add up to 2 / cos(beta/2), over one transition function.
 EdgeWaveTerm half_plane_term(double beta) {
-  const double eps = pi - std::abs(beta - 4 * pi * std::round(beta / (4 * pi)));
-  const double side = std::abs(eps) < on_boundary ? 0.0 : std::copysign(0.5, -eps);
-  return {side, std::numbers::sqrt2 * std::abs(std::sin(eps / 2))};
+  const double reduced = beta - 4 * pi * std::round(beta / (4 * pi));
+  return at_distance(pi - std::abs(reduced), reduced > 0.0 ? -1.0 : 1.0, 1.0, 0.0);
 }
 
 }  // namespace

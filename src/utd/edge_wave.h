@@ -14,6 +14,7 @@ namespace raytube {
 struct EdgeWaveTerm {
   double strength = 0.0;
   double rate = 0.0;
+  double strength_slope = 0.0, rate_slope = 0.0;  // with the azimuth of the observer
 };
 
 /// The waves towards one azimuth: `each` belong to the incident wave, as many to the reflected one. With I and R their sums,
