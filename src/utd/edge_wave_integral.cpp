@@ -1,0 +1,177 @@
+#include "utd/edge_wave_integral.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "utd/erfc_ray.h"
+#include "utd/filon.h"
+
+namespace raytube {
+
+namespace {
+
+// How far past an end of the edge its waves are followed, as sqrt(k detour): they have faded to 0.002 there and are let fade to
+// nothing, so that no path ends in a jump.
+constexpr double faded = 4.0;
+// Electrical distance from the edge below which the waves on a face no longer change.
+constexpr double at_edge = 0.05;
+// A rule takes in distances from the edge up to this ratio: waves change with their root.
+constexpr double octaves = 8.0;
+
+double fading(double detour) {
+  const double u = detour / (faded * faded), rest = std::max(1.0 - u * u * u * u, 0.0);
+  return rest * rest;
+}
+
+const FilonRule<8>& short_rule() {
+  static const FilonRule<8> rule;
+  return rule;
+}
+
+const FilonRule<16>& long_rule() {
+  static const FilonRule<16> rule;
+  return rule;
+}
+
+/// Some rays: their lengths, and sqrt(k rho sin beta0).
+struct Points {
+  Reals path, root;
+};
+
+/// Waves and their slopes at these rays, as WaveSums has them.
+struct Waves {
+  Complexes value{}, outwards{}, around{};
+};
+
+// W' = 2jxW - 2 e^{j pi/4} / sqrt(pi). `share` is a wave's share of what happens at a corner, by its x^2 = X.
+template <class Share>
+Waves waves_at(const std::array<EdgeWaveTerm, 2>& terms, int each, const Points& at, Share share) {
+  const double constant = std::sqrt(2 / pi);
+  Waves sum;
+  for (int i = 0; i < each; ++i) {
+    const EdgeWaveTerm& term = terms[i];
+    Reals x;
+    for (std::size_t lane = 0; lane < lanes; ++lane) x[lane] = term.rate * at.root[lane];
+    const Complexes w = scaled_erfc(x);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const double part = share(lane, x[lane] * x[lane]);
+      const double slope_re = -2 * x[lane] * w.im[lane] - constant, slope_im = 2 * x[lane] * w.re[lane] - constant;
+      const double strength = part * term.strength, along = strength * x[lane] / 2;
+      const double turn = strength * term.rate_slope * at.root[lane], grow = part * term.strength_slope;
+      sum.value.re[lane] += strength * w.re[lane];
+      sum.value.im[lane] += strength * w.im[lane];
+      sum.outwards.re[lane] += along * slope_re;
+      sum.outwards.im[lane] += along * slope_im;
+      sum.around.re[lane] += turn * slope_re + grow * w.re[lane];
+      sum.around.im[lane] += turn * slope_im + grow * w.im[lane];
+    }
+  }
+  return sum;
+}
+
+void add(const Waves& waves, std::size_t lane, double path, double sin_cone, Complex weight, WaveSums& sum) {
+  sum.value += path * weight * waves.value[lane];
+  const Complex sideways = weight / sin_cone;
+  sum.outwards += sideways * waves.outwards[lane];
+  sum.around += sideways * waves.around[lane];
+}
+
+void add(const WaveSums& part, Complex factor, WaveSums& sum) {
+  sum.value += factor * part.value;
+  sum.outwards += factor * part.outwards;
+  sum.around += factor * part.around;
+}
+
+}  // namespace
+
+double EdgeWaveIntegral::reach(double path, double k, double sin_cone) { return faded * std::sqrt(2 * path / k) / sin_cone; }
+
+WaveIntegrals EdgeWaveIntegral::over(const RayRow& row, double k) const {
+  WaveIntegrals sum;
+  const double from = std::max(row.from, from_), to = std::min(row.to, to_);
+  if (from < to) {
+    const double unit = at_edge / k;
+    const double near = std::max(row.path + row.path_rate * from, unit), far = std::max(row.path + row.path_rate * to, unit);
+    const int parts = 1 + static_cast<int>(std::abs(std::log(far / near)) / std::log(octaves));
+    double begin = from;
+    for (int i = 1; i <= parts; ++i) {
+      const double path = near * std::pow(far / near, static_cast<double>(i) / parts);
+      const double end = i == parts ? to : std::clamp((path - row.path) / row.path_rate, begin, to);
+      add_piece(row, k, begin, end, sum);
+      begin = end;
+    }
+  }
+  add_corner(row, k, corners_[0], 1.0, sum);
+  add_corner(row, k, corners_[1], -1.0, sum);
+  return sum;
+}
+
+void EdgeWaveIntegral::add_piece(const RayRow& row, double k, double from, double to, WaveIntegrals& sum) const {
+  const FilonRule<8>& rule = short_rule();
+  const double half = (to - from) / 2, middle = (from + to) / 2;
+  Points at;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    at.path[i] = std::max(row.path + row.path_rate * (middle + half * rule.at[i]), 0.0);
+    at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
+  }
+  const auto whole = [](std::size_t, double) { return 1.0; };
+  const Waves incident = waves_at(terms_.incident, terms_.each, at, whole);
+  const Waves reflected = waves_at(terms_.reflected, terms_.each, at, whole);
+  const std::array<Complex, 8> weights = rule.weights(k * row.phase_rate * half);
+  WaveIntegrals here;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    add(incident, i, at.path[i], sin_cone_, weights[i], here.incident);
+    add(reflected, i, at.path[i], sin_cone_, weights[i], here.reflected);
+  }
+  const Complex factor = half * std::polar(1.0, k * (row.phase + row.phase_rate * middle));
+  add(here.incident, factor, sum.incident);
+  add(here.reflected, factor, sum.reflected);
+}
+
+void EdgeWaveIntegral::add_corner(const RayRow& row, double k, double corner, double inwards, WaveIntegrals& sum) const {
+  const double longest = std::max(row.path + row.path_rate * row.from, row.path + row.path_rate * row.to);
+  const double far = reach(longest, k, sin_cone_);
+  const double low = std::max(row.from, corner - far), high = std::min(row.to, corner + far);
+  add_beside_corner(row, k, corner, -inwards, low, std::min(high, corner), sum);
+  add_beside_corner(row, k, corner, inwards, std::max(low, corner), high, sum);
+}
+
+// `side` is 1 inside.
+void EdgeWaveIntegral::add_beside_corner(const RayRow& row, double k, double corner, double side, double from, double to,
+                                         WaveIntegrals& sum) const {
+  if (!(from < to)) return;
+  const FilonRule<16>& rule = long_rule();
+  const double half = (to - from) / 2, middle = (from + to) / 2;
+  const std::array<Complex, 16> weights = rule.weights(k * row.phase_rate * half);
+  WaveIntegrals here;
+  for (std::size_t first = 0; first < 16; first += lanes) {
+    Points at;
+    Reals detour, x;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double place = middle + half * rule.at[first + i], beyond = place - corner;
+      at.path[i] = std::max(row.path + row.path_rate * place, 0.0);
+      at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
+      const double via = std::hypot(beyond + at.path[i] * cos_cone_, at.path[i] * sin_cone_), both = via + at.path[i];
+      const double longer = both > 0.0 ? beyond * (beyond + 2 * at.path[i] * cos_cone_) / both : 0.0;
+      detour[i] = both > 0.0 ? std::max(k * beyond * (beyond - cos_cone_ * longer) / both, 0.0) : 0.0;
+      x[i] = std::sqrt(detour[i]);
+    }
+    const auto share = [&](std::size_t lane, double z2) {
+      const double both = z2 + detour[lane];
+      return fading(detour[lane]) * (both > 0.0 ? z2 / both : 1.0);
+    };
+    const Waves incident = waves_at(terms_.incident, terms_.each, at, share);
+    const Waves reflected = waves_at(terms_.reflected, terms_.each, at, share);
+    const Complexes step = scaled_erfc(x), turn = unit_phasors(detour);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const Complex weight = weights[first + i] * std::conj(turn[i]) * step[i];
+      add(incident, i, at.path[i], sin_cone_, weight, here.incident);
+      add(reflected, i, at.path[i], sin_cone_, weight, here.reflected);
+    }
+  }
+  const Complex factor = -side / 2 * half * std::polar(1.0, k * (row.phase + row.phase_rate * middle));
+  add(here.incident, factor, sum.incident);
+  add(here.reflected, factor, sum.reflected);
+}
+
+}  // namespace raytube
