@@ -17,6 +17,7 @@ namespace {
 // Mirror images of the corners are cuts of the integral too where there are no more than this.
 constexpr std::size_t most_corners = 200;
 constexpr double same_azimuth = 1e-9;     // [rad]
+constexpr int reflected_order = 2;        // of fringe currents by reflected light: the third order no longer shows
 constexpr double least_sine = 1e-4;       // between wave and edge: along it hardly anything is diffracted
 constexpr double least_tolerance = 1e-6;  // [wavelengths]
 // Panels to begin with where nothing else cuts [rad].
@@ -194,7 +195,7 @@ class BetweenLook {
     for (const ReflectedWave& wave : reflected_)
       if (wave.patches.size() == 1) looks.push_back(reflected_look(wave, look_, scene_.wedges.data()));
     const EdgeLookResult fringe =
-        reflected_fringe_scattering(scene_.wedges, scene_.outlines, looks, frequencies_, options.order, options.transition);
+        reflected_fringe_scattering(scene_.wedges, scene_.outlines, looks, frequencies_, reflected_order, options.transition);
     for (std::size_t f = 0; f < frequencies_.size(); ++f) {
       result.scattering[f] += fringe.scattering[f];
       result.scattering[f] += fringe.higher[f];

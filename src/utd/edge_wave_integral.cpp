@@ -12,7 +12,7 @@ namespace {
 
 // How far past an end of the edge its waves are followed, as sqrt(k detour): they have faded to 0.002 there and are let fade to
 // nothing, so that no path ends in a jump.
-constexpr double faded = 4.0;
+constexpr double faded = 3.0;
 // Electrical distance from the edge below which the waves on a face no longer change.
 constexpr double at_edge = 0.05;
 // A rule takes in distances from the edge up to this ratio: waves change with their root.
@@ -21,16 +21,6 @@ constexpr double octaves = 8.0;
 double fading(double detour) {
   const double u = detour / (faded * faded), rest = std::max(1.0 - u * u * u * u, 0.0);
   return rest * rest;
-}
-
-const FilonRule<8>& short_rule() {
-  static const FilonRule<8> rule;
-  return rule;
-}
-
-const FilonRule<16>& long_rule() {
-  static const FilonRule<16> rule;
-  return rule;
 }
 
 /// Some rays: their lengths, and sqrt(k rho sin beta0).
@@ -69,17 +59,38 @@ Waves waves_at(const std::array<EdgeWaveTerm, 2>& terms, int each, const Points&
   return sum;
 }
 
-void add(const Waves& waves, std::size_t lane, double path, double sin_cone, Complex weight, WaveSums& sum) {
-  sum.value += path * weight * waves.value[lane];
-  const Complex sideways = weight / sin_cone;
-  sum.outwards += sideways * waves.outwards[lane];
-  sum.around += sideways * waves.around[lane];
+Complex product(const Complexes& a, const Complexes& b) {
+  double re = 0.0, im = 0.0;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    re += a.re[i] * b.re[i] - a.im[i] * b.im[i];
+    im += a.re[i] * b.im[i] + a.im[i] * b.re[i];
+  }
+  return {re, im};
 }
 
-void add(const WaveSums& part, Complex factor, WaveSums& sum) {
-  sum.value += factor * part.value;
-  sum.outwards += factor * part.outwards;
-  sum.around += factor * part.around;
+WaveSums sum_of(const Waves& waves, const Complexes& weights, const Complexes& by_path, Complex factor, double sin_cone) {
+  return {factor * product(by_path, waves.value), factor / sin_cone * product(weights, waves.outwards),
+          factor / sin_cone * product(weights, waves.around)};
+}
+
+Complexes times(const Complexes& a, const Reals& b) {
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    result.re[i] = a.re[i] * b[i];
+    result.im[i] = a.im[i] * b[i];
+  }
+  return result;
+}
+
+// a conj(b) c
+Complexes turned_back(const Complexes& a, const Complexes& b, const Complexes& c) {
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double re = a.re[i] * b.re[i] + a.im[i] * b.im[i], im = a.im[i] * b.re[i] - a.re[i] * b.im[i];
+    result.re[i] = re * c.re[i] - im * c.im[i];
+    result.im[i] = re * c.im[i] + im * c.re[i];
+  }
+  return result;
 }
 
 }  // namespace
@@ -107,7 +118,7 @@ WaveIntegrals EdgeWaveIntegral::over(const RayRow& row, double k) const {
 }
 
 void EdgeWaveIntegral::add_piece(const RayRow& row, double k, double from, double to, WaveIntegrals& sum) const {
-  const FilonRule<8>& rule = short_rule();
+  const FilonRule& rule = FilonRule::get();
   const double half = (to - from) / 2, middle = (from + to) / 2;
   Points at;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -115,17 +126,10 @@ void EdgeWaveIntegral::add_piece(const RayRow& row, double k, double from, doubl
     at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
   }
   const auto whole = [](std::size_t, double) { return 1.0; };
-  const Waves incident = waves_at(terms_.incident, terms_.each, at, whole);
-  const Waves reflected = waves_at(terms_.reflected, terms_.each, at, whole);
-  const std::array<Complex, 8> weights = rule.weights(k * row.phase_rate * half);
-  WaveIntegrals here;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    add(incident, i, at.path[i], sin_cone_, weights[i], here.incident);
-    add(reflected, i, at.path[i], sin_cone_, weights[i], here.reflected);
-  }
+  const Complexes weights = rule.weights(k * row.phase_rate * half), by_path = times(weights, at.path);
   const Complex factor = half * std::polar(1.0, k * (row.phase + row.phase_rate * middle));
-  add(here.incident, factor, sum.incident);
-  add(here.reflected, factor, sum.reflected);
+  sum.incident += sum_of(waves_at(terms_.incident, terms_.each, at, whole), weights, by_path, factor, sin_cone_);
+  sum.reflected += sum_of(waves_at(terms_.reflected, terms_.each, at, whole), weights, by_path, factor, sin_cone_);
 }
 
 void EdgeWaveIntegral::add_corner(const RayRow& row, double k, double corner, double inwards, WaveIntegrals& sum) const {
@@ -140,38 +144,29 @@ void EdgeWaveIntegral::add_corner(const RayRow& row, double k, double corner, do
 void EdgeWaveIntegral::add_beside_corner(const RayRow& row, double k, double corner, double side, double from, double to,
                                          WaveIntegrals& sum) const {
   if (!(from < to)) return;
-  const FilonRule<16>& rule = long_rule();
+  const FilonRule& rule = FilonRule::get();
   const double half = (to - from) / 2, middle = (from + to) / 2;
-  const std::array<Complex, 16> weights = rule.weights(k * row.phase_rate * half);
-  WaveIntegrals here;
-  for (std::size_t first = 0; first < 16; first += lanes) {
-    Points at;
-    Reals detour, x;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const double place = middle + half * rule.at[first + i], beyond = place - corner;
-      at.path[i] = std::max(row.path + row.path_rate * place, 0.0);
-      at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
-      const double via = std::hypot(beyond + at.path[i] * cos_cone_, at.path[i] * sin_cone_), both = via + at.path[i];
-      const double longer = both > 0.0 ? beyond * (beyond + 2 * at.path[i] * cos_cone_) / both : 0.0;
-      detour[i] = both > 0.0 ? std::max(k * beyond * (beyond - cos_cone_ * longer) / both, 0.0) : 0.0;
-      x[i] = std::sqrt(detour[i]);
-    }
-    const auto share = [&](std::size_t lane, double z2) {
-      const double both = z2 + detour[lane];
-      return fading(detour[lane]) * (both > 0.0 ? z2 / both : 1.0);
-    };
-    const Waves incident = waves_at(terms_.incident, terms_.each, at, share);
-    const Waves reflected = waves_at(terms_.reflected, terms_.each, at, share);
-    const Complexes step = scaled_erfc(x), turn = unit_phasors(detour);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const Complex weight = weights[first + i] * std::conj(turn[i]) * step[i];
-      add(incident, i, at.path[i], sin_cone_, weight, here.incident);
-      add(reflected, i, at.path[i], sin_cone_, weight, here.reflected);
-    }
+  Points at;
+  Reals detour, x;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double place = middle + half * rule.at[i], beyond = place - corner;
+    at.path[i] = std::max(row.path + row.path_rate * place, 0.0);
+    at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
+    const double along = beyond + at.path[i] * cos_cone_, across = at.path[i] * sin_cone_;
+    const double both = std::sqrt(along * along + across * across) + at.path[i];
+    const double longer = both > 0.0 ? beyond * (along + at.path[i] * cos_cone_) / both : 0.0;  // over the corner than the ray
+    detour[i] = both > 0.0 ? std::max(k * beyond * (beyond - cos_cone_ * longer) / both, 0.0) : 0.0;
+    x[i] = std::sqrt(detour[i]);
   }
+  const auto share = [&](std::size_t lane, double z2) {
+    const double both = z2 + detour[lane];
+    return fading(detour[lane]) * (both > 0.0 ? z2 / both : 1.0);
+  };
+  const Complexes weights = turned_back(rule.weights(k * row.phase_rate * half), unit_phasors(detour), scaled_erfc(x));
+  const Complexes by_path = times(weights, at.path);
   const Complex factor = -side / 2 * half * std::polar(1.0, k * (row.phase + row.phase_rate * middle));
-  add(here.incident, factor, sum.incident);
-  add(here.reflected, factor, sum.reflected);
+  sum.incident += sum_of(waves_at(terms_.incident, terms_.each, at, share), weights, by_path, factor, sin_cone_);
+  sum.reflected += sum_of(waves_at(terms_.reflected, terms_.each, at, share), weights, by_path, factor, sin_cone_);
 }
 
 }  // namespace raytube

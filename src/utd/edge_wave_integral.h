@@ -18,6 +18,7 @@ struct RayRow {
 struct WaveSums {
   Complex value, outwards, around;
 
+  WaveSums& operator+=(const WaveSums& other) { return *this = *this + other; }
   friend WaveSums operator+(const WaveSums& a, const WaveSums& b) {
     return {a.value + b.value, a.outwards + b.outwards, a.around + b.around};
   }
