@@ -9,6 +9,8 @@ std::vector<Skipped> skipped_items(const SkipCounts& counts) {
                                 {"faces in a look", "turned away from the transmitter", counts.faces_away},
                                 {"reflected tubes", nothing_in_front, counts.reflected_tubes},
                                 {"wedges", "inside a closed body", counts.enclosed_wedges},
+                                {"frequencies without waves between surfaces",
+                                 "too many edges and faces of a wavelength and more", counts.crowded_frequencies},
                                 {"edge passes", "no edge of the target can radiate", counts.edgeless_looks},
                                 {"edge passes", "no edge is lit", counts.unlit_looks}};
   std::erase_if(items, [](const Skipped& item) { return item.count == 0; });

@@ -161,7 +161,7 @@ class Collector {
       ++(part.edges.scattering.empty() ? skipped_.edgeless_looks : skipped_.unlit_looks);
   }
 
-  SweepResult finish(const LookPlan& plan) {
+  SweepResult finish(const LookPlan& plan, const std::vector<bool>& crowded) {
     Statistics& all = result_.statistics;
     if (looks_without_tubes_)
       all.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
@@ -169,6 +169,7 @@ class Collector {
       if (left_out.count) all.skipped.push_back(left_out);
     skipped_.repeated_looks = plan.repeated;
     skipped_.mirrored_looks = plan.mirrored;
+    skipped_.crowded_frequencies = static_cast<std::uint64_t>(std::ranges::count(crowded, true));
     if (options_.tubes.skip) count_spared_by_shape();
     for (const Skipped& item : skipped_items(skipped_)) all.skipped.push_back(item);
     all.wedges = target_.wedges.size();
@@ -251,6 +252,11 @@ std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<con
           {"wedges", "across the rim of a thin sheet, no longer than it is thick", rim_corners(merged)}};
 }
 
+std::vector<bool> crowded_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
+  if (!edges.between || edges.method != EdgeMethod::fringe || target.convexity.no_reflection) return {};
+  return between_crowded(target.mesh, target.wedges, sweep.frequencies);
+}
+
 LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes, EdgeMethod method) {
   if (method == EdgeMethod::utd)
     return tubes.skip ? plan_looks(sweep.looks, {false, false, false}) : plan_all(sweep.looks.size());
@@ -276,8 +282,8 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
 
   EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
                  options.tubes.skip);
-  if (options.edges.between && options.edges.method == EdgeMethod::fringe && !target.convexity.no_reflection)
-    edges.prepare_between(target.mesh);
+  const std::vector<bool> crowded = crowded_between(target, sweep, options.edges);
+  if (!crowded.empty()) edges.prepare_between(target.mesh, crowded);
   const double range = ray_range(target, sweep, options.edges);
   std::optional<RayFields> rays;
   if (range > 0.0)
@@ -302,7 +308,7 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
     const LookSource& source = plan.sources[i];
     collector.add(i, computed[source.place], source);
   }
-  SweepResult result = collector.finish(plan);
+  SweepResult result = collector.finish(plan, crowded);
   result.statistics.ray_range = range;
   result.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -61,6 +61,10 @@ struct Target {
 /// tubes, and of those that curved surfaces reflect, is not its own image; nor are radars at a finite distance from the origin.
 LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes, EdgeMethod method);
 
+/// At which frequencies of a sweep the target has too many edges and surfaces for waves between them; empty where these are not
+/// asked for, or where nothing stands in front of any face.
+std::vector<bool> crowded_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges);
+
 /// The wedges whose fringe currents a solve leaves out, and why; of the rims, what is left out at the lowest frequency.
 std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
                                     std::span<const double> frequencies);

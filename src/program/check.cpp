@@ -64,8 +64,8 @@ void print_case(const Case& c) {
   if (c.edges.method == EdgeMethod::none)
     fmt::print("edges        none\n");
   else if (c.edges.method == EdgeMethod::fringe)
-    fmt::print("edges        fringe currents, order {}, creases of {} deg and more\n", c.edges.order,
-               decimal_degrees(c.edges.min_wedge_angle));
+    fmt::print("edges        fringe currents, order {}, creases of {} deg and more{}\n", c.edges.order,
+               decimal_degrees(c.edges.min_wedge_angle), c.edges.between ? "; waves between surfaces" : "");
   if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
     fmt::print("             transition function {}{}\n", transition_name(c.edges.transition),
                c.edges.order == 1 ? ", which plays no part at order 1" : "");
@@ -166,6 +166,8 @@ void print_skipped(const Case& c, const MeshReport& r, const Target& target, con
     skipped.push_back(wedge);
   SkipCounts counts{.repeated_looks = plan.repeated, .mirrored_looks = plan.mirrored};
   if (c.tubes.skip && c.edges.method != EdgeMethod::none) counts.enclosed_wedges = target.wedges_enclosed;
+  const std::vector<bool> crowded = crowded_between(target, c.sweep, c.edges);
+  counts.crowded_frequencies = static_cast<std::uint64_t>(std::ranges::count(crowded, true));
   for (const Skipped& item : skipped_items(counts)) skipped.push_back(item);
   std::vector<std::string> lines;
   for (const Skipped& s : skipped)

@@ -112,12 +112,12 @@ struct Job {
   int reflections;
 };
 
-AzimuthIntegral painted(const FaceTree& tree, const LookVectors& look, std::span<const double> wavenumbers, const Job& job,
+AzimuthIntegral painted(const BetweenScene& scene, const LookVectors& look, std::span<const double> wavenumbers, const Job& job,
                         double tolerance) {
-  EdgePainter painter(tree, look, wavenumbers, *job.light, job.reflections);
+  EdgePainter painter(scene.tree, scene.large, look, wavenumbers, *job.light, job.reflections);
   const auto density = [&](double azimuth, std::vector<ScatteringMatrix>& result) { painter.at(azimuth, result); };
-  const double turns = std::ranges::max(wavenumbers) * farthest_corner(tree.mesh(), *job.light);
-  return integrate_over_azimuth(density, wavenumbers.size(), CutFinder(tree, *job.light).find(), turns, tolerance);
+  const double turns = std::ranges::max(wavenumbers) * farthest_corner(scene.tree.mesh(), *job.light);
+  return integrate_over_azimuth(density, wavenumbers.size(), CutFinder(scene.tree, *job.light).find(), turns, tolerance);
 }
 
 LitInterval along_wedge(const EdgeLight& light) {
@@ -144,7 +144,7 @@ class BetweenLook {
     const double shortest = wavelength(std::ranges::max(frequencies));
     LitEdges edges(scene.wedges, scene.tracer, look_, shortest, false);
     for (const EdgeAxis& axis : scene.axes) add_direct_light(axis, edges);
-    reflected_ = ReflectedLight(scene.tree, scene.axes, incident_, shortest).waves(most_reflections);
+    reflected_ = ReflectedLight(scene.tree, scene.large, scene.axes, incident_, shortest).waves(most_reflections);
     for (const EdgeLight& light : direct_) jobs_.push_back({&light, most_reflections});
     for (const ReflectedWave& wave : reflected_)
       for (const EdgeLight& light : wave.lights)
@@ -181,7 +181,7 @@ class BetweenLook {
     const double least = least_tolerance * wavelength(std::ranges::max(frequencies_));
     const double share = std::max(tolerance, least) / std::sqrt(static_cast<double>(jobs_.size()));
     tbb::parallel_for(std::size_t{0}, jobs_.size(),
-                      [&](std::size_t i) { parts[i] = painted(scene_.tree, look_, wavenumbers, jobs_[i], share); });
+                      [&](std::size_t i) { parts[i] = painted(scene_, look_, wavenumbers, jobs_[i], share); });
     for (const AzimuthIntegral& part : parts)
       for (std::size_t f = 0; f < frequencies_.size(); ++f) {
         result.scattering[f] += part.value[f];

@@ -24,6 +24,7 @@ struct BetweenScene {
   std::span<const Wedge> wedges;
   const Outlines& outlines;
   std::span<const EdgeAxis> axes;  // into `wedges`
+  const std::vector<bool>& large;  // the patches that are painted, and mirrors
 };
 
 struct BetweenOptions {
@@ -35,9 +36,9 @@ struct BetweenOptions {
 /// Reflections of a path from the transmitter over an edge to the last surface it lights, before and after the edge together.
 inline constexpr int most_reflections = 2;
 
-/// S of the currents that diffracted waves paint on other surfaces than those of their own edge, at most one edge a path, all
-/// facets taken as planes; at order 2 and 3 also of the fringe currents of edges that light reaches after one reflection. Not
-/// symmetric in a monostatic look.
+/// S of the currents that diffracted waves paint on other surfaces than those of their own edge, at most one edge a path; at
+/// order 2 and 3 also of the fringe currents of edges that light reaches after one reflection. Not symmetric in a monostatic
+/// look.
 BetweenResult between_scattering(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
                                  const BetweenOptions& options);
 

@@ -6,9 +6,15 @@
 
 namespace raytube {
 
-EdgePainter::EdgePainter(const FaceTree& tree, const LookVectors& look, std::span<const double> wavenumbers,
-                         const EdgeLight& light, int reflections)
-    : tree_(tree), look_(look), wavenumbers_(wavenumbers), light_(light), reflections_(reflections), tracer_(tree) {
+EdgePainter::EdgePainter(const FaceTree& tree, const std::vector<bool>& large, const LookVectors& look,
+                         std::span<const double> wavenumbers, const EdgeLight& light, int reflections)
+    : tree_(tree),
+      large_(large),
+      look_(look),
+      wavenumbers_(wavenumbers),
+      light_(light),
+      reflections_(reflections),
+      tracer_(tree) {
   const dvec3& d = light.wave->direction;
   const dvec3 turning = -glm::cross(light.edge->tangent, d) / light.incidence.sin_cone, up = glm::cross(d, turning);
   for (int q = 0; q < 2; ++q) arriving_[q] = {glm::dot(up, light.wave->electric[q]), glm::dot(turning, light.wave->electric[q])};
@@ -70,6 +76,7 @@ void EdgePainter::follow(const Rays& rays, const IgnoredPatches& ignored, int re
   tracer_.trace(rays.sheet, ignored, hits);
   for (const SheetHit& hit : hits) {
     const std::uint32_t patch = tree_.faces()[hit.face].patch;
+    if (!large_[patch]) continue;
     const Patch& plane = tree_.mesh().patches[patch];
     paint(footprint(rays, hit, plane), waves, density);
     if (reflections == 0) continue;

@@ -39,12 +39,13 @@ struct EdgeLight {
 };
 
 /// Adds up, azimuth by azimuth about the edge, the far field of the currents that the waves of one lit piece paint on all they
-/// meet: on the first surface, and after up to `reflections` reflections on further ones. The edge's own two faces are not met on
-/// the way out. Beyond an end of the piece the wave fades (corner factor); beyond one in a fold its mirror image takes over.
+/// meet: on the first surface, and after up to `reflections` reflections on further ones. Patches that are not `large` are
+/// neither painted nor mirrors. The edge's own two faces are not met on the way out. Beyond an end of the piece the wave fades
+/// (corner factor); beyond one in a fold its mirror image takes over.
 class EdgePainter {
  public:
-  EdgePainter(const FaceTree& tree, const LookVectors& look, std::span<const double> wavenumbers, const EdgeLight& light,
-              int reflections);
+  EdgePainter(const FaceTree& tree, const std::vector<bool>& large, const LookVectors& look, std::span<const double> wavenumbers,
+              const EdgeLight& light, int reflections);
 
   /// dS / d(azimuth) [m] per wavenumber; `azimuth` is phi of the diffracted rays, measured as phi'.
   void at(double azimuth, std::vector<ScatteringMatrix>& density);
@@ -76,6 +77,7 @@ class EdgePainter {
   void paint(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const;
 
   const FaceTree& tree_;
+  const std::vector<bool>& large_;
   const LookVectors& look_;
   std::span<const double> wavenumbers_;
   const EdgeLight& light_;

@@ -43,8 +43,7 @@ bool EdgeSets::radiate() const {
 EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow,
                                     TransitionTier tier) const {
   const auto part = [&](const Set& set) {
-    return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier,
-                         !set.axes.empty());
+    return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier, set.mirrors());
   };
   if (sets_.size() == 1) return part(sets_.front());
   EdgeLookResult all;
@@ -55,25 +54,36 @@ EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int 
   return all;
 }
 
-void EdgeSets::prepare_between(const TriangleMesh& mesh) {
-  for (Set& set : sets_) set.axes = edge_axes(mesh, set.wedges);
+bool EdgeSets::Set::mirrors() const {
+  std::size_t painted = 0;
+  for (const BetweenGroup& group : between) painted += group.places.size();
+  return painted == places.size();
+}
+
+void EdgeSets::prepare_between(const TriangleMesh& mesh, const std::vector<bool>& crowded) {
+  for (Set& set : sets_) {
+    std::vector<bool> crowded_here;
+    for (const std::size_t place : set.places) crowded_here.push_back(crowded[place]);
+    set.between = between_groups(mesh, set.wedges, set.frequencies, crowded_here);
+  }
 }
 
 BetweenResult EdgeSets::between(const FaceTree& tree, const Tracer& tracer, const Look& look,
                                 const BetweenOptions& options) const {
   BetweenResult all;
-  for (const Set& set : sets_) {
-    const BetweenScene scene{tree, tracer, set.wedges, set.outlines, set.axes};
-    const BetweenResult part = between_scattering(scene, look, set.frequencies, options);
-    if (part.scattering.empty()) continue;
-    all.scattering.resize(frequency_count_);
-    all.error.resize(frequency_count_);
-    if (all.lit_pieces == 0) all.lit_pieces = part.lit_pieces;
-    for (std::size_t i = 0; i < set.places.size(); ++i) {
-      all.scattering[set.places[i]] = part.scattering[i];
-      all.error[set.places[i]] = part.error[i];
+  for (const Set& set : sets_)
+    for (const BetweenGroup& group : set.between) {
+      const BetweenScene scene{tree, tracer, set.wedges, set.outlines, group.axes, group.large};
+      const BetweenResult part = between_scattering(scene, look, group.frequencies, options);
+      if (part.scattering.empty()) continue;
+      all.scattering.resize(frequency_count_);
+      all.error.resize(frequency_count_);
+      all.lit_pieces = std::max(all.lit_pieces, part.lit_pieces);
+      for (std::size_t i = 0; i < group.places.size(); ++i) {
+        all.scattering[set.places[group.places[i]]] = part.scattering[i];
+        all.error[set.places[group.places[i]]] = part.error[i];
+      }
     }
-  }
   return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include "mesh/thin_sheets.h"
 #include "utd/between.h"
+#include "utd/between_groups.h"
 #include "utd/edges.h"
 
 namespace raytube {
@@ -22,8 +23,8 @@ class EdgeSets {
   /// One look at all frequencies, in their order; the lit wedges are counted at the highest.
   EdgeLookResult scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier) const;
 
-  /// Finds the edges that may light other surfaces than their own.
-  void prepare_between(const TriangleMesh& mesh);
+  /// Finds the edges that may light other surfaces than their own, at the frequencies that are not `crowded`.
+  void prepare_between(const TriangleMesh& mesh, const std::vector<bool>& crowded);
 
   /// What the waves of edges do on other surfaces in one look at all frequencies; nothing unless prepared.
   BetweenResult between(const FaceTree& tree, const Tracer& tracer, const Look& look, const BetweenOptions& options) const;
@@ -35,7 +36,10 @@ class EdgeSets {
     std::vector<double> frequencies;
     std::vector<Wedge> wedges;
     Outlines outlines;
-    std::vector<EdgeAxis> axes;  // into `wedges`; empty: nothing is between
+    std::vector<BetweenGroup> between;  // its places are those of the set's frequencies
+
+    // Currents run on over folds if what comes from there is painted.
+    bool mirrors() const;
   };
   static void put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all);
 

@@ -30,21 +30,17 @@ PlaneWave reflected(const PlaneWave& wave, const Patch& plane) {
 
 void ReflectedLight::find_mirrors() {
   const TriangleMesh& mesh = tree_.mesh();
-  std::vector<double> areas(mesh.patches.size());
   std::vector<bool> closed(mesh.patches.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    areas[mesh.triangle_patch[t]] += glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
-    closed[mesh.triangle_patch[t]] = mesh.closed(t);
-  }
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) closed[mesh.triangle_patch[t]] = mesh.closed(t);
   for (std::uint32_t patch = 0; patch < mesh.patches.size(); ++patch)
-    if (areas[patch] >= wavelength_ * wavelength_) mirrors_.push_back({patch, closed[patch]});
+    if (large_[patch]) mirrors_.push_back({patch, closed[patch]});
 }
 
 std::deque<ReflectedWave> ReflectedLight::waves(int most) {
   find_mirrors();
   std::vector<ReflectedWave> last{{incident_, {}, {}}}, next;
   std::deque<ReflectedWave> all;
-  for (followed_ = 0; followed_ < most; ++followed_) {
+  for (int reflection = 0; reflection < most; ++reflection) {
     if (axes_.size() * last.size() * mirrors_.size() > most_pairs) break;
     next.clear();
     for (const ReflectedWave& before : last)

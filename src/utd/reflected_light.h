@@ -21,16 +21,14 @@ PlaneWave reflected(const PlaneWave& wave, const Patch& plane);
 /// Follows the light of an incident wave back from edges over planar patches.
 class ReflectedLight {
  public:
-  ReflectedLight(const FaceTree& tree, std::span<const EdgeAxis> axes, const PlaneWave& incident, double wavelength)
-      : tree_(tree), axes_(axes), incident_(incident), wavelength_(wavelength), tracer_(tree) {}
+  ReflectedLight(const FaceTree& tree, const std::vector<bool>& large, std::span<const EdgeAxis> axes, const PlaneWave& incident,
+                 double wavelength)
+      : tree_(tree), large_(large), axes_(axes), incident_(incident), wavelength_(wavelength), tracer_(tree) {}
 
-  /// The waves that light any edge after one up to `most` reflections at patches of at least a wavelength squared. As many
-  /// reflections are looked at as there are no more than 20 000 edges and sequences of mirrors to pair. An edge exactly on the
-  /// border of a beam is lit on one of its sides: such pieces have the weight 1/2 (both sides are tried, a hundred-thousandth of
-  /// the wavelength off).
+  /// The waves that light any edge after one up to `most` reflections; no further ones than there are 20 000 pairs of an edge and
+  /// a sequence of mirrors. An edge exactly on the border of a beam is lit on one of its sides: such pieces have the weight 1/2
+  /// (both sides are tried, a hundred-thousandth of the wavelength off).
   std::deque<ReflectedWave> waves(int most);
-  /// How many reflections that are.
-  int followed() const { return followed_; }
 
  private:
   struct LitPiece {
@@ -50,12 +48,12 @@ class ReflectedLight {
   void keep_clear(const Sheet& sheet, const IgnoredPatches& ignored);
 
   const FaceTree& tree_;
+  const std::vector<bool>& large_;  // the mirrors
   std::span<const EdgeAxis> axes_;
   const PlaneWave& incident_;
   double wavelength_;
   SheetTracer tracer_;
   std::vector<Mirror> mirrors_;
-  int followed_ = 0;
   std::vector<LitPiece> pieces_;
 };
 

@@ -1,0 +1,62 @@
+#include "utd/between_groups.h"
+
+#include <algorithm>
+
+namespace raytube {
+
+namespace {
+
+constexpr std::size_t most_pairs = 1024;
+
+std::vector<double> patch_areas(const TriangleMesh& mesh) {
+  std::vector<double> areas(mesh.patches.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    areas[mesh.triangle_patch[t]] += glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
+  return areas;
+}
+
+std::size_t at_least(std::span<const double> values, double least) {
+  return static_cast<std::size_t>(std::ranges::count_if(values, [&](double value) { return value >= least; }));
+}
+
+}  // namespace
+
+std::vector<bool> between_crowded(const TriangleMesh& mesh, std::span<const Wedge> wedges, std::span<const double> frequencies) {
+  const std::vector<double> areas = patch_areas(mesh);
+  std::vector<double> lengths;
+  for (const Wedge& wedge : wedges)
+    if (wedge.radiates() && !wedge.enclosed) lengths.push_back(wedge.length());
+  std::vector<bool> crowded;
+  for (const double frequency : frequencies) {
+    const double least = wavelength(frequency);
+    crowded.push_back(at_least(lengths, least) * at_least(areas, least * least) > most_pairs);
+  }
+  return crowded;
+}
+
+std::vector<BetweenGroup> between_groups(const TriangleMesh& mesh, std::span<const Wedge> wedges,
+                                         std::span<const double> frequencies, const std::vector<bool>& crowded) {
+  const std::vector<double> areas = patch_areas(mesh);
+  const std::vector<EdgeAxis> axes = edge_axes(mesh, wedges);
+  std::vector<BetweenGroup> groups;
+  for (std::size_t place = 0; place < frequencies.size(); ++place) {
+    if (crowded[place]) continue;
+    const double least = wavelength(frequencies[place]);
+    BetweenGroup group{{place}, {frequencies[place]}, {}, {}};
+    for (const EdgeAxis& axis : axes)
+      if (axis.length >= least) group.axes.push_back(axis);
+    for (const double area : areas) group.large.push_back(area >= least * least);
+    if (group.axes.empty() || std::ranges::none_of(group.large, std::identity{})) continue;
+    const auto same = std::ranges::find_if(
+        groups, [&](const BetweenGroup& other) { return other.axes.size() == group.axes.size() && other.large == group.large; });
+    if (same == groups.end()) {
+      groups.push_back(std::move(group));
+    } else {
+      same->places.push_back(place);
+      same->frequencies.push_back(frequencies[place]);
+    }
+  }
+  return groups;
+}
+
+}  // namespace raytube
