@@ -26,11 +26,18 @@ void EdgePainter::at(double azimuth, std::vector<ScatteringMatrix>& density) {
   terms_ = edge_wave_terms(wedge.n, light_.incidence.source_angle, azimuth);
   Rays rays = leaving(azimuth);
   const EdgeWaveIntegral waves = this->waves(rays.sheet.direction);
-  const double longest = 2 * (1 + reflections_) * tree_.mesh().radius;
-  const double margin = EdgeWaveIntegral::reach(longest, std::ranges::min(wavenumbers_), light_.incidence.sin_cone);
+  const double margin = this->margin();
   if (!closed(0, rays.sheet.direction)) rays.sheet.from -= margin;
   if (!closed(1, rays.sheet.direction)) rays.sheet.to += margin;
   follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, reflections_, waves, density);
+}
+
+// Rays that start beyond the target are longer by as much.
+double EdgePainter::margin() const {
+  const FaceIncidence& in = light_.incidence;
+  const double k = std::ranges::min(wavenumbers_), inside = 2 * (1 + reflections_) * tree_.mesh().radius;
+  const double first = EdgeWaveIntegral::reach(inside, k, in.cos_cone, in.sin_cone);
+  return EdgeWaveIntegral::reach(inside + 2 * first, k, in.cos_cone, in.sin_cone);
 }
 
 EdgePainter::Rays EdgePainter::leaving(double azimuth) const {

@@ -95,7 +95,11 @@ Complexes turned_back(const Complexes& a, const Complexes& b, const Complexes& c
 
 }  // namespace
 
-double EdgeWaveIntegral::reach(double path, double k, double sin_cone) { return faded * std::sqrt(2 * path / k) / sin_cone; }
+// Where the way over the corner is longer than the ray by d = faded^2 / k: a quadratic equation.
+double EdgeWaveIntegral::reach(double path, double k, double cos_cone, double sin_cone) {
+  const double d = faded * faded / k, square = sin_cone * sin_cone;
+  return (d * std::abs(cos_cone) + std::sqrt(d * d + 2 * d * path * square)) / square;
+}
 
 WaveIntegrals EdgeWaveIntegral::over(const RayRow& row, double k) const {
   WaveIntegrals sum;
@@ -134,7 +138,7 @@ void EdgeWaveIntegral::add_piece(const RayRow& row, double k, double from, doubl
 
 void EdgeWaveIntegral::add_corner(const RayRow& row, double k, double corner, double inwards, WaveIntegrals& sum) const {
   const double longest = std::max(row.path + row.path_rate * row.from, row.path + row.path_rate * row.to);
-  const double far = reach(longest, k, sin_cone_);
+  const double far = reach(longest, k, cos_cone_, sin_cone_);
   const double low = std::max(row.from, corner - far), high = std::min(row.to, corner + far);
   add_beside_corner(row, k, corner, -inwards, low, std::min(high, corner), sum);
   add_beside_corner(row, k, corner, inwards, std::max(low, corner), high, sum);

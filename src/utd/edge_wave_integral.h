@@ -46,7 +46,7 @@ class EdgeWaveIntegral {
   WaveIntegrals over(const RayRow& row, double k) const;
 
   /// How far beyond an end waves are followed from rays up to this long [m].
-  static double reach(double path, double k, double sin_cone);
+  static double reach(double path, double k, double cos_cone, double sin_cone);
 
  private:
   void add_piece(const RayRow& row, double k, double from, double to, WaveIntegrals& sum) const;
