@@ -42,15 +42,15 @@ const std::vector<Rule>& rules() {
 
 class Integrator {
  public:
-  Integrator(const AzimuthDensity& density, std::size_t frequencies, double turns)
-      : density_(density), frequencies_(frequencies), turns_(turns) {
+  Integrator(const AzimuthDensity& density, std::size_t frequencies) : density_(density), frequencies_(frequencies) {
     result_.value.resize(frequencies);
     result_.error.resize(frequencies);
   }
 
   void add(double from, double to, double tolerance, int halvings) {
-    if (is_empty(from, to)) return;
-    for (std::size_t rule = first_rule(to - from); rule < counts.size(); ++rule) {
+    const std::optional<std::size_t> first = first_rule(from, to);
+    if (!first) return;
+    for (std::size_t rule = *first; rule < counts.size(); ++rule) {
       sample(rules()[rule], from, to);
       if (!estimate(rules()[rule], to - from, tolerance) && !(halvings == most_halvings && rule + 1 == counts.size())) continue;
       return accept();
@@ -63,26 +63,26 @@ class Integrator {
   AzimuthIntegral take() { return std::move(result_); }
 
  private:
-  // Much of the way round an edge there is nothing to see.
-  bool is_empty(double from, double to) {
-    samples_.resize(1);
-    for (const double place : {0.5, 0.03, 0.97}) {
-      density_(from + place * (to - from), samples_[0]);
-      for (const ScatteringMatrix& s : samples_[0])
-        if (s.vv() != 0.0 || s.vh() != 0.0 || s.hv() != 0.0 || s.hh() != 0.0) return false;
+  // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. Much of the way round an edge there is
+  // nothing to see.
+  std::optional<std::size_t> first_rule(double from, double to) const {
+    std::optional<PhaseRange> before;
+    double turned = 0.0;
+    bool any = false;
+    for (const double place : {0.03, 0.5, 0.97}) {
+      const std::optional<PhaseRange> here = density_.survey(from + place * (to - from));
+      if (here && before) turned += std::max(std::abs(here->low - before->low), std::abs(here->high - before->high));
+      any = any || here;
+      before = here;
     }
-    return true;
-  }
-
-  // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact.
-  std::size_t first_rule(double width) const {
-    const auto enough = std::ranges::lower_bound(counts, 4.0 + turns_ * width / 8);
-    return std::min<std::size_t>(enough - counts.begin(), counts.size() - 2);
+    if (!any) return {};
+    const auto enough = std::ranges::lower_bound(counts, 5.0 + turned / 2);
+    return std::min<std::size_t>(enough - counts.begin(), counts.size() - 1);
   }
 
   void sample(const Rule& rule, double from, double to) {
     samples_.resize(rule.points.size());
-    for (std::size_t i = 0; i < samples_.size(); ++i) density_(from + rule.points[i].place * (to - from), samples_[i]);
+    for (std::size_t i = 0; i < samples_.size(); ++i) density_.at(from + rule.points[i].place * (to - from), samples_[i]);
   }
 
   // The series goes on after the terms the rule resolves about as it ends, and of what follows a Gauss rule of n points misses
@@ -121,7 +121,6 @@ class Integrator {
 
   const AzimuthDensity& density_;
   std::size_t frequencies_;
-  double turns_;
   std::vector<std::vector<ScatteringMatrix>> samples_;
   std::vector<ScatteringMatrix> sum_;
   std::vector<ChannelErrors> error_;
@@ -131,8 +130,8 @@ class Integrator {
 }  // namespace
 
 AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequencies, const std::vector<double>& cuts,
-                                       double turns, double tolerance) {
-  Integrator integrator(density, frequencies, turns);
+                                       double tolerance) {
+  Integrator integrator(density, frequencies);
   const double range = cuts.back() - cuts.front();
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     const double width = cuts[i] - cuts[i - 1];

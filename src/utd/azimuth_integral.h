@@ -2,24 +2,33 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "field.h"
 
 namespace raytube {
 
-/// Sets the integrand at an azimuth, per frequency.
-using AzimuthDensity = std::function<void(double azimuth, std::vector<ScatteringMatrix>& density)>;
+/// Phases that the integrand has at an azimuth, at the highest wavenumber.
+struct PhaseRange {
+  double low, high;  // [rad]
+};
+
+/// An integrand.
+struct AzimuthDensity {
+  std::function<void(double azimuth, std::vector<ScatteringMatrix>& density)> at;  // sets it, per frequency
+  std::function<std::optional<PhaseRange>(double azimuth)> survey;                 // none where it vanishes
+};
 
 struct AzimuthIntegral {
   std::vector<ScatteringMatrix> value;  // per frequency
   std::vector<ChannelErrors> error;     // estimated, per frequency
 };
 
-/// Integral over panels between ascending `cuts`. Gauss rules of more and more points, then half the panel, until the estimated
-/// error is below the panel's share of `tolerance`. `turns` is the phase [rad] the integrand may turn by per radian: a first
-/// guess.
+/// Integral over panels between ascending `cuts`. A Gauss rule of as many points as the phases of the integrand ask for, then of
+/// more, then half the panel, until the estimated error is below the panel's share of `tolerance`. A panel with nothing at its
+/// middle and close to its ends is passed over.
 AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequencies, const std::vector<double>& cuts,
-                                       double turns, double tolerance);
+                                       double tolerance);
 
 }  // namespace raytube

@@ -101,13 +101,6 @@ class CutFinder {
   std::vector<double> cuts_;
 };
 
-double farthest_corner(const TriangleMesh& mesh, const EdgeLight& light) {
-  const dvec3 middle = light.edge->origin + 0.5 * light.edge->length * light.edge->tangent;
-  double farthest = 0.0;
-  for (const dvec3& corner : mesh.vertices) farthest = std::max(farthest, glm::length(corner - middle));
-  return farthest;
-}
-
 struct Job {
   const EdgeLight* light;
   int reflections;
@@ -116,9 +109,9 @@ struct Job {
 AzimuthIntegral painted(const BetweenScene& scene, const LookVectors& look, std::span<const double> wavenumbers, const Job& job,
                         double tolerance) {
   EdgePainter painter(scene.tree, scene.large, look, wavenumbers, *job.light, job.reflections);
-  const auto density = [&](double azimuth, std::vector<ScatteringMatrix>& result) { painter.at(azimuth, result); };
-  const double turns = std::ranges::max(wavenumbers) * farthest_corner(scene.tree.mesh(), *job.light);
-  return integrate_over_azimuth(density, wavenumbers.size(), CutFinder(scene.tree, *job.light).find(), turns, tolerance);
+  const AzimuthDensity density{[&](double azimuth, std::vector<ScatteringMatrix>& result) { painter.at(azimuth, result); },
+                               [&](double azimuth) { return painter.survey(azimuth); }};
+  return integrate_over_azimuth(density, wavenumbers.size(), CutFinder(scene.tree, *job.light).find(), tolerance);
 }
 
 LitInterval along_wedge(const EdgeLight& light) {

@@ -20,16 +20,51 @@ EdgePainter::EdgePainter(const FaceTree& tree, const std::vector<bool>& large, c
   for (int q = 0; q < 2; ++q) arriving_[q] = {glm::dot(up, light.wave->electric[q]), glm::dot(turning, light.wave->electric[q])};
 }
 
+// Calls visit(footprint) wherever the rays arrive.
+template <class Visit>
+void EdgePainter::follow(Rays rays, Visit visit) {
+  const double beyond = margin();
+  if (!closed(0, rays.sheet.direction)) rays.sheet.from -= beyond;
+  if (!closed(1, rays.sheet.direction)) rays.sheet.to += beyond;
+  const Wedge& wedge = *light_.edge->wedge;
+  follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, reflections_, visit);
+}
+
+template <class Visit>
+void EdgePainter::follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, Visit visit) {
+  std::vector<SheetHit>& hits = hits_[reflections];
+  tracer_.trace(rays.sheet, ignored, hits);
+  for (const SheetHit& hit : hits) {
+    const std::uint32_t patch = tree_.faces()[hit.face].patch;
+    if (!large_[patch]) continue;
+    const Patch& plane = tree_.mesh().patches[patch];
+    visit(footprint(rays, hit, plane));
+    if (reflections == 0) continue;
+    Rays next{reflected(rays.sheet, hit, plane.normal), rays.path + hit.length, rays.path_rate + hit.growth, rays.magnetic};
+    for (dvec3& field : next.magnetic) field -= 2 * glm::dot(plane.normal, field) * plane.normal;
+    follow(next, {patch, no_index, no_index}, reflections - 1, visit);
+  }
+}
+
 void EdgePainter::at(double azimuth, std::vector<ScatteringMatrix>& density) {
   density.assign(wavenumbers_.size(), {});
-  const Wedge& wedge = *light_.edge->wedge;
-  terms_ = edge_wave_terms(wedge.n, light_.incidence.source_angle, azimuth);
-  Rays rays = leaving(azimuth);
+  terms_ = edge_wave_terms(light_.edge->wedge->n, light_.incidence.source_angle, azimuth);
+  const Rays rays = leaving(azimuth);
   const EdgeWaveIntegral waves = this->waves(rays.sheet.direction);
-  const double margin = this->margin();
-  if (!closed(0, rays.sheet.direction)) rays.sheet.from -= margin;
-  if (!closed(1, rays.sheet.direction)) rays.sheet.to += margin;
-  follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, reflections_, waves, density);
+  follow(rays, [&](const Footprint& on) { paint(on, waves, density); });
+}
+
+std::optional<PhaseRange> EdgePainter::survey(double azimuth) {
+  std::optional<PhaseRange> range;
+  const double k = std::ranges::max(wavenumbers_);
+  follow(leaving(azimuth), [&](const Footprint& on) {
+    for (const double end : {on.row.from, on.row.to}) {
+      const double place = std::clamp(std::clamp(end, light_.from, light_.to), on.row.from, on.row.to);
+      const double phase = k * (on.row.phase + on.row.phase_rate * place);
+      range = range ? PhaseRange{std::min(range->low, phase), std::max(range->high, phase)} : PhaseRange{phase, phase};
+    }
+  });
+  return range;
 }
 
 // Rays that start beyond the target are longer by as much.
@@ -75,23 +110,6 @@ EdgeWaveIntegral EdgePainter::waves(const dvec3& direction) const {
            last    ? to
            : first ? 2 * to - from
                    : none}};
-}
-
-void EdgePainter::follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, const EdgeWaveIntegral& waves,
-                         std::vector<ScatteringMatrix>& density) {
-  std::vector<SheetHit>& hits = hits_[reflections];
-  tracer_.trace(rays.sheet, ignored, hits);
-  for (const SheetHit& hit : hits) {
-    const std::uint32_t patch = tree_.faces()[hit.face].patch;
-    if (!large_[patch]) continue;
-    const Patch& plane = tree_.mesh().patches[patch];
-    paint(footprint(rays, hit, plane), waves, density);
-    if (reflections == 0) continue;
-    Rays next{reflected(rays.sheet, hit, plane.normal), rays.path + hit.length, rays.path_rate + hit.growth, rays.magnetic,
-              patch};
-    for (dvec3& field : next.magnetic) field -= 2 * glm::dot(plane.normal, field) * plane.normal;
-    follow(next, {patch, no_index, no_index}, reflections - 1, waves, density);
-  }
 }
 
 // The tube between neighbouring places and azimuths is rho sin(beta0) wide, rho the distance from the edge's line; reflections by

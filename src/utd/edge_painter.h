@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "utd/azimuth_integral.h"
 #include "utd/edge_currents.h"
 #include "utd/edge_wave_integral.h"
 #include "utd/sheet.h"
@@ -49,6 +50,8 @@ class EdgePainter {
 
   /// dS / d(azimuth) [m] per wavenumber; `azimuth` is phi of the diffracted rays, measured as phi'.
   void at(double azimuth, std::vector<ScatteringMatrix>& density);
+  /// Between which phases it lies there; none if the rays meet nothing.
+  std::optional<PhaseRange> survey(double azimuth);
 
  private:
   /// Components of H that the waves of an edge have along them: that of a ray, of a soft and of a hard wave, and what their
@@ -59,7 +62,6 @@ class EdgePainter {
     Sheet sheet;
     double path = 0.0, path_rate = 0.0;      // way from the edge to where the sheet begins [m]
     std::array<dvec3, components> magnetic;  // directions
-    std::uint32_t source_patch = no_index;
   };
   /// Where they meet a face.
   struct Footprint {
@@ -72,8 +74,10 @@ class EdgePainter {
   Rays leaving(double azimuth) const;
   EdgeWaveIntegral waves(const dvec3& direction) const;
   bool closed(int end, const dvec3& direction) const;
-  void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, const EdgeWaveIntegral& waves,
-              std::vector<ScatteringMatrix>& density);
+  template <class Visit>
+  void follow(Rays rays, Visit visit);
+  template <class Visit>
+  void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, Visit visit);
   Footprint footprint(const Rays& rays, const SheetHit& hit, const Patch& plane) const;
   void paint(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const;
 
