@@ -30,6 +30,7 @@ for body in cube2 dihedral3; do
   run ${body}_off docs/figures/$body.toml "${fine[@]}" "${off[@]}"
   grep -E '^theta_deg|,az_th90$' tests/data/mom/$body.csv >"$work/${body}_mom.csv"
 done
+run dihedral3_sharp docs/figures/dihedral3.toml "${fine[@]}" --set edges.between=false
 for name in plate dihedral powercube cylinder trihedral; do grep -v '^#' cases/$name/reference.csv >"$work/${name}_reference.csv"; done
 grep -v '^#' cases/sphere/reference_bistatic.csv >"$work/sphere_reference.csv"
 "$program" converge cases/convergence/case.toml -o "$work/convergence_plate" >/dev/null
@@ -91,7 +92,7 @@ plot work.'dihedral_reference.csv' using 3:(db(\$6,\$7)) with lines ls 3 title '
 plot work.'dihedral_reference.csv' using 3:(db(\$12,\$13)) with lines ls 3 title 'HH closed form (PO)', \
      work.'dihedral_off.csv' using 3:(db(\$12,\$13)) with lines ls 2 lw 1.6 title 'HH raytube, edges off'
 set ylabel 'raytube − closed form (dB)'
-set yrange [-0.6:0.6]
+set yrange [-2.2:1.2]
 plot work.'dihedral_both.csv' using 3:(diff(\$6,\$7,\$23,\$24)) with lines lc rgb '#1f5fbf' lw 1.6 title 'VV edges on', \
      work.'dihedral_both.csv' using 3:(diff(\$12,\$13,\$29,\$30)) with lines lc rgb '#8a1fbf' lw 1.6 dt (8,6) title 'HH edges on', \
      work.'dihedral_off_both.csv' using 3:(diff(\$6,\$7,\$23,\$24)) with lines lc rgb '#d9480f' lw 1.6 title 'VV edges off', \
@@ -113,14 +114,16 @@ plot work.'cube2_mom.csv' using 2:(db(\$10,\$11)) with lines ls 3 title 'HH meth
 unset multiplot
 
 eval canvas('dihedral3', 900, 700)
-set multiplot layout 2,1 title 'Dihedral of 3 wavelengths, θ = 90°, monostatic, 40 tubes per wavelength'
+set multiplot layout 2,1 title 'Dihedral of 3 wavelengths, θ = 90°, monostatic'
 set xrange [-60:60]
 set yrange [-25:5]
 plot work.'dihedral3_mom.csv' using 2:(db(\$4,\$5)) with lines ls 3 title 'VV method of moments', \
      work.'dihedral3_off.csv' using 3:(db(\$6,\$7)) with lines ls 2 title 'VV raytube, edges off', \
+     work.'dihedral3_sharp.csv' using 3:(db(\$6,\$7)) with lines lc rgb '#2e8b3d' lw 1.4 title 'VV edges, nothing between', \
      work.'dihedral3.csv' using 3:(db(\$6,\$7)) with lines ls 1 dt (8,6) title 'VV raytube, edges on'
 plot work.'dihedral3_mom.csv' using 2:(db(\$10,\$11)) with lines ls 3 title 'HH method of moments', \
      work.'dihedral3_off.csv' using 3:(db(\$12,\$13)) with lines ls 2 title 'HH raytube, edges off', \
+     work.'dihedral3_sharp.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#2e8b3d' lw 1.4 title 'HH edges, nothing between', \
      work.'dihedral3.csv' using 3:(db(\$12,\$13)) with lines ls 1 dt (8,6) title 'HH raytube, edges on'
 unset multiplot
 
