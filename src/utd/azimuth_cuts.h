@@ -1,0 +1,15 @@
+// Where the waves round an edge may jump or bend.
+#pragma once
+
+#include <vector>
+
+#include "utd/edge_painter.h"
+
+namespace raytube {
+
+/// Ascending azimuths from one face of the edge to the other, both included: shadow and reflection boundaries, corners of the
+/// mesh, their mirror images, and where rays run along a patch (the latter two only in small meshes); between them more, so that
+/// no two lie far apart.
+std::vector<double> azimuth_cuts(const TriangleMesh& mesh, const EdgeLight& light);
+
+}  // namespace raytube
