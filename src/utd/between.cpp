@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chebyshev.h"
-#include "utd/azimuth_cuts.h"
-#include "utd/azimuth_integral.h"
 #include "utd/edges.h"
 #include "utd/lit_edges.h"
+#include "utd/painted_light.h"
 #include "utd/reflected_light.h"
 
 namespace raytube {
@@ -24,14 +22,6 @@ struct Job {
   const EdgeLight* light;
   int reflections;
 };
-
-AzimuthIntegral painted(const BetweenScene& scene, const LookVectors& look, std::span<const double> wavenumbers, const Job& job,
-                        double tolerance) {
-  EdgePainter painter(scene.tree, scene.large, look, wavenumbers, *job.light, job.reflections);
-  const AzimuthDensity density{[&](double azimuth, std::vector<ScatteringMatrix>& result) { painter.at(azimuth, result); },
-                               [&](double azimuth) { return painter.survey(azimuth); }};
-  return integrate_over_azimuth(density, wavenumbers.size(), azimuth_cuts(scene.tree.mesh(), *job.light), tolerance);
-}
 
 LitInterval along_wedge(const EdgeLight& light) {
   const EdgeAxis& axis = *light.edge;
@@ -86,49 +76,22 @@ class BetweenLook {
     }
   }
 
-  // Exponents over k: two radii for the places of edge and painted point either way, and ways of up to two radii a leg. Where
-  // these let a few wavenumbers stand for many, they do.
   void paint(double tolerance, BetweenResult& result) const {
     std::vector<double> wavenumbers;
     for (const double frequency : frequencies_) wavenumbers.push_back(wavenumber(frequency));
-    const double radius = scene_.tree.mesh().radius, lag = (1 + most_reflections) * radius;
-    Band band(wavenumbers);
-    const ChebyshevNodes* nodes = band.nodes_of_fresnel(lag + 2 * radius);
-    const std::span<const double> at = nodes ? nodes->at : wavenumbers;
-    const std::vector<AzimuthIntegral> parts = integrals(at, tolerance);
-    std::vector<ScatteringMatrix> sums(at.size());
-    ChannelErrors error{};
-    for (const AzimuthIntegral& part : parts) add(part, sums, error);
-    result.error.assign(frequencies_.size(), error);
-    if (!nodes) {
-      result.scattering = sums;
-      return;
-    }
-    for (std::size_t n = 0; n < at.size(); ++n) sums[n] *= std::polar(1.0, at[n] * lag);
-    auto weight = nodes->weights.begin();
-    for (std::size_t f = 0; f < wavenumbers.size(); ++f) {
-      for (const ScatteringMatrix& sum : sums) result.scattering[f] += ScatteringMatrix(sum) *= *weight++;
-      result.scattering[f] *= std::polar(1.0, -wavenumbers[f] * lag);
-    }
-  }
-
-  std::vector<AzimuthIntegral> integrals(std::span<const double> wavenumbers, double tolerance) const {
-    std::vector<AzimuthIntegral> parts(jobs_.size());
     const double least = least_tolerance * wavelength(std::ranges::max(frequencies_));
     const double share = std::max(tolerance, least) / std::sqrt(static_cast<double>(jobs_.size()));
-    tbb::parallel_for(std::size_t{0}, jobs_.size(),
-                      [&](std::size_t i) { parts[i] = painted(scene_, look_, wavenumbers, jobs_[i], share); });
-    return parts;
-  }
-
-  static void add(const AzimuthIntegral& part, std::vector<ScatteringMatrix>& sums, ChannelErrors& error) {
-    for (std::size_t f = 0; f < sums.size(); ++f) sums[f] += part.value[f];
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) {
-        double worst = 0.0;
-        for (const ChannelErrors& one : part.error) worst = std::max(worst, one[p][q]);
-        error[p][q] += worst;
-      }
+    std::vector<PaintedLight> parts(jobs_.size());
+    tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
+      parts[i] = painted_light(scene_.tree, scene_.large, look_, wavenumbers, *jobs_[i].light, jobs_[i].reflections, share);
+    });
+    ChannelErrors error{};
+    for (const PaintedLight& part : parts) {
+      for (std::size_t f = 0; f < frequencies_.size(); ++f) result.scattering[f] += part.scattering[f];
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) error[p][q] += part.error[p][q];
+    }
+    result.error.assign(frequencies_.size(), error);
   }
 
   void add_fringe(const BetweenOptions& options, BetweenResult& result) const {
