@@ -7,13 +7,14 @@ namespace raytube {
 
 namespace {
 
-constexpr std::size_t most_corners = 200;  // and mirror images of corners
-constexpr double same_azimuth = 1e-9;      // [rad]
-constexpr double widest_panel = 0.4;       // [rad]
+constexpr std::size_t most_images = 200;
+constexpr double same_azimuth = 1e-9;  // [rad]
+constexpr double widest_panel = 0.4;   // [rad]
 
 class CutFinder {
  public:
-  CutFinder(const TriangleMesh& mesh, const EdgeLight& light) : mesh_(mesh), light_(light) {
+  CutFinder(const TriangleMesh& mesh, std::span<const dvec3> corners, const EdgeLight& light)
+      : mesh_(mesh), corners_(corners), light_(light) {
     const Wedge& wedge = *light.edge->wedge;
     end_ = wedge.n * pi;
     cuts_ = {0.0, end_};
@@ -46,16 +47,15 @@ class CutFinder {
   }
 
   void add_corners() {
-    if (mesh_.vertices.size() > most_corners) return;
-    for (const dvec3& corner : mesh_.vertices) add(corner);
-    if (mesh_.vertices.size() * mesh_.patches.size() > most_corners) return;
+    for (const dvec3& corner : corners_) add(corner);
+    if (corners_.size() * mesh_.patches.size() > most_images) return;
     for (const Patch& plane : mesh_.patches) {
       add_grazing(plane.normal);
       for (const Patch& mirror : mesh_.patches)
         add_grazing(plane.normal - 2 * glm::dot(plane.normal, mirror.normal) * mirror.normal);
     }
     for (const Patch& plane : mesh_.patches)
-      for (const dvec3& corner : mesh_.vertices) add(corner - 2 * (glm::dot(plane.normal, corner) - plane.offset) * plane.normal);
+      for (const dvec3& corner : corners_) add(corner - 2 * (glm::dot(plane.normal, corner) - plane.offset) * plane.normal);
   }
 
   // Where rays run along a plane: A cos(azimuth - a) = B of the components of its normal.
@@ -82,6 +82,7 @@ class CutFinder {
   }
 
   const TriangleMesh& mesh_;
+  std::span<const dvec3> corners_;
   const EdgeLight& light_;
   double end_;
   std::vector<double> cuts_;
@@ -89,6 +90,8 @@ class CutFinder {
 
 }  // namespace
 
-std::vector<double> azimuth_cuts(const TriangleMesh& mesh, const EdgeLight& light) { return CutFinder(mesh, light).find(); }
+std::vector<double> azimuth_cuts(const TriangleMesh& mesh, std::span<const dvec3> corners, const EdgeLight& light) {
+  return CutFinder(mesh, corners, light).find();
+}
 
 }  // namespace raytube

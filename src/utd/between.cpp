@@ -83,7 +83,8 @@ class BetweenLook {
     const double share = std::max(tolerance, least) / std::sqrt(static_cast<double>(jobs_.size()));
     std::vector<PaintedLight> parts(jobs_.size());
     tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
-      parts[i] = painted_light(scene_.tree, scene_.large, look_, wavenumbers, *jobs_[i].light, jobs_[i].reflections, share);
+      parts[i] = painted_light({scene_.tree, scene_.corners, scene_.large}, look_, wavenumbers, *jobs_[i].light,
+                               jobs_[i].reflections, share);
     });
     ChannelErrors error{};
     for (const PaintedLight& part : parts) {

@@ -24,6 +24,7 @@ struct BetweenScene {
   std::span<const Wedge> wedges;
   const Outlines& outlines;
   std::span<const EdgeAxis> axes;  // into `wedges`
+  std::span<const dvec3> corners;  // where its faces jump or bend as seen from an edge; may be left out
   const std::vector<bool>& large;  // the patches that are painted, and mirrors
 };
 

@@ -1,18 +1,32 @@
 #include "utd/between_groups.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace raytube {
 
 namespace {
 
 constexpr std::size_t most_pairs = 1024;
+constexpr std::size_t most_corners = 200;
 
 std::vector<double> patch_areas(const TriangleMesh& mesh) {
   std::vector<double> areas(mesh.patches.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     areas[mesh.triangle_patch[t]] += glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
   return areas;
+}
+
+// The ends of the wedges: vertices inside a plane face or a straight edge are not seen.
+std::vector<dvec3> find_corners(std::span<const Wedge> wedges) {
+  std::vector<dvec3> corners;
+  for (const Wedge& wedge : wedges) corners.insert(corners.end(), {wedge.start, wedge.end});
+  const auto key = [](const dvec3& corner) { return std::tuple(corner.x, corner.y, corner.z); };
+  std::ranges::sort(corners, {}, key);
+  const auto repeated = std::ranges::unique(corners, {}, key);
+  corners.erase(repeated.begin(), repeated.end());
+  if (corners.size() > most_corners) corners.clear();
+  return corners;
 }
 
 std::size_t at_least(std::span<const double> values, double least) {
@@ -38,11 +52,12 @@ std::vector<BetweenGroup> between_groups(const TriangleMesh& mesh, std::span<con
                                          std::span<const double> frequencies, const std::vector<bool>& crowded) {
   const std::vector<double> areas = patch_areas(mesh);
   const std::vector<EdgeAxis> axes = edge_axes(mesh, wedges);
+  const std::vector<dvec3> corners = find_corners(wedges);
   std::vector<BetweenGroup> groups;
   for (std::size_t place = 0; place < frequencies.size(); ++place) {
     if (crowded[place]) continue;
     const double least = wavelength(frequencies[place]);
-    BetweenGroup group{{place}, {frequencies[place]}, {}, {}};
+    BetweenGroup group{{place}, {frequencies[place]}, {}, corners, {}};
     for (const EdgeAxis& axis : axes)
       if (axis.length >= least) group.axes.push_back(axis);
     for (const double area : areas) group.large.push_back(area >= least * least);

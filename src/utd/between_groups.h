@@ -12,6 +12,7 @@ struct BetweenGroup {
   std::vector<std::size_t> places;  // in the list of frequencies
   std::vector<double> frequencies;
   std::vector<EdgeAxis> axes;  // of a wavelength or more; they point into the wedges
+  std::vector<dvec3> corners;  // of the target; none if there are more than 200
   std::vector<bool> large;     // the patches of at least a wavelength squared: others stand in the way, but are neither painted
                                // nor mirrors
 };

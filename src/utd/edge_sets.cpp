@@ -73,7 +73,7 @@ BetweenResult EdgeSets::between(const FaceTree& tree, const Tracer& tracer, cons
   BetweenResult all;
   for (const Set& set : sets_)
     for (const BetweenGroup& group : set.between) {
-      const BetweenScene scene{tree, tracer, set.wedges, set.outlines, group.axes, group.large};
+      const BetweenScene scene{tree, tracer, set.wedges, set.outlines, group.axes, group.corners, group.large};
       const BetweenResult part = between_scattering(scene, look, group.frequencies, options);
       if (part.scattering.empty()) continue;
       all.scattering.resize(frequency_count_);

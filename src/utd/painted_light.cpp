@@ -50,10 +50,10 @@ ChannelErrors worst_of(const std::vector<ChannelErrors>& errors) {
 
 }  // namespace
 
-PaintedLight painted_light(const FaceTree& tree, const std::vector<bool>& large, const LookVectors& look,
-                           std::span<const double> wavenumbers, const EdgeLight& light, int reflections, double tolerance) {
-  EdgePainter painter(tree, large, look, wavenumbers, light, reflections);
-  const std::vector<double> cuts = azimuth_cuts(tree.mesh(), light);
+PaintedLight painted_light(const Canvas& canvas, const LookVectors& look, std::span<const double> wavenumbers,
+                           const EdgeLight& light, int reflections, double tolerance) {
+  EdgePainter painter(canvas.tree, canvas.large, look, wavenumbers, light, reflections);
+  const std::vector<double> cuts = azimuth_cuts(canvas.tree.mesh(), canvas.corners, light);
   const auto range = paths(painter, cuts, std::ranges::max(wavenumbers));
   if (!range) return {std::vector<ScatteringMatrix>(wavenumbers.size()), {}};
   Band band(wavenumbers);
@@ -62,7 +62,7 @@ PaintedLight painted_light(const FaceTree& tree, const std::vector<bool>& large,
     AzimuthIntegral all = integrate_over_azimuth(density_of(painter), wavenumbers.size(), cuts, tolerance);
     return {std::move(all.value), worst_of(all.error)};
   }
-  EdgePainter few(tree, large, look, nodes->at, light, reflections);
+  EdgePainter few(canvas.tree, canvas.large, look, nodes->at, light, reflections);
   AzimuthIntegral at_nodes = integrate_over_azimuth(density_of(few), nodes->at.size(), cuts, tolerance);
   return {interpolated(std::move(at_nodes.value), *nodes, wavenumbers, (range->low + range->high) / 2), worst_of(at_nodes.error)};
 }

@@ -7,6 +7,13 @@
 
 namespace raytube {
 
+/// What may be painted.
+struct Canvas {
+  const FaceTree& tree;
+  std::span<const dvec3> corners;
+  const std::vector<bool>& large;  // patches
+};
+
 struct PaintedLight {
   std::vector<ScatteringMatrix> scattering;  // per wavenumber
   ChannelErrors error{};                     // estimated, of quadrature, at the worst of them
@@ -14,7 +21,7 @@ struct PaintedLight {
 
 /// The integral of EdgePainter over all azimuths to within `tolerance`, as far as it can tell. Of many wavenumbers a few are
 /// computed if the paths of the rays differ by little enough for these to stand for the others.
-PaintedLight painted_light(const FaceTree& tree, const std::vector<bool>& large, const LookVectors& look,
-                           std::span<const double> wavenumbers, const EdgeLight& light, int reflections, double tolerance);
+PaintedLight painted_light(const Canvas& canvas, const LookVectors& look, std::span<const double> wavenumbers,
+                           const EdgeLight& light, int reflections, double tolerance);
 
 }  // namespace raytube
