@@ -55,6 +55,7 @@ double solve_time(const Target& target, const Sweep& sweep, EdgeMethod method, i
   SolveOptions options;
   options.edges.method = method;
   options.edges.order = order;
+  options.edges.between = false;
   options.threads = threads;
   return solve(target, sweep, options).statistics.solve_s;
 }
