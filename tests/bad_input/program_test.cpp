@@ -57,6 +57,13 @@ TEST_F(BadInput, RaysInThePlaceOfCurrentsNameTheirRange) {
   EXPECT_THAT(text_of(scratch / "out/run.json"), HasSubstr("\"utd_range_m\": 0.5"));
 }
 
+TEST_F(BadInput, DiffractionBetweenSurfaces) {
+  expect_refused("run case.toml --set edges.between=1", "edges.between must be true or false");
+  expect_refused("run case.toml --set edges.between=yes", "edges.between must be true or false");
+  expect_refused("run case.toml --set edges.beetween=true", "did you mean \"edges.between\"?");
+  EXPECT_EQ(raytube("check case.toml --set edges.between=false").code, 0);
+}
+
 TEST_F(BadInput, CaseFile) {
   expect_refused("run missing.toml", "missing.toml: no such file");
   expect_refused("run .", "cannot be read");

@@ -54,6 +54,23 @@ TEST(Threads, RaysInThePlaceOfCurrentsGiveTheSameBits) {
   }
 }
 
+TEST(Threads, DiffractionBetweenSurfacesGivesTheSameBits) {
+  Sweep sweep{{9e9, 10e9}, {}, true};
+  for (int i = 0; i < 9; ++i) sweep.looks.push_back({{0.3 + 0.2 * i, 0.17 * i}, {0.5 + 0.2 * i, 0.1 + 0.15 * i}});
+  SolveOptions o = options(EdgeMethod::fringe);
+  o.tubes.mode = TubeMode::adaptive;
+  o.threads = 1;
+  const SweepResult one = solve_soup(shapes::dihedral(0.1, 0.12), sweep, o);
+  EXPECT_GT(one.statistics.painted_pieces, 0u);
+  for (const int threads : thread_counts) {
+    o.threads = threads;
+    const SweepResult many = solve_soup(shapes::dihedral(0.1, 0.12), sweep, o);
+    EXPECT_TRUE(same_bytes(one.total, many.total)) << threads << " threads";
+    EXPECT_TRUE(same_bytes(one.between, many.between)) << threads << " threads";
+    EXPECT_EQ(one.error, many.error) << threads << " threads";
+  }
+}
+
 // rcs.csv of a case of the repository, thinned so that it runs in a second or two.
 std::string program_output(const std::string& case_name, const std::string& set, int threads) {
   const Scratch scratch;
