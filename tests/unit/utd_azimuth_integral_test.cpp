@@ -15,7 +15,7 @@ struct Example {
   const char* name;
   std::function<Complex(double x, int frequency)> value;
   std::function<Complex(double x, int frequency)> primitive;
-  double turns;
+  double turns;  // of its phase, as it is told [rad/rad]
 };
 
 /// A kink or a jump where no cut is.
@@ -54,7 +54,8 @@ Found integral(const std::function<Complex(double, int)>& scalar, const std::arr
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) result[f].at(p, q) = factors[p][q] * scalar(x, f);
   };
-  AzimuthIntegral sum = integrate_over_azimuth(density, frequencies, cuts, turns, tolerance);
+  const auto survey = [&](double x) { return PhaseRange{turns * x, turns * x}; };
+  AzimuthIntegral sum = integrate_over_azimuth({density, survey}, frequencies, cuts, tolerance);
   found.value = std::move(sum.value);
   found.error = std::move(sum.error);
   return found;
@@ -122,6 +123,18 @@ TEST(AzimuthIntegral, BasesOfPolarisationDecideNothing) {
         EXPECT_LE(norm(again.value, turned, f, plain.value[f].vv() / channels[0][0]), 1e-12) << example.name;
     }
   }
+}
+
+TEST(AzimuthIntegral, WhatVanishesIsNotSampled) {
+  int sampled = 0;
+  const auto density = [&](double, std::vector<ScatteringMatrix>& result) {
+    ++sampled;
+    result.assign(1, {});
+  };
+  const auto survey = [](double) { return std::optional<PhaseRange>(); };
+  const AzimuthIntegral sum = integrate_over_azimuth({density, survey}, 1, cuts, 1e-4);
+  EXPECT_EQ(sampled, 0);
+  EXPECT_EQ(frobenius_norm(sum.value.at(0)), 0.0);
 }
 
 }  // namespace

@@ -128,7 +128,8 @@ class Setting {
     const EdgeLight light{&axis_, &wave, incidence.faces[0], 0.0, axis_.length, 1.0};
     const FaceTree tree(scene_.mesh);
     const double wavenumbers[] = {k};
-    EdgePainter painter(tree, look, wavenumbers, light, reflections);
+    const std::vector<bool> all(scene_.mesh.patches.size(), true);
+    EdgePainter painter(tree, all, look, wavenumbers, light, reflections);
     const std::vector<double> cuts = this->cuts();
     std::vector<ScatteringMatrix> density;
     ScatteringMatrix sum;

@@ -28,7 +28,8 @@ struct Target {
         tracer(loaded.mesh) {}
 
   std::deque<ReflectedWave> light(const PlaneWave& incident, int most) const {
-    return ReflectedLight(tree, axes, incident, wavelength_1m).waves(most);
+    const std::vector<bool> all(loaded.mesh.patches.size(), true);
+    return ReflectedLight(tree, all, axes, incident, wavelength_1m).waves(most);
   }
 
   /// Whether the way back from a point of an edge runs over the mirrors, last one first, and then clear. Closed bodies are met
