@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::array counts = {6, 8, 12, 16, 24, 32, 48};
 // Panels are not halved further: what is left is a jump, and its error is as small as the panel.
-constexpr int most_halvings = 12;
+constexpr int most_halvings = 8;
+// Bends inside a panel leave more than smooth functions do.
+constexpr double kinked = 4.0;
 
 /// A rule, and what its points say of the last two terms of the Legendre series they resolve.
 struct Rule {
@@ -102,7 +104,7 @@ class Integrator {
         size = std::max(size, frobenius_norm(sample));
       }
       const double left = std::max(frobenius_norm(tail[0]), frobenius_norm(tail[1])),
-                   share = size > 0.0 ? std::min(1.0, left / size) : 0.0;
+                   share = size > 0.0 ? std::min(1.0, kinked * left / size) : 0.0;
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q)
           error_[f][p][q] = width * share * std::max(std::abs(tail[0].at(p, q)), std::abs(tail[1].at(p, q)));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int reflected_order = 2;        // of fringe currents by reflected light: the third order no longer shows
 constexpr double least_sine = 1e-4;       // between wave and edge: along it hardly anything is diffracted
-constexpr double least_tolerance = 1e-6;  // [wavelengths]
+constexpr double least_tolerance = 1e-4;  // [wavelengths] the rules along the rays are no better; part of the estimate
 
 struct Job {
   const EdgeLight* light;
@@ -86,7 +86,7 @@ class BetweenLook {
       parts[i] = painted_light({scene_.tree, scene_.corners, scene_.large}, look_, wavenumbers, *jobs_[i].light,
                                jobs_[i].reflections, share);
     });
-    ChannelErrors error{};
+    ChannelErrors error{{{least, least}, {least, least}}};
     for (const PaintedLight& part : parts) {
       for (std::size_t f = 0; f < frequencies_.size(); ++f) result.scattering[f] += part.scattering[f];
       for (int p = 0; p < 2; ++p)

@@ -139,9 +139,14 @@ void EdgeWaveIntegral::add_piece(const RayRow& row, double k, double from, doubl
 void EdgeWaveIntegral::add_corner(const RayRow& row, double k, double corner, double inwards, WaveIntegrals& sum) const {
   const double longest = std::max(row.path + row.path_rate * row.from, row.path + row.path_rate * row.to);
   const double far = reach(longest, k, cos_cone_, sin_cone_);
-  const double low = std::max(row.from, corner - far), high = std::min(row.to, corner + far);
-  add_beside_corner(row, k, corner, -inwards, low, std::min(high, corner), sum);
-  add_beside_corner(row, k, corner, inwards, std::max(low, corner), high, sum);
+  // The wave over the corner turns by faded^2 against the ray's, most of it in the outer half.
+  for (const double side : {-1.0, 1.0}) {
+    const double half = side * inwards * far / 2;
+    for (const double start : {corner, corner + half}) {
+      const double end = start + half, low = std::max(row.from, std::min(start, end));
+      add_beside_corner(row, k, corner, side, low, std::min(row.to, std::max(start, end)), sum);
+    }
+  }
 }
 
 // `side` is 1 inside.
