@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace raytube {
 
 namespace {
 
-constexpr double aside = 1e-5;     // [wavelengths]
-constexpr double shortest = 1e-3;  // [wavelengths] pieces of an edge that count, and gaps between them
+constexpr double border_share = 0.04;  // of an edge's length: within it a beam's border fades
+constexpr double shortest = 1e-3;      // [wavelengths] pieces of an edge that count, and gaps between them
 constexpr std::size_t most_pairs = 20000;
 constexpr double least_sine = 1e-4;  // between wave and edge: along it hardly anything is diffracted
 constexpr double grazing = 1e-9;     // cosine between wave and normal of a mirror
@@ -66,26 +65,49 @@ void ReflectedLight::light(ReflectedWave& wave) {
     if (wedge.faces[0].patch == wave.patches.back() || wedge.faces[1].patch == wave.patches.back()) continue;
     const WedgeIncidence incidence = incidence_on(wedge, wave.wave.direction);
     if (incidence.weight == 0.0 || incidence.faces[0].sin_cone < least_sine) continue;
-    find_pieces(wave, axis, aside * wavelength_);
-    std::vector<LitPiece> one_side = std::exchange(pieces_, {});
-    find_pieces(wave, axis, -aside * wavelength_);
-    if (alike(one_side, pieces_)) {
-      for (std::size_t i = 0; i < pieces_.size(); ++i)
-        one_side[i] = {(one_side[i].from + pieces_[i].from) / 2, (one_side[i].to + pieces_[i].to) / 2, incidence.weight};
-    } else {
-      one_side.insert(one_side.end(), pieces_.begin(), pieces_.end());
-      for (LitPiece& piece : one_side) piece.weight = incidence.weight / 2;
-    }
-    for (const LitPiece& piece : one_side)
-      wave.lights.push_back({&axis, &wave.wave, incidence.faces[0], piece.from, piece.to, piece.weight});
+    const double aside = border_share * axis.length;
+    find_pieces(wave, axis, aside);
+    const std::vector<LitPiece> over = pieces_;
+    find_pieces(wave, axis, -aside);
+    const std::vector<LitPiece> under = pieces_;
+    for (const LitPiece& piece : blended(wave, axis, over, under))
+      wave.lights.push_back({&axis, &wave.wave, incidence.faces[0], piece.from, piece.to, incidence.weight * piece.weight});
   }
 }
 
-bool ReflectedLight::alike(std::span<const LitPiece> a, std::span<const LitPiece> b) const {
-  const double near = shortest * wavelength_;
-  return std::ranges::equal(a, b, [&](const LitPiece& p, const LitPiece& q) {
-    return std::abs(p.from - q.from) < near && std::abs(p.to - q.to) < near;
-  });
+// What is lit on both sides is lit; what is lit on one counts by where the border lies between them.
+std::vector<ReflectedLight::LitPiece> ReflectedLight::blended(const ReflectedWave& wave, const EdgeAxis& axis,
+                                                              std::span<const LitPiece> over, std::span<const LitPiece> under) {
+  std::vector<double> ends;
+  for (const std::span<const LitPiece> side : {over, under})
+    for (const LitPiece& piece : side) ends.insert(ends.end(), {piece.from, piece.to});
+  std::ranges::sort(ends);
+  std::vector<LitPiece> result;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double from = ends[i - 1], to = ends[i], middle = (from + to) / 2;
+    if (to - from < shortest * wavelength_) continue;
+    const auto covers = [&](const LitPiece& piece) { return piece.from <= middle && middle <= piece.to; };
+    const bool lit_over = std::ranges::any_of(over, covers), lit_under = std::ranges::any_of(under, covers);
+    if (!lit_over && !lit_under) continue;
+    const double weight = lit_over && lit_under ? 1.0 : share_of_light(wave, axis, middle, lit_over ? 1.0 : -1.0);
+    if (!result.empty() && result.back().weight == 1.0 && weight == 1.0 && from - result.back().to < shortest * wavelength_)
+      result.back().to = to;
+    else
+      result.push_back({from, to, weight});
+  }
+  return result;
+}
+
+// The border of the beam at this place, searched between the two sides; `lit` is the sign of the one that is lit.
+double ReflectedLight::share_of_light(const ReflectedWave& wave, const EdgeAxis& axis, double place, double lit) {
+  const double aside = border_share * axis.length;
+  double bright = 1.0, dark = -1.0;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = (bright + dark) / 2;
+    (reaches(wave, axis, place, lit * middle * aside) ? bright : dark) = middle;
+  }
+  const double share = (1.0 - bright) / 2;
+  return share * share * (3 - 2 * share);
 }
 
 // Beams end at the corners of edges more often than close to them.
@@ -97,14 +119,28 @@ void ReflectedLight::snap_to_ends(const EdgeAxis& axis) {
 }
 
 // Sideways is along the surface, the same for both faces of the wedge.
-void ReflectedLight::find_pieces(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) {
+Sheet ReflectedLight::sheet_beside(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) const {
   const Wedge& wedge = *axis.wedge;
   const dvec3 over = wedge.faces[0].into_face - wedge.faces[1].into_face;
   const dvec3 side = wedge.n == 2.0 ? wedge.faces[0].into_face : glm::normalize(over);
+  return {axis.origin + sideways * side, axis.tangent, -wave.wave.direction, 0.0, axis.length};
+}
+
+void ReflectedLight::find_pieces(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) {
+  const Wedge& wedge = *axis.wedge;
   pieces_.clear();
-  const Sheet sheet{axis.origin + sideways * side, axis.tangent, -wave.wave.direction, 0.0, axis.length};
-  trace_back(sheet, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, wave.patches);
+  trace_back(sheet_beside(wave, axis, sideways), {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, wave.patches);
   snap_to_ends(axis);
+}
+
+bool ReflectedLight::reaches(const ReflectedWave& wave, const EdgeAxis& axis, double place, double sideways) {
+  const Wedge& wedge = *axis.wedge;
+  Sheet narrow = sheet_beside(wave, axis, sideways);
+  narrow.from = place - shortest * wavelength_;
+  narrow.to = place + shortest * wavelength_;
+  pieces_.clear();
+  trace_back(narrow, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, wave.patches);
+  return !pieces_.empty();
 }
 
 void ReflectedLight::trace_back(const Sheet& sheet, const IgnoredPatches& ignored, std::span<const std::uint32_t> mirrors) {
