@@ -32,10 +32,13 @@ struct Target {
     return ReflectedLight(tree, all, axes, incident, wavelength_1m).waves(most);
   }
 
-  /// Whether the way back from a point of an edge runs over the mirrors, last one first, and then clear. Closed bodies are met
-  /// from outside, so every hit counts.
-  bool lit(const EdgeAxis& axis, double place, dvec3 backwards, std::span<const std::uint32_t> mirrors) const {
-    dvec3 from = axis.origin + place * axis.tangent;
+  /// Whether the way back from a point of an edge, or beside it along its surface, runs over the mirrors, last one first, and
+  /// then clear. Closed bodies are met from outside, so every hit counts.
+  bool lit(const EdgeAxis& axis, double place, double sideways, dvec3 backwards, std::span<const std::uint32_t> mirrors) const {
+    const std::array<WedgeFace, 2>& faces = axis.wedge->faces;
+    const dvec3 over = faces[0].into_face - faces[1].into_face;
+    dvec3 from =
+        axis.origin + place * axis.tangent + sideways * (axis.wedge->n == 2.0 ? faces[0].into_face : glm::normalize(over));
     IgnoredPatches ignored{axis.wedge->faces[0].patch, axis.wedge->faces[1].patch, axis.wedge->rim};
     for (std::size_t left = mirrors.size();; --left) {
       const auto [patch, distance] = first(from, backwards, ignored);
@@ -105,10 +108,18 @@ int expect_single_rays(const Target& target, const dvec3& direction, int most) {
         if (incidence_on(*axis.wedge, last).weight == 0.0) continue;
         for (int i = 0; i < 40; ++i) {
           const double place = axis.length * (i + 0.5) / 40;
-          const bool wanted = target.lit(axis, place, -last, mirrors);
+          const bool wanted = target.lit(axis, place, 0.0, -last, mirrors);
           lit += wanted;
+          // Within 4 % of its length of a beam's border an edge is lit in part: there the two sides differ.
+          const double aside = 0.04 * axis.length;
+          const bool over = target.lit(axis, place, aside, -last, mirrors),
+                     under = target.lit(axis, place, -aside, -last, mirrors);
           const std::optional<double> weight = wave == waves.end() ? 0.0 : weight_at(*wave, axis, place);
-          EXPECT_EQ(weight.value_or(wanted), wanted ? 1.0 : 0.0) << "mirrors " << mirrors.size() << ", place " << place;
+          if (!weight) continue;
+          if (over == under)
+            EXPECT_EQ(*weight, over ? 1.0 : 0.0) << "mirrors " << mirrors.size() << ", place " << place;
+          else
+            EXPECT_TRUE(*weight >= 0.0 && *weight <= 1.0) << *weight << " at " << place;
         }
       }
     }
@@ -137,7 +148,7 @@ TEST(ReflectedLight, OnTheBorderOfABeamAnEdgeIsHalfLit) {
   for (const ReflectedWave& wave : waves)
     for (const EdgeLight& light : wave.lights) {
       const bool at_end = std::abs(light.edge->tangent.z) < 0.5;
-      EXPECT_EQ(light.weight, at_end ? 0.5 : 1.0);
+      EXPECT_NEAR(light.weight, at_end ? 0.5 : 1.0, 1e-6);  // the border is searched to 2^-40 of 4 % of the length
       ++(at_end ? half : whole);
     }
   EXPECT_EQ(half, 4);   // two ends of either face
