@@ -262,8 +262,8 @@ TEST(Between, NothingJumpsWhereRaysComeAndGo) {
 
 TEST(Between, OnTheBorderOfABeamCountsTheMeanOfItsSides) {
   // In looks across the fold the ends of one face are the border of what the other reflects: lit on one side of the plane, dark
-  // on the other (edges between surfaces are lit by geometrical optics alone), and half in it. The second difference over 2e-3
-  // deg is that of a smooth function but for the strip of 1e-5 wavelengths in which an edge counts as on the border.
+  // on the other, half in it. The light on them fades over some degrees; cut at the border, half the jump was 0.3, 0.05 and 0.5
+  // wavelengths. In the last row the look also runs through the outer edges' own border.
   const Prober dihedral(shapes::dihedral(3 * lambda, 3 * lambda));
   const Direction theta{1, 0}, none{};
   struct Border {
@@ -271,9 +271,9 @@ TEST(Between, OnTheBorderOfABeamCountsTheMeanOfItsSides) {
     double most;  // half the jump that is left, in wavelengths: what is measured, rounded up
   };
   const Border borders[] = {{monostatic_passage("look at 45 deg", degrees(90, 45), theta), 1e-9},  // by symmetry
-                            {monostatic_passage("look at 20 deg", degrees(90, 20), theta), 0.3},   // all of it cross-polarised
-                            {{"from 35 to 60 deg", {degrees(90, 35), degrees(90, 60)}, theta, none}, 0.05},
-                            {{"from 45 deg, received above", {degrees(90, 45), degrees(80, 50)}, theta, none}, 0.55}};
+                            {monostatic_passage("look at 20 deg", degrees(90, 20), theta), 3e-3},
+                            {{"from 35 to 60 deg", {degrees(90, 35), degrees(90, 60)}, theta, none}, 1e-3},
+                            {{"from 45 deg, received above", {degrees(90, 45), degrees(80, 50)}, theta, none}, 0.08}};
   for (const Border& border : borders) {
     const Passage& passage = border.passage;
     const double step = 5e-3 * degree;
@@ -446,8 +446,8 @@ TEST(Between, ManyFrequenciesAtOnce) {
 }
 
 TEST(Between, QuadratureKeepsToTheTolerance) {
-  // A tolerance of 0.1 dB allows changes of 1.2 % of a row's largest amplitude. The estimate does not always cover what is left:
-  // it misses kinks inside a panel.
+  // A tolerance of 0.1 dB allows changes of 1.2 % of a row's largest amplitude. The estimate is to cover what is left, but for a
+  // kink inside a panel here and there.
   std::vector<Direction> directions;
   for (int i = 0; i < 8; ++i) directions.push_back({0.4 + 0.28 * i, -0.5 + 0.36 * i});
   const std::pair<const char*, PolygonSoup> targets[] = {{"dihedral", shapes::dihedral(3 * lambda, 3 * lambda)},
@@ -471,7 +471,7 @@ TEST(Between, QuadratureKeepsToTheTolerance) {
     measured(fmt::format("{}: worst change at a tenth of the tolerance", name).c_str(), worst, "of the row");
     measured(fmt::format("{}: share of channels whose estimate covers it", name).c_str(), double(covered) / channels, "");
     EXPECT_LE(worst, 0.0012) << name;  // a tenth is the share of diffraction between surfaces
-    EXPECT_GE(covered, 0.6 * channels) << name;
+    EXPECT_GE(covered, 0.95 * channels) << name;
   }
 }
 
