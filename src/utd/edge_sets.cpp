@@ -1,6 +1,9 @@
 #include "utd/edge_sets.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
 
 namespace raytube {
 
@@ -43,7 +46,8 @@ bool EdgeSets::radiate() const {
 EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow,
                                     TransitionTier tier) const {
   const auto part = [&](const Set& set) {
-    return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier, set.mirrors());
+    return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier,
+                         !set.between.empty());
   };
   if (sets_.size() == 1) return part(sets_.front());
   EdgeLookResult all;
@@ -54,18 +58,35 @@ EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int 
   return all;
 }
 
-bool EdgeSets::Set::mirrors() const {
-  std::size_t painted = 0;
-  for (const BetweenGroup& group : between) painted += group.places.size();
-  return painted == places.size();
+void EdgeSets::Set::keep(const std::vector<bool>& wanted) {
+  const std::vector<std::size_t> all_places = std::exchange(places, {});
+  const std::vector<double> all_frequencies = std::exchange(frequencies, {});
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!wanted[i]) continue;
+    places.push_back(all_places[i]);
+    frequencies.push_back(all_frequencies[i]);
+  }
 }
 
+// Currents run on over folds where what comes from there is painted, and only there: such frequencies are a set of their own.
 void EdgeSets::prepare_between(const TriangleMesh& mesh, const std::vector<bool>& crowded) {
+  std::vector<Set> without;
   for (Set& set : sets_) {
-    std::vector<bool> crowded_here;
+    std::vector<bool> crowded_here, painted(set.places.size());
     for (const std::size_t place : set.places) crowded_here.push_back(crowded[place]);
-    set.between = between_groups(mesh, set.wedges, set.frequencies, crowded_here);
+    for (const BetweenGroup& group : between_groups(mesh, set.wedges, set.frequencies, crowded_here))
+      for (const std::size_t place : group.places) painted[place] = true;
+    if (std::ranges::find(painted, true) == painted.end()) continue;
+    if (std::ranges::find(painted, false) != painted.end()) {
+      without.push_back(set);
+      set.keep(painted);
+      painted.flip();
+      without.back().keep(painted);
+    }
+    set.between = between_groups(mesh, set.wedges, set.frequencies, std::vector<bool>(set.places.size()));
   }
+  std::ranges::move(without, std::back_inserter(sets_));
+  std::ranges::sort(sets_, std::ranges::greater{}, [](const Set& set) { return std::ranges::max(set.frequencies); });
 }
 
 BetweenResult EdgeSets::between(const FaceTree& tree, const Tracer& tracer, const Look& look,

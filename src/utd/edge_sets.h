@@ -38,8 +38,8 @@ class EdgeSets {
     Outlines outlines;
     std::vector<BetweenGroup> between;  // its places are those of the set's frequencies
 
-    // Currents run on over folds if what comes from there is painted.
-    bool mirrors() const;
+    // Only these of the frequencies.
+    void keep(const std::vector<bool>& wanted);
   };
   static void put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all);
 

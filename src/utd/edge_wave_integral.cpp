@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "utd/erfc_ray.h"
 #include "utd/filon.h"
@@ -33,7 +34,8 @@ struct Waves {
   Complexes value{}, outwards{}, around{};
 };
 
-// W' = 2jxW - 2 e^{j pi/4} / sqrt(pi). `share` is a wave's share of what happens at a corner, by its x^2 = X.
+// W' = 2jxW - 2 e^{j pi/4} / sqrt(pi). `share` is a wave's share of what happens at a corner, by its x^2 = X, and that of its
+// slopes.
 template <class Share>
 Waves waves_at(const std::array<EdgeWaveTerm, 2>& terms, int each, const Points& at, Share share) {
   const double constant = std::sqrt(2 / pi);
@@ -44,10 +46,11 @@ Waves waves_at(const std::array<EdgeWaveTerm, 2>& terms, int each, const Points&
     for (std::size_t lane = 0; lane < lanes; ++lane) x[lane] = term.rate * at.root[lane];
     const Complexes w = scaled_erfc(x);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const double part = share(lane, x[lane] * x[lane]);
+      const auto [part, slope_part] = share(lane, x[lane] * x[lane]);
       const double slope_re = -2 * x[lane] * w.im[lane] - constant, slope_im = 2 * x[lane] * w.re[lane] - constant;
-      const double strength = part * term.strength, along = strength * x[lane] / 2;
-      const double turn = strength * term.rate_slope * at.root[lane], grow = part * term.strength_slope;
+      const double strength = part * term.strength, along = slope_part * term.strength * x[lane] / 2;
+      const double turn = slope_part * term.strength * term.rate_slope * at.root[lane];
+      const double grow = slope_part * term.strength_slope;
       sum.value.re[lane] += strength * w.re[lane];
       sum.value.im[lane] += strength * w.im[lane];
       sum.outwards.re[lane] += along * slope_re;
@@ -129,7 +132,7 @@ void EdgeWaveIntegral::add_piece(const RayRow& row, double k, double from, doubl
     at.path[i] = std::max(row.path + row.path_rate * (middle + half * rule.at[i]), 0.0);
     at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
   }
-  const auto whole = [](std::size_t, double) { return 1.0; };
+  const auto whole = [](std::size_t, double) { return std::pair(1.0, 1.0); };
   const Complexes weights = rule.weights(k * row.phase_rate * half), by_path = times(weights, at.path);
   const Complex factor = half * std::polar(1.0, k * (row.phase + row.phase_rate * middle));
   sum.incident += sum_of(waves_at(terms_.incident, terms_.each, at, whole), weights, by_path, factor, sin_cone_);
@@ -168,8 +171,8 @@ void EdgeWaveIntegral::add_beside_corner(const RayRow& row, double k, double cor
     x[i] = std::sqrt(detour[i]);
   }
   const auto share = [&](std::size_t lane, double z2) {
-    const double both = z2 + detour[lane];
-    return fading(detour[lane]) * (both > 0.0 ? z2 / both : 1.0);
+    const double both = z2 + detour[lane], own = both > 0.0 ? z2 / both : 1.0, faded = fading(detour[lane]);
+    return std::pair(faded * own, faded * own * own);
   };
   const Complexes weights = turned_back(rule.weights(k * row.phase_rate * half), unit_phasors(detour), scaled_erfc(x));
   const Complexes by_path = times(weights, at.path);
