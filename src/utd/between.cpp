@@ -72,7 +72,8 @@ class BetweenLook {
     if (!edges.find(static_cast<std::uint32_t>(axis.wedge - scene_.wedges.data()), incidence)) return;
     for (const LitInterval& lit : edges.lit()) {
       const double from = axis.reversed() ? 1.0 - lit.end : lit.begin, to = axis.reversed() ? 1.0 - lit.begin : lit.end;
-      direct_.push_back({&axis, &incident_, incidence.faces[0], from * axis.length, to * axis.length, incidence.weight});
+      direct_.push_back({&axis, &incident_, incidence.faces[0], from * axis.length, to * axis.length,
+                         incidence.weight * glancing_weight(*axis.wedge, incidence.faces[0])});
     }
   }
 

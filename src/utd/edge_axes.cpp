@@ -57,6 +57,12 @@ EdgeAxis axis_of(const Wedge& wedge, const Folds& folds) {
 
 }  // namespace
 
+double glancing_weight(const Wedge& wedge, const FaceIncidence& incidence) {
+  if (wedge.n != 2.0) return 1.0;
+  const double share = std::min({incidence.source_angle, 2 * pi - incidence.source_angle, degree}) / degree;
+  return share * share * (3 - 2 * share);
+}
+
 std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges) {
   const Folds folds = ends_of_folds(wedges);
   std::vector<EdgeAxis> axes;

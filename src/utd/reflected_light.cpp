@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "utd/edge_axes.h"
+
 namespace raytube {
 
 namespace {
@@ -65,13 +67,14 @@ void ReflectedLight::light(ReflectedWave& wave) {
     if (wedge.faces[0].patch == wave.patches.back() || wedge.faces[1].patch == wave.patches.back()) continue;
     const WedgeIncidence incidence = incidence_on(wedge, wave.wave.direction);
     if (incidence.weight == 0.0 || incidence.faces[0].sin_cone < least_sine) continue;
+    const double weight = incidence.weight * glancing_weight(wedge, incidence.faces[0]);
     const double aside = border_share * axis.length;
     find_pieces(wave, axis, aside);
     const std::vector<LitPiece> over = pieces_;
     find_pieces(wave, axis, -aside);
     const std::vector<LitPiece> under = pieces_;
     for (const LitPiece& piece : blended(wave, axis, over, under))
-      wave.lights.push_back({&axis, &wave.wave, incidence.faces[0], piece.from, piece.to, incidence.weight * piece.weight});
+      wave.lights.push_back({&axis, &wave.wave, incidence.faces[0], piece.from, piece.to, weight * piece.weight});
   }
 }
 
