@@ -23,9 +23,8 @@ EdgePainter::EdgePainter(const FaceTree& tree, const std::vector<bool>& large, c
 // Calls visit(footprint) wherever the rays arrive.
 template <class Visit>
 void EdgePainter::follow(Rays rays, Visit visit) {
-  const double beyond = margin();
-  if (!closed(0, rays.sheet.direction)) rays.sheet.from -= beyond;
-  if (!closed(1, rays.sheet.direction)) rays.sheet.to += beyond;
+  if (!closed(0, rays.sheet.direction)) rays.sheet.from -= margin(-1.0);
+  if (!closed(1, rays.sheet.direction)) rays.sheet.to += margin(1.0);
   const Wedge& wedge = *light_.edge->wedge;
   follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, reflections_, visit);
 }
@@ -67,12 +66,12 @@ std::optional<PhaseRange> EdgePainter::survey(double azimuth) {
   return range;
 }
 
-// Rays that start beyond the target are longer by as much.
-double EdgePainter::margin() const {
+// Rays that start beyond the target are longer by as much. `way` is -1 towards smaller places.
+double EdgePainter::margin(double way) const {
   const FaceIncidence& in = light_.incidence;
   const double k = std::ranges::min(wavenumbers_), inside = 2 * (1 + reflections_) * tree_.mesh().radius;
-  const double first = EdgeWaveIntegral::reach(inside, k, in.cos_cone, in.sin_cone);
-  return EdgeWaveIntegral::reach(inside + 2 * first, k, in.cos_cone, in.sin_cone);
+  const double first = EdgeWaveIntegral::reach(inside, k, way * in.cos_cone, in.sin_cone);
+  return EdgeWaveIntegral::reach(inside + 2 * first, k, way * in.cos_cone, in.sin_cone);
 }
 
 EdgePainter::Rays EdgePainter::leaving(double azimuth) const {

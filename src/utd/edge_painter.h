@@ -70,7 +70,7 @@ class EdgePainter {
     std::array<std::array<double, components>, 2> seen;  // [receive]: p_hat . eta J per unit eta H along each direction
   };
 
-  double margin() const;
+  double margin(double way) const;
   Rays leaving(double azimuth) const;
   EdgeWaveIntegral waves(const dvec3& direction) const;
   bool closed(int end, const dvec3& direction) const;

@@ -99,9 +99,9 @@ Complexes turned_back(const Complexes& a, const Complexes& b, const Complexes& c
 }  // namespace
 
 // Where the way over the corner is longer than the ray by d = faded^2 / k: a quadratic equation.
-double EdgeWaveIntegral::reach(double path, double k, double cos_cone, double sin_cone) {
+double EdgeWaveIntegral::reach(double path, double k, double cosine, double sin_cone) {
   const double d = faded * faded / k, square = sin_cone * sin_cone;
-  return (d * std::abs(cos_cone) + std::sqrt(d * d + 2 * d * path * square)) / square;
+  return (d * cosine + std::sqrt(d * d + 2 * d * path * square)) / square;
 }
 
 WaveIntegrals EdgeWaveIntegral::over(const RayRow& row, double k) const {
@@ -140,14 +140,19 @@ void EdgeWaveIntegral::add_piece(const RayRow& row, double k, double from, doubl
 }
 
 void EdgeWaveIntegral::add_corner(const RayRow& row, double k, double corner, double inwards, WaveIntegrals& sum) const {
-  const double longest = std::max(row.path + row.path_rate * row.from, row.path + row.path_rate * row.to);
-  const double far = reach(longest, k, cos_cone_, sin_cone_);
-  // The wave over the corner turns by faded^2 against the ray's, most of it in the outer half.
+  if (!std::isfinite(corner)) return;
+  const auto path_at = [&](double place) { return std::max(row.path + row.path_rate * place, 0.0); };
+  const double longest = std::max(path_at(row.from), path_at(row.to));
+  const double path = path_at(std::clamp(corner, row.from, row.to));
   for (const double side : {-1.0, 1.0}) {
-    const double half = side * inwards * far / 2;
-    for (const double start : {corner, corner + half}) {
-      const double end = start + half, low = std::max(row.from, std::min(start, end));
-      add_beside_corner(row, k, corner, side, low, std::min(row.to, std::max(start, end)), sum);
+    const double way = side * inwards, far = reach(longest, k, way * cos_cone_, sin_cone_);
+    const double near = std::min(reach(path, k, way * cos_cone_, sin_cone_), far);
+    // The wave over the corner turns by faded^2 against the ray's, most of it in the outer half.
+    const std::array<double, 4> parts{0.0, near / 2, near, far};
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      const double start = corner + way * parts[i - 1], end = corner + way * parts[i];
+      const double low = std::max(row.from, std::min(start, end)), high = std::min(row.to, std::max(start, end));
+      add_beside_corner(row, k, corner, side, low, high, sum);
     }
   }
 }

@@ -45,8 +45,9 @@ class EdgeWaveIntegral {
 
   WaveIntegrals over(const RayRow& row, double k) const;
 
-  /// How far beyond an end waves are followed from rays up to this long [m].
-  static double reach(double path, double k, double cos_cone, double sin_cone);
+  /// How far from an end its wave is followed, for rays up to this long [m]; `cosine` is cos(beta0), towards greater places, and
+  /// its negative towards smaller ones.
+  static double reach(double path, double k, double cosine, double sin_cone);
 
  private:
   void add_piece(const RayRow& row, double k, double from, double to, WaveIntegrals& sum) const;

@@ -29,7 +29,7 @@ void SheetTracer::trace(const Sheet& sheet, const IgnoredPatches& ignored_patche
     if (cuts_[i] - cuts_[i - 1] <= least) continue;
     const SheetHit* first = first_at((cuts_[i - 1] + cuts_[i]) / 2);
     if (!first) continue;
-    if (!hits.empty() && hits.back().face == first->face && hits.back().to == cuts_[i - 1])
+    if (!hits.empty() && hits.back().face == first->face && cuts_[i - 1] - hits.back().to <= least)
       hits.back().to = cuts_[i];
     else
       hits.push_back({first->face, cuts_[i - 1], cuts_[i], first->length, first->growth});
