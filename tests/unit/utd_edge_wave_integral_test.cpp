@@ -43,7 +43,8 @@ double detour(const Example& example, double place, double corner, double path) 
   return k * std::max(via - path - example.cos_cone * beyond, 0.0);
 }
 
-Complex factor(const Example& example, double place, double path, double z2) {
+// Of the wave's value with its share of the corner's, of its slopes with the square of that.
+Complex factor(const Example& example, double place, double path, double z2, int power) {
   const bool inside = example.from < place && place < example.to;
   Complex sum = inside ? 1.0 : 0.0;
   for (int end = 0; end < 2; ++end) {
@@ -51,7 +52,8 @@ Complex factor(const Example& example, double place, double path, double z2) {
     if (std::isinf(corner)) continue;
     const double x2 = detour(example, place, corner, path);
     const bool within = end == 0 ? place > corner : place < corner;
-    const Complex step = std::polar(0.5, -x2) * scaled_erfc(std::sqrt(x2)) * (z2 + x2 > 0.0 ? z2 / (z2 + x2) : 1.0);
+    const Complex step =
+        std::polar(0.5, -x2) * scaled_erfc(std::sqrt(x2)) * std::pow(z2 + x2 > 0.0 ? z2 / (z2 + x2) : 1.0, power);
     sum += within ? -step : step;
   }
   return sum;
@@ -80,8 +82,8 @@ WaveSums by_points(const Example& example, const std::array<EdgeWaveTerm, 2>& te
             for (int t = 0; t < each; ++t) {
               const double x = terms[t].rate * example.sin_cone() * std::sqrt(k * path);
               const Wave here = wave(terms[t], path, example.sin_cone());
-              const Complex weight = phase * factor(example, place, path, x * x);
-              sum.value += path * weight * here.value;
+              const Complex weight = phase * factor(example, place, path, x * x, 2);
+              sum.value += path * phase * factor(example, place, path, x * x, 1) * here.value;
               sum.outwards += weight * here.outwards / example.sin_cone();
               sum.around += weight * here.around / example.sin_cone();
             }
