@@ -15,7 +15,6 @@ namespace raytube {
 namespace {
 
 constexpr int reflected_order = 2;        // of fringe currents by reflected light: the third order no longer shows
-constexpr double least_sine = 1e-4;       // between wave and edge: along it hardly anything is diffracted
 constexpr double least_tolerance = 1e-4;  // [wavelengths] the rules along the rays are no better; part of the estimate
 
 struct Job {
@@ -68,12 +67,11 @@ class BetweenLook {
  private:
   void add_direct_light(const EdgeAxis& axis, LitEdges& edges) {
     const WedgeIncidence incidence = incidence_on(*axis.wedge, look_.incident);
-    if (incidence.weight == 0.0 || incidence.faces[0].sin_cone < least_sine) return;
-    if (!edges.find(static_cast<std::uint32_t>(axis.wedge - scene_.wedges.data()), incidence)) return;
+    const double weight = light_weight(*axis.wedge, incidence);
+    if (weight == 0.0 || !edges.find(static_cast<std::uint32_t>(axis.wedge - scene_.wedges.data()), incidence)) return;
     for (const LitInterval& lit : edges.lit()) {
       const double from = axis.reversed() ? 1.0 - lit.end : lit.begin, to = axis.reversed() ? 1.0 - lit.begin : lit.end;
-      direct_.push_back({&axis, &incident_, incidence.faces[0], from * axis.length, to * axis.length,
-                         incidence.weight * glancing_weight(*axis.wedge, incidence.faces[0])});
+      direct_.push_back({&axis, &incident_, incidence.faces[0], from * axis.length, to * axis.length, weight});
     }
   }
 

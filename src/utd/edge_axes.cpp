@@ -57,10 +57,13 @@ EdgeAxis axis_of(const Wedge& wedge, const Folds& folds) {
 
 }  // namespace
 
-double glancing_weight(const Wedge& wedge, const FaceIncidence& incidence) {
-  if (wedge.n != 2.0) return 1.0;
-  const double share = std::min({incidence.source_angle, 2 * pi - incidence.source_angle, degree}) / degree;
-  return share * share * (3 - 2 * share);
+double light_weight(const Wedge& wedge, const WedgeIncidence& incidence) {
+  constexpr double least_sine = 1e-4;
+  const FaceIncidence& face = incidence.faces[0];
+  if (face.sin_cone < least_sine) return 0.0;
+  if (wedge.n != 2.0) return incidence.weight;
+  const double share = std::min({face.source_angle, 2 * pi - face.source_angle, degree}) / degree;
+  return incidence.weight * share * share * (3 - 2 * share);
 }
 
 std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges) {

@@ -40,7 +40,7 @@ void EdgePainter::follow(const Rays& rays, const IgnoredPatches& ignored, int re
     visit(footprint(rays, hit, plane));
     if (reflections == 0) continue;
     Rays next{reflected(rays.sheet, hit, plane.normal), rays.path + hit.length, rays.path_rate + hit.growth, rays.magnetic};
-    for (dvec3& field : next.magnetic) field -= 2 * glm::dot(plane.normal, field) * plane.normal;
+    for (dvec3& field : next.magnetic) field = glm::reflect(field, plane.normal);
     follow(next, {patch, no_index, no_index}, reflections - 1, visit);
   }
 }

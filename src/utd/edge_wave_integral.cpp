@@ -11,7 +11,7 @@ namespace raytube {
 
 namespace {
 
-// How far past an end of the edge its waves are followed, as sqrt(k detour): they have faded to 0.002 there and are let fade to
+// How far past an end of the edge its waves are followed, as sqrt(k detour): they have faded below 0.01 there and are let fade to
 // nothing, so that no path ends in a jump.
 constexpr double faded = 3.0;
 // Electrical distance from the edge below which the waves on a face no longer change.

@@ -12,8 +12,7 @@ namespace {
 constexpr double border_share = 0.04;  // of an edge's length: within it a beam's border fades
 constexpr double shortest = 1e-3;      // [wavelengths] pieces of an edge that count, and gaps between them
 constexpr std::size_t most_pairs = 20000;
-constexpr double least_sine = 1e-4;  // between wave and edge: along it hardly anything is diffracted
-constexpr double grazing = 1e-9;     // cosine between wave and normal of a mirror
+constexpr double grazing = 1e-9;  // cosine between wave and normal of a mirror
 
 bool reflects(const Patch& plane, bool closed, const dvec3& direction) {
   const double facing = glm::dot(plane.normal, direction);
@@ -24,7 +23,7 @@ bool reflects(const Patch& plane, bool closed, const dvec3& direction) {
 
 PlaneWave reflected(const PlaneWave& wave, const Patch& plane) {
   const double facing = glm::dot(wave.direction, plane.normal);
-  PlaneWave result{wave.direction - 2 * facing * plane.normal, {}, wave.path + 2 * facing * plane.offset};
+  PlaneWave result{glm::reflect(wave.direction, plane.normal), {}, wave.path + 2 * facing * plane.offset};
   for (int q = 0; q < 2; ++q) result.electric[q] = 2 * glm::dot(plane.normal, wave.electric[q]) * plane.normal - wave.electric[q];
   return result;
 }
@@ -66,8 +65,8 @@ void ReflectedLight::light(ReflectedWave& wave) {
     const Wedge& wedge = *axis.wedge;
     if (wedge.faces[0].patch == wave.patches.back() || wedge.faces[1].patch == wave.patches.back()) continue;
     const WedgeIncidence incidence = incidence_on(wedge, wave.wave.direction);
-    if (incidence.weight == 0.0 || incidence.faces[0].sin_cone < least_sine) continue;
-    const double weight = incidence.weight * glancing_weight(wedge, incidence.faces[0]);
+    const double weight = light_weight(wedge, incidence);
+    if (weight == 0.0) continue;
     const double aside = border_share * axis.length;
     find_pieces(wave, axis, aside);
     const std::vector<LitPiece> over = pieces_;

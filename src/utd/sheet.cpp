@@ -16,7 +16,7 @@ constexpr double same_place = 1e-12;  // in radii of the target
 
 Sheet reflected(const Sheet& sheet, const SheetHit& hit, const dvec3& normal) {
   const dvec3& d = sheet.direction;
-  return {sheet.base + hit.length * d, sheet.step + hit.growth * d, d - 2 * glm::dot(d, normal) * normal, hit.from, hit.to};
+  return {sheet.base + hit.length * d, sheet.step + hit.growth * d, glm::reflect(d, normal), hit.from, hit.to};
 }
 
 void SheetTracer::trace(const Sheet& sheet, const IgnoredPatches& ignored_patches, std::vector<SheetHit>& hits) {
