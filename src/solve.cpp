@@ -1,5 +1,6 @@
 #include "solve.h"
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -14,6 +15,7 @@
 #include "mesh/enclosed.h"
 #include "mesh/mirror.h"
 #include "sbr/estimate.h"
+#include "sbr/launch.h"
 #include "skipped.h"
 #include "utd/edge_sets.h"
 #include "utd/ray_fields.h"
@@ -29,6 +31,8 @@ struct LookResult {
   BetweenResult between;
 };
 
+bool all_far(const Sweep& sweep) { return std::ranges::all_of(sweep.looks, &Look::far); }
+
 void check(const Sweep& sweep, const SolveOptions& options) {
   if (sweep.frequencies.empty() || sweep.looks.empty()) throw InputError("the sweep has no frequency or no look");
   for (const double f : sweep.frequencies)
@@ -36,7 +40,26 @@ void check(const Sweep& sweep, const SolveOptions& options) {
   if (!(options.tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
   if (options.edges.order < 1 || options.edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
   if (options.tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
+  const bool near = std::ranges::none_of(sweep.looks, &Look::far);
+  if (!near && !all_far(sweep)) throw InputError("either every look has antennas at a finite distance, or none");
+  if (near && options.tubes.mode == TubeMode::adaptive && !options.tubes.clip)
+    throw InputError("antennas at a finite distance need tubes that are clipped or uniform");
+  if (near && options.edges.method == EdgeMethod::utd)
+    throw InputError("antennas at a finite distance have no part in the edge method utd, which has a range of its own");
   if (!(options.edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
+}
+
+// A measured pattern says nothing beyond its ends.
+void check_pattern(const TriangleMesh& mesh, const Antenna& antenna, const AntennaPattern& pattern) {
+  if (pattern.azimuth.angles.empty() && pattern.elevation.angles.empty()) return;
+  for (const dvec3& vertex : mesh.vertices) {
+    const dvec2 angles = antenna.off_axis(antenna.ray_to(vertex).direction);
+    if (!pattern.azimuth.reaches(angles.x) || !pattern.elevation.reaches(angles.y))
+      throw InputError(
+          fmt::format("the target reaches {:.3g} degrees off the antenna's axis in azimuth and {:.3g} in elevation, beyond "
+                      "the pattern in radar.pattern_csv; add rows up to there",
+                      angles.x / degree, angles.y / degree));
+  }
 }
 
 // Reciprocity: the true S of a monostatic look has S_vh = S_hv, so dropping our antisymmetric part brings S closer. One bounce
@@ -51,14 +74,24 @@ constexpr double most_rise = 1.0 / 32.0;
 
 std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
   if (tubes.mode != TubeMode::adaptive || !tubes.clip || tubes.curved == CurvedSurfaces::never) return {};
-  if (tubes.curved == CurvedSurfaces::convex && !target.convexity.no_reflection) return {};
+  const bool convex_only = tubes.curved == CurvedSurfaces::convex || !all_far(sweep);
+  if (convex_only && !target.convexity.no_reflection) return {};
   SmoothSurfaces smooth(target.mesh, target.min_wedge_angle, most_rise * wavelength(std::ranges::max(sweep.frequencies)));
   if (!smooth.any()) return {};
   return smooth;
 }
 
+// A radar on a circle about the origin is in the same place again where its directions repeat.
+LookPlan plan_near(const Sweep& sweep) {
+  const bool circle = std::ranges::all_of(sweep.looks, [&](const Look& look) {
+    return look.transmit_range == sweep.looks[0].transmit_range && look.receive_range == sweep.looks[0].receive_range;
+  });
+  return circle ? plan_looks(sweep.looks, {false, false, false}) : plan_all(sweep.looks.size());
+}
+
 LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes, bool curved) {
   if (!tubes.skip) return plan_all(sweep.looks.size());
+  if (!all_far(sweep)) return plan_near(sweep);
   const bool exact = tubes.mode == TubeMode::adaptive && tubes.clip && (!curved || target.convexity.no_reflection);
   if (!exact) return plan_looks(sweep.looks, {false, false, false});
   const LookPlan at_best = plan_looks(sweep.looks, {true, true, true});
@@ -83,10 +116,10 @@ LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const 
                       const Look& look, const SolveOptions& options, Progress& progress, double share) {
   LookResult result;
   result.tubes = sbr_scattering(target.tracer, target.faces, smooth, target.convexity, look, sweep.frequencies, options.tubes,
-                                progress, share);
+                                progress, share, sweep.radar);
   if (options.edges.method == EdgeMethod::fringe && (edges.radiate() || !options.tubes.skip))
-    result.edges =
-        edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow, options.edges.transition);
+    result.edges = edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow,
+                                    options.edges.transition, sweep.radar);
   result.between = edges.between(target.faces, target.tracer, look,
                                  {options.edges.order, options.edges.transition, between_tolerance(result.tubes, options)});
   if (sweep.bistatic) return result;
@@ -114,8 +147,9 @@ LookResult solve_look(const RayFields& rays, const Sweep& sweep, const Look& loo
   return result;
 }
 
-// Moves the phase reference from the centre of the mesh to the origin of its own coordinates.
+// Moves the phase reference from the centre of the mesh to the origin of its own coordinates, where that of antennas lies.
 Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency) {
+  if (!look.far()) return 1.0;
   const dvec3 change = spherical_basis(look.receive).radial + spherical_basis(look.transmit).radial;
   return std::polar(1.0, wavenumber(frequency) * glm::dot(change, mesh.center));
 }
@@ -253,8 +287,23 @@ std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<con
 }
 
 std::vector<bool> crowded_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
-  if (!edges.between || edges.method != EdgeMethod::fringe || target.convexity.no_reflection) return {};
+  if (!edges.between || edges.method != EdgeMethod::fringe || target.convexity.no_reflection || !all_far(sweep)) return {};
   return between_crowded(target.mesh, target.wedges, sweep.frequencies);
+}
+
+void check_antennas(const TriangleMesh& mesh, const Sweep& sweep) {
+  for (const Look& look : sweep.looks) {
+    if (look.far()) continue;
+    const AntennaPair antennas(look, sweep.radar, mesh.center);
+    for (const Antenna* antenna : {&antennas.transmit, &antennas.receive}) {
+      if (!stands_in_front(mesh, antenna->position()))
+        throw InputError(fmt::format(
+            "an antenna {:.6g} m from the mesh's origin stands beside the target, or too near to it, to have all of it in "
+            "front; move it away (radar.range_m, radar.position_m), or check target.unit",
+            glm::length(antenna->position() + mesh.center)));
+      check_pattern(mesh, *antenna, sweep.radar.pattern);
+    }
+  }
 }
 
 LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tubes, EdgeMethod method) {
@@ -273,6 +322,7 @@ double ray_range(const Target& target, const Sweep& sweep, const EdgeOptions& ed
 
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {
   check(sweep, options);
+  check_antennas(target.mesh, sweep);
   const auto start = std::chrono::steady_clock::now();
   const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
   // More threads than cores must be asked for; a host program's own limit is never lowered.

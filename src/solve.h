@@ -69,6 +69,9 @@ std::vector<bool> crowded_between(const Target& target, const Sweep& sweep, cons
 std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
                                     std::span<const double> frequencies);
 
+/// Throws InputError if an antenna at a finite distance has not all of the target in front, or its pattern ends on it.
+void check_antennas(const TriangleMesh& mesh, const Sweep& sweep);
+
 /// Where transmitter and receiver stand with method utd [m], 0 with another one.
 double ray_range(const Target& target, const Sweep& sweep, const EdgeOptions& edges);
 

@@ -1,18 +1,33 @@
 // What is asked (Sweep) and what comes back (SweepResult): plain data only.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "field.h"
+#include "antenna.h"
 
 namespace raytube {
 
-/// A pair of directions from the target: to the transmitter and to the receiver (equal for a monostatic look).
+/// A pair of directions from the target: to the transmitter and to the receiver (equal for a monostatic look), and how far these
+/// are from the origin of the mesh's own coordinates [m]: both at a finite distance, or neither.
 struct Look {
   Direction transmit;
   Direction receive;
+  double transmit_range = std::numeric_limits<double>::infinity();
+  double receive_range = std::numeric_limits<double>::infinity();
+
+  bool far() const { return std::isinf(transmit_range); }
+};
+
+/// Transmitter and receiver of a look from a finite distance, in recentred coordinates. Keeps references to the pattern.
+struct AntennaPair {
+  AntennaPair(const Look& look, const Radar& radar, const dvec3& mesh_center)
+      : transmit({look.transmit, look.transmit_range}, -mesh_center, radar.aim - mesh_center, radar.pattern),
+        receive({look.receive, look.receive_range}, -mesh_center, radar.aim - mesh_center, radar.pattern) {}
+  Antenna transmit, receive;
 };
 
 /// Every look at every frequency. Rows of the result: looks vary slowest, frequency fastest.
@@ -20,6 +35,7 @@ struct Sweep {
   std::vector<double> frequencies;  // [Hz], > 0
   std::vector<Look> looks;
   bool bistatic = false;  // receive directions were given (they may still coincide); else every look is its own receiver
+  Radar radar{};          // of looks from a finite distance
 
   std::size_t rows() const { return frequencies.size() * looks.size(); }
   std::size_t row(std::size_t look, std::size_t frequency) const { return look * frequencies.size() + frequency; }
@@ -50,7 +66,8 @@ struct Statistics {
   double solve_s = 0.0;  // mesh and BVH ready -> last sum
 };
 
-/// Complex amplitudes of a sweep, one entry per row (Sweep::row), kept apart by mechanism.
+/// Complex amplitudes of a sweep, one entry per row (Sweep::row), kept apart by mechanism. At a finite distance they are apparent
+/// ones: what would make the same signal if it lay at the origin of the mesh's own coordinates (Antenna).
 struct SweepResult {
   std::vector<ScatteringMatrix> total;  // sum of all mechanisms
   std::vector<ChannelErrors>

@@ -9,6 +9,7 @@
 #include "case/keys.h"
 #include "case/looks.h"
 #include "case/names.h"
+#include "case/radar.h"
 #include "case/values.h"
 #include "decimal.h"
 #include "error.h"
@@ -62,11 +63,9 @@ void read_frequencies(const CaseValue& root, Case& c) {
   }
 }
 
-dvec3 read_vector(const CaseValue& value, const std::string& key) {
-  if (value.kind != CaseValue::Kind::list || value.items.size() != 3)
-    reject(value, key + " must be a list of three numbers, for example [0, 0, 1]");
-  const auto entry = [&](std::size_t i) { return read_number(value.items[i], "every entry of " + key); };
-  const dvec3 vector{entry(0), entry(1), entry(2)};
+dvec3 read_up(const CaseValue& value) {
+  const std::string key = "tubes.up";
+  const dvec3 vector = read_vector(value, key);
   const double size = glm::length(vector);
   if (!(size > 0.0) || !std::isfinite(size)) reject(value, key + " must not be the zero vector; write for example [0, 0, 1]");
   return vector;
@@ -110,7 +109,7 @@ void read_tubes(const CaseValue& root, Case& c) {
   }
   if (clipped && !find(root, "tubes", "per_wavelength")) c.tubes.per_wavelength = most_per_wavelength;
   if (const CaseValue* skip = find(root, "tubes", "skip")) c.tubes.skip = read_flag(*skip, "tubes.skip");
-  if (const CaseValue* up = find(root, "tubes", "up")) c.tubes.up = read_vector(*up, "tubes.up");
+  if (const CaseValue* up = find(root, "tubes", "up")) c.tubes.up = read_up(*up);
 }
 
 TransitionTier read_transition(const CaseValue& value) {
@@ -161,6 +160,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   read_looks(root, c);
   read_tubes(root, c);
   read_edges(root, c);
+  read_radar(root, c);
   if (const CaseValue* plots = find(root, "output", "plots")) c.plots = read_flag(*plots, "output.plots");
   const CaseValue* title = root.find("title");
   c.title = title ? read_text(*title, "title") : c.mesh_file.stem().string();

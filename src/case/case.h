@@ -17,6 +17,14 @@ struct LookChoice {
   std::vector<double> rx_theta_deg, rx_phi_deg;  // empty when monostatic
 };
 
+/// The radar section as the user gave it; no range and no position: the far field.
+struct RadarChoice {
+  double range_m = 0.0, receive_range_m = 0.0;
+  std::vector<dvec3> positions, receive_positions;  // [m]
+  std::vector<double> beamwidth_deg;                // azimuth, elevation
+  std::string pattern_csv;                          // relative to the case's folder
+};
+
 struct Case {
   std::string title;
   std::filesystem::path file;
@@ -26,6 +34,7 @@ struct Case {
   double metres_per_unit = 1.0;
   Sweep sweep;
   LookChoice looks;
+  RadarChoice radar;
   TubeOptions tubes;
   EdgeOptions edges;
   bool plots = true;

@@ -41,6 +41,36 @@ Json edges_json(const EdgeOptions& edges) {
   return json;
 }
 
+Json vector_json(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+Json places_json(const std::vector<dvec3>& places) {
+  Json list = Json::array();
+  for (const dvec3& place : places) list.push_back(vector_json(place));
+  return list;
+}
+
+Json radar_json(const Case& c) {
+  Json json;
+  const RadarChoice& radar = c.radar;
+  if (radar.positions.empty()) json["range_m"] = radar.range_m;
+  if (radar.positions.empty() && c.sweep.bistatic) json["receive_range_m"] = radar.receive_range_m;
+  if (!radar.positions.empty()) json["position_m"] = places_json(radar.positions);
+  if (!radar.receive_positions.empty()) json["receive_position_m"] = places_json(radar.receive_positions);
+  json["aim_m"] = vector_json(c.sweep.radar.aim);
+  if (!radar.beamwidth_deg.empty()) json["beamwidth_deg"] = one_or_list(radar.beamwidth_deg);
+  if (!radar.pattern_csv.empty()) json["pattern_csv"] = radar.pattern_csv;
+  return json;
+}
+
+void put_looks(const LookChoice& looks, Json& json) {
+  if (!looks.looks_csv.empty())
+    json["look"] = {{"looks_csv", looks.looks_csv}};
+  else
+    json["look"] = {{"theta_deg", one_or_list(looks.theta_deg)}, {"phi_deg", one_or_list(looks.phi_deg)}};
+  if (!looks.rx_theta_deg.empty())
+    json["receive"] = {{"theta_deg", one_or_list(looks.rx_theta_deg)}, {"phi_deg", one_or_list(looks.rx_phi_deg)}};
+}
+
 }  // namespace
 
 std::string resolved_case_json(const Case& c) {
@@ -48,12 +78,8 @@ std::string resolved_case_json(const Case& c) {
   json["title"] = c.title;
   json["target"] = {{"mesh", c.mesh}, {"unit", c.unit}, {"material", "pec"}};
   json["frequency"] = frequency_json(c.sweep);
-  if (!c.looks.looks_csv.empty())
-    json["look"] = {{"looks_csv", c.looks.looks_csv}};
-  else
-    json["look"] = {{"theta_deg", one_or_list(c.looks.theta_deg)}, {"phi_deg", one_or_list(c.looks.phi_deg)}};
-  if (!c.looks.rx_theta_deg.empty())
-    json["receive"] = {{"theta_deg", one_or_list(c.looks.rx_theta_deg)}, {"phi_deg", one_or_list(c.looks.rx_phi_deg)}};
+  if (c.radar.positions.empty()) put_looks(c.looks, json);
+  if (!c.sweep.looks.front().far()) json["radar"] = radar_json(c);
   json["tubes"] = tubes_json(c.tubes);
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};
   json["edges"] = edges_json(c.edges);

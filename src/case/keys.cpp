@@ -10,7 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 27> known_keys = {"title",
+constexpr std::array<std::string_view, 34> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -36,9 +36,16 @@ constexpr std::array<std::string_view, 27> known_keys = {"title",
                                                          "edges.thin_sheets",
                                                          "edges.utd_range_m",
                                                          "edges.min_wedge_deg",
+                                                         "radar.range_m",
+                                                         "radar.receive_range_m",
+                                                         "radar.position_m",
+                                                         "radar.receive_position_m",
+                                                         "radar.aim_m",
+                                                         "radar.beamwidth_deg",
+                                                         "radar.pattern_csv",
                                                          "output.plots"};
 
-constexpr std::array<std::string_view, 4> later_keys = {"output.image_look", "output.image_per_wavelength", "radar", "materials"};
+constexpr std::array<std::string_view, 3> later_keys = {"output.image_look", "output.image_per_wavelength", "materials"};
 
 template <std::size_t size>
 bool contains(const std::array<std::string_view, size>& keys, std::string_view key) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "case/radar.h"
 #include "case/values.h"
 #include "error.h"
 
@@ -71,6 +72,7 @@ void fill_from_list(const CaseValue& look, const CaseValue* receive, Case& c) {
 void read_looks(const CaseValue& root, Case& c) {
   const CaseValue* look = root.find("look");
   const CaseValue* receive = root.find("receive");
+  if (has_positions(root)) return read_positions(root, c);
   if (!look) throw InputError(root.place + ": no directions; add a [look] section with theta_deg and phi_deg");
   if (look->find("looks_csv")) return fill_from_list(*look, receive, c);
   c.looks.theta_deg = read_angles(root, *look, "look", "theta_deg");

@@ -106,6 +106,13 @@ bool read_flag(const CaseValue& value, const std::string& key) {
   return value.boolean;
 }
 
+dvec3 read_vector(const CaseValue& value, const std::string& key) {
+  if (value.kind != CaseValue::Kind::list || value.items.size() != 3)
+    reject(value, key + " must be a list of three numbers, for example [0, 0, 1]");
+  const auto entry = [&](std::size_t i) { return read_number(value.items[i], "every entry of " + key); };
+  return {entry(0), entry(1), entry(2)};
+}
+
 std::string read_text(const CaseValue& value, const std::string& key) {
   if (value.kind != Kind::text) reject(value, key + " must be a text in double quotes");
   return value.text;

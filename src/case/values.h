@@ -3,6 +3,7 @@
 #pragma once
 
 #include "case/document.h"
+#include "field.h"
 
 namespace raytube {
 
@@ -10,6 +11,8 @@ double read_number(const CaseValue& value, const std::string& key);
 double read_positive(const CaseValue& value, const std::string& key);
 int read_whole(const CaseValue& value, const std::string& key, int least, int most);
 bool read_flag(const CaseValue& value, const std::string& key);
+/// A list of three numbers.
+dvec3 read_vector(const CaseValue& value, const std::string& key);
 std::string read_text(const CaseValue& value, const std::string& key);
 
 /// A number, a list of numbers, or { start, stop, step } with `stop` included when a step lands on it.

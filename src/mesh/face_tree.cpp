@@ -128,7 +128,7 @@ struct FaceTree::Query {
     slab(1, p.v_hat, p.low.y, p.high.y);
     slab(2, p.direction, -infinity, p.farthest);
     if (!p.floor) return;
-    const double sign = glm::dot(p.floor->normal, p.direction) > 0.0 ? 1.0 : -1.0;
+    const double sign = p.floor_facing > 0.0 ? 1.0 : -1.0;
     slabs[3] = {sign * p.floor->normal, glm::abs(p.floor->normal), static_cast<float>(sign * p.floor->offset),
                 std::numeric_limits<float>::infinity()};
     count = 4;

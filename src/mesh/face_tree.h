@@ -17,7 +17,8 @@ struct Prism {
   dvec3 u_hat, v_hat, direction;  // orthonormal
   dvec2 low, high;                // bounds along u_hat and v_hat
   double farthest = std::numeric_limits<double>::infinity();
-  const Patch* floor = nullptr;  // the plane the lines start from: only what reaches above it, on the side of `direction`, counts
+  const Patch* floor = nullptr;  // the plane the lines start from: only what reaches above it counts
+  double floor_facing = 0.0;     // above zero: the lines rise on the side its normal points to
 };
 
 /// The faces of a mesh in a tree of boxes, eight to a node. Boxes are in single precision, enlarged by what that may cost.

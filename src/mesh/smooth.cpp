@@ -176,23 +176,10 @@ dvec3 SmoothSurfaces::bend(std::uint32_t triangle, int corner) const {
 
 namespace {
 
-// A triangle whose sides bend: r = sum l_i x_i - l0 l1 b0 - l1 l2 b1 - l2 l0 b2, l0 = 1 - l1 - l2 (Nagata 2005, Simple local
-// interpolation of surfaces using normal vectors, eq. 20, with the sides' bends along their mean normals).
-struct BentTriangle {
-  dvec3 x0, x1, x2, b0, b1, b2;
-
-  dvec3 place(const dvec2& l) const {
-    const double l0 = 1.0 - l.x - l.y;
-    return l0 * x0 + l.x * x1 + l.y * x2 - l0 * l.x * b0 - l.x * l.y * b1 - l.y * l0 * b2;
-  }
-  dvec3 along_1(const dvec2& l) const { return x1 - x0 - (1.0 - 2.0 * l.x - l.y) * b0 - l.y * (b1 - b2); }
-  dvec3 along_2(const dvec2& l) const { return x2 - x0 - (1.0 - l.x - 2.0 * l.y) * b2 - l.x * (b1 - b0); }
-};
-
 // Where the line meets it: Newton's method across the line, from the facet's plane. Nothing if that does not settle near it.
-std::optional<dvec2> meet(const BentTriangle& s, const dvec3& origin, const dvec3& direction) {
+std::optional<dvec2> meet(const BentFacet& s, const dvec3& origin, const dvec3& direction) {
   dvec2 l(1.0 / 3.0);
-  const double size = glm::length(s.x1 - s.x0) + glm::length(s.x2 - s.x0);
+  const double size = glm::distance(s.corners()[1], s.corners()[0]) + glm::distance(s.corners()[2], s.corners()[0]);
   for (int step = 0; step < 12; ++step) {
     // Solves off + dl1 a + dl2 b = (anything) direction.
     const dvec3 off = s.place(l) - origin, a = s.along_1(l), b = s.along_2(l);
@@ -228,11 +215,24 @@ glm::dmat3 curvature_of(const dvec3& a1, const dvec3& a2, const dvec3& n, const 
 
 }  // namespace
 
-LocalSurface SmoothSurfaces::at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const {
+SurfacePoint BentFacet::over(const dvec3& r) const {
+  const dvec3 e1 = x_[1] - x_[0], e2 = x_[2] - x_[0], across = glm::cross(e1, e2), step = r - x_[0];
+  const double square = glm::dot(across, across);
+  const dvec2 l{glm::dot(glm::cross(step, e2), across) / square, glm::dot(glm::cross(e1, step), across) / square};
+  const dvec3 normal = glm::cross(along_1(l), along_2(l));
+  const double size = glm::length(normal);
+  return {place(l), normal / size, size / std::sqrt(square)};
+}
+
+BentFacet SmoothSurfaces::facet(std::uint32_t triangle) const {
   const Triangle& t = mesh_.triangles[triangle];
+  return {{mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]},
+          {bend(triangle, 0), bend(triangle, 1), bend(triangle, 2)}};
+}
+
+LocalSurface SmoothSurfaces::at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const {
   const Patch& patch = mesh_.patches[mesh_.triangle_patch[triangle]];
-  const BentTriangle s{mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]],
-                       bend(triangle, 0),    bend(triangle, 1),    bend(triangle, 2)};
+  const BentFacet s = facet(triangle);
   const std::optional<dvec2> l = meet(s, origin, direction);
   if (!l) return facet_plane(patch, origin, direction);
   const dvec3 a1 = s.along_1(*l), a2 = s.along_2(*l);
@@ -241,7 +241,7 @@ LocalSurface SmoothSurfaces::at(const dvec3& origin, const dvec3& direction, std
   if ((glm::dot(n, direction) < 0.0) != from_front) return facet_plane(patch, origin, direction);
   if (!from_front) n = -n;
   const dvec3 point = origin + glm::dot(s.place(*l) - origin, direction) * direction;
-  return {point, n, curvature_of(a1, a2, n, 2.0 * s.b0, s.b0 - s.b1 + s.b2, 2.0 * s.b2)};
+  return {point, n, curvature_of(a1, a2, n, 2.0 * s.bend(0), s.bend(0) - s.bend(1) + s.bend(2), 2.0 * s.bend(2))};
 }
 
 }  // namespace raytube

@@ -26,6 +26,19 @@ constexpr const char* conventions =
     "transmitter, rx_ to the receiver.\n"
     "# V is theta-hat and H is phi-hat of each one's own direction, for the transmitter and for the receiver.\n";
 
+std::string antenna_note(const Sweep& sweep) {
+  if (sweep.looks.front().far()) return {};
+  return "# Antennas at a finite distance: S is the apparent amplitude, that of something at the origin that would make the same "
+         "signal.\n"
+         "# range_m: from the origin of the mesh's coordinates to the transmitter, rx_range_m to the receiver. Off their lines "
+         "to the "
+         "origin V and H are turned with the ray (Ludwig's third definition).\n";
+}
+
+std::string range_text(const Look& look) {
+  return look.far() ? "" : ',' + number_text(look.transmit_range) + ',' + number_text(look.receive_range);
+}
+
 std::string range_note(const SweepResult& result) {
   if (!(result.statistics.ray_range > 0.0)) return {};
   return fmt::format("# edges.method = \"utd\": S is the apparent amplitude for transmitter and receiver {} m from the origin.\n",
@@ -54,10 +67,11 @@ std::string complex_columns(const std::string& suffix) {
   return names;
 }
 
-std::string rcs_header() {
+std::string rcs_header(const Sweep& sweep) {
   std::string header = key_columns + complex_columns("");
   for (const char* channel : channel_names) header += fmt::format(",sigma_{}_dbsm", channel);
   for (const char* channel : channel_names) header += fmt::format(",err_{}_db", channel);
+  if (!sweep.looks.front().far()) header += ",range_m,rx_range_m";
   return header + '\n';
 }
 
@@ -89,13 +103,13 @@ std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelEr
 
 void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
-  out.write(conventions + range_note(result) + rcs_header());
+  out.write(conventions + range_note(result) + antenna_note(sweep) + rcs_header(sweep));
   for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
     const ScatteringMatrix& s = result.total[row];
     std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive) + complex_values(s);
     for (const Complex value : channels(s)) line += ',' + number_text(sigma_dbsm(value));
     for (const double level : error_levels_db(s, result.error[row])) line += ',' + number_text(level);
-    out.write(line + '\n');
+    out.write(line + range_text(look) + '\n');
   });
   out.commit();
 }
@@ -119,7 +133,7 @@ void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, c
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
-  std::string header = conventions + range_note(result) + key_columns;
+  std::string header = conventions + range_note(result) + antenna_note(sweep) + key_columns;
   for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
   out.write(header + complex_columns("_edges_first_order") + complex_columns("_edges_second_order") +
             complex_columns("_between") + '\n');

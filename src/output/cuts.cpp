@@ -76,7 +76,7 @@ RowPlaces places_of_rows(const Sweep& sweep) {
   RowPlaces places{{}, {true, true, bistatic, bistatic, true, false}};
   places.rows.reserve(sweep.rows());
   for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
-    const auto& [transmit, receive] = sweep.looks[i];
+    const Direction &transmit = sweep.looks[i].transmit, &receive = sweep.looks[i].receive;
     Values row{decimal_degrees(transmit.phi), decimal_degrees(transmit.theta)};
     if (bistatic)
       row[RowPlaces::rx_phi] = decimal_degrees(receive.phi), row[RowPlaces::rx_theta] = decimal_degrees(receive.theta);

@@ -181,7 +181,7 @@ void print_skipped(const Case& c, const MeshReport& r, const Target& target, con
 bool clipped(const TubeOptions& tubes) { return tubes.mode == TubeMode::adaptive && tubes.clip; }
 
 LaunchGrid grid_of(const Case& c, const TriangleMesh& mesh, std::size_t look) {
-  return launch_grid(mesh, c.sweep.looks[look].transmit, wavelength(highest_frequency(c.sweep)), c.tubes.per_wavelength,
+  return grid_of_look(mesh, c.sweep.looks[look], wavelength(highest_frequency(c.sweep)), c.tubes.per_wavelength,
                      c.tubes.up);
 }
 
@@ -226,6 +226,7 @@ void check_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   const Target target(loaded.mesh, c.edges);
+  check_antennas(loaded.mesh, c.sweep);
   const LookPlan plan = plan_of(target, c.sweep, c.tubes, c.edges.method);
   print_case(c);
   print_mesh(loaded.report, target);

@@ -43,7 +43,7 @@ std::vector<double> parsed_densities(const std::string& option) {
 void check_finest(double density, const std::string& option, const Case& c, const TriangleMesh& mesh) {
   const double shortest = wavelength(std::ranges::max(c.sweep.frequencies));
   try {
-    for (const Look& look : c.sweep.looks) launch_grid(mesh, look.transmit, shortest, density, c.tubes.up);
+    for (const Look& look : c.sweep.looks) grid_of_look(mesh, look, shortest, density, c.tubes.up);
   } catch (const InputError&) {
     throw InputError(fmt::format(
         "--densities {}: {} tubes per wavelength are more than 10^6 along one side of the launch plane; lower it, or check "

@@ -50,15 +50,16 @@ void trace_command(const Request& request) {
   const Look& look = chosen_look(c, request.look);
   if (!std::isfinite(request.u) || !std::isfinite(request.v)) throw InputError("--u and --v must be finite numbers of metres");
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  check_antennas(loaded.mesh, c.sweep);
   const Tracer tracer(loaded.mesh);
   // The grid of a sweep is laid at its highest frequency.
   const double frequency = *std::max_element(c.sweep.frequencies.begin(), c.sweep.frequencies.end());
-  const TubeTrace trace = trace_tube(tracer, look, frequency, c.tubes, request.u, request.v);
+  const TubeTrace trace = trace_tube(tracer, look, frequency, c.tubes, request.u, request.v, c.sweep.radar);
 
   fmt::print("look {}: {} to the transmitter, {} to the receiver\n", request.look, direction_text(look.transmit),
              direction_text(look.receive));
   fmt::print("tube: column {}, row {}, centre u {:.9g} m, v {:.9g} m\n", trace.column, trace.row, trace.center.x, trace.center.y);
-  dvec3 direction = -spherical_basis(look.transmit).radial;
+  dvec3 direction = trace.direction;
   for (std::size_t i = 0; i < trace.bounces.size(); ++i) {
     print_bounce(i + 1, trace.bounces[i], direction, loaded.mesh.center);
     direction = trace.bounces[i].direction_out;

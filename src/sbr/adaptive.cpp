@@ -28,7 +28,7 @@ class FaceTrace {
       : look_(look),
         beams_(look.tree.mesh(), look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
         visible_(look.tree, look.tracer),
-        cell_tubes_(look.tracer, look.grid, look.wavenumbers, beams_, sums_) {}
+        cell_tubes_(look.tracer, look.grid, look.spherical, look.wavenumbers, beams_, sums_) {}
 
   TubeSums run(std::uint32_t begin, std::uint32_t end) {
     std::vector<std::uint32_t> faces;
@@ -56,14 +56,12 @@ class FaceTrace {
   void count_faces_away(std::uint32_t begin, std::uint32_t end) {
     const TriangleMesh& mesh = look_.tree.mesh();
     for (const Face& face : look_.tree.faces().subspan(begin, end - begin))
-      if (mesh.closed(face.triangle) && glm::dot(mesh.patches[face.patch].normal, look_.grid.direction) >= 0.0)
-        ++sums_.faces_away;
+      if (mesh.closed(face.triangle) && facing(beams_.beam(BeamTree::root), mesh.patches[face.patch]) >= 0.0) ++sums_.faces_away;
   }
 
   void send_middle_rays() {
     rays_.clear();
-    for (const PolygonTube& tube : tubes_)
-      rays_.push_back(VisibleSurfaces::middle_ray(beams_.beam(tube.beam), tube.patch, tube.outline));
+    for (const PolygonTube& tube : tubes_) rays_.push_back(visible_.middle_ray(beams_.beam(tube.beam), tube.patch, tube.outline));
     in_middle_.resize(rays_.size());
     look_.tracer.closest_hits(rays_, in_middle_);
   }
@@ -137,6 +135,7 @@ class FaceTrace {
     const Footprint& footprint = beams_.footprint(node);
     std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
+    if (look_.spherical) return look_.spherical->add(sums, footprint.outgoing, beams_.patch(node), outline);
     for (std::size_t f = 0; f < sums.size(); ++f) {
       const double k = look_.wavenumbers[f];
       add_far_field(sums[f], footprint, k, look_.clip ? phase_integral(footprint, k, outline) : over_cells(footprint, k));

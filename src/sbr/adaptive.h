@@ -8,6 +8,7 @@
 #include "mesh/smooth.h"
 #include "mesh/tracer.h"
 #include "sbr/launch.h"
+#include "sbr/spherical_look.h"
 #include "sbr/tube_sums.h"
 
 namespace raytube {
@@ -19,6 +20,7 @@ struct AdaptiveLook {
   const LaunchGrid& grid;
   const SphericalBasis& transmit;
   const SphericalBasis& receive;
+  const SphericalLook* spherical;  // antennas at a finite distance; null: plane waves
   std::span<const double> wavenumbers;
   double phase_tolerance;        // [rad] by which a curved surface may lie off its description
   const SmoothSurfaces* smooth;  // curved surfaces; null: all facets are flat

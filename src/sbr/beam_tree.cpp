@@ -24,8 +24,10 @@ std::uint32_t BeamTree::find_child(std::uint32_t parent, std::uint32_t patch, co
 std::uint32_t BeamTree::add_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
   const Beam& beam = this->beam(parent);
   const Patch& plane = mesh_.patches[patch];
-  const bool from_behind = glm::dot(plane.normal, beam.direction) > 0.0;
-  nodes_.push_back({raytube::footprint(anchored(beam, anchor), plane, receive_), no_index, no_index, from_behind});
+  const bool from_behind = facing(beam, plane) > 0.0;
+  const Footprint footprint = beam.spherical() ? Footprint{reflected_spherical(beam, plane), {}}
+                                               : raytube::footprint(anchored(beam, anchor), plane, receive_);
+  nodes_.push_back({footprint, patch, no_index, no_index, from_behind});
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }
 

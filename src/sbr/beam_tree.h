@@ -19,7 +19,8 @@ class BeamTree {
   /// Forgets all beams but keeps their memory.
   void restart(const Beam& incident);
 
-  /// The footprint of beam `parent` on `patch`, computed on first use, with the anchor then given.
+  /// The footprint of beam `parent` on `patch`, computed on first use, with the anchor then given. Of a spherical wave only the
+  /// beam that leaves: its footprint is never the same twice.
   std::uint32_t child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
     const Node& node = nodes_[parent];
     return node.recent_patch == patch ? node.recent_child : find_child(parent, patch, anchor);
@@ -27,12 +28,15 @@ class BeamTree {
 
   const Footprint& footprint(std::uint32_t node) const { return nodes_[node].footprint; }
   const Beam& beam(std::uint32_t node) const { return nodes_[node].footprint.outgoing; }
+  /// The patch of this beam's footprint, which it leaves.
+  const Patch& patch(std::uint32_t node) const { return mesh_.patches[nodes_[node].patch]; }
   /// True if the patch of this beam's footprint is lit from the side its normal points away from.
   bool from_behind(std::uint32_t node) const { return nodes_[node].from_behind; }
 
  private:
   struct Node {
     Footprint footprint;
+    std::uint32_t patch = no_index;
     std::uint32_t recent_patch = no_index, recent_child = no_index;  // neighbouring tubes mostly ask for the same child
     bool from_behind = false;
   };

@@ -39,9 +39,7 @@ void CellTubes::add(std::uint32_t column, std::uint32_t row, std::uint32_t beam,
 }
 
 Ray CellTubes::reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const {
-  const Beam& b = beams_.beam(beam);
-  const dvec2 step = grid_.ray_place(column, row) - b.anchor;
-  return {b.base + step.x * b.along_u + step.y * b.along_v, b.direction, patch};
+  return tube_ray(beams_.beam(beam), grid_.ray_place(column, row), &tracer_.mesh().patches[patch], patch);
 }
 
 void CellTubes::advance(int bounce, int max_bounces) {
@@ -84,7 +82,7 @@ void CellTubes::reflect() {
 
 void CellTubes::find_runs() {
   runs_.clear();
-  for (const auto& [column, row, node] : tubes_) extend(runs_, node, {column, column + 1, row, row + 1});
+  for (const auto& [column, row, node] : tubes_) extend(node, {column, column + 1, row, row + 1});
 }
 
 void CellTubes::find_coarse_runs(std::uint32_t grid) {
@@ -95,19 +93,19 @@ void CellTubes::find_coarse_runs(std::uint32_t grid) {
     if (down.empty()) continue;
     const Group across = group_of(column, grid, block.column_begin, block.column_end);
     if (across.empty()) continue;
-    extend(runs_, node, {across.begin, across.end, down.begin, down.end});
+    extend(node, {across.begin, across.end, down.begin, down.end});
   }
 }
 
-void CellTubes::extend(std::vector<Run>& runs, std::uint32_t node, const CellBlock& cells) {
-  if (!runs.empty()) {
-    Run& last = runs.back();
+void CellTubes::extend(std::uint32_t node, const CellBlock& cells) {
+  if (!runs_.empty() && !spherical_) {
+    Run& last = runs_.back();
     if (last.node == node && last.cells.row_begin == cells.row_begin && last.cells.column_end == cells.column_begin) {
       last.cells.column_end = cells.column_end;
       return;
     }
   }
-  runs.push_back({node, cells});
+  runs_.push_back({node, cells});
 }
 
 void CellTubes::integrate(int bounce) {
@@ -127,7 +125,11 @@ void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) {
   for (const auto& [node, cells] : runs_) {
     const dvec2 size{(cells.column_end - cells.column_begin) * grid_.du, (cells.row_end - cells.row_begin) * grid_.dv};
     const dvec2 low{grid_.u_begin + cells.column_begin * grid_.du, grid_.v_begin + cells.row_begin * grid_.dv};
-    far_fields_.add(beams_.footprint(node), low + 0.5 * size, size);
+    const dvec2 center = low + 0.5 * size;
+    if (spherical_)
+      far_fields_.add(spherical_->footprint(beams_.beam(node), beams_.patch(node), center), center, size);
+    else
+      far_fields_.add(beams_.footprint(node), center, size);
   }
   far_fields_.add_up(sums);
 }

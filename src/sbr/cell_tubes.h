@@ -9,6 +9,7 @@
 #include "sbr/beam_tree.h"
 #include "sbr/far_fields.h"
 #include "sbr/lattice.h"
+#include "sbr/spherical_look.h"
 #include "sbr/tube_sums.h"
 
 namespace raytube {
@@ -16,8 +17,16 @@ namespace raytube {
 /// Tubes under way, all after the same number of bounces. Beams and sums are their owner's.
 class CellTubes {
  public:
-  CellTubes(const Tracer& tracer, const LaunchGrid& grid, std::span<const double> wavenumbers, BeamTree& beams, TubeSums& sums)
-      : tracer_(tracer), grid_(grid), frequencies_(wavenumbers.size()), far_fields_(wavenumbers), beams_(beams), sums_(sums) {}
+  /// `spherical` is null for plane waves.
+  CellTubes(const Tracer& tracer, const LaunchGrid& grid, const SphericalLook* spherical, std::span<const double> wavenumbers,
+            BeamTree& beams, TubeSums& sums)
+      : tracer_(tracer),
+        grid_(grid),
+        spherical_(spherical),
+        frequencies_(wavenumbers.size()),
+        far_fields_(wavenumbers),
+        beams_(beams),
+        sums_(sums) {}
 
   bool empty() const { return tubes_.empty(); }
   void clear() {
@@ -60,12 +69,13 @@ class CellTubes {
   void reflect();
   void find_runs();
   void find_coarse_runs(std::uint32_t grid);
-  static void extend(std::vector<Run>& runs, std::uint32_t node, const CellBlock& cells);
+  void extend(std::uint32_t node, const CellBlock& cells);
   void integrate(int bounce);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);
 
   const Tracer& tracer_;
   const LaunchGrid& grid_;
+  const SphericalLook* spherical_;
   std::size_t frequencies_;
   FarFields far_fields_;
   BeamTree& beams_;

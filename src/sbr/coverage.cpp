@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raytube {
 
@@ -50,6 +51,7 @@ Interval across_band(std::span<const dvec2> corners, double low, double high) {
 Coverage::Coverage(const FaceTree* faces, const LaunchGrid& grid, const Tile& tile)
     : grid_(grid),
       tile_(tile),
+      beam_(incident_beam(grid, {}, dvec2(0.0))),
       margin_(faces ? margin * faces->mesh().radius : 0.0),
       cells_(std::size_t{tile.row_end - tile.row_begin} * (tile.column_end - tile.column_begin), faces ? 0 : 1) {
   if (!faces) return;
@@ -57,7 +59,8 @@ Coverage::Coverage(const FaceTree* faces, const LaunchGrid& grid, const Tile& ti
       high{grid.u_begin + tile.column_end * grid.du, grid.v_begin + tile.row_end * grid.dv};
   const std::size_t most_faces = cells_.size() / cells_per_face;
   std::vector<std::uint32_t> found;
-  faces->collect({grid.plane_origin, grid.u_hat, grid.v_hat, grid.direction, low, high}, found, most_faces);
+  faces->collect(prism_of(beam_, nullptr, {low, high}, std::numeric_limits<double>::infinity(), faces->mesh().radius), found,
+                 most_faces);
   if (found.size() > most_faces) {
     std::ranges::fill(cells_, 1);
     return;
@@ -77,8 +80,7 @@ void Coverage::mark(const FaceTree& faces, std::uint32_t face) {
   corners_.clear();
   Interval rows;
   for (const std::uint32_t corner : faces.corners(face)) {
-    const dvec3 r = faces.mesh().vertices[corner] - grid_.plane_origin;
-    corners_.emplace_back(glm::dot(grid_.u_hat, r), glm::dot(grid_.v_hat, r));
+    corners_.push_back(launch_place(beam_, faces.mesh().vertices[corner]));
     rows.include(corners_.back().y);
   }
   const double first = grid_.ray_place(0, 0).y;

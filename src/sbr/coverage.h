@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/face_tree.h"
+#include "sbr/beam.h"
 #include "sbr/tile.h"
 
 namespace raytube {
@@ -34,6 +35,7 @@ class Coverage {
 
   const LaunchGrid& grid_;
   const Tile& tile_;
+  Beam beam_;      // as launched, without fields
   double margin_;  // [m]
   std::vector<std::uint8_t> cells_;
   std::vector<dvec2> corners_;

@@ -6,25 +6,6 @@
 
 namespace raytube {
 
-Beam incident_beam(const LaunchGrid& grid, const SphericalBasis& transmit, const dvec2& anchor) {
-  return {grid.direction,
-          0.0,
-          {transmit.theta_hat, transmit.phi_hat},
-          anchor,
-          grid.plane_origin + anchor.x * grid.u_hat + anchor.y * grid.v_hat,
-          grid.u_hat,
-          grid.v_hat,
-          grid.u_hat,
-          grid.v_hat};
-}
-
-Beam anchored(Beam beam, const dvec2& anchor) {
-  const dvec2 step = anchor - beam.anchor;
-  beam.base += step.x * beam.along_u + step.y * beam.along_v;
-  beam.anchor = anchor;
-  return beam;
-}
-
 Footprint footprint(const Beam& beam, const Patch& patch, const SphericalBasis& receive) {
   const dvec3& d = beam.direction;
   const bool from_front = glm::dot(patch.normal, d) < 0.0;

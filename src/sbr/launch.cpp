@@ -1,8 +1,10 @@
 #include "sbr/launch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "antenna.h"
 #include "error.h"
 
 namespace raytube {
@@ -30,6 +32,13 @@ void set_axes(LaunchGrid& grid, const SphericalBasis& basis, const std::optional
   grid.u_hat = glm::cross(grid.v_hat, basis.radial);
 }
 
+// The look's axes, turned with its line of sight to that of an antenna.
+SphericalBasis basis_towards(const dvec3& antenna, const Direction& transmit) {
+  const SphericalBasis basis = spherical_basis(transmit);
+  const dvec3 radial = glm::normalize(antenna);
+  return {radial, carried(basis.theta_hat, basis.radial, radial), carried(basis.phi_hat, basis.radial, radial)};
+}
+
 std::uint32_t cells_along(double extent, double cells_per_metre) {
   const double cells = std::ceil(extent * cells_per_metre - 1e-6);
   if (cells > 1e6)
@@ -42,15 +51,20 @@ std::uint32_t cells_along(double extent, double cells_per_metre) {
 }  // namespace
 
 LaunchGrid launch_grid(const TriangleMesh& mesh, const Direction& transmit, double wavelength, double per_wavelength,
-                       const std::optional<dvec3>& up) {
+                       const std::optional<dvec3>& up, const std::optional<dvec3>& antenna) {
   LaunchGrid grid;
-  set_axes(grid, spherical_basis(transmit), up);
-  Interval u, v;
+  set_axes(grid, antenna ? basis_towards(*antenna, transmit) : spherical_basis(transmit), up);
+  grid.curvature = antenna ? 1.0 / glm::length(*antenna) : 0.0;
+  Interval u, v, depth;
   for (const dvec3& vertex : mesh.vertices) {
-    u.include(glm::dot(vertex, grid.u_hat));
-    v.include(glm::dot(vertex, grid.v_hat));
+    depth.include(glm::dot(vertex, grid.direction));
+    const double w = 1.0 + grid.curvature * glm::dot(vertex, grid.direction);
+    u.include(glm::dot(vertex, grid.u_hat) / w);
+    v.include(glm::dot(vertex, grid.v_hat) / w);
   }
   grid.plane_origin = -1.001 * mesh.radius * grid.direction;
+  if (antenna)  // halfway to it at most
+    grid.plane_origin = grid.direction * std::max(-1.001 * mesh.radius, 0.5 * (depth.low - glm::length(*antenna)));
   grid.columns = cells_along(u.length(), per_wavelength / wavelength);
   grid.rows = cells_along(v.length(), per_wavelength / wavelength);
   if (grid.cells() == 0) grid.columns = grid.rows = 0;
@@ -59,6 +73,24 @@ LaunchGrid launch_grid(const TriangleMesh& mesh, const Direction& transmit, doub
   grid.du = grid.columns ? u.length() / grid.columns : 0.0;
   grid.dv = grid.rows ? v.length() / grid.rows : 0.0;
   return grid;
+}
+
+LaunchGrid grid_of_look(const TriangleMesh& mesh, const Look& look, double wavelength, double per_wavelength,
+                        const std::optional<dvec3>& up) {
+  if (look.far()) return launch_grid(mesh, look.transmit, wavelength, per_wavelength, up);
+  const dvec3 antenna = look.transmit_range * spherical_basis(look.transmit).radial - mesh.center;
+  return launch_grid(mesh, look.transmit, wavelength, per_wavelength, up, antenna);
+}
+
+bool stands_in_front(const TriangleMesh& mesh, const dvec3& antenna) {
+  const double range = glm::length(antenna);
+  if (!(range > 0.0)) return false;
+  const dvec3 direction = antenna / -range;
+  return std::ranges::all_of(mesh.vertices, [&](const dvec3& vertex) {
+    const double along = glm::dot(vertex, direction);
+    const double distance = range + along;
+    return distance > 0.05 * range && glm::length(vertex - along * direction) <= distance;
+  });
 }
 
 }  // namespace raytube

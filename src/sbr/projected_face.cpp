@@ -6,12 +6,6 @@
 
 namespace raytube {
 
-Affine depth_of(const Beam& beam, const Patch& plane) {
-  const double scale = 1.0 / glm::dot(plane.normal, beam.direction);
-  const dvec2 slope = -scale * dvec2(glm::dot(plane.normal, beam.u_hat), glm::dot(plane.normal, beam.v_hat));
-  return {(plane.offset - glm::dot(plane.normal, beam.base)) * scale - glm::dot(slope, beam.anchor), slope.x, slope.y};
-}
-
 FaceProjector::FaceProjector(const FaceTree& tree)
     : tree_(tree),
       // Projected coordinates and crossings carry a few roundings of numbers up to the radius, heights of one plane over
@@ -21,16 +15,16 @@ FaceProjector::FaceProjector(const FaceTree& tree)
 
 bool FaceProjector::faces_beam(const BeamView& view, std::uint32_t face) const {
   const Face& f = tree_.faces()[face];
-  const double facing = glm::dot(tree_.mesh().patches[f.patch].normal, view.beam.direction);
-  if (f.patch == view.source_patch || std::abs(facing) < edge_on) return false;
-  return facing < 0.0 || !tree_.mesh().closed(f.triangle);
+  const double side = facing(view.beam, tree_.mesh().patches[f.patch]);
+  if (f.patch == view.source_patch || std::abs(side) < edge_on) return false;
+  return side < 0.0 || !tree_.mesh().closed(f.triangle);
 }
 
 bool FaceProjector::project(const BeamView& view, std::uint32_t face, ProjectedFace& f) {
   if (!faces_beam(view, face)) return false;
   const Face& source = tree_.faces()[face];
   const Patch& plane = tree_.mesh().patches[source.patch];
-  f.tilt = std::abs(glm::dot(plane.normal, view.beam.direction));
+  f.tilt = std::abs(facing(view.beam, plane));
   f.face = face, f.patch = source.patch, f.triangle = source.triangle;
   if (!set_outline(view, f) || (view.region && !clip_to_region(*view.region, f.outline))) return false;
   f.depth = depth_of(view.beam, plane);
@@ -41,17 +35,34 @@ bool FaceProjector::project(const BeamView& view, std::uint32_t face, ProjectedF
   return !is_sliver(f.outline);
 }
 
+// A spherical wave meets nothing nearer than the surface it leaves: what lies behind its source is cut off in between.
+void FaceProjector::project_corners(const BeamView& view, std::uint32_t face) {
+  const Beam& beam = view.beam;
+  const std::span<const dvec3> vertices = tree_.mesh().vertices;
+  const auto corners = tree_.corners(face);
+  corners_.clear();
+  if (!beam.spherical()) {
+    for (const std::uint32_t corner : corners) corners_.push_back(launch_place(beam, vertices[corner]));
+    return;
+  }
+  const double nearest = view.source ? 0.5 * widening_at(beam, range(*view.region, view.source_depth).low) : 0.0;
+  dvec3 before = vertices[corners.back()];
+  double w_before = widening(beam, before) - nearest;
+  for (const std::uint32_t corner : corners) {
+    const dvec3& r = vertices[corner];
+    const double w = widening(beam, r) - nearest;
+    if ((w > 0.0) != (w_before > 0.0)) corners_.push_back(launch_place(beam, before + w_before / (w_before - w) * (r - before)));
+    if (w > 0.0) corners_.push_back(launch_place(beam, r));
+    before = r, w_before = w;
+  }
+}
+
 // False if the face lies beside the part of the view in question.
 bool FaceProjector::set_outline(const BeamView& view, ProjectedFace& f) {
-  const Beam& beam = view.beam;
-  corners_.clear();
-  Bounds box{dvec2(std::numeric_limits<double>::infinity()), dvec2(-std::numeric_limits<double>::infinity())};
-  for (const std::uint32_t corner : tree_.corners(f.face)) {
-    const dvec3 r = tree_.mesh().vertices[corner] - beam.base;
-    const dvec2 at = beam.anchor + dvec2(glm::dot(beam.u_hat, r), glm::dot(beam.v_hat, r));
-    corners_.push_back(at);
-    box = {glm::min(box.low, at), glm::max(box.high, at)};
-  }
+  project_corners(view, f.face);
+  if (corners_.size() < 3) return false;
+  Bounds box{corners_[0], corners_[0]};
+  for (const dvec2& at : corners_) box = {glm::min(box.low, at), glm::max(box.high, at)};
   if (!box.overlaps(view.box, length_rounding_)) return false;
   set_corners(f.outline, corners_);
   f.edges.clear();

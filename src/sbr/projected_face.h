@@ -2,8 +2,8 @@
 #pragma once
 
 #include "mesh/face_tree.h"
+#include "sbr/beam.h"
 #include "sbr/convex_polygon.h"
-#include "sbr/footprint.h"
 
 namespace raytube {
 
@@ -13,12 +13,12 @@ struct BeamView {
   std::uint32_t source_patch;   // the patch the beam leaves; no_index: none
   const Patch* source;          // its plane; null: none
   Affine source_depth;          // along the beam
-  double source_tilt;           // |normal . direction| of the source
+  double source_tilt;           // |facing| of the source
   const ConvexPolygon* region;  // the part of the beam in question; null: all of it
   Bounds box;                   // only what reaches into it is of interest
 };
 
-/// Seen closer to its own plane than this (|normal . direction|), a face has no area.
+/// Seen closer to its own plane than this (|facing|), a face has no area.
 inline constexpr double edge_on = 1e-12;
 
 struct ProjectedFace {
@@ -28,11 +28,8 @@ struct ProjectedFace {
   Bounds box;
   Affine depth;
   Range depths;
-  double tilt;  // |normal . direction|: turns a difference of depth into a height over the plane
+  double tilt;  // |facing|: turns a difference of depth into a height over the plane
 };
-
-/// Depth of a plane along the beam, counted from its base.
-Affine depth_of(const Beam& beam, const Patch& plane);
 
 /// Projects faces and compares them, all to within the rounding of the mesh's coordinates. Keeps buffers between calls.
 class FaceProjector {
@@ -58,6 +55,7 @@ class FaceProjector {
   double length_rounding() const { return length_rounding_; }
 
  private:
+  void project_corners(const BeamView& view, std::uint32_t face);
   bool set_outline(const BeamView& view, ProjectedFace& f);
   bool clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline);
   void clip_to_front(const BeamView& view, ProjectedFace& f);

@@ -2,18 +2,20 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "error.h"
 #include "sbr/footprint.h"
 #include "sbr/launch.h"
 #include "sbr/sbr.h"
+#include "sbr/spherical_look.h"
 
 namespace raytube {
 
 namespace {
 
 TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, double u, double v) {
-  const dvec2 to_mesh_origin{glm::dot(mesh_center, grid.u_hat), glm::dot(mesh_center, grid.v_hat)};
+  const dvec2 to_mesh_origin = -launch_place(incident_beam(grid, {}, dvec2(0.0)), -mesh_center);
   const dvec2 at = dvec2(u, v) - to_mesh_origin - dvec2(grid.u_begin, grid.v_begin);
   const dvec2 extent{grid.columns * grid.du, grid.rows * grid.dv};
   if (grid.cells() == 0) throw InputError("trace: the target has no projected area in this look; choose another --look");
@@ -31,33 +33,69 @@ TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, double u, 
   return trace;
 }
 
+// The wave of a tube from surface to surface.
+class ReplayedWave {
+ public:
+  ReplayedWave(const LaunchGrid& grid, const Look& look, const Radar& radar, const TriangleMesh& mesh, const dvec2& at)
+      : mesh_(mesh),
+        receive_(spherical_basis(look.receive)),
+        to_origin_(glm::dot(grid.direction, mesh.center)),
+        beam_(incident_beam(grid, spherical_basis(look.transmit), at)) {
+    if (look.far()) return;
+    antennas_.emplace(look, radar, mesh.center);
+    spherical_.emplace(*antennas_, beam_, std::span<const double>(&any_wavenumber, 1), 1.0);
+  }
+
+  bool from_behind(std::uint32_t patch) const { return facing(beam_, mesh_.patches[patch]) > 0.0; }
+
+  // What leaves the surface at a point.
+  TubeBounce reflect(std::uint32_t triangle, const dvec3& point) {
+    const std::uint32_t patch = mesh_.triangle_patch[triangle];
+    const Patch& plane = mesh_.patches[patch];
+    const dvec3 normal = from_behind(patch) ? -plane.normal : plane.normal;
+    if (!spherical_) {
+      const double path = beam_.path + glm::dot(beam_.direction, point) + to_origin_;
+      beam_ = footprint(beam_, plane, receive_).outgoing;
+      return {triangle, patch, point, normal, beam_.direction, path, beam_.field};
+    }
+    beam_ = reflected_spherical(beam_, plane);
+    const AntennaRay leaving = spherical_->wave(beam_, point);
+    return {triangle, patch, point, normal, leaving.direction, leaving.path, leaving.field};
+  }
+
+ private:
+  static constexpr double any_wavenumber = 1.0;
+
+  const TriangleMesh& mesh_;
+  SphericalBasis receive_;
+  double to_origin_;
+  Beam beam_;
+  std::optional<AntennaPair> antennas_;
+  std::optional<SphericalLook> spherical_;
+};
+
 }  // namespace
 
-TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u,
-                     double v) {
+TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u, double v,
+                     const Radar& radar) {
   const TriangleMesh& mesh = tracer.mesh();
-  const LaunchGrid grid = launch_grid(mesh, look.transmit, wavelength(frequency_hz), options.per_wavelength, options.up);
+  const LaunchGrid grid = grid_of_look(mesh, look, wavelength(frequency_hz), options.per_wavelength, options.up);
   TubeTrace trace = find_cell(grid, mesh.center, u, v);
-  const SphericalBasis receive = spherical_basis(look.receive);
-  Beam beam = incident_beam(grid, spherical_basis(look.transmit), {grid.u_center(trace.column), grid.v_center(trace.row)});
+  ReplayedWave wave(grid, look, radar, mesh, {grid.u_center(trace.column), grid.v_center(trace.row)});
   Ray ray = grid.ray(trace.column, trace.row);
+  trace.direction = ray.direction;
   while (true) {
     Hit hit;
     tracer.closest_hits({&ray, 1}, {&hit, 1});
     trace.end = "left the scene";
     if (!hit) return trace;
-    const std::uint32_t patch = mesh.triangle_patch[hit.triangle];
-    const bool from_behind = glm::dot(mesh.patches[patch].normal, ray.direction) > 0.0;
     trace.end = "lost: met a closed body from inside";
-    if (from_behind && mesh.closed(hit.triangle)) return trace;
+    if (wave.from_behind(mesh.triangle_patch[hit.triangle]) && mesh.closed(hit.triangle)) return trace;
     trace.end = "cut at tubes.max_bounces";
     if (static_cast<int>(trace.bounces.size()) == options.max_bounces) return trace;
-    const dvec3 point = ray.origin + hit.distance * ray.direction;
-    const double path = beam.path + glm::dot(beam.direction, point) + glm::dot(grid.direction, mesh.center);
-    beam = footprint(beam, mesh.patches[patch], receive).outgoing;
-    ray = {point, beam.direction, patch};
-    const dvec3 normal = from_behind ? -mesh.patches[patch].normal : mesh.patches[patch].normal;
-    trace.bounces.push_back({hit.triangle, patch, ray.origin, normal, beam.direction, path, beam.field});
+    const TubeBounce bounce = wave.reflect(hit.triangle, ray.origin + hit.distance * ray.direction);
+    ray = {bounce.point, bounce.direction_out, bounce.patch};
+    trace.bounces.push_back(bounce);
   }
 }
 

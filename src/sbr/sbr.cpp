@@ -60,8 +60,8 @@ TubeSums trace_uniform(const AdaptiveLook& look, Progress& progress, double shar
   const Tiling tiles(look.grid);
   const NotTraced not_traced{look.skip ? &look.tree : nullptr, look.known.no_reflection};
   tbb::enumerable_thread_specific<TileTracer> tile_tracers([&] {
-    return TileTracer(look.tracer, look.grid, look.transmit, look.receive, look.wavenumbers, look.max_bounces, look.smooth,
-                      not_traced);
+    return TileTracer(look.tracer, look.grid, look.transmit, look.receive, look.spherical, look.wavenumbers, look.max_bounces,
+                      look.smooth, not_traced);
   });
   const auto trace = [&](std::size_t i) { return tile_tracers.local().trace(tiles[i]); };
   return sum_tiles(tiles.count, trace, progress, share);
@@ -88,6 +88,18 @@ bool cells_are_cheaper(const AdaptiveLook& look) {
   return flat > faces_per_tile && 0.5 * per_face * static_cast<double>(flat) > static_cast<double>(look.grid.cells());
 }
 
+TubeSums light_curved_facets(const AdaptiveLook& look, std::uint32_t begin, std::uint32_t end) {
+  TubeSums sums;
+  std::vector<ScatteringMatrix>& currents = sums.at(0, look.wavenumbers.size());
+  for (std::uint32_t t = begin; t < end; ++t) {
+    if (look.smooth->region(t) == no_index) continue;
+    look.spherical->add(currents, look.smooth->facet(t));
+    ++sums.hits[0];
+  }
+  sums.tubes = sums.hits[0];
+  return sums;
+}
+
 TubeSums trace_faces_or_cells(const AdaptiveLook& look, Progress& progress, double share) {
   return cells_are_cheaper(look) ? trace_uniform(look, progress, share) : trace_flat(look, progress, share);
 }
@@ -96,6 +108,16 @@ TubeSums trace_curved(const AdaptiveLook& look, Progress& progress, double share
   const CurvedLook curved(look);
   return sum_tiles(
       CurvedLook::blocks, [&](std::size_t i) { return curved.trace(i); }, progress, share);
+}
+
+// Curved surfaces of a convex body as antennas at a finite distance see them: no tube, facet by facet.
+TubeSums trace_curved_near(const AdaptiveLook& look, Progress& progress, double share) {
+  const auto count = static_cast<std::uint32_t>(look.tracer.mesh().triangles.size());
+  const auto trace = [&](std::size_t i) {
+    const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
+    return light_curved_facets(look, begin, std::min(begin + faces_per_tile, count));
+  };
+  return sum_tiles((count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
 }
 
 TubeSums trace_curved_bounces(const AdaptiveLook& look, Progress& progress, double share) {
@@ -136,7 +158,8 @@ TubeSums total(const std::vector<Part>& parts) {
 class LookTracer {
  public:
   LookTracer(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
-             const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress)
+             const Look& look, const Radar& radar, std::span<const double> frequencies, const TubeOptions& options,
+             Progress& progress)
       : tracer_(tracer),
         faces_(faces),
         smooth_(smooth),
@@ -149,6 +172,7 @@ class LookTracer {
         options_(options),
         progress_(progress) {
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
+    if (!look.far()) antennas_.emplace(look, radar, tracer.mesh().center);
   }
 
   TubeSums once(double share) const {
@@ -161,7 +185,7 @@ class LookTracer {
   TubeSums refined(double share) const {
     const double density = std::min(first_per_wavelength, options_.per_wavelength);
     std::vector<Part> parts{{trace_faces_or_cells, density}};
-    if (smooth_) parts.push_back({trace_curved, density});
+    if (smooth_) parts.push_back({look_.far() ? trace_curved : trace_curved_near, density});
     if (smooth_ && !known_.no_reflection) parts.push_back({trace_curved_bounces, density});
     for (Part& part : parts) retrace(part, share / static_cast<double>(parts.size()));
     TubeSums sums = total(parts);
@@ -185,10 +209,22 @@ class LookTracer {
   }
 
   void retrace(Part& part, double share) const {
-    const LaunchGrid grid = launch_grid(tracer_.mesh(), look_.transmit, wavelength_, part.per_wavelength, options_.up);
-    const AdaptiveLook view{tracer_,       faces_,     grid,    transmit_,     receive_,
-                            wavenumbers_,  tolerance_, smooth_, options_.clip, options_.max_bounces,
-                            options_.skip, known_};
+    const LaunchGrid grid = grid_of_look(tracer_.mesh(), look_, wavelength_, part.per_wavelength, options_.up);
+    std::optional<SphericalLook> spherical;
+    if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
+    const AdaptiveLook view{tracer_,
+                            faces_,
+                            grid,
+                            transmit_,
+                            receive_,
+                            spherical ? &*spherical : nullptr,
+                            wavenumbers_,
+                            tolerance_,
+                            smooth_,
+                            options_.clip,
+                            options_.max_bounces,
+                            options_.skip,
+                            known_};
     const std::uint64_t rays_before = part.sums.rays;
     part.sums = {};
     if (grid.cells() > 0)
@@ -209,14 +245,15 @@ class LookTracer {
   const TubeOptions& options_;
   Progress& progress_;
   std::vector<double> wavenumbers_;
+  std::optional<AntennaPair> antennas_;
 };
 
 }  // namespace
 
 TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
                         const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
-                        double share) {
-  const LookTracer tubes(tracer, faces, smooth, convexity, look, frequencies, options, progress);
+                        double share, const Radar& radar) {
+  const LookTracer tubes(tracer, faces, smooth, convexity, look, radar, frequencies, options, progress);
   return options.mode == TubeMode::adaptive && options.clip ? tubes.refined(share) : tubes.once(share);
 }
 

@@ -43,31 +43,34 @@ struct TubeOptions {
 };
 
 /// Traces the tubes of a look once and integrates the PO current of every bounce, radiating unblocked, for all frequencies [Hz]
-/// and both transmit polarisations. Phase reference: the centre of the mesh. The result does not depend on the number of
-/// threads. Reports its finished tiles as shares of `share` to `progress`. `faces`, `tracer`, `smooth` and `convexity`
-/// are of the same mesh; without `smooth` every facet is flat.
+/// and both transmit polarisations. Phase reference: the centre of the mesh, of looks from a finite distance the origin of its
+/// own coordinates. The result does not depend on the number of threads. Reports its finished tiles as shares of `share` to
+/// `progress`. `faces`, `tracer`, `smooth` and `convexity` are of the same mesh; without `smooth`
+/// every facet is flat; with it, and antennas at a finite distance, nothing of the target may reflect onto the rest.
 TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
                         const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
-                        double share);
+                        double share, const Radar& radar = {});
 
 /// One reflection of a replayed tube, in recentred coordinates.
 struct TubeBounce {
   std::uint32_t triangle, patch;
   dvec3 point, normal;  // normal on the side the tube comes from
   dvec3 direction_out;
-  double path;                 // [m] phase path from the wavefront through the origin of the mesh's coordinates
+  double path;                 // [m] phase path, less that of the wave at the origin of the mesh's coordinates
   std::array<dvec3, 2> field;  // reflected field of unit incident V and H
 };
 
 struct TubeTrace {
   std::uint32_t column, row;  // the tube's cell in the launch grid
   dvec2 center;               // (u, v) of the cell's middle on the launch axes, origin = mesh origin [m]
+  dvec3 direction;            // as launched
   std::vector<TubeBounce> bounces;
   std::string end;  // why the tube ended
 };
 
 /// Replays the tube whose cell holds (u, v), launch coordinates in metres with the mesh's own origin. Throws InputError
-/// outside the launch rectangle.
-TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u, double v);
+/// outside the launch rectangle. At a finite distance the axes are drawn at that of the middle of the mesh.
+TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u, double v,
+                     const Radar& radar = {});
 
 }  // namespace raytube

@@ -27,13 +27,14 @@ struct NotTraced {
 class TileTracer {
  public:
   TileTracer(const Tracer& tracer, const LaunchGrid& grid, const SphericalBasis& transmit, const SphericalBasis& receive,
-             std::span<const double> wavenumbers, int max_bounces, const SmoothSurfaces* smooth, const NotTraced& not_traced)
+             const SphericalLook* spherical, std::span<const double> wavenumbers, int max_bounces, const SmoothSurfaces* smooth,
+             const NotTraced& not_traced)
       : grid_(grid),
         transmit_(transmit),
         max_bounces_(max_bounces),
         not_traced_(not_traced),
         beams_(tracer.mesh(), receive, incident_beam(grid, transmit, dvec2(0.0))),
-        tubes_(tracer, grid, wavenumbers, beams_, sums_) {
+        tubes_(tracer, grid, spherical, wavenumbers, beams_, sums_) {
     tubes_.leave_out(smooth);
   }
   TileTracer(const TileTracer&) = delete;

@@ -15,10 +15,6 @@ constexpr double scattered = 2.0;
 constexpr std::size_t many = 48;
 constexpr int patience = 1;
 
-Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, double farthest) {
-  return {beam.base, beam.u_hat, beam.v_hat, beam.direction, box.low - beam.anchor, box.high - beam.anchor, farthest, source};
-}
-
 // All that an incident wave lights.
 BeamView view_of(const Beam& incident) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -62,15 +58,15 @@ void VisibleSurfaces::drop_hidden(const BeamView& view) {
   waiting_.resize(kept);
 }
 
-Ray VisibleSurfaces::middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region) {
-  const dvec2 step = middle(region) - beam.anchor;
-  return {beam.base + step.x * beam.along_u + step.y * beam.along_v, beam.direction, source_patch};
+Ray VisibleSurfaces::middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region) const {
+  const Patch* source = source_patch == no_index ? nullptr : &tree_.mesh().patches[source_patch];
+  return tube_ray(beam, middle(region), source, source_patch);
 }
 
 void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region,
                                    const Hit& in_middle, std::vector<VisiblePart>& parts) {
   const Patch& source = tree_.mesh().patches[source_patch];
-  const double tilt = std::abs(glm::dot(source.normal, beam.direction));
+  const double tilt = std::abs(facing(beam, source));
   const BeamView view{beam, source_patch, &source, depth_of(beam, source), tilt, &region, bounds(region)};
   double farthest = std::numeric_limits<double>::infinity();
   if (in_middle && projector_.project(view, tree_.face_of(in_middle.triangle), first_) && projector_.fills(first_, region))
@@ -83,7 +79,7 @@ void VisibleSurfaces::within(const Beam& incident, const ConvexPolygon& region, 
 }
 
 void VisibleSurfaces::meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts) {
-  tree_.collect(prism_of(view.beam, view.source, view.box, farthest), found_);
+  tree_.collect(prism_of(view.beam, view.source, view.box, farthest, tree_.mesh().radius), found_);
   if (found_.empty()) return;
   gather_nearest_first(view, farthest);
   if (in_view_.count <= few) return uncover(in_view_, in_view_, parts);
@@ -132,7 +128,7 @@ void VisibleSurfaces::see(const BeamView& view, std::span<const ProjectedFace* c
     see(view, faces.first(faces.size() / 2), parts);
     return see(view, faces.subspan(faces.size() / 2), parts);
   }
-  tree_.collect(prism_of(view.beam, view.source, box, farthest + depth_margin_), found_in_front_);
+  tree_.collect(prism_of(view.beam, view.source, box, farthest + depth_margin_, tree_.mesh().radius), found_in_front_);
   BeamView narrowed = view;
   narrowed.box = box;
   gather(narrowed, found_in_front_, in_front_);

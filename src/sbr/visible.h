@@ -35,7 +35,7 @@ class VisibleSurfaces {
   /// Appends what an incident wave sees within `region`.
   void within(const Beam& incident, const ConvexPolygon& region, std::vector<VisiblePart>& parts);
 
-  static Ray middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region);
+  Ray middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region) const;
 
   /// Area of pieces too thin to be more than rounding, left out so far [m^2].
   double sliver_area() const { return sliver_area_; }

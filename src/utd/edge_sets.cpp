@@ -11,7 +11,10 @@ namespace {
 
 EdgeLookResult edges_of_look(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
                              std::span<const double> frequencies, int order, bool receiver_shadow, TransitionTier tier,
-                             bool mirror_at_folds) {
+                             bool mirror_at_folds, const Radar& radar, const dvec3& center) {
+  if (!look.far())
+    return fringe_scattering_near(wedges, outlines, tracer, AntennaPair(look, radar, center), frequencies, order, receiver_shadow,
+                                  tier);
   if (order == 1) return fringe_scattering(wedges, tracer, look, frequencies, receiver_shadow);
   return fringe_scattering(wedges, outlines, tracer, look, frequencies, order, receiver_shadow, tier, mirror_at_folds);
 }
@@ -43,11 +46,11 @@ bool EdgeSets::radiate() const {
   return std::ranges::any_of(sets_, [&](const Set& set) { return std::ranges::any_of(set.wedges, one_does); });
 }
 
-EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow,
-                                    TransitionTier tier) const {
+EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier,
+                                    const Radar& radar) const {
   const auto part = [&](const Set& set) {
     return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier,
-                         !set.between.empty());
+                         !set.between.empty(), radar, tracer.mesh().center);
   };
   if (sets_.size() == 1) return part(sets_.front());
   EdgeLookResult all;

@@ -21,7 +21,8 @@ class EdgeSets {
   bool radiate() const;
 
   /// One look at all frequencies, in their order; the lit wedges are counted at the highest.
-  EdgeLookResult scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier) const;
+  EdgeLookResult scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier,
+                            const Radar& radar) const;
 
   /// Finds the edges that may light other surfaces than their own, at the frequencies that are not `crowded`.
   void prepare_between(const TriangleMesh& mesh, const std::vector<bool>& crowded);

@@ -132,6 +132,41 @@ struct Meeting {
   bool rim_only;
 };
 
+/// First order, one look: every face as endless.
+class FirstPass {
+ public:
+  FirstPass(const LookVectors& look, std::span<const double> frequencies)
+      : incident_(look.incident), endless_(look, frequencies), thickness_(look, frequencies) {}
+
+  /// None if the edge adds nothing.
+  std::optional<Meeting> meeting(const Wedge& wedge) const {
+    if (!wedge.radiates() || wedge.enclosed) return std::nullopt;
+    const Meeting result(wedge, incident_);
+    return result.incidence.weight > 0.0 ? std::optional(result) : std::nullopt;
+  }
+
+  void add(const Wedge& wedge, const Meeting& meeting, std::span<const LitInterval> lit) {
+    lit_ = true;
+    thickness_.add_rim(wedge, meeting.incidence, lit);
+    if (meeting.rim_only) return;
+    thickness_.add_sides(wedge, meeting.incidence, lit);
+    endless_.add(wedge, meeting.incidence, lit);
+  }
+
+  EdgeLookResult take() {
+    EdgeLookResult result = endless_.take();
+    result.lit = lit_;
+    thickness_.add_to(result.scattering);
+    return result;
+  }
+
+ private:
+  dvec3 incident_;
+  bool lit_ = false;
+  EndlessPass endless_;
+  ThicknessPass thickness_;
+};
+
 /// Order 2 or more, one look: strips of edge after edge.
 class StripPass {
  public:
@@ -144,18 +179,18 @@ class StripPass {
 
   /// None if the edge adds nothing. One that is only grazed, over one face, takes its light from the edge at the other end of
   /// that face.
-  std::optional<Meeting> meeting(std::uint32_t index) const {
-    if (!wedges_[index].radiates() || wedges_[index].enclosed) return std::nullopt;
-    const Meeting result(wedges_[index], incident_);
+  std::optional<Meeting> meeting(const Wedge& wedge) const {
+    if (!wedge.radiates() || wedge.enclosed) return std::nullopt;
+    const Meeting result(wedge, incident_);
     return result.incidence.weight == 1.0 ? std::optional(result) : std::nullopt;
   }
 
-  void add(std::uint32_t index, const Meeting& meeting, std::span<const LitInterval> lit) {
+  void add(const Wedge& wedge, const Meeting& meeting, std::span<const LitInterval> lit) {
     result_.lit = true;
-    thickness_.add_rim(wedges_[index], meeting.incidence, lit);
+    thickness_.add_rim(wedge, meeting.incidence, lit);
     if (meeting.rim_only) return;
     ++result_.wedges_lit;
-    walk_.add(index, meeting.incidence, lit);
+    walk_.add(static_cast<std::uint32_t>(&wedge - wedges_.data()), meeting.incidence, lit);
   }
 
   EdgeLookResult take() {
@@ -196,30 +231,151 @@ void add_weighted(EdgeLookResult& sum, const EdgeLookResult& part, double path, 
   sum.wedges_lit += part.wedges_lit;
 }
 
+template <class Pass>
+EdgeLookResult edges_of(std::span<const Wedge> wedges, LitEdges& edges, Pass pass) {
+  for (std::uint32_t index = 0; index < wedges.size(); ++index)
+    if (const auto meeting = pass.meeting(wedges[index]); meeting && edges.find(index, meeting->incidence))
+      pass.add(wedges[index], *meeting, edges.lit());
+  return pass.take();
+}
+
+/// A piece of an edge [begin, end] in the waves of two antennas, both plane along it.
+struct NearPiece {
+  double begin, end;  // fractions of the edge
+  LookVectors look;   // fields with their amplitudes
+  double path;        // added to the phase that the plane waves of `look` have [m]
+};
+
+/// Both ways from antenna to antenna over a point, less the ranges.
+double path_over(const AntennaPair& antennas, const dvec3& point) {
+  return antennas.transmit.ray_to(point).path + antennas.receive.ray_to(point).path;
+}
+
+/// A phase over the target that is not told from none [rad].
+constexpr double least_phase = 0.01;
+
+/// The waves of antennas where they meet an edge. What edges send on is not continuous where it runs exactly along another one:
+/// rays that a whole target sees as parallel are taken so, that the limit of a long range is the far field.
+class NearLook {
+ public:
+  NearLook(const AntennaPair& antennas, double wavenumber, double radius)
+      : antennas_(antennas),
+        parallel_in_(is_parallel(antennas.transmit, wavenumber, radius)),
+        parallel_out_(is_parallel(antennas.receive, wavenumber, radius)) {}
+
+  LookVectors at(const dvec3& point) const {
+    const AntennaRay in = antennas_.transmit.ray_to(point), out = antennas_.receive.ray_to(point);
+    LookVectors look{in.direction, -out.direction, in.field, {}, out.field};
+    if (parallel_in_) look.incident = -antennas_.transmit.radial();
+    if (parallel_out_) look.scattered = antennas_.receive.radial();
+    for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(look.incident, in.field[q]);
+    return look;
+  }
+
+ private:
+  static bool is_parallel(const Antenna& antenna, double wavenumber, double radius) {
+    return wavenumber * radius * radius < least_phase * antenna.range();
+  }
+
+  const AntennaPair& antennas_;
+  bool parallel_in_, parallel_out_;
+};
+
+/// What is left of phase off the linear one at the ends of a piece [rad], and the turn of the directions along it [rad].
+constexpr double most_bend = 0.1, most_turn = 0.02;
+
+/// Halves an edge until its pieces are short enough.
+void cut(const Wedge& wedge, const AntennaPair& antennas, const NearLook& near, double wavenumber, double begin, double end,
+         std::vector<NearPiece>& pieces) {
+  const auto point = [&](double fraction) { return glm::mix(wedge.start, wedge.end, fraction); };
+  const double middle = 0.5 * (begin + end);
+  const dvec3 at = point(middle);
+  const double path = path_over(antennas, at),
+               bend = 0.5 * (path_over(antennas, point(begin)) + path_over(antennas, point(end))) - path;
+  const double half = 0.5 * (end - begin) * wedge.length();
+  const double nearest =
+      std::min(glm::distance(antennas.transmit.position(), at), glm::distance(antennas.receive.position(), at));
+  if (wavenumber * std::abs(bend) > most_bend || half > most_turn * nearest) {
+    cut(wedge, antennas, near, wavenumber, begin, middle, pieces);
+    return cut(wedge, antennas, near, wavenumber, middle, end, pieces);
+  }
+  const LookVectors look = near.at(at);
+  // The mean of a phase that bends as a parabola is a third of what its ends have.
+  pieces.push_back({begin, end, look, path + bend / 3.0 + glm::dot(look.scattered - look.incident, at)});
+}
+
+/// One look from a finite distance: adds edge after edge, piece after piece.
+class NearSum {
+ public:
+  NearSum(const AntennaPair& antennas, std::span<const double> frequencies, double radius, bool higher)
+      : antennas_(antennas),
+        frequencies_(frequencies),
+        highest_(wavenumber(std::ranges::max(frequencies))),
+        near_(antennas, highest_, radius) {
+    sum_.scattering.resize(frequencies.size());
+    if (higher) sum_.higher.resize(frequencies.size());
+    sum_.windowed.resize(frequencies.size());
+  }
+
+  template <class PassOf>
+  void add(std::span<const Wedge> wedges, std::uint32_t index, LitEdges& edges, PassOf pass_of) {
+    const Wedge& wedge = wedges[index];
+    if (!wedge.radiates() || wedge.enclosed) return;
+    pieces_.clear();
+    cut(wedge, antennas_, near_, highest_, 0.0, 1.0, pieces_);
+    bool searched = false, lit = false;
+    for (const NearPiece& piece : pieces_) {
+      auto pass = pass_of(piece.look);
+      const auto meeting = pass.meeting(wedge);
+      if (!meeting) continue;
+      if (!searched && !edges.find(index, meeting->incidence)) break;
+      searched = true;
+      if (!clip_to(piece, edges.lit())) continue;
+      pass.add(wedge, *meeting, inside_);
+      add(pass.take(), piece.path);
+      lit = true;
+    }
+    if (lit) ++sum_.wedges_lit, sum_.lit = true;
+  }
+
+  EdgeLookResult take() { return std::move(sum_); }
+
+ private:
+  bool clip_to(const NearPiece& piece, std::span<const LitInterval> lit) {
+    inside_.clear();
+    for (const LitInterval& part : lit) {
+      const double begin = std::max(part.begin, piece.begin), end = std::min(part.end, piece.end);
+      if (begin < end) inside_.push_back({begin, end});
+    }
+    return !inside_.empty();
+  }
+
+  void add(const EdgeLookResult& part, double path) {
+    for (std::size_t i = 0; i < frequencies_.size(); ++i) {
+      const Complex factor = std::polar(1.0, -wavenumber(frequencies_[i]) * path);
+      add_product(sum_.scattering[i], part.scattering[i], factor);
+      if (!part.higher.empty()) add_product(sum_.higher[i], part.higher[i], factor);
+      if (part.windowed[i]) sum_.windowed[i] = true;
+    }
+  }
+
+  const AntennaPair& antennas_;
+  std::span<const double> frequencies_;
+  double highest_;
+  NearLook near_;
+  std::vector<NearPiece> pieces_;
+  std::vector<LitInterval> inside_;
+  EdgeLookResult sum_;
+};
+
 }  // namespace
 
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Tracer& tracer, const Look& look,
                                  std::span<const double> frequencies, bool receiver_shadow) {
   assert(!frequencies.empty());
   const LookVectors vectors = look_vectors(look);
-  EndlessPass pass(vectors, frequencies);
-  ThicknessPass thickness(vectors, frequencies);
   LitEdges edges(wedges, tracer, vectors, shortest_wavelength(frequencies), receiver_shadow);
-  bool lit = false;
-  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
-    if (!wedges[index].radiates() || wedges[index].enclosed) continue;
-    const auto [incidence, rim_only] = Meeting(wedges[index], vectors.incident);
-    if (incidence.weight == 0.0 || !edges.find(index, incidence)) continue;
-    lit = true;
-    thickness.add_rim(wedges[index], incidence, edges.lit());
-    if (rim_only) continue;
-    thickness.add_sides(wedges[index], incidence, edges.lit());
-    pass.add(wedges[index], incidence, edges.lit());
-  }
-  EdgeLookResult result = pass.take();
-  result.lit = lit;
-  thickness.add_to(result.scattering);
-  return result;
+  return edges_of(wedges, edges, FirstPass(vectors, frequencies));
 }
 
 EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
@@ -228,11 +384,25 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& 
   assert(!frequencies.empty() && order > 1);
   const LookVectors vectors = look_vectors(look);
   LitEdges edges(wedges, tracer, vectors, shortest_wavelength(frequencies), receiver_shadow);
-  StripPass pass(wedges, outlines, vectors, frequencies, order, tier, mirror_at_folds);
-  for (std::uint32_t index = 0; index < wedges.size(); ++index)
-    if (const auto meeting = pass.meeting(index); meeting && edges.find(index, meeting->incidence))
-      pass.add(index, *meeting, edges.lit());
-  return pass.take();
+  return edges_of(wedges, edges, StripPass(wedges, outlines, vectors, frequencies, order, tier, mirror_at_folds));
+}
+
+EdgeLookResult fringe_scattering_near(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
+                                      const AntennaPair& antennas, std::span<const double> frequencies, int order,
+                                      bool receiver_shadow, TransitionTier tier) {
+  assert(!frequencies.empty() && order >= 1);
+  std::optional<Viewpoint> receiver;
+  if (receiver_shadow) receiver = Viewpoint::at(antennas.receive.position());
+  LitEdges edges(wedges, tracer, Viewpoint::at(antennas.transmit.position()), receiver, shortest_wavelength(frequencies));
+  NearSum sum(antennas, frequencies, tracer.mesh().radius, order > 1);
+  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
+    if (order == 1)
+      sum.add(wedges, index, edges, [&](const LookVectors& look) { return FirstPass(look, frequencies); });
+    else
+      sum.add(wedges, index, edges,
+              [&](const LookVectors& look) { return StripPass(wedges, outlines, look, frequencies, order, tier, false); });
+  }
+  return sum.take();
 }
 
 EdgeLookResult reflected_fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines,
@@ -247,8 +417,8 @@ EdgeLookResult reflected_fringe_scattering(std::span<const Wedge> wedges, const 
     for (const double weight : weights_of(look)) {
       StripPass pass(wedges, outlines, look.look, frequencies, order, tier, mirror_at_folds);
       for (const LitPieces& pieces : look.pieces)
-        if (const auto meeting = pass.meeting(pieces.wedge); meeting && pieces.weight == weight && !pieces.lit.empty())
-          pass.add(pieces.wedge, *meeting, pieces.lit);
+        if (const auto meeting = pass.meeting(wedges[pieces.wedge]); meeting && pieces.weight == weight && !pieces.lit.empty())
+          pass.add(wedges[pieces.wedge], *meeting, pieces.lit);
       add_weighted(result, pass.take(), look.path, weight, frequencies);
     }
   return result;

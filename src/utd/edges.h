@@ -37,6 +37,14 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& 
                                  std::span<const double> frequencies, int order, bool receiver_shadow = false,
                                  TransitionTier tier = TransitionTier::exact, bool mirror_at_folds = false);
 
+/// The same from antennas at a finite distance. Each edge is taken in pieces so short that the waves of both antennas are plane
+/// along them; each has its own directions, fields and path, and at order 2 or more its current follows its face as a plane wave
+/// would, so that what it starts at an edge x away is late by up to k x^2 / (2 range). Phase reference: the antennas'. `outlines`
+/// is not used at order 1.
+EdgeLookResult fringe_scattering_near(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
+                                      const AntennaPair& antennas, std::span<const double> frequencies, int order,
+                                      bool receiver_shadow = false, TransitionTier tier = TransitionTier::exact);
+
 /// Parts of one edge in a wave that has been reflected before.
 struct LitPieces {
   std::uint32_t wedge;

@@ -11,6 +11,12 @@ LitEdges::LitEdges(std::span<const Wedge> wedges, const Tracer& tracer, const Lo
   if (receiver_shadow && look.scattered != -look.incident) receiver_.emplace(wedges, tracer, look.scattered, wavelength);
 }
 
+LitEdges::LitEdges(std::span<const Wedge> wedges, const Tracer& tracer, const Viewpoint& transmitter,
+                   const std::optional<Viewpoint>& receiver, double wavelength)
+    : transmitter_(wedges, tracer, transmitter, wavelength) {
+  if (receiver) receiver_.emplace(wedges, tracer, *receiver, wavelength);
+}
+
 bool LitEdges::find(std::uint32_t index, const WedgeIncidence& incidence) {
   transmitter_.find(index, incidence.free_side, lit_);
   if (receiver_ && !lit_.empty()) {

@@ -11,6 +11,8 @@ namespace raytube {
 class LitEdges {
  public:
   LitEdges(std::span<const Wedge> wedges, const Tracer& tracer, const LookVectors& look, double wavelength, bool receiver_shadow);
+  LitEdges(std::span<const Wedge> wedges, const Tracer& tracer, const Viewpoint& transmitter,
+           const std::optional<Viewpoint>& receiver, double wavelength);
 
   /// Looks for the lit parts of a wedge; false if there are none.
   bool find(std::uint32_t index, const WedgeIncidence& incidence);

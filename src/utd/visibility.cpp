@@ -23,15 +23,25 @@ constexpr double lift = 1e-6;
 struct EdgeProbe {
   const Wedge& wedge;
   const Tracer& tracer;
-  dvec3 direction;
+  Viewpoint view;
   dvec3 offset;
   std::span<const double> crossed;
   IgnoredPatches own_patches{wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim};
 
   dvec3 point(double fraction) const { return glm::mix(wedge.start, wedge.end, fraction) + offset; }
 
+  Ray ray(double fraction) const { return {point(fraction), view.from(point(fraction))}; }
+
   /// A triangle in the way of this point, or no_index.
-  std::uint32_t blocker(double fraction) const { return tracer.blocker(point(fraction), direction, own_patches); }
+  std::uint32_t blocker(double fraction) const {
+    const Ray out = ray(fraction);
+    return tracer.blocker(out.origin, out.direction, own_patches);
+  }
+  /// The same for a triangle and its neighbours alone, in double precision.
+  bool meets(double fraction, std::uint32_t triangle) const {
+    const Ray out = ray(fraction);
+    return tracer.meets_around(out.origin, out.direction, triangle, own_patches);
+  }
 
   /// Whether `place` is where a shadow on the dark end's side stops: half-way to the ends or a hair from it rays tell, just
   /// beside it the double-precision decision about the blocker they found.
@@ -41,7 +51,7 @@ struct EdgeProbe {
     const double to_dark = std::min(single_blocker, std::abs(place - dark_end) / 2);
     if (std::min(to_lit, to_dark) <= clip_tolerance || blocker(place - side * to_lit) != no_index) return false;
     const std::uint32_t other = blocker(place + side * to_dark);
-    const auto is_dark = [&](double at) { return tracer.meets_around(point(at), direction, other, own_patches); };
+    const auto is_dark = [&](double at) { return meets(at, other); };
     return other != no_index && is_dark(place + side * clip_tolerance) && !is_dark(place - side * clip_tolerance);
   }
 
@@ -50,7 +60,7 @@ struct EdgeProbe {
   double search(double lit_end, double dark_end, std::uint32_t blocker_there) const {
     while (std::abs(dark_end - lit_end) > clip_tolerance) {
       const double middle = (lit_end + dark_end) / 2;
-      bool dark = tracer.meets_around(point(middle), direction, blocker_there, own_patches);
+      bool dark = meets(middle, blocker_there);
       if (!dark && std::abs(dark_end - lit_end) > single_blocker) {
         const std::uint32_t other = blocker(middle);
         dark = other != no_index;
@@ -112,17 +122,19 @@ void scan(const EdgeProbe& probe, std::span<const double> points, std::span<cons
 
 }  // namespace
 
-Visibility::Visibility(std::span<const Wedge> wedges, const Tracer& tracer, const dvec3& direction, double wavelength)
-    : wedges_(wedges), tracer_(tracer), direction_(direction), wavelength_(wavelength), crossings_(wedges, direction) {}
+Visibility::Visibility(std::span<const Wedge> wedges, const Tracer& tracer, const Viewpoint& view, double wavelength)
+    : wedges_(wedges), tracer_(tracer), view_(view), wavelength_(wavelength) {
+  if (view.far()) crossings_.emplace(wedges, view.from(dvec3(0.0)));
+}
 
 void Visibility::find(std::uint32_t index, const dvec3& away, std::vector<LitInterval>& lit) {
   lit.clear();
-  crossings_.find(index, crossed_);
+  if (crossings_) crossings_->find(index, crossed_);
   choose_points(point_count(wedges_[index].length(), wavelength_), crossed_, points_);
-  const dvec3 near_side = to_near_side(wedges_[index], away == dvec3(0.0) ? direction_ : away);
-  const EdgeProbe probe{wedges_[index], tracer_, direction_, away * (lift * tracer_.mesh().radius) + near_side, crossed_};
+  const dvec3 near_side = to_near_side(wedges_[index], away == dvec3(0.0) ? view_.from(wedges_[index].start) : away);
+  const EdgeProbe probe{wedges_[index], tracer_, view_, away * (lift * tracer_.mesh().radius) + near_side, crossed_};
   rays_.clear();
-  for (const double point : points_) rays_.push_back({probe.point(point), direction_});
+  for (const double point : points_) rays_.push_back(probe.ray(point));
   blockers_.resize(points_.size());
   tracer_.blockers(rays_, probe.own_patches, blockers_);
   scan(probe, points_, blockers_, lit);

@@ -60,7 +60,6 @@ const Bad bad_values[] = {
     {"output.image_look=0", "not in this version"},
 
     {"accuracy.tolerance_db=-1", "accuracy.tolerance_db"},
-    {"radar.range_m=3", "\"radar\" is not in this version"},
     {"materials.glass=3", "\"materials\" is not in this version"},
     {"edges.methd=none", "did you mean \"edges.method\""},
     {"mesh=m.stl", "did you mean \"target.mesh\""},
@@ -84,6 +83,24 @@ TEST(CaseErrors, RangeOfRaysIsPositive) {
   for (const char* range : {"0", "-3", "nan"})
     EXPECT_THAT(complaint(smallest, {"edges.method=utd", std::string("edges.utd_range_m=") + range}),
                 HasSubstr("edges.utd_range_m must be"));
+}
+
+TEST(CaseErrors, Antennas) {
+  const auto of = [](const std::string& keys) { return complaint(smallest + "[radar]\n" + keys); };
+  EXPECT_THAT(of("range_m = 0"), HasSubstr("line 10: radar.range_m must be"));
+  EXPECT_THAT(of("aim_m = [0, 0, 1]"), HasSubstr("radar.range_m is missing; give the distance from the mesh's origin in metres"));
+  EXPECT_THAT(of("range_m = 3\nreceive_range_m = 2"),
+              HasSubstr("radar.receive_range_m needs a receiver of its own; add [receive]"));
+  EXPECT_THAT(of("range_m = 3\nreceive_position_m = [1, 0, 0]"), HasSubstr("receive_position_m needs radar.position_m"));
+  EXPECT_THAT(of("position_m = [1, 0, 0]"), HasSubstr("[look] cannot go with radar.position_m"));
+  EXPECT_THAT(of("range_m = 3\nbeamwidth_deg = 0"), HasSubstr("radar.beamwidth_deg must be"));
+  EXPECT_THAT(of("range_m = 3\nbeamwidth_deg = [1, 2, 3]"), HasSubstr("must be one angle, or [azimuth, elevation]"));
+  EXPECT_THAT(of("range_m = 3\nbeamwidth_deg = 200"), HasSubstr("radar.beamwidth_deg must be at most 180 (found 200)"));
+  EXPECT_THAT(of("range_m = 3\npattern_csv = \"none.csv\""), HasSubstr("radar.pattern_csv must name a readable CSV file"));
+  EXPECT_THAT(of("range_m = 3\naim_m = [1, 2]"), HasSubstr("radar.aim_m must be a list of three numbers"));
+  EXPECT_THAT(of("range_m = 3\n[tubes]\nclip = false"), HasSubstr("remove tubes.clip = false"));
+  EXPECT_THAT(of("range_m = 3\n[edges]\nmethod = \"utd\""), HasSubstr("give edges.utd_range_m instead"));
+  EXPECT_THAT(complaint(target + frequency + "[radar]\nposition_m = [0, 0, 0]"), HasSubstr("must not be the origin"));
 }
 
 TEST(CaseErrors, NamesFileAndLine) {

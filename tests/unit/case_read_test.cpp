@@ -63,6 +63,29 @@ TEST(CaseRead, RaysAndTheirRangeAndTheirEcho) {
   EXPECT_EQ(read_text(smallest, {"edges.method=utd"}).edges.utd_range, 0.0);  // follows from the mesh
 }
 
+TEST(CaseRead, AntennasOnACircleAndTheirEcho) {
+  const Case c = read_text(smallest, {"radar.range_m=2.5", "radar.beamwidth_deg=[10, 20]", "radar.aim_m=[0, 0, 0.1]"});
+  EXPECT_FALSE(c.sweep.looks[0].far());
+  EXPECT_EQ(c.sweep.looks[0].transmit_range, 2.5);
+  EXPECT_EQ(c.sweep.looks[0].receive_range, 2.5);
+  EXPECT_EQ(c.sweep.radar.aim, dvec3(0, 0, 0.1));
+  EXPECT_EQ(c.sweep.radar.pattern.azimuth_beamwidth, 10 * degree);
+  EXPECT_EQ(c.sweep.radar.pattern.elevation_beamwidth, 20 * degree);
+  EXPECT_THAT(resolved_case_json(c), ::testing::HasSubstr("\"range_m\": 2.5"));
+  EXPECT_THAT(resolved_case_json(read_text(smallest)), ::testing::Not(::testing::HasSubstr("radar")));
+}
+
+TEST(CaseRead, AntennasAtPlacesStandInPlaceOfLooks) {
+  const Case c = read_text(target + frequency + "[radar]\nposition_m = [[0, 0, 2], [3, 0, 0]]\nreceive_position_m = [0, 4, 0]\n");
+  ASSERT_EQ(c.sweep.looks.size(), 2u);
+  EXPECT_TRUE(c.sweep.bistatic);
+  EXPECT_EQ(c.sweep.looks[0].transmit, (Direction{0.0, 0.0}));
+  EXPECT_EQ(c.sweep.looks[0].transmit_range, 2.0);
+  EXPECT_NEAR(c.sweep.looks[1].transmit.theta, pi / 2, 1e-15);
+  EXPECT_NEAR(c.sweep.looks[1].receive.phi, pi / 2, 1e-15);
+  EXPECT_EQ(c.sweep.looks[1].receive_range, 4.0);
+}
+
 TEST(CaseRead, TransitionTiersAndTheirEcho) {
   for (const auto& [name, tier] : {std::pair{"exact", TransitionTier::exact},
                                    {"as-printed", TransitionTier::as_printed},

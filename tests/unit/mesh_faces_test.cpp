@@ -110,8 +110,9 @@ TEST(FaceTree, LooksOnlyAboveItsFloor) {
   const Patch floor{glm::normalize(dvec3(1, 1, 0)), 0.6};
   for (const double side : {1.0, -1.0}) {
     std::vector<std::uint32_t> found;
-    tree.collect({dvec3(0.0), {0, 0, 1}, glm::normalize(dvec3(1, -1, 0)), side * floor.normal, {-9, -9}, {9, 9}, 1e9, &floor},
-                 found);
+    tree.collect(
+        {dvec3(0.0), {0, 0, 1}, glm::normalize(dvec3(1, -1, 0)), side * floor.normal, {-9, -9}, {9, 9}, 1e9, &floor, side},
+        found);
     std::vector<bool> is_found(tree.faces().size(), false);
     for (const std::uint32_t f : found) is_found[f] = true;
     for (std::uint32_t f = 0; f < tree.faces().size(); ++f) {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "sbr/footprint.h"
 #include "sbr/visible.h"
 #include "shapes.h"
 
@@ -33,7 +34,7 @@ struct View {
   std::vector<VisiblePart> reflected(const VisiblePart& part) {
     const std::uint32_t patch = tree.faces()[part.face].patch;
     const Beam beam = footprint(anchored(incident, middle(part.outline)), loaded.mesh.patches[patch], receive).outgoing;
-    const Ray ray = VisibleSurfaces::middle_ray(beam, patch, part.outline);
+    const Ray ray = visible.middle_ray(beam, patch, part.outline);
     Hit hit;
     tracer.closest_hits({&ray, 1}, {&hit, 1});
     std::vector<VisiblePart> parts;

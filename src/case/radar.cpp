@@ -1,0 +1,129 @@
+#include "case/radar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/values.h"
+#include "csv_reader.h"
+#include "error.h"
+
+namespace raytube {
+
+namespace {
+
+const CaseValue* find(const CaseValue& root, std::string_view key) {
+  const CaseValue* section = root.find("radar");
+  return section ? section->find(key) : nullptr;
+}
+
+std::vector<dvec3> read_places(const CaseValue& value, const std::string& key) {
+  if (value.kind != CaseValue::Kind::list || value.items.empty())
+    reject(value, key + " must be [x, y, z] in metres, or a list of such places");
+  std::vector<dvec3> places;
+  if (value.items[0].kind != CaseValue::Kind::list)
+    places.push_back(read_vector(value, key));
+  else
+    for (const CaseValue& item : value.items) places.push_back(read_vector(item, "every place of " + key));
+  for (const dvec3& place : places)
+    if (!(glm::length(place) > 0.0)) reject(value, key + " must not be the origin of the mesh's coordinates");
+  return places;
+}
+
+Direction direction_of(const dvec3& place) {
+  return {std::acos(std::clamp(place.z / glm::length(place), -1.0, 1.0)), std::atan2(place.y, place.x)};
+}
+
+Look look_between(const dvec3& transmit, const dvec3& receive) {
+  return {direction_of(transmit), direction_of(receive), glm::length(transmit), glm::length(receive)};
+}
+
+void read_beamwidth(const CaseValue& value, Case& c) {
+  const std::string key = "radar.beamwidth_deg";
+  if (value.kind == CaseValue::Kind::list) {
+    if (value.items.size() != 2) reject(value, key + " must be one angle, or [azimuth, elevation]");
+    for (const CaseValue& item : value.items) c.radar.beamwidth_deg.push_back(read_positive(item, "every entry of " + key));
+  } else {
+    c.radar.beamwidth_deg = {read_positive(value, key)};
+  }
+  for (const double width : c.radar.beamwidth_deg)
+    if (width > 180.0) reject(value, fmt::format("{} must be at most 180 (found {})", key, width));
+  c.sweep.radar.pattern.azimuth_beamwidth = c.radar.beamwidth_deg.front() * degree;
+  c.sweep.radar.pattern.elevation_beamwidth = c.radar.beamwidth_deg.back() * degree;
+}
+
+// Columns angle_deg, azimuth_db, elevation_db: cuts in two planes, or one for both.
+void read_pattern(const std::filesystem::path& file, AntennaPattern& pattern) {
+  const std::string remedy = "radar.pattern_csv must name a readable CSV file with the header angle_deg,azimuth_db,elevation_db";
+  CsvReader reader(file, remedy);
+  if (reader.columns() != std::vector<std::string>{"angle_deg", "azimuth_db", "elevation_db"})
+    throw InputError(fmt::format("{}: the header must be \"angle_deg,azimuth_db,elevation_db\"", file.string()));
+  while (reader.next()) {
+    const double angle = reader.finite_number(0, "write angles off the axis in degrees") * degree;
+    if (!pattern.azimuth.angles.empty() && angle <= pattern.azimuth.angles.back())
+      throw InputError(reader.place() + ": angle_deg must ascend; sort the rows and drop repeated ones");
+    pattern.azimuth.angles.push_back(angle);
+    pattern.azimuth.levels.push_back(reader.finite_number(1, "write the level relative to the axis in dB"));
+    pattern.elevation.levels.push_back(reader.finite_number(2, "write the level relative to the axis in dB"));
+  }
+  if (pattern.azimuth.angles.size() < 2) throw InputError(file.string() + ": an antenna pattern needs at least two rows");
+  pattern.elevation.angles = pattern.azimuth.angles;
+}
+
+void set_ranges(const CaseValue& section, Case& c) {
+  const CaseValue* range = section.find("range_m");
+  const CaseValue* receive = section.find("receive_range_m");
+  if (!range) throw InputError(section.place + ": radar.range_m is missing; give the distance from the mesh's origin in metres");
+  c.radar.range_m = c.radar.receive_range_m = read_positive(*range, "radar.range_m");
+  if (receive && !c.sweep.bistatic)
+    reject(*receive, "radar.receive_range_m needs a receiver of its own; add [receive], or remove it");
+  if (receive) c.radar.receive_range_m = read_positive(*receive, "radar.receive_range_m");
+  for (Look& look : c.sweep.looks) {
+    look.transmit_range = c.radar.range_m;
+    look.receive_range = c.radar.receive_range_m;
+  }
+}
+
+}  // namespace
+
+bool has_positions(const CaseValue& root) { return find(root, "position_m") != nullptr; }
+
+void read_positions(const CaseValue& root, Case& c) {
+  const CaseValue& position = *find(root, "position_m");
+  for (const char* section : {"look", "receive"})
+    if (const CaseValue* given = root.find(section))
+      reject(*given,
+             fmt::format("[{}] cannot go with radar.position_m, which says where the antenna stands; remove one", section));
+  for (const char* key : {"range_m", "receive_range_m"})
+    if (const CaseValue* given = find(root, key))
+      reject(*given, fmt::format("radar.{} cannot go with radar.position_m; remove one of them", key));
+  c.radar.positions = read_places(position, "radar.position_m");
+  if (const CaseValue* receive = find(root, "receive_position_m"))
+    c.radar.receive_positions = read_places(*receive, "radar.receive_position_m");
+  c.sweep.bistatic = !c.radar.receive_positions.empty();
+  for (const dvec3& transmit : c.radar.positions) {
+    if (!c.sweep.bistatic) c.sweep.looks.push_back(look_between(transmit, transmit));
+    for (const dvec3& receive : c.radar.receive_positions) c.sweep.looks.push_back(look_between(transmit, receive));
+  }
+}
+
+void read_radar(const CaseValue& root, Case& c) {
+  const CaseValue* section = root.find("radar");
+  if (!section) return;
+  if (const CaseValue* receive = section->find("receive_position_m"); receive && !has_positions(root))
+    reject(*receive, "radar.receive_position_m needs radar.position_m; with angles add [receive] instead");
+  if (!has_positions(root)) set_ranges(*section, c);
+  if (const CaseValue* aim = section->find("aim_m")) c.sweep.radar.aim = read_vector(*aim, "radar.aim_m");
+  if (const CaseValue* width = section->find("beamwidth_deg")) read_beamwidth(*width, c);
+  if (const CaseValue* pattern = section->find("pattern_csv")) {
+    c.radar.pattern_csv = read_text(*pattern, "radar.pattern_csv");
+    read_pattern(c.file.parent_path() / c.radar.pattern_csv, c.sweep.radar.pattern);
+  }
+  if (c.tubes.mode == TubeMode::adaptive && !c.tubes.clip)
+    reject(*section, "[radar] needs exact polygons or a uniform grid; remove tubes.clip = false");
+  if (c.edges.method == EdgeMethod::utd)
+    reject(*section, "[radar] has no part in edges.method = \"utd\"; give edges.utd_range_m instead");
+}
+
+}  // namespace raytube

@@ -1,0 +1,18 @@
+// Antennas at a finite distance: the [radar] section.
+#pragma once
+
+#include "case/case.h"
+#include "case/document.h"
+
+namespace raytube {
+
+/// True if the antennas' positions stand in place of [look] and [receive].
+bool has_positions(const CaseValue& root);
+
+/// Fills c.radar and c.sweep.looks from radar.position_m and radar.receive_position_m.
+void read_positions(const CaseValue& root, Case& c);
+
+/// Fills the rest of c.radar, c.sweep.radar and the ranges of the looks. Throws InputError.
+void read_radar(const CaseValue& root, Case& c);
+
+}  // namespace raytube

@@ -1,0 +1,164 @@
+#include "sbr/spherical_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "material.h"
+#include "sbr/triangle_moments.h"
+
+namespace raytube {
+
+namespace {
+
+// k times the longest side of a triangle that is not halved any more: a twelfth of the wavelength.
+constexpr double shortest = 0.5;
+
+struct Components {
+  double u, v, d;
+};
+
+Components components(const Beam& beam, const dvec3& vector) {
+  return {glm::dot(beam.u_hat, vector), glm::dot(beam.v_hat, vector), glm::dot(beam.direction, vector)};
+}
+
+dvec3 vector_of(const Beam& beam, const Components& c) { return c.u * beam.u_hat + c.v * beam.v_hat + c.d * beam.direction; }
+
+double area(const dvec3& a, const dvec3& b, const dvec3& c) { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
+
+using Weight = std::array<std::array<double, 2>, 2>;
+
+double inner(const Weight& a, const Weight& b) {
+  return a[0][0] * b[0][0] + a[0][1] * b[0][1] + a[1][0] * b[1][0] + a[1][1] * b[1][1];
+}
+
+}  // namespace
+
+SphericalLook::SphericalLook(const AntennaPair& antennas, const Beam& incident, std::span<const double> wavenumbers,
+                             double tolerance)
+    : antennas_(antennas),
+      incident_(incident),
+      wavenumbers_(wavenumbers),
+      highest_(std::ranges::max(wavenumbers)),
+      // An amplitude whose middle of a side lies off the mean of its ends by x is left with an error of x^2 / 15 by a parabola:
+      // 0.3 per cent of the tolerance, as side lobes are held to it as well.
+      roughness_(std::sqrt(0.05 * tolerance)) {}
+
+// Folded back the place is one in the transmitter's own wave; each perfect conductor turns the mirrored field over.
+AntennaRay SphericalLook::wave(const Beam& beam, const dvec3& r) const {
+  AntennaRay ray = antennas_.transmit.ray_to(vector_of(incident_, components(beam, r - beam.base)));
+  const auto mirrored = [&](const dvec3& vector) { return vector_of(beam, components(incident_, vector)); };
+  const bool odd = glm::dot(glm::cross(beam.u_hat, beam.v_hat), beam.direction) > 0.0;
+  ray.direction = mirrored(ray.direction);
+  for (dvec3& field : ray.field) field = (odd ? -1.0 : 1.0) * mirrored(field);
+  return ray;
+}
+
+SphericalLook::Current SphericalLook::current(const Beam& outgoing, const Patch& plane, const dvec3& r) const {
+  const AntennaRay leaving = wave(outgoing, r), received = antennas_.receive.ray_to(r);
+  const dvec3 n = glm::dot(plane.normal, leaving.direction) > 0.0 ? plane.normal : -plane.normal;
+  Current c{r, leaving.path + received.path, -leaving.direction - received.direction, {}};
+  for (int q = 0; q < 2; ++q) {
+    // The tangential H of the wave that leaves is that of the one that comes.
+    const dvec3 eta_j = surface_current_pec(leaving.direction, leaving.field[q], n);
+    for (int p = 0; p < 2; ++p) c.weight[p][q] = glm::dot(received.field[p], eta_j);
+  }
+  return c;
+}
+
+// The transmitter's own wave; nothing where the surface turns away from it.
+SphericalLook::Current SphericalLook::current(const BentFacet& facet, const dvec3& r) const {
+  const SurfacePoint at = facet.over(r);
+  const AntennaRay arriving = antennas_.transmit.ray_to(at.point), received = antennas_.receive.ray_to(at.point);
+  Current c{r, arriving.path + received.path, -arriving.direction - received.direction, {}};
+  if (glm::dot(at.normal, arriving.direction) >= 0.0) return c;
+  for (int q = 0; q < 2; ++q) {
+    const dvec3 eta_j = surface_current_pec(arriving.direction, arriving.field[q], at.normal);
+    for (int p = 0; p < 2; ++p) c.weight[p][q] = at.stretch * glm::dot(received.field[p], eta_j);
+  }
+  return c;
+}
+
+// A plane in the places of a beam: r - base = w (at, depth), and the widening w changes along it, too.
+Footprint SphericalLook::footprint(const Beam& outgoing, const Patch& plane, const dvec2& at) const {
+  const Affine depth = depth_of(outgoing, plane);
+  const double t = depth(at), w = widening_at(outgoing, t);
+  const dvec3 r = point_at(outgoing, at, t), run = outgoing.curvature * w * (r - outgoing.base);
+  const Current c = current(outgoing, plane, r);
+  const dvec3 along_u = w * (outgoing.u_hat + depth.u * outgoing.direction) + depth.u * run,
+              along_v = w * (outgoing.v_hat + depth.v * outgoing.direction) + depth.v * run;
+  Footprint f{outgoing, c.weight, glm::length(glm::cross(along_u, along_v)), -c.path, 0.0, 0.0};
+  f.outgoing.anchor = at;
+  f.phase_u = glm::dot(c.change, along_u);
+  f.phase_v = glm::dot(c.change, along_v);
+  return f;
+}
+
+void SphericalLook::add(std::vector<ScatteringMatrix>& sums, const Beam& outgoing, const Patch& plane,
+                        const ConvexPolygon& polygon) const {
+  const Affine depth = depth_of(outgoing, plane);
+  const auto at = [&](const dvec3& r) { return current(outgoing, plane, r); };
+  const auto corner = [&](std::size_t i) { return at(point_at(outgoing, polygon[i].at, depth(polygon[i].at))); };
+  const Current first = corner(0);
+  Current before = corner(1);
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Current next = corner(i);
+    add(sums, Triangle{first, before, next}, at);
+    before = next;
+  }
+}
+
+void SphericalLook::add(std::vector<ScatteringMatrix>& sums, const BentFacet& facet) const {
+  const auto at = [&](const dvec3& r) { return current(facet, r); };
+  add(sums, Triangle{at(facet.corners()[0]), at(facet.corners()[1]), at(facet.corners()[2])}, at);
+}
+
+// Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border
+// of light is never smooth.
+template <class At>
+void SphericalLook::add(std::vector<ScatteringMatrix>& sums, const Triangle& triangle, At at) const {
+  const auto& [a, b, c] = triangle;
+  const auto middle = [&](const Current& p, const Current& q) { return at(0.5 * (p.place + q.place)); };
+  const Triangle middles{middle(a, b), middle(b, c), middle(c, a)};
+  const std::array<double, 3> sides{glm::distance(a.place, b.place), glm::distance(b.place, c.place),
+                                    glm::distance(c.place, a.place)};
+  const auto i = static_cast<std::size_t>(std::ranges::max_element(sides) - sides.begin());
+  if (highest_ * sides[i] < shortest || is_smooth(triangle, middles)) return add_smooth(sums, triangle, middles);
+  const Current &start = triangle[i], &end = triangle[(i + 1) % 3], &tip = triangle[(i + 2) % 3];
+  add(sums, Triangle{start, middles[i], tip}, at);
+  add(sums, Triangle{middles[i], end, tip}, at);
+}
+
+bool SphericalLook::is_smooth(const Triangle& corners, const Triangle& middles) const {
+  const double most = roughness_ * roughness_ *
+                      std::max({inner(corners[0].weight, corners[0].weight), inner(corners[1].weight, corners[1].weight),
+                                inner(corners[2].weight, corners[2].weight)});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Current &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
+    const double ends = 0.25 * (inner(a.weight, a.weight) + 2.0 * inner(a.weight, b.weight) + inner(b.weight, b.weight));
+    const double across = 0.5 * (inner(a.weight, m.weight) + inner(b.weight, m.weight));
+    const double bend = std::cos(highest_ * (m.path - 0.5 * (a.path + b.path)));
+    if (ends + inner(m.weight, m.weight) - 2.0 * bend * across > most) return false;
+  }
+  return true;
+}
+
+// Amplitude times the phase off the linear one as the parabola through its values at the corners and the middles of the sides.
+void SphericalLook::add_smooth(std::vector<ScatteringMatrix>& sums, const Triangle& corners, const Triangle& middles) const {
+  const double size = area(corners[0].place, corners[1].place, corners[2].place), path = corners[0].path;
+  for (std::size_t f = 0; f < sums.size(); ++f) {
+    const double k = wavenumbers_[f];
+    const auto moments = triangle_moments({0.0, -k * (corners[1].path - path), -k * (corners[2].path - path)});
+    const Complex factor = Complex(0.0, -k / (4.0 * pi) * size) * std::polar(1.0, -k * path);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const Current &a = corners[i], &b = corners[j], &m = middles[i];
+      const Complex bent = 4.0 * std::polar(1.0, -k * (m.path - 0.5 * (a.path + b.path)));
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q)
+          sums[f].at(p, q) +=
+              factor * (a.weight[p][q] * moments[i] + (m.weight[p][q] * bent - a.weight[p][q] - b.weight[p][q]) * moments[3 + i]);
+    }
+  }
+}
+
+}  // namespace raytube
