@@ -1,12 +1,14 @@
 // Error of S against rays and time, for four ways to sample the same currents.
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "bodies.h"
 #include "closed_forms.h"
-#include "monte_carlo.h"
+#include "sbr/random_tubes.h"
 #include "shapes.h"
 #include "smooth_forms.h"
 #include "studies.h"
+#include "timing.h"
 #include "vehicle.h"
 
 namespace raytube::bench {
@@ -132,14 +134,29 @@ Method clipped_method(const std::string& name, const Body& body, bool curved, co
           curved};
 }
 
+Outcome by_chance(const Body& body, std::uint64_t launched, std::uint64_t seed, int threads) {
+  std::vector<RandomSums> looks(body.sweep.looks.size());
+  const auto start = Clock::now();
+  on_threads(threads, [&] {
+    tbb::parallel_for(std::size_t{0}, looks.size(), [&](std::size_t i) {
+      looks[i] = random_tubes(body.target.tracer, body.sweep.looks[i], body.sweep.frequencies, TubeOptions().max_bounces,
+                              {launched, seed, i});
+    });
+  });
+  Outcome outcome{{}, 0, seconds_since(start)};
+  for (const RandomSums& look : looks) {
+    outcome.scattering.push_back(look.scattering.front());
+    outcome.rays += look.rays;
+  }
+  return outcome;
+}
+
 Method random_method(const Body& body, const Settings& settings) {
   std::vector<double> launches{1 << 10, 1 << 12, 1 << 14};
   if (!settings.quick) launches.insert(launches.end(), {1 << 16, 1 << 18});
   return {"Monte Carlo", launches, [&body, threads = settings.threads](double launched) -> Run {
             return [&body, threads, rays = static_cast<std::uint64_t>(launched)](int repeat) {
-              const auto seed = static_cast<std::uint64_t>(repeat) + 1;
-              MonteCarlo drawn = monte_carlo(body.target, body.sweep, TubeOptions().max_bounces, rays, seed, threads);
-              return Outcome{std::move(drawn.scattering), drawn.rays, drawn.seconds};
+              return by_chance(body, rays, static_cast<std::uint64_t>(repeat) + 1, threads);
             };
           }};
 }

@@ -64,7 +64,7 @@ Ways to sample the same physical-optics currents, up to 8 bounces, edges off (`e
 densities; **adaptive** tubes over the same cells (`tubes.clip = false`); **adaptive + clip**, tubes that end exactly at edges and shadows, refined
 until their own estimate of the error is below a tolerance (facets kept flat); **adaptive, curved**, the same on the surface that facets stand for, the
 default on tessellated bodies; and
-**Monte Carlo**, rays from random places of the launch rectangle (splitmix64, {data['machine']['repeats']} seeds), each one point sample of the
+**Monte Carlo**, rays from random places of the launch rectangle (Philox4x32-10, {data['machine']['repeats']} seeds), each one point sample of the
 integrand, traced by the same tracer. Looks off every symmetry; rms over looks, seeds, VV and HH where the truth is within 20 dB of its peak.
 Errors below 10⁻⁵ dB are drawn there.
 

@@ -14,9 +14,7 @@ namespace raytube {
 
 namespace {
 
-constexpr const char* key_columns = "freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg";
-
-constexpr const char* conventions =
+constexpr const char* wave_conventions =
     "# Time factor exp(+j omega t); a wave travels as exp(-j k r). Phase reference: the origin of the mesh's coordinates.\n"
     "# Scattering amplitude S_pq [m], p receive, q transmit: E_p(scattered) = S_pq E_q(incident) exp(-j k r) / r.\n"
     "# sigma_pq = 4 pi |S_pq|^2; dBsm is 10 log10(sigma / 1 m^2). vh is receive V, transmit H.\n"
@@ -89,6 +87,12 @@ std::string polar_text(Complex value) {
 
 }  // namespace
 
+std::string conventions(const SweepResult& result) { return wave_conventions + range_note(result); }
+
+std::string key_text(const std::string& frequency, const Look& look) {
+  return frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive);
+}
+
 double sigma_dbsm(Complex s) { return 20.0 * std::log10(std::hypot(s.real(), s.imag())) + 10.0 * std::log10(4.0 * pi); }
 
 std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelErrors& errors) {
@@ -101,12 +105,12 @@ std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelEr
   return levels;
 }
 
-void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result, const std::string& note) {
   OutputFile out(file);
-  out.write(conventions + range_note(result) + antenna_note(sweep) + rcs_header(sweep));
+  out.write(conventions(result) + antenna_note(sweep) + note + rcs_header(sweep));
   for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
     const ScatteringMatrix& s = result.total[row];
-    std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive) + complex_values(s);
+    std::string line = key_text(frequency, look) + complex_values(s);
     for (const Complex value : channels(s)) line += ',' + number_text(sigma_dbsm(value));
     for (const double level : error_levels_db(s, result.error[row])) line += ',' + number_text(level);
     out.write(line + range_text(look) + '\n');
@@ -133,12 +137,12 @@ void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, c
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
-  std::string header = conventions + range_note(result) + antenna_note(sweep) + key_columns;
+  std::string header = conventions(result) + antenna_note(sweep) + key_columns;
   for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
   out.write(header + complex_columns("_edges_first_order") + complex_columns("_edges_second_order") +
             complex_columns("_between") + '\n');
   for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
-    std::string line = frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive);
+    std::string line = key_text(frequency, look);
     for (std::size_t m = 0; m < bounces; ++m)
       line += complex_values(m < result.bounces.size() ? result.bounces[m][row] : ScatteringMatrix{});
     out.write(line + complex_values(result.edges_first[row]) + complex_values(result.edges_higher[row]) +

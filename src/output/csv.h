@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 
 #include "sweep.h"
 
@@ -18,8 +19,16 @@ double sigma_dbsm(Complex s);
 /// amplitude.
 std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelErrors& errors);
 
-/// rcs.csv: complex S and sigma of the four channels.
-void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
+/// The columns that tell rows apart, and the comment lines at the head of every table.
+inline constexpr const char* key_columns = "freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg";
+std::string conventions(const SweepResult& result);
+
+/// A row's values under key_columns; the frequency as number_text() has it.
+std::string key_text(const std::string& frequency, const Look& look);
+
+/// rcs.csv: complex S and sigma of the four channels. `note` is a further comment line at its head, or empty.
+void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result,
+                   const std::string& note = "");
 
 /// channels.csv: magnitude sqrt(sigma) [m] and phase [rad] received in V and H, one row per transmit polarisation.
 void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);

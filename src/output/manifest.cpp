@@ -45,6 +45,16 @@ Json mesh_json(const Manifest& manifest) {
   return json;
 }
 
+Json launch_json(const RandomRuns& random) {
+  return {{"kind", "random"},
+          {"generator", "Philox4x32-10"},
+          {"samples", random.options.samples},
+          {"seed", random.options.seed},
+          {"repeat", random.options.runs},
+          {"run_s", random.run_s},
+          {"deterministic_s", random.deterministic_s}};
+}
+
 Json time_json(const Timing& time, double solve_s) {
   return {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
 }
@@ -61,6 +71,7 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["mesh"] = mesh_json(manifest);
   json["instruction_sets"] = {{"embree", manifest.embree_instruction_set}, {"raytube", "x86-64-v3"}};
   json["threads"] = manifest.threads;
+  if (manifest.random) json["launch"] = launch_json(*manifest.random);
   json["counts"] = counts_json(manifest.statistics);
   json["time"] = time_json(manifest.time, manifest.statistics.solve_s);
   json["peak_rss_bytes"] = manifest.peak_rss_bytes;

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "sweep.h"
+#include "random_result.h"
 
 namespace raytube {
 
@@ -14,6 +15,12 @@ struct Timing {
   double read_s = 0.0;   // case and mesh file -> welded, oriented mesh
   double build_s = 0.0;  // ray-tracing structure and wedges
   double total_s = 0.0;  // from the start of the command to the last table; no plots
+};
+
+/// What random tubes were asked for, and the time of one run of them and of the deterministic solution.
+struct RandomRuns {
+  RandomOptions options;
+  double run_s, deterministic_s;
 };
 
 struct Manifest {
@@ -26,6 +33,7 @@ struct Manifest {
   int threads = 1;
   std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written
   std::vector<std::pair<std::string, double>> mesh_notes;   // sentence and count
+  std::optional<RandomRuns> random;                         // with --launch random
   Statistics statistics;
   Timing time;
   std::uint64_t peak_rss_bytes = 0;

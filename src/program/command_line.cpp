@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "csv_reader.h"
 #include "error.h"
@@ -17,7 +19,8 @@ constexpr const char* run_examples =
     "Examples:\n"
     "  raytube run cases/dihedral/case.toml\n"
     "  raytube run case.toml -o results --threads 4 --parts\n"
-    "  raytube run case.toml --set tubes.per_wavelength=20 --set edges.method=none";
+    "  raytube run case.toml --set tubes.per_wavelength=20 --set edges.method=none\n"
+    "  raytube run case.toml --launch random --samples 100000 --seed 1 --repeat 10      (also writes random.csv)";
 constexpr const char* check_examples =
     "Prints the resolved case, the mesh report, the wedges, what will be skipped and the expected cost.\n\n"
     "Examples:\n"
@@ -74,6 +77,40 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* description, 
   return command;
 }
 
+// A check of CLI11 for whole numbers.
+auto whole_number(std::uint64_t least, std::uint64_t most) {
+  return [least, most](const std::string& text) -> std::string {
+    std::uint64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && stop == end && number >= least && number <= most) return "";
+    return fmt::format("needs a whole number from {} to {} (found {})", least, most, text);
+  };
+}
+
+// Random tubes of a run: none of these options means anything without the first.
+void add_random_options(CLI::App& run, Request& request) {
+  RandomOptions& random = request.random.emplace();
+  CLI::Option* launch =
+      run.add_option("--launch", "random: tubes at random places, as a path tracer has them; default those of the case")
+          ->type_name("random")
+          ->check([](const std::string& kind) {
+            return kind == "random" ? "" : "write random, or leave it out (found " + kind + ")";
+          });
+  run.add_option("--samples", random.samples, "Random tubes a look; default 100000")
+      ->type_name("N")
+      ->needs(launch)
+      ->check(whole_number(1, 1000000000));
+  run.add_option("--seed", random.seed, "Names the random numbers; default 1")
+      ->type_name("S")
+      ->needs(launch)
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
+  run.add_option("--repeat", random.runs, "Independent random runs, from which the spread is known; default 10")
+      ->type_name("R")
+      ->needs(launch)
+      ->check(whole_number(2, 1000000));
+}
+
 CLI::App* add_run(CLI::App& app, Request& request) {
   CLI::App* run = add_command(app, "run", "Compute a case and write the results", run_examples);
   add_case_options(*run, request);
@@ -81,6 +118,7 @@ CLI::App* add_run(CLI::App& app, Request& request) {
   add_threads_option(*run, request);
   run->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
   run->add_flag("--quiet", request.quiet, "No progress bar, no summary");
+  add_random_options(*run, request);
   return run;
 }
 
@@ -179,6 +217,9 @@ Request parse_command_line(int argc, const char* const* argv) {
                                                                         {trace, Command::trace},
                                                                         {compare, Command::compare},
                                                                         {converge, Command::converge}}};
+  if (run->count("--launch") == 0) request.random.reset();
+  if (request.random && request.parts)
+    throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");
   for (const auto& [given, command] : commands)
     if (*given) request.command = command;
   return request;

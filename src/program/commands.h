@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "random_result.h"
+
 namespace raytube {
 
 enum class Command { none, run, check, trace, compare, converge };
@@ -18,6 +20,7 @@ struct Request {
   int threads = 0;                      // 0: all cores
   std::filesystem::path wedges_csv;     // check: list of wedges; empty: none wanted
   bool parts = false;
+  std::optional<RandomOptions> random;  // run: --launch random
   bool quiet = false;
   std::size_t look = 0;
   double u = 0.0, v = 0.0;                   // launch coordinates [m], origin = mesh origin

@@ -11,11 +11,13 @@
 #include "output/files.h"
 #include "output/manifest.h"
 #include "output/plot.h"
+#include "output/random_report.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "program/threads.h"
+#include "yardstick.h"
 
 namespace raytube {
 
@@ -31,22 +33,32 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-SweepResult solve_with_progress(const Target& target, const Case& c, const Request& request, int threads) {
+// What goes into the tables; by chance, the mean of the random runs.
+struct Solved {
+  SweepResult result;
+  std::optional<RandomResult> by_chance = {};
+};
+
+Solved solve_with_progress(const Target& target, const Case& c, const Request& request, int threads) {
   ProgressBar bar(!request.quiet && isatty(STDERR_FILENO) != 0);
   SolveOptions options{c.tubes, c.edges, threads, request.parts, {}};
   options.progress = [&](double share) {
     bar.show(share);
     return !InterruptFlag::raised();
   };
-  return solve(target, c.sweep, options);
+  if (!request.random) return {solve(target, c.sweep, options)};
+  RandomResult random = solve_by_chance(target, c.sweep, options, *request.random);
+  return {random.mean, std::move(random)};
 }
 
-void write_tables(const fs::path& folder, const Case& c, const SweepResult& result, bool parts) {
-  write_rcs_csv(folder / "rcs.csv", c.sweep, result);
+void write_tables(const fs::path& folder, const Case& c, const Solved& solved, bool parts) {
+  const auto& [result, by_chance] = solved;
+  write_rcs_csv(folder / "rcs.csv", c.sweep, result, by_chance ? random_note(by_chance->options) : "");
   stop_if_interrupted();
   write_channels_csv(folder / "channels.csv", c.sweep, result);
   stop_if_interrupted();
   if (parts) write_parts_csv(folder / "parts.csv", c.sweep, result);
+  if (by_chance) write_random_csv(folder / "random.csv", c.sweep, *by_chance);
   stop_if_interrupted();
 }
 
@@ -129,7 +141,7 @@ void print_summary(const SweepResult& result, const TubeOptions& tubes, const Ma
   if (!paths && s.tubes_cut) fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide\n", s.tubes_cut);
   for (const Skipped& skipped : s.skipped) fmt::print("skipped     {} ({}): {}\n", skipped.what, skipped.count, skipped.why);
   fmt::print("peak sigma  {:.2f} dBsm\n", peak_sigma_dbsm(result));
-  if (!paths) print_errors(result, tubes);
+  if (!paths && !manifest.random) print_errors(result, tubes);
   fmt::print("results     {}\n", folder.string());
 }
 
@@ -149,20 +161,25 @@ void run_command(const Request& request) {
   const InterruptFlag interrupt_flag;
   manifest.embree_instruction_set = target.tracer.instruction_set();
   manifest.threads = request.threads > 0 ? request.threads : all_threads();
-  const SweepResult result = solve_with_progress(target, c, request, manifest.threads);
+  const Solved solved = solve_with_progress(target, c, request, manifest.threads);
+  const auto& [result, by_chance] = solved;
   manifest.statistics = result.statistics;
+  if (by_chance) manifest.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
 
   InterruptFlag::clean_up_first();
   const OutputFolder folder(destination);
   const NewResults results(folder.path());
-  write_tables(results.folder(), c, result, request.parts);
+  write_tables(results.folder(), c, solved, request.parts);
   manifest.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
   manifest.peak_rss_bytes = peak_rss_bytes();
   manifest.time.total_s = total.seconds();
   write_manifest(results.folder() / "run.json", manifest);
   if (c.plots) draw_plots(results.folder(), c, result);
-  replace_results(results, folder.path(), {"rcs.png", "rcs.svg"}, {"channels.csv", "parts.csv", "rcs.csv", "run.json"});
-  if (!request.quiet) print_summary(result, c.tubes, manifest, folder.path());
+  replace_results(results, folder.path(), {"rcs.png", "rcs.svg"},
+                  {"channels.csv", "parts.csv", "random.csv", "rcs.csv", "run.json"});
+  if (request.quiet) return;
+  if (by_chance) fmt::print("{}", random_text(*by_chance));
+  print_summary(result, c.tubes, manifest, folder.path());
 }
 
 }  // namespace raytube

@@ -1,0 +1,152 @@
+#include "sbr/random_tubes.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+
+#include "random.h"
+#include "sbr/beam_tree.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr std::uint64_t block_size = 2048;  // most rays traced together and summed by one thread
+
+struct Sample {
+  dvec2 place;  // in the launch plane
+  std::uint32_t beam;
+};
+
+// What all tubes of a look have in common.
+struct Scene {
+  const Tracer& tracer;
+  LaunchGrid rectangle;
+  SphericalBasis transmit, receive;
+  std::vector<double> wavenumbers;
+  double to_mesh_origin;  // [m], moves the phase reference there from the centre of the mesh
+  double area_of_tube;
+};
+
+class Block {
+ public:
+  explicit Block(const Scene& scene)
+      : scene_(scene), beams_(scene.tracer.mesh(), scene.receive, incident_beam(scene.rectangle, scene.transmit, dvec2(0.0))) {
+    sums_.scattering.resize(scene.wavenumbers.size());
+  }
+
+  void launch(const dvec2& random) {
+    const LaunchGrid& r = scene_.rectangle;
+    const dvec2 place{r.u_begin + random.x * r.columns * r.du, r.v_begin + random.y * r.rows * r.dv};
+    samples_.push_back({place, BeamTree::root});
+    rays_.push_back({r.plane_origin + place.x * r.u_hat + place.y * r.v_hat, r.direction});
+  }
+
+  RandomSums run(int max_bounces) {
+    for (int bounce = 0; bounce < max_bounces && !rays_.empty(); ++bounce) advance();
+    sums_.tubes_cut = trace();
+    return std::move(sums_);
+  }
+
+ private:
+  // Rays that met a surface from outside come first; returns how many.
+  std::size_t trace() {
+    hits_.resize(rays_.size());
+    scene_.tracer.closest_hits(rays_, hits_);
+    sums_.rays += rays_.size();
+    std::size_t alive = 0;
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+      if (!hits_[i]) continue;
+      if (from_inside(rays_[i], hits_[i])) {
+        ++sums_.lost_rays;
+        continue;
+      }
+      samples_[alive] = samples_[i], rays_[alive] = rays_[i], hits_[alive] = hits_[i];
+      ++alive;
+    }
+    return alive;
+  }
+
+  void advance() {
+    const std::size_t alive = trace();
+    samples_.resize(alive);
+    rays_.resize(alive);
+    if (alive > 0) sums_.hits.push_back(alive);
+    for (std::size_t i = 0; i < alive; ++i) {
+      const std::uint32_t patch = scene_.tracer.mesh().triangle_patch[hits_[i].triangle];
+      const dvec3 point = rays_[i].origin + hits_[i].distance * rays_[i].direction;
+      samples_[i].beam = beams_.child(samples_[i].beam, patch, samples_[i].place);
+      rays_[i] = {point, beams_.beam(samples_[i].beam).direction, patch};
+      add(beams_.footprint(samples_[i].beam), samples_[i].place);
+    }
+  }
+
+  bool from_inside(const Ray& ray, const Hit& hit) const {
+    const TriangleMesh& mesh = scene_.tracer.mesh();
+    return mesh.closed(hit.triangle) && glm::dot(mesh.patches[mesh.triangle_patch[hit.triangle]].normal, ray.direction) > 0.0;
+  }
+
+  // Monte Carlo integration of the radiation integral: the value of its integrand times the area that the tube stands for.
+  void add(const Footprint& f, const dvec2& place) {
+    const dvec2 step = place - f.outgoing.anchor;
+    const double path = f.phase + f.phase_u * step.x + f.phase_v * step.y + scene_.to_mesh_origin;
+    for (std::size_t i = 0; i < scene_.wavenumbers.size(); ++i) {
+      const double k = scene_.wavenumbers[i];
+      add_far_field(sums_.scattering[i], f, k, std::polar(f.area * scene_.area_of_tube, k * path));
+    }
+  }
+
+  const Scene& scene_;
+  BeamTree beams_;
+  std::vector<Sample> samples_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> hits_;
+  RandomSums sums_;
+};
+
+Scene scene_of(const Tracer& tracer, const Look& look, std::span<const double> frequencies, std::uint64_t samples) {
+  const TriangleMesh& mesh = tracer.mesh();
+  Scene scene{tracer,
+              launch_grid(mesh, look.transmit, wavelength(std::ranges::max(frequencies)), 1.0, std::nullopt),
+              spherical_basis(look.transmit),
+              spherical_basis(look.receive),
+              {},
+              0.0,
+              0.0};
+  for (const double frequency : frequencies) scene.wavenumbers.push_back(wavenumber(frequency));
+  scene.to_mesh_origin = glm::dot(scene.receive.radial + scene.transmit.radial, mesh.center);
+  const LaunchGrid& r = scene.rectangle;
+  scene.area_of_tube = static_cast<double>(r.cells()) * r.du * r.dv / static_cast<double>(samples);
+  return scene;
+}
+
+}  // namespace
+
+RandomSums& RandomSums::operator+=(const RandomSums& other) {
+  for (std::size_t i = 0; i < scattering.size(); ++i) scattering[i] += other.scattering[i];
+  if (hits.size() < other.hits.size()) hits.resize(other.hits.size());
+  for (std::size_t i = 0; i < other.hits.size(); ++i) hits[i] += other.hits[i];
+  rays += other.rays, lost_rays += other.lost_rays, tubes_cut += other.tubes_cut;
+  return *this;
+}
+
+RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const double> frequencies, int max_bounces,
+                        const RandomLaunch& launch) {
+  RandomSums none;
+  none.scattering.resize(frequencies.size());
+  const Scene scene = scene_of(tracer, look, frequencies, launch.samples);
+  if (scene.rectangle.cells() == 0) return none;  // no projected area
+  using Range = tbb::blocked_range<std::uint64_t>;
+  // Cut and joined in the same places whoever works: threads never show in the sum.
+  return tbb::parallel_deterministic_reduce(
+      Range(0, launch.samples, block_size), none,
+      [&](const Range& range, RandomSums sum) {
+        Block block(scene);
+        for (std::uint64_t i = range.begin(); i != range.end(); ++i) block.launch(random_point(launch.seed, launch.stream, i));
+        return sum += block.run(max_bounces);
+      },
+      [](RandomSums a, const RandomSums& b) { return a += b; });
+}
+
+}  // namespace raytube
