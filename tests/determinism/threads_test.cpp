@@ -7,6 +7,7 @@
 #include "run.h"
 #include "scratch.h"
 #include "shapes.h"
+#include "yardstick.h"
 
 namespace raytube {
 namespace {
@@ -68,6 +69,23 @@ TEST(Threads, DiffractionBetweenSurfacesGivesTheSameBits) {
     EXPECT_TRUE(same_bytes(one.total, many.total)) << threads << " threads";
     EXPECT_TRUE(same_bytes(one.between, many.between)) << threads << " threads";
     EXPECT_EQ(one.error, many.error) << threads << " threads";
+  }
+}
+
+TEST(Threads, RandomTubesGiveTheSameBits) {
+  const Sweep sweep{{9e9, 10e9}, {{{0.3, 0.2}, {0.3, 0.2}}, {{0.9, 0.7}, {0.9, 0.7}}}, false};
+  const LoadedMesh loaded = build_mesh(shapes::trihedral(0.3), 1.0);
+  SolveOptions o = options(EdgeMethod::none);
+  const Target target(loaded.mesh, o.edges);
+  o.threads = 1;
+  const RandomResult one = solve_by_chance(target, sweep, o, {10000, 1, 3});
+  EXPECT_GT(one.mean.error[0][0][0], 0.0);
+  for (const int threads : thread_counts) {
+    o.threads = threads;
+    const RandomResult many = solve_by_chance(target, sweep, o, {10000, 1, 3});
+    EXPECT_TRUE(same_bytes(one.mean.total, many.mean.total)) << threads << " threads";
+    EXPECT_EQ(one.mean.error, many.mean.error) << threads << " threads";
+    EXPECT_EQ(one.mean.statistics.rays, many.mean.statistics.rays) << threads << " threads";
   }
 }
 

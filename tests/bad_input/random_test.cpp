@@ -1,0 +1,56 @@
+// raytube run --launch random through the real program: what is written, and what bad input is told.
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+#include "run.h"
+
+namespace raytube {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace raytube::testing;
+using ::testing::HasSubstr;
+
+class RandomProgram : public BadInput {};
+
+TEST_F(RandomProgram, WritesMeanSpreadAndBias) {
+  EXPECT_EQ(raytube("run case.toml --launch random --samples 200 --seed 3 --repeat 4 --set output.plots=false").code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("launch      random: 4 runs of 200 tubes a look, seed 3\n"));
+  EXPECT_THAT(text_of(scratch / "out/rcs.csv"), HasSubstr("# launch = random: S is the mean of 4 runs of 200 random tubes"));
+  const Table rcs((scratch / "out/rcs.csv").string()), random((scratch / "out/random.csv").string());
+  ASSERT_EQ(rcs.rows(), 1u);
+  ASSERT_EQ(random.rows(), 4u);
+  EXPECT_EQ(random.text(3, "channel"), "hh");
+  EXPECT_EQ(random.text(0, "re_mean"), rcs.text(0, "re_vv"));
+  EXPECT_EQ(random.number(0, "im_mean") - random.number(0, "im_det"), random.number(0, "im_bias"));
+  EXPECT_DOUBLE_EQ(random.number(0, "spread_m") / 2.0, random.number(0, "error_m"));  // root of 4 runs
+  const auto launch = nlohmann::json::parse(text_of(scratch / "out/run.json"))["launch"];
+  EXPECT_EQ(launch["kind"], "random");
+  EXPECT_EQ(launch["samples"], 200);
+  EXPECT_EQ(launch["seed"], 3);
+  EXPECT_EQ(launch["repeat"], 4);
+}
+
+TEST_F(RandomProgram, AnOrdinaryRunLeavesNoTableOfAnEarlierRandomOne) {
+  EXPECT_EQ(raytube("run case.toml --launch random --samples 20 --repeat 2 --set output.plots=false").code, 0);
+  EXPECT_TRUE(fs::exists(scratch / "out/random.csv"));
+  EXPECT_EQ(raytube("run case.toml --set output.plots=false").code, 0);
+  EXPECT_FALSE(fs::exists(scratch / "out/random.csv"));
+  EXPECT_FALSE(nlohmann::json::parse(text_of(scratch / "out/run.json")).contains("launch"));
+}
+
+TEST_F(RandomProgram, BadOptions) {
+  expect_refused("run case.toml --samples 10", "--samples requires --launch");
+  expect_refused("run case.toml --seed 1", "--seed requires --launch");
+  expect_refused("run case.toml --repeat 2", "--repeat requires --launch");
+  expect_refused("run case.toml --launch grid", "--launch: write random, or leave it out (found grid)");
+  expect_refused("run case.toml --launch random --samples 0", "--samples: needs a whole number from 1 to 1000000000 (found 0)");
+  expect_refused("run case.toml --launch random --samples 1e5", "--samples: needs a whole number");
+  expect_refused("run case.toml --launch random --repeat 1", "--repeat: needs a whole number from 2 to 1000000 (found 1)");
+  expect_refused("run case.toml --launch random --seed -1", "--seed: needs a whole number from 0");
+  expect_refused("run case.toml --launch random --parts", "--parts: the mean of random tubes is not kept apart by bounce");
+  expect_refused("run case.toml --launch random --set edges.method=utd", "edges.method \"utd\" has no tubes to place at random");
+}
+
+}  // namespace
+}  // namespace raytube
