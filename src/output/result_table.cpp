@@ -1,11 +1,13 @@
 #include "output/result_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "csv_reader.h"
@@ -19,26 +21,50 @@ namespace {
 
 using Column = std::optional<std::size_t>;
 
+// A column, and what makes its cells ours.
 struct Source {
   Column column;
-  double unit = 1.0;
+  double factor = 1.0, offset = 0.0;
+
+  explicit operator bool() const { return column.has_value(); }
 };
 
-// Which column holds what.
+// Columns of one channel: real and imaginary part, or a level and perhaps a phase.
+struct ChannelSource {
+  Source re, im, magnitude, sigma, phase;
+
+  bool any() const { return re || magnitude || sigma; }
+  bool has_phase() const { return re || (any() && phase); }
+};
+
+// Which column holds what. With a column `transmit` a row holds the channels of one transmit polarisation.
 struct Layout {
   std::array<Source, ResultTable::keys> keys;
-  std::array<Column, 4> re, im, sigma;
+  std::array<ChannelSource, 4> channels;
+  Column transmit;
 };
 
 // Columns by name, in small or capital letters.
 class Header {
  public:
-  explicit Header(const CsvReader& reader) : place_(reader.place()), names_(reader.columns()) {
+  Header(const CsvReader& reader, const ColumnMap& map) : place_(reader.place()), names_(reader.columns()), map_(map) {
     for (std::string& name : names_)
       std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const ColumnChoice& choice : map)
+      if (!column(choice.theirs))
+        reject(fmt::format("no column is named {}; choose among {}", choice.theirs, fmt::join(names_, ", ")));
   }
 
-  Column find(const std::string& name) const {
+  Source find(const std::string& name) const {
+    const auto chosen = std::ranges::find(map_, name, &ColumnChoice::ours);
+    if (chosen == map_.end()) return {column(name)};
+    return {column(chosen->theirs), chosen->factor, chosen->offset};
+  }
+
+  [[noreturn]] void reject(const std::string& sentence) const { throw InputError(place_ + ": " + sentence); }
+
+ private:
+  Column column(const std::string& name) const {
     const auto found = std::ranges::find(names_, name);
     if (found == names_.end()) return std::nullopt;
     if (std::find(found + 1, names_.end(), name) != names_.end())
@@ -46,99 +72,183 @@ class Header {
     return found - names_.begin();
   }
 
-  [[noreturn]] void reject(const std::string& sentence) const { throw InputError(place_ + ": " + sentence); }
-
- private:
   std::string place_;
   std::vector<std::string> names_;
+  const ColumnMap& map_;
 };
 
 Source frequency_source(const Header& header) {
-  if (const Column hertz = header.find("freq_hz")) return {hertz, 1.0};
-  return {header.find("freq_ghz"), 1e9};
+  if (const Source hertz = header.find("freq_hz")) return hertz;
+  Source source = header.find("freq_ghz");
+  source.factor *= 1e9, source.offset *= 1e9;
+  return source;
 }
 
 void find_keys(const Header& header, Layout& layout) {
-  const Column theta = header.find("theta_deg"), phi = header.find("phi_deg");
-  const Column theta_i = header.find("theta_i_deg"), phi_i = header.find("phi_i_deg");
+  const Source theta = header.find("theta_deg"), phi = header.find("phi_deg");
+  const Source theta_i = header.find("theta_i_deg"), phi_i = header.find("phi_i_deg");
   const bool receiver_first = theta_i || phi_i;
-  const Column rx_theta = header.find("rx_theta_deg"), rx_phi = header.find("rx_phi_deg");
-  layout.keys = {frequency_source(header), Source{receiver_first ? theta_i : theta}, Source{receiver_first ? phi_i : phi},
-                 Source{rx_theta ? rx_theta : theta}, Source{rx_phi ? rx_phi : phi}};
+  const Source rx_theta = header.find("rx_theta_deg"), rx_phi = header.find("rx_phi_deg");
+  layout.keys = {frequency_source(header), receiver_first ? theta_i : theta, receiver_first ? phi_i : phi,
+                 rx_theta ? rx_theta : theta, rx_phi ? rx_phi : phi};
   if (std::ranges::none_of(layout.keys, [](const Source& source) { return source.column.has_value(); }))
     header.reject(
         "no column to match rows by; name at least one of freq_hz, freq_ghz, theta_deg, phi_deg, rx_theta_deg, rx_phi_deg");
 }
 
-void find_channels(const Header& header, Layout& layout) {
-  bool any = false;
-  for (int c = 0; c < 4; ++c) {
-    const std::string name = channel_names[c];
-    layout.re[c] = header.find("re_" + name), layout.im[c] = header.find("im_" + name);
-    layout.sigma[c] = header.find("sigma_" + name + "_dbsm");
-    if (layout.re[c].has_value() != layout.im[c].has_value())
-      header.reject(fmt::format("re_{0} and im_{0} go together; add the missing one or remove the other", name));
-    any = any || layout.re[c] || layout.sigma[c];
-  }
-  if (!any) header.reject("no channel; name at least re_vv and im_vv, or sigma_vv_dbsm (vh, hv, hh alike)");
+ChannelSource channel_source(const Header& header, const std::string& pq) {
+  const ChannelSource source{header.find("re_" + pq), header.find("im_" + pq), header.find("magnitude_" + pq),
+                             header.find("sigma_" + pq + "_dbsm"), header.find("phase_" + pq + "_rad")};
+  if (source.re.column.has_value() != source.im.column.has_value())
+    header.reject(fmt::format("re_{0} and im_{0} go together; add the missing one or remove the other", pq));
+  return source;
 }
 
-Layout layout_of(const CsvReader& reader) {
+// As in channels.csv: a row for each transmit polarisation, received in V and H.
+void find_received(const Header& header, Layout& layout) {
+  for (std::size_t c = 0; c < 4; ++c) {
+    const std::string receive = c < 2 ? "v" : "h";
+    layout.channels[c].magnitude = header.find(receive + "_magnitude");
+    layout.channels[c].phase = header.find(receive + "_phase_rad");
+  }
+}
+
+void find_channels(const Header& header, Layout& layout) {
+  layout.transmit = header.find("tx_pol").column;
+  for (std::size_t c = 0; c < 4 && !layout.transmit; ++c) layout.channels[c] = channel_source(header, channel_names[c]);
+  if (layout.transmit) find_received(header, layout);
+  if (std::ranges::any_of(layout.channels, &ChannelSource::any)) return;
+  header.reject(layout.transmit ? "no channel beside tx_pol; name v_magnitude or h_magnitude, and v_phase_rad or h_phase_rad"
+                                : "no channel; name at least re_vv and im_vv, or sigma_vv_dbsm (vh, hv, hh alike)");
+}
+
+Layout layout_of(const CsvReader& reader, const ColumnMap& map) {
   const bool numbers =
       std::ranges::all_of(reader.columns(), [](const std::string& cell) { return parsed_number(cell).has_value(); });
-  const Header header(reader);
   if (numbers)
-    header.reject(
-        "no header; put a line with the names of the columns first, for example freq_hz,theta_deg,phi_deg,sigma_vv_dbsm");
+    Header(reader, {})
+        .reject("no header; put a line with the names of the columns first, for example freq_hz,theta_deg,phi_deg,sigma_vv_dbsm");
+  const Header header(reader, map);
   Layout layout;
   find_keys(header, layout);
   find_channels(header, layout);
   return layout;
 }
 
-double sigma_cell(const CsvReader& reader, std::size_t column) {
+double value_of(const CsvReader& reader, const Source& source, const std::string& remedy) {
+  return source.factor * reader.finite_number(*source.column, remedy) + source.offset;
+}
+
+double sigma_cell(const CsvReader& reader, const Source& source) {
   constexpr double zero = -std::numeric_limits<double>::infinity();
-  if (parsed_number(reader.cell(column)) == zero) return zero;
-  return reader.finite_number(column, "write decibels as a number, and -inf for zero");
+  if (parsed_number(reader.cell(*source.column)) == zero) return zero;
+  return value_of(reader, source, "write decibels as a number, and -inf for zero");
 }
 
-void read_channel(const CsvReader& reader, const Layout& layout, int channel, ResultTable::Row& row) {
-  if (!layout.re[channel]) {
-    if (layout.sigma[channel]) row.sigma_dbsm[channel] = sigma_cell(reader, *layout.sigma[channel]);
+// |S|, of sqrt(sigma) or of a level.
+double amplitude(const CsvReader& reader, const ChannelSource& source) {
+  if (!source.magnitude) return std::pow(10.0, sigma_cell(reader, source.sigma) / 20.0) / std::sqrt(4.0 * pi);
+  const double magnitude = value_of(reader, source.magnitude, "write the root of sigma in metres");
+  if (magnitude < 0.0) throw InputError(fmt::format("{}: a magnitude must be 0 or more", reader.place()));
+  return magnitude / std::sqrt(4.0 * pi);
+}
+
+void read_channel(const CsvReader& reader, const ChannelSource& source, int channel, ResultTable::Row& row) {
+  if (source.re)
+    row.s[channel] = {value_of(reader, source.re, "write an amplitude in metres"),
+                      value_of(reader, source.im, "write an amplitude in metres")};
+  else if (source.any())
+    row.s[channel] =
+        std::polar(amplitude(reader, source), source.phase ? value_of(reader, source.phase, "write a phase in radians") : 0.0);
+  else
     return;
-  }
-  const auto metres = [&](Column column) { return reader.finite_number(*column, "write an amplitude in metres"); };
-  row.s[channel] = {metres(layout.re[channel]), metres(layout.im[channel])};
-  row.sigma_dbsm[channel] = sigma_dbsm(row.s[channel]);
+  const bool level = !source.re && !source.magnitude;
+  row.sigma_dbsm[channel] = level ? sigma_cell(reader, source.sigma) : sigma_dbsm(row.s[channel]);
 }
 
-ResultTable::Row read_row(const CsvReader& reader, const Layout& layout) {
-  ResultTable::Row row;
-  for (int k = 0; k < ResultTable::keys; ++k)
-    if (const auto& [column, unit] = layout.keys[k]; column)
-      row.key[k] = unit * reader.finite_number(*column, "write an angle in degrees or a frequency");
-  if (layout.keys[ResultTable::frequency].column && !(row.key[ResultTable::frequency] > 0.0))
-    throw InputError(fmt::format("{}: the frequency must be greater than 0", reader.place()));
-  for (int channel = 0; channel < 4; ++channel) read_channel(reader, layout, channel, row);
-  return row;
+// 0 for V, 1 for H.
+int transmit_of(const CsvReader& reader, std::size_t column) {
+  const std::string& text = reader.cell(column);
+  if (text == "v" || text == "V") return 0;
+  if (text == "h" || text == "H") return 1;
+  throw InputError(fmt::format("{}: the transmit polarisation is \"{}\"; write v or h", reader.place(), text));
 }
+
+ResultTable::Keys read_keys(const CsvReader& reader, const Layout& layout) {
+  ResultTable::Keys key{};
+  for (int k = 0; k < ResultTable::keys; ++k)
+    if (layout.keys[k]) key[k] = value_of(reader, layout.keys[k], "write an angle in degrees or a frequency");
+  if (layout.keys[ResultTable::frequency] && !(key[ResultTable::frequency] > 0.0))
+    throw InputError(fmt::format("{}: the frequency must be greater than 0", reader.place()));
+  return key;
+}
+
+// Rows of a table; those of both transmit polarisations become one.
+class Rows {
+ public:
+  explicit Rows(const Layout& layout) : layout_(layout) {}
+
+  void read(const CsvReader& reader) {
+    const ResultTable::Keys key = read_keys(reader, layout_);
+    const int transmit = layout_.transmit ? transmit_of(reader, *layout_.transmit) : 0;
+    ResultTable::Row& row = layout_.transmit ? shared_row(key, transmit) : rows_.emplace_back();
+    row.key = key;
+    for (int channel = 0; channel < 4; ++channel)
+      if (!layout_.transmit || channel % 2 == transmit) read_channel(reader, layout_.channels[channel], channel, row);
+  }
+
+  bool transmitted(int polarisation) const { return !layout_.transmit || count_[polarisation] > 0; }
+
+  std::vector<ResultTable::Row> finish(const std::filesystem::path& file) {
+    const std::size_t partners = std::min(count_[0], count_[1]);
+    if (partners > 0 && (count_[0] != count_[1] || rows_.size() != partners))
+      throw InputError(
+          fmt::format("{}: rows with transmit polarisation v and h do not come in pairs; add the missing ones", file.string()));
+    return std::move(rows_);
+  }
+
+ private:
+  // The n-th row of one polarisation belongs to the n-th row of the other with the same keys.
+  ResultTable::Row& shared_row(const ResultTable::Keys& key, int transmit) {
+    Places& places = places_[key];
+    const std::size_t n = places.count[transmit]++;
+    ++count_[transmit];
+    if (n == places.rows.size()) {
+      places.rows.push_back(rows_.size());
+      rows_.emplace_back();
+    }
+    return rows_[places.rows[n]];
+  }
+
+  struct Places {
+    std::array<std::size_t, 2> count{};
+    std::vector<std::size_t> rows;
+  };
+
+  const Layout& layout_;
+  std::map<ResultTable::Keys, Places> places_;
+  std::array<std::size_t, 2> count_{};
+  std::vector<ResultTable::Row> rows_;
+};
 
 }  // namespace
 
-ResultTable read_result_table(const std::filesystem::path& file) {
+ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map) {
   CsvReader reader(file, "give the path of a readable table, for example out/rcs.csv");
   if (reader.columns().empty())
     throw InputError(fmt::format("{}: holds no table; give a file with a header and rows", file.string()));
-  const Layout layout = layout_of(reader);
+  const Layout layout = layout_of(reader, map);
+  Rows rows(layout);
+  while (reader.next()) rows.read(reader);
   ResultTable table;
   table.file = file;
+  table.rows = rows.finish(file);
+  if (table.rows.empty()) throw InputError(fmt::format("{}: no rows below the header; nothing can be compared", file.string()));
   for (int k = 0; k < ResultTable::keys; ++k) table.has_key[k] = layout.keys[k].column.has_value();
   for (int c = 0; c < 4; ++c) {
-    table.has_phase[c] = layout.re[c].has_value();
-    table.has_channel[c] = layout.re[c] || layout.sigma[c];
+    table.has_channel[c] = layout.channels[c].any() && rows.transmitted(c % 2);
+    table.has_phase[c] = layout.channels[c].has_phase() && rows.transmitted(c % 2);
   }
-  while (reader.next()) table.rows.push_back(read_row(reader, layout));
-  if (table.rows.empty()) throw InputError(fmt::format("{}: no rows below the header; nothing can be compared", file.string()));
   return table;
 }
 

@@ -32,14 +32,16 @@ constexpr const char* trace_examples =
     "  raytube trace case.toml --look 0 --u 0.01 --v -0.02";
 
 constexpr const char* compare_examples =
-    "A and B are tables with a header: rcs.csv, or any file with freq_hz, theta_deg, phi_deg[, rx_theta_deg, rx_phi_deg] and, "
-    "for each\n"
-    "channel pq = vv, vh, hv, hh, re_pq and im_pq [m] or sigma_pq_dbsm. Rows with equal frequency and angles are compared.\n"
+    "A and B are tables with a header: rcs.csv, channels.csv, or any file with freq_hz, theta_deg, phi_deg[, rx_theta_deg, "
+    "rx_phi_deg]\n"
+    "and, for each channel pq = vv, vh, hv, hh, re_pq and im_pq [m], magnitude_pq [m] and phase_pq_rad, or sigma_pq_dbsm.\n"
+    "Rows with equal frequency and angles are compared.\n"
     "With -o it also writes compare.csv, compare.png and compare.svg.\n\n"
     "Examples:\n"
     "  raytube compare out/rcs.csv reference.csv\n"
     "  raytube compare out/rcs.csv reference.csv -o comparison --tolerance-db 0.5\n"
-    "  raytube compare a.csv b.csv --only phi_deg=-45:45 --within-db 40";
+    "  raytube compare a.csv b.csv --only phi_deg=-45:45 --within-db 40\n"
+    "  raytube compare out/rcs.csv renderer.csv --reference-columns \"freq_hz=f*1e9,theta_deg=el*-1+90,phi_deg=az\"";
 
 constexpr const char* converge_examples =
     "Solves the whole case at each density, coarse ones first, in place of its tubes.per_wavelength. Prints the observed order, "
@@ -162,6 +164,10 @@ CLI::App* add_compare(CLI::App& app, Request& request) {
                    "Errors in dB are over rows whose reference is this close to its peak; default 20")
       ->type_name("X")
       ->check(not_decibels);
+  for (const auto& [name, columns] :
+       {std::pair{"--result-columns", &request.result_columns}, std::pair{"--reference-columns", &request.reference_columns}})
+    compare->add_option(name, *columns, "Names and units of that table's columns: OURS=THEIRS[*FACTOR][+OFFSET],...")
+        ->type_name("OURS=THEIRS,...");
   compare->add_option("--only", request.only, "Only rows with this: COLUMN=VALUE or COLUMN=LOW:HIGH; may be repeated")
       ->type_name("COLUMN=LOW:HIGH")
       ->expected(1)

@@ -23,12 +23,13 @@ struct Request {
   std::optional<RandomOptions> random;  // run: --launch random
   bool quiet = false;
   std::size_t look = 0;
-  double u = 0.0, v = 0.0;                   // launch coordinates [m], origin = mesh origin
-  std::string densities = "2,4,8,16,32,64";  // converge: tubes per wavelength
-  std::filesystem::path result, reference;   // compare
-  std::vector<std::string> only;             // compare: COLUMN=LOW:HIGH
-  double within_db = 20.0;                   // compare: rows that count
-  std::optional<double> tolerance_db;        // compare: fall short above it
+  double u = 0.0, v = 0.0;                        // launch coordinates [m], origin = mesh origin
+  std::string densities = "2,4,8,16,32,64";       // converge: tubes per wavelength
+  std::filesystem::path result, reference;        // compare
+  std::string result_columns, reference_columns;  // compare: OURS=THEIRS,...
+  std::vector<std::string> only;                  // compare: COLUMN=LOW:HIGH
+  double within_db = 20.0;                        // compare: rows that count
+  std::optional<double> tolerance_db;             // compare: fall short above it
 };
 
 /// Throws InputError for a command line that cannot be understood.

@@ -65,7 +65,10 @@ void write_files(const std::filesystem::path& destination, const Comparison& com
 }  // namespace
 
 void compare_command(const Request& request) {
-  ResultTable result = read_result_table(request.result), reference = read_result_table(request.reference);
+  const ColumnMap result_columns = parsed_column_map("--result-columns", request.result_columns),
+                  reference_columns = parsed_column_map("--reference-columns", request.reference_columns);
+  ResultTable result = read_result_table(request.result, result_columns),
+              reference = read_result_table(request.reference, reference_columns);
   keep_chosen_rows(result, reference, request.only);
   const Comparison comparison = compare_results(std::move(result), std::move(reference), request.within_db);
   fmt::print("{}", comparison_text(comparison));

@@ -58,6 +58,25 @@ TEST_F(CompareProgram, InterruptWhilePlottingLeavesNothing) {
   EXPECT_FALSE(fs::exists(scratch / "out"));
 }
 
+// channels.csv of a run holds what its rcs.csv holds; under other names and in other units, too. What is left is rounding.
+TEST_F(CompareProgram, FourChannelTablesOfAnySource) {
+  ASSERT_EQ(raytube("run case.toml --set look.theta_deg='[10,20,30]' --set look.phi_deg=20 --set output.plots=false").code, 0);
+  EXPECT_EQ(raytube("compare out/channels.csv out/rcs.csv --tolerance-db 1e-10").code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("compared    3 rows"));
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("relative error of complex S"));
+  const std::string rename =
+      "sed '1s/.*/ghz,el,az,pol,a,b,c,d/; 2,$s/^\\([^,]*\\)000000000,\\([^,]*\\)/\\1,-\\2/' out/channels.csv >renderer.csv && ";
+  EXPECT_EQ(raytube("compare out/rcs.csv renderer.csv --tolerance-db 1e-10 --reference-columns "
+                    "'freq_hz=ghz*1e9,theta_deg=el*-1,phi_deg=az,tx_pol=pol,v_magnitude=a,v_phase_rad=b,h_magnitude=c,"
+                    "h_phase_rad=d'",
+                    rename)
+                .code,
+            0);
+  fs::remove_all(scratch / "out");
+  expect_refused("compare a.csv b.csv -o out --result-columns freq_hz=f", "a.csv, line 1: no column is named f; choose among");
+  expect_refused("compare a.csv b.csv -o out --reference-columns f=freq_hz", "--reference-columns f=freq_hz: f is no column");
+}
+
 TEST_F(CompareProgram, BadTables) {
   expect_refused("compare none.csv b.csv -o out", "none.csv: cannot be read; give the path of a readable table");
   expect_refused("compare a.csv . -o out", "cannot be read");

@@ -1,0 +1,20 @@
+// How the columns of another program's table are named, in this project's words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace raytube {
+
+/// A column by this project's name: factor * the cell of `theirs` + offset.
+struct ColumnChoice {
+  std::string ours, theirs;  // in small letters
+  double factor = 1.0, offset = 0.0;
+};
+using ColumnMap = std::vector<ColumnChoice>;
+
+/// Reads "freq_hz=f*1e9,theta_deg=elevation*-1+90,...": ours=theirs, then *factor and +offset where needed. `option` is what
+/// messages call it. Throws InputError for anything else and for names of ours that no table has.
+ColumnMap parsed_column_map(const std::string& option, const std::string& text);
+
+}  // namespace raytube
