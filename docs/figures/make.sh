@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws every picture of README.md, docs/ and cases/*/README.md: runs the cases, joins them with their references, calls gnuplot.
-#   docs/figures/make.sh [PROGRAM]      default: build/raytube; needs gnuplot, about a minute on two cores
+#   docs/figures/make.sh [PROGRAM]      default: build/raytube; needs gnuplot, a few minutes on two cores
 set -euo pipefail
 program=$(readlink -f "${1:-build/raytube}")
 cd "$(dirname "$(readlink -f "$0")")/../.."
@@ -35,6 +35,8 @@ for name in plate dihedral powercube cylinder trihedral; do grep -v '^#' cases/$
 grep -v '^#' cases/sphere/reference_bistatic.csv >"$work/sphere_reference.csv"
 "$program" converge cases/convergence/case.toml -o "$work/convergence_plate" >/dev/null
 "$program" converge cases/convergence/dihedral.toml -o "$work/convergence_dihedral" >/dev/null
+cases/stochastic/run.py "$program"
+cp cases/stochastic/out/error_time.png docs/figures/stochastic.png
 for name in convergence_plate convergence_dihedral; do cp "$work/$name/converge.png" docs/figures/$name.png; done
 # theta along the plate's cut is signed: phi = 180 counts negative.
 paste -d, "$work/plate.csv" "$work/plate_reference.csv" >"$work/plate_both.csv"
@@ -44,7 +46,7 @@ done
 paste -d, "$work/sphere.csv" "$work/sphere_reference.csv" >"$work/sphere_both.csv"
 
 cd docs/figures
-pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral convergence_plate convergence_dihedral)
+pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral convergence_plate convergence_dihedral stochastic)
 gnuplot -d <<EOF
 set datafile separator ','
 set datafile missing '-inf'

@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+"""Error against time of random and of deterministic tubes, on one plot: run.py [PROGRAM]     (default build/raytube; about a minute)
+
+Writes out/error_time.csv and, with gnuplot, out/error_time.png beside this file. Standard library only."""
+import cmath
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+sys.path[:0] = [str(ROOT / "bench"), str(ROOT / "cases")]
+from make_cases import C0, dihedral_po  # noqa: E402
+from report_plots import STYLES, block, decades  # noqa: E402
+
+RANDOM, UNIFORM, ADAPTIVE = "random tubes", "uniform tubes", "adaptive tubes (default)"
+PASSES = 3  # each setting this many times, in turn; the shortest time counts
+RUNS = 10  # random runs whose errors make one point
+EXACT = 1e-9  # rounding and the truth's own digits
+LEAST = 1e-7  # errors below are drawn here: a logarithmic axis has no zero
+PANELS = {"dihedral": "150 mm dihedral, 94 GHz", "sphere": "sphere of 1 m radius, 3 GHz"}
+
+
+def sphere_po(a, freq):
+    """Lit half of a sphere of radius a, monostatic physical optics in closed form (Knott, Shaeffer & Tuley 2004, ch. 5)."""
+    k = 2 * math.pi * freq / C0
+    jc = 2j * k * a
+    return -1j * k * a * a * (cmath.exp(jc) / jc - (cmath.exp(jc) - 1) / jc**2)
+
+
+def table(file):
+    with open(file) as f:
+        return list(csv.DictReader(line for line in f if not line.startswith("#")))
+
+
+def run(program, case, options, folder):
+    """Runs the case on one thread; returns its folder."""
+    command = [program, "run", HERE / f"{case}.toml", "-o", folder, "--threads", "1", "--quiet", "--set", "output.plots=false"]
+    subprocess.run([*map(str, command), *options], check=True)
+    return folder
+
+
+def manifest(folder):
+    return json.loads((folder / "run.json").read_text())
+
+
+def copolar(folder):
+    """S_vv and S_hh of every row."""
+    return [complex(float(row[f"re_{c}"]), float(row[f"im_{c}"])) for row in table(folder / "rcs.csv") for c in ("vv", "hh")]
+
+
+def norm(values):
+    return math.sqrt(sum(abs(v)**2 for v in values))
+
+
+def deterministic(program, case, options, truth, folder):
+    """(seconds a look, relative error of complex S)"""
+    s = copolar(run(program, case, options, folder))
+    return 2 * manifest(folder)["time"]["solve_s"] / len(s), norm([a - b for a, b in zip(s, truth)]) / norm(truth)
+
+
+def by_chance(program, case, samples, truth, folder):
+    """The same of a single run, rms over the runs: the square is that of the mean's error and (R - 1) / R of the spread's."""
+    run(program, case, ["--launch", "random", "--samples", str(samples), "--repeat", str(RUNS)], folder)
+    rows = [row for row in table(folder / "random.csv") if row["channel"] in ("vv", "hh")]
+    bias = norm([complex(float(row["re_mean"]), float(row["im_mean"])) - t for row, t in zip(rows, truth)])
+    spread = norm([float(row["spread_m"]) for row in rows])
+    return 2 * manifest(folder)["launch"]["run_s"] / len(rows), math.hypot(bias, math.sqrt(1 - 1 / RUNS) * spread) / norm(truth)
+
+
+def sets(**keys):
+    return [word for key, value in keys.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
+
+
+def truths(program, case, folder):
+    """What a case tends to: of its surface, in closed form, and of the facets that random and uniform tubes meet."""
+    if case == "dihedral":
+        exact = [s for phi in (20.3, 31.7, 47.3, 69.1) for s in dihedral_po(0.15, 0.15, 94e9, math.radians(phi))]
+        return exact, exact
+    facets = sets(tubes__curved='"never"', tubes__per_wavelength=80, accuracy__tolerance_db="1e-9")
+    return [sphere_po(1.0, 3e9)] * 8, copolar(run(program, case, facets, folder))
+
+
+def settings(program, case, folder):
+    """(method, setting, function that measures it)"""
+    surface, facets = truths(program, case, folder)
+    densities = (0.25, 0.5, 1, 2.5, 5, 10) if case == "dihedral" else (1, 2.5, 5, 10, 20, 40)
+    for samples in (10**3, 10**4, 10**5):
+        yield RANDOM, samples, lambda n=samples: by_chance(program, case, n, facets, folder)
+    for density in densities:
+        options = sets(tubes__mode='"uniform"', tubes__per_wavelength=density)
+        yield UNIFORM, density, lambda o=options: deterministic(program, case, o, facets, folder)
+    yield ADAPTIVE, 0.1, lambda: deterministic(program, case, [], surface, folder)  # accuracy.tolerance_db; others change nothing
+
+
+def study(program, case, folder):
+    """{method: [(setting, seconds, error), ...]}"""
+    measured = {}
+    for _ in range(PASSES):
+        for method, setting, measure in settings(program, case, folder):
+            seconds, error = measure()
+            before = measured.setdefault(method, {}).get(setting, (math.inf, 0))[0]
+            measured[method][setting] = min(before, seconds), error
+    return {method: [(x, *point) for x, point in points.items()] for method, points in measured.items()}
+
+
+def slope(points):
+    """Exponent of error against time: a straight line through the logarithms."""
+    xs, ys = [math.log(p[1]) for p in points], [math.log(p[2]) for p in points]
+    x, y = sum(xs) / len(xs), sum(ys) / len(ys)
+    return sum((a - x) * (b - y) for a, b in zip(xs, ys)) / sum((a - x)**2 for a in xs)
+
+
+def random_law(points):
+    """c of error = c / sqrt(seconds), through the middle of the points."""
+    return math.exp(sum(math.log(error * math.sqrt(seconds)) for _, seconds, error in points) / len(points))
+
+
+def show(case, methods):
+    law = random_law(methods[RANDOM])
+    print(f"\n{PANELS[case]}\n  {'':<26}{'setting':>9}{'ms a look':>11}{'rel. error':>12}{'random takes':>14}")
+    for method, points in methods.items():
+        for x, seconds, error in points:
+            needs = f"{(law / error)**2 / seconds:.2g} x" if error > EXACT else "no end"
+            print(f"  {method:<26}{x:>9g}{1e3 * seconds:>11.3g}{error:>12.2e}{'' if method == RANDOM else needs:>14}")
+    print("  exponent of error against time: " + ", ".join(f"{m} {slope(methods[m]):.2f}" for m in (RANDOM, UNIFORM)))
+
+
+def panel(index, case, methods):
+    blocks, plots = "", []
+    for style, (method, points) in zip((5, 1, 3), methods.items()):
+        blocks += block(f"b{index}s{style}", [(1e3 * seconds, max(error, LEAST)) for _, seconds, error in points])
+        plots.append(f"$b{index}s{style} with linespoints ls {style} title '{method}'")
+    times = [1e3 * seconds for points in methods.values() for _, seconds, _ in points]
+    law = random_law(methods[RANDOM]) * math.sqrt(1e3)
+    plots.append(f"{law:.6g} / sqrt(x) with lines lc rgb '#d9480f' dt 3 title 'time^{{−1/2}}'")
+    return (f"{blocks}set title '{PANELS[case]}'\nset xrange {decades(times)}\nplot {', '.join(plots)}\n"
+            "unset key\nset ylabel ''\n")
+
+
+def draw(studies, file):
+    script = (f"set encoding utf8\nset terminal pngcairo size 1100,480 font 'DejaVu Sans,11' background rgb 'white'\n"
+              f"set output '{file}'\n{STYLES}set key at screen 0.5,0.97 center maxcols 4 maxrows 1 width -2\n"
+              f"set yrange [{LEAST / 2}:30]\nset ytics add ('≤10^{{-7}}' {LEAST})\nset xlabel 'time per look (ms)'\n"
+              "set ylabel 'relative error of complex S'\n"
+              "set multiplot layout 1,2 margins 0.09,0.985,0.13,0.84 spacing 0.08,0\n")
+    script += "".join(panel(i, case, methods) for i, (case, methods) in enumerate(studies.items()))
+    subprocess.run(["gnuplot", "-d"], input=script + "unset multiplot\n", text=True, check=True)
+
+
+def main():
+    program = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build" / "raytube").resolve()
+    out = HERE / "out"
+    out.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        studies = {case: study(program, case, pathlib.Path(folder)) for case in PANELS}
+    with open(out / "error_time.csv", "w", newline="") as f:
+        writer = csv.writer(f, lineterminator="\n")
+        writer.writerow(["case", "method", "setting", "seconds_per_look", "relative_error"])
+        writer.writerows((case, method, *p) for case, methods in studies.items() for method, points in methods.items() for p in points)
+    for case, methods in studies.items():
+        show(case, methods)
+    try:
+        draw(studies, out / "error_time.png")
+    except FileNotFoundError:
+        print("no picture: gnuplot is not installed", file=sys.stderr)
+    print(f"\nresults     {out}")
+
+
+if __name__ == "__main__":
+    main()
