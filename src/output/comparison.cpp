@@ -109,10 +109,14 @@ double lag_along_cuts(const Comparison& c, const ChannelPair& pair) {
 
 }  // namespace
 
-Comparison compare_results(ResultTable result, ResultTable reference, double within_db) {
+Comparison compare_results(ResultTable result, ResultTable reference, double within_db, bool free_scale) {
   Comparison c;
   c.result = std::move(result), c.reference = std::move(reference), c.within_db = within_db;
   c.match = match_rows(c.result, c.reference);
+  if (free_scale) {
+    c.scale = fit_scale(c.result, c.reference, c.match);
+    apply_scale(c.result, c.scale->factor);
+  }
   fill_keys(c);
   fill_pairs(c);
   find_signals(c);

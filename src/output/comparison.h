@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "output/cuts.h"
 #include "output/error_measures.h"
+#include "output/free_scale.h"
 #include "output/match_rows.h"
 #include "output/result_table.h"
 
@@ -16,6 +18,7 @@ struct Comparison {
   ResultTable result, reference;
   double within_db;
   RowMatch match;
+  std::optional<FreeScale> scale;  // fitted, and in the result already
 
   // Of the common rows:
   std::array<bool, ResultTable::keys> has_key{};
@@ -34,7 +37,8 @@ struct Comparison {
   std::size_t rows() const { return keys.size(); }
 };
 
-/// Throws InputError if the tables share no row or no channel, or if the reference is zero throughout.
-Comparison compare_results(ResultTable result, ResultTable reference, double within_db);
+/// With `free_scale` the result is first multiplied by the factor that brings it nearest to the reference. Throws InputError if
+/// the tables share no row or no channel, or if the reference is zero throughout.
+Comparison compare_results(ResultTable result, ResultTable reference, double within_db, bool free_scale = false);
 
 }  // namespace raytube

@@ -28,13 +28,20 @@ std::string file_line(const char* what, const ResultTable& table) {
   return fmt::format("{:<12}{}, {} rows\n", what, table.file.string(), table.rows.size());
 }
 
+std::string scale_text(const Comparison& c) {
+  if (!c.scale) return {};
+  const double db = 20.0 * std::log10(std::abs(c.scale->factor)), turn = std::arg(c.scale->factor) / degree;
+  const std::string phase = c.scale->phase ? fmt::format(", {:+.4g} degrees", turn) : "";
+  return fmt::format("{:<12}the result by {:+.4g} dB{}, fitted (--free-scale)\n", "scaled", db, phase);
+}
+
 std::string rows_text(const Comparison& c) {
   std::string text = file_line("result", c.result) + file_line("reference", c.reference);
   text += fmt::format("{:<12}{} rows, equal in {} (to {:g} degree, {:g} of the frequency)\n", "compared", c.rows(),
                       names(c.match.by), angle_tolerance_deg, frequency_tolerance);
   text += fmt::format("{:<12}{} rows of the result, {} of the reference\n", "left out", c.result.rows.size() - c.rows(),
                       c.reference.rows.size() - c.rows());
-  return text;
+  return text + scale_text(c);
 }
 
 std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }

@@ -168,6 +168,8 @@ CLI::App* add_compare(CLI::App& app, Request& request) {
        {std::pair{"--result-columns", &request.result_columns}, std::pair{"--reference-columns", &request.reference_columns}})
     compare->add_option(name, *columns, "Names and units of that table's columns: OURS=THEIRS[*FACTOR][+OFFSET],...")
         ->type_name("OURS=THEIRS,...");
+  compare->add_flag("--free-scale", request.free_scale,
+                    "First multiply A by the one complex factor that brings it nearest to B, and tell it");
   compare->add_option("--only", request.only, "Only rows with this: COLUMN=VALUE or COLUMN=LOW:HIGH; may be repeated")
       ->type_name("COLUMN=LOW:HIGH")
       ->expected(1)

@@ -27,6 +27,7 @@ struct Request {
   std::string densities = "2,4,8,16,32,64";       // converge: tubes per wavelength
   std::filesystem::path result, reference;        // compare
   std::string result_columns, reference_columns;  // compare: OURS=THEIRS,...
+  bool free_scale = false;                        // compare: fit one factor first
   std::vector<std::string> only;                  // compare: COLUMN=LOW:HIGH
   double within_db = 20.0;                        // compare: rows that count
   std::optional<double> tolerance_db;             // compare: fall short above it

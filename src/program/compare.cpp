@@ -70,7 +70,7 @@ void compare_command(const Request& request) {
   ResultTable result = read_result_table(request.result, result_columns),
               reference = read_result_table(request.reference, reference_columns);
   keep_chosen_rows(result, reference, request.only);
-  const Comparison comparison = compare_results(std::move(result), std::move(reference), request.within_db);
+  const Comparison comparison = compare_results(std::move(result), std::move(reference), request.within_db, request.free_scale);
   fmt::print("{}", comparison_text(comparison));
   if (!request.output_folder.empty()) write_files(request.output_folder, comparison);
   if (!request.tolerance_db) return;

@@ -3,8 +3,8 @@
 
 #include "error.h"
 #include "output/column_map.h"
+#include "output/comparison_report.h"
 #include "output/csv.h"
-#include "output/result_table.h"
 #include "scratch.h"
 
 namespace raytube {
@@ -84,6 +84,31 @@ TEST(TransmitRows, OnePolarisationAloneHasTwoChannels) {
   const ResultTable table = table_of("phi_deg,tx_pol,v_magnitude,h_magnitude\n0,h,1,2\n1,h,3,4\n");
   EXPECT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.has_channel, (std::array{false, true, false, true}));
+}
+
+// A table that is the other times a factor: the factor comes back, and nothing is left but rounding.
+TEST(FreeScale, FindsTheFactorOfAnotherCalibration) {
+  const ResultTable reference = table_of("phi_deg,re_vv,im_vv,re_hh,im_hh\n0,1,2,3,4\n1,0,-1,2,0\n");
+  ResultTable result = reference;
+  const Complex calibration = std::polar(0.02, 1.0);
+  apply_scale(result, calibration);
+  EXPECT_NEAR(result.rows[0].sigma_dbsm[0], reference.rows[0].sigma_dbsm[0] + 20.0 * std::log10(0.02), 1e-12);
+  const Comparison c = compare_results(result, reference, 20.0, true);
+  EXPECT_NEAR(std::abs(c.scale->factor * calibration - 1.0), 0.0, 1e-14);
+  EXPECT_TRUE(c.scale->phase);
+  EXPECT_LE(c.errors[0].relative_error, 1e-14);
+  EXPECT_LE(c.errors[3].rms_db, 1e-12);
+  EXPECT_THAT(comparison_text(c), HasSubstr("scaled      the result by +33.98 dB, -57.3 degrees, fitted"));
+}
+
+// Levels alone have no phase to fit: sum |a||b| / sum |a|^2 of amplitudes 1, 2 and 2, 2 is 6 / 5.
+TEST(FreeScale, LevelsAreFittedByMagnitude) {
+  const ResultTable result = table_of("phi_deg,magnitude_vv\n0,1\n1,2\n"),
+                    reference = table_of("phi_deg,magnitude_vv\n0,2\n1,2\n");
+  const Comparison c = compare_results(result, reference, 20.0, true);
+  EXPECT_NEAR(c.scale->factor.real(), 1.2, 1e-14);
+  EXPECT_FALSE(c.scale->phase);
+  EXPECT_THROW(compare_results(table_of("phi_deg,magnitude_vv\n0,0\n1,0\n"), reference, 20.0, true), InputError);
 }
 
 TEST(ColumnMap, BadMapsAreRefused) {
