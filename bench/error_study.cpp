@@ -139,8 +139,8 @@ Outcome by_chance(const Body& body, std::uint64_t launched, std::uint64_t seed, 
   const auto start = Clock::now();
   on_threads(threads, [&] {
     tbb::parallel_for(std::size_t{0}, looks.size(), [&](std::size_t i) {
-      looks[i] = random_tubes(body.target.tracer, body.sweep.looks[i], body.sweep.frequencies, TubeOptions().max_bounces,
-                              {launched, seed, i});
+      looks[i] =
+          random_tubes(body.target.tracer, body.sweep.looks[i], body.sweep.frequencies, TubeOptions(), {launched, seed, i});
     });
   });
   Outcome outcome{{}, 0, seconds_since(start)};

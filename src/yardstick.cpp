@@ -36,7 +36,7 @@ std::vector<RandomSums> draw(const Target& target, const Sweep& sweep, const Sol
   tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
     // A look's stream depends on nothing but its place and the run.
     const std::uint64_t stream = std::uint64_t{i / looks} << 32 | i % looks;
-    drawn[i] = random_tubes(target.tracer, sweep.looks[i % looks], sweep.frequencies, options.tubes.max_bounces,
+    drawn[i] = random_tubes(target.tracer, sweep.looks[i % looks], sweep.frequencies, options.tubes,
                             {random.samples, random.seed, stream});
     progress.add(share);
   });

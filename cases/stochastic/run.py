@@ -13,6 +13,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.dont_write_bytecode = True
 sys.path[:0] = [str(ROOT / "bench"), str(ROOT / "cases")]
 from make_cases import C0, dihedral_po  # noqa: E402
 from report_plots import STYLES, block, decades  # noqa: E402

@@ -108,6 +108,7 @@ std::string csv_comments(const Comparison& c) {
     if (static_cast<unsigned char>(character) < ' ') character = ' ';
   text.back() = '\n';
   text += fmt::format("# {} rows compared, equal in {}\n", c.rows(), names(c.match.by));
+  if (c.scale) text += "# " + scale_text(c);
   text += fmt::format(
       "# Columns rows_within to at_peak_db: result minus reference where the reference is within {:g} dB of its peak.\n",
       c.within_db);

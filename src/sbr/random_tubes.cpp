@@ -105,10 +105,11 @@ class Block {
   RandomSums sums_;
 };
 
-Scene scene_of(const Tracer& tracer, const Look& look, std::span<const double> frequencies, std::uint64_t samples) {
+Scene scene_of(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& tubes,
+               std::uint64_t samples) {
   const TriangleMesh& mesh = tracer.mesh();
   Scene scene{tracer,
-              launch_grid(mesh, look.transmit, wavelength(std::ranges::max(frequencies)), 1.0, std::nullopt),
+              launch_grid(mesh, look.transmit, wavelength(std::ranges::max(frequencies)), 1.0, tubes.up),
               spherical_basis(look.transmit),
               spherical_basis(look.receive),
               {},
@@ -131,11 +132,11 @@ RandomSums& RandomSums::operator+=(const RandomSums& other) {
   return *this;
 }
 
-RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const double> frequencies, int max_bounces,
+RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& tubes,
                         const RandomLaunch& launch) {
   RandomSums none;
   none.scattering.resize(frequencies.size());
-  const Scene scene = scene_of(tracer, look, frequencies, launch.samples);
+  const Scene scene = scene_of(tracer, look, frequencies, tubes, launch.samples);
   if (scene.rectangle.cells() == 0) return none;  // no projected area
   using Range = tbb::blocked_range<std::uint64_t>;
   // Cut and joined in the same places whoever works: threads never show in the sum.
@@ -144,7 +145,7 @@ RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const 
       [&](const Range& range, RandomSums sum) {
         Block block(scene);
         for (std::uint64_t i = range.begin(); i != range.end(); ++i) block.launch(random_point(launch.seed, launch.stream, i));
-        return sum += block.run(max_bounces);
+        return sum += block.run(tubes.max_bounces);
       },
       [](RandomSums a, const RandomSums& b) { return a += b; });
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/tracer.h"
+#include "sbr/sbr.h"
 #include "sweep.h"
 
 namespace raytube {
@@ -27,9 +28,9 @@ struct RandomSums {
 
 /// Tubes from places drawn uniformly over the launch rectangle, each for the area of the rectangle / samples. Each adds, at every
 /// bounce, the physical-optics integrand where it lands times that area, for all frequencies [Hz] and both transmit
-/// polarisations: an unbiased estimate of the area integral with a standard error that falls as 1 / sqrt(samples). Facets are
-/// flat. The same bytes for any number of threads.
-RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const double> frequencies, int max_bounces,
+/// polarisations: an unbiased estimate of the area integral with a standard error that falls as 1 / sqrt(samples). Of
+/// `tubes`, `max_bounces` and `up` count; facets are flat. The same bytes for any number of threads.
+RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& tubes,
                         const RandomLaunch& launch);
 
 }  // namespace raytube

@@ -79,6 +79,19 @@ TEST(Yardstick, APlateFaceOnHasNoSpread) {
   EXPECT_NEAR(result.spread[0][0][0].bias_db, 0.0, 1e-11);
 }
 
+// The rectangle along the sides of a turned plate is filled by it, too; the default one is not.
+TEST(Yardstick, TheLaunchRectangleFollowsUp) {
+  const double turn = 33.0 * degree;
+  const LoadedMesh loaded = build_mesh(shapes::plate(5.0 * lambda, turn), 1.0);
+  SolveOptions o = options(EdgeMethod::none);
+  const Target target(loaded.mesh, o.edges);
+  const Sweep sweep = monostatic({{0.0, 0.0}}, frequency);
+  const double beside = solve_by_chance(target, sweep, o, {100, 3, 10}).spread[0][0][0].amplitude;
+  o.tubes.up = dvec3(-std::sin(turn), std::cos(turn), 0.0);
+  EXPECT_GT(beside, 1e-2 * lambda);
+  EXPECT_LE(solve_by_chance(target, sweep, o, {100, 3, 10}).spread[0][0][0].amplitude, 1e-9 * lambda);
+}
+
 // One look at many frequencies is one set of rays: each row is what its frequency alone would give.
 TEST(Yardstick, FrequenciesShareTheRays) {
   Sweep both{{frequency, 1.01 * frequency}, {{{0.4, 0.2}, {0.4, 0.2}}}, false}, second = both;
