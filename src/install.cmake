@@ -2,8 +2,8 @@
 include(CMakePackageConfigHelpers)
 install(TARGETS raytube RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS raytube_solver EXPORT raytubeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES antenna.h complex_vector.h error.h field.h look_plan.h material.h progress.h random_result.h sweep.h solve.h yardstick.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube)
+install(FILES antenna.h complex_vector.h error.h field.h image.h look_plan.h material.h progress.h random_result.h sweep.h solve.h
+        solve_image.h yardstick.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube)
 install(FILES mesh/triangle_mesh.h mesh/load.h mesh/outlines.h mesh/thin_sheets.h mesh/smooth.h mesh/wedges.h mesh/tracer.h
         mesh/convexity.h mesh/face_tree.h mesh/faces.h mesh/geometry.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/mesh)

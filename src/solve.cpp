@@ -1,9 +1,7 @@
 #include "solve.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,10 +12,9 @@
 
 #include "mesh/enclosed.h"
 #include "mesh/mirror.h"
-#include "sbr/estimate.h"
 #include "sbr/launch.h"
 #include "skipped.h"
-#include "utd/edge_sets.h"
+#include "solve_parts.h"
 #include "utd/ray_fields.h"
 
 namespace raytube {
@@ -31,24 +28,6 @@ struct LookResult {
   BetweenResult between;
 };
 
-bool all_far(const Sweep& sweep) { return std::ranges::all_of(sweep.looks, &Look::far); }
-
-void check(const Sweep& sweep, const SolveOptions& options) {
-  if (sweep.frequencies.empty() || sweep.looks.empty()) throw InputError("the sweep has no frequency or no look");
-  for (const double f : sweep.frequencies)
-    if (!(f > 0.0) || !std::isfinite(f)) throw InputError("every frequency must be a positive number of hertz");
-  if (!(options.tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
-  if (options.edges.order < 1 || options.edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
-  if (options.tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
-  const bool near = std::ranges::none_of(sweep.looks, &Look::far);
-  if (!near && !all_far(sweep)) throw InputError("either every look has antennas at a finite distance, or none");
-  if (near && options.tubes.mode == TubeMode::adaptive && !options.tubes.clip)
-    throw InputError("antennas at a finite distance need tubes that are clipped or uniform");
-  if (near && options.edges.method == EdgeMethod::utd)
-    throw InputError("antennas at a finite distance have no part in the edge method utd, which has a range of its own");
-  if (!(options.edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
-}
-
 // A measured pattern says nothing beyond its ends.
 void check_pattern(const TriangleMesh& mesh, const Antenna& antenna, const AntennaPattern& pattern) {
   if (pattern.azimuth.angles.empty() && pattern.elevation.angles.empty()) return;
@@ -60,25 +39,6 @@ void check_pattern(const TriangleMesh& mesh, const Antenna& antenna, const Anten
                       "the pattern in radar.pattern_csv; add rows up to there",
                       angles.x / degree, angles.y / degree));
   }
-}
-
-// Reciprocity: the true S of a monostatic look has S_vh = S_hv, so dropping our antisymmetric part brings S closer. One bounce
-// has none; several bounces have one out of their specular directions, fringe currents off their cone. A bistatic sweep is
-// left alone, also where it passes the monostatic direction: there the parts correct one another, and rows must not jump.
-void make_reciprocal(std::vector<ScatteringMatrix>& scattering) {
-  for (ScatteringMatrix& s : scattering) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
-}
-
-// A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
-constexpr double most_rise = 1.0 / 32.0;
-
-std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
-  if (tubes.mode != TubeMode::adaptive || !tubes.clip || tubes.curved == CurvedSurfaces::never) return {};
-  const bool convex_only = tubes.curved == CurvedSurfaces::convex || !all_far(sweep);
-  if (convex_only && !target.convexity.no_reflection) return {};
-  SmoothSurfaces smooth(target.mesh, target.min_wedge_angle, most_rise * wavelength(std::ranges::max(sweep.frequencies)));
-  if (!smooth.any()) return {};
-  return smooth;
 }
 
 // A radar on a circle about the origin is in the same place again where its directions repeat.
@@ -99,29 +59,15 @@ LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tu
   return plan_looks(sweep.looks, find_mirror_planes(target.mesh, target.wedges, curved));
 }
 
-// What quadrature may leave of the tolerance, at the frequency where most comes back.
-constexpr double between_share = 0.1;
-
-double between_tolerance(const TubeSums& tubes, const SolveOptions& options) {
-  double strongest = 0.0;
-  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
-    ScatteringMatrix sum;
-    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
-    strongest = std::max(strongest, frobenius_norm(sum));
-  }
-  return between_share * relative_error(options.tubes.tolerance_db) * strongest;
-}
-
 LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const EdgeSets& edges, const Sweep& sweep,
                       const Look& look, const SolveOptions& options, Progress& progress, double share) {
   LookResult result;
   result.tubes = sbr_scattering(target.tracer, target.faces, smooth, target.convexity, look, sweep.frequencies, options.tubes,
                                 progress, share, sweep.radar);
-  if (options.edges.method == EdgeMethod::fringe && (edges.radiate() || !options.tubes.skip))
+  if (edges_count(edges, options))
     result.edges = edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow,
                                     options.edges.transition, sweep.radar);
-  result.between = edges.between(target.faces, target.tracer, look,
-                                 {options.edges.order, options.edges.transition, between_tolerance(result.tubes, options)});
+  result.between = edges.between(target.faces, target.tracer, look, between_options(result.tubes, options));
   if (sweep.bistatic) return result;
   for (std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) make_reciprocal(bounce);
   for (ChannelErrors& error : result.tubes.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);
@@ -145,13 +91,6 @@ LookResult solve_look(const RayFields& rays, const Sweep& sweep, const Look& loo
   result.edges.scattering = std::move(found.edges);
   progress.add(share);
   return result;
-}
-
-// Moves the phase reference from the centre of the mesh to the origin of its own coordinates, where that of antennas lies.
-Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency) {
-  if (!look.far()) return 1.0;
-  const dvec3 change = spherical_basis(look.receive).radial + spherical_basis(look.transmit).radial;
-  return std::polar(1.0, wavenumber(frequency) * glm::dot(change, mesh.center));
 }
 
 ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) { return matrix *= factor; }
@@ -324,16 +263,11 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   check(sweep, options);
   check_antennas(target.mesh, sweep);
   const auto start = std::chrono::steady_clock::now();
-  const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-  // More threads than cores must be asked for; a host program's own limit is never lowered.
-  constexpr auto parallelism = tbb::global_control::max_allowed_parallelism;
-  const tbb::global_control limit(parallelism, std::max<std::size_t>(threads, tbb::global_control::active_value(parallelism)));
   Progress progress(options.progress);
 
   EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
                  options.tubes.skip);
-  const std::vector<bool> crowded = crowded_between(target, sweep, options.edges);
-  if (!crowded.empty()) edges.prepare_between(target.mesh, crowded);
+  prepare_between(edges, target, sweep, options.edges);
   const double range = ray_range(target, sweep, options.edges);
   std::optional<RayFields> rays;
   if (range > 0.0)
@@ -345,7 +279,7 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
       rays ? plan_of(target, sweep, options.tubes, EdgeMethod::utd) : plan_of(target, sweep, options.tubes, smooth.has_value());
   std::vector<LookResult> computed(plan.computed.size());
   const double share = 1.0 / static_cast<double>(computed.size());
-  tbb::task_arena(threads).execute([&] {
+  run_on_threads(options.threads, [&] {
     tbb::parallel_for(std::size_t{0}, computed.size(), [&](std::size_t i) {
       const Look& look = sweep.looks[plan.computed[i]];
       computed[i] = rays ? solve_look(*rays, sweep, look, progress, share)
@@ -358,7 +292,7 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
     const LookSource& source = plan.sources[i];
     collector.add(i, computed[source.place], source);
   }
-  SweepResult result = collector.finish(plan, crowded);
+  SweepResult result = collector.finish(plan, crowded_between(target, sweep, options.edges));
   result.statistics.ray_range = range;
   result.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

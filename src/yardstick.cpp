@@ -1,14 +1,13 @@
 #include "yardstick.h"
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "sbr/random_tubes.h"
+#include "solve_parts.h"
 
 namespace raytube {
 
@@ -49,7 +48,7 @@ Rows rows_of_run(const Sweep& sweep, const Rows& fixed, const RandomSums* looks)
   for (std::size_t i = 0; i < sweep.looks.size(); ++i)
     for (std::size_t f = 0; f < sweep.frequencies.size(); ++f) {
       ScatteringMatrix tubes = looks[i].scattering[f];
-      if (!sweep.bistatic) tubes.at(0, 1) = tubes.at(1, 0) = 0.5 * (tubes.vh() + tubes.hv());
+      if (!sweep.bistatic) make_reciprocal(std::span(&tubes, 1));
       rows[sweep.row(i, f)] += tubes;
     }
   return rows;
@@ -97,7 +96,8 @@ Statistics statistics_of(const Target& target, const Sweep& sweep, const EdgeOpt
   return s;
 }
 
-void check(const EdgeOptions& edges, const RandomOptions& random) {
+void check(const Sweep& sweep, const EdgeOptions& edges, const RandomOptions& random) {
+  if (!all_far(sweep)) throw InputError("random tubes are parts of a plane wave; remove [radar]");
   if (edges.method == EdgeMethod::utd) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
   if (random.samples < 1) throw InputError("random tubes: a look needs at least 1");
   if (random.runs < 2) throw InputError("random tubes: a spread needs at least 2 runs");
@@ -106,18 +106,15 @@ void check(const EdgeOptions& edges, const RandomOptions& random) {
 }  // namespace
 
 RandomResult solve_by_chance(const Target& target, const Sweep& sweep, const SolveOptions& options, const RandomOptions& random) {
-  check(options.edges, random);
+  check(sweep, options.edges, random);
   SolveOptions whole = options;
   whole.keep_parts = true;
   if (options.progress) whole.progress = [&](double done) { return options.progress(solution_share * done); };
   RandomResult result{random, {}, solve(target, sweep, whole), {}, 0.0};
 
   const auto start = std::chrono::steady_clock::now();
-  const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-  constexpr auto parallelism = tbb::global_control::max_allowed_parallelism;
-  const tbb::global_control limit(parallelism, std::max<std::size_t>(threads, tbb::global_control::active_value(parallelism)));
   std::vector<RandomSums> drawn;
-  tbb::task_arena(threads).execute([&] { drawn = draw(target, sweep, options, random); });
+  run_on_threads(options.threads, [&] { drawn = draw(target, sweep, options, random); });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
   const Rows fixed = fixed_part(result.deterministic);

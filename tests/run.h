@@ -16,8 +16,8 @@
 
 namespace raytube::testing {
 
-inline Sweep monostatic(const std::vector<Direction>& directions, double frequency) {
-  Sweep sweep{{frequency}, {}, false};
+inline Sweep monostatic(const std::vector<Direction>& directions, double frequency_hz) {
+  Sweep sweep{{frequency_hz}, {}, false};
   for (const Direction& d : directions) sweep.looks.push_back({d, d});
   return sweep;
 }

@@ -38,6 +38,8 @@ grep -v '^#' cases/sphere/reference_bistatic.csv >"$work/sphere_reference.csv"
 cases/stochastic/run.py "$program"
 cp cases/stochastic/out/error_time.png docs/figures/stochastic.png
 for name in convergence_plate convergence_dihedral; do cp "$work/$name/converge.png" docs/figures/$name.png; done
+"$program" run cases/trihedral/case.toml -o "$work/image" --quiet --set output.image_look=90
+for name in image image_window; do cp "$work/image/$name.png" docs/figures/trihedral_$name.png; done
 # theta along the plate's cut is signed: phi = 180 counts negative.
 paste -d, "$work/plate.csv" "$work/plate_reference.csv" >"$work/plate_both.csv"
 for name in dihedral dihedral_off; do

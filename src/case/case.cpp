@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "case/document.h"
 #include "case/keys.h"
@@ -148,6 +150,35 @@ void read_edges(const CaseValue& root, Case& c) {
   }
 }
 
+std::size_t read_image_look(const CaseValue& value, const Case& c) {
+  const double number = read_number(value, "output.image_look");
+  if (number >= 0.0 && number < static_cast<double>(c.sweep.looks.size()) && number == std::floor(number))
+    return static_cast<std::size_t>(number);
+  reject(value, fmt::format("output.image_look {}: the case has {} direction pair(s), counted from 0", number_text(number),
+                            c.sweep.looks.size()));
+}
+
+void read_image_looks(const CaseValue& value, Case& c) {
+  const bool list = value.kind == CaseValue::Kind::list;
+  if (!list && value.kind != CaseValue::Kind::number)
+    reject(value, "output.image_look must be the number of a direction pair or a list of such, counted from 0");
+  if (c.edges.method == EdgeMethod::utd)
+    reject(value, "output.image_look needs currents, but edges.method is \"utd\"; write \"fringe\" or \"none\" there");
+  if (list && value.items.empty())
+    reject(value, "output.image_look is an empty list; give at least one direction pair, or remove it");
+  for (const CaseValue& item : list ? std::span(value.items) : std::span(&value, 1))
+    c.image_looks.push_back(read_image_look(item, c));
+  std::ranges::sort(c.image_looks);
+  c.image_looks.erase(std::unique(c.image_looks.begin(), c.image_looks.end()), c.image_looks.end());
+}
+
+void read_output(const CaseValue& root, Case& c) {
+  if (const CaseValue* plots = find(root, "output", "plots")) c.plots = read_flag(*plots, "output.plots");
+  if (const CaseValue* looks = find(root, "output", "image_look")) read_image_looks(*looks, c);
+  if (const CaseValue* density = find(root, "output", "image_per_wavelength"))
+    c.image_per_wavelength = read_positive(*density, "output.image_per_wavelength");
+}
+
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -161,7 +192,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   read_tubes(root, c);
   read_edges(root, c);
   read_radar(root, c);
-  if (const CaseValue* plots = find(root, "output", "plots")) c.plots = read_flag(*plots, "output.plots");
+  read_output(root, c);
   const CaseValue* title = root.find("title");
   c.title = title ? read_text(*title, "title") : c.mesh_file.stem().string();
   return c;

@@ -38,6 +38,8 @@ struct Case {
   TubeOptions tubes;
   EdgeOptions edges;
   bool plots = true;
+  std::vector<std::size_t> image_looks;  // of which images are made
+  double image_per_wavelength = 10.0;
 };
 
 /// Reads a case; `overrides` are "dotted.key=value" with values in TOML syntax, applied before anything is checked.

@@ -84,6 +84,10 @@ std::string resolved_case_json(const Case& c) {
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};
   json["edges"] = edges_json(c.edges);
   json["output"] = {{"plots", c.plots}};
+  if (!c.image_looks.empty()) {
+    json["output"]["image_look"] = c.image_looks;
+    json["output"]["image_per_wavelength"] = c.image_per_wavelength;
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -10,7 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 34> known_keys = {"title",
+constexpr std::array<std::string_view, 36> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -43,9 +43,11 @@ constexpr std::array<std::string_view, 34> known_keys = {"title",
                                                          "radar.aim_m",
                                                          "radar.beamwidth_deg",
                                                          "radar.pattern_csv",
-                                                         "output.plots"};
+                                                         "output.plots",
+                                                         "output.image_look",
+                                                         "output.image_per_wavelength"};
 
-constexpr std::array<std::string_view, 3> later_keys = {"output.image_look", "output.image_per_wavelength", "materials"};
+constexpr std::array<std::string_view, 1> later_keys = {"materials"};
 
 template <std::size_t size>
 bool contains(const std::array<std::string_view, size>& keys, std::string_view key) {

@@ -62,8 +62,8 @@ NewResults::~NewResults() {
   fs::remove_all(folder_, ignored);
 }
 
-void NewResults::place(std::initializer_list<const char*> names) const {
-  for (const char* name : names) {
+void NewResults::place(const std::vector<std::string>& names) const {
+  for (const std::string& name : names) {
     std::error_code error;
     if (fs::exists(folder_ / name)) fs::rename(folder_ / name, destination_ / name, error);
     if (error)

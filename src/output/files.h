@@ -4,9 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raytube {
 
@@ -38,7 +38,7 @@ class NewResults {
 
   /// Renames those of the named files that were written, in the order given. Throws std::runtime_error if one cannot take its
   /// place.
-  void place(std::initializer_list<const char*> names) const;
+  void place(const std::vector<std::string>& names) const;
 
  private:
   std::filesystem::path destination_, folder_;

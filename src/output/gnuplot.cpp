@@ -39,20 +39,6 @@ std::string run_gnuplot(const std::filesystem::path& script) {
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("gnuplot failed with status {}", WEXITSTATUS(status));
 }
 
-std::string draw(const std::filesystem::path& picture, const std::string& commands) {
-  const std::filesystem::path script = picture.string() + ".gnuplot";
-  OutputFile file(script);
-  file.write(commands);
-  file.commit();
-  std::string trouble = run_gnuplot(script);
-  std::error_code error;
-  std::filesystem::remove(script, error);
-  const auto size = std::filesystem::file_size(picture, error);
-  if (trouble.empty() && (error || size == 0)) trouble = "gnuplot left no picture";
-  if (!trouble.empty()) std::filesystem::remove(picture, error);
-  return trouble;
-}
-
 }  // namespace
 
 // Inside single quotes gnuplot takes everything literally but the quote itself; SVG allows no control characters.
@@ -72,11 +58,25 @@ std::string gnuplot_preamble(const std::string& terminal, const std::string& can
       terminal, canvas, gnuplot_quoted(file));
 }
 
+std::string draw_picture(const std::filesystem::path& picture, const std::string& commands) {
+  const std::filesystem::path script = picture.string() + ".gnuplot";
+  OutputFile file(script);
+  file.write(commands);
+  file.commit();
+  std::string trouble = run_gnuplot(script);
+  std::error_code error;
+  std::filesystem::remove(script, error);
+  const auto size = std::filesystem::file_size(picture, error);
+  if (trouble.empty() && (error || size == 0)) trouble = "gnuplot left no picture";
+  if (!trouble.empty()) std::filesystem::remove(picture, error);
+  return trouble;
+}
+
 std::string draw_pictures(const std::filesystem::path& folder, const std::string& name,
                           const std::function<std::string(const std::string&, const std::string&)>& script) {
   const std::filesystem::path png = folder / (name + ".png"), svg = folder / (name + ".svg");
-  const std::string trouble = draw(png, script("pngcairo", png.string()));
-  return trouble.empty() ? draw(svg, script("svg", svg.string())) : trouble;
+  const std::string trouble = draw_picture(png, script("pngcairo", png.string()));
+  return trouble.empty() ? draw_picture(svg, script("svg", svg.string())) : trouble;
 }
 
 }  // namespace raytube

@@ -10,10 +10,12 @@
 #include "decimal.h"
 #include "mesh/mirror.h"
 #include "program/commands.h"
+#include "program/images.h"
 #include "program/threads.h"
 #include "program/wedge_list.h"
 #include "sbr/launch.h"
 #include "skipped.h"
+#include "solve_image.h"
 
 namespace raytube {
 
@@ -70,6 +72,9 @@ void print_case(const Case& c) {
     fmt::print("             transition function {}{}\n", transition_name(c.edges.transition),
                c.edges.order == 1 ? ", which plays no part at order 1" : "");
   fmt::print("plots        {}\n", c.plots ? "yes" : "no");
+  if (!c.image_looks.empty())
+    fmt::print("images       look {}: {} cells per wavelength at {} GHz\n", fmt::join(c.image_looks, ", "),
+               c.image_per_wavelength, number_text(c.sweep.frequencies[image_frequency(c.sweep)] / 1e9));
   fmt::print("rows         {}\n", c.sweep.rows());
 }
 
@@ -227,6 +232,7 @@ void check_command(const Request& request) {
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   const Target target(loaded.mesh, c.edges);
   check_antennas(loaded.mesh, c.sweep);
+  check_images(target, c);
   const LookPlan plan = plan_of(target, c.sweep, c.tubes, c.edges.method);
   print_case(c);
   print_mesh(loaded.report, target);

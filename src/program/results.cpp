@@ -15,11 +15,11 @@ void stop_if_interrupted() {
   if (InterruptFlag::raised()) throw Interrupted();
 }
 
-void replace_results(const NewResults& results, const std::filesystem::path& folder, std::initializer_list<const char*> pictures,
-                     std::initializer_list<const char*> tables) {
+void replace_results(const NewResults& results, const std::filesystem::path& folder, const std::vector<std::string>& pictures,
+                     const std::vector<std::string>& tables) {
   std::error_code ignored;
   for (auto name = std::rbegin(tables); name != std::rend(tables); ++name) std::filesystem::remove(folder / *name, ignored);
-  for (const char* name : pictures) std::filesystem::remove(folder / name, ignored);
+  for (const std::string& name : pictures) std::filesystem::remove(folder / name, ignored);
   try {
     results.place(pictures);
   } catch (const std::runtime_error& error) {

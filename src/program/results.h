@@ -2,8 +2,8 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "output/files.h"
 
@@ -18,7 +18,7 @@ void stop_if_interrupted();
 /// Removes all the named files, so that nothing of an earlier command stands beside the new results, then places those that were
 /// written, in the order given: whoever finds the last one finds all. A plot is a convenience: one that cannot take its place
 /// costs a warning and does not hold up the tables.
-void replace_results(const NewResults& results, const std::filesystem::path& folder, std::initializer_list<const char*> pictures,
-                     std::initializer_list<const char*> tables);
+void replace_results(const NewResults& results, const std::filesystem::path& folder, const std::vector<std::string>& pictures,
+                     const std::vector<std::string>& tables);
 
 }  // namespace raytube

@@ -13,6 +13,7 @@
 #include "output/plot.h"
 #include "output/random_report.h"
 #include "program/commands.h"
+#include "program/images.h"
 #include "program/interrupt.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
@@ -156,6 +157,7 @@ void run_command(const Request& request) {
   Manifest manifest = describe_input(c, loaded.report);
   manifest.time.read_s = total.seconds();
   const Target target(loaded.mesh, c.edges);
+  check_images(target, c);
   manifest.time.build_s = total.seconds() - manifest.time.read_s;
 
   const InterruptFlag interrupt_flag;
@@ -170,13 +172,16 @@ void run_command(const Request& request) {
   const OutputFolder folder(destination);
   const NewResults results(folder.path());
   write_tables(results.folder(), c, solved, request.parts);
+  ImageFiles images = write_images(results.folder(), target, c, manifest.threads);
   manifest.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
   manifest.peak_rss_bytes = peak_rss_bytes();
-  manifest.time.total_s = total.seconds();
+  manifest.time.total_s = total.seconds() - images.drawing_s;
   write_manifest(results.folder() / "run.json", manifest);
   if (c.plots) draw_plots(results.folder(), c, result);
-  replace_results(results, folder.path(), {"rcs.png", "rcs.svg"},
-                  {"channels.csv", "parts.csv", "random.csv", "rcs.csv", "run.json"});
+  add_earlier_images(folder.path(), images);
+  images.pictures.insert(images.pictures.end(), {"rcs.png", "rcs.svg"});
+  images.tables.insert(images.tables.end(), {"channels.csv", "parts.csv", "random.csv", "rcs.csv", "run.json"});
+  replace_results(results, folder.path(), images.pictures, images.tables);
   if (request.quiet) return;
   if (by_chance) fmt::print("{}", random_text(*by_chance));
   print_summary(result, c.tubes, manifest, folder.path());

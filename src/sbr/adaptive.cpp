@@ -28,7 +28,9 @@ class FaceTrace {
       : look_(look),
         beams_(look.tree.mesh(), look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
         visible_(look.tree, look.tracer),
-        cell_tubes_(look.tracer, look.grid, look.spherical, look.wavenumbers, beams_, sums_) {}
+        cell_tubes_(look.tracer, look.grid, look.spherical, look.wavenumbers, beams_, sums_) {
+    cell_tubes_.report_to(look.map);
+  }
 
   TubeSums run(std::uint32_t begin, std::uint32_t end) {
     std::vector<std::uint32_t> faces;
@@ -81,6 +83,7 @@ class FaceTrace {
       const std::uint32_t patch = look_.tree.faces()[part.face].patch;
       const std::uint32_t node = beams_.child(beam, patch, middle(part.outline));
       integrate(node, part.outline, bounce);
+      if (look_.map) report(beams_.footprint(node), part);
       if (look_.clip || cells_in_blocks() > few_cells)
         reflected_.push_back({node, patch, std::move(part.outline)});
       else
@@ -141,6 +144,16 @@ class FaceTrace {
       add_far_field(sums[f], footprint, k, look_.clip ? phase_integral(footprint, k, outline) : over_cells(footprint, k));
     }
     if (!look_.clip) count_staircase(footprint, outline);
+  }
+
+  void report(const Footprint& footprint, const VisiblePart& part) {
+    CurrentMap& map = *look_.map;
+    if (look_.clip) return map.add(footprint, part.outline, part.face);
+    for (const CellBlock& block : blocks_)
+      for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
+        for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
+          map.add(footprint, cell_bounds(look_.grid, column, row),
+                  map.triangle_under(footprint, part.face, look_.grid.ray_place(column, row)));
   }
 
   // Cells stand for the polygon but for their stairs along its sides: each step is off by up to half a cell, h / sqrt(12) in the

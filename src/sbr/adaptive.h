@@ -7,6 +7,7 @@
 #include "mesh/face_tree.h"
 #include "mesh/smooth.h"
 #include "mesh/tracer.h"
+#include "sbr/current_map.h"
 #include "sbr/launch.h"
 #include "sbr/spherical_look.h"
 #include "sbr/tube_sums.h"
@@ -28,6 +29,7 @@ struct AdaptiveLook {
   int max_bounces;
   bool skip;        // empty cells of the grid
   Convexity known;  // what need not be looked for
+  CurrentMap* map;  // currents are told to it, too, and by one thread; null: to no one
 };
 
 /// Follows the light that reaches the flat ones of the faces [begin, end) directly through all its reflections and integrates the

@@ -73,6 +73,7 @@ void CellTubes::reflect() {
       continue;
     }
     tubes_[alive] = {column, row, node};
+    found_[alive] = triangle;
     rays_[alive] = reflected_ray(column, row, node, patch);
     ++alive;
   }
@@ -114,10 +115,18 @@ void CellTubes::integrate(int bounce) {
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
   find_runs();
   integrate_runs(sums);
+  if (map_) report();
   for (std::uint32_t grid = 0; grid < coarse_grids; ++grid) {
     if (coarse_sums_[grid].empty()) continue;
     find_coarse_runs(grid);
     integrate_runs(coarse_sums_[grid]);
+  }
+}
+
+void CellTubes::report() {
+  for (std::size_t i = 0; i < tubes_.size(); ++i) {
+    const auto [column, row, node] = tubes_[i];
+    map_->add(beams_.footprint(node), cell_bounds(grid_, column, row), found_[i]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "mesh/smooth.h"
 #include "mesh/tracer.h"
 #include "sbr/beam_tree.h"
+#include "sbr/current_map.h"
 #include "sbr/far_fields.h"
 #include "sbr/lattice.h"
 #include "sbr/spherical_look.h"
@@ -36,6 +37,9 @@ class CellTubes {
 
   /// Tubes that meet a curved surface first are someone else's.
   void leave_out(const SmoothSurfaces* smooth) { smooth_ = smooth; }
+
+  /// Currents are told to it, too.
+  void report_to(CurrentMap* map) { map_ = map; }
 
   /// Tubes as launched, of the cells [column_begin, column_end) of a row.
   void launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end);
@@ -72,6 +76,7 @@ class CellTubes {
   void extend(std::uint32_t node, const CellBlock& cells);
   void integrate(int bounce);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);
+  void report();
 
   const Tracer& tracer_;
   const LaunchGrid& grid_;
@@ -81,9 +86,10 @@ class CellTubes {
   BeamTree& beams_;
   TubeSums& sums_;
   const SmoothSurfaces* smooth_ = nullptr;
+  CurrentMap* map_ = nullptr;
   std::vector<Tube> tubes_;
   std::vector<Ray> rays_;
-  std::vector<std::uint32_t> found_;  // triangles met
+  std::vector<std::uint32_t> found_;  // triangles met: by each ray, then by each tube
   std::vector<Run> runs_;
   CellBlock coarse_block_{};
   std::array<std::vector<ScatteringMatrix>, coarse_grids> coarse_sums_;

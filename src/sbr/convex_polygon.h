@@ -40,6 +40,7 @@ struct Range {
   double low, high;
 };
 
+inline dvec2 middle(const Bounds& box) { return 0.5 * (box.low + box.high); }
 inline double area(const Bounds& box) { return (box.high.x - box.low.x) * (box.high.y - box.low.y); }
 double area(const ConvexPolygon& polygon);   // negative if clockwise
 dvec2 middle(const ConvexPolygon& polygon);  // mean of the corners, which lies inside

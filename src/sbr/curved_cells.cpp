@@ -81,9 +81,12 @@ class CellTrace {
         facing_(facing),
         incident_(incident_beam(look.grid, look.transmit, dvec2(0.0))),
         light_{look.grid, look.transmit, look.receive, look.wavenumbers},
+        map_light_{look.grid, look.transmit, look.receive, {}},
         highest_(std::ranges::max(look.wavenumbers)),
         smallest_(std::max(smallest_cell * 2.0 * pi / highest_, least_rises * look.smooth->rise())),
-        visible_(look.tree, look.tracer) {}
+        visible_(look.tree, look.tracer) {
+    if (look.map) map_light_.wavenumbers = std::span(&look.map->wavenumber(), 1);
+  }
 
   TubeSums run(const Bounds& block, std::span<const std::uint32_t> triangles) {
     cell(block, triangles);
@@ -103,7 +106,10 @@ class CellTrace {
     if (!piece) return;
     const Verdict verdict = judge(*piece, box, triangles);
     const bool as_one_piece = verdict == Verdict::one_piece || (smallest && verdict == Verdict::bent);
-    if (as_one_piece) return add(curved_far_field(light_, *piece, box));
+    if (as_one_piece) {
+      const auto triangle_at = [&](const dvec2& at) { return surface_at(at, triangles); };
+      return add(*piece, box, triangle_at);
+    }
     if (smallest || (verdict == Verdict::crowded && triangles.size() <= few)) return facets(box);
     split(box, triangles);
   }
@@ -212,6 +218,37 @@ class CellTrace {
     return on_piece && phase_off_ < look_.phase_tolerance ? Verdict::one_piece : Verdict::bent;
   }
 
+  // The facet of the piece's own surface at a place of the cell.
+  std::uint32_t surface_at(const dvec2& at, std::span<const std::uint32_t> triangles) const {
+    const auto holds = [&](std::uint32_t t) { return facing_[t].region == base_->region && facing_[t].contains(at); };
+    const auto found = std::ranges::find_if(triangles, holds);
+    return found == triangles.end() ? base_->triangle : facing_[*found].triangle;
+  }
+
+  // The part of a piece within a box or a polygon.
+  template <class Shape, class TriangleAt>
+  void add(const CurvedPiece& piece, const Shape& shape, TriangleAt triangle_at) {
+    const std::vector<ScatteringMatrix> part = curved_far_field(light_, piece, shape);
+    add(part);
+    if (look_.map) report(piece, shape, part[look_.map->frequency()], triangle_at);
+  }
+
+  // Quadrature over the cells of the map differs from that over the whole by its error: the strongest cell takes that.
+  template <class Shape, class TriangleAt>
+  void report(const CurvedPiece& piece, const Shape& shape, const ScatteringMatrix& whole, TriangleAt triangle_at) {
+    ScatteringMatrix rest = whole;
+    double most = -1.0;
+    dvec2 strongest(0.0);
+    look_.map->cut_up(shape, [&](const Shape& cell) {
+      const dvec2 at = middle(cell);
+      const ScatteringMatrix s = curved_far_field(map_light_, piece, cell).front();
+      look_.map->add(at, triangle_at(at), s);
+      rest = rest - s;
+      if (const double size = largest_amplitude(s); size > most) most = size, strongest = at;
+    });
+    look_.map->add(strongest, triangle_at(strongest), rest);
+  }
+
   // A piece that lies off the surface by some phase is wrong by as large a share of its far field. Twice: sides are only looked
   // at where they enter and leave the cell.
   void add(const std::vector<ScatteringMatrix>& part) {
@@ -233,14 +270,15 @@ class CellTrace {
       if (region(part.face) == no_index) continue;
       const LocalSurface surface =
           look_.smooth->at(above(middle(part.outline)), look_.grid.direction, look_.tree.faces()[part.face].triangle);
-      add(curved_far_field(light_, CurvedPiece(look_.grid, surface), part.outline));
+      const std::uint32_t facet = look_.tree.faces()[part.face].triangle;
+      add(CurvedPiece(look_.grid, surface), part.outline, [&](const dvec2&) { return facet; });
     }
   }
 
   const AdaptiveLook& look_;
   std::span<const FacingTriangle> facing_;
   Beam incident_;
-  Illumination light_;
+  Illumination light_, map_light_;
   double highest_, smallest_;  // wavenumber [rad/m], cell [m]
   VisibleSurfaces visible_;
   const FacingTriangle* base_ = nullptr;

@@ -51,8 +51,9 @@ class CurvedTubes {
         sums_.tubes_cut += static_cast<std::uint64_t>(std::ranges::count_if(hits_, [](const Hit& hit) { return bool(hit); }));
         break;
       }
-      keep([&](const Tube& tube, const Hit&) {
+      keep([&](const Tube& tube, const Hit& hit) {
         integrate(tube, bounce);
+        if (look_.map) report(tube, hit.triangle);
         return true;
       });
     }
@@ -128,6 +129,12 @@ class CurvedTubes {
         if (tube.cell.x % 3 == 1 - grid && tube.cell.y % 3 == 1 - grid)
           add_far_field(coarse_sums_[grid][f], tube.footprint, look_.wavenumbers[f], 3.0 * cell);
     }
+  }
+
+  void report(const Tube& tube, std::uint32_t triangle) {
+    ScatteringMatrix s;
+    add_far_field(s, tube.footprint, look_.map->wavenumber(), {look_.grid.du, look_.grid.dv});
+    look_.map->add({look_.grid.u_center(tube.cell.x), look_.grid.v_center(tube.cell.y)}, triangle, s);
   }
 
   const AdaptiveLook& look_;

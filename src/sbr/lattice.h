@@ -14,6 +14,11 @@ struct CellBlock {
   std::uint64_t cells() const { return std::uint64_t{column_end - column_begin} * (row_end - row_begin); }
 };
 
+inline Bounds cell_bounds(const LaunchGrid& grid, std::uint32_t column, std::uint32_t row) {
+  const dvec2 low{grid.u_begin + column * grid.du, grid.v_begin + row * grid.dv};
+  return {low, low + dvec2(grid.du, grid.dv)};
+}
+
 /// Fills `blocks` with the cells of the grid whose ray runs through the polygon. Rows that share their columns are one block.
 /// Polygons that share an edge share no cell and leave none out.
 void cells_under(const LaunchGrid& grid, const ConvexPolygon& polygon, std::vector<CellBlock>& blocks);

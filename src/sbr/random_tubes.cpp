@@ -138,11 +138,11 @@ RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const 
   none.scattering.resize(frequencies.size());
   const Scene scene = scene_of(tracer, look, frequencies, tubes, launch.samples);
   if (scene.rectangle.cells() == 0) return none;  // no projected area
-  using Range = tbb::blocked_range<std::uint64_t>;
+  using Indices = tbb::blocked_range<std::uint64_t>;
   // Cut and joined in the same places whoever works: threads never show in the sum.
   return tbb::parallel_deterministic_reduce(
-      Range(0, launch.samples, block_size), none,
-      [&](const Range& range, RandomSums sum) {
+      Indices(0, launch.samples, block_size), none,
+      [&](const Indices& range, RandomSums sum) {
         Block block(scene);
         for (std::uint64_t i = range.begin(); i != range.end(); ++i) block.launch(random_point(launch.seed, launch.stream, i));
         return sum += block.run(tubes.max_bounces);

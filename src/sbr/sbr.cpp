@@ -40,17 +40,21 @@ struct Tiling {
 // Faces whose tubes are followed together.
 constexpr std::uint32_t faces_per_tile = 256;
 
-// Adds up tile(0) ... tile(count - 1) in this order, whoever computes them.
+// Adds up tile(0) ... tile(count - 1) in this order, whoever computes them; what is told to a map, one thread does.
 template <class Function>
-TubeSums sum_tiles(std::size_t count, Function tile, Progress& progress, double share) {
+TubeSums sum_tiles(const AdaptiveLook& look, std::size_t count, Function tile, Progress& progress, double share) {
   if (count == 0) progress.add(share);
   TubeSums sums;
   for (std::size_t first = 0; first < count; first += tiles_per_batch) {
     std::vector<TubeSums> batch(std::min(tiles_per_batch, count - first));
-    tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
+    const auto trace = [&](std::size_t i) {
       batch[i] = tile(first + i);
       progress.add(share / static_cast<double>(count));
-    });
+    };
+    if (look.map)
+      for (std::size_t i = 0; i < batch.size(); ++i) trace(i);
+    else
+      tbb::parallel_for(std::size_t{0}, batch.size(), trace);
     for (const TubeSums& sum : batch) sums.add(sum);
   }
   return sums;
@@ -61,10 +65,10 @@ TubeSums trace_uniform(const AdaptiveLook& look, Progress& progress, double shar
   const NotTraced not_traced{look.skip ? &look.tree : nullptr, look.known.no_reflection};
   tbb::enumerable_thread_specific<TileTracer> tile_tracers([&] {
     return TileTracer(look.tracer, look.grid, look.transmit, look.receive, look.spherical, look.wavenumbers, look.max_bounces,
-                      look.smooth, not_traced);
+                      look.smooth, not_traced, look.map);
   });
   const auto trace = [&](std::size_t i) { return tile_tracers.local().trace(tiles[i]); };
-  return sum_tiles(tiles.count, trace, progress, share);
+  return sum_tiles(look, tiles.count, trace, progress, share);
 }
 
 TubeSums trace_flat(const AdaptiveLook& look, Progress& progress, double share) {
@@ -73,7 +77,7 @@ TubeSums trace_flat(const AdaptiveLook& look, Progress& progress, double share) 
     const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
     return trace_faces(look, begin, std::min(begin + faces_per_tile, face_count));
   };
-  return sum_tiles((face_count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
+  return sum_tiles(look, (face_count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
 }
 
 // Times the work of a cell that of a flat face is.
@@ -107,7 +111,7 @@ TubeSums trace_faces_or_cells(const AdaptiveLook& look, Progress& progress, doub
 TubeSums trace_curved(const AdaptiveLook& look, Progress& progress, double share) {
   const CurvedLook curved(look);
   return sum_tiles(
-      CurvedLook::blocks, [&](std::size_t i) { return curved.trace(i); }, progress, share);
+      look, CurvedLook::blocks, [&](std::size_t i) { return curved.trace(i); }, progress, share);
 }
 
 // Curved surfaces of a convex body as antennas at a finite distance see them: no tube, facet by facet.
@@ -117,13 +121,13 @@ TubeSums trace_curved_near(const AdaptiveLook& look, Progress& progress, double 
     const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
     return light_curved_facets(look, begin, std::min(begin + faces_per_tile, count));
   };
-  return sum_tiles((count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
+  return sum_tiles(look, (count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
 }
 
 TubeSums trace_curved_bounces(const AdaptiveLook& look, Progress& progress, double share) {
   const CurvedBounces bounces(look);
   return sum_tiles(
-      bounces.blocks(), [&](std::size_t i) { return bounces.trace(i); }, progress, share);
+      look, bounces.blocks(), [&](std::size_t i) { return bounces.trace(i); }, progress, share);
 }
 
 // Cells per wavelength to begin with, and the least and the most by which they grow.
@@ -175,14 +179,14 @@ class LookTracer {
     if (!look.far()) antennas_.emplace(look, radar, tracer.mesh().center);
   }
 
-  TubeSums once(double share) const {
+  TubeSums once(double share, CurrentMap* map) const {
     Part part{options_.mode == TubeMode::adaptive ? trace_faces_or_cells : trace_uniform, options_.per_wavelength};
-    retrace(part, share);
+    retrace(part, share, map);
     return std::move(part.sums);
   }
 
   /// Each part is sampled more finely until the whole is within the tolerance.
-  TubeSums refined(double share) const {
+  TubeSums refined(double share, CurrentMap* map) const {
     const double density = std::min(first_per_wavelength, options_.per_wavelength);
     std::vector<Part> parts{{trace_faces_or_cells, density}};
     if (smooth_) parts.push_back({look_.far() ? trace_curved : trace_curved_near, density});
@@ -190,6 +194,8 @@ class LookTracer {
     for (Part& part : parts) retrace(part, share / static_cast<double>(parts.size()));
     TubeSums sums = total(parts);
     while (excess(sums, sums.error, tolerance_) > 1.0 && refine(parts, sums)) sums = total(parts);
+    if (map)
+      for (Part& part : parts) retrace(part, 0.0, map);
     return sums;
   }
 
@@ -208,7 +214,7 @@ class LookTracer {
     return any;
   }
 
-  void retrace(Part& part, double share) const {
+  void retrace(Part& part, double share, CurrentMap* map = nullptr) const {
     const LaunchGrid grid = grid_of_look(tracer_.mesh(), look_, wavelength_, part.per_wavelength, options_.up);
     std::optional<SphericalLook> spherical;
     if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
@@ -224,7 +230,8 @@ class LookTracer {
                             options_.clip,
                             options_.max_bounces,
                             options_.skip,
-                            known_};
+                            known_,
+                            map};
     const std::uint64_t rays_before = part.sums.rays;
     part.sums = {};
     if (grid.cells() > 0)
@@ -252,9 +259,9 @@ class LookTracer {
 
 TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
                         const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
-                        double share, const Radar& radar) {
+                        double share, const Radar& radar, CurrentMap* map) {
   const LookTracer tubes(tracer, faces, smooth, convexity, look, radar, frequencies, options, progress);
-  return options.mode == TubeMode::adaptive && options.clip ? tubes.refined(share) : tubes.once(share);
+  return options.mode == TubeMode::adaptive && options.clip ? tubes.refined(share, map) : tubes.once(share, map);
 }
 
 }  // namespace raytube

@@ -42,14 +42,17 @@ struct TubeOptions {
   std::optional<dvec3> up;  // rows of the launch grid follow this vector's projection; default -theta_hat
 };
 
+class CurrentMap;
+
 /// Traces the tubes of a look once and integrates the PO current of every bounce, radiating unblocked, for all frequencies [Hz]
 /// and both transmit polarisations. Phase reference: the centre of the mesh, of looks from a finite distance the origin of its
 /// own coordinates. The result does not depend on the number of threads. Reports its finished tiles as shares of `share` to
 /// `progress`. `faces`, `tracer`, `smooth` and `convexity` are of the same mesh; without `smooth`
-/// every facet is flat; with it, and antennas at a finite distance, nothing of the target may reflect onto the rest.
+/// every facet is flat; with it, and antennas at a finite distance, nothing of the target may reflect onto the rest. A `map` is
+/// told where the currents are, in the last trace.
 TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
                         const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
-                        double share, const Radar& radar = {});
+                        double share, const Radar& radar = {}, CurrentMap* map = nullptr);
 
 /// One reflection of a replayed tube, in recentred coordinates.
 struct TubeBounce {

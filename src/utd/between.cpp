@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "utd/edges.h"
 #include "utd/lit_edges.h"
@@ -64,7 +65,30 @@ class BetweenLook {
     return result;
   }
 
+  std::vector<EdgePiece> pieces(const BetweenOptions& options, std::size_t frequency) const {
+    std::vector<EdgePiece> result;
+    const std::vector<PaintedLight> parts = paint(options.tolerance);
+    for (std::size_t i = 0; i < jobs_.size(); ++i) result.push_back(piece(*jobs_[i].light, parts[i].scattering[frequency]));
+    if (options.order == 1) return result;
+    for (const ReflectedWave& wave : reflected_) {
+      if (wave.patches.size() != 1) continue;
+      ReflectedLook look = reflected_look(wave, look_, scene_.wedges.data());
+      const std::vector<LitPieces> lit = std::exchange(look.pieces, {});
+      for (std::size_t i = 0; i < lit.size(); ++i) {
+        look.pieces = {lit[i]};
+        const EdgeLookResult part = fringe(std::span(&look, 1), options);
+        result.push_back(piece(wave.lights[i], part.scattering[frequency] + part.higher[frequency]));
+      }
+    }
+    return result;
+  }
+
  private:
+  static EdgePiece piece(const EdgeLight& light, const ScatteringMatrix& s) {
+    const EdgeAxis& axis = *light.edge;
+    return {axis.origin + light.from * axis.tangent, axis.origin + light.to * axis.tangent, s};
+  }
+
   void add_direct_light(const EdgeAxis& axis, LitEdges& edges) {
     const WedgeIncidence incidence = incidence_on(*axis.wedge, look_.incident);
     const double weight = light_weight(*axis.wedge, incidence);
@@ -75,18 +99,23 @@ class BetweenLook {
     }
   }
 
-  void paint(double tolerance, BetweenResult& result) const {
+  double least() const { return least_tolerance * wavelength(std::ranges::max(frequencies_)); }
+
+  std::vector<PaintedLight> paint(double tolerance) const {
     std::vector<double> wavenumbers;
     for (const double frequency : frequencies_) wavenumbers.push_back(wavenumber(frequency));
-    const double least = least_tolerance * wavelength(std::ranges::max(frequencies_));
-    const double share = std::max(tolerance, least) / std::sqrt(static_cast<double>(jobs_.size()));
+    const double share = std::max(tolerance, least()) / std::sqrt(static_cast<double>(jobs_.size()));
     std::vector<PaintedLight> parts(jobs_.size());
     tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
       parts[i] = painted_light({scene_.tree, scene_.corners, scene_.large}, look_, wavenumbers, *jobs_[i].light,
                                jobs_[i].reflections, share);
     });
-    ChannelErrors error{{{least, least}, {least, least}}};
-    for (const PaintedLight& part : parts) {
+    return parts;
+  }
+
+  void paint(double tolerance, BetweenResult& result) const {
+    ChannelErrors error{{{least(), least()}, {least(), least()}}};
+    for (const PaintedLight& part : paint(tolerance)) {
       for (std::size_t f = 0; f < frequencies_.size(); ++f) result.scattering[f] += part.scattering[f];
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) error[p][q] += part.error[p][q];
@@ -98,12 +127,15 @@ class BetweenLook {
     std::vector<ReflectedLook> looks;
     for (const ReflectedWave& wave : reflected_)
       if (wave.patches.size() == 1) looks.push_back(reflected_look(wave, look_, scene_.wedges.data()));
-    const EdgeLookResult fringe =
-        reflected_fringe_scattering(scene_.wedges, scene_.outlines, looks, frequencies_, reflected_order, options.transition);
+    const EdgeLookResult sum = fringe(looks, options);
     for (std::size_t f = 0; f < frequencies_.size(); ++f) {
-      result.scattering[f] += fringe.scattering[f];
-      result.scattering[f] += fringe.higher[f];
+      result.scattering[f] += sum.scattering[f];
+      result.scattering[f] += sum.higher[f];
     }
+  }
+
+  EdgeLookResult fringe(std::span<const ReflectedLook> looks, const BetweenOptions& options) const {
+    return reflected_fringe_scattering(scene_.wedges, scene_.outlines, looks, frequencies_, reflected_order, options.transition);
   }
 
   const BetweenScene& scene_;
@@ -121,6 +153,12 @@ BetweenResult between_scattering(const BetweenScene& scene, const Look& look, st
                                  const BetweenOptions& options) {
   if (scene.axes.empty()) return {};
   return BetweenLook(scene, look, frequencies).solve(options);
+}
+
+std::vector<EdgePiece> between_pieces(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
+                                      std::size_t frequency, const BetweenOptions& options) {
+  if (scene.axes.empty()) return {};
+  return BetweenLook(scene, look, frequencies).pieces(options, frequency);
 }
 
 }  // namespace raytube

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "image.h"
 #include "mesh/face_tree.h"
 #include "mesh/outlines.h"
 #include "utd/edge_axes.h"
@@ -42,5 +43,9 @@ inline constexpr int most_reflections = 2;
 /// look.
 BetweenResult between_scattering(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
                                  const BetweenOptions& options);
+
+/// The same at `frequencies[frequency]`, by the lit pieces of edges these waves come from.
+std::vector<EdgePiece> between_pieces(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
+                                      std::size_t frequency, const BetweenOptions& options);
 
 }  // namespace raytube

@@ -61,6 +61,28 @@ EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int 
   return all;
 }
 
+std::vector<EdgePiece> EdgeSets::pieces(const Tracer& tracer, const Look& look, std::size_t frequency, int order,
+                                        bool receiver_shadow, TransitionTier tier, const ImageLattice& lattice) const {
+  for (const Set& set : sets_)
+    if (const auto place = std::ranges::find(set.places, frequency); place != set.places.end())
+      return fringe_pieces(set.wedges, set.outlines, tracer, look, set.frequencies,
+                           static_cast<std::size_t>(place - set.places.begin()), order, receiver_shadow, tier,
+                           !set.between.empty(), lattice);
+  return {};
+}
+
+std::vector<EdgePiece> EdgeSets::between_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look,
+                                                std::size_t frequency, const BetweenOptions& options) const {
+  for (const Set& set : sets_)
+    for (const BetweenGroup& group : set.between)
+      for (std::size_t i = 0; i < group.places.size(); ++i) {
+        if (set.places[group.places[i]] != frequency) continue;
+        const BetweenScene scene{tree, tracer, set.wedges, set.outlines, group.axes, group.corners, group.large};
+        return raytube::between_pieces(scene, look, group.frequencies, i, options);
+      }
+  return {};
+}
+
 void EdgeSets::Set::keep(const std::vector<bool>& wanted) {
   const std::vector<std::size_t> all_places = std::exchange(places, {});
   const std::vector<double> all_frequencies = std::exchange(frequencies, {});

@@ -24,11 +24,18 @@ class EdgeSets {
   EdgeLookResult scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier,
                             const Radar& radar) const;
 
+  /// The same at one of the frequencies, piece by piece: see fringe_pieces.
+  std::vector<EdgePiece> pieces(const Tracer& tracer, const Look& look, std::size_t frequency, int order, bool receiver_shadow,
+                                TransitionTier tier, const ImageLattice& lattice) const;
+
   /// Finds the edges that may light other surfaces than their own, at the frequencies that are not `crowded`.
   void prepare_between(const TriangleMesh& mesh, const std::vector<bool>& crowded);
 
   /// What the waves of edges do on other surfaces in one look at all frequencies; nothing unless prepared.
   BetweenResult between(const FaceTree& tree, const Tracer& tracer, const Look& look, const BetweenOptions& options) const;
+  /// The same at one of the frequencies, by the lit pieces of edges these waves come from.
+  std::vector<EdgePiece> between_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look, std::size_t frequency,
+                                        const BetweenOptions& options) const;
 
  private:
   struct Set {

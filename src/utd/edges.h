@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "field.h"
+#include "image.h"
 #include "mesh/outlines.h"
 #include "mesh/tracer.h"
 #include "sweep.h"
@@ -44,6 +45,13 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& 
 EdgeLookResult fringe_scattering_near(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
                                       const AntennaPair& antennas, std::span<const double> frequencies, int order,
                                       bool receiver_shadow = false, TransitionTier tier = TransitionTier::exact);
+
+/// The same currents at `frequencies[frequency]`, piece by piece of the lit edges within a cell of the lattice each: those on the
+/// faces beside a piece, and what these start at other edges. They add up to the sums above.
+std::vector<EdgePiece> fringe_pieces(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
+                                     const Look& look, std::span<const double> frequencies, std::size_t frequency, int order,
+                                     bool receiver_shadow, TransitionTier tier, bool mirror_at_folds,
+                                     const ImageLattice& lattice);
 
 /// Parts of one edge in a wave that has been reflected before.
 struct LitPieces {

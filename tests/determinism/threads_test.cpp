@@ -7,6 +7,7 @@
 #include "run.h"
 #include "scratch.h"
 #include "shapes.h"
+#include "solve_image.h"
 #include "yardstick.h"
 
 namespace raytube {
@@ -41,6 +42,25 @@ void expect_same_bits_for_any_threads(TubeMode mode, bool clip) {
 TEST(Threads, UniformTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::uniform, true); }
 TEST(Threads, AdaptiveTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::adaptive, true); }
 TEST(Threads, UnclippedAdaptiveTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::adaptive, false); }
+
+TEST(Threads, ImagesHaveTheSameBits) {
+  const Sweep sweep{{9e9}, {{{1.0, 0.6}, {1.0, 0.6}}}, false};
+  for (const TubeMode mode : {TubeMode::uniform, TubeMode::adaptive})
+    for (const PolygonSoup& soup : {shapes::icosphere(3, 0.2), shapes::trihedral(0.3), shapes::dihedral(0.1, 0.12)}) {
+      const LoadedMesh loaded = build_mesh(soup, 1.0);
+      SolveOptions o = options(EdgeMethod::fringe);
+      o.tubes.mode = mode;
+      o.threads = 1;
+      const Target target(loaded.mesh, o.edges);
+      const LookImage one = image_of_look(target, sweep, o, 0, 10.0);
+      for (const int threads : thread_counts) {
+        o.threads = threads;
+        const LookImage many = image_of_look(target, sweep, o, 0, 10.0);
+        EXPECT_TRUE(same_bytes(one.cells, many.cells)) << threads << " threads";
+        EXPECT_TRUE(same_bytes(one.triangles, many.triangles)) << threads << " threads";
+      }
+    }
+}
 
 TEST(Threads, RaysInThePlaceOfCurrentsGiveTheSameBits) {
   Sweep sweep{{9e9, 10e9}, {}, true};

@@ -57,7 +57,13 @@ const Bad bad_values[] = {
     {"edges.transition=2", "text"},
     {"edges.min_wedge_deg=180", "less than 180"},
     {"output.plots=yes", "true or false"},
-    {"output.image_look=0", "not in this version"},
+    {"output.image_look=-1", "output.image_look -1: the case has 1 direction pair(s), counted from 0"},
+    {"output.image_look=1", "output.image_look 1: the case has 1"},
+    {"output.image_look=[0,0.5]", "output.image_look 0.5: the case has 1"},
+    {"output.image_look=[]", "at least one direction pair"},
+    {"output.image_look=all", "the number of a direction pair or a list"},
+    {"output.image_per_wavelength=0", "output.image_per_wavelength must be greater than 0"},
+    {"output.image_per_wavelenth=3", "did you mean \"output.image_per_wavelength\""},
 
     {"accuracy.tolerance_db=-1", "accuracy.tolerance_db"},
     {"materials.glass=3", "\"materials\" is not in this version"},
@@ -77,6 +83,10 @@ TEST(CaseErrors, UniformTubesAreNeverClippedNorRefined) {
   EXPECT_THAT(complaint(smallest, {uniform, "tubes.clip=true"}), HasSubstr("needs tubes.mode = \"adaptive\""));
   EXPECT_THAT(complaint(smallest, {uniform, "tubes.curved=always"}), HasSubstr("needs adaptive tubes with clip"));
   EXPECT_THAT(complaint(smallest, {uniform, "accuracy.tolerance_db=1"}), HasSubstr("needs adaptive tubes with clip"));
+}
+
+TEST(CaseErrors, ImagesNeedCurrents) {
+  EXPECT_THAT(complaint(smallest, {"edges.method=utd", "output.image_look=0"}), HasSubstr("write \"fringe\" or \"none\" there"));
 }
 
 TEST(CaseErrors, RangeOfRaysIsPositive) {

@@ -16,7 +16,7 @@ const fs::path source = RAYTUBE_SOURCE_DIR "/src";
 // Room of a file: its folder; in src/ itself, solve or what everything may use.
 std::string room_of(const fs::path& relative) {
   if (relative.has_parent_path()) return relative.begin()->string();
-  return relative.stem() == "solve" || relative.stem() == "yardstick" ? "solve" : "base";
+  return relative.stem().string().starts_with("solve") || relative.stem() == "yardstick" ? "solve" : "base";
 }
 
 const std::map<std::string, std::set<std::string>> may_include = {

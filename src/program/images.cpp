@@ -1,0 +1,72 @@
+#include "program/images.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <regex>
+
+#include "output/image_csv.h"
+#include "output/image_plot.h"
+#include "output/vtu.h"
+#include "program/interrupt.h"
+#include "program/results.h"
+#include "solve_image.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+SolveOptions solve_options(const Case& c, int threads) {
+  SolveOptions options{c.tubes, c.edges, threads, false, {}};
+  options.progress = [](double) { return !InterruptFlag::raised(); };
+  return options;
+}
+
+void write_tables(const fs::path& folder, const std::string& name, const Target& target, const Case& c, const LookImage& image) {
+  write_image_csv(folder / (name + ".csv"), c.sweep, image);
+  stop_if_interrupted();
+  std::vector<dvec3> vertices = target.mesh.vertices;
+  for (dvec3& vertex : vertices) vertex += target.mesh.center;
+  write_image_vtu(folder / (name + "_mesh.vtu"), vertices, target.mesh.triangles, image);
+  stop_if_interrupted();
+}
+
+double draw(const fs::path& folder, const std::string& name, const Case& c, LookImage image) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string trouble = draw_image(folder, name, c.title, c.sweep, std::move(image));
+  stop_if_interrupted();
+  if (!trouble.empty()) warn(trouble);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+void check_images(const Target& target, const Case& c) {
+  for (const std::size_t look : c.image_looks) image_cells(target, c.sweep, solve_options(c, 0), look, c.image_per_wavelength);
+}
+
+ImageFiles write_images(const fs::path& folder, const Target& target, const Case& c, int threads) {
+  ImageFiles files;
+  for (const std::size_t look : c.image_looks) {
+    const std::string name = c.image_looks.size() == 1 ? "image" : fmt::format("image_{}", look);
+    LookImage image = image_of_look(target, c.sweep, solve_options(c, threads), look, c.image_per_wavelength);
+    write_tables(folder, name, target, c, image);
+    if (c.plots) files.drawing_s += draw(folder, name, c, std::move(image));
+    files.pictures.insert(files.pictures.end(), {name + ".png", name + "_phase.png", name + "_window.png"});
+    files.tables.insert(files.tables.end(), {name + ".csv", name + "_mesh.vtu"});
+  }
+  return files;
+}
+
+void add_earlier_images(const fs::path& folder, ImageFiles& files) {
+  static const std::regex picture(R"(image(_\d+)?(_phase|_window)?\.png)"), table(R"(image(_\d+)?(\.csv|_mesh\.vtu))");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (std::regex_match(name, picture)) files.pictures.push_back(name);
+    if (std::regex_match(name, table)) files.tables.push_back(name);
+  }
+}
+
+}  // namespace raytube

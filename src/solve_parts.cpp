@@ -1,0 +1,95 @@
+#include "solve_parts.h"
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sbr/estimate.h"
+
+namespace raytube {
+
+namespace {
+
+// A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
+constexpr double most_rise = 1.0 / 32.0;
+
+// What quadrature may leave of the tolerance, at the frequency where most comes back.
+constexpr double between_share = 0.1;
+
+double between_tolerance(const TubeSums& tubes, const SolveOptions& options) {
+  double strongest = 0.0;
+  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
+    ScatteringMatrix sum;
+    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
+    strongest = std::max(strongest, frobenius_norm(sum));
+  }
+  return between_share * relative_error(options.tubes.tolerance_db) * strongest;
+}
+
+void check_near(const Sweep& sweep, const SolveOptions& options) {
+  if (std::ranges::any_of(sweep.looks, &Look::far))
+    throw InputError("either every look has antennas at a finite distance, or none");
+  if (options.tubes.mode == TubeMode::adaptive && !options.tubes.clip)
+    throw InputError("antennas at a finite distance need tubes that are clipped or uniform");
+  if (options.edges.method == EdgeMethod::utd)
+    throw InputError("antennas at a finite distance have no part in the edge method utd, which has a range of its own");
+}
+
+}  // namespace
+
+bool all_far(const Sweep& sweep) { return std::ranges::all_of(sweep.looks, &Look::far); }
+
+void check(const Sweep& sweep, const SolveOptions& options) {
+  if (sweep.frequencies.empty() || sweep.looks.empty()) throw InputError("the sweep has no frequency or no look");
+  for (const double f : sweep.frequencies)
+    if (!(f > 0.0) || !std::isfinite(f)) throw InputError("every frequency must be a positive number of hertz");
+  if (!(options.tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
+  if (options.edges.order < 1 || options.edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
+  if (options.tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
+  if (!all_far(sweep)) check_near(sweep, options);
+  if (!(options.edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
+}
+
+void make_reciprocal(std::span<ScatteringMatrix> scattering) {
+  for (ScatteringMatrix& s : scattering) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());
+}
+
+std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
+  if (tubes.mode != TubeMode::adaptive || !tubes.clip || tubes.curved == CurvedSurfaces::never) return {};
+  const bool convex_only = tubes.curved == CurvedSurfaces::convex || !all_far(sweep);
+  if (convex_only && !target.convexity.no_reflection) return {};
+  SmoothSurfaces smooth(target.mesh, target.min_wedge_angle, most_rise * wavelength(std::ranges::max(sweep.frequencies)));
+  if (!smooth.any()) return {};
+  return smooth;
+}
+
+void run_on_threads(int threads, const std::function<void()>& work) {
+  const int count = threads > 0 ? threads : tbb::this_task_arena::max_concurrency();
+  // More threads than cores must be asked for; a host program's own limit is never lowered.
+  constexpr auto parallelism = tbb::global_control::max_allowed_parallelism;
+  const tbb::global_control limit(parallelism, std::max<std::size_t>(count, tbb::global_control::active_value(parallelism)));
+  tbb::task_arena(count).execute(work);
+}
+
+void prepare_between(EdgeSets& edges, const Target& target, const Sweep& sweep, const EdgeOptions& options) {
+  const std::vector<bool> crowded = crowded_between(target, sweep, options);
+  if (!crowded.empty()) edges.prepare_between(target.mesh, crowded);
+}
+
+BetweenOptions between_options(const TubeSums& tubes, const SolveOptions& options) {
+  return {options.edges.order, options.edges.transition, between_tolerance(tubes, options)};
+}
+
+bool edges_count(const EdgeSets& edges, const SolveOptions& options) {
+  return options.edges.method == EdgeMethod::fringe && (edges.radiate() || !options.tubes.skip);
+}
+
+Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency) {
+  if (!look.far()) return 1.0;
+  const dvec3 change = spherical_basis(look.receive).radial + spherical_basis(look.transmit).radial;
+  return std::polar(1.0, wavenumber(frequency) * glm::dot(change, mesh.center));
+}
+
+}  // namespace raytube

@@ -1,0 +1,45 @@
+// Steps of a solve that an image takes, too.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "mesh/smooth.h"
+#include "solve.h"
+#include "utd/between.h"
+#include "utd/edge_sets.h"
+
+namespace raytube {
+
+/// Whether all antennas are at infinity; else none is.
+bool all_far(const Sweep& sweep);
+
+/// Throws InputError for an empty or non-physical sweep, or options out of range.
+void check(const Sweep& sweep, const SolveOptions& options);
+
+/// Reciprocity: the true S of a monostatic look has S_vh = S_hv, so dropping our antisymmetric part brings S closer. One bounce
+/// has none; several bounces have one out of their specular directions, fringe currents off their cone. A bistatic sweep is
+/// left alone, also where it passes the monostatic direction: there the parts correct one another, and rows must not jump.
+void make_reciprocal(std::span<ScatteringMatrix> scattering);
+
+/// The curved surfaces that tubes see as such; none: all are flat facets.
+std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep& sweep, const TubeOptions& tubes);
+
+/// Lets this many threads do the work, 0: all cores.
+void run_on_threads(int threads, const std::function<void()>& work);
+
+/// The edges of all frequencies, ready for the waves between surfaces where not crowded.
+void prepare_between(EdgeSets& edges, const Target& target, const Sweep& sweep, const EdgeOptions& options);
+
+/// How waves between surfaces are added up beside these tubes.
+BetweenOptions between_options(const TubeSums& tubes, const SolveOptions& options);
+
+/// Whether a solve asks the edges for their currents.
+bool edges_count(const EdgeSets& edges, const SolveOptions& options);
+
+/// Moves the phase reference from the centre of the mesh to the origin of its own coordinates, where that of antennas
+/// lies.
+Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency);
+
+}  // namespace raytube
