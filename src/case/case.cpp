@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -20,29 +19,6 @@ namespace raytube {
 
 namespace {
 
-struct Unit {
-  std::string_view name;
-  double metres;
-};
-constexpr std::array<Unit, 6> units = {{{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}}};
-
-const CaseValue* find(const CaseValue& root, std::string_view section, std::string_view key) {
-  const CaseValue* table = root.find(section);
-  return table ? table->find(key) : nullptr;
-}
-
-const CaseValue& require(const CaseValue& root, const std::string& section, const std::string& key, const std::string& remedy) {
-  const CaseValue* value = find(root, section, key);
-  if (!value) throw InputError(fmt::format("{}: {}.{} is missing; add {} under [{}]", root.place, section, key, remedy, section));
-  return *value;
-}
-
-double metres_per_unit(const CaseValue& value, const std::string& name) {
-  for (const Unit& unit : units)
-    if (unit.name == name) return unit.metres;
-  reject(value, fmt::format("target.unit \"{}\" is unknown; write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\"", name));
-}
-
 void read_target(const CaseValue& root, Case& c) {
   const CaseValue& mesh = require(root, "target", "mesh", "mesh = \"file.stl\"");
   c.mesh = read_text(mesh, "target.mesh");
@@ -50,7 +26,7 @@ void read_target(const CaseValue& root, Case& c) {
   c.mesh_file = (c.file.parent_path() / c.mesh).lexically_normal();
   const CaseValue& unit = require(root, "target", "unit", "unit = \"mm\" (or m, cm, um, in, ft: the length of one mesh unit)");
   c.unit = read_text(unit, "target.unit");
-  c.metres_per_unit = metres_per_unit(unit, c.unit);
+  c.metres_per_unit = read_unit(unit, "target.unit");
   if (const CaseValue* material = find(root, "target", "material"))
     if (read_text(*material, "target.material") != "pec")
       reject(*material, fmt::format("target.material \"{}\" is not in this version; write \"pec\"", material->text));

@@ -150,6 +150,17 @@ const CaseValue* CaseValue::find(std::string_view key) const {
   return found == keys.end() ? nullptr : &items[found - keys.begin()];
 }
 
+const CaseValue* find(const CaseValue& root, std::string_view section, std::string_view key) {
+  const CaseValue* table = root.find(section);
+  return table ? table->find(key) : nullptr;
+}
+
+const CaseValue& require(const CaseValue& root, const std::string& section, const std::string& key, const std::string& remedy) {
+  const CaseValue* value = find(root, section, key);
+  if (!value) throw InputError(fmt::format("{}: {}.{} is missing; add {} under [{}]", root.place, section, key, remedy, section));
+  return *value;
+}
+
 void reject(const CaseValue& value, const std::string& sentence) { throw InputError(value.place + ": " + sentence); }
 
 CaseValue read_case_document(const std::filesystem::path& file, const std::vector<std::string>& overrides) {

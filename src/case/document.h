@@ -24,6 +24,12 @@ struct CaseValue {
   const CaseValue* find(std::string_view key) const;
 };
 
+/// The entry root.section.key, or nullptr.
+const CaseValue* find(const CaseValue& root, std::string_view section, std::string_view key);
+
+/// The same; throws InputError that ends with the remedy where there is none.
+const CaseValue& require(const CaseValue& root, const std::string& section, const std::string& key, const std::string& remedy);
+
 /// Throws InputError that begins with the place of `value`.
 [[noreturn]] void reject(const CaseValue& value, const std::string& sentence);
 

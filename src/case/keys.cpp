@@ -83,14 +83,10 @@ std::size_t key_distance(std::string_view key, std::string_view known) {
   return std::min(edit_distance(key, known), 1 + edit_distance(last_part(key), last_part(known)));
 }
 
-std::string_view nearest_known(std::string_view key) {
-  return *std::min_element(known_keys.begin(), known_keys.end(),
-                           [&](auto a, auto b) { return key_distance(key, a) < key_distance(key, b); });
-}
-
 void check_key(const CaseValue& value, const std::string& key) {
   if (contains(later_keys, key)) reject(value, fmt::format("\"{}\" is not in this version; remove it", key));
-  if (!contains(known_keys, key)) reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key, nearest_known(key)));
+  if (!contains(known_keys, key))
+    reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key, nearest_key(key, known_keys)));
 }
 
 // A key inside tells better than its misspelt section which one was meant.
@@ -100,6 +96,11 @@ void check_unknown_section(const CaseValue& value, const std::string& section) {
 }
 
 }  // namespace
+
+std::string_view nearest_key(std::string_view key, std::span<const std::string_view> known) {
+  return *std::min_element(known.begin(), known.end(),
+                           [&](auto a, auto b) { return key_distance(key, a) < key_distance(key, b); });
+}
 
 void check_case_keys(const CaseValue& root) {
   for (std::size_t i = 0; i < root.keys.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "decimal.h"
@@ -14,6 +15,12 @@ namespace {
 using Kind = CaseValue::Kind;
 
 constexpr double most_values = 1e6;
+
+struct Unit {
+  std::string_view name;
+  double metres;
+};
+constexpr std::array<Unit, 6> units = {{{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}}};
 
 struct Range {
   double start, stop, third;  // third: step or count
@@ -116,6 +123,13 @@ dvec3 read_vector(const CaseValue& value, const std::string& key) {
 std::string read_text(const CaseValue& value, const std::string& key) {
   if (value.kind != Kind::text) reject(value, key + " must be a text in double quotes");
   return value.text;
+}
+
+double read_unit(const CaseValue& value, const std::string& key) {
+  const std::string name = read_text(value, key);
+  for (const Unit& unit : units)
+    if (unit.name == name) return unit.metres;
+  reject(value, fmt::format("{} \"{}\" is unknown; write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\"", key, name));
 }
 
 std::vector<double> read_stepped(const CaseValue& value, const std::string& key) {

@@ -15,6 +15,9 @@ bool read_flag(const CaseValue& value, const std::string& key);
 dvec3 read_vector(const CaseValue& value, const std::string& key);
 std::string read_text(const CaseValue& value, const std::string& key);
 
+/// Metres of the unit of length that the text names: m, cm, mm, um, in, ft.
+double read_unit(const CaseValue& value, const std::string& key);
+
 /// A number, a list of numbers, or { start, stop, step } with `stop` included when a step lands on it.
 std::vector<double> read_stepped(const CaseValue& value, const std::string& key);
 

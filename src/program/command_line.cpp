@@ -53,6 +53,14 @@ constexpr const char* converge_examples =
     "  raytube converge cases/convergence/case.toml\n"
     "  raytube converge case.toml --densities 5,10,20 --set look.phi_deg=0";
 
+constexpr const char* sources_examples =
+    "Traces a scene of named parts from a point, with rays launched by six models, and counts what they hit. Writes "
+    "sources.csv,\n"
+    "hits.ply and pictures of the launch points, of the hits on one part and of the errors against rays and time.\n\n"
+    "Examples:\n"
+    "  raytube sources cases/double_slit/case.toml\n"
+    "  raytube sources case.toml --set source.rays=1000000 --set source.models=geometry";
+
 void add_case_options(CLI::App& command, Request& request) {
   command.add_option("case", request.case_file, "Case file (TOML)")->required()->type_name("CASE.toml");
   command.add_option("--set", request.overrides, "Override a case key: KEY=VALUE with a dotted key; may be repeated")
@@ -187,16 +195,26 @@ CLI::App* add_converge(CLI::App& app, Request& request) {
   return converge;
 }
 
+CLI::App* add_sources(CLI::App& app, Request& request) {
+  CLI::App* sources = add_command(app, "sources", "Count what rays from a point hit, for six launch models", sources_examples);
+  add_case_options(*sources, request);
+  add_output_option(*sources, request, "Folder for the results; default <case folder>/out");
+  add_threads_option(*sources, request);
+  sources->add_flag("--quiet", request.quiet, "No progress bar, no summary");
+  return sources;
+}
+
 // CLI11 would only say that a subcommand is required.
 void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2)
     throw InputError(
-        "no command; write run, check, trace or converge and a case file, or compare and two tables (see raytube --help)");
+        "no command; write run, check, trace, converge or sources and a case file, or compare and two tables (see raytube "
+        "--help)");
   const std::string word = argv[1];
   const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
     throw InputError(
-        fmt::format("unknown command \"{}\"; write run, check, trace, converge or compare (see raytube --help)", word));
+        fmt::format("unknown command \"{}\"; write run, check, trace, converge, sources or compare (see raytube --help)", word));
 }
 
 }  // namespace
@@ -212,6 +230,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   CLI::App* trace = add_trace(app, request);
   CLI::App* compare = add_compare(app, request);
   CLI::App* converge = add_converge(app, request);
+  CLI::App* sources = add_sources(app, request);
   check_first_word(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -220,11 +239,12 @@ Request parse_command_line(int argc, const char* const* argv) {
     app.exit(error);
     return request;
   }
-  const std::array<std::pair<const CLI::App*, Command>, 5> commands = {{{run, Command::run},
+  const std::array<std::pair<const CLI::App*, Command>, 6> commands = {{{run, Command::run},
                                                                         {check, Command::check},
                                                                         {trace, Command::trace},
                                                                         {compare, Command::compare},
-                                                                        {converge, Command::converge}}};
+                                                                        {converge, Command::converge},
+                                                                        {sources, Command::sources}}};
   if (run->count("--launch") == 0) request.random.reset();
   if (request.random && request.parts)
     throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");

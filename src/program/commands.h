@@ -10,7 +10,7 @@
 
 namespace raytube {
 
-enum class Command { none, run, check, trace, compare, converge };
+enum class Command { none, run, check, trace, compare, converge, sources };
 
 struct Request {
   Command command = Command::none;  // none: help or version was printed
@@ -42,5 +42,6 @@ void check_command(const Request& request);
 void trace_command(const Request& request);
 void compare_command(const Request& request);
 void converge_command(const Request& request);
+void sources_command(const Request& request);
 
 }  // namespace raytube

@@ -1,0 +1,216 @@
+#include "case/source_case.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "case/document.h"
+#include "case/keys.h"
+#include "case/values.h"
+#include "error.h"
+
+namespace raytube {
+
+namespace {
+
+using Kind = CaseValue::Kind;
+
+constexpr std::array<std::string_view, 14> known_keys = {
+    "title",          "scene.box_m",   "scene.parts.name", "scene.parts.mesh", "scene.parts.unit", "scene.parts.surface",
+    "source.point_m", "source.models", "source.rays",      "source.seed",      "source.wall",      "source.max_reflections",
+    "source.counted", "output.plots"};
+constexpr std::array<std::string_view, 6> wall_names = {"-x", "+x", "-y", "+y", "-z", "+z"};
+constexpr double most_rays = 1e8, most_seed = 9007199254740992.0;  // 2^53: whole numbers of a case file are doubles
+
+bool is_known(const std::string& key) { return std::ranges::find(known_keys, key) != known_keys.end(); }
+
+bool is_above_known(const std::string& key) {
+  return std::ranges::any_of(known_keys, [&](std::string_view known) { return known.starts_with(key + "."); });
+}
+
+// Tables, and lists of tables, down to the keys inside; a key inside tells better than its misspelt section what was meant.
+void check_keys(const CaseValue& table, const std::string& prefix) {
+  for (std::size_t i = 0; i < table.keys.size(); ++i) {
+    const std::string key = prefix + table.keys[i];
+    const CaseValue& value = table.items[i];
+    if (is_known(key)) continue;
+    if (!is_above_known(key)) {
+      const bool holds_key = value.kind == Kind::table && !value.keys.empty();
+      const std::string meant = holds_key ? key + "." + value.keys.front() : key;
+      reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", meant, nearest_key(meant, known_keys)));
+    }
+    if (key == "scene.parts") {
+      if (value.kind != Kind::list) reject(value, "scene.parts must be a list of parts; write [[scene.parts]] before each");
+      for (const CaseValue& part : value.items) {
+        if (part.kind != Kind::table) reject(part, "every entry of scene.parts must be a part; write [[scene.parts]]");
+        check_keys(part, "scene.parts.");
+      }
+      continue;
+    }
+    if (value.kind != Kind::table) reject(value, fmt::format("{0} must be a section; write [{0}]", key));
+    check_keys(value, key + ".");
+  }
+}
+
+const CaseValue& require_of_part(const CaseValue& part, const std::string& key, const std::string& remedy) {
+  const CaseValue* value = part.find(key);
+  if (!value) reject(part, fmt::format("scene.parts.{} is missing; add {} to this part", key, remedy));
+  return *value;
+}
+
+RaySurface read_surface(const CaseValue& value) {
+  const std::string text = read_text(value, "scene.parts.surface");
+  if (text == "pec") return RaySurface::pec;
+  if (text == "absorber") return RaySurface::absorber;
+  reject(value, fmt::format("scene.parts.surface \"{}\" is unknown; write \"pec\" or \"absorber\"", text));
+}
+
+// Names become columns of a table and words of a picture.
+std::string read_part_name(const CaseValue& value) {
+  std::string name = read_text(value, "scene.parts.name");
+  const auto fits = [](unsigned char c) { return c > ' ' && c != ',' && c != '"' && c != 127; };
+  if (name.empty() || !std::ranges::all_of(name, fits))
+    reject(value, "scene.parts.name must be a word without blanks, commas and quotes, for example \"screen\"");
+  return name;
+}
+
+ScenePart read_part(const CaseValue& table, const std::filesystem::path& folder) {
+  ScenePart part;
+  part.name = read_part_name(require_of_part(table, "name", "name = \"screen\""));
+  const CaseValue& mesh = require_of_part(table, "mesh", "mesh = \"file.off\"");
+  const std::string file = read_text(mesh, "scene.parts.mesh");
+  if (file.empty()) reject(mesh, "scene.parts.mesh is empty; give the mesh file, relative to the case file");
+  part.mesh_file = (folder / file).lexically_normal();
+  part.metres_per_unit = read_unit(
+      require_of_part(table, "unit", "unit = \"m\" (or cm, mm, um, in, ft: the length of one mesh unit)"), "scene.parts.unit");
+  part.surface = read_surface(require_of_part(table, "surface", "surface = \"pec\" or \"absorber\""));
+  return part;
+}
+
+void read_parts(const CaseValue& root, SourceCase& c) {
+  const CaseValue* list = find(root, "scene", "parts");
+  if (!list || list->items.empty())
+    throw InputError(root.place + ": no scene; add a [[scene.parts]] with name, mesh, unit and surface for every part");
+  for (const CaseValue& table : list->items) {
+    c.parts.push_back(read_part(table, c.file.parent_path()));
+    const auto same = [&](const ScenePart& part) { return part.name == c.parts.back().name; };
+    if (std::ranges::count_if(c.parts, same) > 1)
+      reject(table, fmt::format("scene.parts.name \"{}\" is given twice; give every part its own", c.parts.back().name));
+  }
+}
+
+bool is_point(const CaseValue& value) {
+  return value.kind == Kind::list && value.items.size() == 3 &&
+         std::ranges::all_of(value.items, [](const CaseValue& item) { return item.kind == Kind::number; });
+}
+
+dvec3 read_point(const CaseValue& value, const std::string& key) {
+  if (!is_point(value)) reject(value, key + " must be a list of three numbers [m], for example [0, 0, 1.5]");
+  const auto entry = [&](std::size_t i) { return read_number(value.items[i], "every entry of " + key); };
+  return {entry(0), entry(1), entry(2)};
+}
+
+void read_box(const CaseValue& value, SourceCase& c) {
+  if (value.kind != Kind::list || value.items.size() != 2)
+    reject(value, "scene.box_m must be a list of two corners [m], for example [[-1, -1, 0], [1, 1, 2]]");
+  c.box = Box{read_point(value.items[0], "a corner of scene.box_m"), read_point(value.items[1], "a corner of scene.box_m")};
+  if (!glm::all(glm::lessThan(c.box->low, c.box->high)))
+    reject(value, "scene.box_m must have its lower corner first, each coordinate less than the second one's");
+}
+
+void read_points(const CaseValue& root, SourceCase& c) {
+  const CaseValue& value = require(root, "source", "point_m", "point_m = [x, y, z] or a list of these");
+  const bool is_list = value.kind == Kind::list && !value.items.empty() && value.items[0].kind == Kind::list;
+  if (!is_list) return c.points.push_back(read_point(value, "source.point_m"));
+  for (const CaseValue& item : value.items) c.points.push_back(read_point(item, "every point of source.point_m"));
+}
+
+// One word or a list of them.
+std::vector<const CaseValue*> entries(const CaseValue& value, const std::string& key) {
+  std::vector<const CaseValue*> all;
+  if (value.kind != Kind::list) return {&value};
+  if (value.items.empty()) reject(value, key + " is an empty list; give at least one");
+  for (const CaseValue& item : value.items) all.push_back(&item);
+  return all;
+}
+
+LaunchModel read_model(const CaseValue& value) {
+  const std::string name = read_text(value, "source.models");
+  const auto found = std::ranges::find(launch_model_names, name);
+  if (found == launch_model_names.end())
+    reject(value, fmt::format("source.models \"{}\" is unknown; write {}", name, fmt::join(launch_model_names, ", ")));
+  return static_cast<LaunchModel>(found - launch_model_names.begin());
+}
+
+void read_models(const CaseValue* value, SourceCase& c) {
+  if (!value) {
+    for (std::size_t i = 0; i < launch_model_names.size(); ++i) c.models.push_back(static_cast<LaunchModel>(i));
+    return;
+  }
+  for (const CaseValue* item : entries(*value, "source.models")) {
+    c.models.push_back(read_model(*item));
+    if (std::ranges::count(c.models, c.models.back()) > 1)
+      reject(*item, fmt::format("source.models names \"{}\" twice; name it once", launch_model_name(c.models.back())));
+  }
+}
+
+void read_rays(const CaseValue& value, SourceCase& c) {
+  for (const CaseValue* item : entries(value, "source.rays"))
+    c.rays.push_back(static_cast<std::uint64_t>(read_whole(*item, "source.rays", 1, static_cast<int>(most_rays))));
+  std::ranges::sort(c.rays);
+  if (std::ranges::adjacent_find(c.rays) != c.rays.end()) reject(value, "source.rays gives a number twice; give it once");
+}
+
+void read_seed(const CaseValue& value, SourceCase& c) {
+  const double seed = read_number(value, "source.seed");
+  if (seed < 0.0 || seed > most_seed || seed != std::floor(seed))
+    reject(value, fmt::format("source.seed must be a whole number from 0 to 2^53 (found {})", seed));
+  c.seed = static_cast<std::uint64_t>(seed);
+}
+
+void read_wall(const CaseValue& value, SourceCase& c) {
+  const std::string name = read_text(value, "source.wall");
+  const auto found = std::ranges::find(wall_names, name);
+  if (found == wall_names.end())
+    reject(value, fmt::format("source.wall \"{}\" is unknown; write {}", name, fmt::join(wall_names, ", ")));
+  c.wall = static_cast<int>(found - wall_names.begin());
+}
+
+void read_counted(const CaseValue& root, SourceCase& c) {
+  const CaseValue& value = require(root, "source", "counted", "counted = the name of the part whose hits are shown");
+  const std::string name = read_text(value, "source.counted");
+  const auto found = std::ranges::find(c.parts, name, &ScenePart::name);
+  std::vector<std::string> names;
+  for (const ScenePart& part : c.parts) names.push_back(part.name);
+  if (found == c.parts.end())
+    reject(value, fmt::format("source.counted \"{}\" is no part of the scene; write {}", name, fmt::join(names, " or ")));
+  c.counted = found - c.parts.begin();
+}
+
+}  // namespace
+
+SourceCase read_source_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const CaseValue root = read_case_document(file, overrides);
+  check_keys(root, "");
+  SourceCase c;
+  c.file = file;
+  read_parts(root, c);
+  if (const CaseValue* box = find(root, "scene", "box_m")) read_box(*box, c);
+  read_points(root, c);
+  read_models(find(root, "source", "models"), c);
+  read_rays(require(root, "source", "rays", "rays = a number or a list, for example [2000, 10000]"), c);
+  if (const CaseValue* seed = find(root, "source", "seed")) read_seed(*seed, c);
+  if (const CaseValue* wall = find(root, "source", "wall")) read_wall(*wall, c);
+  if (const CaseValue* most = find(root, "source", "max_reflections"))
+    c.max_reflections = read_whole(*most, "source.max_reflections", 0, 1000);
+  read_counted(root, c);
+  if (const CaseValue* plots = find(root, "output", "plots")) c.plots = read_flag(*plots, "output.plots");
+  const CaseValue* title = root.find("title");
+  c.title = title ? read_text(*title, "title") : file.stem().string();
+  return c;
+}
+
+}  // namespace raytube

@@ -1,0 +1,218 @@
+// raytube sources: a scene traced from a point by any launch model, and what each part is hit by.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <map>
+
+#include "case/source_case.h"
+#include "decimal.h"
+#include "error.h"
+#include "output/sources_files.h"
+#include "program/commands.h"
+#include "program/interrupt.h"
+#include "program/progress_bar.h"
+#include "program/results.h"
+#include "program/threads.h"
+#include "sbr/launch_limit.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_triangles = 4000;        // for exact shares: their cost grows with the square
+constexpr std::uint64_t most_launch_points = 4000;  // in a picture
+
+JoinedMesh load_scene(const SourceCase& c) {
+  std::vector<TriangleMesh> parts;
+  for (const ScenePart& part : c.parts) parts.push_back(load_mesh(part.mesh_file, part.metres_per_unit).mesh);
+  return join_meshes(parts);
+}
+
+// The enclosing box, in recentred coordinates.
+Box enclosing_box(const SourceCase& c, const TriangleMesh& mesh) {
+  const Box scene = bounding_box(mesh.vertices);
+  if (!c.box) return scene;
+  const Box given{c.box->low - mesh.center, c.box->high - mesh.center};
+  const dvec3 rounding(weld_fraction * scene.diagonal());
+  if (glm::any(glm::lessThan(scene.low, given.low - rounding)) || glm::any(glm::greaterThan(scene.high, given.high + rounding)))
+    throw InputError(
+        fmt::format("{}: scene.box_m does not enclose the parts of the scene; enlarge it or remove it", c.file.string()));
+  return given;
+}
+
+// A scene from one position after the other.
+class Study {
+ public:
+  Study(const SourceCase& c, int threads)
+      : case_(c), joined_(load_scene(c)), tracer_(joined_.mesh), box_(enclosing_box(c, joined_.mesh)), threads_(threads) {
+    for (const ScenePart& part : c.parts) {
+      study_.part_names.push_back(part.name);
+      surfaces_.push_back(part.surface);
+    }
+    study_.title = c.title;
+    study_.counted = c.counted;
+    // Refuses now what the last position would be refused for.
+    for (std::size_t i = 0; i < c.points.size(); ++i)
+      for (const LaunchModel model : c.models) launch(i, model, 1);
+  }
+
+  void solve(const std::function<bool(double)>& progress) {
+    progress_ = progress;
+    for (std::size_t position = 0; position < case_.points.size(); ++position) {
+      const std::vector<SeenPiece> seen = seen_from({site(position).source, {}});
+      for (const LaunchModel model : case_.models) run_model(position, model, seen);
+    }
+  }
+
+  const SourceStudy& result() const { return study_; }
+
+  bool exact() const { return joined_.mesh.triangles.size() <= most_triangles; }
+
+ private:
+  LaunchSite site(std::size_t position) const {
+    const TriangleMesh& mesh = joined_.mesh;
+    return {&mesh, box_, case_.points[position] - mesh.center, case_.wall, weld_fraction * box_.diagonal()};
+  }
+
+  Launch launch(std::size_t position, LaunchModel model, std::uint64_t rays) const {
+    try {
+      return Launch(model, site(position), rays, case_.seed);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", case_.file.string(), error.what()));
+    }
+  }
+
+  std::vector<SeenPiece> seen_from(const Eye& eye) const {
+    return exact() ? seen_pieces(joined_.mesh, eye) : std::vector<SeenPiece>();
+  }
+
+  const std::vector<SeenPiece>& seen_by_plane_wave(const Eye& eye) {
+    if (!plane_wave_sees_) plane_wave_sees_ = seen_from(eye);
+    return *plane_wave_sees_;
+  }
+
+  void run_model(std::size_t position, LaunchModel model, const std::vector<SeenPiece>& seen) {
+    const bool shown = position == 0;
+    if (shown) study_.views.push_back({model, 0, 0, {}, {}});
+    for (const std::uint64_t asked : case_.rays) {
+      const auto begin = std::chrono::steady_clock::now();
+      const Launch rays = launch(position, model, asked);
+      RayHits hits = trace_rays(tracer_, joined_.triangle_part, surfaces_, rays, options(shown && asked == case_.rays.back()));
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      SourceRun run{
+          position, case_.points[position], model, asked, rays.rays(), hits.escaped, hits.absorbed, hits.cut, hits.missed,
+          seconds,  std::move(hits.parts)};
+      if (exact()) add_exact(rays, seen, run);
+      study_.runs.push_back(std::move(run));
+      if (shown && asked == case_.rays.front()) keep_launch_points(rays);
+      if (shown && asked == case_.rays.back()) keep_hits(rays, std::move(hits.hits));
+      ++finished_;
+    }
+  }
+
+  HitOptions options(bool keep) const {
+    const double runs = static_cast<double>(case_.points.size() * case_.models.size() * case_.rays.size());
+    const double before = static_cast<double>(finished_) / runs;
+    const auto overall = [this, before, runs](double share) { return progress_(before + share / runs); };
+    return {case_.max_reflections, case_.counted, keep, threads_, overall};
+  }
+
+  void add_exact(const Launch& rays, const std::vector<SeenPiece>& seen, SourceRun& run) {
+    const double tolerance = cut_tolerance(joined_.mesh, rays.eye());
+    const std::vector<SeenPiece>& lit = rays.eye().direction ? seen_by_plane_wave(rays.eye()) : seen;
+    const auto limits = launch_limits(rays, lit, joined_.triangle_part, run.parts.size(), tolerance);
+    for (std::size_t part = 0; part < limits.size(); ++part) {
+      PartHits& hits = run.parts[part];
+      hits.limit = limits[part].share;
+      hits.limit_bound = limits[part].bound;
+      if (run.model != LaunchModel::random) hits.estimate_bound = limits[part].estimate_bound;
+      hits.exact = 0.0;
+    }
+    const dvec3 source = site(run.position).source;
+    for (const SeenPiece& piece : seen)
+      run.parts[joined_.triangle_part[piece.triangle]].exact += solid_angle(piece.outline, source) / (4.0 * pi);
+  }
+
+  void keep_launch_points(const Launch& rays) {
+    SourceView& view = study_.views.back();
+    view.launched = rays.rays();
+    const std::uint64_t step = (rays.rays() + most_launch_points - 1) / most_launch_points;
+    for (std::uint64_t i = 0; i < rays.rays(); i += step) view.launch_points.push_back(rays.ray(i).through + joined_.mesh.center);
+  }
+
+  void keep_hits(const Launch& rays, std::vector<CountedHit> hits) {
+    for (CountedHit& hit : hits) hit.point += joined_.mesh.center;
+    study_.views.back().traced = rays.rays();
+    study_.views.back().hits = std::move(hits);
+  }
+
+  const SourceCase& case_;
+  JoinedMesh joined_;
+  Tracer tracer_;
+  Box box_;
+  int threads_;
+  std::vector<RaySurface> surfaces_;
+  std::function<bool(double)> progress_;
+  std::size_t finished_ = 0;
+  std::optional<std::vector<SeenPiece>> plane_wave_sees_;
+  SourceStudy study_;
+};
+
+std::string percent_text(double share) { return std::isnan(share) ? "-" : fmt::format("{:.4f}", 100.0 * share); }
+
+void print_run(const SourceRun& run, std::size_t counted) {
+  const PartHits& part = run.parts[counted];
+  const double rays = static_cast<double>(run.rays);
+  fmt::print("{:>5} {:<11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9.3f}\n", run.position, launch_model_name(run.model),
+             run.rays, percent_text(static_cast<double>(part.all_hits) / rays),
+             percent_text(static_cast<double>(part.first_hits) / rays), percent_text(part.limit), percent_text(part.response),
+             percent_text(part.estimate), percent_text(part.exact), run.seconds);
+}
+
+void print_summary(const SourceStudy& study, bool exact, const fs::path& folder) {
+  fmt::print("hits on {}, in percent of the rays; response and weighted: of the solid angle, all and direct\n",
+             study.part_names[study.counted]);
+  fmt::print("{:>5} {:<11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "place", "model", "rays", "all", "direct", "limit",
+             "response", "weighted", "exact", "seconds");
+  for (const SourceRun& run : study.runs) print_run(run, study.counted);
+  if (!exact) fmt::print("skipped     exact shares: the scene has more than {} triangles\n", most_triangles);
+  fmt::print("results     {}\n", folder.string());
+}
+
+}  // namespace
+
+void sources_command(const Request& request) {
+  const SourceCase c = read_source_case(request.case_file, request.overrides);
+  const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
+  { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
+  const int threads = request.threads > 0 ? request.threads : all_threads();
+  Study study(c, threads);
+
+  const InterruptFlag interrupt_flag;
+  ProgressBar bar(!request.quiet && isatty(STDERR_FILENO) != 0);
+  const auto go_on = [&](double share) {
+    bar.show(share);
+    return !InterruptFlag::raised();
+  };
+  tbb::task_arena(threads).execute([&] { study.solve(go_on); });
+  const SourceStudy& result = study.result();
+
+  InterruptFlag::clean_up_first();
+  const OutputFolder folder(destination);
+  const NewResults results(folder.path());
+  write_sources_csv(results.folder() / "sources.csv", result);
+  stop_if_interrupted();
+  write_hits_ply(results.folder() / "hits.ply", result);
+  stop_if_interrupted();
+  const std::string trouble = c.plots ? plot_sources(results.folder(), result) : "";
+  stop_if_interrupted();
+  if (!trouble.empty()) warn(trouble);
+  replace_results(results, folder.path(), {"launch.png", "launch.svg", "hits.png", "hits.svg", "sources.png", "sources.svg"},
+                  {"hits.ply", "sources.csv"});
+  if (!request.quiet) print_summary(result, study.exact(), folder.path());
+}
+
+}  // namespace raytube
