@@ -40,6 +40,12 @@ cp cases/stochastic/out/error_time.png docs/figures/stochastic.png
 for name in convergence_plate convergence_dihedral; do cp "$work/$name/converge.png" docs/figures/$name.png; done
 "$program" run cases/trihedral/case.toml -o "$work/image" --quiet --set output.image_look=90
 for name in image image_window; do cp "$work/image/$name.png" docs/figures/trihedral_$name.png; done
+for name in double_slit/case double_slit/study open_box/case; do
+  "$program" sources cases/$name.toml -o "$work/$name" --quiet
+done
+for name in launch hits; do cp "$work/double_slit/case/$name.png" docs/figures/double_slit_$name.png; done
+cp "$work/double_slit/study/sources.png" docs/figures/double_slit_error.png
+cp "$work/open_box/case/sources.png" docs/figures/open_box.png
 # theta along the plate's cut is signed: phi = 180 counts negative.
 paste -d, "$work/plate.csv" "$work/plate_reference.csv" >"$work/plate_both.csv"
 for name in dihedral dihedral_off; do
@@ -48,7 +54,8 @@ done
 paste -d, "$work/sphere.csv" "$work/sphere_reference.csv" >"$work/sphere_both.csv"
 
 cd docs/figures
-pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral convergence_plate convergence_dihedral stochastic)
+pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral convergence_plate convergence_dihedral stochastic double_slit_launch
+          double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','
 set datafile missing '-inf'
