@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "case/source_case.h"
-#include "sbr/philox.h"
+#include "random.h"
 #include "source_scene.h"
 
 namespace raytube {
@@ -97,9 +97,9 @@ TEST(TriangleSoup, EveryTrianglesShareIsThatOfTheRaysThatMeetIt) {
   for (std::uint64_t i = 0; i < 30; ++i) {
     PolygonSoup soup{{}, {{0, 1, 2}}};
     for (std::uint64_t corner = 0; corner < 3; ++corner) {
-      const auto [x, y] = random_pair(7, 6 * i + 2 * corner);
-      const auto [z, unused] = random_pair(7, 6 * i + 2 * corner + 1);
-      soup.points.emplace_back(2 * x - 1, 2 * y - 1, 2 * z - 1);
+      const dvec2 across = random_point(7, 0, 6 * i + 2 * corner);
+      const double z = random_point(7, 0, 6 * i + 2 * corner + 1).x;
+      soup.points.emplace_back(2 * across.x - 1, 2 * across.y - 1, 2 * z - 1);
     }
     soups.push_back(soup);
   }
