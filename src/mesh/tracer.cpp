@@ -108,7 +108,8 @@ void refuse_behind(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-// Sixteen rays with what Embree finds of them. Lanes beyond the last ray stay inactive.
+// Sixteen rays with what Embree finds of them. Lanes beyond the last ray are inactive and repeat it: Embree computes with them
+// all the same, and what was in memory may be subnormal numbers, a hundred times as slow.
 struct alignas(64) Packet {
   RTCRayHit16 rays;
   std::array<int, packet_width> valid;
@@ -116,8 +117,8 @@ struct alignas(64) Packet {
 
 void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_behind) {
   RTCRay16& to = packet.rays.ray;
-  for (std::size_t lane = 0; lane < rays.size(); ++lane) {
-    const Ray& ray = rays[lane];
+  for (std::size_t lane = 0; lane < packet_width; ++lane) {
+    const Ray& ray = rays[std::min(lane, rays.size() - 1)];
     const double behind = from_behind || ray.source_patch != no_index ? start_behind : 0.0;
     to.org_x[lane] = static_cast<float>(ray.origin.x * scale - behind * ray.direction.x);
     to.org_y[lane] = static_cast<float>(ray.origin.y * scale - behind * ray.direction.y);
