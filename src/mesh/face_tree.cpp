@@ -9,8 +9,6 @@ namespace raytube {
 
 namespace {
 
-constexpr std::size_t faces_per_leaf = 2;
-
 std::vector<Box> boxes_of(const TriangleMesh& mesh, const Faces& faces) {
   std::vector<Box> boxes(faces.faces.size());
   for (std::size_t f = 0; f < boxes.size(); ++f)
@@ -40,8 +38,9 @@ Box box_of(std::span<const Box> boxes, std::span<const std::uint32_t> order) {
   return box;
 }
 
-// Halves at the middle along the longest side of the box, again and again; ties go by index.
-void divide(std::span<const Box> boxes, std::span<std::uint32_t> order, std::span<std::span<std::uint32_t>> parts) {
+// Halves along the longest side of the box, again and again; every part but the last one has `full` faces. Ties go by index.
+void divide(std::span<const Box> boxes, std::span<std::uint32_t> order, std::size_t full,
+            std::span<std::span<std::uint32_t>> parts) {
   if (parts.size() == 1) {
     parts[0] = order;
     return;
@@ -50,10 +49,10 @@ void divide(std::span<const Box> boxes, std::span<std::uint32_t> order, std::spa
   const dvec3 size = box.high - box.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const auto key = [&](std::uint32_t f) { return std::pair(boxes[f].low[axis] + boxes[f].high[axis], f); };
-  const std::size_t half = order.size() / 2, middle = parts.size() / 2;
+  const std::size_t middle = parts.size() / 2, half = middle * full;
   std::ranges::nth_element(order, order.begin() + static_cast<std::ptrdiff_t>(half), {}, key);
-  divide(boxes, order.first(half), parts.first(middle));
-  divide(boxes, order.subspan(half), parts.subspan(middle));
+  divide(boxes, order.first(half), full, parts.first(middle));
+  divide(boxes, order.subspan(half), full, parts.subspan(middle));
 }
 
 }  // namespace
@@ -68,6 +67,7 @@ FaceTree::FaceTree(const TriangleMesh& mesh)
   std::iota(order.begin(), order.end(), 0u);
   if (!boxes.empty()) build(boxes, order, 0);
   faces_ = in_order(faces_, order);
+  for (const std::uint32_t corner : faces_.corners) points_.push_back(mesh.vertices[corner]);
   list_triangles();
 }
 
@@ -80,15 +80,18 @@ void FaceTree::list_triangles() {
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) triangles_[next[faces_.face_of_triangle[t]]++] = t;
 }
 
+// All nodes but the last of each level are full, so that few are looked at; the root may not be.
 std::uint32_t FaceTree::build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin) {
   const auto node = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
+  std::size_t full = 1;
+  while (full * lanes < order.size()) full *= lanes;
   std::array<std::span<std::uint32_t>, lanes> parts;
-  divide(boxes, order, parts);
+  divide(boxes, order, full, std::span(parts).first((order.size() + full - 1) / full));
   for (int lane = 0; lane < lanes; ++lane) {
     const std::span<std::uint32_t> part = parts[lane];
-    const auto first = begin + static_cast<std::uint32_t>(part.data() - order.data());
-    const std::uint32_t child = part.size() > faces_per_leaf ? build(boxes, part, first) : 0;
+    const auto first = part.empty() ? begin : begin + static_cast<std::uint32_t>(part.data() - order.data());
+    const std::uint32_t child = part.size() > 1 ? build(boxes, part, first) : 0;
     set_lane(node, lane, box_of(boxes, part), first, first + static_cast<std::uint32_t>(part.size()), child);
   }
   return node;

@@ -29,6 +29,10 @@ class FaceTree {
   /// In the order of the tree: neighbours in space are neighbours in number.
   std::span<const Face> faces() const { return faces_.faces; }
   std::span<const std::uint32_t> corners(std::uint32_t face) const { return faces_.corners_of(faces_.faces[face]); }
+  /// The same as points.
+  std::span<const dvec3> points(std::uint32_t face) const {
+    return std::span(points_).subspan(faces_.faces[face].first_corner, corners(face).size());
+  }
   /// The triangles of a face.
   std::span<const std::uint32_t> triangles(std::uint32_t face) const {
     return std::span(triangles_).subspan(first_triangle_[face], first_triangle_[face + 1] - first_triangle_[face]);
@@ -59,6 +63,7 @@ class FaceTree {
 
   const TriangleMesh& mesh_;
   Faces faces_;
+  std::vector<dvec3> points_;                              // of all corners: side by side for neighbours
   std::vector<std::uint32_t> first_triangle_, triangles_;  // of each face, compressed rows
   double doubt_;                                           // [m] what single precision may cost in placing a box
   std::vector<Node> nodes_;

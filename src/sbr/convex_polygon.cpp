@@ -34,16 +34,6 @@ Bounds bounds(const ConvexPolygon& polygon) {
   return b;
 }
 
-Range range(const ConvexPolygon& polygon, const Affine& f) {
-  Range r{f(polygon[0].at), f(polygon[0].at)};
-  for (std::size_t i = 1; i < polygon.size(); ++i) {
-    const double value = f(polygon[i].at);
-    r.low = std::min(r.low, value);
-    r.high = std::max(r.high, value);
-  }
-  return r;
-}
-
 Range range(const Bounds& box, const Affine& f) {
   const double across_u = f.u * (box.high.x - box.low.x), across_v = f.v * (box.high.y - box.low.y), corner = f(box.low);
   return {corner + std::min(across_u, 0.0) + std::min(across_v, 0.0), corner + std::max(across_u, 0.0) + std::max(across_v, 0.0)};

@@ -1,6 +1,7 @@
 // Convex polygons of the launch plane and the one operation on them: a cut along a line.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -46,7 +47,15 @@ double area(const ConvexPolygon& polygon);   // negative if clockwise
 dvec2 middle(const ConvexPolygon& polygon);  // mean of the corners, which lies inside
 Bounds bounds(const ConvexPolygon& polygon);
 inline Bounds common(const Bounds& a, const Bounds& b) { return {glm::max(a.low, b.low), glm::min(a.high, b.high)}; }
-Range range(const ConvexPolygon& polygon, const Affine& f);
+inline Range range(const ConvexPolygon& polygon, const Affine& f) {
+  Range r{f(polygon[0].at), f(polygon[0].at)};
+  for (std::size_t i = 1; i < polygon.size(); ++i) {
+    const double value = f(polygon[i].at);
+    r.low = std::min(r.low, value);
+    r.high = std::max(r.high, value);
+  }
+  return r;
+}
 Range range(const Bounds& box, const Affine& f);
 
 /// The polygon of these corners, in whichever sense they run.

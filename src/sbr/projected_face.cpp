@@ -26,7 +26,7 @@ bool FaceProjector::project(const BeamView& view, std::uint32_t face, ProjectedF
   const Patch& plane = tree_.mesh().patches[source.patch];
   f.tilt = std::abs(facing(view.beam, plane));
   f.face = face, f.patch = source.patch, f.triangle = source.triangle;
-  if (!set_outline(view, f) || (view.region && !clip_to_region(*view.region, f.outline))) return false;
+  if (!set_outline(view, f) || (view.region && !clip_to_region(f.outline))) return false;
   f.depth = depth_of(view.beam, plane);
   if (view.source) clip_to_front(view, f);
   if (f.outline.empty()) return false;
@@ -38,18 +38,16 @@ bool FaceProjector::project(const BeamView& view, std::uint32_t face, ProjectedF
 // A spherical wave meets nothing nearer than the surface it leaves: what lies behind its source is cut off in between.
 void FaceProjector::project_corners(const BeamView& view, std::uint32_t face) {
   const Beam& beam = view.beam;
-  const std::span<const dvec3> vertices = tree_.mesh().vertices;
-  const auto corners = tree_.corners(face);
+  const std::span<const dvec3> corners = tree_.points(face);
   corners_.clear();
   if (!beam.spherical()) {
-    for (const std::uint32_t corner : corners) corners_.push_back(launch_place(beam, vertices[corner]));
+    for (const dvec3& corner : corners) corners_.push_back(launch_place(beam, corner));
     return;
   }
   const double nearest = view.source ? 0.5 * widening_at(beam, range(*view.region, view.source_depth).low) : 0.0;
-  dvec3 before = vertices[corners.back()];
+  dvec3 before = corners.back();
   double w_before = widening(beam, before) - nearest;
-  for (const std::uint32_t corner : corners) {
-    const dvec3& r = vertices[corner];
+  for (const dvec3& r : corners) {
     const double w = widening(beam, r) - nearest;
     if ((w > 0.0) != (w_before > 0.0)) corners_.push_back(launch_place(beam, before + w_before / (w_before - w) * (r - before)));
     if (w > 0.0) corners_.push_back(launch_place(beam, r));
@@ -63,18 +61,31 @@ bool FaceProjector::set_outline(const BeamView& view, ProjectedFace& f) {
   if (corners_.size() < 3) return false;
   Bounds box{corners_[0], corners_[0]};
   for (const dvec2& at : corners_) box = {glm::min(box.low, at), glm::max(box.high, at)};
-  if (!box.overlaps(view.box, length_rounding_)) return false;
+  if (!box.overlaps(view.box, length_rounding_) || (view.region && lies_beside(*view.region))) return false;
   set_corners(f.outline, corners_);
   f.edges.clear();
   for (const Corner& corner : f.outline) f.edges.push_back(corner.edge);
   return true;
 }
 
-bool FaceProjector::clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline) {
-  if (separates(region, outline)) return false;
-  for (const Corner& corner : region) {
-    if (range(outline, corner.edge).low >= -length_rounding_) continue;
-    cut(outline, corner.edge, length_rounding_, inside_, outside_);
+// Notes the region's edges that some of the corners lie beyond; true if they all lie beyond one.
+bool FaceProjector::lies_beside(const ConvexPolygon& region) {
+  crossed_.clear();
+  for (const Corner& side : region) {
+    Range r{side.edge(corners_[0]), side.edge(corners_[0])};
+    for (const dvec2& corner : corners_) {
+      r.low = std::min(r.low, side.edge(corner));
+      r.high = std::max(r.high, side.edge(corner));
+    }
+    if (r.high <= length_rounding_) return true;
+    if (r.low < -length_rounding_) crossed_.push_back(side.edge);
+  }
+  return false;
+}
+
+bool FaceProjector::clip_to_region(ConvexPolygon& outline) {
+  for (const Affine& edge : crossed_) {
+    cut(outline, edge, length_rounding_, inside_, outside_);
     std::swap(outline, inside_);
     if (outline.empty()) return false;
   }

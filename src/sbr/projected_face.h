@@ -57,12 +57,14 @@ class FaceProjector {
  private:
   void project_corners(const BeamView& view, std::uint32_t face);
   bool set_outline(const BeamView& view, ProjectedFace& f);
-  bool clip_to_region(const ConvexPolygon& region, ConvexPolygon& outline);
+  bool lies_beside(const ConvexPolygon& region);
+  bool clip_to_region(ConvexPolygon& outline);
   void clip_to_front(const BeamView& view, ProjectedFace& f);
 
   const FaceTree& tree_;
   double length_rounding_, height_rounding_;
   std::vector<dvec2> corners_;
+  std::vector<Affine> crossed_;  // edges of the region
   ConvexPolygon inside_, outside_;
 };
 
