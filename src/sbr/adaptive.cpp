@@ -19,8 +19,8 @@ struct PolygonTube {
 
 // A polygon that holds no more cells than this costs more than their rays.
 constexpr std::uint64_t few_cells = 16;
-// With more tubes than this under way, small ones are no longer worth their number.
-constexpr std::size_t many_tubes = 256;
+// With more tubes than this under way, or more faces to meet, tubes smaller than a cell are no longer worth their number.
+constexpr std::size_t many_tubes = 256, many_faces = 2048;
 
 class FaceTrace {
  public:
@@ -50,6 +50,7 @@ class FaceTrace {
       for (std::size_t i = 0; i < tubes_.size(); ++i) follow(tubes_[i], in_middle_[i], bounce);
       sums_.rays += tubes_.size();
     }
+    count_thinned();
     sums_.sliver_area = visible_.sliver_area();
     return std::move(sums_);
   }
@@ -68,11 +69,14 @@ class FaceTrace {
     look_.tracer.closest_hits(rays_, in_middle_);
   }
 
+  // Of tubes that end by their number of bounces nobody asks more than whether their middle would go on.
   void follow(const PolygonTube& tube, const Hit& in_middle, int bounce) {
+    if (bounce == look_.max_bounces) {
+      if (in_middle) ++sums_.tubes_cut;
+      return;
+    }
     visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, parts_);
-    if (bounce < look_.max_bounces) return reflect(tube.beam, bounce);
-    sums_.tubes_cut += parts_.size();
-    parts_.clear();
+    reflect(tube.beam, bounce);
   }
 
   // Turns the parts that a beam has met into currents and reflected tubes.
@@ -92,40 +96,49 @@ class FaceTrace {
     parts_.clear();
   }
 
-  // Where exact tubes outnumber the cells they cover, those smaller than a cell go on as the uniform grid would have them: as a
-  // whole cell if its ray is theirs, else not at all. So there are never many more tubes than the uniform grid has.
+  // Where tubes grow too many, those smaller than a cell go on as the uniform grid would have them: as a whole cell if its ray is
+  // theirs, else not at all. So there are never many more tubes than the uniform grid has.
   void thin_out() {
-    if (!look_.clip || reflected_.size() <= many_tubes) return;
+    if (!look_.clip || !too_many()) return;
     const double cell = look_.grid.du * look_.grid.dv;
-    double covered = 0.0;
-    for (const PolygonTube& tube : reflected_) covered += area(tube.outline);
-    if (static_cast<double>(reflected_.size()) * cell <= covered) return;
     std::erase_if(reflected_, [&](const PolygonTube& tube) {
       const double size = area(tube.outline);
       if (size >= cell) return false;
-      count_thinned(size * (cell - size));
+      thinned_ += size * (cell - size);
       cells_under(look_.grid, tube.outline, blocks_);
-      follow_by_rays(tube.beam, tube.patch);
+      follow_by_rays(tube.beam, tube.patch, 1.0 - size / cell);
       return true;
     });
   }
 
-  // A tube becomes a cell with the probability of their areas' ratio: variance (area) (cell - area), times the (k / 2 pi)^2 that
-  // a perfect conductor radiates at most.
-  void count_thinned(double variance) {
-    sums_.pieces.resize(look_.wavenumbers.size());
-    for (std::size_t f = 0; f < sums_.pieces.size(); ++f) {
-      const double square = std::pow(look_.wavenumbers[f] / (2.0 * pi), 2) * variance;
-      for (auto& row : sums_.pieces[f].squares)
-        for (double& channel : row) channel += square;
-    }
+  bool too_many() const {
+    if (look_.tree.faces().size() > many_faces) return true;
+    if (reflected_.size() <= many_tubes) return false;
+    double covered = 0.0;
+    for (const PolygonTube& tube : reflected_) covered += area(tube.outline);
+    return static_cast<double>(reflected_.size()) * look_.grid.du * look_.grid.dv > covered;
   }
 
-  void follow_by_rays(std::uint32_t beam, std::uint32_t patch) {
+  // A tube becomes a cell with the probability of their areas' ratio, p: variance (1 - p) / p of the square of what it would
+  // radiate, or (1 - p) of that of the cell for each one that did (Horvitz & Thompson 1952). Where none did, one cell's with the
+  // k / 2 pi that a perfect conductor radiates at most, but no more than (area) (cell - area) of each.
+  void count_thinned() {
+    if (thinned_ == 0.0) return;
+    const double cell = look_.grid.du * look_.grid.dv;
+    ChannelErrors variance = cell_tubes_.variance();
+    if (variance == ChannelErrors{})
+      for (auto& row : variance) row.fill(std::min(thinned_, cell * cell) / std::pow(2.0 * pi, 2));
+    sums_.pieces.resize(look_.wavenumbers.size());
+    for (std::size_t f = 0; f < sums_.pieces.size(); ++f)
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) sums_.pieces[f].squares[p][q] += std::pow(look_.wavenumbers[f], 2) * variance[p][q];
+  }
+
+  void follow_by_rays(std::uint32_t beam, std::uint32_t patch, double doubt = 0.0) {
     for (const CellBlock& block : blocks_)
       for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
         for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
-          cell_tubes_.add(column, row, beam, patch);
+          cell_tubes_.add(column, row, beam, patch, doubt);
   }
 
   std::uint64_t cells_in_blocks() const {
@@ -193,6 +206,7 @@ class FaceTrace {
   std::vector<Ray> rays_;
   std::vector<Hit> in_middle_;
   std::vector<CellBlock> blocks_;
+  double thinned_ = 0.0;  // of tubes that became cells or nothing, (area) (cell - area) [m^4]
   TubeSums sums_;
   CellTubes cell_tubes_;
 };

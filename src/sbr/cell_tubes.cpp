@@ -1,6 +1,7 @@
 #include "sbr/cell_tubes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace raytube {
 
@@ -28,13 +29,13 @@ void CellTubes::launch(std::uint32_t row, std::uint32_t column_begin, std::uint3
   tubes_.resize(next + column_end - column_begin);
   rays_.resize(tubes_.size());
   for (std::uint32_t column = column_begin; column < column_end; ++column, ++next) {
-    tubes_[next] = {column, row, BeamTree::root};
+    tubes_[next] = {column, row, BeamTree::root, 0.0f};
     rays_[next] = grid_.ray(column, row);
   }
 }
 
-void CellTubes::add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) {
-  tubes_.push_back({column, row, beam});
+void CellTubes::add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch, double doubt) {
+  tubes_.push_back({column, row, beam, static_cast<float>(doubt)});
   rays_.push_back(reflected_ray(column, row, beam, patch));
 }
 
@@ -63,7 +64,7 @@ void CellTubes::reflect() {
   for (std::size_t i = 0; i < tubes_.size(); ++i) {
     const std::uint32_t triangle = found_[i];
     if (triangle == no_index) continue;
-    const auto [column, row, beam] = tubes_[i];
+    const auto [column, row, beam, doubt] = tubes_[i];
     if (smooth_ && beam == BeamTree::root && smooth_->region(triangle) != no_index) continue;
     const std::uint32_t patch = mesh.triangle_patch[triangle],
                         node = beams_.child(beam, patch, {grid_.u_center(column), grid_.v_center(row)});
@@ -72,7 +73,7 @@ void CellTubes::reflect() {
       ++sums_.lost_rays;
       continue;
     }
-    tubes_[alive] = {column, row, node};
+    tubes_[alive] = {column, row, node, doubt};
     found_[alive] = triangle;
     rays_[alive] = reflected_ray(column, row, node, patch);
     ++alive;
@@ -83,13 +84,13 @@ void CellTubes::reflect() {
 
 void CellTubes::find_runs() {
   runs_.clear();
-  for (const auto& [column, row, node] : tubes_) extend(node, {column, column + 1, row, row + 1});
+  for (const auto& [column, row, node, doubt] : tubes_) extend(node, {column, column + 1, row, row + 1});
 }
 
 void CellTubes::find_coarse_runs(std::uint32_t grid) {
   const CellBlock& block = coarse_block_;
   runs_.clear();
-  for (const auto& [column, row, node] : tubes_) {
+  for (const auto& [column, row, node, doubt] : tubes_) {
     const Group down = group_of(row, grid, block.row_begin, block.row_end);
     if (down.empty()) continue;
     const Group across = group_of(column, grid, block.column_begin, block.column_end);
@@ -115,6 +116,7 @@ void CellTubes::integrate(int bounce) {
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
   find_runs();
   integrate_runs(sums);
+  add_variance();
   if (map_) report();
   for (std::uint32_t grid = 0; grid < coarse_grids; ++grid) {
     if (coarse_sums_[grid].empty()) continue;
@@ -125,8 +127,22 @@ void CellTubes::integrate(int bounce) {
 
 void CellTubes::report() {
   for (std::size_t i = 0; i < tubes_.size(); ++i) {
-    const auto [column, row, node] = tubes_[i];
+    const auto [column, row, node, doubt] = tubes_[i];
     map_->add(beams_.footprint(node), cell_bounds(grid_, column, row), found_[i]);
+  }
+}
+
+// S = -(jk / 4 pi) p_hat . eta J * integral: see add_far_field.
+void CellTubes::add_variance() {
+  const double cell = grid_.du * grid_.dv / (4.0 * pi);
+  for (const Tube& tube : tubes_) {
+    if (tube.doubt == 0.0f) continue;
+    const Footprint f = spherical_ ? spherical_->footprint(beams_.beam(tube.beam), beams_.patch(tube.beam),
+                                                           {grid_.u_center(tube.column), grid_.v_center(tube.row)})
+                                   : beams_.footprint(tube.beam);
+    const double square = tube.doubt * std::pow(f.area * cell, 2);
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) variance_[p][q] += square * f.weight[p][q] * f.weight[p][q];
   }
 }
 

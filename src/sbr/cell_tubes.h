@@ -43,8 +43,9 @@ class CellTubes {
 
   /// Tubes as launched, of the cells [column_begin, column_end) of a row.
   void launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end);
-  /// A tube that travels in `beam`, just reflected by `patch`.
-  void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch);
+  /// A tube that travels in `beam`, just reflected by `patch`. `doubt`: it stands for others with this variance, over its own
+  /// square.
+  void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch, double doubt = 0.0);
 
   /// Sends every tube to the next surface and integrates the currents there as those of bounce `bounce`, counted from 0. Tubes
   /// that meet none end; all do if the next one would be bounce `max_bounces`.
@@ -59,9 +60,14 @@ class CellTubes {
   /// Sums over all bounces so far; [grid][frequency].
   const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums() const { return coarse_sums_; }
 
+  /// Over all tubes and bounces so far the squares of what their currents radiate at most, times their doubt, over the square of
+  /// the wavenumber.
+  const ChannelErrors& variance() const { return variance_; }
+
  private:
   struct Tube {
     std::uint32_t column, row, beam;
+    float doubt;
   };
   // Neighbouring cells of a row whose tubes share a footprint: together one wider tube, integrated in one closed form.
   struct Run {
@@ -77,6 +83,7 @@ class CellTubes {
   void integrate(int bounce);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);
   void report();
+  void add_variance();
 
   const Tracer& tracer_;
   const LaunchGrid& grid_;
@@ -93,6 +100,7 @@ class CellTubes {
   std::vector<Run> runs_;
   CellBlock coarse_block_{};
   std::array<std::vector<ScatteringMatrix>, coarse_grids> coarse_sums_;
+  ChannelErrors variance_{};
 };
 
 }  // namespace raytube
