@@ -25,6 +25,8 @@ run cylinder cases/cylinder/case.toml
 run cylinder_off cases/cylinder/case.toml "${off[@]}"
 run trihedral cases/trihedral/case.toml
 run sphere cases/sphere/bistatic.toml
+run haul_truck cases/haul_truck/case.toml
+grep -v '^#' "$work/haul_truck/rcs.csv" >"$work/haul_truck_errors.csv"
 for body in cube2 dihedral3; do
   run $body docs/figures/$body.toml "${fine[@]}"
   run ${body}_off docs/figures/$body.toml "${fine[@]}" "${off[@]}"
@@ -54,8 +56,8 @@ done
 paste -d, "$work/sphere.csv" "$work/sphere_reference.csv" >"$work/sphere_both.csv"
 
 cd docs/figures
-pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral convergence_plate convergence_dihedral stochastic double_slit_launch
-          double_slit_hits double_slit_error open_box)
+pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral haul_truck convergence_plate convergence_dihedral stochastic
+          double_slit_launch double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','
 set datafile missing '-inf'
@@ -193,6 +195,24 @@ plot work.'trihedral_reference.csv' using 3:(db(\$4,0)) with lines ls 3 title 't
      work.'trihedral/parts.csv' using 3:(db(\$22,\$23)) with lines ls 2 lw 1.6 title 'triple bounce, raytube', \
      work.'trihedral.csv' using 3:(db(\$6,\$7)) with lines ls 1 lw 1.6 dt (8,6) title 'all bounces, VV', \
      work.'trihedral.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.6 dt (3,4) title 'all bounces, HH'
+
+eval canvas('haul_truck', 1100, 800)
+unset title
+set multiplot layout 2,1 title 'Dump truck of 0.3 m, 94 GHz, θ = 90°, monostatic'
+set rmargin 12
+set xlabel 'φ (deg): 0 front, 90 side, 180 rear'
+set xrange [0:180]
+set xtics 15
+set yrange [-35:15]
+plot work.'haul_truck.csv' using 3:(db(\$6,\$7)) with lines ls 1 lw 1.4 title 'VV', \
+     work.'haul_truck.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.4 title 'HH'
+set ylabel 'estimated error (dB)'
+set logscale y
+set yrange [0.01:10]
+plot work.'haul_truck_errors.csv' using 3:18 with lines ls 1 lw 1.2 title 'VV', \
+     work.'haul_truck_errors.csv' using 3:21 with lines lc rgb '#8a1fbf' lw 1.2 title 'HH', \
+     0.5 with lines lc rgb '#222222' dt (8,6) title '0.5 dB'
+unset multiplot
 EOF
 
 # Few colours are in use: an 8-bit palette makes the files three times smaller than gnuplot's.
