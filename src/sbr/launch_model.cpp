@@ -188,7 +188,7 @@ double Launch::area() const { return area_before_.back() + faces_.back().area();
 
 // By area: the first random number chooses the face, and what is left of it the place along u.
 dvec3 Launch::random_point(std::uint64_t index, std::uint32_t& face) const {
-  const dvec2 drawn = random_point(seed_, 0, index);
+  const dvec2 drawn = raytube::random_point(seed_, 0, index);
   const double first = drawn.x, second = drawn.y;
   const double at = first * area();
   face = static_cast<std::uint32_t>(std::upper_bound(area_before_.begin(), area_before_.end(), at) - area_before_.begin() - 1);
