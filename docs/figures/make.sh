@@ -20,6 +20,8 @@ run plate cases/plate/case.toml
 run dihedral cases/dihedral/case.toml
 run dihedral_off cases/dihedral/case.toml "${off[@]}"
 run powercube cases/powercube/case.toml
+run powercube_near cases/powercube/chamber.toml
+run dihedral_near cases/dihedral/chamber.toml
 run powercube_off cases/powercube/case.toml "${off[@]}"
 run cylinder cases/cylinder/case.toml
 run cylinder_off cases/cylinder/case.toml "${off[@]}"
@@ -56,7 +58,7 @@ done
 paste -d, "$work/sphere.csv" "$work/sphere_reference.csv" >"$work/sphere_both.csv"
 
 cd docs/figures
-pictures=(plate dihedral cube2 dihedral3 sphere powercube cylinder trihedral haul_truck convergence_plate convergence_dihedral stochastic
+pictures=(plate dihedral chamber cube2 dihedral3 sphere powercube cylinder trihedral haul_truck convergence_plate convergence_dihedral stochastic
           double_slit_launch double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','
@@ -169,6 +171,23 @@ plot work.'powercube_off.csv' using 3:(db(\$6,\$7)) with lines lc rgb '#f0b090' 
      work.'powercube.csv' using 3:(db(\$6,\$7)) with lines ls 1 lw 1.6 title 'VV edges on', \
      work.'powercube.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.6 dt (8,6) title 'HH edges on'
 unset multiplot
+
+eval canvas('chamber', 900, 700)
+set rmargin 36
+set multiplot layout 2,1 title '94 GHz, θ = 90°, monostatic, VV, edges on: far field and chamber'
+set xlabel 'φ (deg)'
+set xrange [-10:10]
+set xtics 2
+set yrange [-25:25]
+plot work.'powercube.csv' using 3:(db(\$6,\$7)) with lines lc rgb '#f0b090' lw 4 title 'cube 90 mm, far field', \
+     work.'powercube_near.csv' using 3:(db(\$6,\$7)) with lines ls 1 lw 1.6 title 'cube 90 mm, radar at 2 m'
+set xrange [0:90]
+set xtics 15
+set yrange [-5:35]
+plot work.'dihedral.csv' using 3:(db(\$6,\$7)) with lines lc rgb '#f0b090' lw 4 title 'dihedral 150 mm, far field', \
+     work.'dihedral_near.csv' using 3:(db(\$6,\$7)) with lines ls 1 lw 1.6 title 'dihedral 150 mm, radar at 5 m'
+unset multiplot
+set rmargin 30
 
 eval canvas('cylinder', 900, 700)
 set multiplot layout 2,1 title 'Cylinder, radius 90 mm, length 300 mm, 10 GHz, monostatic'

@@ -151,7 +151,7 @@ class FaceTrace {
     const Footprint& footprint = beams_.footprint(node);
     std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
-    if (look_.spherical) return look_.spherical->add(sums, footprint.outgoing, beams_.patch(node), outline);
+    if (look_.spherical) return look_.spherical->add(sums_, bounce, footprint.outgoing, beams_.patch(node), outline);
     for (std::size_t f = 0; f < sums.size(); ++f) {
       const double k = look_.wavenumbers[f];
       add_far_field(sums[f], footprint, k, look_.clip ? phase_integral(footprint, k, outline) : over_cells(footprint, k));

@@ -94,10 +94,10 @@ bool cells_are_cheaper(const AdaptiveLook& look) {
 
 TubeSums light_curved_facets(const AdaptiveLook& look, std::uint32_t begin, std::uint32_t end) {
   TubeSums sums;
-  std::vector<ScatteringMatrix>& currents = sums.at(0, look.wavenumbers.size());
+  sums.at(0, look.wavenumbers.size());
   for (std::uint32_t t = begin; t < end; ++t) {
     if (look.smooth->region(t) == no_index) continue;
-    look.spherical->add(currents, look.smooth->facet(t));
+    look.spherical->add(sums, look.smooth->facet(t));
     ++sums.hits[0];
   }
   sums.tubes = sums.hits[0];

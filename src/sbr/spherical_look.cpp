@@ -93,29 +93,36 @@ Footprint SphericalLook::footprint(const Beam& outgoing, const Patch& plane, con
   return f;
 }
 
-void SphericalLook::add(std::vector<ScatteringMatrix>& sums, const Beam& outgoing, const Patch& plane,
+SphericalLook::Sums SphericalLook::sums_of(TubeSums& sums, int bounce) const {
+  std::vector<ScatteringMatrix>& scattering = sums.at(bounce, wavenumbers_.size());
+  sums.pieces.resize(wavenumbers_.size());
+  return {scattering, sums.pieces};
+}
+
+void SphericalLook::add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane,
                         const ConvexPolygon& polygon) const {
   const Affine depth = depth_of(outgoing, plane);
   const auto at = [&](const dvec3& r) { return current(outgoing, plane, r); };
   const auto corner = [&](std::size_t i) { return at(point_at(outgoing, polygon[i].at, depth(polygon[i].at))); };
+  const Sums to = sums_of(sums, bounce);
   const Current first = corner(0);
   Current before = corner(1);
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const Current next = corner(i);
-    add(sums, Triangle{first, before, next}, at);
+    add(to, Triangle{first, before, next}, at);
     before = next;
   }
 }
 
-void SphericalLook::add(std::vector<ScatteringMatrix>& sums, const BentFacet& facet) const {
+void SphericalLook::add(TubeSums& sums, const BentFacet& facet) const {
   const auto at = [&](const dvec3& r) { return current(facet, r); };
-  add(sums, Triangle{at(facet.corners()[0]), at(facet.corners()[1]), at(facet.corners()[2])}, at);
+  add(sums_of(sums, 0), Triangle{at(facet.corners()[0]), at(facet.corners()[1]), at(facet.corners()[2])}, at);
 }
 
 // Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border
 // of light is never smooth.
 template <class At>
-void SphericalLook::add(std::vector<ScatteringMatrix>& sums, const Triangle& triangle, At at) const {
+void SphericalLook::add(const Sums& sums, const Triangle& triangle, At at) const {
   const auto& [a, b, c] = triangle;
   const auto middle = [&](const Current& p, const Current& q) { return at(0.5 * (p.place + q.place)); };
   const Triangle middles{middle(a, b), middle(b, c), middle(c, a)};
@@ -143,20 +150,23 @@ bool SphericalLook::is_smooth(const Triangle& corners, const Triangle& middles) 
 }
 
 // Amplitude times the phase off the linear one as the parabola through its values at the corners and the middles of the sides.
-void SphericalLook::add_smooth(std::vector<ScatteringMatrix>& sums, const Triangle& corners, const Triangle& middles) const {
+// What that leaves is known but for its phase: parts are taken as independent.
+void SphericalLook::add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles) const {
   const double size = area(corners[0].place, corners[1].place, corners[2].place), path = corners[0].path;
-  for (std::size_t f = 0; f < sums.size(); ++f) {
-    const double k = wavenumbers_[f];
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+    const double k = wavenumbers_[f], scale = k / (4.0 * pi) * size;
     const auto moments = triangle_moments({0.0, -k * (corners[1].path - path), -k * (corners[2].path - path)});
-    const Complex factor = Complex(0.0, -k / (4.0 * pi) * size) * std::polar(1.0, -k * path);
+    const Complex factor = Complex(0.0, -scale) * std::polar(1.0, -k * path);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
       const Current &a = corners[i], &b = corners[j], &m = middles[i];
       const Complex bent = 4.0 * std::polar(1.0, -k * (m.path - 0.5 * (a.path + b.path)));
       for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q)
-          sums[f].at(p, q) +=
+        for (int q = 0; q < 2; ++q) {
+          sums.scattering[f].at(p, q) +=
               factor * (a.weight[p][q] * moments[i] + (m.weight[p][q] * bent - a.weight[p][q] - b.weight[p][q]) * moments[3 + i]);
+          sums.errors[f].squares[p][q] += std::pow(scale * roughness_ * roughness_ / 15.0 * m.weight[p][q], 2) / 3.0;
+        }
     }
   }
 }

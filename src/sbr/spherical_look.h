@@ -7,6 +7,7 @@
 #include "mesh/smooth.h"
 #include "sbr/beam.h"
 #include "sbr/footprint.h"
+#include "sbr/tube_sums.h"
 #include "sweep.h"
 
 namespace raytube {
@@ -29,12 +30,13 @@ class SphericalLook {
   /// constant. For cells small against the wavelength times the distance.
   Footprint footprint(const Beam& outgoing, const Patch& plane, const dvec2& at) const;
 
-  /// Adds S of the currents on a polygon of launch coordinates on the plane that `outgoing` leaves, at every wavenumber.
-  void add(std::vector<ScatteringMatrix>& sums, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon) const;
+  /// Adds S of the currents of bounce `bounce` on a polygon of launch coordinates on the plane that `outgoing` leaves, at every
+  /// wavenumber, and what quadrature may have left.
+  void add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon) const;
 
   /// The same for the part of a curved surface over a facet, lit by the transmitter itself wherever it faces it: of a convex
   /// body.
-  void add(std::vector<ScatteringMatrix>& sums, const BentFacet& facet) const;
+  void add(TubeSums& sums, const BentFacet& facet) const;
 
  private:
   struct Current {
@@ -43,15 +45,20 @@ class SphericalLook {
     dvec3 change;                                 // - gradient of the path, right along the plane; not for facets
     std::array<std::array<double, 2>, 2> weight;  // E_p . eta J_q, per area there
   };
+  struct Sums {
+    std::vector<ScatteringMatrix>& scattering;  // of each wavenumber
+    std::vector<ErrorSum>& errors;
+  };
+  Sums sums_of(TubeSums& sums, int bounce) const;
   // Corners; side i runs from corner i to the next one.
   using Triangle = std::array<Current, 3>;
 
   Current current(const Beam& outgoing, const Patch& plane, const dvec3& r) const;
   Current current(const BentFacet& facet, const dvec3& r) const;
   template <class At>
-  void add(std::vector<ScatteringMatrix>& sums, const Triangle& triangle, At at) const;
+  void add(const Sums& sums, const Triangle& triangle, At at) const;
   bool is_smooth(const Triangle& corners, const Triangle& middles) const;
-  void add_smooth(std::vector<ScatteringMatrix>& sums, const Triangle& corners, const Triangle& middles) const;
+  void add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles) const;
 
   const AntennaPair& antennas_;
   Beam incident_;
