@@ -16,6 +16,7 @@ struct SkipCounts {
   std::uint64_t enclosed_wedges = 0;      // inside a closed body
   std::uint64_t edgeless_looks = 0;       // no edge of the target can radiate
   std::uint64_t crowded_frequencies = 0;  // with too many edges and surfaces for waves between them
+  std::uint64_t near_looks = 0;           // from a finite distance, for which there are no waves between surfaces
   std::uint64_t unlit_looks = 0;          // no edge that radiates is lit
 };
 

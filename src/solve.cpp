@@ -143,6 +143,7 @@ class Collector {
     skipped_.repeated_looks = plan.repeated;
     skipped_.mirrored_looks = plan.mirrored;
     skipped_.crowded_frequencies = static_cast<std::uint64_t>(std::ranges::count(crowded, true));
+    skipped_.near_looks = looks_too_near_for_between(target_, sweep_, options_.edges);
     if (options_.tubes.skip) count_spared_by_shape();
     for (const Skipped& item : skipped_items(skipped_)) all.skipped.push_back(item);
     all.wedges = target_.wedges.size();
@@ -223,6 +224,11 @@ std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<con
   const std::vector<Wedge> merged = merge_thin_rims(wedges, rims, thin_limit(std::ranges::min(frequencies)));
   return {{"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)},
           {"wedges", "across the rim of a thin sheet, no longer than it is thick", rim_corners(merged)}};
+}
+
+std::uint64_t looks_too_near_for_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
+  const bool wanted = edges.between && edges.method == EdgeMethod::fringe && !target.convexity.no_reflection;
+  return wanted && !all_far(sweep) ? sweep.looks.size() : 0;
 }
 
 std::vector<bool> crowded_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {

@@ -65,6 +65,9 @@ LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tu
 /// asked for, or where nothing stands in front of any face.
 std::vector<bool> crowded_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges);
 
+/// Looks from a finite distance that would have waves between surfaces from afar.
+std::uint64_t looks_too_near_for_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges);
+
 /// The wedges whose fringe currents a solve leaves out, and why; of the rims, what is left out at the lowest frequency.
 std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
                                     std::span<const double> frequencies);

@@ -35,6 +35,7 @@ std::string values_text(const std::vector<double>& values) {
 std::string looks_text(const Case& c) {
   const LookChoice& l = c.looks;
   const std::string count = fmt::format("{} {}", c.sweep.looks.size(), c.sweep.bistatic ? "bistatic" : "monostatic");
+  if (!c.radar.positions.empty()) return count + ", from the places in [radar]";
   if (!l.looks_csv.empty()) return count + ", listed in " + l.looks_csv;
   const std::string transmit =
       fmt::format("{}: theta {} deg, phi {} deg", count, values_text(l.theta_deg), values_text(l.phi_deg));
@@ -49,6 +50,17 @@ const char* mode_text(const TubeOptions& tubes) {
   return tubes.clip ? "adaptive, cut exactly at edges" : "adaptive, cut at the cells of the grid";
 }
 
+void print_antennas(const Case& c) {
+  const RadarChoice& radar = c.radar;
+  if (c.sweep.looks.front().far()) return;
+  if (radar.positions.empty())
+    fmt::print("antennas     {} m from the mesh's origin, the receiver {} m; S is the apparent amplitude\n", radar.range_m,
+               radar.receive_range_m);
+  const std::string beam = radar.beamwidth_deg.empty() ? "" : fmt::format("beams of {} deg", values_text(radar.beamwidth_deg));
+  if (!beam.empty() || !radar.pattern_csv.empty())
+    fmt::print("             {}{}{}\n", beam, beam.empty() || radar.pattern_csv.empty() ? "" : ", ", radar.pattern_csv);
+}
+
 void print_case(const Case& c) {
   std::vector<double> ghz;
   for (const double hertz : c.sweep.frequencies) ghz.push_back(hertz / 1e9);
@@ -57,6 +69,7 @@ void print_case(const Case& c) {
   fmt::print("mesh         {}, one unit is {} m ({}), perfect conductor\n", c.mesh_file.string(), c.metres_per_unit, c.unit);
   fmt::print("frequency    {} GHz\n", values_text(ghz));
   fmt::print("looks        {}\n", looks_text(c));
+  print_antennas(c);
   if (c.edges.method == EdgeMethod::utd)
     fmt::print("tubes        none: rays in their place (edges.method \"utd\"), at most {} reflections\n", c.tubes.max_bounces);
   else
@@ -67,7 +80,8 @@ void print_case(const Case& c) {
     fmt::print("edges        none\n");
   else if (c.edges.method == EdgeMethod::fringe)
     fmt::print("edges        fringe currents, order {}, creases of {} deg and more{}\n", c.edges.order,
-               decimal_degrees(c.edges.min_wedge_angle), c.edges.between ? "; waves between surfaces" : "");
+               decimal_degrees(c.edges.min_wedge_angle),
+               c.edges.between && c.sweep.looks.front().far() ? "; waves between surfaces" : "");
   if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
     fmt::print("             transition function {}{}\n", transition_name(c.edges.transition),
                c.edges.order == 1 ? ", which plays no part at order 1" : "");
@@ -173,6 +187,7 @@ void print_skipped(const Case& c, const MeshReport& r, const Target& target, con
   if (c.tubes.skip && c.edges.method != EdgeMethod::none) counts.enclosed_wedges = target.wedges_enclosed;
   const std::vector<bool> crowded = crowded_between(target, c.sweep, c.edges);
   counts.crowded_frequencies = static_cast<std::uint64_t>(std::ranges::count(crowded, true));
+  counts.near_looks = looks_too_near_for_between(target, c.sweep, c.edges);
   for (const Skipped& item : skipped_items(counts)) skipped.push_back(item);
   std::vector<std::string> lines;
   for (const Skipped& s : skipped)
@@ -186,8 +201,7 @@ void print_skipped(const Case& c, const MeshReport& r, const Target& target, con
 bool clipped(const TubeOptions& tubes) { return tubes.mode == TubeMode::adaptive && tubes.clip; }
 
 LaunchGrid grid_of(const Case& c, const TriangleMesh& mesh, std::size_t look) {
-  return grid_of_look(mesh, c.sweep.looks[look], wavelength(highest_frequency(c.sweep)), c.tubes.per_wavelength,
-                     c.tubes.up);
+  return grid_of_look(mesh, c.sweep.looks[look], wavelength(highest_frequency(c.sweep)), c.tubes.per_wavelength, c.tubes.up);
 }
 
 void print_clipped_cost(const TriangleMesh& mesh, const LookPlan& plan) {
