@@ -11,7 +11,7 @@ std::vector<Skipped> skipped_items(const SkipCounts& counts) {
                                 {"wedges", "inside a closed body", counts.enclosed_wedges},
                                 {"frequencies without waves between surfaces",
                                  "too many edges and faces of a wavelength and more", counts.crowded_frequencies},
-                                {"looks without waves between surfaces", "antennas at a finite distance", counts.near_looks},
+                                {"looks without waves between surfaces", "antennas too near for plane waves", counts.near_looks},
                                 {"edge passes", "no edge of the target can radiate", counts.edgeless_looks},
                                 {"edge passes", "no edge is lit", counts.unlit_looks}};
   std::erase_if(items, [](const Skipped& item) { return item.count == 0; });

@@ -68,6 +68,8 @@ LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const 
     result.edges = edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow,
                                     options.edges.transition, sweep.radar);
   result.between = edges.between(target.faces, target.tracer, look, between_options(result.tubes, options));
+  for (std::size_t f = 0; !look.far() && f < result.between.scattering.size(); ++f)
+    result.between.scattering[f] *= from_plane_waves(target.mesh, look, sweep.radar, sweep.frequencies[f]);
   if (sweep.bistatic) return result;
   for (std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) make_reciprocal(bounce);
   for (ChannelErrors& error : result.tubes.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);
@@ -228,11 +230,12 @@ std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<con
 
 std::uint64_t looks_too_near_for_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
   const bool wanted = edges.between && edges.method == EdgeMethod::fringe && !target.convexity.no_reflection;
-  return wanted && !all_far(sweep) ? sweep.looks.size() : 0;
+  return wanted && !waves_are_plane(target.mesh, sweep) ? sweep.looks.size() : 0;
 }
 
 std::vector<bool> crowded_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
-  if (!edges.between || edges.method != EdgeMethod::fringe || target.convexity.no_reflection || !all_far(sweep)) return {};
+  if (!edges.between || edges.method != EdgeMethod::fringe || target.convexity.no_reflection) return {};
+  if (!waves_are_plane(target.mesh, sweep)) return {};
   return between_crowded(target.mesh, target.wedges, sweep.frequencies);
 }
 

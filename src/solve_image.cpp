@@ -85,7 +85,8 @@ std::size_t image_frequency(const Sweep& sweep) { return sweep.frequencies.size(
 
 ImageLattice image_cells(const Target& target, const Sweep& sweep, const SolveOptions& options, std::size_t look,
                          double per_wavelength) {
-  if (!all_far(sweep)) throw InputError("output.image_look: images from a finite distance are not in this version; remove [radar]");
+  if (!all_far(sweep))
+    throw InputError("output.image_look: images from a finite distance are not in this version; remove [radar]");
   const double length = wavelength(sweep.frequencies.at(image_frequency(sweep)));
   const bool too_many = 2.0 * target.mesh.radius * per_wavelength / length > most_across;
   const LaunchGrid cells =

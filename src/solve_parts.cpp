@@ -15,6 +15,9 @@ namespace {
 // A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
 constexpr double most_rise = 1.0 / 32.0;
 
+// k a^2 / R [rad], both ways together the phase by which a spherical wave is late at the rim of a target of radius a.
+constexpr double most_phase = 0.5;
+
 // What quadrature may leave of the tolerance, at the frequency where most comes back.
 constexpr double between_share = 0.1;
 
@@ -40,6 +43,13 @@ void check_near(const Sweep& sweep, const SolveOptions& options) {
 }  // namespace
 
 bool all_far(const Sweep& sweep) { return std::ranges::all_of(sweep.looks, &Look::far); }
+
+bool waves_are_plane(const TriangleMesh& mesh, const Sweep& sweep) {
+  const double phase = wavenumber(std::ranges::max(sweep.frequencies)) * mesh.radius * mesh.radius;
+  return std::ranges::all_of(sweep.looks, [&](const Look& look) {
+    return look.far() || phase < most_phase * std::min(look.transmit_range, look.receive_range);
+  });
+}
 
 void check(const Sweep& sweep, const SolveOptions& options) {
   if (sweep.frequencies.empty() || sweep.looks.empty()) throw InputError("the sweep has no frequency or no look");
@@ -84,6 +94,13 @@ BetweenOptions between_options(const TubeSums& tubes, const SolveOptions& option
 
 bool edges_count(const EdgeSets& edges, const SolveOptions& options) {
   return options.edges.method == EdgeMethod::fringe && (edges.radiate() || !options.tubes.skip);
+}
+
+Complex from_plane_waves(const TriangleMesh& mesh, const Look& look, const Radar& radar, double frequency) {
+  const AntennaPair antennas(look, radar, mesh.center);
+  const AntennaRay arriving = antennas.transmit.ray_to(dvec3(0.0)), received = antennas.receive.ray_to(dvec3(0.0));
+  return std::polar(glm::length(arriving.field[0]) * glm::length(received.field[0]),
+                    -wavenumber(frequency) * (arriving.path + received.path));
 }
 
 Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency) {

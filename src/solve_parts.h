@@ -15,6 +15,9 @@ namespace raytube {
 /// Whether all antennas are at infinity; else none is.
 bool all_far(const Sweep& sweep);
 
+/// Whether every look's waves are plane enough all over the target for waves between surfaces, which know no others.
+bool waves_are_plane(const TriangleMesh& mesh, const Sweep& sweep);
+
 /// Throws InputError for an empty or non-physical sweep, or options out of range.
 void check(const Sweep& sweep, const SolveOptions& options);
 
@@ -37,6 +40,10 @@ BetweenOptions between_options(const TubeSums& tubes, const SolveOptions& option
 
 /// Whether a solve asks the edges for their currents.
 bool edges_count(const EdgeSets& edges, const SolveOptions& options);
+
+/// What waves between surfaces, of plane waves with their phase reference at the centre of the mesh, are times for antennas at a
+/// finite distance.
+Complex from_plane_waves(const TriangleMesh& mesh, const Look& look, const Radar& radar, double frequency);
 
 /// Moves the phase reference from the centre of the mesh to the origin of its own coordinates, where that of antennas
 /// lies.

@@ -14,7 +14,7 @@ EdgeLookResult edges_of_look(std::span<const Wedge> wedges, const Outlines& outl
                              bool mirror_at_folds, const Radar& radar, const dvec3& center) {
   if (!look.far())
     return fringe_scattering_near(wedges, outlines, tracer, AntennaPair(look, radar, center), frequencies, order, receiver_shadow,
-                                  tier);
+                                  tier, mirror_at_folds);
   if (order == 1) return fringe_scattering(wedges, tracer, look, frequencies, receiver_shadow);
   return fringe_scattering(wedges, outlines, tracer, look, frequencies, order, receiver_shadow, tier, mirror_at_folds);
 }

@@ -44,7 +44,8 @@ EdgeLookResult fringe_scattering(std::span<const Wedge> wedges, const Outlines& 
 /// is not used at order 1.
 EdgeLookResult fringe_scattering_near(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
                                       const AntennaPair& antennas, std::span<const double> frequencies, int order,
-                                      bool receiver_shadow = false, TransitionTier tier = TransitionTier::exact);
+                                      bool receiver_shadow = false, TransitionTier tier = TransitionTier::exact,
+                                      bool mirror_at_folds = false);
 
 /// The same currents at `frequencies[frequency]`, piece by piece of the lit edges within a cell of the lattice each: those on the
 /// faces beside a piece, and what these start at other edges. They add up to the sums above.

@@ -143,7 +143,7 @@ class NearSum {
 
 EdgeLookResult fringe_scattering_near(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
                                       const AntennaPair& antennas, std::span<const double> frequencies, int order,
-                                      bool receiver_shadow, TransitionTier tier) {
+                                      bool receiver_shadow, TransitionTier tier, bool mirror_at_folds) {
   assert(!frequencies.empty() && order >= 1);
   std::optional<Viewpoint> receiver;
   if (receiver_shadow) receiver = Viewpoint::at(antennas.receive.position());
@@ -153,8 +153,9 @@ EdgeLookResult fringe_scattering_near(std::span<const Wedge> wedges, const Outli
     if (order == 1)
       sum.add(wedges, index, edges, [&](const LookVectors& look) { return EndlessEdges(wedges, look, frequencies); });
     else
-      sum.add(wedges, index, edges,
-              [&](const LookVectors& look) { return StripPass(wedges, outlines, look, frequencies, order, tier, false); });
+      sum.add(wedges, index, edges, [&](const LookVectors& look) {
+        return StripPass(wedges, outlines, look, frequencies, order, tier, mirror_at_folds);
+      });
   }
   return sum.take();
 }
