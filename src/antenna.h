@@ -67,6 +67,8 @@ class Antenna {
 
   dvec3 position() const { return reference_ + range_ * basis_.radial; }
   const dvec3& radial() const { return basis_.radial; }  // from the reference to the antenna
+  const dvec3& reference() const { return reference_; }
+  const dvec3& axis() const { return axis_; }
   double range() const { return range_; }
   /// Angles off the axis, along phi_hat and along -theta_hat [rad].
   dvec2 off_axis(const dvec3& direction) const;

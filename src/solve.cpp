@@ -28,6 +28,20 @@ struct LookResult {
   BetweenResult between;
 };
 
+// All of the target in front, as seen from the antenna towards the target and towards the origin, for which V and H are given.
+void check_place(const TriangleMesh& mesh, const Antenna& antenna) {
+  const bool past_origin = std::ranges::any_of(
+      mesh.vertices, [&](const dvec3& vertex) { return glm::dot(vertex - antenna.position(), antenna.radial()) >= 0.0; });
+  if (past_origin || !stands_in_front(mesh, antenna.position()))
+    throw InputError(fmt::format(
+        "an antenna {:.6g} m from the mesh's origin stands beside the target, or too near to it, to have all of it and "
+        "the origin in front, within 45 degrees of the line to its middle; move it away (radar.range_m, radar.position_m), or "
+        "check target.unit",
+        antenna.range()));
+  if (!(glm::dot(antenna.axis(), antenna.radial()) < 0.0))
+    throw InputError("radar.aim_m lies at an antenna, or behind one; give a point on the side of the target");
+}
+
 // A measured pattern says nothing beyond its ends.
 void check_pattern(const TriangleMesh& mesh, const Antenna& antenna, const AntennaPattern& pattern) {
   if (pattern.azimuth.angles.empty() && pattern.elevation.angles.empty()) return;
@@ -244,11 +258,7 @@ void check_antennas(const TriangleMesh& mesh, const Sweep& sweep) {
     if (look.far()) continue;
     const AntennaPair antennas(look, sweep.radar, mesh.center);
     for (const Antenna* antenna : {&antennas.transmit, &antennas.receive}) {
-      if (!stands_in_front(mesh, antenna->position()))
-        throw InputError(fmt::format(
-            "an antenna {:.6g} m from the mesh's origin stands beside the target, or too near to it, to have all of it in "
-            "front; move it away (radar.range_m, radar.position_m), or check target.unit",
-            glm::length(antenna->position() + mesh.center)));
+      check_place(mesh, *antenna);
       check_pattern(mesh, *antenna, sweep.radar.pattern);
     }
   }

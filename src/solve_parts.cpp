@@ -15,7 +15,7 @@ namespace {
 // A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
 constexpr double most_rise = 1.0 / 32.0;
 
-// k a^2 / R [rad], both ways together the phase by which a spherical wave is late at the rim of a target of radius a.
+// k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
 constexpr double most_phase = 0.5;
 
 // What quadrature may leave of the tolerance, at the frequency where most comes back.
@@ -45,7 +45,8 @@ void check_near(const Sweep& sweep, const SolveOptions& options) {
 bool all_far(const Sweep& sweep) { return std::ranges::all_of(sweep.looks, &Look::far); }
 
 bool waves_are_plane(const TriangleMesh& mesh, const Sweep& sweep) {
-  const double phase = wavenumber(std::ranges::max(sweep.frequencies)) * mesh.radius * mesh.radius;
+  const double reach = glm::length(mesh.center) + mesh.radius;
+  const double phase = wavenumber(std::ranges::max(sweep.frequencies)) * reach * reach;
   return std::ranges::all_of(sweep.looks, [&](const Look& look) {
     return look.far() || phase < most_phase * std::min(look.transmit_range, look.receive_range);
   });

@@ -201,7 +201,8 @@ def bucket(mesh):
         return x + LEAN * (z - 57.0), y, z
 
     box(mesh, (18.5, -59.3, 57.3), (21.5, 59.3, 118.6), leaning)  # front wall
-    blocks(mesh, [(37.5, 124.0, 126.0), (-63.0, 63.0), (117.6, 120.4, 127.4)], lambda i, j, k: k == 0 or i == 1)  # canopy, lip
+    canopy = [(37.5, 124.0, 126.0), (-63.0, 63.0), (114.0, 117.6, 120.4, 127.4)]
+    blocks(mesh, canopy, lambda i, j, k: k == 1 or i == 1)  # with a lip along its front edge, up and down
     for y in (-45.0, -15.0, 15.0, 45.0):  # beams under the canopy and down the front wall
         box(mesh, (41.6, y - 1.5, 113.8), (120.0, y + 1.5, 117.9), lambda x, y, z: (x + 0.6 * (z - 117.9), y, z))
         box(mesh, (21.2, y - 1.5, 58.0), (25.0, y + 1.5, 116.0), leaning)
@@ -277,7 +278,11 @@ def cab(mesh):
 
     blocks(mesh, [x, y, z], filled, leaning)
     box(mesh, (70.0, 4.5, 110.3), (110.5, 61.5, 112.4), leaning)
-    box(mesh, (66.0, -52.0, 81.1), (100.0, -20.0, 99.0), lambda x, y, z: (x - 0.1 * (z - 81.0), y, z))  # electric cabinet
+
+    def askew(x, y, z):
+        return x - 0.2 * (z - 81.0) + 0.14 * (y + 36.0), y - 0.14 * (x - 83.0), z
+
+    box(mesh, (66.0, -52.0, 81.1), (100.0, -20.0, 99.0), askew)  # electric cabinet, turned away from the bucket's front wall
     for y, z in ((64.5, 96.0), (-63.0, 92.0)):  # mirrors
         box(mesh, (109.0, y - 3.0, z), (110.2, y + 3.0, z + 9.0), lambda a, b, c: (a - 0.3 * (b - y), b, c))
         rod(mesh, (109.0, y * 0.965, z - 14.9), (109.7, y, z + 0.5), 0.6)

@@ -44,6 +44,8 @@ cp cases/stochastic/out/error_time.png docs/figures/stochastic.png
 for name in convergence_plate convergence_dihedral; do cp "$work/$name/converge.png" docs/figures/$name.png; done
 "$program" run cases/trihedral/case.toml -o "$work/image" --quiet --set output.image_look=90
 for name in image image_window; do cp "$work/image/$name.png" docs/figures/trihedral_$name.png; done
+"$program" run cases/haul_truck/case.toml -o "$work/front" --quiet --set look.phi_deg=0 --set 'tubes.up=[0,0,1]' --set output.image_look=0
+cp "$work/front/image_window.png" docs/figures/haul_truck_image.png
 for name in double_slit/case double_slit/study open_box/case; do
   "$program" sources cases/$name.toml -o "$work/$name" --quiet
 done
@@ -58,8 +60,8 @@ done
 paste -d, "$work/sphere.csv" "$work/sphere_reference.csv" >"$work/sphere_both.csv"
 
 cd docs/figures
-pictures=(plate dihedral chamber cube2 dihedral3 sphere powercube cylinder trihedral haul_truck convergence_plate convergence_dihedral stochastic
-          double_slit_launch double_slit_hits double_slit_error open_box)
+pictures=(plate dihedral chamber cube2 dihedral3 sphere powercube cylinder trihedral haul_truck haul_truck_image convergence_plate
+          convergence_dihedral stochastic double_slit_launch double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','
 set datafile missing '-inf'

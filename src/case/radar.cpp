@@ -13,9 +13,14 @@ namespace raytube {
 
 namespace {
 
-const CaseValue* find(const CaseValue& root, std::string_view key) {
-  const CaseValue* section = root.find("radar");
-  return section ? section->find(key) : nullptr;
+constexpr double farthest = 1e12;    // [m]
+constexpr double highest_db = 60.0;  // of a pattern, over its axis
+
+double read_range(const CaseValue& value, const std::string& key) {
+  const double range = read_positive(value, key);
+  if (range > farthest)
+    reject(value, fmt::format("{} must be at most {:g} (found {}); leave out [radar] for the far field", key, farthest, range));
+  return range;
 }
 
 std::vector<dvec3> read_places(const CaseValue& value, const std::string& key) {
@@ -27,12 +32,14 @@ std::vector<dvec3> read_places(const CaseValue& value, const std::string& key) {
   else
     for (const CaseValue& item : value.items) places.push_back(read_vector(item, "every place of " + key));
   for (const dvec3& place : places)
-    if (!(glm::length(place) > 0.0)) reject(value, key + " must not be the origin of the mesh's coordinates");
+    if (!(glm::length(place) > 0.0 && glm::length(place) < farthest))
+      reject(value,
+             fmt::format("{} must not be the origin of the mesh's coordinates, nor farther than {:g} m from it", key, farthest));
   return places;
 }
 
 Direction direction_of(const dvec3& place) {
-  return {std::acos(std::clamp(place.z / glm::length(place), -1.0, 1.0)), std::atan2(place.y, place.x)};
+  return {std::atan2(std::hypot(place.x, place.y), place.z), std::atan2(place.y, place.x)};
 }
 
 Look look_between(const dvec3& transmit, const dvec3& receive) {
@@ -69,16 +76,21 @@ void read_pattern(const std::filesystem::path& file, AntennaPattern& pattern) {
   }
   if (pattern.azimuth.angles.size() < 2) throw InputError(file.string() + ": an antenna pattern needs at least two rows");
   pattern.elevation.angles = pattern.azimuth.angles;
+  for (const PatternCut* cut : {&pattern.azimuth, &pattern.elevation})
+    if (std::abs(cut->level(0.0)) > 0.01 || std::ranges::max(cut->levels) > highest_db)
+      throw InputError(fmt::format(
+          "{}: levels are relative to the axis, 0 dB at 0 degrees and nowhere above {} dB; subtract the gain on the axis",
+          file.string(), highest_db));
 }
 
 void set_ranges(const CaseValue& section, Case& c) {
   const CaseValue* range = section.find("range_m");
   const CaseValue* receive = section.find("receive_range_m");
   if (!range) throw InputError(section.place + ": radar.range_m is missing; give the distance from the mesh's origin in metres");
-  c.radar.range_m = c.radar.receive_range_m = read_positive(*range, "radar.range_m");
+  c.radar.range_m = c.radar.receive_range_m = read_range(*range, "radar.range_m");
   if (receive && !c.sweep.bistatic)
     reject(*receive, "radar.receive_range_m needs a receiver of its own; add [receive], or remove it");
-  if (receive) c.radar.receive_range_m = read_positive(*receive, "radar.receive_range_m");
+  if (receive) c.radar.receive_range_m = read_range(*receive, "radar.receive_range_m");
   for (Look& look : c.sweep.looks) {
     look.transmit_range = c.radar.range_m;
     look.receive_range = c.radar.receive_range_m;
@@ -87,19 +99,19 @@ void set_ranges(const CaseValue& section, Case& c) {
 
 }  // namespace
 
-bool has_positions(const CaseValue& root) { return find(root, "position_m") != nullptr; }
+bool has_positions(const CaseValue& root) { return find(root, "radar", "position_m") != nullptr; }
 
 void read_positions(const CaseValue& root, Case& c) {
-  const CaseValue& position = *find(root, "position_m");
+  const CaseValue& position = *find(root, "radar", "position_m");
   for (const char* section : {"look", "receive"})
     if (const CaseValue* given = root.find(section))
       reject(*given,
              fmt::format("[{}] cannot go with radar.position_m, which says where the antenna stands; remove one", section));
   for (const char* key : {"range_m", "receive_range_m"})
-    if (const CaseValue* given = find(root, key))
+    if (const CaseValue* given = find(root, "radar", key))
       reject(*given, fmt::format("radar.{} cannot go with radar.position_m; remove one of them", key));
   c.radar.positions = read_places(position, "radar.position_m");
-  if (const CaseValue* receive = find(root, "receive_position_m"))
+  if (const CaseValue* receive = find(root, "radar", "receive_position_m"))
     c.radar.receive_positions = read_places(*receive, "radar.receive_position_m");
   c.sweep.bistatic = !c.radar.receive_positions.empty();
   for (const dvec3& transmit : c.radar.positions) {

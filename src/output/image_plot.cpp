@@ -106,7 +106,10 @@ struct Layout {
     constexpr double border = 20.0, least_width = 260.0, least_height = 200.0;
     const dvec2 count(dots.columns, dots.rows), dot = static_cast<double>(dots.cells) * lattice.cell;
     const double across = std::floor(std::min(most_dots.x / count.x, most_dots.y / count.y));
-    const dvec2 pixels = dvec2(across, std::max(1.0, std::round(across * dot.y / dot.x))) * count + 2.0 * border;
+    const dvec2 pixels =
+        dvec2(across, std::clamp(std::round(across * dot.y / dot.x), 1.0, std::max(1.0, std::floor(most_dots.y / count.y)))) *
+            count +
+        2.0 * border;
     width = std::max(least_width, pixels.x);
     height = std::max(least_height, pixels.y);
     const dvec2 middle = lattice.corner + 0.5 * count * dot;

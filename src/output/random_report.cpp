@@ -69,6 +69,7 @@ RandomSummary summarise(const RandomResult& result) {
     }
   }
   const Levels levels = strong_levels(result);
+  if (signal == 0.0 || levels.count == 0) return {};
   return {std::sqrt(spread / signal), std::sqrt(bias / signal), std::sqrt(error / signal),
           std::sqrt(levels.square / levels.count), levels.bias / levels.count};
 }

@@ -153,6 +153,9 @@ void run_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
+  if (request.random && !c.image_looks.empty())
+    throw InputError(
+        "output.image_look: an image adds up to the deterministic S, not to the mean of random tubes; leave out one");
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   Manifest manifest = describe_input(c, loaded.report);
   manifest.time.read_s = total.seconds();

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <map>
 
 #include "case/source_case.h"
@@ -43,6 +44,21 @@ Box enclosing_box(const SourceCase& c, const TriangleMesh& mesh) {
   return given;
 }
 
+// True if a point lies on a triangle, to within `tolerance` [m].
+bool lies_on(const TriangleMesh& mesh, std::uint32_t triangle, const dvec3& point, double tolerance) {
+  const Patch& plane = mesh.patches[mesh.triangle_patch[triangle]];
+  if (std::abs(glm::dot(plane.normal, point) - plane.offset) > tolerance) return false;
+  const auto& corners = mesh.triangles[triangle];
+  int left = 0, right = 0;
+  for (int c = 0; c < 3; ++c) {
+    const dvec3 &a = mesh.vertices[corners[c]], &b = mesh.vertices[corners[(c + 1) % 3]];
+    const double aside = glm::dot(plane.normal, glm::cross(b - a, point - a)) / glm::length(b - a);
+    left += aside > tolerance ? 1 : 0;
+    right += aside < -tolerance ? 1 : 0;
+  }
+  return left == 0 || right == 0;
+}
+
 // A scene from one position after the other.
 class Study {
  public:
@@ -55,6 +71,7 @@ class Study {
     study_.title = c.title;
     study_.counted = c.counted;
     // Refuses now what the last position would be refused for.
+    for (std::size_t i = 0; i < c.points.size(); ++i) require_free(i);
     for (std::size_t i = 0; i < c.points.size(); ++i)
       for (const LaunchModel model : c.models) launch(i, model, 1);
   }
@@ -75,6 +92,15 @@ class Study {
   LaunchSite site(std::size_t position) const {
     const TriangleMesh& mesh = joined_.mesh;
     return {&mesh, box_, case_.points[position] - mesh.center, case_.wall, weld_fraction * box_.diagonal()};
+  }
+
+  // From a point of a surface one sees neither that surface nor all that lies behind it.
+  void require_free(std::size_t position) const {
+    const LaunchSite at = site(position);
+    for (std::uint32_t t = 0; t < joined_.mesh.triangles.size(); ++t)
+      if (lies_on(joined_.mesh, t, at.source, at.tolerance))
+        throw InputError(fmt::format("{}: source.point_m {} lies on the surface of part \"{}\"; move it off", case_.file.string(),
+                                     position + 1, case_.parts[joined_.triangle_part[t]].name));
   }
 
   Launch launch(std::size_t position, LaunchModel model, std::uint64_t rays) const {

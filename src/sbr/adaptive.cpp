@@ -42,7 +42,7 @@ class FaceTrace {
     sums_.rays = sums_.tubes = sums_.hits.empty() ? 0 : sums_.hits[0];
     count_faces_away(begin, end);
     for (int bounce = 1; !look_.known.no_reflection && !(reflected_.empty() && cell_tubes_.empty()); ++bounce) {
-      thin_out();
+      if (bounce < look_.max_bounces) thin_out();
       cell_tubes_.advance(bounce, look_.max_bounces);
       std::swap(tubes_, reflected_);
       reflected_.clear();

@@ -66,12 +66,9 @@ std::uint32_t CurrentMap::triangle_under(const Footprint& footprint, std::uint32
 
 // In launch coordinates.
 std::array<dvec2, 3> CurrentMap::corners(const Footprint& footprint, std::uint32_t triangle) const {
-  const Beam& beam = footprint.outgoing;
   std::array<dvec2, 3> places;
-  for (int c = 0; c < 3; ++c) {
-    const dvec3 step = tree_.mesh().vertices[tree_.mesh().triangles[triangle][c]] - beam.base;
-    places[c] = beam.anchor + dvec2(glm::dot(beam.u_hat, step), glm::dot(beam.v_hat, step));
-  }
+  for (int c = 0; c < 3; ++c)
+    places[c] = launch_place(footprint.outgoing, tree_.mesh().vertices[tree_.mesh().triangles[triangle][c]]);
   return places;
 }
 

@@ -35,7 +35,8 @@ std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGri
       for (int q = 0; q < 2; ++q) {
         const double sampled = sums.coarse.empty() ? 0.0 : sampling(sums.coarse[f], p, q);
         const double known = sums.pieces.empty() ? 0.0 : sums.pieces[f].size(p, q);
-        errors[f][p][q] = certain + std::hypot(sampled, known);
+        const double left = sums.quadrature.empty() ? 0.0 : sums.quadrature[f].size(p, q);
+        errors[f][p][q] = certain + std::hypot(sampled, known, left);
       }
   }
   return errors;

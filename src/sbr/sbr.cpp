@@ -97,8 +97,7 @@ TubeSums light_curved_facets(const AdaptiveLook& look, std::uint32_t begin, std:
   sums.at(0, look.wavenumbers.size());
   for (std::uint32_t t = begin; t < end; ++t) {
     if (look.smooth->region(t) == no_index) continue;
-    look.spherical->add(sums, look.smooth->facet(t));
-    ++sums.hits[0];
+    if (look.spherical->add(sums, look.smooth->facet(t))) ++sums.hits[0];
   }
   sums.tubes = sums.hits[0];
   return sums;

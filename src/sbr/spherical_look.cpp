@@ -95,8 +95,8 @@ Footprint SphericalLook::footprint(const Beam& outgoing, const Patch& plane, con
 
 SphericalLook::Sums SphericalLook::sums_of(TubeSums& sums, int bounce) const {
   std::vector<ScatteringMatrix>& scattering = sums.at(bounce, wavenumbers_.size());
-  sums.pieces.resize(wavenumbers_.size());
-  return {scattering, sums.pieces};
+  sums.quadrature.resize(wavenumbers_.size());
+  return {scattering, sums.quadrature};
 }
 
 void SphericalLook::add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane,
@@ -114,9 +114,12 @@ void SphericalLook::add(TubeSums& sums, int bounce, const Beam& outgoing, const 
   }
 }
 
-void SphericalLook::add(TubeSums& sums, const BentFacet& facet) const {
+bool SphericalLook::add(TubeSums& sums, const BentFacet& facet) const {
   const auto at = [&](const dvec3& r) { return current(facet, r); };
-  add(sums_of(sums, 0), Triangle{at(facet.corners()[0]), at(facet.corners()[1]), at(facet.corners()[2])}, at);
+  const Triangle corners{at(facet.corners()[0]), at(facet.corners()[1]), at(facet.corners()[2])};
+  if (std::ranges::all_of(corners, [](const Current& c) { return inner(c.weight, c.weight) == 0.0; })) return false;
+  add(sums_of(sums, 0), corners, at);
+  return true;
 }
 
 // Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border
@@ -129,29 +132,32 @@ void SphericalLook::add(const Sums& sums, const Triangle& triangle, At at) const
   const std::array<double, 3> sides{glm::distance(a.place, b.place), glm::distance(b.place, c.place),
                                     glm::distance(c.place, a.place)};
   const auto i = static_cast<std::size_t>(std::ranges::max_element(sides) - sides.begin());
-  if (highest_ * sides[i] < shortest || is_smooth(triangle, middles)) return add_smooth(sums, triangle, middles);
+  const double bend = roughness(triangle, middles);
+  if (bend <= roughness_) return add_smooth(sums, triangle, middles, roughness_ * roughness_ / 15.0);
+  if (highest_ * sides[i] < shortest) return add_smooth(sums, triangle, middles, std::min(bend, 1.0) / 3.0);
   const Current &start = triangle[i], &end = triangle[(i + 1) % 3], &tip = triangle[(i + 2) % 3];
   add(sums, Triangle{start, middles[i], tip}, at);
   add(sums, Triangle{middles[i], end, tip}, at);
 }
 
-bool SphericalLook::is_smooth(const Triangle& corners, const Triangle& middles) const {
-  const double most = roughness_ * roughness_ *
-                      std::max({inner(corners[0].weight, corners[0].weight), inner(corners[1].weight, corners[1].weight),
-                                inner(corners[2].weight, corners[2].weight)});
+// The largest distance of a side's middle from the mean of its ends, over the largest amplitude at the corners.
+double SphericalLook::roughness(const Triangle& corners, const Triangle& middles) const {
+  double largest = 0.0, bend = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Current &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
     const double ends = 0.25 * (inner(a.weight, a.weight) + 2.0 * inner(a.weight, b.weight) + inner(b.weight, b.weight));
     const double across = 0.5 * (inner(a.weight, m.weight) + inner(b.weight, m.weight));
-    const double bend = std::cos(highest_ * (m.path - 0.5 * (a.path + b.path)));
-    if (ends + inner(m.weight, m.weight) - 2.0 * bend * across > most) return false;
+    const double turn = std::cos(highest_ * (m.path - 0.5 * (a.path + b.path)));
+    bend = std::max(bend, ends + inner(m.weight, m.weight) - 2.0 * turn * across);
+    largest = std::max(largest, inner(a.weight, a.weight));
   }
-  return true;
+  if (bend <= 0.0) return 0.0;
+  return largest > 0.0 ? std::sqrt(bend / largest) : 1.0;
 }
 
 // Amplitude times the phase off the linear one as the parabola through its values at the corners and the middles of the sides.
 // What that leaves is known but for its phase: parts are taken as independent.
-void SphericalLook::add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles) const {
+void SphericalLook::add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles, double left) const {
   const double size = area(corners[0].place, corners[1].place, corners[2].place), path = corners[0].path;
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     const double k = wavenumbers_[f], scale = k / (4.0 * pi) * size;
@@ -165,7 +171,7 @@ void SphericalLook::add_smooth(const Sums& sums, const Triangle& corners, const 
         for (int q = 0; q < 2; ++q) {
           sums.scattering[f].at(p, q) +=
               factor * (a.weight[p][q] * moments[i] + (m.weight[p][q] * bent - a.weight[p][q] - b.weight[p][q]) * moments[3 + i]);
-          sums.errors[f].squares[p][q] += std::pow(scale * roughness_ * roughness_ / 15.0 * m.weight[p][q], 2) / 3.0;
+          sums.errors[f].squares[p][q] += std::pow(scale * left * m.weight[p][q], 2) / 3.0;
         }
     }
   }

@@ -35,8 +35,8 @@ class SphericalLook {
   void add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon) const;
 
   /// The same for the part of a curved surface over a facet, lit by the transmitter itself wherever it faces it: of a convex
-  /// body.
-  void add(TubeSums& sums, const BentFacet& facet) const;
+  /// body. False if none of its corners is lit.
+  bool add(TubeSums& sums, const BentFacet& facet) const;
 
  private:
   struct Current {
@@ -57,8 +57,8 @@ class SphericalLook {
   Current current(const BentFacet& facet, const dvec3& r) const;
   template <class At>
   void add(const Sums& sums, const Triangle& triangle, At at) const;
-  bool is_smooth(const Triangle& corners, const Triangle& middles) const;
-  void add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles) const;
+  double roughness(const Triangle& corners, const Triangle& middles) const;
+  void add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles, double left) const;
 
   const AntennaPair& antennas_;
   Beam incident_;

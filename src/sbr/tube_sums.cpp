@@ -51,6 +51,7 @@ void TubeSums::add(const TubeSums& other) {
   for (std::size_t f = 0; f < other.coarse.size(); ++f)
     for (int grid = 0; grid < coarse_grids; ++grid) coarse[f][grid] += other.coarse[f][grid];
   for (std::size_t f = 0; f < other.pieces.size(); ++f) add_at(pieces, f, other.pieces[f]);
+  for (std::size_t f = 0; f < other.quadrature.size(); ++f) add_at(quadrature, f, other.quadrature[f]);
   tubes += other.tubes;
   rays += other.rays;
   lost_rays += other.lost_rays;

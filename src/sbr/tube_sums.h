@@ -30,6 +30,7 @@ struct TubeSums {
   /// [frequency][grid], all bounces together: fine minus coarse, summed over tiles; empty: nothing was sampled.
   std::vector<std::array<ErrorSum, coarse_grids>> coarse;
   std::vector<ErrorSum> pieces;      // [frequency], of single tubes whose error is known; empty: there are none
+  std::vector<ErrorSum> quadrature;  // [frequency], of spherical waves: no grid changes it; empty: there are none
   std::vector<ChannelErrors> error;  // [frequency], estimate for the whole look [m]; empty in its parts
   std::vector<std::uint64_t> hits;   // [bounce]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;

@@ -45,7 +45,8 @@ class NearLook {
 
  private:
   static bool is_parallel(const Antenna& antenna, double wavenumber, double radius) {
-    return wavenumber * radius * radius < least_phase * antenna.range();
+    const double reach = glm::length(antenna.reference()) + radius;
+    return wavenumber * reach * reach < least_phase * antenna.range();
   }
 
   const AntennaPair& antennas_;
@@ -103,10 +104,12 @@ class NearSum {
       searched = true;
       if (!clip_to(piece, edges.lit())) continue;
       pass.add(index, *meeting, inside_);
-      add(pass.take(), piece.path);
-      lit = true;
+      const EdgeLookResult part = pass.take();
+      add(part, piece.path);
+      sum_.lit = sum_.lit || part.lit;
+      lit = lit || part.wedges_lit > 0;
     }
-    if (lit) ++sum_.wedges_lit, sum_.lit = true;
+    if (lit) ++sum_.wedges_lit;
   }
 
   EdgeLookResult take() { return std::move(sum_); }

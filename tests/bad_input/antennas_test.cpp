@@ -26,6 +26,8 @@ TEST_F(AntennasProgram, RefusesWhatItDoesNotKnow) {
   expect_refused(run + "--set output.image_look=0", "images from a finite distance are not in this version; remove [radar]");
   expect_refused(run + "--launch random --samples 10 --repeat 2", "random tubes are parts of a plane wave; remove [radar]");
   expect_refused(run + "--set edges.method=utd", "give edges.utd_range_m instead");
+  expect_refused(run + "--set 'radar.aim_m=[0,0,9]' --set look.theta_deg=0", "radar.aim_m lies at an antenna, or behind one");
+  expect_refused("run case.toml --set radar.range_m=1e300", "radar.range_m must be at most 1e+12");
   for (const char* command : {"run ", "check ", "trace --look 0 --u 0 --v 0 "})
     expect_refused(std::string(command) + "case.toml --set radar.range_m=1e-6", "move it away (radar.range_m, radar.position_m)");
 }
@@ -40,6 +42,8 @@ TEST_F(AntennasProgram, PatternsAreWholeAndAscendingAndReachAllOfTheTarget) {
   refused("angle_deg,azimuth_db,elevation_db\n0,0,0\n", "needs at least two rows");
   refused("angle_deg,azimuth_db,elevation_db\n0,0,0\n0,0,0\n", "angle_deg must ascend");
   refused("angle_deg,azimuth_db,elevation_db\n0,0,nan\n1,0,0\n", "write the level relative to the axis in dB");
+  refused("angle_deg,azimuth_db,elevation_db\n-9,0,0\n0,30,0\n9,0,0\n", "levels are relative to the axis");
+  refused("angle_deg,azimuth_db,elevation_db\n0,0,0\n90,1e308,0\n", "nowhere above 60 dB");
   refused("angle_deg,azimuth_db,elevation_db\n-1e-9,0,0\n1e-9,0,0\n", "beyond the pattern in radar.pattern_csv");
 }
 

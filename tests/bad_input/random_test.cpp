@@ -54,6 +54,7 @@ TEST_F(RandomProgram, AnOrdinaryRunLeavesNoTableOfAnEarlierRandomOne) {
 }
 
 TEST_F(RandomProgram, BadOptions) {
+  expect_refused("run case.toml --launch random --set output.image_look=0", "an image adds up to the deterministic S");
   expect_refused("run case.toml --samples 10", "--samples requires --launch");
   expect_refused("run case.toml --seed 1", "--seed requires --launch");
   expect_refused("run case.toml --repeat 2", "--repeat requires --launch");

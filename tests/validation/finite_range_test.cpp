@@ -167,6 +167,17 @@ TEST(FiniteRange, CornerTendsToTheFarFieldWithAllItsWaves) {
   }
 }
 
+// A target away from the origin is seen in another direction than the origin, also where its own size plays no part any more.
+TEST(FiniteRange, EdgesOfADistantTargetAreSeenFromWhereItStands) {
+  PolygonSoup plate = shapes::transformed(shapes::plate(0.3), glm::dmat3(1.0), 1.0, dvec3(0.0, 50.0, 0.0));
+  Scene scene(std::move(plate), EdgeMethod::fringe);
+  scene.options.keep_parts = true;
+  const Look near = near_look({50 * degree, 0.3}, 940.0), farther = near_look({50 * degree, 0.3}, 945.0);
+  const double a = frobenius_norm(scene.solve(10e9, near).edges_first[0]),
+               b = frobenius_norm(scene.solve(10e9, farther).edges_first[0]);
+  EXPECT_NEAR(a, b, 0.1 * a);  // the direction changes by .3 mrad, a lobe of edges is 50 mrad wide
+}
+
 // A plate of 20 wavelengths from 60, far inside its far field (800): currents and rays are two theories of one field. Rays of
 // geometrical optics and of edges (Kouyoumjian & Pathak 1974, with corners) know no waves that run along the plate to the next
 // edge; for H along the edge these are some tenths of a decibel. Physical optics alone is off by 1.4 to 9 dB.
