@@ -91,6 +91,8 @@ void check_key(const CaseValue& value, const std::string& key) {
 
 // A key inside tells better than its misspelt section which one was meant.
 void check_unknown_section(const CaseValue& value, const std::string& section) {
+  if (section == "scene" || section == "source")
+    reject(value, fmt::format("[{}] belongs to a case for raytube sources; run it with that command", section));
   const bool holds_key = value.kind == CaseValue::Kind::table && !value.keys.empty() && !contains(later_keys, section);
   check_key(value, holds_key ? section + "." + value.keys.front() : section);
 }

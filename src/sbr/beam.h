@@ -23,12 +23,12 @@ namespace raytube {
 /// This homography keeps planes and straight lines and makes the rays parallel, so what is said of polygons and depths of a plane
 /// wave holds here too. `anchor` is zero; path, fields, along_u and along_v are not used.
 struct Beam {
-  dvec3 direction;
-  double path = 0.0;           // [m]
-  std::array<dvec3, 2> field;  // of unit incident V and H
-  dvec2 anchor;
-  dvec3 base, along_u, along_v;
-  dvec3 u_hat, v_hat;
+  dvec3 direction{0.0};
+  double path = 0.0;             // [m]
+  std::array<dvec3, 2> field{};  // of unit incident V and H
+  dvec2 anchor{0.0};
+  dvec3 base{0.0}, along_u{0.0}, along_v{0.0};
+  dvec3 u_hat{0.0}, v_hat{0.0};
   double curvature = 0.0;     // of the wavefront at the base [1/m]; 0: a plane wave
   double launch_depth = 0.0;  // [m] spherical wave: where its tubes begin if they leave no surface
 

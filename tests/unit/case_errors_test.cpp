@@ -113,6 +113,10 @@ TEST(CaseErrors, Antennas) {
   EXPECT_THAT(complaint(target + frequency + "[radar]\nposition_m = [0, 0, 0]"), HasSubstr("must not be the origin"));
 }
 
+TEST(CaseErrors, ACaseOfSourcesIsForAnotherCommand) {
+  EXPECT_THAT(complaint("[source]\npoint_m = [0, 0, 1]\n"), HasSubstr("line 1: [source] belongs to a case for raytube sources"));
+}
+
 TEST(CaseErrors, NamesFileAndLine) {
   EXPECT_THAT(complaint(smallest + "[tubes]\nper_wavelenght = 3\n"),
               HasSubstr("case.toml, line 10: unknown key \"tubes.per_wavelenght\""));
