@@ -1,8 +1,5 @@
 #include "solve_parts.h"
 
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -74,14 +71,6 @@ std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep&
   SmoothSurfaces smooth(target.mesh, target.min_wedge_angle, most_rise * wavelength(std::ranges::max(sweep.frequencies)));
   if (!smooth.any()) return {};
   return smooth;
-}
-
-void run_on_threads(int threads, const std::function<void()>& work) {
-  const int count = threads > 0 ? threads : tbb::this_task_arena::max_concurrency();
-  // More threads than cores must be asked for; a host program's own limit is never lowered.
-  constexpr auto parallelism = tbb::global_control::max_allowed_parallelism;
-  const tbb::global_control limit(parallelism, std::max<std::size_t>(count, tbb::global_control::active_value(parallelism)));
-  tbb::task_arena(count).execute(work);
 }
 
 void prepare_between(EdgeSets& edges, const Target& target, const Sweep& sweep, const EdgeOptions& options) {

@@ -1,12 +1,12 @@
 // Steps of a solve that an image takes, too.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 
 #include "mesh/smooth.h"
 #include "solve.h"
+#include "threads.h"
 #include "utd/between.h"
 #include "utd/edge_sets.h"
 
@@ -28,9 +28,6 @@ void make_reciprocal(std::span<ScatteringMatrix> scattering);
 
 /// The curved surfaces that tubes see as such; none: all are flat facets.
 std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep& sweep, const TubeOptions& tubes);
-
-/// Lets this many threads do the work, 0: all cores.
-void run_on_threads(int threads, const std::function<void()>& work);
 
 /// The edges of all frequencies, ready for the waves between surfaces where not crowded.
 void prepare_between(EdgeSets& edges, const Target& target, const Sweep& sweep, const EdgeOptions& options);

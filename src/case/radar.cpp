@@ -24,13 +24,7 @@ double read_range(const CaseValue& value, const std::string& key) {
 }
 
 std::vector<dvec3> read_places(const CaseValue& value, const std::string& key) {
-  if (value.kind != CaseValue::Kind::list || value.items.empty())
-    reject(value, key + " must be [x, y, z] in metres, or a list of such places");
-  std::vector<dvec3> places;
-  if (value.items[0].kind != CaseValue::Kind::list)
-    places.push_back(read_vector(value, key));
-  else
-    for (const CaseValue& item : value.items) places.push_back(read_vector(item, "every place of " + key));
+  const std::vector<dvec3> places = read_vectors(value, key);
   for (const dvec3& place : places)
     if (!(glm::length(place) > 0.0 && glm::length(place) < farthest))
       reject(value,

@@ -104,30 +104,17 @@ void read_parts(const CaseValue& root, SourceCase& c) {
   }
 }
 
-bool is_point(const CaseValue& value) {
-  return value.kind == Kind::list && value.items.size() == 3 &&
-         std::ranges::all_of(value.items, [](const CaseValue& item) { return item.kind == Kind::number; });
-}
-
-dvec3 read_point(const CaseValue& value, const std::string& key) {
-  if (!is_point(value)) reject(value, key + " must be a list of three numbers [m], for example [0, 0, 1.5]");
-  const auto entry = [&](std::size_t i) { return read_number(value.items[i], "every entry of " + key); };
-  return {entry(0), entry(1), entry(2)};
-}
-
 void read_box(const CaseValue& value, SourceCase& c) {
   if (value.kind != Kind::list || value.items.size() != 2)
     reject(value, "scene.box_m must be a list of two corners [m], for example [[-1, -1, 0], [1, 1, 2]]");
-  c.box = Box{read_point(value.items[0], "a corner of scene.box_m"), read_point(value.items[1], "a corner of scene.box_m")};
+  c.box = Box{read_vector(value.items[0], "a corner of scene.box_m"), read_vector(value.items[1], "a corner of scene.box_m")};
   if (!glm::all(glm::lessThan(c.box->low, c.box->high)))
     reject(value, "scene.box_m must have its lower corner first, each coordinate less than the second one's");
 }
 
 void read_points(const CaseValue& root, SourceCase& c) {
   const CaseValue& value = require(root, "source", "point_m", "point_m = [x, y, z] or a list of these");
-  const bool is_list = value.kind == Kind::list && !value.items.empty() && value.items[0].kind == Kind::list;
-  if (!is_list) return c.points.push_back(read_point(value, "source.point_m"));
-  for (const CaseValue& item : value.items) c.points.push_back(read_point(item, "every point of source.point_m"));
+  c.points = read_vectors(value, "source.point_m");
 }
 
 // One word or a list of them.

@@ -120,6 +120,15 @@ dvec3 read_vector(const CaseValue& value, const std::string& key) {
   return {entry(0), entry(1), entry(2)};
 }
 
+std::vector<dvec3> read_vectors(const CaseValue& value, const std::string& key) {
+  const bool several =
+      value.kind == CaseValue::Kind::list && !value.items.empty() && value.items[0].kind == CaseValue::Kind::list;
+  if (!several) return {read_vector(value, key)};
+  std::vector<dvec3> vectors;
+  for (const CaseValue& item : value.items) vectors.push_back(read_vector(item, "every entry of " + key));
+  return vectors;
+}
+
 std::string read_text(const CaseValue& value, const std::string& key) {
   if (value.kind != Kind::text) reject(value, key + " must be a text in double quotes");
   return value.text;

@@ -13,6 +13,8 @@ int read_whole(const CaseValue& value, const std::string& key, int least, int mo
 bool read_flag(const CaseValue& value, const std::string& key);
 /// A list of three numbers.
 dvec3 read_vector(const CaseValue& value, const std::string& key);
+/// One such list, or a list of them.
+std::vector<dvec3> read_vectors(const CaseValue& value, const std::string& key);
 std::string read_text(const CaseValue& value, const std::string& key);
 
 /// Metres of the unit of length that the text names: m, cm, mm, um, in, ft.

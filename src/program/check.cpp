@@ -11,11 +11,11 @@
 #include "mesh/mirror.h"
 #include "program/commands.h"
 #include "program/images.h"
-#include "program/threads.h"
 #include "program/wedge_list.h"
 #include "sbr/launch.h"
 #include "skipped.h"
 #include "solve_image.h"
+#include "threads.h"
 
 namespace raytube {
 

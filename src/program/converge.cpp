@@ -14,8 +14,8 @@
 #include "program/interrupt.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
-#include "program/threads.h"
 #include "sbr/launch.h"
+#include "threads.h"
 
 namespace raytube {
 

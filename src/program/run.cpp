@@ -17,7 +17,7 @@
 #include "program/interrupt.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
-#include "program/threads.h"
+#include "threads.h"
 #include "yardstick.h"
 
 namespace raytube {

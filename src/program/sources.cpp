@@ -14,8 +14,8 @@
 #include "program/interrupt.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
-#include "program/threads.h"
 #include "sbr/launch_limit.h"
+#include "threads.h"
 
 namespace raytube {
 
@@ -223,7 +223,7 @@ void sources_command(const Request& request) {
     bar.show(share);
     return !InterruptFlag::raised();
   };
-  tbb::task_arena(threads).execute([&] { study.solve(go_on); });
+  run_on_threads(threads, [&] { study.solve(go_on); });
   const SourceStudy& result = study.result();
 
   InterruptFlag::clean_up_first();

@@ -9,6 +9,9 @@
 
 namespace raytube {
 
+/// Rays leave so far beside the middles of their cells, in cells, that they never run exactly along edges of a mesh.
+inline constexpr double beside_u = 0.01 * (std::numbers::sqrt2 - 1.0), beside_v = 0.01 * (std::numbers::sqrt3 - 1.0);
+
 /// Rectangle across the line of sight, in recentred coordinates, cut into equal cells. Columns run along u, rows along v;
 /// u x v points to the radar. It lies in front of the whole target. Rays from an antenna at a finite distance run through the
 /// cells' places where these are drawn at the middle of the target, which is the origin.
@@ -31,7 +34,6 @@ struct LaunchGrid {
 
   /// Launch coordinates of a cell's ray.
   dvec2 ray_place(std::uint32_t column, std::uint32_t row) const {
-    constexpr double beside_u = 0.01 * (std::numbers::sqrt2 - 1.0), beside_v = 0.01 * (std::numbers::sqrt3 - 1.0);
     return {u_center(column) + beside_u * du, v_center(row) + beside_v * dv};
   }
 
@@ -53,7 +55,7 @@ LaunchGrid launch_grid(const TriangleMesh& mesh, const Direction& transmit, doub
 
 /// The same of a look, from wherever it is.
 LaunchGrid grid_of_look(const TriangleMesh& mesh, const Look& look, double wavelength, double per_wavelength,
-                       const std::optional<dvec3>& up);
+                        const std::optional<dvec3>& up);
 
 /// False if an antenna at this place, in recentred coordinates, has some of the mesh beside or behind it: farther off its line of
 /// sight to the origin than it lies along it, or nearer than a twentieth of the way there.

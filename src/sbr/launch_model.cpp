@@ -6,13 +6,11 @@
 
 #include "error.h"
 #include "random.h"
+#include "sbr/launch.h"
 
 namespace raytube {
 
 namespace {
-
-// Rays go a little beside the middles of their cells, so that they do not run exactly at the edges of a mesh: as in sbr/launch.h.
-constexpr double beside_u = 0.01 * (std::numbers::sqrt2 - 1.0), beside_v = 0.01 * (std::numbers::sqrt3 - 1.0);
 
 constexpr double full_sphere = 4.0 * pi;
 

@@ -1,13 +1,12 @@
 #include "sbr/ray_hits.h"
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "progress.h"
+#include "threads.h"
 
 namespace raytube {
 
@@ -154,10 +153,7 @@ RayHits trace_rays(const Tracer& tracer, std::span<const std::uint32_t> triangle
   std::vector<RayHits> results(batches);
   std::vector<std::vector<double>> squares(batches);
   Progress progress(options.progress);
-  constexpr auto parallelism = tbb::global_control::max_allowed_parallelism;
-  const auto threads = static_cast<std::size_t>(options.threads);
-  const tbb::global_control limit(parallelism, std::max(threads, tbb::global_control::active_value(parallelism)));
-  tbb::task_arena(options.threads).execute([&] {
+  run_on_threads(options.threads, [&] {
     tbb::parallel_for(std::uint64_t{0}, batches, [&](std::uint64_t i) {
       Batch batch(tracer, triangle_part, surfaces, launch, options);
       const std::uint64_t first = i * batch_size;
