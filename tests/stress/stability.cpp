@@ -1,0 +1,54 @@
+#include "stress/stability.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+namespace raytube::testing {
+
+namespace {
+
+std::vector<Stability>& rows() {
+  static std::vector<Stability> all;
+  return all;
+}
+
+std::string table() {
+  std::string text = "| what changes | targets | worst | allowed | because |\n|---|---|---|---|---|\n";
+  for (const Stability& row : rows())
+    text += fmt::format("| {} | {} | {:.1e} | {:.0e} | {} |\n", row.change, row.targets, row.worst, row.allowed, row.reason);
+  return text;
+}
+
+// Replaces what stands between two lines of a document.
+void replace_table(const std::string& file) {
+  static const std::string begin = "<!-- table of the stress suite -->\n", end = "<!-- end of table -->\n";
+  std::ifstream in(file);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t from = text.find(begin), to = text.find(end);
+  ASSERT_TRUE(from != std::string::npos && to != std::string::npos) << file << " has no place for the table";
+  text.replace(from + begin.size(), to - from - begin.size(), table());
+  std::ofstream(file) << text;
+}
+
+class TableWriter : public ::testing::Environment {
+ public:
+  void TearDown() override {
+    if (const char* file = std::getenv("RAYTUBE_STABILITY_TABLE")) replace_table(file);
+  }
+};
+
+[[maybe_unused]] const auto* const writer = ::testing::AddGlobalTestEnvironment(new TableWriter);
+
+}  // namespace
+
+void expect_stable(const Stability& measured) {
+  EXPECT_LE(measured.worst, measured.allowed) << measured.change << " (" << measured.targets << ")";
+  rows().push_back(measured);
+}
+
+}  // namespace raytube::testing
