@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bodies.h"
+#include "instruction_set.h"
 #include "shapes.h"
 #include "studies.h"
 
@@ -17,7 +18,7 @@ using namespace raytube::bench;
 Json machine(const Settings& settings) {
   const LoadedMesh plate = build_mesh(shapes::plate(1.0), 1.0);
   return {{"compiler", RAYTUBE_COMPILER},
-          {"embree", Tracer(plate.mesh).instruction_set()},
+          {"embree", name_of(allowed_instruction_set())},
           {"cores", tbb::info::default_concurrency()},
           {"threads", settings.threads},
           {"repeats", settings.repeats}};

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "instruction_set.h"
+
 namespace raytube {
 
 namespace {
@@ -31,16 +33,16 @@ constexpr auto exponential = inverse_factorials<14>(1, 1, +1);
 constexpr double half_pi_high = 0x1.921fb54442d18p+0, half_pi_low = 0x1.1a62633145c07p-54;
 constexpr double ln2_high = 0x1.62e42fefa39efp-1, ln2_low = 0x1.abc9e3b39803fp-56;
 
-double reduced(double x, double multiple, double high, double low) {
+[[gnu::always_inline]] inline double reduced(double x, double multiple, double high, double low) {
   return std::fma(-multiple, low, std::fma(-multiple, high, x));
 }
 
 // 2^-n for whole 0 <= n < 1023: the sum's last bits are the biased exponent.
-double inverse_power_of_two(double n) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(0x1p52 + (1023 - n)) << 52); }
+[[gnu::always_inline]] inline double inverse_power_of_two(double n) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(0x1p52 + (1023 - n)) << 52);
+}
 
-}  // namespace
-
-Complexes unit_phasors(const Reals& angle) {
+[[gnu::always_inline]] inline Complexes phasors_of(const Reals& angle) {
   Complexes result;
   for (std::size_t i = 0; i < lanes; ++i) {
     const double turns = std::nearbyint(angle[i] * (2 / pi));  // quarter turns
@@ -55,14 +57,14 @@ Complexes unit_phasors(const Reals& angle) {
   return result;
 }
 
-Reals sincs(const Reals& x) {
-  const Complexes phasors = unit_phasors(x);
+[[gnu::always_inline]] inline Reals sincs_of(const Reals& x) {
+  const Complexes phasors = phasors_of(x);
   Reals result;
   for (std::size_t i = 0; i < lanes; ++i) result[i] = x[i] == 0.0 ? 1.0 : phasors.im[i] / x[i];
   return result;
 }
 
-Reals one_minus_exp(const Reals& x) {
+[[gnu::always_inline]] inline Reals one_minus_exp_of(const Reals& x) {
   Reals result;
   for (std::size_t i = 0; i < lanes; ++i) {
     const double bounded = std::min(x[i], 40.0);  // e^-40 is lost beside 1
@@ -72,5 +74,23 @@ Reals one_minus_exp(const Reals& x) {
   }
   return result;
 }
+
+// Each kernel once more for AVX-512. An attribute, not a file compiled for it: what the file shares with others stays for all
+// machines.
+#define RAYTUBE_AVX512 [[gnu::target("avx512f,avx512dq,avx512cd,avx512bw,avx512vl")]]
+RAYTUBE_AVX512 Complexes wide_phasors_of(const Reals& angle) { return phasors_of(angle); }
+RAYTUBE_AVX512 Reals wide_sincs_of(const Reals& x) { return sincs_of(x); }
+RAYTUBE_AVX512 Reals wide_one_minus_exp_of(const Reals& x) { return one_minus_exp_of(x); }
+#undef RAYTUBE_AVX512
+
+bool wide() { return allowed_instruction_set() == InstructionSet::avx512; }
+
+}  // namespace
+
+Complexes unit_phasors(const Reals& angle) { return wide() ? wide_phasors_of(angle) : phasors_of(angle); }
+
+Reals sincs(const Reals& x) { return wide() ? wide_sincs_of(x) : sincs_of(x); }
+
+Reals one_minus_exp(const Reals& x) { return wide() ? wide_one_minus_exp_of(x) : one_minus_exp_of(x); }
 
 }  // namespace raytube

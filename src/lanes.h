@@ -13,7 +13,8 @@ namespace raytube {
 
 inline constexpr std::size_t lanes = 8;
 
-struct alignas(64) Reals {
+// Not 64: GCC 12 aligns a caller's temporaries to 32 all the same, where code for AVX-512 would rely on it.
+struct alignas(32) Reals {
   double value[lanes];
   double& operator[](std::size_t i) { return value[i]; }
   double operator[](std::size_t i) const { return value[i]; }

@@ -1,49 +1,44 @@
 #include "mesh/exact_hit.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <limits>
 
-#include "mesh/geometry.h"
-#include "mesh/stacked.h"
-
 namespace raytube {
+
+namespace {
+
+// In radii of the mesh. Float coordinates of size one round by 6e-8; origin, vertices and edge functions add up to ten of that,
+// and the largest displacement of a hit found in tests is 1e-6. Two surfaces that far apart are told from one another; two that
+// open by the narrow angle [rad] are, at line_doubt from where they meet.
+constexpr double depth_doubt = 2e-6, line_doubt = 1e-5, narrow_angle = 0.25;
+// Sine of the angle between ray and plane below which single precision may put the hit in any triangle of a patch.
+constexpr double grazing = 1e-3;
+
+// In each row the triangles that have its number among `numbers_of` them.
+template <class PerTriangle, class NumbersOf>
+Rows rows(std::size_t count, const PerTriangle& per_triangle, NumbersOf numbers_of) {
+  Rows result{std::vector<std::uint32_t>(count + 1, 0), {}};
+  for (const auto& of : per_triangle)
+    for (const std::uint32_t row : numbers_of(of)) ++result.first[row + 1];
+  for (std::size_t row = 1; row <= count; ++row) result.first[row] += result.first[row - 1];
+  result.triangles.resize(result.first.back());
+  std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
+  for (std::uint32_t t = 0; t < per_triangle.size(); ++t)
+    for (const std::uint32_t row : numbers_of(per_triangle[t])) result.triangles[next[row]++] = t;
+  return result;
+}
+
+}  // namespace
 
 ExactHit::ExactHit(const TriangleMesh& mesh)
     : mesh_(mesh),
       // A point on the ray and a plane offset each carry a few roundings of numbers up to the radius.
       rounding_(8.0 * std::numeric_limits<double>::epsilon() * mesh.radius),
-      // Float coordinates of size <= radius round by 6e-8 of it; origin, vertices and edge functions add up to some tens of that.
-      doubt_(2e-6 * mesh.radius),
-      stacked_(find_stacked_triangles(mesh, doubt_)),
-      first_(mesh.vertices.size() + 1, 0) {
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t vertex : triangle) ++first_[vertex + 1];
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  incident_.resize(3 * mesh.triangles.size());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  balls_.reserve(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) balls_.push_back(ball(t));
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const std::uint32_t vertex : mesh.triangles[t]) incident_[next[vertex]++] = t;
-}
-
-double ExactHit::safe_side(std::uint32_t triangle) const {
-  if (stacked_[triangle]) return std::numeric_limits<double>::infinity();
-  const int corner = longest_edge(mesh_.vertices, mesh_.triangles[triangle]);
-  const auto& corners = mesh_.triangles[triangle];
-  return 2.0 * doubt_ * glm::distance(mesh_.vertices[corners[corner]], mesh_.vertices[corners[(corner + 1) % 3]]);
-}
-
-// About the centroid; wider by the doubt, far more than single precision can move it.
-ExactHit::Ball ExactHit::ball(std::uint32_t triangle) const {
-  const auto& [i, j, k] = mesh_.triangles[triangle];
-  const dvec3 middle = (mesh_.vertices[i] + mesh_.vertices[j] + mesh_.vertices[k]) / 3.0;
-  double radius = 0.0;
-  for (const std::uint32_t vertex : mesh_.triangles[triangle])
-    radius = std::max(radius, glm::distance(middle, mesh_.vertices[vertex]));
-  return {glm::vec3(middle), static_cast<float>(radius + doubt_)};
-}
+      doubt_(line_doubt * mesh.radius),
+      touching_(mesh, depth_doubt * mesh.radius, narrow_angle),
+      at_vertex_(rows(mesh.vertices.size(), mesh.triangles, std::identity())),
+      of_patch_(rows(mesh.patches.size(), mesh.triangle_patch, [](std::uint32_t patch) { return std::array{patch}; })) {}
 
 namespace {
 
@@ -69,8 +64,7 @@ std::array<double, 3> ExactHit::edge_sides(const Ray& ray, std::uint32_t triangl
 
 bool ExactHit::contains(const Ray& ray, std::uint32_t triangle) const { return same_sign(edge_sides(ray, triangle)); }
 
-bool ExactHit::is_safe(const Ray& ray, std::uint32_t triangle) const {
-  if (stacked_[triangle]) return false;
+bool ExactHit::is_inside(const Ray& ray, std::uint32_t triangle) const {
   const std::array<double, 3> sides = edge_sides(ray, triangle);
   if (!same_sign(sides)) return false;
   const auto& [i, j, k] = mesh_.triangles[triangle];
@@ -82,27 +76,38 @@ bool ExactHit::is_safe(const Ray& ray, std::uint32_t triangle) const {
   return true;
 }
 
-double ExactHit::depth_doubt(const Ray& ray, std::uint32_t triangle) const {
-  return doubt_ / std::abs(glm::dot(mesh_.patches[patch(triangle)].normal, ray.direction));
+bool ExactHit::grazes(const Ray& ray, std::uint32_t patch) const {
+  return std::abs(glm::dot(mesh_.patches[patch].normal, ray.direction)) < grazing;
 }
 
-Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
+void ExactHit::keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const {
+  const std::uint32_t of = patch(candidate);
+  if (of == ray.source_patch || std::ranges::find(ignored_patches, of) != ignored_patches.end()) return;
+  if (!ahead(ray, candidate) || !contains(ray, candidate)) return;
+  const Hit hit{candidate, distance(ray, candidate)};
+  const bool nearer =
+      !nearest || hit.distance < nearest.distance || (hit.distance == nearest.distance && hit.triangle < nearest.triangle);
+  if (nearer) nearest = hit;
+}
+
+Hit ExactHit::nearest_touching(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
   Hit nearest;
-  const auto consider = [&](std::uint32_t candidate) {
-    if (std::ranges::find(ignored_patches, patch(candidate)) != ignored_patches.end()) return;
-    if (!ahead(ray, candidate) || !contains(ray, candidate)) return;
-    const Hit hit{candidate, distance(ray, candidate)};
-    const bool nearer =
-        !nearest || hit.distance < nearest.distance || (hit.distance == nearest.distance && hit.triangle < nearest.triangle);
-    if (nearer) nearest = hit;
-  };
-  for (const std::uint32_t vertex : mesh_.triangles[triangle])
-    for (const std::uint32_t candidate : around(vertex)) consider(candidate);
+  keep_nearer(ray, triangle, ignored_patches, nearest);
+  for (const std::uint32_t other : touching_[triangle]) keep_nearer(ray, other, ignored_patches, nearest);
   return nearest;
 }
 
-std::span<const std::uint32_t> ExactHit::around(std::uint32_t vertex) const {
-  return {incident_.data() + first_[vertex], incident_.data() + first_[vertex + 1]};
+Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
+  Hit nearest = nearest_touching(ray, triangle, ignored_patches);
+  std::uint32_t scanned = no_index;
+  for (const std::uint32_t vertex : mesh_.triangles[triangle])
+    for (const std::uint32_t candidate : at_vertex_[vertex]) {
+      keep_nearer(ray, candidate, ignored_patches, nearest);
+      if (patch(candidate) == scanned || !grazes(ray, patch(candidate))) continue;
+      scanned = patch(candidate);
+      for (const std::uint32_t other : of_patch_[scanned]) keep_nearer(ray, other, ignored_patches, nearest);
+    }
+  return nearest;
 }
 
 }  // namespace raytube

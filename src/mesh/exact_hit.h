@@ -6,9 +6,18 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/touching.h"
 #include "mesh/tracer.h"
 
 namespace raytube {
+
+/// Lists of triangles, one after the other.
+struct Rows {
+  std::vector<std::uint32_t> first, triangles;
+  std::span<const std::uint32_t> operator[](std::uint32_t row) const {
+    return {triangles.data() + first[row], triangles.data() + first[row + 1]};
+  }
+};
 
 class ExactHit {
  public:
@@ -33,47 +42,34 @@ class ExactHit {
   /// exactly opposite numbers, so no ray slips between them.
   bool contains(const Ray& ray, std::uint32_t triangle) const;
 
-  /// True if single precision cannot have mistaken this hit: the ray passes well inside all three edges, and no other surface
-  /// lies on the triangle or so close to it that their order is in doubt.
-  bool is_safe(const Ray& ray, std::uint32_t triangle) const;
+  /// True if the ray passes well inside all three edges: single precision cannot have mistaken this hit but for one with a
+  /// surface that touches the triangle.
+  bool is_inside(const Ray& ray, std::uint32_t triangle) const;
 
-  /// A hit whose three edge functions - volumes spanned by the ray's direction and an edge [m^2] - are all above this in single
-  /// precision is safe in double: twice the doubt on the longest edge. Infinite where is_safe() is never true.
-  double safe_side(std::uint32_t triangle) const;
+  /// True if no other surface touches the triangle.
+  bool is_alone(std::uint32_t triangle) const { return touching_[triangle].empty(); }
 
-  /// False if the ray's line certainly passes the triangle by, told from its bounding ball alone.
-  bool may_contain(const Ray& ray, std::uint32_t triangle) const {
-    const Ball& ball = balls_[triangle];
-    const dvec3 to_middle = dvec3(ball.middle) - ray.origin;
-    const double along = glm::dot(to_middle, ray.direction);
-    return glm::dot(to_middle, to_middle) - along * along <= double{ball.radius} * ball.radius;
-  }
+  /// The nearest triangle that contains the ray, among `triangle` and those touching it, but not on the patch the ray leaves or
+  /// an ignored one; ties to the lower index.
+  Hit nearest_touching(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
 
-  /// The distance along the ray [m] within which single precision may have put surfaces in the wrong order.
-  double depth_doubt(const Ray& ray, std::uint32_t triangle) const;
-  bool is_stacked(std::uint32_t triangle) const { return stacked_[triangle]; }
+  /// A ray this far inside all three edges meets the triangle in single precision too [m].
+  double doubt() const { return doubt_; }
 
-  /// The nearest triangle that contains the ray, among `triangle` and those sharing a corner with it but not on
-  /// an ignored patch; ties to the lower index.
+  /// The nearest triangle that contains the ray, among `triangle`, those sharing a corner with it, those touching it, and all of
+  /// a patch there which the ray grazes, but not on the patch the ray leaves or an ignored one; ties to the lower index.
   Hit nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
 
  private:
-  // In single precision, which halves the memory to be read; the radius makes up for that.
-  struct Ball {
-    glm::vec3 middle;
-    float radius;
-  };
-
-  Ball ball(std::uint32_t triangle) const;
   std::array<double, 3> edge_sides(const Ray& ray, std::uint32_t triangle) const;
-  std::span<const std::uint32_t> around(std::uint32_t vertex) const;
+  void keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const;
+  bool grazes(const Ray& ray, std::uint32_t patch) const;
 
   const TriangleMesh& mesh_;
   double rounding_;
   double doubt_;
-  std::vector<bool> stacked_;
-  std::vector<Ball> balls_;
-  std::vector<std::uint32_t> first_, incident_;  // triangles at each vertex, compressed rows
+  Touching touching_;
+  Rows at_vertex_, of_patch_;  // triangles
 };
 
 }  // namespace raytube

@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
+#include <utility>
 #include <vector>
 
+#include "instruction_set.h"
 #include "mesh/exact_hit.h"
+#include "mesh/geometry.h"
+#include "mesh/guards.h"
 
 namespace raytube {
 
@@ -21,25 +24,25 @@ constexpr std::size_t packet_width = 16;  // of what is loaded and decided toget
 // Embree works on a copy of the mesh scaled to about unit size, so its absolute thresholds mean the same for every target.
 // A ray that leaves a surface starts this far behind it (about 30 float roundings); what lies in between is refused in double.
 constexpr double start_behind = 4e-6;
+// A ray from afar starts this far from the middle of the mesh, so that single precision places it as well as the others.
+constexpr double start_from = 2.0;
+// Of the guards (GuardedTriangles): twenty times what single precision can mistake a place by.
+constexpr double guard_margin = 2e-5;
 
 void check_device(RTCDevice device) {
   if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
     throw std::runtime_error(fmt::format("Embree reports error {}", static_cast<int>(error)));
 }
 
-// Embree's bit numbers of RTC_DEVICE_PROPERTY_NATIVE_RAY*_SUPPORTED do not tell AVX2 from AVX-512; the compiler's test does.
-std::string widest_instruction_set() {
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd") &&
-      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
-    return "avx512";
-  return "avx2";
-}
-
-}  // namespace
-
-namespace {
 struct QueryContext;
 struct Packet;
+
+// One of Embree's triangles, and how far along the ray it found it [m].
+struct Proposal {
+  std::uint32_t primitive = no_index;
+  double distance = 0.0;
+  explicit operator bool() const { return primitive != no_index; }
+};
 }  // namespace
 
 struct Tracer::Scene {
@@ -51,22 +54,23 @@ struct Tracer::Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  void intersect(std::span<const Ray> rays, QueryContext& context, bool from_behind, Packet& packet) const;
-  void closest(std::span<const Ray> rays, std::span<std::uint32_t> found) const;
-  std::uint32_t propose_beyond(const Ray& ray, std::span<const std::uint32_t> refused) const;
-  void decide_again(const Ray& ray, std::uint32_t hint, std::uint32_t& found) const;
-  std::uint32_t decide(const Ray& ray, std::uint32_t proposal) const;
+  void closest(std::span<const Ray> rays, const IgnoredPatches& ignored, bool from_behind, std::span<std::uint32_t> found) const;
+  Proposal propose_beyond(const Ray& ray, const IgnoredPatches& ignored, std::span<const std::uint32_t> refused) const;
+  std::uint32_t decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const;
+  bool is_inside(const Ray& ray, const Packet& packet, std::size_t lane) const;
 
   const TriangleMesh& mesh;
   ExactHit exact;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   double scale = 1.0;
-  int width;                      // rays that Embree is given at a time
-  std::vector<float> safe_sides;  // ExactHit::safe_side in Embree's units
+  int width;                          // rays that Embree is given at a time
+  std::vector<std::uint32_t> source;  // of each of Embree's triangles, that of the mesh
+  std::vector<float> safe_sides;  // of each triangle of the mesh: smallest_side() of hits that single precision cannot mistake
 
  private:
-  void add_geometry();
+  void add_geometry(const GuardedTriangles& guarded);
+  float safe_side(const GuardedTriangles& guarded, std::uint32_t triangle) const;
 };
 
 namespace {
@@ -74,16 +78,17 @@ namespace {
 // What the filter needs to know about the rays of a packet; Embree passes it back through the context.
 struct QueryContext : RTCIntersectContext {
   const ExactHit* exact;
+  std::size_t own;  // of Embree's triangles the first ones are the mesh's
   const Ray* rays;
-  std::span<const std::uint32_t> refused_triangles;
-  IgnoredPatches refused_patches{no_index, no_index, no_index};
-  bool must_contain = false;  // refuse triangles that the ray misses in double precision
+  IgnoredPatches refused_patches;
+  std::span<const std::uint32_t> refused_primitives;
 
-  bool refuses(const Ray& ray, std::uint32_t triangle) const {
-    const std::uint32_t patch = exact->patch(triangle);
+  bool refuses(const Ray& ray, std::uint32_t primitive) const {
+    if (std::ranges::find(refused_primitives, primitive) != refused_primitives.end()) return true;
+    if (primitive >= own) return false;  // a guard stands for its neighbours too
+    const std::uint32_t patch = exact->patch(primitive);
     return patch == ray.source_patch || std::ranges::find(refused_patches, patch) != refused_patches.end() ||
-           std::ranges::find(refused_triangles, triangle) != refused_triangles.end() || !exact->ahead(ray, triangle) ||
-           (must_contain && !exact->contains(ray, triangle));
+           !exact->ahead(ray, primitive);
   }
 };
 
@@ -98,13 +103,12 @@ unsigned lanes_set(const int* flags, unsigned count) {
 }
 
 // Keeps only hits that lie ahead of the ray's true start in double precision and are not on a refused surface.
-void refuse_behind(const RTCFilterFunctionNArguments* arguments) {
+void refuse(const RTCFilterFunctionNArguments* arguments) {
   const auto& query = *static_cast<const QueryContext*>(arguments->context);
   for (unsigned left = lanes_set(arguments->valid, arguments->N); left != 0; left &= left - 1) {
     const auto lane = static_cast<unsigned>(std::countr_zero(left));
     const Ray& ray = query.rays[RTCRayN_id(arguments->ray, arguments->N, lane)];
-    const std::uint32_t triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
-    if (query.refuses(ray, triangle)) arguments->valid[lane] = 0;
+    if (query.refuses(ray, RTCHitN_primID(arguments->hit, arguments->N, lane))) arguments->valid[lane] = 0;
   }
 }
 
@@ -113,16 +117,23 @@ void refuse_behind(const RTCFilterFunctionNArguments* arguments) {
 struct alignas(64) Packet {
   RTCRayHit16 rays;
   std::array<int, packet_width> valid;
+  std::array<double, packet_width> start;  // along each ray [Embree's units]
 };
+
+// Where along it a ray begins for Embree.
+double start_of(const Ray& ray, double scale, bool from_behind) {
+  const double towards = -scale * glm::dot(ray.origin, ray.direction) - start_from;
+  return towards > 0.0 ? towards : from_behind || ray.source_patch != no_index ? -start_behind : 0.0;
+}
 
 void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_behind) {
   RTCRay16& to = packet.rays.ray;
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
     const Ray& ray = rays[std::min(lane, rays.size() - 1)];
-    const double behind = from_behind || ray.source_patch != no_index ? start_behind : 0.0;
-    to.org_x[lane] = static_cast<float>(ray.origin.x * scale - behind * ray.direction.x);
-    to.org_y[lane] = static_cast<float>(ray.origin.y * scale - behind * ray.direction.y);
-    to.org_z[lane] = static_cast<float>(ray.origin.z * scale - behind * ray.direction.z);
+    const double start = packet.start[lane] = start_of(ray, scale, from_behind);
+    to.org_x[lane] = static_cast<float>(ray.origin.x * scale + start * ray.direction.x);
+    to.org_y[lane] = static_cast<float>(ray.origin.y * scale + start * ray.direction.y);
+    to.org_z[lane] = static_cast<float>(ray.origin.z * scale + start * ray.direction.z);
     to.dir_x[lane] = static_cast<float>(ray.direction.x);
     to.dir_y[lane] = static_cast<float>(ray.direction.y);
     to.dir_z[lane] = static_cast<float>(ray.direction.z);
@@ -156,28 +167,13 @@ void intersect_singly(RTCScene scene, RTCIntersectContext& context, Packet& pack
     RTCRayHit single = rtcGetRayHitFromRayHitN(rays, packet_width, lane);
     rtcIntersect1(scene, &context, &single);
     rtcCopyHitToHitN(RTCRayHitN_HitN(rays, packet_width), &single.hit, packet_width, lane);
+    packet.rays.ray.tfar[lane] = single.ray.tfar;
   }
 }
 
-// Both kinds of packet are rows of as many numbers of four bytes.
-void intersect_halves(RTCScene scene, RTCIntersectContext& context, Packet& packet) {
-  constexpr std::size_t half_width = packet_width / 2, half_row = 4 * half_width, rows = sizeof packet.rays / (2 * half_row);
-  static_assert(sizeof(RTCRayHit8) == rows * half_row);
-  for (std::size_t half = 0; half < 2; ++half) {
-    alignas(32) RTCRayHit8 part;
-    alignas(32) std::array<int, half_width> valid;
-    std::copy_n(packet.valid.begin() + half * half_width, half_width, valid.begin());
-    std::byte* const from = reinterpret_cast<std::byte*>(&packet.rays) + half * half_row;
-    std::byte* const to = reinterpret_cast<std::byte*>(&part);
-    for (std::size_t row = 0; row < rows; ++row) std::memcpy(to + row * half_row, from + 2 * row * half_row, half_row);
-    rtcIntersect8(valid.data(), scene, &context, &part);
-    for (std::size_t row = 0; row < rows; ++row) std::memcpy(from + 2 * row * half_row, to + row * half_row, half_row);
-  }
-}
-
-RTCRayHit single_ray(const Ray& ray, double scale) {
+RTCRayHit single_ray(const Ray& ray, double scale, double start) {
   RTCRayHit query{};
-  const dvec3 origin = ray.origin * scale - start_behind * ray.direction;
+  const dvec3 origin = ray.origin * scale + start * ray.direction;
   query.ray.org_x = static_cast<float>(origin.x);
   query.ray.org_y = static_cast<float>(origin.y);
   query.ray.org_z = static_cast<float>(origin.z);
@@ -191,19 +187,21 @@ RTCRayHit single_ray(const Ray& ray, double scale) {
   return query;
 }
 
-QueryContext make_context(const ExactHit& exact, const Ray* rays) {
-  QueryContext context;
-  rtcInitIntersectContext(&context);
-  context.exact = &exact;
-  context.rays = rays;
-  return context;
+void intersect(RTCScene scene, RTCIntersectContext& context, int width, Packet& packet) {
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  if (width == 1)
+    intersect_singly(scene, context, packet);
+  else
+    rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
 }
 
-QueryContext blocker_context(const ExactHit& exact, const Ray* rays, const IgnoredPatches& ignored_patches) {
-  QueryContext context = make_context(exact, rays);
-  context.filter = refuse_behind;
-  context.refused_patches = ignored_patches;
-  context.must_contain = true;
+QueryContext make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredPatches& ignored) {
+  QueryContext context;
+  rtcInitIntersectContext(&context);
+  context.exact = &scene.exact;
+  context.own = scene.safe_sides.size();
+  context.rays = rays;
+  context.refused_patches = ignored;
   return context;
 }
 
@@ -211,91 +209,95 @@ QueryContext blocker_context(const ExactHit& exact, const Ray* rays, const Ignor
 
 Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time)
     : mesh(triangles), exact(triangles), width(rays_at_a_time) {
-  device = rtcNewDevice("");
+  device = rtcNewDevice(fmt::format("isa={}", name_of(allowed_instruction_set())).c_str());
   if (!device) throw std::runtime_error("Embree cannot start on this machine");
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
   if (mesh.radius > 0.0) scale = std::exp2(-std::ceil(std::log2(mesh.radius)));
-  add_geometry();
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    safe_sides.push_back(static_cast<float>(scale * scale * exact.safe_side(t)));
+  GuardedTriangles guarded = guard(mesh, guard_margin / scale);
+  add_geometry(guarded);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) safe_sides.push_back(safe_side(guarded, t));
+  source = std::move(guarded.source);
   // One thread: the order of equal leaves then never depends on the machine's load.
   tbb::task_arena(1).execute([this] { rtcJoinCommitScene(scene); });
   check_device(device);
 }
 
-void Tracer::Scene::add_geometry() {
+void Tracer::Scene::add_geometry(const GuardedTriangles& guarded) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
-  auto* indices = static_cast<unsigned*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), guarded.vertices.size()));
+  auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                 3 * sizeof(unsigned), guarded.triangles.size()));
   check_device(device);
-  for (const dvec3& vertex : mesh.vertices)
+  for (const dvec3& vertex : guarded.vertices)
     for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(vertex[axis] * scale);
-  for (const auto& triangle : mesh.triangles) indices = std::ranges::copy(triangle, indices).out;
+  for (const auto& triangle : guarded.triangles) indices = std::ranges::copy(triangle, indices).out;
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
 }
 
-void Tracer::Scene::intersect(std::span<const Ray> rays, QueryContext& context, bool from_behind, Packet& packet) const {
-  load(packet, rays, scale, from_behind);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  if (width == 1)
-    intersect_singly(scene, context, packet);
-  else if (width == 8)
-    intersect_halves(scene, context, packet);
-  else
-    rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
+// Edge functions fall by how far a corner was moved times the edge when the corner is put back.
+float Tracer::Scene::safe_side(const GuardedTriangles& guarded, std::uint32_t triangle) const {
+  const Triangle& corners = guarded.triangles[triangle];
+  const int k = longest_edge(guarded.vertices, corners);
+  const double edge = glm::distance(guarded.vertices[corners[k]], guarded.vertices[corners[(k + 1) % 3]]);
+  return static_cast<float>(scale * scale * edge * (2.0 * exact.doubt() + guarded.moved[triangle]));
+}
+
+bool Tracer::Scene::is_inside(const Ray& ray, const Packet& packet, std::size_t lane) const {
+  const std::uint32_t primitive = packet.rays.hit.primID[lane];
+  if (primitive >= safe_sides.size()) return false;
+  return smallest_side(packet, lane) > safe_sides[primitive] || exact.is_inside(ray, primitive);
 }
 
 // What Embree says in single precision for one packet, and the final word on the rays it can be wrong about.
-void Tracer::Scene::closest(std::span<const Ray> rays, std::span<std::uint32_t> found) const {
+void Tracer::Scene::closest(std::span<const Ray> rays, const IgnoredPatches& ignored, bool from_behind,
+                            std::span<std::uint32_t> found) const {
   const bool leaves_surface = std::ranges::any_of(rays, [](const Ray& ray) { return ray.source_patch != no_index; });
-  QueryContext context = make_context(exact, rays.data());
-  if (leaves_surface) context.filter = refuse_behind;
+  QueryContext context = make_context(*this, rays.data(), ignored);
+  if (leaves_surface || from_behind) context.filter = refuse;
   Packet packet;
-  intersect(rays, context, false, packet);
+  load(packet, rays, scale, from_behind);
+  intersect(scene, context, width, packet);
   for (std::size_t lane = 0; lane < rays.size(); ++lane) {
     found[lane] = is_hit(packet, lane) ? packet.rays.hit.primID[lane] : no_index;
-    if (!is_hit(packet, lane) || smallest_side(packet, lane) > safe_sides[found[lane]]) continue;
-    if (!exact.is_safe(rays[lane], found[lane])) found[lane] = decide(rays[lane], found[lane]);
+    if (!is_hit(packet, lane)) continue;
+    if (!is_inside(rays[lane], packet, lane))
+      found[lane] = decide(rays[lane], ignored, {found[lane], (packet.start[lane] + packet.rays.ray.tfar[lane]) / scale});
+    else if (!exact.is_alone(found[lane]))
+      found[lane] = exact.nearest_touching(rays[lane], found[lane], ignored).triangle;
   }
 }
 
-// The nearest surface other than the refused triangles, again in single precision.
-std::uint32_t Tracer::Scene::propose_beyond(const Ray& ray, std::span<const std::uint32_t> refused) const {
-  QueryContext context = make_context(exact, &ray);
-  context.filter = refuse_behind;
-  context.refused_triangles = refused;
-  RTCRayHit query = single_ray(ray, scale);
+// The nearest of Embree's triangles other than the refused ones.
+Proposal Tracer::Scene::propose_beyond(const Ray& ray, const IgnoredPatches& ignored,
+                                       std::span<const std::uint32_t> refused) const {
+  QueryContext context = make_context(*this, &ray, ignored);
+  context.filter = refuse;
+  context.refused_primitives = refused;
+  const double start = start_of(ray, scale, true);
+  RTCRayHit query = single_ray(ray, scale, start);
   rtcIntersect1(scene, &context, &query);
-  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? no_index : query.hit.primID;
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {query.hit.primID, (start + query.ray.tfar) / scale};
 }
 
-// Full double-precision decision for a ray that passes close to an edge or meets surfaces that lie on one another: the nearest
-// triangle that truly contains it, among the proposals and their neighbours. Each proposal is refused in turn, until what is
-// left lies behind the best one beyond doubt.
-std::uint32_t Tracer::Scene::decide(const Ray& ray, std::uint32_t proposal) const {
+// Full double-precision decision for a ray that passes close to an edge or meets surfaces that touch: the nearest triangle that
+// truly contains it, among what Embree proposes and its neighbours. Each proposal is refused in turn, until one holds - what
+// single precision can confuse with it are its neighbours - or what is left lies behind the best one.
+std::uint32_t Tracer::Scene::decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const {
   Hit best;
   std::vector<std::uint32_t> refused;
-  for (std::uint32_t next = proposal; next != no_index; next = propose_beyond(ray, refused)) {
-    if (best && exact.distance(ray, next) > best.distance + exact.depth_doubt(ray, best.triangle)) break;
-    const Hit hit = exact.nearest_around(ray, next, {ray.source_patch, no_index, no_index});
-    if (hit && (!best || hit.distance < best.distance)) best = hit;
-    if (best && !exact.is_stacked(best.triangle)) break;
-    refused.push_back(next);
+  for (Proposal next = proposal; next; next = propose_beyond(ray, ignored, refused)) {
+    if (best && next.distance > best.distance + exact.doubt()) break;
+    const Hit hit = exact.nearest_around(ray, source[next.primitive], ignored);
+    if (hit && (!best || std::pair(hit.distance, hit.triangle) < std::pair(best.distance, best.triangle))) best = hit;
+    if (best.triangle == next.primitive) break;
+    refused.push_back(next.primitive);
   }
   return best.triangle;
-}
-
-// A neighbouring ray met `hint`: does this ray, which was said to miss it or to go further, meet it after all?
-void Tracer::Scene::decide_again(const Ray& ray, std::uint32_t hint, std::uint32_t& found) const {
-  if (hint == no_index || hint == found || !exact.may_contain(ray, hint)) return;
-  if (exact.patch(hint) == ray.source_patch || !exact.ahead(ray, hint)) return;
-  if (found != no_index && exact.distance(ray, hint) >= exact.distance(ray, found)) return;
-  if (exact.contains(ray, hint)) found = hint;
 }
 
 Tracer::Tracer(const TriangleMesh& mesh, int packet) : scene_(std::make_unique<Scene>(mesh, packet)) {}
@@ -307,13 +309,7 @@ const TriangleMesh& Tracer::mesh() const { return scene_->mesh; }
 void Tracer::closest_triangles(std::span<const Ray> rays, std::span<std::uint32_t> found) const {
   for (std::size_t first = 0; first < rays.size(); first += packet_width) {
     const std::size_t count = std::min(packet_width, rays.size() - first);
-    scene_->closest(rays.subspan(first, count), found.subspan(first, count));
-  }
-  for (std::size_t i = 1; i < rays.size(); ++i) {
-    const std::uint32_t before = found[i - 1], here = found[i];
-    if (before == here) continue;
-    scene_->decide_again(rays[i], before, found[i]);
-    scene_->decide_again(rays[i - 1], here, found[i - 1]);
+    scene_->closest(rays.subspan(first, count), nothing_ignored, false, found.subspan(first, count));
   }
 }
 
@@ -326,20 +322,14 @@ void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const 
 
 std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction, const IgnoredPatches& ignored_patches) const {
   const Ray ray{origin, direction};
-  QueryContext context = blocker_context(scene_->exact, &ray, ignored_patches);
-  RTCRayHit query = single_ray(ray, scene_->scale);
-  rtcIntersect1(scene_->scene, &context, &query);
-  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? no_index : query.hit.primID;
+  const Proposal first = scene_->propose_beyond(ray, ignored_patches, {});
+  return first ? scene_->decide(ray, ignored_patches, first) : no_index;
 }
 
 void Tracer::blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches, std::span<std::uint32_t> found) const {
   for (std::size_t first = 0; first < rays.size(); first += packet_width) {
-    const std::span<const Ray> packet = rays.subspan(first, std::min(packet_width, rays.size() - first));
-    QueryContext context = blocker_context(scene_->exact, packet.data(), ignored_patches);
-    Packet answers;
-    scene_->intersect(packet, context, true, answers);
-    for (std::size_t lane = 0; lane < packet.size(); ++lane)
-      found[first + lane] = is_hit(answers, lane) ? answers.rays.hit.primID[lane] : no_index;
+    const std::size_t count = std::min(packet_width, rays.size() - first);
+    scene_->closest(rays.subspan(first, count), ignored_patches, true, found.subspan(first, count));
   }
 }
 
@@ -347,7 +337,5 @@ bool Tracer::meets_around(const dvec3& origin, const dvec3& direction, std::uint
                           const IgnoredPatches& ignored_patches) const {
   return static_cast<bool>(scene_->exact.nearest_around({origin, direction}, triangle, ignored_patches));
 }
-
-std::string Tracer::instruction_set() const { return widest_instruction_set(); }
 
 }  // namespace raytube

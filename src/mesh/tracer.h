@@ -27,25 +27,27 @@ struct Hit {
 
 /// Patches that a query leaves out; no_index fills the rest.
 using IgnoredPatches = std::array<std::uint32_t, 3>;
+inline constexpr IgnoredPatches nothing_ignored{no_index, no_index, no_index};
 
 class Tracer {
  public:
   /// Builds the ray-tracing structure; keeps a reference to `mesh`, which must outlive the tracer. Rays go to Embree `packet` at
-  /// a time (1, 8 or 16); nothing but speed depends on it.
+  /// a time (1 or 16); nothing but speed depends on it.
   explicit Tracer(const TriangleMesh& mesh, int packet = 16);
   ~Tracer();
   Tracer(Tracer&&) noexcept;
 
   const TriangleMesh& mesh() const;
 
-  /// The nearest surface each ray meets. Thread-safe. hits.size() == rays.size().
+  /// The nearest surface each ray meets: in double precision, rims included, ties to the lower index - whatever Embree makes of
+  /// it in single precision with the instruction set at hand. Thread-safe. hits.size() == rays.size().
   void closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const;
 
   /// The same without the distances; no_index where there is none. found.size() == rays.size().
   void closest_triangles(std::span<const Ray> rays, std::span<std::uint32_t> found) const;
 
-  /// A triangle that the half line from `origin` along `direction` meets, other than those of some patches; no_index if there is
-  /// none. Never names a triangle that the line misses in double precision. Thread-safe.
+  /// The nearest triangle that the half line from `origin` along `direction` meets, other than those of some patches; no_index if
+  /// there is none. Thread-safe.
   std::uint32_t blocker(const dvec3& origin, const dvec3& direction, const IgnoredPatches& ignored_patches) const;
   /// The same for many half lines; best if they lie side by side. found.size() == rays.size().
   void blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches, std::span<std::uint32_t> found) const;
@@ -54,11 +56,9 @@ class Tracer {
   bool meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
                     const IgnoredPatches& ignored_patches) const;
 
-  /// The instruction set Embree chose on this machine.
-  std::string instruction_set() const;
+  struct Scene;
 
  private:
-  struct Scene;
   std::unique_ptr<Scene> scene_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 
 #include "error.h"
@@ -129,6 +130,23 @@ Comparison compare_results(ResultTable result, ResultTable reference, double wit
     c.lag[channel] = lag_along_cuts(c, c.pairs[channel]);
   }
   return c;
+}
+
+double relative_error(const Comparison& c) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (c.result.rows.size() != c.rows() || c.reference.rows.size() != c.rows()) return none;
+  double difference = 0.0, whole = 0.0;
+  for (int channel = 0; channel < 4; ++channel) {
+    if (c.result.has_channel[channel] != c.reference.has_channel[channel]) return none;
+    if (!c.compared[channel]) continue;
+    const ChannelPair& pair = c.pairs[channel];
+    if (pair.reference.size() != c.rows()) return none;
+    for (std::size_t row = 0; row < c.rows(); ++row) {
+      difference += std::norm(pair.result[row] - pair.reference[row]);
+      whole += std::norm(pair.reference[row]);
+    }
+  }
+  return whole > 0.0 ? std::sqrt(difference / whole) : none;
 }
 
 }  // namespace raytube

@@ -41,4 +41,8 @@ struct Comparison {
 /// the tables share no row or no channel, or if the reference is zero throughout.
 Comparison compare_results(ResultTable result, ResultTable reference, double within_db, bool free_scale = false);
 
+/// ||result - reference|| / ||reference|| of complex S over all common rows and channels; infinite if a table has rows or
+/// channels of its own, or magnitudes only.
+double relative_error(const Comparison& comparison);
+
 }  // namespace raytube

@@ -75,10 +75,14 @@ void add_output_option(CLI::App& command, Request& request, const char* descript
   });
 }
 
-void add_threads_option(CLI::App& command, Request& request) {
+void add_machine_options(CLI::App& command, Request& request) {
   command.add_option("--threads", request.threads, "Number of threads; default all cores")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
+  command
+      .add_option("--instruction-set", request.instruction_set,
+                  "Use none wider than this one: sse2, sse4.2, avx, avx2, avx512; default the processor's. Results are the same")
+      ->type_name("NAME");
 }
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* description, const char* examples) {
@@ -125,7 +129,7 @@ CLI::App* add_run(CLI::App& app, Request& request) {
   CLI::App* run = add_command(app, "run", "Compute a case and write the results", run_examples);
   add_case_options(*run, request);
   add_output_option(*run, request, "Folder for the results; default <case folder>/out");
-  add_threads_option(*run, request);
+  add_machine_options(*run, request);
   run->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
   run->add_flag("--quiet", request.quiet, "No progress bar, no summary");
   add_random_options(*run, request);
@@ -159,6 +163,11 @@ std::string not_decibels(const std::string& text) {
   return number && std::isfinite(*number) && *number >= 0.0 ? "" : "needs a number of decibels, 0 or more (found " + text + ")";
 }
 
+std::string not_relative(const std::string& text) {
+  const std::optional<double> number = parsed_number(text);
+  return number && std::isfinite(*number) && *number >= 0.0 ? "" : "needs a number, 0 or more, such as 1e-9 (found " + text + ")";
+}
+
 CLI::App* add_compare(CLI::App& app, Request& request) {
   CLI::App* compare = add_command(app, "compare", "Measure how far a result is from a reference", compare_examples);
   compare->add_option("result", request.result, "Table to be judged")->required()->type_name("A.csv");
@@ -167,6 +176,12 @@ CLI::App* add_compare(CLI::App& app, Request& request) {
   compare->add_option("--tolerance-db", request.tolerance_db, "Exit with 1 if the rms error of a channel exceeds this")
       ->type_name("X")
       ->check(not_decibels);
+  compare
+      ->add_option("--tolerance-relative", request.tolerance_relative,
+                   "Exit with 1 if ||A - B|| / ||B|| of complex S, over all rows and channels, exceeds this, or if one table has "
+                   "rows or channels of its own")
+      ->type_name("X")
+      ->check(not_relative);
   compare
       ->add_option("--within-db", request.within_db,
                    "Errors in dB are over rows whose reference is this close to its peak; default 20")
@@ -189,7 +204,7 @@ CLI::App* add_converge(CLI::App& app, Request& request) {
   CLI::App* converge = add_command(app, "converge", "Study how a case converges with tube density", converge_examples);
   add_case_options(*converge, request);
   add_output_option(*converge, request, "Folder for the results; default <case folder>/out");
-  add_threads_option(*converge, request);
+  add_machine_options(*converge, request);
   converge->add_option("--densities", request.densities, "Tubes per wavelength, at least three; default 2,4,8,16,32,64")
       ->type_name("N,N,...");
   return converge;
@@ -199,7 +214,7 @@ CLI::App* add_sources(CLI::App& app, Request& request) {
   CLI::App* sources = add_command(app, "sources", "Count what rays from a point hit, for six launch models", sources_examples);
   add_case_options(*sources, request);
   add_output_option(*sources, request, "Folder for the results; default <case folder>/out");
-  add_threads_option(*sources, request);
+  add_machine_options(*sources, request);
   sources->add_flag("--quiet", request.quiet, "No progress bar, no summary");
   return sources;
 }

@@ -18,6 +18,7 @@ struct Request {
   std::vector<std::string> overrides;
   std::filesystem::path output_folder;  // empty: <case folder>/out; compare: no files
   int threads = 0;                      // 0: all cores
+  std::string instruction_set;          // empty: the widest one
   std::filesystem::path wedges_csv;     // check: list of wedges; empty: none wanted
   bool parts = false;
   std::optional<RandomOptions> random;  // run: --launch random
@@ -31,6 +32,7 @@ struct Request {
   std::vector<std::string> only;                  // compare: COLUMN=LOW:HIGH
   double within_db = 20.0;                        // compare: rows that count
   std::optional<double> tolerance_db;             // compare: fall short above it
+  std::optional<double> tolerance_relative;       // same
 };
 
 /// Throws InputError for a command line that cannot be understood.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "csv_reader.h"
@@ -62,6 +63,20 @@ void write_files(const std::filesystem::path& destination, const Comparison& com
   fmt::print("results in {}: compare.csv{}\n", folder.path().string(), trouble.empty() ? ", compare.png, compare.svg" : "");
 }
 
+// Throws what makes the program end with 1.
+void fall_short_above(const Comparison& comparison, const Request& request) {
+  if (request.tolerance_db)
+    if (const std::string above = above_tolerance(comparison, *request.tolerance_db); !above.empty())
+      throw std::runtime_error(fmt::format("rms error above the tolerance of {:g} dB: {}", *request.tolerance_db, above));
+  if (!request.tolerance_relative) return;
+  const double relative = relative_error(comparison);
+  if (std::isinf(relative))
+    throw std::runtime_error("no relative error: one of the tables has rows or channels of its own, or no phase");
+  if (relative > *request.tolerance_relative)
+    throw std::runtime_error(
+        fmt::format("relative error {:.2g} of complex S above the tolerance of {:g}", relative, *request.tolerance_relative));
+}
+
 }  // namespace
 
 void compare_command(const Request& request) {
@@ -73,9 +88,7 @@ void compare_command(const Request& request) {
   const Comparison comparison = compare_results(std::move(result), std::move(reference), request.within_db, request.free_scale);
   fmt::print("{}", comparison_text(comparison));
   if (!request.output_folder.empty()) write_files(request.output_folder, comparison);
-  if (!request.tolerance_db) return;
-  if (const std::string above = above_tolerance(comparison, *request.tolerance_db); !above.empty())
-    throw std::runtime_error(fmt::format("rms error above the tolerance of {:g} dB: {}", *request.tolerance_db, above));
+  fall_short_above(comparison, request);
 }
 
 }  // namespace raytube

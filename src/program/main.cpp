@@ -7,6 +7,7 @@
 #include <string>
 
 #include "error.h"
+#include "instruction_set.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 
@@ -17,6 +18,7 @@ using namespace raytube;
 constexpr int fell_short = 1, bad_input = 2, interrupted = 130;
 
 void execute(const Request& request) {
+  if (!request.instruction_set.empty()) limit_instruction_set(request.instruction_set);
   switch (request.command) {
     case Command::run:
       return run_command(request);

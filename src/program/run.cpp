@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "case/case.h"
+#include "instruction_set.h"
 #include "output/csv.h"
 #include "output/files.h"
 #include "output/manifest.h"
@@ -164,7 +165,7 @@ void run_command(const Request& request) {
   manifest.time.build_s = total.seconds() - manifest.time.read_s;
 
   const InterruptFlag interrupt_flag;
-  manifest.embree_instruction_set = target.tracer.instruction_set();
+  manifest.embree_instruction_set = name_of(allowed_instruction_set());
   manifest.threads = request.threads > 0 ? request.threads : all_threads();
   const Solved solved = solve_with_progress(target, c, request, manifest.threads);
   const auto& [result, by_chance] = solved;

@@ -37,6 +37,20 @@ TEST_F(CompareProgram, ExitCodeTellsTheTolerance) {
   EXPECT_EQ(raytube("compare a.csv b.csv --tolerance-db 0.3 --only phi_deg=1").code, 0);
 }
 
+TEST_F(CompareProgram, ExitCodeTellsTheRelativeTolerance) {
+  scratch.write("s.csv", "freq_hz,theta_deg,phi_deg,re_vv,im_vv\n1e9,90,0,3,4\n1e9,90,1,0,0\n");
+  scratch.write("t.csv", "freq_hz,theta_deg,phi_deg,re_vv,im_vv\n1e9,90,0,3,4\n1e9,90,1,0,0.005\n");
+  EXPECT_EQ(raytube("compare t.csv s.csv --tolerance-relative 0.0011").code, 0);
+  const Outcome above = raytube("compare t.csv s.csv --tolerance-relative 0.0009");
+  EXPECT_EQ(above.code, 1);
+  EXPECT_EQ(above.complaint, "raytube: relative error 0.001 of complex S above the tolerance of 0.0009\n");
+  scratch.write("longer.csv", text_of(scratch / "s.csv") + "1e9,90,2,0,0\n");
+  const std::string none = "raytube: no relative error: one of the tables has rows or channels of its own, or no phase\n";
+  EXPECT_EQ(raytube("compare longer.csv s.csv --tolerance-relative 1").complaint, none);
+  EXPECT_EQ(raytube("compare a.csv b.csv --tolerance-relative 1").complaint, none);
+  EXPECT_EQ(raytube("compare t.csv s.csv --tolerance-relative -1").code, 2);
+}
+
 TEST_F(CompareProgram, ReplacesWhatAnEarlierOneLeft) {
   fs::create_directory(scratch / "out");
   for (const char* name : {"compare.csv", "compare.png", "compare.svg", "rcs.csv"})

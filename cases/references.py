@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Runs the cases and holds the results against what is kept beside them (standard library only).
+
+    cases/references.py check  [--program build/raytube] [NAME ...]     exit 1 if one is further off than its tolerance
+    cases/references.py update [--program build/raytube] [NAME ...]     shows what changed, then writes the new results
+    cases/references.py bytes  [--program build/raytube] [NAME ...]     exit 1 unless every instruction set and number of threads gives
+                                                                        the same bytes
+
+NAME is a file's path from this folder without `.csv` (`dihedral/reference`); default all. Of two kinds:
+    reference*.csv    computed by other means: says whether a result is right. cases/make_cases.py writes it, `update` leaves it alone
+    golden*.csv       a result of raytube itself: says that nothing has changed. `update` writes it
+The head of each says where it comes from, what to run, which table to look at, how to compare it (options of `raytube compare`, or `exact`
+for the columns it has), and why with that tolerance. To add a golden file, write its head and `update` it."""
+import argparse
+import csv
+import glob
+import hashlib
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+COLUMNS = "freq_hz theta_deg phi_deg rx_theta_deg rx_phi_deg re_vv im_vv re_vh im_vh re_hv im_hv re_hh im_hh".split()
+SOURCE_COLUMNS = "position model rays_asked rays part first_hits all_hits limit_percent exact_percent estimate_percent escaped absorbed cut".split()
+
+
+def names():
+    paths = [path for kind in ("golden", "reference") for path in glob.glob(os.path.join(HERE, "*", kind + "*.csv"))]
+    return sorted(os.path.relpath(path, HERE)[:-4] for path in paths)
+
+
+def head_of(path):
+    """The lines `# key: value` at the beginning."""
+    with open(path) as f:
+        return dict(re.match(r"# (\w+): (.*)", line).groups() for line in f if line.startswith("# "))
+
+
+def rows_of(path):
+    with open(path) as f:
+        return list(csv.DictReader(line for line in f if not line.startswith("#")))
+
+
+def run(program, folder, head, output, options=()):
+    command = [program, *shlex.split(head["run"]), "-o", output, *options]
+    if command[1] == "run":
+        command += ["--quiet", "--set", "output.plots=false"]
+    subprocess.run(command, cwd=folder, check=True, stdout=subprocess.DEVNULL)
+
+
+def compared(program, result, reference, options):
+    """Whether they agree, and what there is to say about it."""
+    if not rows_of(reference):
+        return False, "it is new\n"
+    if options == "exact":
+        return compared_as_text(result, reference)
+    done = subprocess.run([program, "compare", result, reference, *shlex.split(options)], capture_output=True, text=True)
+    return done.returncode == 0, done.stdout + done.stderr
+
+
+def compared_as_text(result, reference):
+    ours, theirs = rows_of(result), rows_of(reference)
+    changed = [f"row {i + 1}, {key}: {a[key]}, was {b[key]}\n" for i, (a, b) in enumerate(zip(ours, theirs)) for key in b if a[key] != b[key]]
+    if len(ours) != len(theirs):
+        changed.append(f"{len(ours)} rows, were {len(theirs)}\n")
+    return not changed, "".join(changed)
+
+
+def write(path, head, rows):
+    columns = SOURCE_COLUMNS if head["compare"] == "exact" else COLUMNS
+    with open(path, "w") as f:
+        f.writelines(f"# {key}: {value}\n" for key, value in head.items())
+        f.write(",".join(columns) + "\n")
+        f.writelines(",".join(row[column] for column in columns) + "\n" for row in rows)
+
+
+def treat(name, program, update):
+    """True if all is well."""
+    path = os.path.join(HERE, name + ".csv")
+    head = head_of(path)
+    with tempfile.TemporaryDirectory() as output:
+        run(program, os.path.dirname(path), head, output)
+        result = os.path.join(output, head["table"])
+        same, text = compared(program, result, path, head["compare"])
+        print(f"{name}: {'agrees' if same else 'DIFFERS'} ({head['compare']})" + ("" if same else "\n" + text), flush=True)
+        renew = update and not same and os.path.basename(name).startswith("golden")
+        if renew:
+            write(path, head, rows_of(result))
+        return same or renew
+
+
+def bytes_of(path):
+    """Of sources.csv without its last column, seconds."""
+    with open(path) as f:
+        lines = [line.rpartition(",")[0] if path.endswith("sources.csv") else line for line in f]
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()
+
+
+def treat_bytes(name, program, _):
+    """True if the table is the same for three instruction sets times three numbers of threads."""
+    path = os.path.join(HERE, name + ".csv")
+    head = head_of(path)
+    found = {}
+    for instruction_set in ("sse2", "avx2", "avx512"):
+        for threads in ("1", "2", "7"):
+            with tempfile.TemporaryDirectory() as output:
+                run(program, os.path.dirname(path), head, output, ("--instruction-set", instruction_set, "--threads", threads))
+                found.setdefault(bytes_of(os.path.join(output, head["table"])), []).append(f"{instruction_set} x {threads}")
+    print(f"{name}: " + ("the same bytes" if len(found) == 1 else "DIFFERS: " + "; ".join(map(str, found.values()))), flush=True)
+    return len(found) == 1
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=["check", "update", "bytes"])
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--program", default=os.path.join(HERE, "..", "build", "raytube"))
+    chosen = parser.parse_args()
+    program = os.path.abspath(chosen.program)
+    action = treat_bytes if chosen.what == "bytes" else treat
+    results = [action(name, program, chosen.what == "update") for name in chosen.names or names()]
+    sys.exit(0 if all(results) else 1)
+
+
+if __name__ == "__main__":
+    main()

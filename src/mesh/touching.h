@@ -1,0 +1,27 @@
+// Surfaces that lie on one another, cross, or come close.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace raytube {
+
+/// For each triangle, the triangles of other patches that come within a distance of it elsewhere than along a common edge or at a
+/// common corner, or that open from there at a narrow angle: single precision cannot tell which of the two a ray meets first.
+class Touching {
+ public:
+  /// `distance` in metres, `narrow` in radians. May list triangles that are a little further apart.
+  Touching(const TriangleMesh& mesh, double distance, double narrow);
+
+  std::span<const std::uint32_t> operator[](std::uint32_t triangle) const {
+    return std::span(others_).subspan(first_[triangle], first_[triangle + 1] - first_[triangle]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> others_;
+};
+
+}  // namespace raytube
