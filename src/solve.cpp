@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,20 +14,14 @@
 #include "mesh/enclosed.h"
 #include "mesh/mirror.h"
 #include "sbr/launch.h"
-#include "skipped.h"
+#include "solve_look.h"
 #include "solve_parts.h"
+#include "solve_rows.h"
 #include "utd/ray_fields.h"
 
 namespace raytube {
 
 namespace {
-
-// One look, all frequencies: what the tubes and the wedges give, kept apart.
-struct LookResult {
-  TubeSums tubes;
-  EdgeLookResult edges;
-  BetweenResult between;
-};
 
 // All of the target in front, as seen from the antenna towards the target and towards the origin, for which V and H are given.
 void check_place(const TriangleMesh& mesh, const Antenna& antenna) {
@@ -109,114 +104,12 @@ LookResult solve_look(const RayFields& rays, const Sweep& sweep, const Look& loo
   return result;
 }
 
-ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) { return matrix *= factor; }
-
-// Puts the looks' results in their rows, in look order, and adds up the counts.
-class Collector {
- public:
-  Collector(const Sweep& sweep, const Target& target, const SolveOptions& options)
-      : sweep_(sweep), target_(target), options_(options) {
-    result_.total.resize(sweep.rows());
-    result_.error.resize(sweep.rows());
-    if (!options.keep_parts) return;
-    result_.edges_first.resize(sweep.rows());
-    result_.edges_higher.resize(sweep.rows());
-    result_.between.resize(sweep.rows());
-  }
-
-  // What was traced for a look.
-  void count(const LookResult& part) {
-    Statistics& all = result_.statistics;
-    all.tubes += part.tubes.tubes;
-    all.rays += part.tubes.rays;
-    all.lost_rays += part.tubes.lost_rays;
-    all.tubes_cut += part.tubes.tubes_cut;
-    all.sliver_area += part.tubes.sliver_area;
-    if (all.hits.size() < part.tubes.hits.size()) all.hits.resize(part.tubes.hits.size());
-    for (std::size_t b = 0; b < part.tubes.hits.size(); ++b) all.hits[b] += part.tubes.hits[b];
-    skipped_.empty_cells += part.tubes.empty_cells;
-    skipped_.faces_away += part.tubes.faces_away;
-  }
-
-  // The rows of a look.
-  void add(std::size_t look, const LookResult& part, const LookSource& source) {
-    for (std::size_t f = 0; f < sweep_.frequencies.size(); ++f) add_row(look, f, part, source);
-    Statistics& all = result_.statistics;
-    all.wedges_lit += part.edges.wedges_lit;
-    all.painted_pieces += part.between.lit_pieces;
-    for (const bool windowed : part.edges.windowed) all.windowed_rows += windowed ? 1 : 0;
-    if (part.tubes.tubes == 0 && options_.edges.method != EdgeMethod::utd) ++looks_without_tubes_;
-    if (options_.edges.method == EdgeMethod::fringe && !part.edges.lit)
-      ++(part.edges.scattering.empty() ? skipped_.edgeless_looks : skipped_.unlit_looks);
-  }
-
-  SweepResult finish(const LookPlan& plan, const std::vector<bool>& crowded) {
-    Statistics& all = result_.statistics;
-    if (looks_without_tubes_)
-      all.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
-    for (const Skipped& left_out : skipped_wedges(target_.wedges, target_.rims, options_.edges.method, sweep_.frequencies))
-      if (left_out.count) all.skipped.push_back(left_out);
-    skipped_.repeated_looks = plan.repeated;
-    skipped_.mirrored_looks = plan.mirrored;
-    skipped_.crowded_frequencies = static_cast<std::uint64_t>(std::ranges::count(crowded, true));
-    skipped_.near_looks = looks_too_near_for_between(target_, sweep_, options_.edges);
-    if (options_.tubes.skip) count_spared_by_shape();
-    for (const Skipped& item : skipped_items(skipped_)) all.skipped.push_back(item);
-    all.wedges = target_.wedges.size();
-    if (options_.edges.method == EdgeMethod::fringe) count_thin_rims(target_.rims);
-    return std::move(result_);
-  }
-
- private:
-  void count_spared_by_shape() {
-    const std::vector<std::uint64_t>& hits = result_.statistics.hits;
-    if (target_.convexity.no_reflection && !hits.empty()) skipped_.reflected_tubes = hits[0];
-    if (options_.edges.method != EdgeMethod::none) skipped_.enclosed_wedges = target_.wedges_enclosed;
-  }
-
-  void count_thin_rims(std::span<const Rim> rims) {
-    const auto [lowest, highest] = std::ranges::minmax(sweep_.frequencies);
-    result_.statistics.thin_rims_lowest = thin_rims(rims, lowest);
-    result_.statistics.thin_rims_highest = thin_rims(rims, highest);
-  }
-
-  void add_row(std::size_t look, std::size_t f, const LookResult& part, const LookSource& source) {
-    const std::size_t row = sweep_.row(look, f);
-    const Complex factor = to_mesh_origin(target_.mesh, sweep_.looks[look], sweep_.frequencies[f]);
-    result_.error[row] = part.tubes.error[f];
-    for (std::size_t b = 0; b < part.tubes.bounces.size(); ++b) {
-      const ScatteringMatrix bounce = scaled(from_source(part.tubes.bounces[b][f], source), factor);
-      result_.total[row] += bounce;
-      if (!options_.keep_parts) continue;
-      if (result_.bounces.size() <= b) result_.bounces.emplace_back(sweep_.rows());
-      result_.bounces[b][row] = bounce;
-    }
-    add_between(row, f, part, source, factor);
-    if (part.edges.scattering.empty()) return;
-    add_edges(row, scaled(from_source(part.edges.scattering[f], source), factor), result_.edges_first);
-    if (part.edges.higher.empty()) return;
-    add_edges(row, scaled(from_source(part.edges.higher[f], source), factor), result_.edges_higher);
-  }
-
-  void add_between(std::size_t row, std::size_t f, const LookResult& part, const LookSource& source, Complex factor) {
-    if (part.between.scattering.empty()) return;
-    add_edges(row, scaled(from_source(part.between.scattering[f], source), factor), result_.between);
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) result_.error[row][p][q] += part.between.error[f][p][q];
-  }
-
-  void add_edges(std::size_t row, const ScatteringMatrix& edges, std::vector<ScatteringMatrix>& part) {
-    result_.total[row] += edges;
-    if (options_.keep_parts) part[row] = edges;
-  }
-
-  const Sweep& sweep_;
-  const Target& target_;
-  const SolveOptions& options_;
-  std::uint64_t looks_without_tubes_ = 0;
-  SkipCounts skipped_;
-  SweepResult result_;
-};
+// One kept from an earlier run, if there is.
+std::optional<LookResult> kept_look(const KeptLooks& kept, std::size_t place, const Sweep& sweep) {
+  if (!kept.find) return {};
+  const std::string bytes = kept.find(place);
+  return bytes.empty() ? std::nullopt : look_of_bytes(bytes, sweep.frequencies.size());
+}
 
 }  // namespace
 
@@ -296,22 +189,28 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result.
   const LookPlan plan =
       rays ? plan_of(target, sweep, options.tubes, EdgeMethod::utd) : plan_of(target, sweep, options.tubes, smooth.has_value());
-  std::vector<LookResult> computed(plan.computed.size());
-  const double share = 1.0 / static_cast<double>(computed.size());
+  if (options.kept.begin) options.kept.begin(plan.computed.size());
+  RowCollector rows(target, sweep, options, plan);
+  const double share = 1.0 / static_cast<double>(plan.computed.size());
+  const auto solve_place = [&](std::size_t place) {
+    if (const std::optional<LookResult> known = kept_look(options.kept, place, sweep)) {
+      rows.add(place, *known);
+      return progress.add(share);
+    }
+    const Look& look = sweep.looks[plan.computed[place]];
+    LookResult found = rays ? solve_look(*rays, sweep, look, progress, share)
+                            : solve_look(target, smooth ? &*smooth : nullptr, edges, sweep, look, options, progress, share);
+    stop_if_cancelled();
+    found.keep_sums_only();
+    rows.add(place, found);
+    if (options.kept.keep) options.kept.keep(place, look_bytes(found));
+  };
   run_on_threads(options.threads, [&] {
-    tbb::parallel_for(std::size_t{0}, computed.size(), [&](std::size_t i) {
-      const Look& look = sweep.looks[plan.computed[i]];
-      computed[i] = rays ? solve_look(*rays, sweep, look, progress, share)
-                         : solve_look(target, smooth ? &*smooth : nullptr, edges, sweep, look, options, progress, share);
-    });
+    // A thread that waits for the tiles of its look begins no other look: so many looks are under way as there are threads.
+    tbb::parallel_for(std::size_t{0}, plan.computed.size(),
+                      [&](std::size_t place) { tbb::this_task_arena::isolate([&] { solve_place(place); }); });
   });
-  Collector collector(sweep, target, options);
-  for (const LookResult& look : computed) collector.count(look);
-  for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
-    const LookSource& source = plan.sources[i];
-    collector.add(i, computed[source.place], source);
-  }
-  SweepResult result = collector.finish(plan, crowded_between(target, sweep, options.edges));
+  SweepResult result = rows.finish(crowded_between(target, sweep, options.edges));
   result.statistics.ray_range = range;
   result.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

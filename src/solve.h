@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <span>
+#include <string>
 
 #include "look_plan.h"
 #include "mesh/convexity.h"
@@ -32,6 +33,14 @@ struct EdgeOptions {
   double min_wedge_angle = 15.0 * degree;  // a crease flatter than this is tessellation, not an edge [rad]
 };
 
+/// Finished looks in the hands of whoever calls, as bytes whose meaning is the solver's own (of the same program, target, sweep
+/// and options): a solve that was stopped goes on from them and gives the same bits as one that was not.
+struct KeptLooks {
+  std::function<void(std::size_t looks)> begin;                    // told first: how many are computed in all
+  std::function<std::string(std::size_t place)> find;              // those kept for one of them; empty: it has to be computed
+  std::function<void(std::size_t place, std::string bytes)> keep;  // of one just computed. Both from any thread
+};
+
 struct SolveOptions {
   TubeOptions tubes;
   EdgeOptions edges;
@@ -39,6 +48,7 @@ struct SolveOptions {
   bool keep_parts = false;  // fill SweepResult::bounces and edges
   /// Called now and then with the finished share of the work (0..1); return false to stop (solve then throws Interrupted).
   std::function<bool(double)> progress;
+  KeptLooks kept{};
 };
 
 /// A mesh ready to be solved with these edge options: its ray-tracing structures, wedges, outlines of their faces, and

@@ -12,4 +12,8 @@ int all_threads();
 /// limit is never lowered.
 void run_on_threads(int threads, const std::function<void()>& work);
 
+/// To be called after a parallel loop that may lie inside another one: when an exception stops the outer one, the inner one
+/// returns as if it were done. Throws Interrupted then.
+void stop_if_cancelled();
+
 }  // namespace raytube

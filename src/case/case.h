@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solve.h"
@@ -49,5 +50,8 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
 /// The resolved case with every default filled in, as JSON text with the case file's keys and units. File names stay relative
 /// to the case file's folder, so that it can be read as a case there.
 std::string resolved_case_json(const Case& c);
+
+/// The same key by key ("tubes.mode" and its value in JSON), but for the title and [output], on which no amplitude depends.
+std::vector<std::pair<std::string, std::string>> numerical_keys(const Case& c);
 
 }  // namespace raytube

@@ -71,9 +71,7 @@ void put_looks(const LookChoice& looks, Json& json) {
     json["receive"] = {{"theta_deg", one_or_list(looks.rx_theta_deg)}, {"phi_deg", one_or_list(looks.rx_phi_deg)}};
 }
 
-}  // namespace
-
-std::string resolved_case_json(const Case& c) {
+Json resolved_case(const Case& c) {
   Json json;
   json["title"] = c.title;
   json["target"] = {{"mesh", c.mesh}, {"unit", c.unit}, {"material", "pec"}};
@@ -88,7 +86,24 @@ std::string resolved_case_json(const Case& c) {
     json["output"]["image_look"] = c.image_looks;
     json["output"]["image_per_wavelength"] = c.image_per_wavelength;
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return json;
+}
+
+std::string text_of(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+
+std::string resolved_case_json(const Case& c) { return text_of(resolved_case(c), 2); }
+
+std::vector<std::pair<std::string, std::string>> numerical_keys(const Case& c) {
+  std::vector<std::pair<std::string, std::string>> keys;
+  const Json json = resolved_case(c);
+  for (const auto& section : json.items()) {
+    if (section.key() == "title" || section.key() == "output") continue;
+    for (const auto& entry : section.value().items())
+      keys.emplace_back(section.key() + '.' + entry.key(), text_of(entry.value(), -1));
+  }
+  return keys;
 }
 
 }  // namespace raytube

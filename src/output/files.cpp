@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
+#include <regex>
 #include <stdexcept>
 #include <system_error>
 
@@ -31,6 +34,21 @@ fs::path temporary_beside(const fs::path& path) {
   return path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), getpid());
 }
 
+// Removes what temporary_beside names in a folder: this process's own, or those of processes that are no more.
+void remove_leftovers(const fs::path& folder, bool own) {
+  static const std::regex leftover(R"(\.(results|probe)\.(\d{1,9})\.part)");
+  std::error_code ignored;
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    std::smatch parts;
+    if (!std::regex_match(name, parts, leftover)) continue;
+    const pid_t process = std::stoi(parts[2]);
+    if (own ? process == getpid() : kill(process, 0) != 0 && errno == ESRCH) found.push_back(entry.path());
+  }
+  for (const fs::path& path : found) fs::remove_all(path, ignored);
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& path) : path_(fs::absolute(path).lexically_normal()) {
@@ -41,12 +59,31 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(fs::absolute(path).lexi
   if (!error && !fs::is_directory(path_)) error = std::make_error_code(std::errc::not_a_directory);
   if (error) not_writable(path, "cannot be created (" + error.message() + ")");
   first_created_ = missing;
-  const fs::path probe = temporary_beside(path_ / "probe");
-  if (!std::ofstream(probe)) not_writable(path, "cannot be written to");
-  fs::remove(probe, error);
+  try {
+    lock_.emplace(path_);
+    const fs::path probe = temporary_beside(path_ / "probe");
+    if (!std::ofstream(probe)) not_writable(path, "cannot be written to");
+    fs::remove(probe, error);
+  } catch (const InputError&) {
+    lock_.reset();
+    remove_if_empty();
+    throw;
+  }
+  remove_leftovers(path_, false);
 }
 
 OutputFolder::~OutputFolder() {
+  lock_.reset();
+  remove_if_empty();
+}
+
+void OutputFolder::abandon() const {
+  remove_leftovers(path_, true);
+  lock_->remove_file();
+  remove_if_empty();
+}
+
+void OutputFolder::remove_if_empty() const {
   if (first_created_.empty()) return;
   std::error_code error;
   for (fs::path at = path_; fs::remove(at, error) && at != first_created_;) at = at.parent_path();  // stops at a folder in use
@@ -54,7 +91,9 @@ OutputFolder::~OutputFolder() {
 
 NewResults::NewResults(const fs::path& destination)
     : destination_(destination), folder_(temporary_beside(destination / "results")) {
-  fs::create_directory(folder_);
+  std::error_code error;
+  fs::create_directory(folder_, error);
+  if (error) throw std::runtime_error(fmt::format("{}: cannot be created ({})", folder_.string(), error.message()));
 }
 
 NewResults::~NewResults() {

@@ -4,16 +4,21 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "output/folder_lock.h"
+
 namespace raytube {
 
-/// The folder results go to. Created if missing; a folder created here and still empty in the end is removed again.
+/// The folder results go to, for one program at a time. Created if missing; a folder created here and still empty in the end is
+/// removed again.
 class OutputFolder {
  public:
-  /// Throws InputError if the folder cannot be created or written to.
+  /// Throws InputError if the folder cannot be created or written to, or if another program is at work for it. Removes what
+  /// killed ones have left half-written.
   explicit OutputFolder(const std::filesystem::path& path);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -21,9 +26,15 @@ class OutputFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
+  /// Leaves it as the end of the program would, but for the lock: for a program that is about to end without clearing up.
+  void abandon() const;
+
  private:
+  void remove_if_empty() const;
+
   std::filesystem::path path_;
   std::filesystem::path first_created_;  // empty if everything existed
+  std::optional<FolderLock> lock_;
 };
 
 /// The files of one run on their way into `destination`: written in folder(), then placed. Whatever was not placed is removed.

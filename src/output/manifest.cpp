@@ -55,8 +55,10 @@ Json launch_json(const RandomRuns& random) {
           {"deterministic_s", random.deterministic_s}};
 }
 
-Json time_json(const Timing& time, double solve_s) {
-  return {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
+Json time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) {
+  Json json = {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
+  if (looks_resumed > 0) json["looks_resumed"] = looks_resumed;
+  return json;
 }
 
 }  // namespace
@@ -73,7 +75,7 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["threads"] = manifest.threads;
   if (manifest.random) json["launch"] = launch_json(*manifest.random);
   json["counts"] = counts_json(manifest.statistics);
-  json["time"] = time_json(manifest.time, manifest.statistics.solve_s);
+  json["time"] = time_json(manifest.time, manifest.statistics.solve_s, manifest.looks_resumed);
   json["peak_rss_bytes"] = manifest.peak_rss_bytes;
   json["rcs_csv_sha256"] = manifest.rcs_csv_sha256;
   OutputFile out(file);

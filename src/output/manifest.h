@@ -36,6 +36,7 @@ struct Manifest {
   std::optional<RandomRuns> random;                         // with --launch random
   Statistics statistics;
   Timing time;
+  std::uint64_t looks_resumed = 0;  // computed by earlier runs, whose time is not in solve_s
   std::uint64_t peak_rss_bytes = 0;
   std::string rcs_csv_sha256;
 };

@@ -11,6 +11,7 @@
 #include "mesh/mirror.h"
 #include "program/commands.h"
 #include "program/images.h"
+#include "program/memory.h"
 #include "program/wedge_list.h"
 #include "sbr/launch.h"
 #include "skipped.h"
@@ -238,6 +239,14 @@ void print_cost(const Case& c, const TriangleMesh& mesh, const LookPlan& plan) {
              threads, threads == 1 ? "" : "s", c.tubes.mode == TubeMode::adaptive ? "; adaptive tubes are mostly far fewer" : "");
 }
 
+void print_memory(const Target& target, const Case& c) {
+  const auto bytes = [&](bool parts) {
+    return memory_text(memory_of_run(target, c, {c.tubes, c.edges, all_threads(), parts, {}}, nullptr));
+  };
+  fmt::print("\nmemory\n  at most about {}, {} with --parts, however dense the tubes are; {} are to be had\n", bytes(false),
+             bytes(true), memory_text(memory_to_be_had()));
+}
+
 }  // namespace
 
 void check_command(const Request& request) {
@@ -258,6 +267,7 @@ void check_command(const Request& request) {
     print_clipped_cost(loaded.mesh, plan);
   else
     print_cost(c, loaded.mesh, plan);
+  print_memory(target, c);
   if (request.wedges_csv.empty()) return;
   const std::vector<Wedge> used = merge_thin_rims(target.wedges, target.rims, thin_limit(highest_frequency(c.sweep)));
   write_wedges_csv(request.wedges_csv, loaded.mesh, used, c.sweep);

@@ -15,11 +15,13 @@ namespace raytube {
 namespace {
 
 constexpr const char* run_examples =
-    "Writes rcs.csv, channels.csv, rcs.png, rcs.svg and run.json.\n\n"
+    "Writes rcs.csv, channels.csv, rcs.png, rcs.svg and run.json. Stopped in any way, it leaves its finished looks there for\n"
+    "--resume.\n\n"
     "Examples:\n"
     "  raytube run cases/dihedral/case.toml\n"
     "  raytube run case.toml -o results --threads 4 --parts\n"
     "  raytube run case.toml --set tubes.per_wavelength=20 --set edges.method=none\n"
+    "  raytube run case.toml --resume\n"
     "  raytube run case.toml --launch random --samples 100000 --seed 1 --repeat 10      (also writes random.csv)";
 constexpr const char* check_examples =
     "Prints the resolved case, the mesh report, the wedges, what will be skipped and the expected cost.\n\n"
@@ -131,6 +133,7 @@ CLI::App* add_run(CLI::App& app, Request& request) {
   add_output_option(*run, request, "Folder for the results; default <case folder>/out");
   add_machine_options(*run, request);
   run->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
+  run->add_flag("--resume", request.resume, "Go on with the looks that a run stopped before has left in the folder");
   run->add_flag("--quiet", request.quiet, "No progress bar, no summary");
   add_random_options(*run, request);
   return run;
@@ -263,6 +266,8 @@ Request parse_command_line(int argc, const char* const* argv) {
   if (run->count("--launch") == 0) request.random.reset();
   if (request.random && request.parts)
     throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");
+  if (request.random && request.resume)
+    throw InputError("--resume: random tubes are drawn anew as a whole; leave out --resume or --launch random");
   for (const auto& [given, command] : commands)
     if (*given) request.command = command;
   return request;

@@ -22,6 +22,7 @@ struct Request {
   std::filesystem::path wedges_csv;     // check: list of wedges; empty: none wanted
   bool parts = false;
   std::optional<RandomOptions> random;  // run: --launch random
+  bool resume = false;                  // run: go on with what a stopped one has left
   bool quiet = false;
   std::size_t look = 0;
   double u = 0.0, v = 0.0;                        // launch coordinates [m], origin = mesh origin

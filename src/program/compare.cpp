@@ -51,9 +51,8 @@ void keep_chosen_rows(ResultTable& result, ResultTable& reference, const std::ve
 }
 
 void write_files(const std::filesystem::path& destination, const Comparison& comparison) {
-  const InterruptFlag interrupt_flag;
-  InterruptFlag::clean_up_first();
   const OutputFolder folder(destination);
+  const InterruptFlag interrupt_flag([&folder] { return without_results(folder); });
   const NewResults results(folder.path());
   write_compare_csv(results.folder() / "compare.csv", comparison);
   const std::string trouble = plot_comparison(results.folder(), comparison);

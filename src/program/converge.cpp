@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 #include "case/case.h"
@@ -12,6 +13,7 @@
 #include "output/convergence_report.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
+#include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "sbr/launch.h"
@@ -58,10 +60,13 @@ double work(double density) { return density * density; }
 // Solves one density after the other and keeps what is finished on disk.
 class Study {
  public:
-  Study(const Case& c, const Target& target, const Request& request, fs::path destination, const std::vector<double>& densities)
+  Study(const Case& c, const Target& target, const Request& request, const fs::path& destination,
+        const std::vector<double>& densities)
       : case_(c),
         target_(target),
-        destination_(std::move(destination)),
+        destination_(destination),
+        folder_(destination),
+        densities_(densities.size()),
         bar_(isatty(STDERR_FILENO) != 0),
         study_{c.title, c.sweep, {}, {}} {
     // Clipped tubes have no density to study.
@@ -85,19 +90,32 @@ class Study {
     bar_.note(note());
   }
 
-  std::size_t finished() const { return study_.results.size(); }
+  /// On disk.
+  std::size_t finished() const { return finished_densities_; }
   std::string text() const { return convergence_text(study_); }
 
-  /// Puts the study so far in the place of what an earlier one left. Returns the folder.
-  fs::path write(bool with_plot) const {
-    const OutputFolder folder(destination_);
-    const NewResults results(folder.path());
+  const fs::path& folder() const { return folder_.path(); }
+
+  std::string interrupted_sentence() const {
+    if (finished() == 0) return Interrupted().what();
+    return fmt::format("interrupted; converge.csv in {} holds the {} of {} densities that were finished", destination_.string(),
+                       finished(), densities_);
+  }
+
+  std::string last_words() const {
+    folder_.abandon();
+    return interrupted_sentence();
+  }
+
+  /// Puts the study so far in the place of what an earlier one left.
+  void write(bool with_plot) {
+    const NewResults results(folder());
     write_converge_csv(results.folder() / "converge.csv", study_);
     const std::string trouble = with_plot ? plot_convergence(results.folder(), study_) : "";
     if (with_plot) stop_if_interrupted();
     if (!trouble.empty()) warn(trouble);
-    replace_results(results, folder.path(), {"converge.png", "converge.svg"}, {"converge.csv"});
-    return folder.path();
+    replace_results(results, folder(), {"converge.png", "converge.svg"}, {"converge.csv"});
+    finished_densities_ = study_.results.size();
   }
 
  private:
@@ -105,13 +123,17 @@ class Study {
     const DensityResult& result = study_.results.back();
     const std::string text =
         fmt::format("{:>8} tubes per wavelength: {:.2f} s", number_text(result.per_wavelength), result.solve_s);
-    if (finished() == 1) return text;
-    return text + fmt::format(", relative change {:.2g}", study_.convergence.densities[finished() - 2].relative_change);
+    const std::size_t count = study_.results.size();
+    if (count == 1) return text;
+    return text + fmt::format(", relative change {:.2g}", study_.convergence.densities[count - 2].relative_change);
   }
 
   const Case& case_;
   const Target& target_;
-  fs::path destination_;
+  fs::path destination_;  // as it was asked for
+  OutputFolder folder_;
+  std::size_t densities_;
+  std::atomic<std::size_t> finished_densities_ = 0;
   ProgressBar bar_;
   SolveOptions options_;
   ConvergenceStudy study_;
@@ -131,20 +153,18 @@ void converge_command(const Request& request) {
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   check_finest(densities.back(), request.densities, c, loaded.mesh);
   const Target target(loaded.mesh, c.edges);
-  const InterruptFlag interrupt_flag;
+  check_memory(target, c, {c.tubes, c.edges, request.threads > 0 ? request.threads : all_threads(), false, {}}, nullptr);
   Study study(c, target, request, destination, densities);
+  const InterruptFlag interrupt_flag([&study] { return study.last_words(); });
   try {
     for (const double density : densities) {
       study.add(density);
       study.write(false);
     }
-    InterruptFlag::clean_up_first();
-    const fs::path folder = study.write(c.plots);
-    fmt::print("{}results         {}\n", study.text(), folder.string());
+    study.write(c.plots);
+    fmt::print("{}results         {}\n", study.text(), study.folder().string());
   } catch (const Interrupted&) {
-    if (study.finished() == 0) throw;
-    throw Interrupted(fmt::format("interrupted; converge.csv in {} holds the {} of {} densities that were finished",
-                                  destination.string(), study.finished(), densities.size()));
+    throw Interrupted(study.interrupted_sentence());
   }
 }
 

@@ -1,18 +1,28 @@
 #include "program/interrupt.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <ctime>
 
 namespace raytube {
 
 namespace {
 
-volatile std::sig_atomic_t deferred = 0;
-volatile std::sig_atomic_t flag = 0;
-volatile std::sig_atomic_t must_clean_up = 0;
+using namespace std::chrono_literals;
+
+constexpr auto look_out = 50ms;   // for the flag
+constexpr auto patience = 500ms;  // with a computation that should end by itself
+
+std::atomic<bool> deferred = false;
+std::atomic<int> flag = 0;                             // the signal
+static_assert(std::atomic<int>::is_always_lock_free);  // else no signal handler may touch it
 timespec raised_at;
+std::mutex moving;  // of results into their place
 
 double seconds_since(const timespec& earlier) {
   timespec now;
@@ -25,11 +35,10 @@ void on_signal(int signal) {
   static constexpr char sentence[] = "raytube: interrupted\n";
   if (deferred && !flag) {
     clock_gettime(CLOCK_MONOTONIC, &raised_at);
-    flag = 1;
+    flag = signal;
     return;
   }
-  if (deferred && must_clean_up) return;
-  if (deferred && seconds_since(raised_at) < 1.0) return;  // shells and wrappers may deliver one Ctrl-C twice
+  if (deferred && seconds_since(raised_at) < 2.0) return;  // shells and wrappers may deliver one Ctrl-C twice
   if (write(STDERR_FILENO, sentence, sizeof sentence - 1) < 0) _exit(128 + signal);
   _exit(128 + signal);
 }
@@ -43,16 +52,36 @@ void end_on_interrupt() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-InterruptFlag::InterruptFlag() {
+InterruptFlag::InterruptFlag(std::function<std::optional<std::string>()> last_words) : last_words_(std::move(last_words)) {
   flag = 0;
-  must_clean_up = 0;
-  deferred = 1;
+  deferred = true;
+  watch_ = std::jthread([this](const std::stop_token& over) { watch(over); });
 }
 
-InterruptFlag::~InterruptFlag() { deferred = 0; }
+InterruptFlag::~InterruptFlag() {
+  watch_.request_stop();
+  watch_.join();
+  deferred = false;
+}
 
 bool InterruptFlag::raised() { return flag != 0; }
 
-void InterruptFlag::clean_up_first() { must_clean_up = 1; }
+void InterruptFlag::watch(const std::stop_token& over) {
+  const auto pause = [&](auto duration) {
+    std::unique_lock lock(mutex_);
+    over_.wait_for(lock, over, duration, [] { return false; });
+  };
+  while (!raised() && !over.stop_requested()) pause(look_out);
+  pause(patience);
+  if (over.stop_requested()) return;
+  const std::lock_guard not_while_results_move(moving);
+  const std::optional<std::string> sentence = last_words_();
+  if (!sentence) return;
+  fmt::print(stderr, "{}raytube: {}\n", isatty(STDERR_FILENO) ? "\r\033[K" : "", *sentence);
+  _exit(128 + flag);
+}
+
+NotNow::NotNow() { moving.lock(); }
+NotNow::~NotNow() { moving.unlock(); }
 
 }  // namespace raytube

@@ -1,24 +1,47 @@
-// Ctrl-C: at once while nothing is at stake, at the next tile during the computation, at the next file while results are written.
+// Ctrl-C: at once while nothing is at stake; during the computation at the next tile, and in any case within a second.
 #pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
 
 namespace raytube {
 
 /// From now on Ctrl-C (or a termination request) ends the program at once with a message and code 130 (143).
 void end_on_interrupt();
 
-/// While one lives, Ctrl-C only raises a flag, so that results are either complete or absent; another one a second later
-/// ends at once.
+/// While one lives, Ctrl-C only raises a flag, for the computation to end by itself. If that takes too long (nobody looks at the
+/// flag inside a single edge or a library), `last_words` clears up from a thread of its own and says what is left, and the
+/// program ends there; without a sentence, the program is done anyway and may go on. Another Ctrl-C two seconds later ends at
+/// once.
 class InterruptFlag {
  public:
-  InterruptFlag();
+  explicit InterruptFlag(std::function<std::optional<std::string>()> last_words);
   ~InterruptFlag();
   InterruptFlag(const InterruptFlag&) = delete;
   InterruptFlag& operator=(const InterruptFlag&) = delete;
 
   static bool raised();
 
-  /// From now on a second one does not end the program at once either: what is written has to be cleaned up first.
-  static void clean_up_first();
+ private:
+  void watch(const std::stop_token& over);
+
+  std::function<std::optional<std::string>()> last_words_;
+  std::mutex mutex_;
+  std::condition_variable_any over_;
+  std::jthread watch_;
+};
+
+/// While one lives, nobody's last words end the program: results change places.
+class NotNow {
+ public:
+  NotNow();
+  ~NotNow();
+  NotNow(const NotNow&) = delete;
+  NotNow& operator=(const NotNow&) = delete;
 };
 
 }  // namespace raytube

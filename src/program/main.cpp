@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -50,6 +51,7 @@ int complain(std::string sentence, int code) {
 int main(int argc, char** argv) {
   try {
     end_on_interrupt();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails, as on a full disk
     execute(parse_command_line(argc, argv));
     return 0;
   } catch (const InputError& error) {

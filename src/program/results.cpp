@@ -15,8 +15,14 @@ void stop_if_interrupted() {
   if (InterruptFlag::raised()) throw Interrupted();
 }
 
+std::string without_results(const OutputFolder& folder) {
+  folder.abandon();
+  return Interrupted().what();
+}
+
 void replace_results(const NewResults& results, const std::filesystem::path& folder, const std::vector<std::string>& pictures,
                      const std::vector<std::string>& tables) {
+  const NotNow results_change_places;
   std::error_code ignored;
   for (auto name = std::rbegin(tables); name != std::rend(tables); ++name) std::filesystem::remove(folder / *name, ignored);
   for (const std::string& name : pictures) std::filesystem::remove(folder / name, ignored);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 
 #include "case/case.h"
@@ -16,6 +17,8 @@
 #include "program/commands.h"
 #include "program/images.h"
 #include "program/interrupt.h"
+#include "program/look_journal.h"
+#include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "threads.h"
@@ -41,16 +44,20 @@ struct Solved {
   std::optional<RandomResult> by_chance = {};
 };
 
-Solved solve_with_progress(const Target& target, const Case& c, const Request& request, int threads) {
+Solved solve_with_progress(const Target& target, const Case& c, const Request& request, int threads, LookJournal& journal) {
   ProgressBar bar(!request.quiet && isatty(STDERR_FILENO) != 0);
   SolveOptions options{c.tubes, c.edges, threads, request.parts, {}};
   options.progress = [&](double share) {
     bar.show(share);
+    journal.write_now_and_then();
     return !InterruptFlag::raised();
   };
-  if (!request.random) return {solve(target, c.sweep, options)};
-  RandomResult random = solve_by_chance(target, c.sweep, options, *request.random);
-  return {random.mean, std::move(random)};
+  if (request.random) {
+    RandomResult random = solve_by_chance(target, c.sweep, options, *request.random);
+    return {random.mean, std::move(random)};
+  }
+  options.kept = journal.looks();
+  return {solve(target, c.sweep, options)};
 }
 
 void write_tables(const fs::path& folder, const Case& c, const Solved& solved, bool parts) {
@@ -111,6 +118,17 @@ Manifest describe_input(const Case& c, const MeshReport& report) {
   return manifest;
 }
 
+// What every bit of a finished look depends on, beside the number of threads, on which none does.
+JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
+  JournalIdentity identity{{"version of raytube", manifest.program_version + ' ' + sha256_of_file("/proc/self/exe")},
+                           {"mesh in target.mesh", manifest.mesh_sha256},
+                           {"list in look.looks_csv", manifest.looks_csv_sha256}};
+  if (!c.radar.pattern_csv.empty())
+    identity.emplace_back("pattern in radar.pattern_csv", sha256_of_file(c.file.parent_path() / c.radar.pattern_csv));
+  for (const auto& [key, value] : numerical_keys(c)) identity.emplace_back(key, value);
+  return identity;
+}
+
 double peak_sigma_dbsm(const SweepResult& result) {
   double peak = sigma_dbsm(0.0);
   for (const ScatteringMatrix& s : result.total)
@@ -138,6 +156,8 @@ void print_summary(const SweepResult& result, const TubeOptions& tubes, const Ma
   fmt::print("rays        {} in {} {}, {:.2f} s on {} thread{}\n", s.rays, s.tubes, paths ? "paths" : "tubes", s.solve_s,
              manifest.threads, manifest.threads == 1 ? "" : "s");
   if (paths) fmt::print("range       {:.6g} m: amplitudes are apparent ones (edges.method \"utd\")\n", s.ray_range);
+  if (manifest.looks_resumed)
+    fmt::print("resumed     {} looks were computed before, and are not in that time\n", manifest.looks_resumed);
   fmt::print("lost rays   {}\n", s.lost_rays);
   if (paths && s.tubes_cut) fmt::print("cut search  in {} looks: too many sequences of mirrors\n", s.tubes_cut);
   if (!paths && s.tubes_cut) fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide\n", s.tubes_cut);
@@ -147,6 +167,80 @@ void print_summary(const SweepResult& result, const TubeOptions& tubes, const Ma
   fmt::print("results     {}\n", folder.string());
 }
 
+// A run from the computation on, into its folder.
+class Run {
+ public:
+  Run(const Request& request, const Case& c, const Target& target, const fs::path& destination, Manifest& manifest)
+      : request_(request), case_(c), target_(target), manifest_(manifest), folder_(destination), journal_(folder_.path(), [this] {
+          return identity_of(case_, manifest_);
+        }) {
+    if (request.resume) journal_.resume();
+  }
+
+  /// If it does not come to its end it leaves the finished looks for another one to resume.
+  void run(const Stopwatch& total) {
+    const InterruptFlag interrupt_flag([this] { return last_words(); });
+    try {
+      const Solved solved = solve_with_progress(target_, case_, request_, manifest_.threads, journal_);
+      journal_.keep_all();
+      write(solved, total);
+      if (!request_.quiet) print(solved);
+    } catch (const Interrupted&) {
+      throw Interrupted(interrupted_sentence());
+    } catch (const std::exception&) {
+      if (const std::string kept = journal_.keep_all(); !kept.empty()) warn(kept);
+      throw;
+    }
+  }
+
+ private:
+  void write(const Solved& solved, const Stopwatch& total) {
+    const auto& [result, by_chance] = solved;
+    manifest_.statistics = result.statistics;
+    manifest_.looks_resumed = journal_.resumed();
+    if (by_chance) manifest_.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
+    const NewResults results(folder_.path());
+    write_tables(results.folder(), case_, solved, request_.parts);
+    ImageFiles images = write_images(results.folder(), target_, case_, manifest_.threads);
+    manifest_.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
+    manifest_.peak_rss_bytes = peak_rss_bytes();
+    manifest_.time.total_s = total.seconds() - images.drawing_s;
+    write_manifest(results.folder() / "run.json", manifest_);
+    if (case_.plots) draw_plots(results.folder(), case_, result);
+    add_earlier_images(folder_.path(), images);
+    images.pictures.insert(images.pictures.end(), {"rcs.png", "rcs.svg"});
+    images.tables.insert(images.tables.end(), {"channels.csv", "parts.csv", "random.csv", "rcs.csv", "run.json"});
+    replace_results(results, folder_.path(), images.pictures, images.tables);
+    complete_ = true;
+    journal_.remove();
+  }
+
+  void print(const Solved& solved) const {
+    if (solved.by_chance) fmt::print("{}", random_text(*solved.by_chance));
+    print_summary(solved.result, case_.tubes, manifest_, folder_.path());
+  }
+
+  std::string interrupted_sentence() {
+    const std::string kept = journal_.keep_all();
+    return kept.empty() ? Interrupted().what() : "interrupted; " + kept;
+  }
+
+  std::optional<std::string> last_words() {
+    if (complete_) return {};
+    std::string sentence = interrupted_sentence();
+    folder_.abandon();
+    return sentence;
+  }
+
+  const Request& request_;
+  const Case& case_;
+  const Target& target_;
+  Manifest& manifest_;
+  OutputFolder folder_;
+  LookJournal journal_;
+  std::atomic<bool> complete_ = false;
+};
+
 }  // namespace
 
 void run_command(const Request& request) {
@@ -154,6 +248,7 @@ void run_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
+  if (!request.resume) LookJournal::refuse_leftover(destination);
   if (request.random && !c.image_looks.empty())
     throw InputError(
         "output.image_look: an image adds up to the deterministic S, not to the mean of random tubes; leave out one");
@@ -163,32 +258,10 @@ void run_command(const Request& request) {
   const Target target(loaded.mesh, c.edges);
   check_images(target, c);
   manifest.time.build_s = total.seconds() - manifest.time.read_s;
-
-  const InterruptFlag interrupt_flag;
   manifest.embree_instruction_set = name_of(allowed_instruction_set());
   manifest.threads = request.threads > 0 ? request.threads : all_threads();
-  const Solved solved = solve_with_progress(target, c, request, manifest.threads);
-  const auto& [result, by_chance] = solved;
-  manifest.statistics = result.statistics;
-  if (by_chance) manifest.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
-
-  InterruptFlag::clean_up_first();
-  const OutputFolder folder(destination);
-  const NewResults results(folder.path());
-  write_tables(results.folder(), c, solved, request.parts);
-  ImageFiles images = write_images(results.folder(), target, c, manifest.threads);
-  manifest.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
-  manifest.peak_rss_bytes = peak_rss_bytes();
-  manifest.time.total_s = total.seconds() - images.drawing_s;
-  write_manifest(results.folder() / "run.json", manifest);
-  if (c.plots) draw_plots(results.folder(), c, result);
-  add_earlier_images(folder.path(), images);
-  images.pictures.insert(images.pictures.end(), {"rcs.png", "rcs.svg"});
-  images.tables.insert(images.tables.end(), {"channels.csv", "parts.csv", "random.csv", "rcs.csv", "run.json"});
-  replace_results(results, folder.path(), images.pictures, images.tables);
-  if (request.quiet) return;
-  if (by_chance) fmt::print("{}", random_text(*by_chance));
-  print_summary(result, c.tubes, manifest, folder.path());
+  check_memory(target, c, {c.tubes, c.edges, manifest.threads, request.parts, {}}, request.random ? &*request.random : nullptr);
+  Run(request, c, target, destination, manifest).run(total);
 }
 
 }  // namespace raytube

@@ -217,7 +217,8 @@ void sources_command(const Request& request) {
   const int threads = request.threads > 0 ? request.threads : all_threads();
   Study study(c, threads);
 
-  const InterruptFlag interrupt_flag;
+  const OutputFolder folder(destination);
+  const InterruptFlag interrupt_flag([&folder] { return without_results(folder); });
   ProgressBar bar(!request.quiet && isatty(STDERR_FILENO) != 0);
   const auto go_on = [&](double share) {
     bar.show(share);
@@ -226,8 +227,6 @@ void sources_command(const Request& request) {
   run_on_threads(threads, [&] { study.solve(go_on); });
   const SourceStudy& result = study.result();
 
-  InterruptFlag::clean_up_first();
-  const OutputFolder folder(destination);
   const NewResults results(folder.path());
   write_sources_csv(results.folder() / "sources.csv", result);
   stop_if_interrupted();

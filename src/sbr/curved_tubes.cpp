@@ -14,6 +14,8 @@ namespace {
 constexpr double most_width = 4.0;
 // Probes along each side of a block.
 constexpr std::uint32_t probes_across = 24;
+// Cells of a block whose tubes are followed at a time: bounds memory however dense the grid is.
+constexpr std::size_t most_cells = std::size_t{1} << 16;
 
 // Tubes under way, all after the same number of bounces, and the rays that carry them on. A ray leaves the facet it met, its tube
 // the surface behind it.
@@ -165,8 +167,9 @@ class Block {
     return cells;
   }
 
-  // All cells of the block's groups that are, or lie next to, the group of one of these cells.
-  std::vector<glm::uvec2> cells_around(std::span<const glm::uvec2> met) const {
+  // Hands on, some at a time, all cells of the block's groups that are, or lie next to, the group of one of these cells.
+  template <class Take>
+  void cells_around(std::span<const glm::uvec2> met, Take take) const {
     const glm::uvec2 size = last_ - first_;
     std::vector<bool> chosen(std::size_t{size.x} * size.y);
     for (const glm::uvec2& cell : met) {
@@ -177,15 +180,21 @@ class Block {
     }
     std::vector<glm::uvec2> cells;
     for (std::size_t group = 0; group < chosen.size(); ++group)
-      if (chosen[group]) add_group(first_ + glm::uvec2(group % size.x, group / size.x), cells);
-    return cells;
+      if (chosen[group]) add_group(first_ + glm::uvec2(group % size.x, group / size.x), cells, take);
+    take(cells);
   }
 
  private:
-  void add_group(const glm::uvec2& group, std::vector<glm::uvec2>& cells) const {
+  template <class Take>
+  void add_group(const glm::uvec2& group, std::vector<glm::uvec2>& cells, Take take) const {
     const glm::uvec2 begin = group * stride_, end = glm::min(begin + stride_, glm::uvec2(grid_.columns, grid_.rows));
     for (std::uint32_t row = begin.y; row < end.y; ++row)
-      for (std::uint32_t column = begin.x; column < end.x; ++column) cells.emplace_back(column, row);
+      for (std::uint32_t column = begin.x; column < end.x; ++column) {
+        cells.emplace_back(column, row);
+        if (cells.size() < most_cells) continue;
+        take(cells);
+        cells.clear();
+      }
   }
 
   const LaunchGrid& grid_;
@@ -208,8 +217,10 @@ TubeSums CurvedBounces::trace(std::size_t block) const {
   const Block here(look_.grid, stride_, {block % across_, block / across_});
   CurvedTubes tubes(look_, sums);
   tubes.launch(here.probes());
-  tubes.launch(here.cells_around(tubes.meeting()));
-  tubes.follow();
+  here.cells_around(tubes.meeting(), [&](std::span<const glm::uvec2> cells) {
+    tubes.launch(cells);
+    tubes.follow();
+  });
   return sums;
 }
 

@@ -11,13 +11,26 @@
 #include "sbr/estimate.h"
 #include "sbr/launch.h"
 #include "sbr/tile.h"
+#include "threads.h"
 
 namespace raytube {
 
 namespace {
 
-// Tiles whose sums are held at a time: bounds memory however large the grid is.
-constexpr std::size_t tiles_per_batch = 128;
+// Tiles whose sums are held at a time: bounds memory however large the grid is. Fewer where these are large, with many
+// frequencies, but enough for a few threads.
+constexpr std::size_t tiles_per_batch = 128, least_tiles_per_batch = 8;
+constexpr double bytes_per_batch = 64e6;
+
+double tile_bytes(int bounces, std::size_t frequencies) {
+  return static_cast<double>(frequencies) *
+         (static_cast<double>(bounces) * sizeof(ScatteringMatrix) + coarse_grids * sizeof(ErrorSum));
+}
+
+std::size_t batch_of(int bounces, std::size_t frequencies) {
+  const double most = bytes_per_batch / tile_bytes(bounces, frequencies);
+  return most > tiles_per_batch ? tiles_per_batch : std::max(least_tiles_per_batch, static_cast<std::size_t>(most));
+}
 
 // The tiles of a grid, numbered row by row.
 struct Tiling {
@@ -45,8 +58,9 @@ template <class Function>
 TubeSums sum_tiles(const AdaptiveLook& look, std::size_t count, Function tile, Progress& progress, double share) {
   if (count == 0) progress.add(share);
   TubeSums sums;
-  for (std::size_t first = 0; first < count; first += tiles_per_batch) {
-    std::vector<TubeSums> batch(std::min(tiles_per_batch, count - first));
+  const std::size_t most = batch_of(look.known.no_reflection ? 1 : look.max_bounces, look.wavenumbers.size());
+  for (std::size_t first = 0; first < count; first += most) {
+    std::vector<TubeSums> batch(std::min(most, count - first));
     const auto trace = [&](std::size_t i) {
       batch[i] = tile(first + i);
       progress.add(share / static_cast<double>(count));
@@ -55,6 +69,7 @@ TubeSums sum_tiles(const AdaptiveLook& look, std::size_t count, Function tile, P
       for (std::size_t i = 0; i < batch.size(); ++i) trace(i);
     else
       tbb::parallel_for(std::size_t{0}, batch.size(), trace);
+    stop_if_cancelled();
     for (const TubeSums& sum : batch) sums.add(sum);
   }
   return sums;
@@ -255,6 +270,19 @@ class LookTracer {
 };
 
 }  // namespace
+
+double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {
+  // The batch, the sum of all batches, and the look's own result.
+  const std::size_t held = std::min(tiles, batch_of(bounces, frequencies)) + 2;
+  return static_cast<double>(held) * tile_bytes(bounces, frequencies);
+}
+
+std::size_t tiles_of_look(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
+                          const TubeOptions& options) {
+  if (options.mode == TubeMode::adaptive) return (faces.faces().size() + faces_per_tile - 1) / faces_per_tile;
+  const double shortest = wavelength(std::ranges::max(frequencies));
+  return Tiling(grid_of_look(tracer.mesh(), look, shortest, options.per_wavelength, options.up)).count;
+}
 
 TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
                         const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,

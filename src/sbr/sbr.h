@@ -54,6 +54,13 @@ TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const Smoot
                         const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
                         double share, const Radar& radar = {}, CurrentMap* map = nullptr);
 
+/// Bytes that the sums of one look under way take at most, with so many tiles, bounces and frequencies.
+double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies);
+
+/// Tiles of a look: blocks of the launch grid of a look, groups of faces where tubes are adaptive.
+std::size_t tiles_of_look(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
+                          const TubeOptions& options);
+
 /// One reflection of a replayed tube, in recentred coordinates.
 struct TubeBounce {
   std::uint32_t triangle, patch;

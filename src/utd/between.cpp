@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "threads.h"
 #include "utd/edges.h"
 #include "utd/lit_edges.h"
 #include "utd/painted_light.h"
@@ -110,6 +111,7 @@ class BetweenLook {
       parts[i] = painted_light({scene_.tree, scene_.corners, scene_.large}, look_, wavenumbers, *jobs_[i].light,
                                jobs_[i].reflections, share);
     });
+    stop_if_cancelled();
     return parts;
   }
 

@@ -103,7 +103,7 @@ TEST_F(BadInput, FailureLeavesEarlierResultsAlone) {
 
 TEST_F(BadInput, InterruptLeavesNothing) {
   const std::string hours = "--set target.unit=m --set tubes.per_wavelength=100 --set 'look.phi_deg={start=0,stop=90,step=0.01}'";
-  const Outcome outcome = raytube("run case.toml " + hours, "timeout --preserve-status -s INT -k 5 1 ");
+  const Outcome outcome = raytube("run case.toml " + hours, "timeout --preserve-status -s INT -k 5 0.5 ");
   EXPECT_EQ(outcome.code, 130);
   EXPECT_THAT(outcome.complaint, HasSubstr("interrupted"));
   EXPECT_FALSE(fs::exists(scratch / "out"));

@@ -1,0 +1,29 @@
+// One program at a time writes into a folder.
+#pragma once
+
+#include <filesystem>
+
+namespace raytube {
+
+/// The right to write into a folder: a lock of the kernel on a hidden file there, .raytube.lock, which goes with the process,
+/// however that ends. The file is removed with the lock; one that a killed process has left means nothing. On a file system
+/// without locks nobody is refused.
+class FolderLock {
+ public:
+  /// Throws InputError if another one has it, or if the file cannot be made.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+  /// Removes the file; the lock goes with this object.
+  void remove_file() const;
+
+ private:
+  bool take();
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+};
+
+}  // namespace raytube

@@ -1,0 +1,145 @@
+#include "program/look_journal.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "error.h"
+#include "program/results.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr auto short_run = 1s;                              // without a journal ...
+constexpr std::size_t most_waiting = std::size_t{4} << 20;  // [bytes] unless it would have to hold more than this
+constexpr auto between_writes = 1ms;                        // looks may be finished within microseconds
+constexpr auto between_syncs = 1s;
+constexpr int sync_share = 100;  // of the time of one thread, that of bringing it to the disk is less than 1 / this
+constexpr std::size_t most_named = 3;
+
+std::string looks_text(std::size_t count) { return fmt::format("{} finished look{}", count, count == 1 ? "" : "s"); }
+
+std::string named(const std::vector<std::string>& names) {
+  const std::size_t count = std::min(names.size(), most_named);
+  const std::string more = names.size() > count ? fmt::format(" and {} more", names.size() - count) : "";
+  return fmt::format("{}{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(count), ", "), more);
+}
+
+}  // namespace
+
+LookJournal::LookJournal(const fs::path& folder, std::function<JournalIdentity()> identity)
+    : file_(file_in(folder)), identity_(std::move(identity)) {}
+
+void LookJournal::refuse_leftover(const fs::path& folder) {
+  const fs::path file = file_in(folder);
+  const std::unique_ptr<Journal> left = Journal::reopen(file);
+  if (!left || left->records() == 0) return;
+  throw InputError(
+      fmt::format("{} holds {} of a run that was stopped; go on with it by --resume, or delete the file to start afresh",
+                  file.string(), looks_text(left->records())));
+}
+
+void LookJournal::resume() {
+  journal_ = Journal::reopen(file_);
+  if (!journal_) return warn(fmt::format("nothing to resume in {}: the run starts afresh", file_.parent_path().string()));
+  if (const std::vector<std::string> names = differences(journal_->identity(), identity_()); !names.empty())
+    throw InputError(fmt::format(
+        "--resume: {} was begun with another {}; run with what it was begun with, or delete the file (and the {} in it) to "
+        "start afresh",
+        file_.string(), named(names), looks_text(journal_->records())));
+  resumed_ = journal_->records();
+}
+
+KeptLooks LookJournal::looks() {
+  return {[this](std::size_t count) { begin(count); },
+          [this](std::size_t place) { return resumed_ > 0 ? journal_->find(place) : std::string(); },
+          [this](std::size_t place, std::string bytes) { keep(place, std::move(bytes)); }};
+}
+
+void LookJournal::begin(std::size_t looks) {
+  const std::lock_guard lock(mutex_);
+  looks_ = looks;
+  start_ = Clock::now();
+}
+
+void LookJournal::keep(std::size_t place, std::string bytes) {
+  std::unique_lock lock(mutex_);
+  if (given_up_) return;
+  waiting_bytes_ += bytes.size();
+  waiting_.push_back({place, std::move(bytes)});
+  write_if_due(lock);
+}
+
+void LookJournal::write_now_and_then() {
+  std::unique_lock lock(mutex_, std::try_to_lock);
+  if (lock && !given_up_) write_if_due(lock);
+}
+
+void LookJournal::write_if_due(std::unique_lock<std::mutex>& lock) {
+  const Clock::time_point now = Clock::now();
+  const bool is_short = !journal_ && now - start_ < short_run && waiting_bytes_ < most_waiting;
+  if (is_short || now - written_ < between_writes) return;
+  write();
+  if (to_sync_ && !syncing_ && now - synced_ > std::max<Clock::duration>(between_syncs, sync_share * sync_took_)) sync(lock);
+}
+
+void LookJournal::write() {
+  if (waiting_.empty()) return;
+  try {
+    if (!journal_) journal_ = std::make_unique<Journal>(file_, identity_());
+    journal_->add(waiting_);
+    to_sync_ = true;
+  } catch (const std::exception& error) {
+    give_up(error);
+  }
+  waiting_.clear();
+  waiting_bytes_ = 0;
+  written_ = Clock::now();
+}
+
+// The others need not wait for the disk.
+void LookJournal::sync(std::unique_lock<std::mutex>& lock) {
+  syncing_ = true;
+  to_sync_ = false;
+  lock.unlock();
+  const Clock::time_point start = Clock::now();
+  std::string trouble;
+  try {
+    journal_->sync();
+  } catch (const std::system_error& error) {
+    trouble = error.what();
+  }
+  lock.lock();
+  syncing_ = false;
+  synced_ = Clock::now();
+  sync_took_ = synced_ - start;
+  if (!trouble.empty() && !given_up_) give_up(std::runtime_error(trouble));
+}
+
+void LookJournal::give_up(const std::exception& error) {
+  given_up_ = true;
+  warn(fmt::format("finished looks are no longer kept in case the run is stopped: {}", error.what()));
+}
+
+std::string LookJournal::keep_all() {
+  const std::lock_guard lock(mutex_);
+  if (journal_ && !given_up_) write();
+  if (!journal_ || journal_->records() == 0) return {};
+  return fmt::format("{} of {} looks are kept in {}; go on with --resume", journal_->records(),
+                     std::max(looks_, journal_->records()), file_.string());
+}
+
+void LookJournal::remove() {
+  const std::lock_guard lock(mutex_);
+  given_up_ = true;
+  std::error_code ignored;
+  if (journal_) fs::remove(file_, ignored);
+}
+
+}  // namespace raytube

@@ -1,0 +1,69 @@
+// The finished looks of a run, kept beside its results until these are complete.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "output/journal.h"
+#include "solve.h"
+
+namespace raytube {
+
+/// .raytube.journal in the folder of the results. It is begun when the computation has taken a second, so that short runs know
+/// nothing of it; from then on a look is there as soon as it is finished, and on the disk itself a second or so later. A disk
+/// that does not take it costs a warning: the run goes on.
+class LookJournal {
+ public:
+  /// `identity` is asked once it is needed.
+  LookJournal(const std::filesystem::path& folder, std::function<JournalIdentity()> identity);
+
+  static std::filesystem::path file_in(const std::filesystem::path& folder) { return folder / ".raytube.journal"; }
+
+  /// Throws InputError if finished looks lie in the folder: whoever forgot to resume shall not lose them.
+  static void refuse_leftover(const std::filesystem::path& folder);
+
+  /// Takes up what an earlier run has left. Throws InputError if that was another one.
+  void resume();
+
+  /// Looks to be had and to be kept. Keeps a reference to this.
+  KeptLooks looks();
+
+  /// To be called now and then: finished looks do not wait for the next one.
+  void write_now_and_then();
+
+  /// Writes what is left to be written; then what is kept, as a sentence, empty if nothing is.
+  std::string keep_all();
+
+  /// Looks taken up from an earlier run.
+  std::size_t resumed() const { return resumed_; }
+
+  /// The results are complete.
+  void remove();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void begin(std::size_t looks);
+  void keep(std::size_t place, std::string bytes);
+  void write_if_due(std::unique_lock<std::mutex>& lock);
+  void write();
+  void sync(std::unique_lock<std::mutex>& lock);
+  void give_up(const std::exception& error);
+
+  std::filesystem::path file_;
+  std::function<JournalIdentity()> identity_;
+  std::unique_ptr<Journal> journal_;
+  std::size_t looks_ = 0, resumed_ = 0;
+  std::vector<JournalRecord> waiting_;
+  std::size_t waiting_bytes_ = 0;
+  bool given_up_ = false, syncing_ = false, to_sync_ = false;
+  Clock::time_point start_ = Clock::now(), written_{}, synced_{};
+  Clock::duration sync_took_{};
+  std::mutex mutex_;
+};
+
+}  // namespace raytube

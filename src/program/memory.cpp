@@ -1,0 +1,161 @@
+#include "program/memory.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+
+#include "csv_reader.h"
+#include "decimal.h"
+#include "error.h"
+#include "solve_image.h"
+#include "solve_memory.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double nothing_said = std::numeric_limits<double>::infinity();
+constexpr double bytes_per_thread = 4e6;   // stacks, buffers of the allocator, of tiles and of Embree
+constexpr double journal_bytes = 6e6;      // looks that wait to be kept, and their records
+constexpr double bytes_per_cell = 80.0;    // of an image: its sum, and a little for its pictures
+constexpr double bytes_per_angle = 100.0;  // of a case: the value, and what run.json says of it
+
+// The number behind a word in a file of "word number" lines.
+double number_after(const fs::path& file, const std::string& word) {
+  std::ifstream in(file);
+  double value = 0.0;
+  for (std::string name; in >> name; in.ignore(std::numeric_limits<std::streamsize>::max(), '\n'))
+    if (name == word && in >> value) return value;
+  return 0.0;
+}
+
+std::optional<double> number_in(const fs::path& file) {
+  std::string text;
+  std::ifstream(file) >> text;
+  return parsed_number(text);  // "max" is none
+}
+
+struct Held {
+  double resident, virtual_size;
+};
+
+Held held_now() {
+  double pages = 0.0, resident = 0.0;
+  std::ifstream("/proc/self/statm") >> pages >> resident;
+  const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+  return {resident * page, pages * page};
+}
+
+// The files in which a control group says what it may have, has, and could give back at once: caches of files.
+struct GroupFiles {
+  fs::path root;
+  const char *most, *used, *cache;
+};
+const GroupFiles version_1{"/sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_cache"};
+const GroupFiles version_2{"/sys/fs/cgroup", "memory.max", "memory.current", "file"};
+
+// Free under the limits of a group and of those it is part of. In a container the root is its own group.
+double free_in_group(const GroupFiles& files, const std::string& path) {
+  double least = nothing_said;
+  for (fs::path at = path;; at = at.parent_path()) {
+    const fs::path group = files.root / at.relative_path();
+    const std::optional<double> most = number_in(group / files.most), used = number_in(group / files.used);
+    if (most && used) least = std::min(least, std::max(0.0, *most - *used + number_after(group / "memory.stat", files.cache)));
+    if (!at.has_relative_path()) return least;
+  }
+}
+
+// Lines of /proc/self/cgroup are number:controllers:path, "0::path" for version 2.
+double free_in_control_groups() {
+  double least = nothing_said;
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {
+    if (line.starts_with("0::")) least = std::min(least, free_in_group(version_2, line.substr(3)));
+    if (const std::size_t at = line.find(":memory:"); at != std::string::npos)
+      least = std::min(least, free_in_group(version_1, line.substr(at + 8)));
+  }
+  return least;
+}
+
+double image_bytes(const Target& target, const Case& c, const SolveOptions& options) {
+  double most = 0.0;
+  for (const std::size_t look : c.image_looks) {
+    const ImageLattice cells = image_cells(target, c.sweep, options, look, c.image_per_wavelength);
+    most = std::max(most, bytes_per_cell * static_cast<double>(cells.columns) * cells.rows);
+  }
+  return most;
+}
+
+// Every run's rows, the looks they are made from, and the spread of each row.
+double random_bytes(const Case& c, const RandomOptions& random) {
+  return static_cast<double>(c.sweep.rows()) *
+         (2.0 * random.runs * sizeof(ScatteringMatrix) + 3.0 * sizeof(ChannelErrors) + 400.0);
+}
+
+struct Need {
+  double rows, image, others;
+  double total() const { return rows + image + others; }
+};
+
+Need need_of(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random) {
+  SolveOptions wanted = options;
+  wanted.keep_parts = options.keep_parts || random;
+  const MemoryEstimate solve = estimate_memory(target, c.sweep, wanted);
+  const auto values = static_cast<double>(c.looks.theta_deg.size() + c.looks.phi_deg.size() + c.looks.rx_theta_deg.size() +
+                                          c.looks.rx_phi_deg.size() + c.sweep.frequencies.size());
+  return {solve.rows + (random ? random_bytes(c, *random) : 0.0), image_bytes(target, c, options),
+          held_now().resident + solve.sums + solve.edges + journal_bytes + options.threads * bytes_per_thread +
+              values * bytes_per_angle};
+}
+
+std::string remedy(const Need& need, const Case& c, const SolveOptions& options, double available) {
+  if (need.image > need.rows) {
+    const double share = std::max(0.0, available - need.rows - need.others) / need.image;
+    return share > 0.0 ? fmt::format("output.image_per_wavelength = {:.2g} would fit", c.image_per_wavelength * std::sqrt(share))
+                       : "leave out output.image_look";
+  }
+  const double per_row = need.rows / static_cast<double>(c.sweep.rows());
+  const double fit = std::floor(std::max(0.0, available - need.image - need.others) / per_row);
+  const std::string split =
+      fit < 1.0 ? "split the sweep"
+                : fmt::format("split the sweep: {:.3g} of its {} rows (looks times frequencies) would fit", fit, c.sweep.rows());
+  return split + (options.keep_parts ? ", more without --parts" : "");
+}
+
+}  // namespace
+
+std::string memory_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
+}
+
+double memory_of_run(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random) {
+  return need_of(target, c, options, random).total();
+}
+
+double memory_to_be_had() {
+  const Held now = held_now();
+  double free = std::min(free_in_control_groups(), number_after("/proc/meminfo", "MemAvailable:") * 1024.0);
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    free = std::min(free, std::max(0.0, static_cast<double>(limit.rlim_cur) - now.virtual_size));
+  return now.resident + free;
+}
+
+void check_memory(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random) {
+  const Need need = need_of(target, c, options, random);
+  const double available = memory_to_be_had();
+  if (need.total() <= available) return;
+  throw InputError(fmt::format("{}: the run would take about {} of memory, and there are {}; {}", c.file.string(),
+                               memory_text(need.total()), memory_text(available), remedy(need, c, options, available)));
+}
+
+}  // namespace raytube

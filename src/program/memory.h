@@ -1,0 +1,23 @@
+// Whether the machine has the memory a run will take.
+#pragma once
+
+#include <string>
+
+#include "case/case.h"
+#include "random_result.h"
+
+namespace raytube {
+
+/// Bytes that a run of this case is going to take at most, with what the program holds now.
+double memory_of_run(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random);
+
+/// Bytes the program may have in all: what it holds now and what is free, for it (control group, ulimit -v) and on the machine.
+double memory_to_be_had();
+
+/// "1.5 GB"
+std::string memory_text(double bytes);
+
+/// Throws InputError with the estimate and what would fit if there is not so much memory.
+void check_memory(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random);
+
+}  // namespace raytube

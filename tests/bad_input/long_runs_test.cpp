@@ -1,0 +1,126 @@
+// Runs that are stopped, resumed, kept out of a folder, or have no room on disk or in memory.
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "program.h"
+
+namespace raytube {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace raytube::testing;
+using ::testing::HasSubstr;
+
+// Minutes of work in looks of milliseconds.
+const std::string minutes =
+    "case.toml --set target.unit=m --set tubes.mode=uniform --set edges.method=none --set output.plots=false --set "
+    "'look.phi_deg={start=0,stop=90,step=0.01}' ";
+// The first of these looks.
+const std::string journal = "out/.raytube.journal";
+
+class LongRuns : public BadInput {
+ protected:
+  // Ctrl-C as soon as the file named has something in it.
+  Outcome interrupted_once_there_is(const std::string& file, const std::string& before = "exec ") const {
+    const std::string command = "cd '" + scratch.folder().string() + "'; (" + before + RAYTUBE_PROGRAM " run " + minutes +
+                                ">stdout.txt 2>stderr.txt) & run=$!; while ! [ -s " + file +
+                                " ]; do sleep 0.1; done; kill -INT $run; wait $run";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(scratch / "stderr.txt")};
+  }
+};
+
+TEST_F(LongRuns, WhatIsKeptIsSaidAndNotLost) {
+  const Outcome stopped = interrupted_once_there_is(journal);
+  EXPECT_EQ(stopped.code, 130);
+  EXPECT_THAT(stopped.complaint, AllOf(HasSubstr("looks are kept in"), HasSubstr("go on with --resume")));
+  ASSERT_TRUE(fs::exists(scratch / journal));
+  EXPECT_FALSE(fs::exists(scratch / "out/.raytube.lock"));
+  const std::string kept = text_of(scratch / journal);
+
+  const Outcome forgotten = raytube("run " + minutes);
+  EXPECT_EQ(forgotten.code, 2);
+  EXPECT_THAT(forgotten.complaint,
+              AllOf(HasSubstr(".raytube.journal holds"), HasSubstr("--resume"), HasSubstr("delete the file")));
+
+  const Outcome changed = raytube("run " + minutes + "--resume --set tubes.per_wavelength=11");
+  EXPECT_EQ(changed.code, 2);
+  EXPECT_THAT(changed.complaint, AllOf(HasSubstr("begun with another tubes.per_wavelength;"), HasSubstr("delete the file")));
+
+  scratch.write("mesh.off", plate + "# the same, but not the same file\n");
+  const Outcome another_mesh = raytube("run " + minutes + "--resume");
+  EXPECT_EQ(another_mesh.code, 2);
+  EXPECT_THAT(another_mesh.complaint, HasSubstr("begun with another mesh in target.mesh"));
+  EXPECT_EQ(text_of(scratch / journal), kept);
+}
+
+TEST_F(LongRuns, NothingToResumeIsAFreshStart) {
+  const Outcome outcome = raytube("run case.toml --resume --set output.plots=false");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.complaint, HasSubstr("nothing to resume in"));
+  EXPECT_TRUE(fs::exists(scratch / "out/rcs.csv"));
+  EXPECT_FALSE(fs::exists(scratch / journal));
+}
+
+TEST_F(LongRuns, AJournalThatIsNone) {
+  fs::create_directory(scratch / "out");
+  scratch.write(journal, "something else, longer than a line");
+  for (const char* words : {"run case.toml", "run case.toml --resume"}) {
+    const Outcome outcome = raytube(words);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.complaint, HasSubstr("is no journal of this program; delete it"));
+  }
+  scratch.write(journal, "raytube jour");  // killed while it was begun
+  EXPECT_EQ(raytube("run case.toml --set output.plots=false").code, 0);
+}
+
+TEST_F(LongRuns, RandomTubesCannotBeResumed) {
+  expect_refused("run case.toml --launch random --resume", "--resume: random tubes are drawn anew");
+}
+
+TEST_F(LongRuns, TheSecondIntoAFolderIsRefused) {
+  fs::create_directory(scratch / "out");
+  const int owner = open((scratch / "out/.raytube.lock").c_str(), O_RDWR | O_CREAT, 0666);
+  ASSERT_EQ(flock(owner, LOCK_EX), 0);
+  for (const char* words : {"run case.toml", "run case.toml --resume", "converge case.toml --densities 1,2,3"}) {
+    const Outcome outcome = raytube(words);
+    EXPECT_EQ(outcome.code, 2) << words;
+    EXPECT_THAT(outcome.complaint, AllOf(HasSubstr("another raytube"), HasSubstr("choose another one with -o DIR"))) << words;
+  }
+  close(owner);
+  EXPECT_EQ(raytube("run case.toml --set output.plots=false").code, 0);
+}
+
+// A file size limit stands for a full disk; the earlier results are larger than it, and stay.
+TEST_F(LongRuns, AFullDiskLeavesEarlierResultsAlone) {
+  fs::create_directory(scratch / "out");
+  scratch.write("out/rcs.csv", "earlier");
+  const Outcome outcome = raytube("run case.toml --set output.plots=false", "ulimit -f 1; ");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.complaint, AllOf(HasSubstr("rcs.csv: cannot be written completely"), HasSubstr("is the disk full?")));
+  EXPECT_EQ(text_of(scratch / "out/rcs.csv"), "earlier");
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "out"), {}), 1);
+}
+
+TEST_F(LongRuns, AJournalThatFindsNoRoomCostsOneWarning) {
+  const Outcome outcome = interrupted_once_there_is("stderr.txt", "ulimit -f 1; exec ");
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.complaint,
+              AllOf(HasSubstr("finished looks are no longer kept"), HasSubstr(".raytube.journal: File too large")));
+  EXPECT_EQ(std::count(outcome.complaint.begin(), outcome.complaint.end(), '\n'), 2) << outcome.complaint;
+}
+
+TEST_F(LongRuns, MoreMemoryThanThereIsIsSaidBeforehand) {
+  const std::string rows =
+      "run case.toml --parts --set 'frequency.ghz={start=1,stop=10,count=1000000}' --set 'look.phi_deg=[1,2,3,4,5]'";
+  const Outcome outcome = raytube(rows, "ulimit -v 3000000; ");
+  EXPECT_EQ(outcome.code, 2) << outcome.complaint;
+  EXPECT_THAT(outcome.complaint, AllOf(HasSubstr("case.toml: the run would take about"), HasSubstr("of memory, and there are"),
+                                       HasSubstr("rows (looks times frequencies) would fit")));
+  EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
+}  // namespace
+}  // namespace raytube

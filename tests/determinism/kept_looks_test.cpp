@@ -1,0 +1,151 @@
+// A solve that was stopped, and goes on from the looks it has kept, gives the same bits as one that was not.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+#include <map>
+
+#include "error.h"
+#include "run.h"
+#include "shapes.h"
+#include "solve_look.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+
+// What a program would keep on disk.
+struct Store {
+  std::map<std::size_t, std::string> looks;
+  std::mutex mutex;
+  std::size_t wanted = 0;
+
+  KeptLooks hooks() {
+    return {[this](std::size_t count) { wanted = count; },
+            [this](std::size_t place) {
+              const std::lock_guard lock(mutex);
+              const auto found = looks.find(place);
+              return found == looks.end() ? std::string() : found->second;
+            },
+            [this](std::size_t place, std::string bytes) {
+              const std::lock_guard lock(mutex);
+              EXPECT_FALSE(looks.contains(place)) << "look " << place << " was computed twice";
+              looks[place] = std::move(bytes);
+            }};
+  }
+};
+
+template <class Values>
+bool same_bytes(const std::vector<Values>& a, const std::vector<Values>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+
+void expect_same(const SweepResult& one, const SweepResult& other) {
+  EXPECT_TRUE(same_bytes(one.total, other.total));
+  EXPECT_TRUE(same_bytes(one.error, other.error));
+  ASSERT_EQ(one.bounces.size(), other.bounces.size());
+  for (std::size_t b = 0; b < one.bounces.size(); ++b) EXPECT_TRUE(same_bytes(one.bounces[b], other.bounces[b]));
+  EXPECT_TRUE(same_bytes(one.edges_first, other.edges_first));
+  EXPECT_TRUE(same_bytes(one.edges_higher, other.edges_higher));
+  EXPECT_TRUE(same_bytes(one.between, other.between));
+  const Statistics &a = one.statistics, &b = other.statistics;
+  EXPECT_EQ(a.tubes, b.tubes);
+  EXPECT_EQ(a.rays, b.rays);
+  EXPECT_EQ(a.hits, b.hits);
+  EXPECT_EQ(a.tubes_cut, b.tubes_cut);
+  EXPECT_EQ(a.sliver_area, b.sliver_area);
+  EXPECT_EQ(a.wedges_lit, b.wedges_lit);
+  EXPECT_EQ(a.painted_pieces, b.painted_pieces);
+  EXPECT_EQ(a.windowed_rows, b.windowed_rows);
+  ASSERT_EQ(a.skipped.size(), b.skipped.size());
+  for (std::size_t i = 0; i < a.skipped.size(); ++i) EXPECT_EQ(a.skipped[i].count, b.skipped[i].count) << a.skipped[i].what;
+}
+
+Sweep some_looks() {
+  Sweep sweep{{9e9, 10e9}, {}, true};
+  for (int i = 0; i < 9; ++i) sweep.looks.push_back({{0.3 + 0.2 * i, 0.17 * i}, {0.5 + 0.2 * i, 0.1 + 0.15 * i}});
+  sweep.looks.push_back(sweep.looks[2]);  // follows from another one
+  return sweep;
+}
+
+// Stopped ever later, always going on from what was kept, with another number of threads each time.
+void expect_same_after_stops(const PolygonSoup& soup, SolveOptions o) {
+  const Sweep sweep = some_looks();
+  const SweepResult whole = solve_soup(soup, sweep, o);
+  Store store;
+  std::atomic<int> reports = 0;
+  int stops = 0;
+  for (int patience = 1;; ++patience) {
+    reports = 0;
+    o.progress = [&](double) { return ++reports < 3 * patience; };
+    o.kept = store.hooks();
+    o.threads = 1 + patience % 3;
+    try {
+      expect_same(whole, solve_soup(soup, sweep, o));
+      break;
+    } catch (const Interrupted&) {
+      ++stops;
+    }
+  }
+  EXPECT_GT(stops, 2);
+  EXPECT_EQ(store.wanted, 9u);
+  EXPECT_EQ(store.looks.size(), 9u);
+}
+
+TEST(KeptLooks, UniformTubes) { expect_same_after_stops(shapes::trihedral(0.5), options(EdgeMethod::fringe)); }
+
+TEST(KeptLooks, AdaptiveTubesWithWavesBetweenSurfaces) {
+  SolveOptions o = options(EdgeMethod::fringe);
+  o.tubes.mode = TubeMode::adaptive;
+  expect_same_after_stops(shapes::dihedral(0.1, 0.12), o);
+}
+
+TEST(KeptLooks, CurvedSurfaces) {
+  SolveOptions o = options(EdgeMethod::fringe);
+  o.tubes.mode = TubeMode::adaptive;
+  expect_same_after_stops(shapes::icosphere(3, 0.2), o);
+}
+
+TEST(KeptLooks, RaysInThePlaceOfCurrents) { expect_same_after_stops(shapes::trihedral(0.5), options(EdgeMethod::utd)); }
+
+LookResult some_look() {
+  LookResult look;
+  look.tubes.bounces.assign(3, std::vector<ScatteringMatrix>(2));
+  look.tubes.bounces[2][1].at(0, 1) = {0.1, -0.0};
+  look.tubes.error.resize(2);
+  look.tubes.error[1][1][0] = 5e-324;
+  look.tubes.hits = {7, 5, 3};
+  look.tubes.rays = 15;
+  look.tubes.sliver_area = 1e-17;
+  look.edges.scattering.resize(2);
+  look.edges.windowed = {false, true};
+  look.edges.lit = true;
+  return look;
+}
+
+TEST(LookBytes, HoldEveryBit) {
+  const LookResult look = some_look();
+  const std::string bytes = look_bytes(look);
+  const auto again = look_of_bytes(bytes, 2);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(look_bytes(*again), bytes);
+  EXPECT_TRUE(std::signbit(again->tubes.bounces[2][1].vh().imag()));
+  EXPECT_EQ(again->tubes.error[1][1][0], 5e-324);
+  EXPECT_EQ(again->tubes.hits, look.tubes.hits);
+  EXPECT_EQ(again->edges.windowed, look.edges.windowed);
+  EXPECT_TRUE(again->edges.lit);
+  EXPECT_TRUE(again->between.scattering.empty());
+}
+
+TEST(LookBytes, OtherBytesAreNoLook) {
+  const std::string bytes = look_bytes(some_look());
+  EXPECT_FALSE(look_of_bytes(bytes, 3));
+  EXPECT_FALSE(look_of_bytes(bytes + 'x', 2));
+  for (std::size_t size = 0; size < bytes.size(); ++size) EXPECT_FALSE(look_of_bytes(bytes.substr(0, size), 2)) << size;
+  // Lengths of lists that no memory could hold.
+  EXPECT_FALSE(look_of_bytes(std::string(bytes.size(), '\xff'), 2));
+}
+
+}  // namespace
+}  // namespace raytube
