@@ -71,7 +71,7 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["case"] = Json::parse(manifest.case_json);
   if (!manifest.looks_csv_sha256.empty()) json["looks_csv_sha256"] = manifest.looks_csv_sha256;
   json["mesh"] = mesh_json(manifest);
-  json["instruction_sets"] = {{"embree", manifest.embree_instruction_set}, {"raytube", "x86-64-v3"}};
+  json["instruction_sets"] = {{"embree", manifest.embree_instruction_set}, {"raytube", manifest.own_instruction_set}};
   json["threads"] = manifest.threads;
   if (manifest.random) json["launch"] = launch_json(*manifest.random);
   json["counts"] = counts_json(manifest.statistics);

@@ -29,7 +29,7 @@ struct Manifest {
   std::string program_version;
   std::string mesh_sha256;
   std::string looks_csv_sha256;  // empty: no look list
-  std::string embree_instruction_set;
+  std::string embree_instruction_set, own_instruction_set;
   int threads = 1;
   std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written
   std::vector<std::pair<std::string, double>> mesh_notes;   // sentence and count

@@ -259,6 +259,7 @@ void run_command(const Request& request) {
   check_images(target, c);
   manifest.time.build_s = total.seconds() - manifest.time.read_s;
   manifest.embree_instruction_set = name_of(allowed_instruction_set());
+  manifest.own_instruction_set = name_of(std::max(allowed_instruction_set(), InstructionSet::avx2));
   manifest.threads = request.threads > 0 ? request.threads : all_threads();
   check_memory(target, c, {c.tubes, c.edges, manifest.threads, request.parts, {}}, request.random ? &*request.random : nullptr);
   Run(request, c, target, destination, manifest).run(total);
