@@ -28,6 +28,15 @@ double between_tolerance(const TubeSums& tubes, const SolveOptions& options) {
   return between_share * relative_error(options.tubes.tolerance_db) * strongest;
 }
 
+// Towards the direction, as spherical_basis has it. At 94 GHz and 1000 km from the origin 10^9 rad come of it, of which double
+// keeps six decimals and the extended precision of x86 nine.
+long double along(const Direction& direction, const dvec3& point) {
+  const auto without_dust = [](long double x) { return std::abs(x) < 1e-15L ? 0.0L : x; };
+  const long double theta = direction.theta, phi = direction.phi;
+  const long double across = without_dust(std::cos(phi)) * point.x + without_dust(std::sin(phi)) * point.y;
+  return without_dust(std::sin(theta)) * across + without_dust(std::cos(theta)) * point.z;
+}
+
 void check_near(const Sweep& sweep, const SolveOptions& options) {
   if (std::ranges::any_of(sweep.looks, &Look::far))
     throw InputError("either every look has antennas at a finite distance, or none");
@@ -95,8 +104,9 @@ Complex from_plane_waves(const TriangleMesh& mesh, const Look& look, const Radar
 
 Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency) {
   if (!look.far()) return 1.0;
-  const dvec3 change = spherical_basis(look.receive).radial + spherical_basis(look.transmit).radial;
-  return std::polar(1.0, wavenumber(frequency) * glm::dot(change, mesh.center));
+  const long double path = along(look.receive, mesh.center) + along(look.transmit, mesh.center);
+  const long double cycles = path * frequency / speed_of_light;
+  return std::polar(1.0, 2.0 * pi * static_cast<double>(cycles - std::round(cycles)));
 }
 
 }  // namespace raytube

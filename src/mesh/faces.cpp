@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "mesh/edge_table.h"
+#include "mesh/geometry.h"
 
 namespace raytube {
 
 namespace {
 
 constexpr double rounding = 1e-13;        // of the radius
+constexpr double same_area = 1e-9;        // relative
 constexpr std::size_t most_corners = 34;  // of two faces to be joined: bounds the work of every cut
 
 class FaceFinder {
@@ -29,6 +32,7 @@ class FaceFinder {
     const std::vector<bool> flat = flat_patches();
     std::vector<std::size_t> left = inner_edges();
     std::erase_if(left, [&](std::size_t e) { return !flat[mesh_.triangle_patch[edges_[e].sides[0].triangle]]; });
+    join_convex_patches(flat);
     // A union that is not convex now may be so once its neighbours have joined.
     while (std::erase_if(left, [&](std::size_t e) { return join_across(edges_[e]); })) continue;
     return collected();
@@ -46,17 +50,71 @@ class FaceFinder {
     return flat;
   }
 
+  // A patch whose outline is one convex loop is one face, however it is cut into triangles: no joining by twos finds that where
+  // vertices lie inside.
+  void join_convex_patches(const std::vector<bool>& flat) {
+    std::vector<std::vector<std::uint32_t>> members(mesh_.patches.size());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) members[mesh_.triangle_patch[t]].push_back(t);
+    for (std::uint32_t patch = 0; patch < members.size(); ++patch) {
+      if (!flat[patch] || members[patch].size() < 3) continue;
+      std::vector<std::uint32_t> outline = convex_outline(members[patch], mesh_.patches[patch].normal);
+      if (outline.empty()) continue;
+      for (const std::uint32_t t : members[patch]) {
+        parents_[t] = members[patch][0];
+        loops_[t].clear();
+      }
+      loops_[members[patch][0]] = std::move(outline);
+    }
+  }
+
+  // The corners of these triangles' outline; none if it is not one convex loop around all of their area.
+  std::vector<std::uint32_t> convex_outline(std::span<const std::uint32_t> triangles, const dvec3& normal) const {
+    const std::vector<std::uint32_t> loop = outline_loop(triangles);
+    if (loop.size() < 3) return {};
+    const std::vector<std::uint32_t> corners = true_corners(loop, normal);
+    if (corners.size() < 3 || corners.size() > most_corners) return {};
+    dvec3 inside(0.0), covered(0.0);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::uint32_t before = corners[(i + corners.size() - 1) % corners.size()], after = corners[(i + 1) % corners.size()];
+      if (turn(before, corners[i], after, normal) != Turn::left) return {};
+      inside += area_vector(mesh_.vertices, {corners[0], corners[i], after});
+    }
+    for (const std::uint32_t t : triangles) covered += area_vector(mesh_.vertices, mesh_.triangles[t]);
+    return glm::distance(inside, covered) <= same_area * glm::length(inside) ? corners : std::vector<std::uint32_t>();
+  }
+
+  // Sides of triangles across which the patch does not go on, one after the other; none if they are not one loop.
+  std::vector<std::uint32_t> outline_loop(std::span<const std::uint32_t> triangles) const {
+    std::map<std::uint32_t, std::uint32_t> next;
+    for (const std::uint32_t t : triangles)
+      for (int k = 0; k < 3; ++k)
+        if (!goes_on(edges_[edges_.edge_of(t, k)]) &&
+            !next.emplace(mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]).second)
+          return {};
+    if (next.empty()) return {};
+    std::vector<std::uint32_t> loop{next.begin()->first};
+    for (auto at = next.find(next.begin()->second); at != next.end() && at->first != loop[0]; at = next.find(at->second)) {
+      if (loop.size() == next.size()) return {};
+      loop.push_back(at->first);
+    }
+    return loop.size() == next.size() ? loop : std::vector<std::uint32_t>();
+  }
+
   double length(const EdgeTable::Edge& edge) const { return glm::distance(mesh_.vertices[edge.low], mesh_.vertices[edge.high]); }
 
-  // Edges between two triangles of one patch that run along it in opposite senses, longest first.
+  // Between two triangles of one patch that run along this edge in opposite senses.
+  bool goes_on(const EdgeTable::Edge& edge) const {
+    const auto& sides = edge.sides;
+    if (sides.size() != 2 || mesh_.triangle_patch[sides[0].triangle] != mesh_.triangle_patch[sides[1].triangle]) return false;
+    const auto starts_at = [&](int s) { return mesh_.triangles[sides[s].triangle][sides[s].corner]; };
+    return starts_at(0) != starts_at(1);
+  }
+
+  // Edges inside patches, longest first.
   std::vector<std::size_t> inner_edges() const {
     std::vector<std::pair<double, std::size_t>> found;
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const auto sides = edges_[e].sides;
-      if (sides.size() != 2 || mesh_.triangle_patch[sides[0].triangle] != mesh_.triangle_patch[sides[1].triangle]) continue;
-      const auto starts_at = [&](int s) { return mesh_.triangles[sides[s].triangle][sides[s].corner]; };
-      if (starts_at(0) != starts_at(1)) found.emplace_back(-length(edges_[e]), e);
-    }
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      if (goes_on(edges_[e])) found.emplace_back(-length(edges_[e]), e);
     std::ranges::sort(found);
     std::vector<std::size_t> order;
     for (const auto& entry : found) order.push_back(entry.second);

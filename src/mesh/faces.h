@@ -24,9 +24,9 @@ struct Faces {
   std::span<const std::uint32_t> corners_of(const Face& face) const { return {&corners[face.first_corner], face.corners}; }
 };
 
-/// Joins neighbouring triangles of a patch as long as the union stays convex (Hertel & Mehlhorn 1983), longest edges first.
-/// Patches whose corners lie beside their plane by more than rounding keep their triangles, so that the projection of a face
-/// is convex from everywhere.
+/// A patch with a convex outline is one face; in others neighbouring triangles are joined as long as the union stays convex
+/// (Hertel & Mehlhorn 1983), longest edges first. Patches whose corners lie beside their plane by more than rounding keep their
+/// triangles, so that the projection of a face is convex from everywhere.
 Faces find_faces(const TriangleMesh& mesh);
 
 }  // namespace raytube

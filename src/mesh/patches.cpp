@@ -11,6 +11,7 @@ namespace raytube {
 namespace {
 
 constexpr double normal_tolerance = 3e-3;   // [rad]
+constexpr double far_nearer = 1e-3;         // times the distance: such a difference says where a sliver belongs
 constexpr double sliver_uncertainty = 0.1;  // of the normal [rad], from which on a triangle's normal says nothing
 
 /// Compensated summation: a plain sum over a million triangles would tilt the plane by 1e-13.
@@ -57,8 +58,11 @@ class PatchFinder {
   void run() {
     mesh_.patches.clear();
     mesh_.triangle_patch.assign(mesh_.triangles.size(), no_index);
-    for (const std::uint32_t seed : largest_first())
-      if (mesh_.triangle_patch[seed] == no_index) grow(seed);
+    const std::vector<std::uint32_t> seeds = largest_first();
+    for (const std::uint32_t seed : seeds)
+      if (mesh_.triangle_patch[seed] == no_index && !is_sliver(seed)) grow(seed);
+    for (const std::uint32_t seed : seeds)
+      if (mesh_.triangle_patch[seed] == no_index && !join_nearest(seed)) grow(seed);
   }
 
  private:
@@ -105,13 +109,48 @@ class PatchFinder {
   /// over its height, and that of a sliver may even point backwards; no way to tell it from a fold, and no need to.
   bool fits(const Patch& plane, std::uint32_t triangle) const {
     const Triangle& t = mesh_.triangles[triangle];
-    for (const std::uint32_t v : t)
-      if (std::abs(glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset) > distance_) return false;
-    const double uncertainty = distance_ / height(mesh_.vertices, t);
-    if (uncertainty > sliver_uncertainty) return true;
+    const double farthest = distance_from(plane, t);
+    if (farthest > distance_) return false;
+    if (is_sliver(triangle)) return farthest <= far_nearer * distance_ || !fits_elsewhere(triangle, farthest);
     const dvec3 area = area_vector(mesh_.vertices, t);
     const double angle = std::atan2(glm::length(glm::cross(area, plane.normal)), glm::dot(area, plane.normal));
-    return angle <= normal_tolerance + uncertainty;
+    return angle <= normal_tolerance + distance_ / height(mesh_.vertices, t);
+  }
+
+  bool is_sliver(std::uint32_t triangle) const {
+    return distance_ > sliver_uncertainty * height(mesh_.vertices, mesh_.triangles[triangle]);
+  }
+
+  /// What no plane has reached belongs to the nearest one beside it; false if none is near enough.
+  bool join_nearest(std::uint32_t triangle) {
+    double nearest = distance_;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t next = neighbour(triangle, k), patch = next == no_index ? no_index : mesh_.triangle_patch[next];
+      if (patch == no_index || distance_from(mesh_.patches[patch], mesh_.triangles[triangle]) > nearest) continue;
+      nearest = distance_from(mesh_.patches[patch], mesh_.triangles[triangle]);
+      mesh_.triangle_patch[triangle] = patch;
+    }
+    return mesh_.triangle_patch[triangle] != no_index;
+  }
+
+  double distance_from(const Patch& plane, const Triangle& t) const {
+    double farthest = 0.0;
+    for (const std::uint32_t v : t)
+      farthest = std::max(farthest, std::abs(glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset));
+    return farthest;
+  }
+
+  /// A sliver along the edge of two planes lies in the one it is far nearer to, if coordinates are as good as to tell.
+  bool fits_elsewhere(std::uint32_t triangle, double farthest) const {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t next = neighbour(triangle, k);
+      if (next == no_index || is_sliver(next)) continue;
+      GrowingPlane other;
+      const auto& [a, b, c] = mesh_.triangles[next];
+      other.add(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
+      if (distance_from(other.plane(), mesh_.triangles[triangle]) < far_nearer * farthest) return true;
+    }
+    return false;
   }
 
   TriangleMesh& mesh_;

@@ -18,8 +18,9 @@ struct BeamView {
   Bounds box;                   // only what reaches into it is of interest
 };
 
-/// Seen closer to its own plane than this (|facing|), a face has no area.
-inline constexpr double edge_on = 1e-12;
+/// Seen closer to its own plane than this (|facing|), a face has no area: as for edges (lit_threshold), and beyond what the
+/// rounding of coordinates far from their origin turns it by (1e-10 m at 1000 km).
+inline constexpr double edge_on = 1e-7;
 
 struct ProjectedFace {
   std::uint32_t face, patch, triangle;

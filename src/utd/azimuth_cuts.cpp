@@ -8,7 +8,9 @@ namespace raytube {
 namespace {
 
 constexpr std::size_t most_images = 200;
-constexpr double same_azimuth = 1e-9;  // [rad]
+constexpr double never = 1e-9;         // as in SheetTracer
+constexpr double touching = 1e-13;     // rays that come so close to running along a plane do; they do so at one azimuth:
+constexpr double same_azimuth = 1e-6;  // [rad]
 constexpr double widest_panel = 0.4;   // [rad]
 
 class CutFinder {
@@ -64,8 +66,8 @@ class CutFinder {
     const double x = glm::dot(normal, face.into_face), y = glm::dot(normal, face.normal);
     const double along = -glm::dot(normal, light_.edge->tangent) * light_.incidence.cos_cone;
     const double across = light_.incidence.sin_cone * std::hypot(x, y);
-    if (std::abs(along) >= across) return;
-    const double middle = std::atan2(y, x), aside = std::acos(along / across);
+    if (across < never || std::abs(along) > across * (1.0 + touching)) return;  // `never`, or at every azimuth: an upright plane
+    const double middle = std::atan2(y, x), aside = std::acos(std::clamp(along / across, -1.0, 1.0));
     for (double azimuth : {middle - aside, middle + aside}) {
       azimuth -= 2 * pi * std::floor(azimuth / (2 * pi));
       if (azimuth < end_) cuts_.push_back(azimuth);

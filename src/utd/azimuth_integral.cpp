@@ -15,6 +15,8 @@ constexpr std::array counts = {6, 8, 12, 16, 24, 32, 48};
 constexpr int most_halvings = 8;
 // Bends inside a panel leave more than smooth functions do.
 constexpr double kinked = 4.0;
+// [points] Keeps the first rule the same on bodies of whole wavelengths, whatever the rounding.
+constexpr double slack = 1e-6;
 
 /// A rule, and what its points say of the last two terms of the Legendre series they resolve.
 struct Rule {
@@ -78,7 +80,7 @@ class Integrator {
       before = here;
     }
     if (!any) return {};
-    const auto enough = std::ranges::lower_bound(counts, 5.0 + turned / 2);
+    const auto enough = std::ranges::lower_bound(counts, 5.0 + turned / 2 - slack);
     return std::min<std::size_t>(enough - counts.begin(), counts.size() - 1);
   }
 

@@ -18,6 +18,7 @@ constexpr double faded = 3.0;
 constexpr double at_edge = 0.05;
 // A rule takes in distances from the edge up to this ratio: waves change with their root.
 constexpr double octaves = 8.0;
+constexpr double slack = 1e-9;  // keeps a number of rules the same where the ratio is a power of that, whatever the rounding
 
 double fading(double detour) {
   const double u = detour / (faded * faded), rest = std::max(1.0 - u * u * u * u, 0.0);
@@ -110,7 +111,7 @@ WaveIntegrals EdgeWaveIntegral::over(const RayRow& row, double k) const {
   if (from < to) {
     const double unit = at_edge / k;
     const double near = std::max(row.path + row.path_rate * from, unit), far = std::max(row.path + row.path_rate * to, unit);
-    const int parts = 1 + static_cast<int>(std::abs(std::log(far / near)) / std::log(octaves));
+    const int parts = 1 + static_cast<int>(std::abs(std::log(far / near)) / std::log(octaves) + slack);
     double begin = from;
     for (int i = 1; i <= parts; ++i) {
       const double path = near * std::pow(far / near, static_cast<double>(i) / parts);

@@ -12,7 +12,8 @@ namespace {
 constexpr double border_share = 0.04;  // of an edge's length: within it a beam's border fades
 constexpr double shortest = 1e-3;      // [wavelengths] pieces of an edge that count, and gaps between them
 constexpr std::size_t most_pairs = 20000;
-constexpr double grazing = 1e-9;  // cosine between wave and normal of a mirror
+constexpr double grazing = 1e-9;        // cosine between wave and normal of a mirror
+constexpr double along_surface = 1e-7;  // sine below which light runs along a surface
 
 bool reflects(const Patch& plane, bool closed, const dvec3& direction) {
   const double facing = glm::dot(plane.normal, direction);
@@ -120,11 +121,14 @@ void ReflectedLight::snap_to_ends(const EdgeAxis& axis) {
   }
 }
 
-// Sideways is along the surface, the same for both faces of the wedge.
+// Sideways is along the surface, the same for both faces of the wedge; across the light where that runs along the surface itself,
+// so that the two sides of the edge are on different sides of a beam that ends there.
 Sheet ReflectedLight::sheet_beside(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) const {
   const Wedge& wedge = *axis.wedge;
   const dvec3 over = wedge.faces[0].into_face - wedge.faces[1].into_face;
-  const dvec3 side = wedge.n == 2.0 ? wedge.faces[0].into_face : glm::normalize(over);
+  const dvec3 across = glm::normalize(glm::cross(axis.tangent, wave.wave.direction));
+  dvec3 side = wedge.n == 2.0 ? wedge.faces[0].into_face : glm::normalize(over);
+  if (std::abs(glm::dot(side, across)) < along_surface) side = across;
   return {axis.origin + sideways * side, axis.tangent, -wave.wave.direction, 0.0, axis.length};
 }
 

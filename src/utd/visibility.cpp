@@ -18,6 +18,12 @@ constexpr double beside_middle = std::numbers::sqrt2 - 1;
 constexpr double end_margin = 1e-6;
 // A ray in the plane of a face runs along the mesh; it starts this far above it, in radii of the target: the lit limit.
 constexpr double lift = 1e-6;
+// Rays along the very rim of a shadow meet or miss what throws it by rounding alone. They start this far outside the edge they
+// are for, in radii of the target: which side of the rim that is does not depend on rounding. As far as single precision may be
+// wrong (ExactHit), or as double precision, where that decides.
+constexpr double outwards_single = 4e-6, outwards_double = 1e-11;
+// Moves the rim of a shadow along the edge by less than this, as a fraction of the edge's length.
+constexpr double beside_crossing = 1e-9;
 
 /// Asks for single points of one wedge.
 struct EdgeProbe {
@@ -25,12 +31,17 @@ struct EdgeProbe {
   const Tracer& tracer;
   Viewpoint view;
   dvec3 offset;
+  dvec3 outwards;  // out of the metal, across the edge, in lengths of the target's radius
   std::span<const double> crossed;
   IgnoredPatches own_patches{wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim};
 
   dvec3 point(double fraction) const { return glm::mix(wedge.start, wedge.end, fraction) + offset; }
 
-  Ray ray(double fraction) const { return {point(fraction), view.from(point(fraction))}; }
+  /// From beside this point.
+  Ray ray(double fraction, double outside = outwards_single) const {
+    const dvec3 origin = point(fraction) + outside * outwards;
+    return {origin, view.from(origin)};
+  }
 
   /// A triangle in the way of this point, or no_index.
   std::uint32_t blocker(double fraction) const {
@@ -39,7 +50,7 @@ struct EdgeProbe {
   }
   /// The same for a triangle and its neighbours alone, in double precision.
   bool meets(double fraction, std::uint32_t triangle) const {
-    const Ray out = ray(fraction);
+    const Ray out = ray(fraction, outwards_double);
     return tracer.meets_around(out.origin, out.direction, triangle, own_patches);
   }
 
@@ -52,7 +63,8 @@ struct EdgeProbe {
     if (std::min(to_lit, to_dark) <= clip_tolerance || blocker(place - side * to_lit) != no_index) return false;
     const std::uint32_t other = blocker(place + side * to_dark);
     const auto is_dark = [&](double at) { return meets(at, other); };
-    return other != no_index && is_dark(place + side * clip_tolerance) && !is_dark(place - side * clip_tolerance);
+    const double beside = std::min({beside_crossing, to_lit, to_dark});
+    return other != no_index && is_dark(place + side * beside) && !is_dark(place - side * beside);
   }
 
   /// Where the shadow that `blocker` throws on the dark end stops: by search while the interval is wide enough to hold other
@@ -91,6 +103,9 @@ dvec3 to_near_side(const Wedge& wedge, const dvec3& towards) {
   return up == 0.0 ? dvec3(0.0) : (up > 0.0 ? -0.5 : 0.5) * wedge.across;
 }
 
+/// Out of the metal, half-way between the faces; in the plane of a half plane.
+dvec3 outwards(const Wedge& wedge) { return -glm::normalize(wedge.faces[0].into_face + wedge.faces[1].into_face); }
+
 /// Regular test points, and one between neighbouring crossings that have none between them, in order.
 void choose_points(int regular, std::span<const double> crossed, std::vector<double>& points) {
   points.clear();
@@ -120,6 +135,17 @@ void scan(const EdgeProbe& probe, std::span<const double> points, std::span<cons
   if (blockers.back() == no_index) lit.push_back({begin, 1.0});
 }
 
+/// At a corner that another face touches single precision does not know on which side of that face the outermost test point lies:
+/// what is said about it alone does not count.
+void follow_neighbours_at_ends(std::vector<LitInterval>& lit) {
+  constexpr double alone = 2 * end_margin;
+  std::erase_if(lit, [](const LitInterval& part) { return part.end < alone || part.begin > 1 - alone; });
+  for (LitInterval& part : lit) {
+    if (part.begin < alone) part.begin = 0.0;
+    if (part.end > 1 - alone) part.end = 1.0;
+  }
+}
+
 }  // namespace
 
 Visibility::Visibility(std::span<const Wedge> wedges, const Tracer& tracer, const Viewpoint& view, double wavelength)
@@ -132,12 +158,18 @@ void Visibility::find(std::uint32_t index, const dvec3& away, std::vector<LitInt
   if (crossings_) crossings_->find(index, crossed_);
   choose_points(point_count(wedges_[index].length(), wavelength_), crossed_, points_);
   const dvec3 near_side = to_near_side(wedges_[index], away == dvec3(0.0) ? view_.from(wedges_[index].start) : away);
-  const EdgeProbe probe{wedges_[index], tracer_, view_, away * (lift * tracer_.mesh().radius) + near_side, crossed_};
+  const EdgeProbe probe{wedges_[index],
+                        tracer_,
+                        view_,
+                        away * (lift * tracer_.mesh().radius) + near_side,
+                        tracer_.mesh().radius * outwards(wedges_[index]),
+                        crossed_};
   rays_.clear();
   for (const double point : points_) rays_.push_back(probe.ray(point));
   blockers_.resize(points_.size());
   tracer_.blockers(rays_, probe.own_patches, blockers_);
   scan(probe, points_, blockers_, lit);
+  follow_neighbours_at_ends(lit);
 }
 
 }  // namespace raytube
