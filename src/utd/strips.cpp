@@ -11,6 +11,9 @@ namespace {
 constexpr double hair =
     10 * along_edge;  // [rad]; above the limit for "exactly", and small enough for its own square not to count
 constexpr double infinity = std::numeric_limits<double>::infinity();
+// Where a wave of the tree runs along an edge, with a sine below `alongside`, strips shorter than up to this electrical length
+// are a tip that passes no soft current on.
+constexpr double longest_tip = 1.0 / 30, alongside = 0.1;
 constexpr double same_length = 1e-13;  // relative; strips between parallel edges share their kernels
 
 void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex factor) {
@@ -174,6 +177,7 @@ void StripWalk::find_paths() {
 // The tree, its points, and of its waves and bundles what all frequencies share.
 void StripWalk::grow(const StripWave& wave, std::span<const LitInterval> lit) {
   tree_.grow(wave, lit);
+  tip_ = tip();
   placer_.place(tree_, lit, wedges_[wave.wedge].length());
   faces_.clear();
   for (const TreeWave& each : tree_.waves()) {
@@ -252,7 +256,27 @@ void StripWalk::find_kernels(std::size_t wave, std::span<const double> wavenumbe
   faces_[wave].strip.at(lengths_, batch);
   if (wave == 0) bound_endless(wavenumbers);
   if (faces_[wave].thin) count_thickness(wave, wavenumbers, lengths_, batch);
+  if (tree_.waves()[wave].direct && tip_ > 0.0) fade_soft_ends(batch);
   if (tree_.waves()[wave].wave.mirrors > 0) keep_mirrored_part(wave, wavenumbers);
+}
+
+// The soft current is singular at its edge: a strip next to a corner, hardly longer than nothing, hands on the more the shorter
+// it is. What starts there lies the closer to the next edge the smaller its sine delta, and S grew as 1 / root(delta). A tip
+// grows from none at delta = `alongside`, so that nothing jumps.
+double StripWalk::tip() const {
+  double sine = alongside;
+  for (const TreeWave& wave : tree_.waves().subspan(1)) sine = std::min(sine, wave.wave.incidence.sin_cone);
+  return longest_tip * (1 - sine / alongside) * (1 - sine / alongside);
+}
+
+void StripWalk::fade_soft_ends(KernelBatch& batch) {
+  for (std::size_t first = 0; first < lengths_.size(); first += lanes) {
+    Reals length{};
+    const std::size_t width = std::min(lanes, lengths_.size() - first);
+    for (std::size_t i = 0; i < width; ++i) length[i] = lengths_[first + i] / tip_;
+    const Reals share = one_minus_exp(length);
+    for (std::size_t i = 0; i < width; ++i) multiply(batch.soft_end, first + i, share[i]);
+  }
 }
 
 // Seen from the image of the source, the current from the fold on. One that runs for ever, over a smooth crease, is left out: the

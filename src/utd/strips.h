@@ -93,6 +93,8 @@ class StripWalk {
   void find_phases(double wavenumber);
   void find_lengths(std::size_t wave, std::span<const double> wavenumbers);
   void find_kernels(std::size_t wave, std::span<const double> wavenumbers);
+  double tip() const;
+  void fade_soft_ends(KernelBatch& batch);
   void keep_mirrored_part(std::size_t wave, std::span<const double> wavenumbers);
   void count_thickness(std::size_t wave, std::span<const double> wavenumbers, std::span<const double> lengths,
                        KernelBatch& batch);
@@ -114,6 +116,7 @@ class StripWalk {
   int order_;
   TransitionTier tier_;
   WaveTree tree_;
+  double tip_ = 0.0;  // electrical length of strips that pass no soft current on
   PanelPlacer placer_;
   std::vector<Face> faces_;                // of each wave of the tree
   std::vector<Row> rows_;                  // of each bundle

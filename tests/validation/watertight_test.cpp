@@ -8,8 +8,8 @@ namespace raytube {
 namespace {
 
 TEST(Watertight, CubeAndSphere) {
-  // Edges are decided in double precision with the same number for both sides, so nothing slips through. bench/watertight
-  // takes the long walk of 10^8 rays.
+  // Edges are decided in double precision with the same number for both sides, so nothing slips through. The stress suite takes
+  // the long walk, in bodies of every shape.
   EXPECT_EQ(testing::lost_inside(build_mesh(shapes::cube(1.0), 1.0).mesh, 300000, 1), 0u);
   EXPECT_EQ(testing::lost_inside(build_mesh(shapes::icosphere(4), 1.0).mesh, 300000, 2), 0u);
 }
