@@ -7,12 +7,13 @@
 #include <cmath>
 
 #include "error.h"
+#include "text.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::size_t longest_line = 1'000'000;  // [bytes]
 constexpr const char* blanks = " \t\r\"";
 
 std::string trimmed(const std::string& text) {
@@ -49,11 +50,10 @@ std::vector<std::string> cells_of(const std::string& line, char separator) {
 
 }  // namespace
 
-CsvReader::CsvReader(const std::filesystem::path& file, const std::string& remedy)
-    : file_(file), stream_(file, std::ios::binary) {
-  std::error_code ignored;
-  if (!stream_ || std::filesystem::is_directory(file, ignored))
-    throw InputError(fmt::format("{}: cannot be read; {}", file.string(), remedy));
+CsvReader::CsvReader(const std::filesystem::path& file, const std::string& remedy) : file_(file) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(file, error)) stream_.open(file, std::ios::binary);  // a pipe may never end
+  if (!stream_.is_open()) throw InputError(fmt::format("{}: cannot be read; {}", file.string(), remedy));
   if (next_line()) columns_ = std::move(cells_);
 }
 
@@ -68,16 +68,32 @@ bool CsvReader::next() {
 double CsvReader::finite_number(std::size_t column, const std::string& remedy) const {
   const std::optional<double> value = parsed_number(cell(column));
   if (!value || !std::isfinite(*value))
-    throw InputError(
-        fmt::format("{}, column {}: \"{}\" is not a finite number; {}", place(), columns_[column], cell(column), remedy));
+    throw InputError(fmt::format("{}, column {}: \"{}\" is not a finite number; {}", place(), quotable(columns_[column]),
+                                 quotable(cell(column)), remedy));
   return *value;
 }
 
 std::string CsvReader::place() const { return fmt::format("{}, line {}", file_.string(), line_); }
 
+bool CsvReader::read_line(std::string& line) {
+  line.clear();
+  std::streambuf& bytes = *stream_.rdbuf();
+  int c = bytes.sbumpc();
+  if (c == std::char_traits<char>::eof()) return false;
+  ++line_;
+  for (; c != '\n' && c != std::char_traits<char>::eof(); c = bytes.sbumpc()) {
+    line += static_cast<char>(c);
+    if (line.size() > longest_line)
+      throw InputError(fmt::format("{} is longer than {} bytes; give a table with a line for each row", place(), longest_line));
+  }
+  if (line_ > 1) return true;
+  if (is_utf16(line)) throw InputError(file_.string() + ": is text in UTF-16; save it as UTF-8 or ASCII");
+  if (line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+  return true;
+}
+
 bool CsvReader::next_line() {
-  for (std::string line; std::getline(stream_, line);) {
-    if (++line_ == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+  for (std::string line; read_line(line);) {
     line = trimmed(line);
     if (line.empty() || line[0] == '#') continue;
     if (separator_ == '\0') separator_ = separator_of(line);

@@ -31,6 +31,7 @@ class CsvReader {
   std::string place() const;
 
  private:
+  bool read_line(std::string& line);  // as it stands in the file, without its end
   bool next_line();
 
   std::filesystem::path file_;

@@ -17,12 +17,12 @@ inline std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Named after the running test, empty at first, removed in the end.
+/// Named after the running test, empty at first, removed in the end. A second one of the same test has a suffix.
 class Scratch {
  public:
-  Scratch() {
+  explicit Scratch(const std::string& suffix = "") {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = "raytube-" + std::to_string(getpid()) + "-" + test->test_suite_name() + "-" + test->name();
+    std::string name = "raytube-" + std::to_string(getpid()) + "-" + test->test_suite_name() + "-" + test->name() + suffix;
     std::replace(name.begin(), name.end(), '/', '-');
     folder_ = std::filesystem::path(::testing::TempDir()) / name;
     std::filesystem::remove_all(folder_);

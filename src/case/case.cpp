@@ -14,6 +14,7 @@
 #include "case/values.h"
 #include "decimal.h"
 #include "error.h"
+#include "text.h"
 
 namespace raytube {
 
@@ -29,7 +30,7 @@ void read_target(const CaseValue& root, Case& c) {
   c.metres_per_unit = read_unit(unit, "target.unit");
   if (const CaseValue* material = find(root, "target", "material"))
     if (read_text(*material, "target.material") != "pec")
-      reject(*material, fmt::format("target.material \"{}\" is not in this version; write \"pec\"", material->text));
+      reject(*material, fmt::format("target.material \"{}\" is not in this version; write \"pec\"", quotable(material->text)));
 }
 
 void read_frequencies(const CaseValue& root, Case& c) {
@@ -37,7 +38,8 @@ void read_frequencies(const CaseValue& root, Case& c) {
   for (const double ghz : read_counted(value, "frequency.ghz")) {
     if (!(ghz > 0.0)) reject(value, fmt::format("frequency.ghz must be greater than 0 (found {})", ghz));
     c.sweep.frequencies.push_back(rounded_to_15_digits(ghz * 1e9));
-    if (!std::isfinite(c.sweep.frequencies.back())) reject(value, fmt::format("frequency.ghz is too large (found {})", ghz));
+    if (!std::isfinite(c.sweep.frequencies.back()))
+      reject(value, fmt::format("frequency.ghz is too large (found {}); give gigahertz", ghz));
   }
 }
 
@@ -56,14 +58,14 @@ CurvedSurfaces read_curved(const CaseValue& value) {
   const std::string text = read_text(value, "tubes.curved");
   for (const CurvedName& known : curved_names)
     if (known.name == text) return known.where;
-  reject(value, fmt::format("tubes.curved \"{}\" is unknown; write \"convex\", \"always\" or \"never\"", text));
+  reject(value, fmt::format("tubes.curved \"{}\" is unknown; write \"convex\", \"always\" or \"never\"", quotable(text)));
 }
 
 void read_tubes(const CaseValue& root, Case& c) {
   if (const CaseValue* mode = find(root, "tubes", "mode")) {
     const std::string name = read_text(*mode, "tubes.mode");
     if (name != "uniform" && name != "adaptive")
-      reject(*mode, fmt::format("tubes.mode \"{}\" is unknown; write \"uniform\" or \"adaptive\"", name));
+      reject(*mode, fmt::format("tubes.mode \"{}\" is unknown; write \"uniform\" or \"adaptive\"", quotable(name)));
     c.tubes.mode = name == "adaptive" ? TubeMode::adaptive : TubeMode::uniform;
   }
   if (const CaseValue* density = find(root, "tubes", "per_wavelength"))
@@ -94,15 +96,15 @@ TransitionTier read_transition(const CaseValue& value) {
   const std::string text = read_text(value, "edges.transition");
   for (const TransitionName& known : transition_names)
     if (known.name == text) return known.tier;
-  reject(value,
-         fmt::format("edges.transition \"{}\" is unknown; write \"exact\", \"kouyoumjian-pathak\" or \"as-printed\"", text));
+  reject(value, fmt::format("edges.transition \"{}\" is unknown; write \"exact\", \"kouyoumjian-pathak\" or \"as-printed\"",
+                            quotable(text)));
 }
 
 EdgeMethod read_method(const CaseValue& value) {
   const std::string text = read_text(value, "edges.method");
   for (const EdgeMethodName& known : edge_method_names)
     if (known.name == text) return known.method;
-  reject(value, fmt::format("edges.method \"{}\" is not in this version; write \"fringe\", \"none\" or \"utd\"", text));
+  reject(value, fmt::format("edges.method \"{}\" is not in this version; write \"fringe\", \"none\" or \"utd\"", quotable(text)));
 }
 
 void read_edges(const CaseValue& root, Case& c) {
@@ -130,8 +132,8 @@ std::size_t read_image_look(const CaseValue& value, const Case& c) {
   const double number = read_number(value, "output.image_look");
   if (number >= 0.0 && number < static_cast<double>(c.sweep.looks.size()) && number == std::floor(number))
     return static_cast<std::size_t>(number);
-  reject(value, fmt::format("output.image_look {}: the case has {} direction pair(s), counted from 0", number_text(number),
-                            c.sweep.looks.size()));
+  reject(value, fmt::format("output.image_look {}: the case has {} direction pair(s), counted from 0; choose among these",
+                            number_text(number), c.sweep.looks.size()));
 }
 
 void read_image_looks(const CaseValue& value, Case& c) {

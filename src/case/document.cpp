@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "error.h"
+#include "text.h"
 
 namespace raytube {
 
@@ -71,19 +72,58 @@ CaseValue converted(const toml::node& node, const Source& source) {
   return value;
 }
 
+constexpr std::uintmax_t longest_file = 1 << 24;  // [bytes]
+constexpr std::size_t most_parts = 10;            // of a dotted key; those known have two
+
+// Line of the first dotted key with more parts, 0 if there is none. The TOML library descends one call for each, and would run
+// out of stack.
+std::size_t line_of_deep_key(const std::string& text) {
+  std::size_t line = 1, dots = 0;
+  char quote = '\0';
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n')
+      ++line, dots = 0, quote = '\0';
+    else if (quote == '"' && c == '\\')
+      ++i;
+    else if (quote)
+      quote = c == quote ? '\0' : quote;
+    else if (c == '"' || c == '\'')
+      quote = c;
+    else if (c == '#')
+      i = std::min(text.find('\n', i), text.size()) - 1;
+    else if (c == '.' && ++dots >= most_parts)
+      return line;
+    else if (std::string_view(",=[]{}").find(c) != std::string_view::npos)
+      dots = 0;
+  }
+  return 0;
+}
+
 std::string text_of_file(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
     throw InputError(fmt::format("{}: no such file; give the path of a case file (TOML)", file.string()));
+  const bool folder = std::filesystem::is_directory(file, error);
+  if (!folder && !std::filesystem::is_regular_file(file, error))
+    throw InputError(fmt::format("{}: is a pipe or a device; copy the case into a file", file.string()));
+  if (!folder && std::filesystem::file_size(file, error) > longest_file)
+    throw InputError(fmt::format("{}: is larger than any case file; give the path of a case file (TOML)", file.string()));
   std::ifstream stream(file, std::ios::binary);
-  if (std::filesystem::is_directory(file, error) || !stream)
+  if (folder || !stream)
     throw InputError(fmt::format("{}: cannot be read; give the path of a readable case file (TOML)", file.string()));
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+[[noreturn]] void reject_deep_key(const std::string& place) {
+  throw InputError(fmt::format("{}: a key of more than {} parts; write section.key", place, most_parts));
 }
 
 CaseValue parsed_file(const std::filesystem::path& file) {
   const Source source{file.string(), true};
   const std::string text = text_of_file(file);
+  if (is_utf16(text)) throw InputError(fmt::format("{}: is text in UTF-16; save it as UTF-8", source.name));
+  if (const std::size_t line = line_of_deep_key(text)) reject_deep_key(fmt::format("{}, line {}", source.name, line));
   try {
     CaseValue root = converted(toml::parse(text), source);
     root.place = source.name;
@@ -94,9 +134,20 @@ CaseValue parsed_file(const std::filesystem::path& file) {
   }
 }
 
+// Down to one leaf: neither a comment nor a section, which read well and set nothing.
+bool sets_one_value(const CaseValue& root) {
+  const CaseValue* value = &root;
+  while (value->kind == Kind::table && !value->written_inline) {
+    if (value->items.size() != 1) return false;
+    value = &value->items.front();
+  }
+  return true;
+}
+
 std::optional<CaseValue> parsed_override(const std::string& text, const Source& source) {
   try {
-    return converted(toml::parse(text), source);
+    CaseValue root = converted(toml::parse(text), source);
+    return sets_one_value(root) ? std::optional(std::move(root)) : std::nullopt;
   } catch (const toml::parse_error&) {
     return std::nullopt;
   }
@@ -106,8 +157,8 @@ std::optional<CaseValue> parsed_override(const std::string& text, const Source& 
 CaseValue override_with_bare_word(const std::string& key, const std::string& word, const Source& source) {
   std::optional<CaseValue> root = parsed_override(key + " = 0", source);
   if (!root)
-    throw InputError(
-        fmt::format("{}: \"{}\" is not a dotted key; write for example --set tubes.per_wavelength=20", source.name, key));
+    throw InputError(fmt::format("{}: \"{}\" is not a dotted key; write for example --set tubes.per_wavelength=20", source.name,
+                                 quotable(key)));
   CaseValue* leaf = &*root;
   while (leaf->kind == Kind::table) leaf = &leaf->items.front();
   leaf->kind = Kind::text;
@@ -116,11 +167,13 @@ CaseValue override_with_bare_word(const std::string& key, const std::string& wor
 }
 
 CaseValue override_tree(const std::string& option) {
-  const Source source{"--set " + option, false};
+  const Source source{"--set " + quotable(option), false};
   const std::size_t equals = option.find('=');
   if (equals == 0 || equals == std::string::npos)
     throw InputError(source.name + ": no KEY=VALUE; write for example --set tubes.per_wavelength=20");
   const std::string key = option.substr(0, equals), word = option.substr(equals + 1);
+  if (!is_utf8(option)) throw InputError(source.name + ": is not text in UTF-8; write it so");
+  if (line_of_deep_key(option)) reject_deep_key(source.name);
   std::optional<CaseValue> root;
   if (word.find('\n') == std::string::npos) root = parsed_override(key + " = " + word, source);
   return root ? *root : override_with_bare_word(key, word, source);

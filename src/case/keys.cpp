@@ -6,6 +6,8 @@
 #include <array>
 #include <numeric>
 
+#include "text.h"
+
 namespace raytube {
 
 namespace {
@@ -86,7 +88,7 @@ std::size_t key_distance(std::string_view key, std::string_view known) {
 void check_key(const CaseValue& value, const std::string& key) {
   if (contains(later_keys, key)) reject(value, fmt::format("\"{}\" is not in this version; remove it", key));
   if (!contains(known_keys, key))
-    reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key, nearest_key(key, known_keys)));
+    reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", quotable(key), nearest_key(key, known_keys)));
 }
 
 // A key inside tells better than its misspelt section which one was meant.

@@ -6,15 +6,13 @@
 #include <cmath>
 
 #include "case/values.h"
-#include "csv_reader.h"
 #include "error.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double farthest = 1e12;    // [m]
-constexpr double highest_db = 60.0;  // of a pattern, over its axis
+constexpr double farthest = 1e12;  // [m]
 
 double read_range(const CaseValue& value, const std::string& key) {
   const double range = read_positive(value, key);
@@ -52,29 +50,6 @@ void read_beamwidth(const CaseValue& value, Case& c) {
     if (width > 180.0) reject(value, fmt::format("{} must be at most 180 (found {})", key, width));
   c.sweep.radar.pattern.azimuth_beamwidth = c.radar.beamwidth_deg.front() * degree;
   c.sweep.radar.pattern.elevation_beamwidth = c.radar.beamwidth_deg.back() * degree;
-}
-
-// Columns angle_deg, azimuth_db, elevation_db: cuts in two planes, or one for both.
-void read_pattern(const std::filesystem::path& file, AntennaPattern& pattern) {
-  const std::string remedy = "radar.pattern_csv must name a readable CSV file with the header angle_deg,azimuth_db,elevation_db";
-  CsvReader reader(file, remedy);
-  if (reader.columns() != std::vector<std::string>{"angle_deg", "azimuth_db", "elevation_db"})
-    throw InputError(fmt::format("{}: the header must be \"angle_deg,azimuth_db,elevation_db\"", file.string()));
-  while (reader.next()) {
-    const double angle = reader.finite_number(0, "write angles off the axis in degrees") * degree;
-    if (!pattern.azimuth.angles.empty() && angle <= pattern.azimuth.angles.back())
-      throw InputError(reader.place() + ": angle_deg must ascend; sort the rows and drop repeated ones");
-    pattern.azimuth.angles.push_back(angle);
-    pattern.azimuth.levels.push_back(reader.finite_number(1, "write the level relative to the axis in dB"));
-    pattern.elevation.levels.push_back(reader.finite_number(2, "write the level relative to the axis in dB"));
-  }
-  if (pattern.azimuth.angles.size() < 2) throw InputError(file.string() + ": an antenna pattern needs at least two rows");
-  pattern.elevation.angles = pattern.azimuth.angles;
-  for (const PatternCut* cut : {&pattern.azimuth, &pattern.elevation})
-    if (std::abs(cut->level(0.0)) > 0.01 || std::ranges::max(cut->levels) > highest_db)
-      throw InputError(fmt::format(
-          "{}: levels are relative to the axis, 0 dB at 0 degrees and nowhere above {} dB; subtract the gain on the axis",
-          file.string(), highest_db));
 }
 
 void set_ranges(const CaseValue& section, Case& c) {
@@ -124,7 +99,7 @@ void read_radar(const CaseValue& root, Case& c) {
   if (const CaseValue* width = section->find("beamwidth_deg")) read_beamwidth(*width, c);
   if (const CaseValue* pattern = section->find("pattern_csv")) {
     c.radar.pattern_csv = read_text(*pattern, "radar.pattern_csv");
-    read_pattern(c.file.parent_path() / c.radar.pattern_csv, c.sweep.radar.pattern);
+    read_pattern_csv(c.file.parent_path() / c.radar.pattern_csv, c.sweep.radar.pattern);
   }
   if (c.tubes.mode == TubeMode::adaptive && !c.tubes.clip)
     reject(*section, "[radar] needs exact polygons or a uniform grid; remove tubes.clip = false");

@@ -15,4 +15,8 @@ void read_positions(const CaseValue& root, Case& c);
 /// Fills the rest of c.radar, c.sweep.radar and the ranges of the looks. Throws InputError.
 void read_radar(const CaseValue& root, Case& c);
 
+/// Cuts of an antenna pattern in two planes, from a CSV file with the header angle_deg,azimuth_db,elevation_db. Throws InputError
+/// with the line.
+void read_pattern_csv(const std::filesystem::path& file, AntennaPattern& pattern);
+
 }  // namespace raytube

@@ -11,6 +11,7 @@
 #include "case/keys.h"
 #include "case/values.h"
 #include "error.h"
+#include "text.h"
 
 namespace raytube {
 
@@ -42,7 +43,7 @@ void check_keys(const CaseValue& table, const std::string& prefix) {
     if (!is_above_known(key)) {
       const bool holds_key = value.kind == Kind::table && !value.keys.empty();
       const std::string meant = holds_key ? key + "." + value.keys.front() : key;
-      reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", meant, nearest_key(meant, known_keys)));
+      reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", quotable(meant), nearest_key(meant, known_keys)));
     }
     if (key == "scene.parts") {
       if (value.kind != Kind::list) reject(value, "scene.parts must be a list of parts; write [[scene.parts]] before each");
@@ -67,7 +68,7 @@ RaySurface read_surface(const CaseValue& value) {
   const std::string text = read_text(value, "scene.parts.surface");
   if (text == "pec") return RaySurface::pec;
   if (text == "absorber") return RaySurface::absorber;
-  reject(value, fmt::format("scene.parts.surface \"{}\" is unknown; write \"pec\" or \"absorber\"", text));
+  reject(value, fmt::format("scene.parts.surface \"{}\" is unknown; write \"pec\" or \"absorber\"", quotable(text)));
 }
 
 // Names become columns of a table and words of a picture.
@@ -100,14 +101,19 @@ void read_parts(const CaseValue& root, SourceCase& c) {
     c.parts.push_back(read_part(table, c.file.parent_path()));
     const auto same = [&](const ScenePart& part) { return part.name == c.parts.back().name; };
     if (std::ranges::count_if(c.parts, same) > 1)
-      reject(table, fmt::format("scene.parts.name \"{}\" is given twice; give every part its own", c.parts.back().name));
+      reject(table,
+             fmt::format("scene.parts.name \"{}\" is given twice; give every part its own", quotable(c.parts.back().name)));
   }
 }
+
+constexpr double farthest = 1e12;  // [m]
 
 void read_box(const CaseValue& value, SourceCase& c) {
   if (value.kind != Kind::list || value.items.size() != 2)
     reject(value, "scene.box_m must be a list of two corners [m], for example [[-1, -1, 0], [1, 1, 2]]");
   c.box = Box{read_vector(value.items[0], "a corner of scene.box_m"), read_vector(value.items[1], "a corner of scene.box_m")};
+  if (!(glm::length(c.box->low) < farthest && glm::length(c.box->high) < farthest))
+    reject(value, fmt::format("scene.box_m must reach no farther than {:g} m from the origin", farthest));
   if (!glm::all(glm::lessThan(c.box->low, c.box->high)))
     reject(value, "scene.box_m must have its lower corner first, each coordinate less than the second one's");
 }
@@ -130,7 +136,7 @@ LaunchModel read_model(const CaseValue& value) {
   const std::string name = read_text(value, "source.models");
   const auto found = std::ranges::find(launch_model_names, name);
   if (found == launch_model_names.end())
-    reject(value, fmt::format("source.models \"{}\" is unknown; write {}", name, fmt::join(launch_model_names, ", ")));
+    reject(value, fmt::format("source.models \"{}\" is unknown; write {}", quotable(name), fmt::join(launch_model_names, ", ")));
   return static_cast<LaunchModel>(found - launch_model_names.begin());
 }
 
@@ -164,7 +170,7 @@ void read_wall(const CaseValue& value, SourceCase& c) {
   const std::string name = read_text(value, "source.wall");
   const auto found = std::ranges::find(wall_names, name);
   if (found == wall_names.end())
-    reject(value, fmt::format("source.wall \"{}\" is unknown; write {}", name, fmt::join(wall_names, ", ")));
+    reject(value, fmt::format("source.wall \"{}\" is unknown; write {}", quotable(name), fmt::join(wall_names, ", ")));
   c.wall = static_cast<int>(found - wall_names.begin());
 }
 
@@ -175,7 +181,8 @@ void read_counted(const CaseValue& root, SourceCase& c) {
   std::vector<std::string> names;
   for (const ScenePart& part : c.parts) names.push_back(part.name);
   if (found == c.parts.end())
-    reject(value, fmt::format("source.counted \"{}\" is no part of the scene; write {}", name, fmt::join(names, " or ")));
+    reject(value,
+           fmt::format("source.counted \"{}\" is no part of the scene; write {}", quotable(name), fmt::join(names, " or ")));
   c.counted = found - c.parts.begin();
 }
 

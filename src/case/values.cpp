@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "decimal.h"
+#include "text.h"
 
 namespace raytube {
 
@@ -29,7 +30,8 @@ struct Range {
 Range read_range(const CaseValue& table, const std::string& key, std::string_view third) {
   for (std::size_t i = 0; i < table.keys.size(); ++i)
     if (const std::string& name = table.keys[i]; name != "start" && name != "stop" && name != third)
-      reject(table.items[i], fmt::format("unknown key \"{0}.{1}\"; write {0} = {{ start, stop, {2} }}", key, name, third));
+      reject(table.items[i],
+             fmt::format("unknown key \"{0}.{1}\"; write {0} = {{ start, stop, {2} }}", key, quotable(name), third));
   const auto entry = [&](std::string_view name) {
     const CaseValue* value = table.find(name);
     if (!value)
@@ -138,7 +140,7 @@ double read_unit(const CaseValue& value, const std::string& key) {
   const std::string name = read_text(value, key);
   for (const Unit& unit : units)
     if (unit.name == name) return unit.metres;
-  reject(value, fmt::format("{} \"{}\" is unknown; write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\"", key, name));
+  reject(value, fmt::format("{} \"{}\" is unknown; write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\"", key, quotable(name)));
 }
 
 std::vector<double> read_stepped(const CaseValue& value, const std::string& key) {

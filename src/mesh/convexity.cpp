@@ -56,7 +56,7 @@ class ConvexBody {
     planes_.clear();
     for (const std::uint32_t t : around(v)) planes_.push_back(mesh_.triangle_patch[t]);
     std::ranges::sort(planes_);
-    planes_.erase(std::ranges::unique(planes_).begin(), planes_.end());
+    planes_.erase(std::unique(planes_.begin(), planes_.end()), planes_.end());
     comparisons_ += 3 * planes_.size() * around(v).size();
     return comparisons_ <= most_comparisons && std::ranges::all_of(planes_, [&](std::uint32_t p) {
              const Patch& plane = mesh_.patches[p];

@@ -140,7 +140,7 @@ class FaceFinder {
   }
 
   static std::vector<std::uint32_t> turned_to_end_at(std::vector<std::uint32_t> loop, std::uint32_t vertex) {
-    std::ranges::rotate(loop, std::ranges::find(loop, vertex) + 1);
+    std::rotate(loop.begin(), std::ranges::find(loop, vertex) + 1, loop.end());
     return loop;
   }
 

@@ -22,4 +22,9 @@ PolygonSoup parse_obj(const MeshFile& file);
 PolygonSoup parse_ply(const MeshFile& file);
 PolygonSoup parse_off(const MeshFile& file);
 
+using MeshParser = PolygonSoup (*)(const MeshFile&);
+
+/// What the parser finds, once checked for what every format must satisfy. Throws InputError.
+PolygonSoup read_polygon_soup(const MeshFile& file, MeshParser parse);
+
 }  // namespace raytube

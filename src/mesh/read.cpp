@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -15,11 +16,18 @@ void MeshFile::reject(const std::string& sentence) const { throw InputError(fmt:
 
 namespace {
 
+std::uintmax_t installed_memory() {
+  return static_cast<std::uintmax_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uintmax_t>(sysconf(_SC_PAGE_SIZE));
+}
+
 MeshFile read_bytes(const std::filesystem::path& path) {
   MeshFile file{path.string(), {}};
   std::error_code error;
   if (!std::filesystem::exists(path, error)) file.reject("not found; check the path, which is relative to the case file");
   if (std::filesystem::is_directory(path, error)) file.reject("is a folder; name the mesh file in it");
+  if (!std::filesystem::is_regular_file(path, error)) file.reject("is a pipe or a device; copy the mesh into a file");
+  if (std::filesystem::file_size(path, error) > installed_memory())
+    file.reject("is larger than this machine's memory; take a larger machine, or divide the mesh");
   std::ifstream stream(path, std::ios::binary);
   file.bytes.assign(std::istreambuf_iterator<char>(stream), {});
   if (!stream) file.reject("cannot be read; check its permissions");
@@ -27,13 +35,13 @@ MeshFile read_bytes(const std::filesystem::path& path) {
   return file;
 }
 
-PolygonSoup parse(const MeshFile& file, std::string ending) {
+MeshParser parser_of(const MeshFile& file, std::string ending) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".stl") return parse_stl(file);
-  if (ending == ".obj") return parse_obj(file);
-  if (ending == ".ply") return parse_ply(file);
-  if (ending == ".off") return parse_off(file);
+  if (ending == ".stl") return parse_stl;
+  if (ending == ".obj") return parse_obj;
+  if (ending == ".ply") return parse_ply;
+  if (ending == ".off") return parse_off;
   file.reject(fmt::format("the ending '{}' is not a known mesh format; use .stl, .obj, .ply or .off", ending));
 }
 
@@ -55,11 +63,15 @@ void check(const MeshFile& file, const PolygonSoup& soup) {
 
 }  // namespace
 
-PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
-  const MeshFile file = read_bytes(path);
-  PolygonSoup soup = parse(file, path.extension().string());
+PolygonSoup read_polygon_soup(const MeshFile& file, MeshParser parse) {
+  PolygonSoup soup = parse(file);
   check(file, soup);
   return soup;
+}
+
+PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
+  const MeshFile file = read_bytes(path);
+  return read_polygon_soup(file, parser_of(file, path.extension().string()));
 }
 
 LoadedMesh load_mesh(const std::filesystem::path& file, double metres_per_unit) {

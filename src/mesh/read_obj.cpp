@@ -5,6 +5,7 @@
 
 #include "mesh/formats.h"
 #include "mesh/text_scanner.h"
+#include "text.h"
 
 namespace raytube {
 
@@ -46,10 +47,10 @@ class ObjParser {
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error != std::errc() || end != digits.data() + digits.size() || number > std::numeric_limits<std::int32_t>::max())
-      scanner_.reject(fmt::format("the corner '{}' is not a vertex number; correct the line", corner));
+      scanner_.reject(fmt::format("the corner '{}' is not a vertex number; correct the line", quotable(corner)));
     if (number < 0) number += static_cast<std::int64_t>(soup_.points.size()) + 1;
     if (number < 1)
-      scanner_.reject(fmt::format("the corner '{}' names no vertex; they count from 1, or from -1 backwards", corner));
+      scanner_.reject(fmt::format("the corner '{}' names no vertex; they count from 1, or from -1 backwards", quotable(corner)));
     note_corner(static_cast<std::uint64_t>(number));
     return static_cast<std::uint32_t>(number - 1);
   }

@@ -4,6 +4,7 @@
 
 #include "mesh/formats.h"
 #include "mesh/text_scanner.h"
+#include "text.h"
 
 namespace raytube {
 
@@ -13,7 +14,8 @@ namespace {
 void check_keyword(const TextScanner& scanner, std::string_view keyword) {
   if (keyword == "off") return;
   if (!keyword.ends_with("OFF") || keyword.find_first_of("4n") != std::string_view::npos)
-    scanner.reject(fmt::format("'{}' is not the keyword of a three-dimensional OFF file; export the mesh as plain OFF", keyword));
+    scanner.reject(
+        fmt::format("'{}' is not the keyword of a three-dimensional OFF file; export the mesh as plain OFF", quotable(keyword)));
 }
 
 void require_line(TextScanner& scanner, const char* what, std::uint64_t index, std::uint64_t count) {

@@ -6,6 +6,7 @@
 
 #include "mesh/formats.h"
 #include "mesh/text_scanner.h"
+#include "text.h"
 
 namespace raytube {
 
@@ -45,14 +46,14 @@ Scalar scalar_type(const TextScanner& scanner, std::string_view word) {
       {"float", Scalar::float32}, {"float32", Scalar::float32}, {"double", Scalar::float64}, {"float64", Scalar::float64}};
   for (const auto& [name, type] : names)
     if (name == word) return type;
-  scanner.reject(fmt::format("'{}' is not a PLY number type; correct the header or export the mesh again", word));
+  scanner.reject(fmt::format("'{}' is not a PLY number type; correct the header or export the mesh again", quotable(word)));
 }
 
 Encoding encoding_of(const TextScanner& scanner, std::string_view word) {
   if (word == "ascii") return Encoding::ascii;
   if (word == "binary_little_endian") return Encoding::little_endian;
   if (word == "binary_big_endian") return Encoding::big_endian;
-  scanner.reject(fmt::format("'{}' is not a PLY format; export the mesh as ascii or binary PLY", word));
+  scanner.reject(fmt::format("'{}' is not a PLY format; export the mesh as ascii or binary PLY", quotable(word)));
 }
 
 Property read_property(TextScanner& scanner) {

@@ -11,6 +11,7 @@
 
 #include "mesh/formats.h"
 #include "mesh/text_scanner.h"
+#include "text.h"
 
 static_assert(std::endian::native == std::endian::little, "binary STL and PLY are read in the machine's own byte order");
 
@@ -58,6 +59,8 @@ PolygonSoup parse_binary(const MeshFile& file) {
   if (file.bytes.size() < header_bytes) file.reject("is too short for an STL file; export it again");
   const std::uint64_t facets = announced_facets(file);
   const std::uint64_t present = (file.bytes.size() - header_bytes) / facet_bytes;
+  if (present > facets)
+    file.reject(fmt::format("holds {} facets but announces {}; the count is damaged, export the mesh again", present, facets));
   if (present < facets)
     file.reject(fmt::format("holds {} of the {} facets it announces; it is cut short, export it again", present, facets));
   SoupBuilder soup;
@@ -99,7 +102,8 @@ PolygonSoup parse_text(const MeshFile& file) {
       soup.end_facet();
       corners = 0;
     } else if (word != "facet" && word != "outer" && word != "loop" && word != "endloop") {
-      scanner.reject(fmt::format("'{}' is not a word of the STL format; correct the line or export the mesh again", word));
+      scanner.reject(
+          fmt::format("'{}' is not a word of the STL format; correct the line or export the mesh again", quotable(word)));
     }
   }
   if (last != "endsolid") scanner.reject("the file ends without 'endsolid'; it is cut short, export it again");
@@ -110,6 +114,7 @@ PolygonSoup parse_text(const MeshFile& file) {
 bool is_text(const MeshFile& file) {
   const std::size_t size = file.bytes.size();
   if (size >= header_bytes && size == header_bytes + facet_bytes * announced_facets(file)) return false;
+  if (is_utf16(file.bytes)) return true;  // and refused as such
   if (file.bytes.find('\0') < 2 * header_bytes) return false;
   TextScanner scanner(file);
   return lower(scanner.word_of_any_line()) == "solid";

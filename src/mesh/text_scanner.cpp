@@ -6,18 +6,19 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "text.h"
+
 namespace raytube {
 
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 }  // namespace
 
 TextScanner::TextScanner(const MeshFile& file, bool backslash_joins_lines)
     : file_(file), backslash_joins_lines_(backslash_joins_lines) {
+  if (is_utf16(file_.bytes)) file_.reject("is text in UTF-16; save it as UTF-8 or ASCII");
   if (file_.bytes.starts_with(byte_order_mark)) position_ = byte_order_mark.size();
 }
 
@@ -89,14 +90,14 @@ double TextScanner::number(std::string_view word) const {
   const char* last = word.data() + word.size();
   double value = 0.0;
   const auto [end, error] = std::from_chars(first, last, value);
-  if (end != last || error == std::errc::invalid_argument) reject(fmt::format("'{}' is not a number; correct the line", word));
+  if (end != last || error == std::errc::invalid_argument) reject(fmt::format("'{}' is not a number; correct the line", quotable(word)));
   // Below the smallest double strtod returns what is nearest, above the largest infinity.
   return error == std::errc::result_out_of_range ? std::strtod(std::string(word).c_str(), nullptr) : value;
 }
 
 double TextScanner::coordinate(std::string_view word) const {
   const double value = number(word);
-  if (!std::isfinite(value)) reject(fmt::format("the coordinate '{}' is not finite; correct it or export the mesh again", word));
+  if (!std::isfinite(value)) reject(fmt::format("the coordinate '{}' is not finite; correct it or export the mesh again", quotable(word)));
   return value;
 }
 
@@ -104,7 +105,7 @@ std::uint64_t TextScanner::count(std::string_view word) const {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || end != word.data() + word.size() || error != std::errc())
-    reject(fmt::format("a count was expected instead of '{}'; the file is damaged, export it again", word));
+    reject(fmt::format("a count was expected instead of '{}'; the file is damaged, export it again", quotable(word)));
   return value;
 }
 

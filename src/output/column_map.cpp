@@ -11,6 +11,7 @@
 
 #include "error.h"
 #include "output/csv.h"
+#include "text.h"
 
 namespace raytube {
 
@@ -59,11 +60,12 @@ ColumnChoice parsed_choice(const std::string& option, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   ColumnChoice choice{in_small_letters(text.substr(0, equals)), {}};
   if (equals == text.size() || !read_source(text.substr(equals + 1), choice))
-    throw InputError(fmt::format(
-        "{} {}: write OURS=THEIRS, with *FACTOR and +OFFSET where units differ, for example freq_hz=f*1e9", option, text));
-  if (const std::vector<std::string> known = known_columns(); std::ranges::find(known, choice.ours) == known.end())
     throw InputError(
-        fmt::format("{} {}: {} is no column of a result; write one of {}", option, text, choice.ours, fmt::join(known, ", ")));
+        fmt::format("{} {}: write OURS=THEIRS, with *FACTOR and +OFFSET where units differ, for example freq_hz=f*1e9", option,
+                    quotable(text)));
+  if (const std::vector<std::string> known = known_columns(); std::ranges::find(known, choice.ours) == known.end())
+    throw InputError(fmt::format("{} {}: {} is no column of a result; write one of {}", option, quotable(text),
+                                 quotable(choice.ours), fmt::join(known, ", ")));
   if (!is_a_number(choice.ours) && (choice.factor != 1.0 || choice.offset != 0.0))
     throw InputError(fmt::format("{} {}: {} takes no factor and no offset; leave them out", option, text, choice.ours));
   return choice;

@@ -51,10 +51,12 @@ void remove_leftovers(const fs::path& folder, bool own) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& path) : path_(fs::absolute(path).lexically_normal()) {
+OutputFolder::OutputFolder(const fs::path& path) {
+  std::error_code error;
+  path_ = fs::absolute(path, error).lexically_normal();
+  if (error) not_writable(path, "cannot be found from here (" + error.message() + ")");
   if (!path_.has_filename()) path_ = path_.parent_path();  // "out/" is "out"
   const fs::path missing = first_missing(path_);
-  std::error_code error;
   fs::create_directories(path_, error);
   if (!error && !fs::is_directory(path_)) error = std::make_error_code(std::errc::not_a_directory);
   if (error) not_writable(path, "cannot be created (" + error.message() + ")");

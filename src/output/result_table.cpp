@@ -14,6 +14,7 @@
 #include "decimal.h"
 #include "error.h"
 #include "output/csv.h"
+#include "text.h"
 
 namespace raytube {
 
@@ -44,6 +45,15 @@ struct Layout {
   Column transmit;
 };
 
+// Names as a sentence can list them.
+std::string first_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 12;
+  std::vector<std::string> listed;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) listed.push_back(quotable(names[i]));
+  if (names.size() > most) listed.push_back("...");
+  return fmt::format("{}", fmt::join(listed, ", "));
+}
+
 // Columns by name, in small or capital letters.
 class Header {
  public:
@@ -52,7 +62,7 @@ class Header {
       std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const ColumnChoice& choice : map)
       if (!column(choice.theirs))
-        reject(fmt::format("no column is named {}; choose among {}", choice.theirs, fmt::join(names_, ", ")));
+        reject(fmt::format("no column is named {}; choose among {}", quotable(choice.theirs), first_of(names_)));
   }
 
   Source find(const std::string& name) const {
@@ -68,7 +78,7 @@ class Header {
     const auto found = std::ranges::find(names_, name);
     if (found == names_.end()) return std::nullopt;
     if (std::find(found + 1, names_.end(), name) != names_.end())
-      throw InputError(fmt::format("{}: two columns are named {}; rename or remove one", place_, name));
+      throw InputError(fmt::format("{}: two columns are named {}; rename or remove one", place_, quotable(name)));
     return found - names_.begin();
   }
 
@@ -171,7 +181,7 @@ int transmit_of(const CsvReader& reader, std::size_t column) {
   const std::string& text = reader.cell(column);
   if (text == "v" || text == "V") return 0;
   if (text == "h" || text == "H") return 1;
-  throw InputError(fmt::format("{}: the transmit polarisation is \"{}\"; write v or h", reader.place(), text));
+  throw InputError(fmt::format("{}: the transmit polarisation is \"{}\"; write v or h", reader.place(), quotable(text)));
 }
 
 ResultTable::Keys read_keys(const CsvReader& reader, const Layout& layout) {

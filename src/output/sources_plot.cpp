@@ -247,7 +247,8 @@ std::string plot_sources(const std::filesystem::path& folder, const SourceStudy&
       {{"launch", launch_script}, {"hits", hits_script}, {"sources", one_place ? errors_script : response_script}}};
   for (const auto& [name, script] : pictures) {
     const std::string trouble = draw_pictures(
-        folder, name, [&](const std::string& terminal, const std::string& file) { return script(terminal, file, study); });
+        folder, name,
+        [&, &draw = script](const std::string& terminal, const std::string& file) { return draw(terminal, file, study); });
     if (!trouble.empty()) return fmt::format("no picture \"{}\": {}; sources.csv holds the numbers", name, trouble);
   }
   return "";

@@ -251,6 +251,7 @@ void print_memory(const Target& target, const Case& c) {
 
 void check_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
+  if (!request.wedges_csv.empty()) check_wedges_file(request.wedges_csv);
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   const Target target(loaded.mesh, c.edges);
   check_antennas(loaded.mesh, c.sweep);

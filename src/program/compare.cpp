@@ -79,6 +79,9 @@ void fall_short_above(const Comparison& comparison, const Request& request) {
 }  // namespace
 
 void compare_command(const Request& request) {
+  if (!request.output_folder.empty()) {
+    const OutputFolder refused_now_rather_than_after_the_report(request.output_folder);
+  }
   const ColumnMap result_columns = parsed_column_map("--result-columns", request.result_columns),
                   reference_columns = parsed_column_map("--reference-columns", request.reference_columns);
   ResultTable result = read_result_table(request.result, result_columns),

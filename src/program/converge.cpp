@@ -17,6 +17,7 @@
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "sbr/launch.h"
+#include "text.h"
 #include "threads.h"
 
 namespace raytube {
@@ -25,19 +26,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_densities = 100;
+
 std::vector<double> parsed_densities(const std::string& option) {
   std::vector<double> densities;
   for (std::size_t at = 0; at <= option.size();) {
     const std::size_t end = std::min(option.find(',', at), option.size());
     const auto density = parsed_number(option.substr(at, end - at));
     if (!density || !std::isfinite(*density) || *density <= 0.0)
-      throw InputError(fmt::format("--densities {}: write tubes per wavelength with commas between, for example 4,8,16", option));
+      throw InputError(
+          fmt::format("--densities {}: write tubes per wavelength with commas between, for example 4,8,16", quotable(option)));
     densities.push_back(*density);
     at = end + 1;
   }
+  if (densities.size() > most_densities)
+    throw InputError(fmt::format("--densities: {} are more than {}; leave some out", densities.size(), most_densities));
   std::ranges::sort(densities);
   if (densities.size() < 3 || std::ranges::adjacent_find(densities) != densities.end())
-    throw InputError(fmt::format("--densities {}: an order needs three different densities or more, for example 4,8,16", option));
+    throw InputError(
+        fmt::format("--densities {}: an order needs three different densities or more, for example 4,8,16", quotable(option)));
   return densities;
 }
 

@@ -38,8 +38,10 @@ void execute(const Request& request) {
   }
 }
 
-// One line, whatever a file name or a library's message holds.
+// One line that can be read, whatever a file name or a library's message holds: of a long one the beginning and the end.
 int complain(std::string sentence, int code) {
+  constexpr std::size_t beginning = 350, end = 250;
+  if (sentence.size() > beginning + end) sentence.replace(beginning, sentence.size() - beginning - end, " ... ");
   for (char& c : sentence)
     if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
   fmt::print(stderr, "raytube: {}\n", sentence);

@@ -38,8 +38,8 @@ void print_bounce(std::size_t number, const TubeBounce& bounce, const dvec3& dir
 
 const Look& chosen_look(const Case& c, std::size_t index) {
   if (index >= c.sweep.looks.size())
-    throw InputError(
-        fmt::format("--look {}: {} has {} direction pair(s), counted from 0", index, c.file.string(), c.sweep.looks.size()));
+    throw InputError(fmt::format("--look {}: {} has {} direction pair(s), counted from 0; choose among these", index,
+                                 c.file.string(), c.sweep.looks.size()));
   return c.sweep.looks[index];
 }
 

@@ -55,6 +55,8 @@ std::string point_text(const dvec3& p) { return number_text(p.x) + ',' + number_
 
 }  // namespace
 
+void check_wedges_file(const std::filesystem::path& file) { folder_of(file); }
+
 void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mesh, std::span<const Wedge> wedges,
                       const Sweep& sweep) {
   const NewResults results(folder_of(file));

@@ -16,4 +16,7 @@ namespace raytube {
 void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mesh, std::span<const Wedge> wedges,
                       const Sweep& sweep);
 
+/// Throws InputError if there can be no list of that name.
+void check_wedges_file(const std::filesystem::path& file);
+
 }  // namespace raytube

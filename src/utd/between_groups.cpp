@@ -23,8 +23,7 @@ std::vector<dvec3> find_corners(std::span<const Wedge> wedges) {
   for (const Wedge& wedge : wedges) corners.insert(corners.end(), {wedge.start, wedge.end});
   const auto key = [](const dvec3& corner) { return std::tuple(corner.x, corner.y, corner.z); };
   std::ranges::sort(corners, {}, key);
-  const auto repeated = std::ranges::unique(corners, {}, key);
-  corners.erase(repeated.begin(), repeated.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   if (corners.size() > most_corners) corners.clear();
   return corners;
 }

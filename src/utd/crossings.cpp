@@ -32,7 +32,7 @@ bool on_silhouette(const Wedge& wedge, const dvec3& direction) {
 
 Crossings::Crossings(std::span<const Wedge> wedges, const dvec3& direction) {
   const auto [u, v] = axes_across(direction);
-  const auto flat = [&](const dvec3& p) { return dvec2(glm::dot(p, u), glm::dot(p, v)); };
+  const auto flat = [&across = u, &along = v](const dvec3& p) { return dvec2(glm::dot(p, across), glm::dot(p, along)); };
   dvec2 high(-1e300);
   low_ = dvec2(1e300);
   std::vector<std::uint32_t> silhouette;

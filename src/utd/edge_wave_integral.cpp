@@ -176,8 +176,8 @@ void EdgeWaveIntegral::add_beside_corner(const RayRow& row, double k, double cor
     detour[i] = both > 0.0 ? std::max(k * beyond * (beyond - cos_cone_ * longer) / both, 0.0) : 0.0;
     x[i] = std::sqrt(detour[i]);
   }
-  const auto share = [&](std::size_t lane, double z2) {
-    const double both = z2 + detour[lane], own = both > 0.0 ? z2 / both : 1.0, faded = fading(detour[lane]);
+  const auto share = [&](std::size_t place, double z2) {
+    const double both = z2 + detour[place], own = both > 0.0 ? z2 / both : 1.0, faded = fading(detour[place]);
     return std::pair(faded * own, faded * own * own);
   };
   const Complexes weights = turned_back(rule.weights(k * row.phase_rate * half), unit_phasors(detour), scaled_erfc(x));

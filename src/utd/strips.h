@@ -73,8 +73,8 @@ class StripWalk {
     double middle() const { return 0.5 * (low + high); }
     double half() const { return 0.5 * (high - low); }
     void include(std::initializer_list<double> paths) {
-      low = std::min(low, std::ranges::min(paths));
-      high = std::max(high, std::ranges::max(paths));
+      low = std::min(low, std::min(paths));
+      high = std::max(high, std::max(paths));
     }
   };
 

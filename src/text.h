@@ -1,0 +1,21 @@
+// Text of unknown origin: how files may begin, and how it is quoted in a sentence.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace raytube {
+
+/// Begins a text file of some editors; says nothing in UTF-8.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// True if the text begins with a byte order mark of UTF-16: two bytes a character, which nothing here reads.
+constexpr bool is_utf16(std::string_view text) { return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"); }
+
+/// True if every byte belongs to a character of UTF-8.
+bool is_utf8(std::string_view text);
+
+/// The text as a sentence can quote it: of long ones the beginning, and '?' for what is no printable character.
+std::string quotable(std::string_view text);
+
+}  // namespace raytube

@@ -1,0 +1,216 @@
+// The rows of the bad-input table that are about case files and their values.
+#include "program.h"
+#include "table.h"
+
+namespace raytube::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+BadRow text(const std::string& name, const std::string& bytes, const std::string& says) {
+  return with_file(name, "bad.toml", bytes, "run bad.toml", says);
+}
+
+BadRow set(const std::string& name, const std::string& values, const std::string& says) {
+  std::string words = "run case.toml";
+  for (std::size_t at = 0; at < values.size();) {
+    const std::size_t end = std::min(values.find('|', at), values.size());
+    words += " --set '" + values.substr(at, end - at) + "'";
+    at = end + 1;
+  }
+  return {name, words, says};
+}
+
+std::string times(std::size_t count, const std::string& piece) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += piece;
+  return all;
+}
+
+std::string in_utf16(const std::string& text) {
+  std::string bytes = "\xFF\xFE";
+  for (const char c : text) bytes += {c, '\0'};
+  return bytes;
+}
+
+std::vector<BadRow> text_rows() {
+  return {
+      text("case_of_no_bytes", "", ": target.mesh is missing; add mesh = "),
+      text("case_of_blanks", "\n \n\t\n", ": target.mesh is missing"),
+      text("case_cut", good_case.substr(0, 12), ", line 2: not valid TOML; correct this line"),
+      text("case_in_utf16", in_utf16(good_case), ": is text in UTF-16; save it as UTF-8"),
+      text("case_not_utf8", "title = \"\xE9t\xE9\"\n" + good_case, ", line 1: not valid TOML"),
+      text("case_with_nul", std::string("title = \"a\0b\"\n", 14) + good_case, ", line 1: not valid TOML"),
+      text("case_is_a_program",
+           "\x7f"
+           "ELF\x02\x01\x01",
+           ", line 1: not valid TOML"),
+      text("case_is_a_mesh", plate, ", line 1: not valid TOML"),
+      text("case_key_twice", target + "unit = \"m\"\n" + frequency + look, ", line 4: not valid TOML"),
+      text("case_section_twice", good_case + target, "not valid TOML"),
+      text("case_section_unknown", good_case + "[tube]\nmode = \"uniform\"\n",
+           ", line 9: unknown key \"tube.mode\"; did you mean \"tubes.mode\"?"),
+      text("case_key_unknown", good_case + "[edges]\nordre = 2\n",
+           ", line 10: unknown key \"edges.ordre\"; did you mean \"edges.order\"?"),
+      text("case_key_in_capitals", good_case + "[Output]\nplots = false\n", "did you mean \"output.plots\"?"),
+      text("case_key_of_1e5_letters", good_case + times(100000, "k") + " = 1\n", "unknown key \"look.kkk"),
+      text("case_key_without_section", "mesh = \"mesh.off\"\n" + frequency + look,
+           ", line 1: unknown key \"mesh\"; did you mean \"target.mesh\"?"),
+      text("case_section_is_a_number", "tubes = 3\n" + good_case, ", line 1: tubes must be a section; write [tubes]"),
+      text("case_sections_in_a_list", "[[target]]\nmesh = \"mesh.off\"\nunit = \"m\"\n" + frequency + look,
+           ", line 1: target must be a section"),
+      text("case_lists_1e5_deep", "title = " + times(100000, "["), "not valid TOML"),
+      text("case_closed_lists_1e4_deep", "title = " + times(10000, "[") + times(10000, "]"), "not valid TOML"),
+      text("case_tables_1e5_deep", times(100000, "a.") + "a = 1\n", ", line 1: a key of more than"),
+      text("case_section_1e5_deep", "\n[" + times(100000, "a.") + "a]\n", ", line 2: a key of more than"),
+      text("case_inline_tables_1e5_deep", "title = {" + times(100000, "a.") + "a=1}\n", ", line 1: a key of more than"),
+      text("case_date_for_a_number", target + "[frequency]\nghz = 1979-05-27\n" + look,
+           ", line 5: frequency.ghz must be a number, a list or"),
+      text("case_later_key", good_case + "[materials]\nsteel = 1\n", "\"materials\" is not in this version; remove it"),
+      text("case_for_sources", "[source]\nrays = 5\n",
+           ", line 1: [source] belongs to a case for raytube sources; run it with that command"),
+  };
+}
+
+std::vector<BadRow> value_rows() {
+  return {
+      set("unit_misspelt", "target.unit=milimetre", "target.unit \"milimetre\" is unknown; write \"m\", \"cm\", \"mm\""),
+      set("unit_in_capitals", "target.unit=MM", "target.unit \"MM\" is unknown"),
+      set("unit_is_a_number", "target.unit=0.001", "target.unit must be a text in double quotes"),
+      set("mesh_is_a_number", "target.mesh=5", "target.mesh must be a text in double quotes"),
+      set("mesh_is_empty", "target.mesh=\"\"", "target.mesh is empty; give the mesh file"),
+      set("material_unknown", "target.material=steel", "target.material \"steel\" is not in this version; write \"pec\""),
+      set("frequency_text", "frequency.ghz=\"10\"", "frequency.ghz must be a number, a list or { start, stop, count }"),
+      set("frequency_zero", "frequency.ghz=0", "frequency.ghz must be greater than 0 (found 0)"),
+      set("frequency_of_a_list_negative", "frequency.ghz=[1,-2]", "frequency.ghz must be greater than 0 (found -2)"),
+      set("frequency_nan", "frequency.ghz=nan", "frequency.ghz must be a finite number"),
+      set("frequency_1e300", "frequency.ghz=1e300", "frequency.ghz is too large (found 1e+300); "),
+      set("frequency_no_values", "frequency.ghz=[]", "frequency.ghz is an empty list; give at least one number"),
+      set("frequency_list_of_lists", "frequency.ghz=[[1,2]]", "every entry of frequency.ghz must be a number"),
+      set("frequency_count_zero", "frequency.ghz={start=1,stop=2,count=0}",
+          "frequency.ghz.count must be a whole number of at least 1"),
+      set("frequency_count_one_of_two", "frequency.ghz={start=1,stop=2,count=1}",
+          "frequency.ghz.count of 1 cannot hold both start and stop; write"),
+      set("frequency_count_half", "frequency.ghz={start=1,stop=2,count=2.5}", "must be a whole number of at least 1 (found 2.5)"),
+      set("frequency_count_1e12", "frequency.ghz={start=1,stop=2,count=1e12}",
+          "asks for 1e+12 values, more than the 1000000 allowed; choose another count"),
+      set("frequency_with_a_step", "frequency.ghz={start=1,stop=2,step=1}", "unknown key \"frequency.ghz.step\"; write"),
+      set("frequency_without_stop", "frequency.ghz={start=1,count=3}", "frequency.ghz has no stop; write"),
+      set("theta_below_zero", "look.theta_deg=-1e-9", "look.theta_deg must lie in 0 to 180 degrees"),
+      set("theta_text", "look.theta_deg=up", "look.theta_deg must be a number, a list or { start, stop, step }"),
+      set("theta_true", "look.theta_deg=true", "look.theta_deg must be a number, a list or"),
+      set("phi_no_values", "look.phi_deg=[]", "look.phi_deg is an empty list; give at least one number"),
+      set("phi_infinite", "look.phi_deg=-inf", "look.phi_deg must be a finite number"),
+      set("phi_range_without_end", "look.phi_deg={start=0,stop=inf,step=1}", "look.phi_deg.stop must be a finite number"),
+      set("phi_range_of_steps_zero", "look.phi_deg={start=0,stop=1,step=0}", "look.phi_deg.step must not be zero; write"),
+      set("phi_range_of_steps_1e_320", "look.phi_deg={start=0,stop=1,step=1e-320}",
+          "more than the 1000000 allowed; choose another step"),
+      set("phi_range_the_wrong_way", "look.phi_deg={start=5,stop=1,step=0.5}",
+          "look.phi_deg.step 0.5 leads away from stop (start 5, stop 1); write step = -0.5"),
+      set("phi_range_of_1e12_steps", "look.phi_deg={start=0,stop=1e6,step=1e-6}",
+          "asks for 1e+12 values, more than the 1000000 allowed"),
+      set("phi_range_of_doubles_ends", "look.phi_deg={start=-1.7e308,stop=1.7e308,step=1}",
+          "more than the 1000000 allowed; choose another step"),
+      set("looks_in_1e7_rows", "look.theta_deg={start=0,stop=180,step=0.01}|look.phi_deg={start=0,stop=360,step=0.01}",
+          "rows, more than the 10000000 allowed; split the sweep"),
+      set("receive_without_phi", "receive.theta_deg=3", "receive.phi_deg is missing; add"),
+      set("tubes_mode_unknown", "tubes.mode=\"random\"", "tubes.mode \"random\" is unknown; write \"uniform\" or \"adaptive\""),
+      set("tubes_mode_is_a_list", "tubes.mode=[\"uniform\"]", "tubes.mode must be a text"),
+      set("tubes_density_negative", "tubes.per_wavelength=-1e-300", "tubes.per_wavelength must be greater than 0"),
+      set("tubes_density_infinite", "tubes.per_wavelength=+inf", "tubes.per_wavelength must be a finite number"),
+      set("tubes_density_1e308_uniform", "tubes.mode=uniform|tubes.per_wavelength=1e308", "tubes.per_wavelength"),
+      set("bounces_zero", "tubes.max_bounces=0", "tubes.max_bounces must be a whole number from 1 to 1000 (found 0)"),
+      set("bounces_1e9", "tubes.max_bounces=1e9", "tubes.max_bounces must be a whole number from 1 to 1000"),
+      set("bounces_beyond_64_bits", "tubes.max_bounces=9223372036854775808", "tubes.max_bounces must be a number"),
+      set("up_zero", "tubes.up=[0,0,0]", "tubes.up must not be the zero vector; write"),
+      set("up_of_two_numbers", "tubes.up=[0,1]", "tubes.up must be a list of three numbers"),
+      set("up_too_long", "tubes.up=[1e200,1e200,0]", "tubes.up"),
+      set("up_too_short", "tubes.up=[0,0,1e-200]", "tubes.up"),
+      set("clip_of_uniform_tubes", "tubes.mode=uniform|tubes.clip=true", "tubes.clip needs tubes.mode = \"adaptive\"; "),
+      set("clip_is_a_number", "tubes.clip=1", "tubes.clip must be true or false, without quotes"),
+      set("curved_unknown", "tubes.curved=concave", "tubes.curved \"concave\" is unknown; write"),
+      set("tolerance_zero", "accuracy.tolerance_db=0", "accuracy.tolerance_db must be greater than 0"),
+      set("tolerance_nan", "accuracy.tolerance_db=nan", "accuracy.tolerance_db must be a finite number"),
+      set("edges_unknown", "edges.method=ptd", "edges.method \"ptd\" is not in this version; write"),
+      set("edges_order_4", "edges.order=4", "edges.order must be a whole number from 1 to 3 (found 4)"),
+      set("edges_order_half", "edges.order=1.5", "edges.order must be a whole number from 1 to 3 (found 1.5)"),
+      set("edges_wedge_of_180", "edges.min_wedge_deg=180", "edges.min_wedge_deg must be at least 0 and less than 180"),
+      set("edges_wedge_negative", "edges.min_wedge_deg=-1", "edges.min_wedge_deg must be at least 0"),
+      set("edges_transition_unknown", "edges.transition=uniform", "edges.transition \"uniform\" is unknown; write"),
+      set("utd_range_without_utd", "edges.utd_range_m=5", "edges.utd_range_m needs edges.method = \"utd\"; "),
+      set("utd_range_nan", "edges.method=utd|edges.utd_range_m=nan", "edges.utd_range_m must be a finite number"),
+      set("radar_range_negative", "radar.range_m=-3", "radar.range_m must be greater than 0 (found -3)"),
+      set("radar_range_1e13", "radar.range_m=1e13", "radar.range_m must be at most 1e+12"),
+      set("radar_without_range", "radar.beamwidth_deg=3", "radar.range_m is missing; give"),
+      set("radar_position_and_look", "radar.position_m=[0,0,3]",
+          "[look] cannot go with radar.position_m, which says where the antenna stands; remove one"),
+      set("radar_beam_nan", "radar.range_m=3|radar.beamwidth_deg=nan", "radar.beamwidth_deg must be a finite number"),
+      set("radar_beam_of_no_values", "radar.range_m=3|radar.beamwidth_deg=[]",
+          "radar.beamwidth_deg must be one angle, or [azimuth, elevation]"),
+      set("radar_aim_text", "radar.range_m=3|radar.aim_m=target", "radar.aim_m must be a list of three numbers"),
+      set("image_look_negative", "output.image_look=-1",
+          "output.image_look -1: the case has 1 direction pair(s), counted from 0; "),
+      set("image_look_1e300", "output.image_look=1e300", "the case has 1 direction pair(s)"),
+      set("image_looks_none", "output.image_look=[]", "output.image_look is an empty list; give at least one"),
+      set("image_density_1e300", "output.image_look=0|output.image_per_wavelength=1e300",
+          "output.image_per_wavelength asks for more than 4000000 cells in look 0; lower it"),
+      set("image_density_negative", "output.image_per_wavelength=-1", "output.image_per_wavelength must be greater than 0"),
+      set("plots_text", "output.plots=\"yes\"", "output.plots must be true or false, without quotes"),
+      set("title_is_a_number", "title=5", "title must be a text in double quotes"),
+  };
+}
+
+std::vector<BadRow> override_rows() {
+  return {
+      set("set_without_value", "tubes.mode", "--set tubes.mode: no KEY=VALUE; write"),
+      set("set_without_key", "=5", "--set =5: no KEY=VALUE; write"),
+      set("set_only_equals", "=", "--set =: no KEY=VALUE"),
+      set("set_nothing", " ", "no KEY=VALUE; write"),
+      set("set_key_of_dots", "...=1", "\"...\" is not a dotted key; write"),
+      set("set_key_with_blank", "tubes mode=uniform", "\"tubes mode\" is not a dotted key; write"),
+      set("set_key_is_a_comment", "#tubes.mode=uniform", "\"#tubes.mode\" is not a dotted key; write"),  // found by fuzzing
+      set("set_key_is_a_section", "[tubes]#=uniform", "\"[tubes]#\" is not a dotted key; write"),
+      set("set_key_not_ascii",
+          "tubes.m\xC3\xB6"
+          "de=1",
+          "is not a dotted key"),
+      set("set_key_unknown", "tubes.per_wavelenght=5",
+          "--set tubes.per_wavelenght=5: unknown key \"tubes.per_wavelenght\"; did you mean \"tubes.per_wavelength\"?"),
+      set("set_section", "tubes=5", "tubes must be a section"),
+      set("set_section_as_a_table", "tubes={mode=\"uniform\",speed=3}", "unknown key \"tubes.speed\""),
+      set("set_key_below_a_key", "frequency.ghz.more.less=5", "unknown key \"frequency.ghz.more\"; write"),
+      set("set_key_1e5_deep", times(50000, "a.") + "a=1", "a key of more than"),
+      set("set_value_of_1e5_lists", "look.phi_deg=" + times(100000, "["), "look.phi_deg must be"),
+      set("set_two_lines", "tubes.mode=a\ntubes.clip=true", "tubes.mode \"a?tubes.clip=true\" is unknown"),
+      set("set_comment", "tubes.mode=#uniform", "tubes.mode \"#uniform\" is unknown; write"),
+      set("set_not_utf8", "title=\xFF\xFE", "--set title=??: is not text in UTF-8"),
+  };
+}
+
+std::vector<BadRow> file_rows() {
+  return {
+      {"case_missing", "run none.toml", "none.toml: no such file; give the path of a case file"},
+      {"case_folder", "run .", ".: cannot be read; give the path of a readable case file"},
+      {"case_below_a_file", "run case.toml/case.toml", "case.toml/case.toml: no such file"},
+      {"case_endless_device", "run /dev/zero", "/dev/zero: is a pipe or a device; copy"},
+      {"case_pipe", "run bad.toml", "bad.toml: is a pipe or a device; copy",
+       [](const Scratch& scratch) { ASSERT_EQ(mkfifo((scratch / "bad.toml").c_str(), 0600), 0); }},
+      {"case_link_to_itself", "run bad.toml", "bad.toml: no such file",
+       [](const Scratch& scratch) { fs::create_symlink("bad.toml", scratch / "bad.toml"); }},
+      {"case_link_to_nothing", "run bad.toml", "bad.toml: no such file",
+       [](const Scratch& scratch) { fs::create_symlink("gone.toml", scratch / "bad.toml"); }},
+      {"case_of_4_tebibytes", "run bad.toml", "bad.toml: is larger than any case file",
+       [](const Scratch& scratch) { fs::resize_file(scratch.write("bad.toml", ""), 1ull << 42); }},
+      {"case_name_of_5000_letters", "run " + std::string(5000, 'c') + ".toml", "no such file; give the path"},
+      {"case_name_not_utf8", "run $'\\xff\\xfe.toml'", "no such file; give the path"},
+      {"case_name_of_two_lines", "run $'no\\nfile.toml'", "no such file; give the path"},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(CaseText, BadTable, ::testing::ValuesIn(text_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(CaseValues, BadTable, ::testing::ValuesIn(value_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Overrides, BadTable, ::testing::ValuesIn(override_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(CaseFiles, BadTable, ::testing::ValuesIn(file_rows()), row_name);
+
+}  // namespace
+}  // namespace raytube::testing

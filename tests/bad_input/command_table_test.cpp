@@ -1,0 +1,221 @@
+// The rows of the bad-input table that are about tables of other programs, folders and the command line.
+#include "program.h"
+#include "table.h"
+
+namespace raytube::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+BadRow looks(const std::string& name, const std::string& bytes, const std::string& says) {
+  const std::string remove = " --set 'look={looks_csv=\"bad.csv\"}'";
+  return with_file(name, "bad.csv", bytes, "run case.toml" + remove, says);
+}
+
+BadRow pattern(const std::string& name, const std::string& bytes, const std::string& says) {
+  return with_file(name, "bad.csv", bytes, "run case.toml --set radar.range_m=3 --set radar.pattern_csv=bad.csv", says);
+}
+
+BadRow result(const std::string& name, const std::string& bytes, const std::string& says) {
+  return with_file(name, "bad.csv", bytes, "compare a.csv bad.csv -o out", says);
+}
+
+std::string in_utf16(const std::string& text) {
+  std::string bytes = "\xFF\xFE";
+  for (const char c : text) bytes += {c, '\0'};
+  return bytes;
+}
+
+std::vector<BadRow> looks_rows() {
+  const std::string header = "theta_deg,phi_deg\n";
+  return {
+      looks("looks_of_no_bytes", "", ": no looks; write the header"),
+      looks("looks_without_rows", header, ": no looks; write the header"),
+      looks("looks_only_comments", "# theta_deg,phi_deg\n# 1,2\n", ": no looks"),
+      looks("looks_without_phi", "theta_deg\n1\n", ", line 1: the header must be"),
+      looks("looks_the_other_way_round", "phi_deg,theta_deg\n1,2\n", ", line 1: the header must be"),
+      looks("looks_with_half_a_receiver", "theta_deg,phi_deg,rx_theta_deg\n1,2,3\n", ", line 1: the header must be"),
+      looks("looks_text_cell", header + "1,2\nnorth,2\n", ", line 3, column theta_deg: \"north\" is not a finite number; write"),
+      looks("looks_empty_cell", header + "1,\n", ", line 2, column phi_deg: \"\" is not a finite number"),
+      looks("looks_infinite", header + "1,inf\n", ", line 2, column phi_deg: \"inf\" is not a finite number"),
+      looks("looks_hexadecimal", header + "0x10,1\n", ", line 2, column theta_deg: \"0x10\" is not a finite number"),
+      looks("looks_too_few_cells", header + "1,2\n3\n", ", line 3: 1 values where the header names 2 columns; correct the line"),
+      looks("looks_too_many_cells", header + "1,2,3\n", ", line 2: 3 values where the header names 2 columns"),
+      looks("looks_quoted_comma", header + "\"1,2\",3\n", ", line 2: 3 values where the header names 2 columns"),
+      looks("looks_below_zero", header + "-0.001,0\n", ", line 2: theta must lie in 0 to 180 degrees"),
+      looks("looks_in_utf16", in_utf16(header + "1,2\n"), ": is text in UTF-16; save it as UTF-8"),
+      looks("looks_with_nul", header + std::string("1\0,2\n", 5), ", line 2, column theta_deg: \"1?\" is not a finite number"),
+      looks("looks_line_of_2e6_bytes", header + std::string(2000000, '1') + ",2\n",
+            ", line 2 is longer than 1000000 bytes; give a table"),
+      looks("looks_cell_of_1e5_digits", header + std::string(100000, '9') + ",2\n", ", line 2, column theta_deg: \"999"),
+      looks("looks_of_zeros", std::string(2000000, '\0'), ", line 1 is longer than 1000000 bytes; give a table"),
+      {"looks_missing", "run case.toml --set 'look={looks_csv=\"none.csv\"}'",
+       "none.csv: cannot be read; look.looks_csv must name"},
+      {"looks_folder", "run case.toml --set 'look={looks_csv=\".\"}'", "cannot be read; look.looks_csv must name"},
+      {"looks_endless_device", "run case.toml --set 'look={looks_csv=\"/dev/zero\"}'",
+       "/dev/zero: cannot be read; look.looks_csv must name"},
+      {"looks_name_empty", "run case.toml --set 'look={looks_csv=\"\"}'", "cannot be read; look.looks_csv must name"},
+      {"looks_beside_angles", "run case.toml --set look.looks_csv=a.csv",
+       "look.looks_csv stands instead of look.theta_deg and look.phi_deg; remove"},
+      pattern("pattern_of_one_row", "angle_deg,azimuth_db,elevation_db\n0,0,0\n",
+              ": an antenna pattern needs at least two rows; "),
+      pattern("pattern_descending", "angle_deg,azimuth_db,elevation_db\n1,0,0\n0,0,0\n",
+              ", line 3: angle_deg must ascend; sort the rows"),
+      pattern("pattern_ragged", "angle_deg,azimuth_db,elevation_db\n0,0\n",
+              ", line 2: 2 values where the header names 3 columns"),
+  };
+}
+
+std::vector<BadRow> result_rows() {
+  return {
+      result("result_of_no_bytes", "", ": holds no table; give a file"),
+      result("result_without_rows", "phi_deg,sigma_vv_dbsm\n", ": no rows below the header; "),
+      result("result_without_keys", "a,sigma_vv_dbsm\n1,2\n", ", line 1: no column to match rows by; name at least one"),
+      result("result_without_channels", "phi_deg,a\n1,2\n", ", line 1: no channel; name at least"),
+      result("result_column_twice", "phi_deg,phi_deg,sigma_vv_dbsm\n1,2,3\n",
+             ", line 1: two columns are named phi_deg; rename or remove one"),
+      result("result_half_an_amplitude", "phi_deg,re_vv\n1,2\n", ", line 1: re_vv and im_vv go together; add the missing one"),
+      result("result_text_cell", "phi_deg,sigma_vv_dbsm\n1,loud\n",
+             ", line 2, column sigma_vv_dbsm: \"loud\" is not a finite number; write"),
+      result("result_nan", "phi_deg,sigma_vv_dbsm\n1,nan\n", ", line 2, column sigma_vv_dbsm: \"nan\" is not a finite number"),
+      result("result_ragged", "phi_deg,sigma_vv_dbsm\n1,2\n1,2,3\n", ", line 3: 3 values where the header names 2 columns"),
+      result("result_negative_magnitude", "phi_deg,magnitude_vv\n1,-2\n", ", line 2: a magnitude must be 0 or more"),
+      result("result_frequency_zero", "freq_hz,sigma_vv_dbsm\n0,2\n", ", line 2: the frequency must be greater than 0"),
+      result("result_third_polarisation", "phi_deg,tx_pol,v_magnitude\n1,x,2\n",
+             ", line 2: the transmit polarisation is \"x\"; write v or h"),
+      result("result_unpaired_polarisations", "phi_deg,tx_pol,v_magnitude\n1,v,2\n2,v,2\n1,h,2\n",
+             "do not come in pairs; add the missing ones"),
+      result("result_in_utf16", in_utf16("phi_deg,sigma_vv_dbsm\n1,2\n"), ": is text in UTF-16"),
+      result("result_is_a_picture", "\x89PNG\r\n\x1a\n" + std::string(100, '\0'), "no column to match rows by; name"),
+      result("result_with_1e5_columns", std::string(200000, ',') + "\n", ", line 1: "),
+      result("result_with_nothing_in_common", "phi_deg,sigma_vv_dbsm\n50,1\n", "have no row in common"),
+      result("result_zero_throughout", "phi_deg,sigma_vv_dbsm\n0,-inf\n1,-inf\n", "; "),
+      {"compare_endless_device", "compare a.csv /dev/zero", "/dev/zero: cannot be read; give the path of a readable table"},
+      {"compare_map_without_equals", "compare a.csv b.csv --result-columns phi_deg",
+       "--result-columns phi_deg: write OURS=THEIRS"},
+      {"compare_map_unknown", "compare a.csv b.csv --result-columns phi_deg=az",
+       "a.csv, line 1: no column is named az; choose among"},
+      {"compare_map_times_zero", "compare a.csv b.csv --result-columns phi_deg=phi_deg*0",
+       "--result-columns phi_deg=phi_deg*0: "},
+      {"compare_map_times_text", "compare a.csv b.csv --result-columns 'phi_deg=phi_deg*pi'",
+       "--result-columns phi_deg=phi_deg*pi: "},
+      {"compare_only_nan", "compare a.csv b.csv --only phi_deg=nan:1", "--only phi_deg=nan:1: write"},
+      {"compare_tolerance_infinite", "compare a.csv b.csv --tolerance-db inf",
+       "--tolerance-db: needs a number of decibels, 0 or more (found inf)"},
+      {"compare_into_a_file", "compare a.csv b.csv -o case.toml", "output folder case.toml: cannot be created"},
+  };
+}
+
+std::vector<BadRow> folder_rows() {
+  const std::string set = " --set output.plots=false";
+  return {
+      {"output_is_a_file", "run case.toml -o mesh.off", "output folder mesh.off: cannot be created"},
+      {"output_below_a_file", "run case.toml -o mesh.off/out", "output folder mesh.off/out: cannot be created"},
+      {"output_in_proc", "run case.toml -o /proc/out", "output folder /proc/out: cannot be created"},
+      {"output_is_a_device", "run case.toml -o /dev/null", "output folder /dev/null: cannot be created"},
+      {"output_link_to_itself", "run case.toml -o loop", "output folder loop: cannot be created",
+       [](const Scratch& scratch) { fs::create_symlink("loop", scratch / "loop"); }},
+      {"output_below_a_link_to_itself", "run case.toml -o loop/out", "output folder loop/out: cannot be created",
+       [](const Scratch& scratch) { fs::create_symlink("loop", scratch / "loop"); }},
+      {"output_link_to_nothing", "run case.toml -o link", "output folder link: cannot be created",
+       [](const Scratch& scratch) { fs::create_symlink("/proc/none/out", scratch / "link"); }},
+      {"output_name_of_5000_letters", "run case.toml -o " + std::string(5000, 'o'),
+       "cannot be created (File name too long); choose another one"},
+      {"output_name_empty", "run case.toml -o ''", "needs the name of a folder; see raytube --help"},
+      {"output_from_a_vanished_folder", "run $OLDPWD/case.toml -o out", "output folder out: cannot be found from here",
+       [](const Scratch&) {}, "", "mkdir gone && cd gone && rmdir ../gone && "},
+      {"wedges_into_a_folder", "check case.toml --wedges .", "--wedges .: cannot be written; "},
+      {"wedges_into_a_missing_folder", "check case.toml --wedges none/wedges.csv",
+       "--wedges none/wedges.csv: cannot be written; "},
+  };
+}
+
+std::vector<BadRow> command_rows() {
+  return {
+      {"no_words", "", "no command; write run, check"},
+      {"unknown_command", "fly case.toml", "unknown command \"fly\"; write run, check"},
+      {"command_in_capitals", "RUN case.toml", "unknown command \"RUN\"; write"},
+      {"command_of_1e5_letters", std::string(100000, 'f'), "unknown command \"fff"},
+      {"option_unknown", "run case.toml --fast", "--fast; see raytube --help"},
+      {"option_of_another_command", "check case.toml --parts", "--parts; see raytube --help"},
+      {"two_cases", "run case.toml case.toml", "case.toml; see raytube --help"},
+      {"run_without_case", "run", "case is required; see raytube --help"},
+      {"threads_zero", "run case.toml --threads 0", "--threads: "},
+      {"threads_negative", "run case.toml --threads -1", "--threads: "},
+      {"threads_1e9", "run case.toml --threads 1000000000", "--threads: "},
+      {"threads_beyond_64_bits", "run case.toml --threads 99999999999999999999", "--threads"},
+      {"threads_half", "run case.toml --threads 1.5", "--threads: "},
+      {"threads_without_number", "run case.toml --threads", "--threads: "},
+      {"set_without_word", "run case.toml --set", "--set: "},
+      {"output_without_word", "run case.toml -o", "--output: "},
+      {"samples_without_launch", "run case.toml --samples 5", "--samples requires --launch; see"},
+      {"samples_1e12", "run case.toml --launch random --samples 1000000000000",
+       "--samples: needs a whole number from 1 to 1000000000"},
+      {"seed_negative", "run case.toml --launch random --seed -1", "--seed: needs a whole number from 0"},
+      {"trace_without_look", "trace case.toml --u 0 --v 0", "--look is required; see"},
+      {"trace_look_negative", "trace case.toml --look -1 --u 0 --v 0", "--look: "},
+      {"trace_look_beyond", "trace case.toml --look 7 --u 0 --v 0", "1 direction pair"},
+      {"trace_beside_the_target", "trace case.toml --look 0 --u 1e300 --v 0", "--u"},
+      {"trace_at_infinity", "trace case.toml --look 0 --u inf --v 0", "must be finite"},
+      {"trace_at_a_word", "trace case.toml --look 0 --u here --v 0", "--u = here; see raytube --help"},
+      {"converge_two_densities", "converge case.toml --densities 4,8",
+       "an order needs three different densities or more, for example"},
+      {"converge_no_densities", "converge case.toml --densities ''", "--densities : write tubes per wavelength"},
+      {"converge_density_nan", "converge case.toml --densities 4,nan,16", "--densities 4,nan,16: write tubes per wavelength"},
+      {"converge_density_1e300", "converge case.toml --densities 4,8,1e300", "1e+300 tubes per wavelength are more than 10^6"},
+      {"converge_10000_densities",
+       "converge case.toml --densities " +
+           [] {
+             std::string s = "1";
+             for (int i = 2; i < 10000; ++i) s += "," + std::to_string(i);
+             return s;
+           }(),
+       "--densities"},
+  };
+}
+
+const std::string scene =
+    "[scene]\nbox_m = [[-2, -2, -2], [2, 2, 2]]\n[[scene.parts]]\nname = \"plate\"\nmesh = \"mesh.off\"\nunit = \"m\"\nsurface = "
+    "\"pec\"\n"
+    "[source]\npoint_m = [0.5, 0.5, 1]\nrays = [100, 1000]\ncounted = \"plate\"\n";
+
+BadRow sources(const std::string& name, const std::string& values, const std::string& says) {
+  BadRow row = with_file(name, "scene.toml", scene, "sources scene.toml --set '" + values + "'", says);
+  row.place.clear();  // the option, which the sentence has
+  return row;
+}
+
+std::vector<BadRow> sources_rows() {
+  return {
+      {"sources_of_a_run_case", "sources case.toml", "line 4: [frequency] belongs to a case for raytube run; run it"},
+      sources("sources_no_rays", "source.rays=[]", "source.rays is an empty list; give at least one"),
+      sources("sources_1e12_rays", "source.rays=1e12", "source.rays must be a whole number from 1 to"),
+      sources("sources_negative_rays", "source.rays=-5", "source.rays must be a whole number from 1 to"),
+      sources("sources_rays_twice", "source.rays=[5,5]", "source.rays gives a number twice; give it once"),
+      sources("sources_seed_half", "source.seed=0.5", "source.seed must be a whole number from 0 to 2^53"),
+      sources("sources_model_unknown", "source.models=sphere", "source.models \"sphere\" is unknown; write"),
+      sources("sources_wall_unknown", "source.wall=north", "source.wall \"north\" is unknown; write"),
+      sources("sources_point_nan", "source.point_m=[0,0,nan]", "source.point_m must be a finite number"),
+      sources("sources_points_none", "source.point_m=[]", "source.point_m must be a list of three numbers"),
+      sources("sources_box_inside_out", "scene.box_m=[[2,2,2],[-2,-2,-2]]", "scene.box_m must have its lower corner first"),
+      sources("sources_box_infinite", "scene.box_m=[[-2,-2,-inf],[2,2,2]]", "scene.box_m must be a finite number"),
+      sources("sources_box_1e300", "scene.box_m=[[-1e300,-2,-2],[1e300,2,2]]", "scene.box_m"),
+      sources("sources_counted_unknown", "source.counted=screen",
+              "source.counted \"screen\" is no part of the scene; write plate"),
+      sources("sources_parts_a_word", "scene.parts=plate", "scene.parts must be a list of parts; write [[scene.parts]]"),
+      sources("sources_parts_none", "scene.parts=[]", "no scene; add a [[scene.parts]]"),
+      sources("sources_reflections_1e9", "source.max_reflections=1e9",
+              "source.max_reflections must be a whole number from 0 to 1000"),
+      with_file("sources_part_with_a_comma", "scene.toml", scene + "[[scene.parts]]\nname = \"a,b\"\n", "sources scene.toml",
+                "line 13: scene.parts.name must be a word without blanks"),
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, BadTable, ::testing::ValuesIn(looks_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Results, BadTable, ::testing::ValuesIn(result_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Folders, BadTable, ::testing::ValuesIn(folder_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Commands, BadTable, ::testing::ValuesIn(command_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Sources, BadTable, ::testing::ValuesIn(sources_rows()), row_name);
+
+}  // namespace
+}  // namespace raytube::testing
