@@ -117,7 +117,7 @@ def main():
     parser.add_argument("what", choices=["check", "update", "bytes"])
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--program", default=os.path.join(HERE, "..", "build", "raytube"))
-    chosen = parser.parse_args()
+    chosen = parser.parse_intermixed_args()
     program = os.path.abspath(chosen.program)
     action = treat_bytes if chosen.what == "bytes" else treat
     results = [action(name, program, chosen.what == "update") for name in chosen.names or names()]

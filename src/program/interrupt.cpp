@@ -19,6 +19,7 @@ constexpr auto look_out = 50ms;   // for the flag
 constexpr auto patience = 500ms;  // with a computation that should end by itself
 
 std::atomic<bool> deferred = false;
+std::atomic<bool> on_the_way_out = false;
 std::atomic<int> flag = 0;                             // the signal
 static_assert(std::atomic<int>::is_always_lock_free);  // else no signal handler may touch it
 timespec raised_at;
@@ -54,6 +55,7 @@ void end_on_interrupt() {
 
 InterruptFlag::InterruptFlag(std::function<std::optional<std::string>()> last_words) : last_words_(std::move(last_words)) {
   flag = 0;
+  on_the_way_out = false;
   deferred = true;
   watch_ = std::jthread([this](const std::stop_token& over) { watch(over); });
 }
@@ -66,6 +68,8 @@ InterruptFlag::~InterruptFlag() {
 
 bool InterruptFlag::raised() { return flag != 0; }
 
+void InterruptFlag::leaving() { on_the_way_out = true; }
+
 void InterruptFlag::watch(const std::stop_token& over) {
   const auto pause = [&](auto duration) {
     std::unique_lock lock(mutex_);
@@ -73,6 +77,7 @@ void InterruptFlag::watch(const std::stop_token& over) {
   };
   while (!raised() && !over.stop_requested()) pause(look_out);
   pause(patience);
+  while (on_the_way_out && !over.stop_requested()) pause(look_out);
   if (over.stop_requested()) return;
   const std::lock_guard not_while_results_move(moving);
   const std::optional<std::string> sentence = last_words_();

@@ -26,6 +26,9 @@ class InterruptFlag {
 
   static bool raised();
 
+  /// The flag was seen between two files: from here on the way out is short, and must not be taken twice at a time.
+  static void leaving();
+
  private:
   void watch(const std::stop_token& over);
 

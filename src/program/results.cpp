@@ -12,7 +12,9 @@ namespace raytube {
 void warn(const std::string& sentence) { fmt::print(stderr, "raytube: {}\n", sentence); }
 
 void stop_if_interrupted() {
-  if (InterruptFlag::raised()) throw Interrupted();
+  if (!InterruptFlag::raised()) return;
+  InterruptFlag::leaving();
+  throw Interrupted();
 }
 
 std::string without_results(const OutputFolder& folder) {
