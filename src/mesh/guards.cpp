@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -14,6 +15,8 @@ namespace {
 
 // A corner of a patch moves out by margin / sin(half its angle), by this many margins at most.
 constexpr double longest_mitre = 60.0;
+// A triangle lower than this fraction of its shortest side has a normal that single precision does not know, and so no depth.
+constexpr double flattest = 0.1;
 // Sine of the angle between the planes of two triangles: above it, a line that passes their common edge by and grazes one of them
 // crosses the margin of the other one.
 constexpr double sharp = 0.15;
@@ -45,6 +48,8 @@ class Guard {
       for (const EdgeTable::Side& side : edges_[e].sides)
         if (!is_inside_patch(edges_[e])) find_rim(side);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) add_widened(t);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+      if (is_flat(mesh.triangles[t])) make_rectangle(t);
     for (std::size_t e = 0; e < edges_.size(); ++e) add_guards(edges_[e]);
   }
 
@@ -97,10 +102,39 @@ class Guard {
       const auto stays = [&](std::uint32_t vertex) { return !rims_.at(patch_vertex(side.triangle, vertex)).move(); };
       if (stays(edge.low) || stays(edge.high)) add_strip(edge, side.triangle, away_from(side));
     }
-    if (is_flat(edge)) add_strip(edge, edge.sides[0].triangle, normal(edge.sides[0].triangle));
+    if (is_almost_flat(edge)) add_strip(edge, edge.sides[0].triangle, normal(edge.sides[0].triangle));
   }
 
-  bool is_flat(const EdgeTable::Edge& edge) const {
+  bool is_flat(const Triangle& t) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k)
+      shortest = std::min(shortest, glm::distance(mesh_.vertices[t[k]], mesh_.vertices[t[(k + 1) % 3]]));
+    return height(mesh_.vertices, t) < flattest * shortest;
+  }
+
+  // In its place the rectangle along its longest side that holds it: two triangles with a short side each.
+  void make_rectangle(std::uint32_t triangle) {
+    const Triangle& t = mesh_.triangles[triangle];
+    const int k = longest_edge(mesh_.vertices, t);
+    const dvec3 from = mesh_.vertices[t[k]], to = mesh_.vertices[t[(k + 1) % 3]];
+    const dvec3 along = glm::normalize(to - from), across = glm::normalize(glm::cross(area_vector(mesh_.vertices, t), along));
+    const dvec3 top = (height(mesh_.vertices, t) + margin_) * across;
+    const std::uint32_t first = add_quadrangle(from - margin_ * (along + across), to + margin_ * (along - across),
+                                               to + margin_ * along + top, from - margin_ * along + top);
+    all_.triangles[triangle] = {first, first + 1, first + 2};
+    all_.triangles.push_back({first, first + 2, first + 3});
+    all_.source.push_back(triangle);
+    all_.moved[triangle] = std::numeric_limits<double>::infinity();
+  }
+
+  // The number of its first vertex.
+  std::uint32_t add_quadrangle(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
+    const auto first = static_cast<std::uint32_t>(all_.vertices.size());
+    all_.vertices.insert(all_.vertices.end(), {a, b, c, d});
+    return first;
+  }
+
+  bool is_almost_flat(const EdgeTable::Edge& edge) const {
     return std::ranges::all_of(edge.sides, [&](const EdgeTable::Side& side) {
       return glm::length(glm::cross(normal(edge.sides[0].triangle), normal(side.triangle))) < sharp;
     });
@@ -110,9 +144,8 @@ class Guard {
   void add_strip(const EdgeTable::Edge& edge, std::uint32_t source, const dvec3& across) {
     const dvec3 low = mesh_.vertices[edge.low], high = mesh_.vertices[edge.high];
     const dvec3 beyond = margin_ * glm::normalize(high - low), aside = margin_ * across;
-    const auto first = static_cast<std::uint32_t>(all_.vertices.size());
-    for (const dvec3& corner : {low - beyond - aside, high + beyond - aside, high + beyond + aside, low - beyond + aside})
-      all_.vertices.push_back(corner);
+    const std::uint32_t first =
+        add_quadrangle(low - beyond - aside, high + beyond - aside, high + beyond + aside, low - beyond + aside);
     all_.triangles.insert(all_.triangles.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
     all_.source.insert(all_.source.end(), 2, source);
   }

@@ -14,7 +14,7 @@ struct GuardedTriangles {
   std::vector<dvec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> source;  // the triangle of the mesh that each is, or guards
-  std::vector<double> moved;          // of each triangle of the mesh, how far a corner of it was moved [m]
+  std::vector<double> moved;  // of each triangle of the mesh, how far a corner of it was moved [m]; infinite for rectangles
 };
 
 /// `margin` in metres.

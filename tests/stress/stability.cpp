@@ -18,7 +18,8 @@ std::vector<Stability>& rows() {
 }
 
 std::string table() {
-  std::string text = "| what changes | targets | worst | allowed | because |\n|---|---|---|---|---|\n";
+  std::string text = size_of_run("Of the quick suite.\n\n", "Of the full suite.\n\n");
+  text += "| what changes | targets | worst | allowed | because |\n|---|---|---|---|---|\n";
   for (const Stability& row : rows())
     text += fmt::format("| {} | {} | {:.1e} | {:.0e} | {} |\n", row.change, row.targets, row.worst, row.allowed, row.reason);
   return text;
