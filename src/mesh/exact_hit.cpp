@@ -4,6 +4,9 @@
 #include <functional>
 #include <limits>
 
+#include "mesh/exact_sign.h"
+#include "mesh/geometry.h"
+
 namespace raytube {
 
 namespace {
@@ -42,11 +45,11 @@ ExactHit::ExactHit(const TriangleMesh& mesh)
 
 namespace {
 
-// Volume spanned by a ray's direction and an edge between corners a and b (seen from the ray's origin), of vertices `from` and
-// `to`: positive on one side of the edge, negative on the other. Always from the lower vertex to the higher one, so that the
-// two triangles of an edge compute the same number.
-double edge_side(const dvec3& direction, const dvec3& a, const dvec3& b, bool swapped) {
-  return swapped ? -glm::dot(direction, glm::cross(b, a)) : glm::dot(direction, glm::cross(a, b));
+// Volume spanned by a ray's direction and an edge (seen from the ray's origin): positive on one side of the edge, negative on the
+// other, zero nowhere else than on it. Where rounding, at most `doubt`, could have decided, the sign is found exactly.
+double edge_side(const Ray& ray, const dvec3& from, const dvec3& to, double doubt) {
+  const double volume = glm::dot(ray.direction, glm::cross(from - ray.origin, to - ray.origin));
+  return std::abs(volume) > doubt ? volume : doubt * exact_side(ray.direction, ray.origin, from, to);
 }
 
 bool same_sign(const std::array<double, 3>& s) {
@@ -57,9 +60,11 @@ bool same_sign(const std::array<double, 3>& s) {
 
 std::array<double, 3> ExactHit::edge_sides(const Ray& ray, std::uint32_t triangle) const {
   const auto& [i, j, k] = mesh_.triangles[triangle];
-  const dvec3 a = mesh_.vertices[i] - ray.origin, b = mesh_.vertices[j] - ray.origin, c = mesh_.vertices[k] - ray.origin;
-  const dvec3& d = ray.direction;
-  return {edge_side(d, a, b, i > j), edge_side(d, b, c, j > k), edge_side(d, c, a, k > i)};
+  const dvec3 &a = mesh_.vertices[i], &b = mesh_.vertices[j], &c = mesh_.vertices[k];
+  // A dozen roundings of a product of two differences of numbers up to the radius and the origin's distance.
+  const double longest = mesh_.radius + glm::length(ray.origin);
+  const double doubt = 16.0 * std::numeric_limits<double>::epsilon() * longest * longest;
+  return {edge_side(ray, a, b, doubt), edge_side(ray, b, c, doubt), edge_side(ray, c, a, doubt)};
 }
 
 bool ExactHit::contains(const Ray& ray, std::uint32_t triangle) const { return same_sign(edge_sides(ray, triangle)); }
@@ -108,6 +113,23 @@ Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const Ignor
       for (const std::uint32_t other : of_patch_[scanned]) keep_nearer(ray, other, ignored_patches, nearest);
     }
   return nearest;
+}
+
+bool ExactHit::from_behind(const Ray& ray, std::uint32_t triangle) const {
+  return mesh_.closed(triangle) && glm::dot(mesh_.patches[patch(triangle)].normal, ray.direction) > 0.0;
+}
+
+Hit ExactHit::front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const {
+  const bool inside = ray.source_patch != no_index && glm::dot(mesh_.patches[ray.source_patch].normal, ray.direction) < 0.0;
+  if (inside || !from_behind(ray, hit.triangle)) return hit;
+  Hit front;
+  for (const std::uint32_t vertex : mesh_.triangles[hit.triangle])
+    for (const std::uint32_t candidate : at_vertex_[vertex])
+      if (!from_behind(ray, candidate)) keep_nearer(ray, candidate, ignored_patches, front);
+  if (!front) return hit;
+  const double least = std::min(std::abs(glm::dot(mesh_.patches[patch(hit.triangle)].normal, ray.direction)),
+                                std::abs(glm::dot(mesh_.patches[patch(front.triangle)].normal, ray.direction)));
+  return (front.distance - hit.distance) * least <= 4.0 * flat_fraction * mesh_.radius ? front : hit;
 }
 
 }  // namespace raytube

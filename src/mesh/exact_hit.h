@@ -38,8 +38,8 @@ class ExactHit {
     return std::abs(height) > rounding_ && height * glm::dot(plane.normal, ray.direction) > 0.0;
   }
 
-  /// True if the ray's line runs through the triangle, rim included. Two triangles that share an edge decide about it with
-  /// exactly opposite numbers, so no ray slips between them.
+  /// True if the ray's line runs through the triangle, rim included; without rounding, so no line slips between two triangles of
+  /// an edge, or through where several meet in a corner.
   bool contains(const Ray& ray, std::uint32_t triangle) const;
 
   /// True if the ray passes well inside all three edges: single precision cannot have mistaken this hit but for one with a
@@ -60,9 +60,14 @@ class ExactHit {
   /// a patch there which the ray grazes, but not on the patch the ray leaves or an ignored one; ties to the lower index.
   Hit nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
 
+  /// A ray that touches a ridge of a closed body meets both faces there, and rounding says which is the nearer one. If that is
+  /// the one turned away, the other one in its place.
+  Hit front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const;
+
  private:
   std::array<double, 3> edge_sides(const Ray& ray, std::uint32_t triangle) const;
   void keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const;
+  bool from_behind(const Ray& ray, std::uint32_t triangle) const;
   bool grazes(const Ray& ray, std::uint32_t patch) const;
 
   const TriangleMesh& mesh_;

@@ -297,7 +297,7 @@ std::uint32_t Tracer::Scene::decide(const Ray& ray, const IgnoredPatches& ignore
     if (best.triangle == next.primitive) break;
     refused.push_back(next.primitive);
   }
-  return best.triangle;
+  return best ? exact.front_of(ray, best, ignored).triangle : no_index;
 }
 
 Tracer::Tracer(const TriangleMesh& mesh, int packet) : scene_(std::make_unique<Scene>(mesh, packet)) {}

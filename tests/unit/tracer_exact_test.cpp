@@ -17,7 +17,7 @@ std::uint32_t by_trying_all(const TriangleMesh& mesh, const ExactHit& exact, con
     if (exact.patch(t) == ray.source_patch || !exact.ahead(ray, t) || !exact.contains(ray, t)) continue;
     if (const double distance = exact.distance(ray, t); !best || distance < best.distance) best = {t, distance};
   }
-  return best.triangle;
+  return best ? exact.front_of(ray, best, nothing_ignored).triangle : no_index;
 }
 
 // Rays that single precision is likely to mistake: through points beside edges by 1e-16 to 1e-5 of the radius, many of them
@@ -84,14 +84,14 @@ PolygonSoup both(PolygonSoup a, const PolygonSoup& b) {
   return a;
 }
 
-TEST(ExactHits, Plate) { expect_exact(shapes::plate(1.0, 0.3), 20000); }
-TEST(ExactHits, Cube) { expect_exact(shapes::cube(1.0), 20000); }
-TEST(ExactHits, Dihedral) { expect_exact(shapes::dihedral(1.0, 1.3), 20000); }
-TEST(ExactHits, Sphere) { expect_exact(shapes::icosphere(3), 20000); }
-TEST(ExactHits, Cylinder) { expect_exact(shapes::cylinder(0.3, 1.0, 90), 20000); }
+TEST(ExactHits, Plate) { expect_exact(shapes::plate(1.0, 0.3), 4000); }
+TEST(ExactHits, Cube) { expect_exact(shapes::cube(1.0), 4000); }
+TEST(ExactHits, Dihedral) { expect_exact(shapes::dihedral(1.0, 1.3), 4000); }
+TEST(ExactHits, Sphere) { expect_exact(shapes::icosphere(3), 4000); }
+TEST(ExactHits, Cylinder) { expect_exact(shapes::cylinder(0.3, 1.0, 90), 4000); }
 TEST(ExactHits, CrossingPlates) {
   const auto tilted = shapes::transformed(shapes::plate(1.0, 0.1), glm::dmat3(0.6, 0.0, 0.8, 0.0, 1.0, 0.0, -0.8, 0.0, 0.6));
-  expect_exact(both(shapes::plate(1.0), tilted), 20000);
+  expect_exact(both(shapes::plate(1.0), tilted), 4000);
 }
 
 }  // namespace
