@@ -285,7 +285,8 @@ Proposal Tracer::Scene::propose_beyond(const Ray& ray, const IgnoredPatches& ign
 }
 
 // Full double-precision decision for a ray that passes close to an edge or meets surfaces that touch: the nearest triangle that
-// truly contains it, among what Embree proposes and its neighbours. Each proposal is refused in turn, until one holds - what
+// truly contains it, among what Embree proposes and its neighbours. Each proposal is refused in turn, until one holds where
+// it was proposed - what
 // single precision can confuse with it are its neighbours - or what is left lies behind the best one.
 std::uint32_t Tracer::Scene::decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const {
   Hit best;
@@ -294,7 +295,7 @@ std::uint32_t Tracer::Scene::decide(const Ray& ray, const IgnoredPatches& ignore
     if (best && next.distance > best.distance + exact.doubt()) break;
     const Hit hit = exact.nearest_around(ray, source[next.primitive], ignored);
     if (hit && (!best || std::pair(hit.distance, hit.triangle) < std::pair(best.distance, best.triangle))) best = hit;
-    if (best.triangle == next.primitive) break;
+    if (best.triangle == next.primitive && best.distance <= next.distance + exact.doubt()) break;
     refused.push_back(next.primitive);
   }
   return best ? exact.front_of(ray, best, ignored).triangle : no_index;

@@ -135,15 +135,17 @@ Comparison compare_results(ResultTable result, ResultTable reference, double wit
 double relative_error(const Comparison& c) {
   constexpr double none = std::numeric_limits<double>::infinity();
   if (c.result.rows.size() != c.rows() || c.reference.rows.size() != c.rows()) return none;
-  double difference = 0.0, whole = 0.0;
+  double difference = 0.0, whole = 0.0, largest = 0.0;
+  for (const ChannelPair& pair : c.pairs)
+    for (const Complex s : pair.reference) largest = std::max(largest, std::abs(s));
   for (int channel = 0; channel < 4; ++channel) {
     if (c.result.has_channel[channel] != c.reference.has_channel[channel]) return none;
     if (!c.compared[channel]) continue;
     const ChannelPair& pair = c.pairs[channel];
     if (pair.reference.size() != c.rows()) return none;
     for (std::size_t row = 0; row < c.rows(); ++row) {
-      difference += std::norm(pair.result[row] - pair.reference[row]);
-      whole += std::norm(pair.reference[row]);
+      difference += std::norm((pair.result[row] - pair.reference[row]) / largest);
+      whole += std::norm(pair.reference[row] / largest);
     }
   }
   return whole > 0.0 ? std::sqrt(difference / whole) : none;

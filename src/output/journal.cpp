@@ -141,7 +141,6 @@ bool Journal::read_all() {
     throw InputError(fmt::format("{}: is no journal of this program; delete it to start afresh", path_.string()));
   end_ = magic.size();
   while (read_record(end_)) continue;
-  if (ftruncate(file_, static_cast<off_t>(end_)) != 0) fail(path_, errno);
   const auto head = places_.find(identity_key);
   if (head == places_.end()) return false;
   identity_ = identity_of(find(identity_key));
@@ -180,9 +179,11 @@ std::string Journal::find(std::uint64_t key) const {
   return bytes;
 }
 
-// At the end of the last whole record: what an earlier attempt has left there is written over. Small records go in one piece.
+// At the end of the last whole record; what an earlier attempt has left behind it is cut off, no earlier than now: whoever only
+// looks into a journal leaves it as it is. Small records go in one piece.
 void Journal::add(const std::vector<JournalRecord>& records) {
   const std::lock_guard lock(mutex_);
+  if (std::exchange(has_tail_, false) && ftruncate(file_, static_cast<off_t>(end_)) != 0) fail(path_, errno);
   std::string piece;
   std::uint64_t at = end_;
   const auto write = [&](const std::string& bytes) {

@@ -67,6 +67,7 @@ class Journal {
   JournalIdentity identity_;
   std::unordered_map<std::uint64_t, Place> places_;
   std::uint64_t end_ = 0;  // of the last whole record
+  bool has_tail_ = true;   // perhaps: something that is no whole record behind it
   mutable std::mutex mutex_;
 };
 

@@ -71,7 +71,7 @@ void fall_short_above(const Comparison& comparison, const Request& request) {
   const double relative = relative_error(comparison);
   if (std::isinf(relative))
     throw std::runtime_error("no relative error: one of the tables has rows or channels of its own, or no phase");
-  if (relative > *request.tolerance_relative)
+  if (!(relative <= *request.tolerance_relative))
     throw std::runtime_error(
         fmt::format("relative error {:.2g} of complex S above the tolerance of {:g}", relative, *request.tolerance_relative));
 }

@@ -143,7 +143,8 @@ double memory_of_run(const Target& target, const Case& c, const SolveOptions& op
 
 double memory_to_be_had() {
   const Held now = held_now();
-  double free = std::min(free_in_control_groups(), number_after("/proc/meminfo", "MemAvailable:") * 1024.0);
+  const double available = number_after("/proc/meminfo", "MemAvailable:") * 1024.0;
+  double free = std::min(free_in_control_groups(), available > 0.0 ? available : std::numeric_limits<double>::infinity());
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
     free = std::min(free, std::max(0.0, static_cast<double>(limit.rlim_cur) - now.virtual_size));

@@ -23,7 +23,7 @@ std::string without_results(const OutputFolder& folder) {
 }
 
 void replace_results(const NewResults& results, const std::filesystem::path& folder, const std::vector<std::string>& pictures,
-                     const std::vector<std::string>& tables) {
+                     const std::vector<std::string>& tables, const std::function<void()>& placed) {
   const NotNow results_change_places;
   std::error_code ignored;
   for (auto name = std::rbegin(tables); name != std::rend(tables); ++name) std::filesystem::remove(folder / *name, ignored);
@@ -34,6 +34,7 @@ void replace_results(const NewResults& results, const std::filesystem::path& fol
     warn(fmt::format("no plot: {}", error.what()));
   }
   results.place(tables);
+  if (placed) placed();
 }
 
 }  // namespace raytube

@@ -174,7 +174,10 @@ class Run {
       : request_(request), case_(c), target_(target), manifest_(manifest), folder_(destination), journal_(folder_.path(), [this] {
           return identity_of(case_, manifest_);
         }) {
-    if (request.resume) journal_.resume();
+    if (request.resume)
+      journal_.resume();
+    else
+      LookJournal::refuse_leftover(folder_.path());  // once more: since the first time the folder was free for others
   }
 
   /// If it does not come to its end it leaves the finished looks for another one to resume.
@@ -210,8 +213,7 @@ class Run {
     add_earlier_images(folder_.path(), images);
     images.pictures.insert(images.pictures.end(), {"rcs.png", "rcs.svg"});
     images.tables.insert(images.tables.end(), {"channels.csv", "parts.csv", "random.csv", "rcs.csv", "run.json"});
-    replace_results(results, folder_.path(), images.pictures, images.tables);
-    complete_ = true;
+    replace_results(results, folder_.path(), images.pictures, images.tables, [this] { complete_ = true; });
     journal_.remove();
   }
 

@@ -105,8 +105,8 @@ TEST(BadMeshes, TurnedInsideOutIsTheSame) {
     for (std::size_t i = 0; i < one.total.size(); ++i) {
       const double estimate = std::max(one.error[i][0][0], one.error[i][1][1]);
       const double change = largest_amplitude(one.total[i] - other.total[i]);
-      worst = std::max(worst, std::isfinite(change) ? (change - estimate) / largest_amplitude(one.total[i])
-                                                    : std::numeric_limits<double>::infinity());
+      worst = worse(worst, std::isfinite(change) ? (change - estimate) / largest_amplitude(one.total[i])
+                                                 : std::numeric_limits<double>::infinity());
     }
   }
   expect_stable({"all facets of a file turned over: change beyond the estimated error",

@@ -60,7 +60,7 @@ double energy(const Scene& scene, const SweepResult& result) {
   double worst = 0.0;
   for (const std::vector<ScatteringMatrix>& bounce : result.bounces) {
     const double share = largest_amplitude(bounce[0]) / (wavenumber(frequency) / (2 * pi) * lit);
-    worst = std::max(worst, std::isfinite(share) ? share : std::numeric_limits<double>::infinity());
+    worst = worse(worst, std::isfinite(share) ? share : std::numeric_limits<double>::infinity());
   }
   return worst;
 }

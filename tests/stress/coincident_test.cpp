@@ -89,8 +89,7 @@ const std::vector<NamedOptions> first_order = {tubes_and_edges(TubeMode::uniform
 
 TEST(Coincident, NothingBetweenThem) {
   double worst = 0.0;
-  for (const Pair& pair : {boxes(), cube_on_block(), plate_on_plate()})
-    worst = std::max(worst, worst_at_gap(pair, 0.0, no_edges));
+  for (const Pair& pair : {boxes(), cube_on_block(), plate_on_plate()}) worst = worse(worst, worst_at_gap(pair, 0.0, no_edges));
   expect_stable({"gap 0, against the body that both are; no edges",
                  "two boxes side by side, cube on a wider block, plate on a wider plate", worst, 1e-9,
                  "what is seen are the same planes: 1e-14"});
@@ -102,14 +101,13 @@ TEST(Coincident, SmallGaps) {
   const double k = 2 * pi / stress_wavelength;
   for (const double gap : {1e-12, 1e-9, 1e-7}) {
     double worst = 0.0;
-    for (const Pair& pair : {boxes(), cube_on_block(), plate_on_plate()})
-      worst = std::max(worst, worst_at_gap(pair, gap, no_edges));
+    for (const Pair& pair : {boxes(), cube_on_block(), plate_on_plate()}) worst = worse(worst, worst_at_gap(pair, gap, no_edges));
     expect_stable({fmt::format("gap {:.0e} m, against none; no edges", gap), "the same", worst, 8 * k * gap,
                    "2 k gap of what is moved, as much of slit and shadow; of parts up to twice their sum"});
   }
   double worst = 0.0;
   for (const Pair& pair : {boxes(), cube_on_block(), plate_on_plate()})
-    worst = std::max(worst, worst_at_gap(pair, stress_wavelength / 1000, {no_edges[1]}));
+    worst = worse(worst, worst_at_gap(pair, stress_wavelength / 1000, {no_edges[1]}));
   expect_stable({"gap of a thousandth of the wavelength, against none; adaptive, no edges", "the same", worst, 8 * 2 * pi / 1000,
                  "the same"});
 }

@@ -141,7 +141,7 @@ inline double worst_change(const SweepResult& before, const SweepResult& after, 
   for (std::size_t row = 0; row < before.total.size(); ++row) {
     const double change = largest_amplitude(translated(after.total[row], row) - before.total[row]);
     if (!std::isfinite(change)) return std::numeric_limits<double>::infinity();
-    worst = std::max(worst, change);
+    worst = worse(worst, change);
     peak = std::max(peak, largest_amplitude(before.total[row]));
   }
   return worst / peak;
@@ -175,7 +175,7 @@ inline double worst_of_changes(const std::vector<NamedSoup>& targets, const std:
         }
       }
       measured((target.name + ", " + o.name).c_str(), here, "of the largest |S|");
-      worst = std::max(worst, here);
+      worst = worse(worst, here);
     }
   return worst;
 }

@@ -38,7 +38,7 @@ TEST(Frequency, PlateIsPhysicalOptics) {
   // Phases of 2 k R sin(theta), 3000 rad at 1 THz, are rounded to 2^-53 of that, a few times.
   double worst = 0.0;
   for (const double f : frequencies(1e6, 1e12, size_of_run(4, 40)))
-    worst = std::max(worst, plate_error(f, tubes_and_edges(TubeMode::adaptive, 0, false).options));
+    worst = worse(worst, plate_error(f, tubes_and_edges(TubeMode::adaptive, 0, false).options));
   expect_stable({"1 MHz to 1 THz, against the closed form; adaptive, no edges", "plate of 0.1 m", worst, 3e-12,
                  "2 k R = 3000 rad, rounded to 1e-16 of that a few times"});
 }
@@ -48,7 +48,7 @@ TEST(Frequency, SpecularReturnGrowsWithItsSquare) {
   for (const double f : frequencies(1e6, 1e12, size_of_run(4, 40))) {
     SolveOptions o = tubes_and_edges(TubeMode::adaptive, 0, false).options;
     const SweepResult result = solve_soup(shapes::plate(plate_side), monostatic({{0.0, 0.0}}, f), o);
-    worst = std::max(worst, std::abs(std::abs(result.total[0].vv()) * wavelength(f) / (plate_side * plate_side) - 1));
+    worst = worse(worst, std::abs(std::abs(result.total[0].vv()) * wavelength(f) / (plate_side * plate_side) - 1));
   }
   expect_stable({"1 MHz to 1 THz, S wavelength / area of a plate seen square-on, against 1 in magnitude", "plate of 0.1 m", worst,
                  1e-13, "some roundings"});
@@ -69,7 +69,7 @@ TEST(Frequency, SmallBodiesAreTheirProjectedAreas) {
   double worst = 0.0;
   for (const NamedSoup& target : flat_targets())
     for (const TubeMode mode : {TubeMode::uniform, TubeMode::adaptive})
-      worst = std::max(worst, change_at_low_end(target, tubes_and_edges(mode, 0, false).options, 1e6));
+      worst = worse(worst, change_at_low_end(target, tubes_and_edges(mode, 0, false).options, 1e6));
   expect_stable({"1/3 MHz for 1 MHz, S by the same; no edges", flat_names, worst, 7e-3, "phases of 2 k D: 7e-3 rad at 1 MHz"});
 }
 

@@ -247,7 +247,7 @@ TEST(Gradients, RowsOfEdgeWaves) {
   double worst = 0.0;
   const auto note = [&](Complex a, Complex b, double allowed) {
     const double off = std::abs(a - b) - allowed;
-    worst = std::max(worst, std::isfinite(off) ? off / 9.0 : std::numeric_limits<double>::infinity());
+    worst = worse(worst, std::isfinite(off) ? off / 9.0 : std::numeric_limits<double>::infinity());
   };
   for (const double rate : gradients({}, -2)) {
     // Slopes: paths of 3 m, phases of k rate 1.5.

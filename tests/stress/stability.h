@@ -6,6 +6,7 @@
 //   RAYTUBE_STABILITY_TABLE=docs/stability.md build-stress/stress_tests     the same, and the table in that file is replaced
 #pragma once
 
+#include <cmath>
 #include <string>
 
 namespace raytube::testing {
@@ -21,6 +22,9 @@ struct Stability {
 
 /// Fails the test if the worst is above the allowed or no number; keeps the row for the table.
 void expect_stable(const Stability& measured);
+
+/// The larger of two, and no number if one of them is none.
+inline double worse(double a, double b) { return std::isnan(a) || b <= a ? a : b; }
 
 /// `full` in the full suite (preset stress), else `quick`: numbers of cases, rays, looks.
 template <typename Number>

@@ -102,7 +102,7 @@ TEST(WedgeAngles, StripsOfEveryLength) {
                 1 + std::abs(here[i].current.hard) + std::abs(here[i].current.soft) + std::abs(here[i].current.axial);
             const double change = std::abs(here[i].current.hard - beside[i].current.hard) +
                                   std::abs(here[i].current.soft - beside[i].current.soft) + std::abs(here[i].end - beside[i].end);
-            worst = std::max(worst, or_infinite(change / size - 1e3 * step));
+            worst = worse(worst, or_infinite(change / size - 1e3 * step));
           }
         }
       }
