@@ -24,6 +24,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 COLUMNS = "freq_hz theta_deg phi_deg rx_theta_deg rx_phi_deg re_vv im_vv re_vh im_vh re_hv im_hv re_hh im_hh".split()
+KEYS = "provenance run table compare tolerance".split()
 SOURCE_COLUMNS = "position model rays_asked rays part first_hits all_hits limit_percent exact_percent estimate_percent escaped absorbed cut".split()
 
 
@@ -35,12 +36,29 @@ def names():
 def head_of(path):
     """The lines `# key: value` at the beginning."""
     with open(path) as f:
-        return dict(re.match(r"# (\w+): (.*)", line).groups() for line in f if line.startswith("# "))
+        return dict(found.groups() for found in (re.match(r"# (\w+): (.*)", line) for line in f) if found)
 
 
 def rows_of(path):
     with open(path) as f:
         return list(csv.DictReader(line for line in f if not line.startswith("#")))
+
+
+def refuse(sentence):
+    print(f"references.py: {sentence}", file=sys.stderr)
+    sys.exit(2)
+
+
+def check_request(chosen, program):
+    if not os.access(program, os.X_OK):
+        refuse(f"{program}: no such program; build it, or name it by --program")
+    known = names()
+    for name in chosen:
+        if name not in known:
+            refuse(f"{name}: not kept; choose among {', '.join(known)}")
+        missing = [key for key in KEYS if key not in head_of(os.path.join(HERE, name + ".csv"))]
+        if missing:
+            refuse(f"cases/{name}.csv: its head lacks `# {missing[0]}: ...`; add the line")
 
 
 def run(program, folder, head, output, options=()):
@@ -119,8 +137,10 @@ def main():
     parser.add_argument("--program", default=os.path.join(HERE, "..", "build", "raytube"))
     chosen = parser.parse_intermixed_args()
     program = os.path.abspath(chosen.program)
+    chosen.names = [name.removesuffix(".csv") for name in chosen.names] or names()
+    check_request(chosen.names, program)
     action = treat_bytes if chosen.what == "bytes" else treat
-    results = [action(name, program, chosen.what == "update") for name in chosen.names or names()]
+    results = [action(name, program, chosen.what == "update") for name in chosen.names]
     sys.exit(0 if all(results) else 1)
 
 

@@ -103,7 +103,7 @@ void sync_folder_of(const fs::path& path) {
 Journal::Journal(int file, const fs::path& path) : path_(path), file_(file) {}
 
 Journal::Journal(const fs::path& path, const JournalIdentity& identity)
-    : path_(path), file_(open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)), identity_(identity) {
+    : path_(path), file_(open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)), identity_(identity) {
   if (file_ < 0) fail(path_, errno);
   try {
     write_at(file_, path_, 0, magic);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "decimal.h"
 #include "error.h"
@@ -42,12 +43,19 @@ class LitFractions {
   std::vector<LitInterval> lit_;
 };
 
+constexpr std::string_view header =
+    "wedge,x1_m,y1_m,z1_m,x2_m,y2_m,z2_m,length_m,interior_deg,n,face1_patch,face2_patch,lit_fraction,thickness_m\n";
+
 // The list takes its place by a rename, which must not replace a folder or a device.
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   const std::filesystem::file_status found = std::filesystem::symlink_status(file);
   if (!std::filesystem::is_directory(folder) || (std::filesystem::exists(found) && !std::filesystem::is_regular_file(found)))
     throw InputError(fmt::format("--wedges {}: cannot be written; give an ordinary file in a folder that exists", file.string()));
+  std::string first;
+  if (std::ifstream in(file); in && std::getline(in, first) && first + '\n' != header)
+    throw InputError(
+        fmt::format("--wedges {}: holds something else than an earlier list; name another file, or delete it", file.string()));
   return folder;
 }
 
@@ -62,7 +70,7 @@ void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mes
   const NewResults results(folder_of(file));
   OutputFile out(results.folder() / file.filename());
   LitFractions lit(mesh, wedges, sweep);
-  out.write("wedge,x1_m,y1_m,z1_m,x2_m,y2_m,z2_m,length_m,interior_deg,n,face1_patch,face2_patch,lit_fraction,thickness_m\n");
+  out.write(header);
   std::uint32_t row = 0;
   for (std::uint32_t i = 0; i < wedges.size(); ++i) {
     const Wedge& w = wedges[i];

@@ -124,6 +124,8 @@ std::vector<BadRow> folder_rows() {
       {"output_name_empty", "run case.toml -o ''", "needs the name of a folder; see raytube --help"},
       {"output_from_a_vanished_folder", "run $OLDPWD/case.toml -o out", "output folder out: cannot be found from here",
        [](const Scratch&) {}, "", "mkdir gone && cd gone && rmdir ../gone && "},
+      {"wedges_over_the_mesh", "check case.toml --wedges mesh.off",
+       "--wedges mesh.off: holds something else than an earlier list; "},
       {"wedges_into_a_folder", "check case.toml --wedges .", "--wedges .: cannot be written; "},
       {"wedges_into_a_missing_folder", "check case.toml --wedges none/wedges.csv",
        "--wedges none/wedges.csv: cannot be written; "},

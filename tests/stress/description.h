@@ -144,7 +144,7 @@ inline double worst_change(const SweepResult& before, const SweepResult& after, 
     worst = worse(worst, change);
     peak = std::max(peak, largest_amplitude(before.total[row]));
   }
-  return worst / peak;
+  return peak > 0.0 ? worst / peak : worst;
 }
 inline double worst_change(const SweepResult& before, const SweepResult& after) {
   return worst_change(before, after, [](const ScatteringMatrix& s, std::size_t) { return s; });
