@@ -84,7 +84,8 @@ void CellTubes::reflect() {
 
 void CellTubes::find_runs() {
   runs_.clear();
-  for (const auto& [column, row, node, doubt] : tubes_) extend(node, {column, column + 1, row, row + 1});
+  for (const auto& [column, row, node, doubt] : tubes_)
+    extend({node, {column, column + 1, row, row + 1}, grid_.ray_place(column, row)});
 }
 
 void CellTubes::find_coarse_runs(std::uint32_t grid) {
@@ -95,19 +96,19 @@ void CellTubes::find_coarse_runs(std::uint32_t grid) {
     if (down.empty()) continue;
     const Group across = group_of(column, grid, block.column_begin, block.column_end);
     if (across.empty()) continue;
-    extend(node, {across.begin, across.end, down.begin, down.end});
+    extend({node, {across.begin, across.end, down.begin, down.end}, grid_.ray_place(column, row)});
   }
 }
 
-void CellTubes::extend(std::uint32_t node, const CellBlock& cells) {
+void CellTubes::extend(const Run& next) {
   if (!runs_.empty() && !spherical_) {
-    Run& last = runs_.back();
-    if (last.node == node && last.cells.row_begin == cells.row_begin && last.cells.column_end == cells.column_begin) {
-      last.cells.column_end = cells.column_end;
+    auto& [node, cells, ray_place] = runs_.back();
+    if (node == next.node && cells.row_begin == next.cells.row_begin && cells.column_end == next.cells.column_begin) {
+      cells.column_end = next.cells.column_end;
       return;
     }
   }
-  runs_.push_back({node, cells});
+  runs_.push_back(next);
 }
 
 void CellTubes::integrate(int bounce) {
@@ -138,7 +139,7 @@ void CellTubes::add_variance() {
   for (const Tube& tube : tubes_) {
     if (tube.doubt == 0.0f) continue;
     const Footprint f = spherical_ ? spherical_->footprint(beams_.beam(tube.beam), beams_.patch(tube.beam),
-                                                           {grid_.u_center(tube.column), grid_.v_center(tube.row)})
+                                                           grid_.ray_place(tube.column, tube.row))
                                    : beams_.footprint(tube.beam);
     const double square = tube.doubt * std::pow(f.area * cell, 2);
     for (int p = 0; p < 2; ++p)
@@ -146,13 +147,15 @@ void CellTubes::add_variance() {
   }
 }
 
+// Current and phase gradient of a spherical wave are those where the ray met the surface: from the middle of its cells none may
+// lead there, at grazing not even to the plane.
 void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) {
-  for (const auto& [node, cells] : runs_) {
+  for (const auto& [node, cells, ray_place] : runs_) {
     const dvec2 size{(cells.column_end - cells.column_begin) * grid_.du, (cells.row_end - cells.row_begin) * grid_.dv};
     const dvec2 low{grid_.u_begin + cells.column_begin * grid_.du, grid_.v_begin + cells.row_begin * grid_.dv};
     const dvec2 center = low + 0.5 * size;
     if (spherical_)
-      far_fields_.add(spherical_->footprint(beams_.beam(node), beams_.patch(node), center), center, size);
+      far_fields_.add(spherical_->footprint(beams_.beam(node), beams_.patch(node), ray_place), center, size);
     else
       far_fields_.add(beams_.footprint(node), center, size);
   }

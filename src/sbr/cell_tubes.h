@@ -73,13 +73,14 @@ class CellTubes {
   struct Run {
     std::uint32_t node;
     CellBlock cells;
+    dvec2 ray_place;  // of its first tube
   };
 
   Ray reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const;
   void reflect();
   void find_runs();
   void find_coarse_runs(std::uint32_t grid);
-  void extend(std::uint32_t node, const CellBlock& cells);
+  void extend(const Run& next);
   void integrate(int bounce);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);
   void report();
