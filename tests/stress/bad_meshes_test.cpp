@@ -52,7 +52,7 @@ std::uint64_t not_finite(const SweepResult& result) {
 
 TEST(BadMeshes, EveryFacetIsAccountedForAndResultsAreFinite) {
   std::uint64_t off = 0, no_sense = 0, infinite = 0, facets = 0, open = 0, rows = 0, lost = 0, rays = 0;
-  const int meshes = size_of_run(24, 1000);
+  const int meshes = size_of_run(24, 200);
   const double frequency = 3e9;  // the space of the parts is 10 wavelengths wide
   for (int seed = 0; seed < meshes; ++seed) {
     const PolygonSoup soup = Warts(static_cast<std::uint64_t>(seed)).next(1 + seed % 7, 0.05 * (seed % 12));
@@ -92,7 +92,7 @@ TEST(BadMeshes, TurnedInsideOutIsTheSame) {
   // Closed bodies are wound outward whatever the file says, sheets have two sides: not a bit may differ but for the order of the
   // corners, and with it the rounding of normals.
   double worst = 0.0;
-  const int meshes = size_of_run(6, 100);
+  const int meshes = size_of_run(6, 30);
   for (int seed = 0; seed < meshes; ++seed) {
     PolygonSoup soup = Warts(static_cast<std::uint64_t>(1000 + seed)).next(3, 0.0);
     SolveOptions o = options(EdgeMethod::fringe, 5.0);

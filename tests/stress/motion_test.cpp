@@ -43,7 +43,7 @@ Change turned_at_random(const Description& d, int trial) {
 }
 
 TEST(Motion, TurnedTogether) {
-  expect_unseen("mesh, looks and `tubes.up` turned at random", size_of_run(1, 50), turned_at_random, as_they_are);
+  expect_unseen("mesh, looks and `tubes.up` turned at random", size_of_run(1, 10), turned_at_random, as_they_are);
 }
 
 // The phase of a shift, from the doubles of the look, in extended precision; exact zeros as in spherical_basis.
@@ -86,7 +86,7 @@ double worst_shift(double distance, std::vector<NamedSoup> targets, const std::v
   for (NamedSoup& target : targets)
     for (dvec3& p : target.soup.points) p *= stress_frequency / 94e9;
   for (Sweep& sweep : sweeps) sweep.frequencies = {94e9};
-  return worst_of_changes(targets, options, sweeps, size_of_run(1, 10), shifted_by(distance));
+  return worst_of_changes(targets, options, sweeps, size_of_run(1, 5), shifted_by(distance));
 }
 
 // A coordinate is rounded to half a unit of the last place of the distance, so a corner lies up to 1e-16 of the distance beside

@@ -50,7 +50,7 @@ TEST(Order, TrianglesAndVerticesShuffled) {
     d.soup = shuffled(d.soup, static_cast<std::uint64_t>(trial));
     return Change{std::move(d)};
   };
-  expect_unseen("triangles, their first corners and vertices in random order", size_of_run(1, 20), changed, cut);
+  expect_unseen("triangles, their first corners and vertices in random order", size_of_run(1, 5), changed, cut);
 }
 
 TEST(Order, AllTrianglesTurnedOver) {
@@ -67,7 +67,7 @@ TEST(Order, RandomTrianglesTurnedOver) {
       if (random_number(90 + static_cast<std::uint64_t>(trial), i) < 0.5) std::ranges::reverse(d.soup.polygons[i]);
     return Change{std::move(d)};
   };
-  expect_unseen("half of the triangles, drawn at random, wound the other way", size_of_run(1, 20), changed, cut);
+  expect_unseen("half of the triangles, drawn at random, wound the other way", size_of_run(1, 5), changed, cut);
 }
 
 }  // namespace
