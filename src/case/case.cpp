@@ -176,4 +176,12 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   return c;
 }
 
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const Case& c) {
+  std::vector<std::pair<std::string, std::filesystem::path>> files = {{"the case", c.file}, {"target.mesh", c.mesh_file}};
+  const std::filesystem::path folder = c.file.parent_path();
+  if (!c.looks.looks_csv.empty()) files.emplace_back("look.looks_csv", folder / c.looks.looks_csv);
+  if (!c.radar.pattern_csv.empty()) files.emplace_back("radar.pattern_csv", folder / c.radar.pattern_csv);
+  return files;
+}
+
 }  // namespace raytube

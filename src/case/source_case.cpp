@@ -209,4 +209,10 @@ SourceCase read_source_case(const std::filesystem::path& file, const std::vector
   return c;
 }
 
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const SourceCase& c) {
+  std::vector<std::pair<std::string, std::filesystem::path>> files = {{"the case", c.file}};
+  for (const ScenePart& part : c.parts) files.emplace_back("scene.parts.mesh", part.mesh_file);
+  return files;
+}
+
 }  // namespace raytube

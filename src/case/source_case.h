@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/geometry.h"
@@ -32,6 +33,9 @@ struct SourceCase {
   std::size_t counted = 0;  // the part whose hits are shown
   bool plots = true;
 };
+
+/// The files that the case is read from, each with the key that names it.
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const SourceCase& c);
 
 /// Reads a case; `overrides` as of read_case. Throws InputError with file, line or key, and the remedy.
 SourceCase read_source_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});

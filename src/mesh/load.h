@@ -11,6 +11,7 @@ namespace raytube {
 struct PolygonSoup {
   std::vector<dvec3> points;
   std::vector<std::vector<std::uint32_t>> polygons;
+  std::uint64_t free_forms = 0;  // curves and surfaces beside them that are no polygons (OBJ)
 };
 
 /// Reads STL (ASCII, binary), OBJ, PLY or OFF, chosen by the file name's ending. Keeps every facet.

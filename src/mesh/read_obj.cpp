@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <limits>
 
 #include "mesh/formats.h"
@@ -11,7 +13,15 @@ namespace raytube {
 
 namespace {
 
-/// Wavefront OBJ: of all its statements only `v` and `f` carry the surface; materials, groups, normals are passed over.
+/// The statements that make a curve or a surface of the control points before them, those of older versions too (Wavefront,
+/// Advanced Visualizer manual, 1992, appendix B1). `cstype`, `parm` and others only belong to one of these.
+bool is_free_form(std::string_view keyword) {
+  static constexpr std::string_view keywords[] = {"curv", "curv2", "surf", "bzp", "bsp", "cdc", "cdp"};
+  return std::ranges::find(keywords, keyword) != std::end(keywords);
+}
+
+/// Wavefront OBJ: of all its statements only `v` and `f` carry the surface; materials, groups, normals are passed over, and
+/// curves and surfaces of free form counted.
 class ObjParser {
  public:
   explicit ObjParser(const MeshFile& file) : file_(file), scanner_(file, true) {}
@@ -21,6 +31,7 @@ class ObjParser {
       const std::string_view keyword = scanner_.word();
       if (keyword == "v") read_vertex();
       if (keyword == "f") read_facet();
+      if (is_free_form(keyword)) ++soup_.free_forms;
     }
     if (largest_corner_ > soup_.points.size())
       file_.reject(fmt::format("line {}: vertex {} does not exist, the file holds {}; export the mesh again",

@@ -62,6 +62,9 @@ PolygonSoup parse_off(const MeshFile& file) {
     require_line(scanner, "facets", i, facets);
     soup.polygons.push_back(read_facet(scanner, vertices));
   }
+  if (scanner.next_line())
+    scanner.reject(fmt::format("more lines than the {} vertices and {} facets announced; correct the counts, or export it again",
+                               vertices, facets));
   return soup;
 }
 

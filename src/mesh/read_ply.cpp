@@ -126,7 +126,16 @@ class Body {
     return 0.0;
   }
 
+  /// Numbers beyond the last one announced would be lost in silence. Blanks and zeros that pad a file are none.
+  void require_end() {
+    const bool over = encoding_ == Encoding::ascii ? scanner_.word_of_any_line().empty()
+                                                   : file_.bytes.find_first_not_of(padding, position_) == std::string::npos;
+    if (!over) file_.reject("goes on after the last item its header announces; correct the counts there, or export it again");
+  }
+
  private:
+  static constexpr std::string_view padding{"\0 \t\r\n", 5};
+
   template <class Number>
   Number binary() {
     std::array<char, sizeof(Number)> bytes;
@@ -205,6 +214,7 @@ PolygonSoup parse_ply(const MeshFile& file) {
     else
       skip_items(file, body, element);
   }
+  body.require_end();
   return soup;
 }
 

@@ -112,6 +112,7 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
   auto& [mesh, report] = loaded;
   report.facets_read = soup.polygons.size();
   report.vertices_read = soup.points.size();
+  report.free_forms_read = soup.free_forms;
 
   drop_unused_points(soup.points, soup.polygons);
   mesh.center = recentre(soup.points, metres_per_unit);

@@ -8,6 +8,7 @@ std::vector<MeshNote> MeshReport::notes() const {
   const std::string together = fmt::format("vertices welded to another one (closer than {:.2g} m)", weld_distance);
   std::vector<MeshNote> notes = {
       {"facets left out: fewer than three different corners", facets_unusable},
+      {"curves and surfaces of free form left out: only polygons are read; export the mesh as polygons", free_forms_read},
       {together, vertices_welded},
       {"open edges in the file, once vertices are welded", open_edges_read},
       {"edges in the file where more than two facets meet", non_manifold_edges_read},

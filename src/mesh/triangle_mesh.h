@@ -51,6 +51,7 @@ struct MeshReport {
   std::uint64_t facets_read = 0;  // polygons in the file
   std::uint64_t vertices_read = 0;
   std::uint64_t facets_unusable = 0;  // polygons with fewer than three distinct corners
+  std::uint64_t free_forms_read = 0;  // curves and surfaces given by formulas: left out
   std::uint64_t triangles_read = 0;   // after splitting polygons into triangles
   std::uint64_t vertices_welded = 0;  // merged into another vertex
 

@@ -79,9 +79,26 @@ OutputFolder::~OutputFolder() {
   remove_if_empty();
 }
 
+bool OutputFolder::is_there() const {
+  const std::lock_guard lock(mutex_);
+  return lock_ && lock_->holds();
+}
+
+bool OutputFolder::make_again_if_gone() {
+  const std::lock_guard lock(mutex_);
+  if (lock_ && lock_->holds()) return false;
+  lock_.reset();
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) not_writable(path_, "was removed, and cannot be created again (" + error.message() + ")");
+  lock_.emplace(path_);
+  return true;
+}
+
 void OutputFolder::abandon() const {
+  const std::lock_guard lock(mutex_);
   remove_leftovers(path_, true);
-  lock_->remove_file();
+  if (lock_) lock_->remove_file();
   remove_if_empty();
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,14 @@ class OutputFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
+  // The following may be called from any thread.
+
+  /// False if somebody has removed it, or moved it away.
+  bool is_there() const;
+
+  /// Makes the folder again if it is not there; true if it had to. Throws InputError if that cannot be.
+  bool make_again_if_gone();
+
   /// Leaves it as the end of the program would, but for the lock: for a program that is about to end without clearing up.
   void abandon() const;
 
@@ -35,6 +44,7 @@ class OutputFolder {
   std::filesystem::path path_;
   std::filesystem::path first_created_;  // empty if everything existed
   std::optional<FolderLock> lock_;
+  mutable std::mutex mutex_;  // for lock_
 };
 
 /// The files of one run on their way into `destination`: written in folder(), then placed. Whatever was not placed is removed.

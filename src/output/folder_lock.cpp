@@ -18,13 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file of that name may be another one by now, or none.
-bool is_still(int descriptor, const fs::path& file) {
-  struct stat held, there;
-  return fstat(descriptor, &held) == 0 && stat(file.c_str(), &there) == 0 && held.st_ino == there.st_ino &&
-         held.st_dev == there.st_dev;
-}
-
 std::string owner_text(int descriptor) {
   std::array<char, 32> text{};
   const ssize_t size = pread(descriptor, text.data(), text.size(), 0);
@@ -33,10 +26,18 @@ std::string owner_text(int descriptor) {
 
 }  // namespace
 
+bool is_still(int descriptor, const fs::path& file) {
+  struct stat held, there;
+  return fstat(descriptor, &held) == 0 && stat(file.c_str(), &there) == 0 && held.st_ino == there.st_ino &&
+         held.st_dev == there.st_dev;
+}
+
 FolderLock::FolderLock(const fs::path& folder) : file_(folder / ".raytube.lock") {
   while (!take()) continue;
-  const std::string owner = std::to_string(getpid());  // for those who are refused; a full disk may not take it
-  if (ftruncate(descriptor_, 0) == 0 && pwrite(descriptor_, owner.data(), owner.size(), 0) < 0) return;
+  const std::string owner = std::to_string(getpid());
+  // For those who are refused. A full disk may not take it, and then they are not told.
+  [[maybe_unused]] const bool is_told =
+      ftruncate(descriptor_, 0) == 0 && pwrite(descriptor_, owner.data(), owner.size(), 0) == static_cast<ssize_t>(owner.size());
 }
 
 // False if the owner before has just removed the file.
@@ -63,8 +64,10 @@ FolderLock::~FolderLock() {
   close(descriptor_);
 }
 
+bool FolderLock::holds() const { return is_still(descriptor_, file_); }
+
 void FolderLock::remove_file() const {
-  if (is_still(descriptor_, file_)) unlink(file_.c_str());
+  if (holds()) unlink(file_.c_str());
 }
 
 }  // namespace raytube

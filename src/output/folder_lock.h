@@ -16,6 +16,9 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
+  /// False once the file was removed: others may take it then.
+  bool holds() const;
+
   /// Removes the file; the lock goes with this object.
   void remove_file() const;
 
@@ -25,5 +28,8 @@ class FolderLock {
   std::filesystem::path file_;
   int descriptor_ = -1;
 };
+
+/// True if the file of that name is the one that is open; it may be another one by now, or none.
+bool is_still(int descriptor, const std::filesystem::path& file);
 
 }  // namespace raytube

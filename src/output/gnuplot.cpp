@@ -9,6 +9,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
+#include <iterator>
+#include <string_view>
 
 #include "output/files.h"
 
@@ -39,6 +42,25 @@ std::string run_gnuplot(const std::filesystem::path& script) {
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("gnuplot failed with status {}", WEXITSTATUS(status));
 }
 
+// PNG ends with a chunk of its own (ISO/IEC 15948:2004, 11.2.5), SVG with the tag that closes it. On a full disk gnuplot leaves
+// half a picture and says nothing.
+bool is_whole(const std::filesystem::path& picture) {
+  constexpr std::string_view chunk("IEND\xAE\x42\x60\x82", 8), tag = "</svg>";
+  constexpr std::streamoff at_most = 16;  // blanks may follow
+  std::ifstream in(picture, std::ios::binary);
+  in.seekg(-at_most, std::ios::end);
+  const std::string end{std::istreambuf_iterator<char>(in), {}};
+  return picture.extension() == ".png" ? end.ends_with(chunk) : end.find(tag) != std::string::npos;
+}
+
+// Throws std::runtime_error if that is why the picture is not whole: gnuplot does not say.
+void require_room_on_disk(const std::filesystem::path& picture) {
+  constexpr std::size_t room = 1 << 18;  // [bytes] more than a plot takes
+  OutputFile file(picture);
+  file.write(std::string(room, '\0'));
+  file.commit();
+}
+
 }  // namespace
 
 // Inside single quotes gnuplot takes everything literally but the quote itself; SVG allows no control characters.
@@ -66,9 +88,11 @@ std::string draw_picture(const std::filesystem::path& picture, const std::string
   std::string trouble = run_gnuplot(script);
   std::error_code error;
   std::filesystem::remove(script, error);
-  const auto size = std::filesystem::file_size(picture, error);
-  if (trouble.empty() && (error || size == 0)) trouble = "gnuplot left no picture";
-  if (!trouble.empty()) std::filesystem::remove(picture, error);
+  const bool is_there = std::filesystem::exists(picture, error);
+  if (trouble.empty() && !is_whole(picture)) trouble = is_there ? "gnuplot left half a picture" : "gnuplot left no picture";
+  if (trouble.empty() || !is_there) return trouble;
+  require_room_on_disk(picture);
+  std::filesystem::remove(picture, error);
   return trouble;
 }
 

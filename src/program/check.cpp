@@ -177,7 +177,8 @@ std::vector<std::string> skipped_as_found(const Case& c, const Target& target) {
 }
 
 void print_skipped(const Case& c, const MeshReport& r, const Target& target, const LookPlan& plan) {
-  std::vector<Skipped> skipped = {{"facets", "fewer than three distinct corners", r.facets_unusable},
+  std::vector<Skipped> skipped = {{"curves and surfaces", "of free form: only polygons are read", r.free_forms_read},
+                                  {"facets", "fewer than three distinct corners", r.facets_unusable},
                                   {"triangles", "no area", r.triangles_degenerate},
                                   {"triangles", "same corners as another one", r.triangles_duplicate},
                                   {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};

@@ -50,15 +50,18 @@ void keep_chosen_rows(ResultTable& result, ResultTable& reference, const std::ve
   }
 }
 
+const ResultNames names_of_results = {{"compare.png", "compare.svg"}, {"compare.csv"}};
+
 void write_files(const std::filesystem::path& destination, const Comparison& comparison) {
   const OutputFolder folder(destination);
-  const InterruptFlag interrupt_flag([&folder] { return without_results(folder); });
+  AllOrNothing ending(folder);
+  const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
   const NewResults results(folder.path());
   write_compare_csv(results.folder() / "compare.csv", comparison);
   const std::string trouble = plot_comparison(results.folder(), comparison);
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
-  replace_results(results, folder.path(), {"compare.png", "compare.svg"}, {"compare.csv"});
+  replace_results(results, folder.path(), names_of_results, {}, [&ending] { ending.complete(); });
   fmt::print("results in {}: compare.csv{}\n", folder.path().string(), trouble.empty() ? ", compare.png, compare.svg" : "");
 }
 
@@ -79,9 +82,9 @@ void fall_short_above(const Comparison& comparison, const Request& request) {
 }  // namespace
 
 void compare_command(const Request& request) {
-  if (!request.output_folder.empty()) {
-    const OutputFolder refused_now_rather_than_after_the_report(request.output_folder);
-  }
+  if (!request.output_folder.empty())
+    check_output(request.output_folder, names_of_results,
+                 {{"the first table", request.result}, {"the second table", request.reference}});
   const ColumnMap result_columns = parsed_column_map("--result-columns", request.result_columns),
                   reference_columns = parsed_column_map("--reference-columns", request.reference_columns);
   ResultTable result = read_result_table(request.result, result_columns),

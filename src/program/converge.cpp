@@ -64,6 +64,12 @@ void check_finest(double density, const std::string& option, const Case& c, cons
 // Shares of the whole study's work: tubes grow with the square of the density.
 double work(double density) { return density * density; }
 
+ResultNames names_of_results(bool with_plot) {
+  ResultNames names{{}, {"converge.csv"}};
+  if (with_plot) names.pictures = {"converge.png", "converge.svg"};
+  return names;
+}
+
 // Solves one density after the other and keeps what is finished on disk.
 class Study {
  public:
@@ -109,20 +115,24 @@ class Study {
                        finished(), densities_);
   }
 
-  std::string last_words() const {
+  std::optional<std::string> last_words() const {
+    if (complete_) return {};
     folder_.abandon();
     return interrupted_sentence();
   }
 
   /// Puts the study so far in the place of what an earlier one left.
   void write(bool with_plot) {
+    make_again_if_gone(folder_);
     const NewResults results(folder());
     write_converge_csv(results.folder() / "converge.csv", study_);
     const std::string trouble = with_plot ? plot_convergence(results.folder(), study_) : "";
     if (with_plot) stop_if_interrupted();
     if (!trouble.empty()) warn(trouble);
-    replace_results(results, folder(), {"converge.png", "converge.svg"}, {"converge.csv"});
-    finished_densities_ = study_.results.size();
+    replace_results(results, folder(), names_of_results(with_plot), names_of_results(true).pictures, [&] {
+      finished_densities_ = study_.results.size();
+      complete_ = with_plot || (!case_.plots && finished() == densities_);
+    });
   }
 
  private:
@@ -141,6 +151,7 @@ class Study {
   OutputFolder folder_;
   std::size_t densities_;
   std::atomic<std::size_t> finished_densities_ = 0;
+  std::atomic<bool> complete_ = false;
   ProgressBar bar_;
   SolveOptions options_;
   ConvergenceStudy study_;
@@ -156,7 +167,7 @@ void converge_command(const Request& request) {
     throw InputError(
         fmt::format("{}: edges.method \"utd\" has no tubes whose density could be studied; remove it", c.file.string()));
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
-  { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
+  check_output(destination, names_of_results(c.plots), input_files(c));
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   check_finest(densities.back(), request.densities, c, loaded.mesh);
   const Target target(loaded.mesh, c.edges);
@@ -168,7 +179,7 @@ void converge_command(const Request& request) {
       study.add(density);
       study.write(false);
     }
-    study.write(c.plots);
+    if (c.plots) study.write(true);
     fmt::print("{}results         {}\n", study.text(), study.folder().string());
   } catch (const Interrupted&) {
     throw Interrupted(study.interrupted_sentence());

@@ -9,7 +9,6 @@
 #include "output/image_plot.h"
 #include "output/vtu.h"
 #include "program/interrupt.h"
-#include "program/results.h"
 #include "solve_image.h"
 
 namespace raytube {
@@ -33,6 +32,10 @@ void write_tables(const fs::path& folder, const std::string& name, const Target&
   stop_if_interrupted();
 }
 
+std::string name_of_image(const Case& c, std::size_t look) {
+  return c.image_looks.size() == 1 ? "image" : fmt::format("image_{}", look);
+}
+
 double draw(const fs::path& folder, const std::string& name, const Case& c, LookImage image) {
   const auto start = std::chrono::steady_clock::now();
   const std::string trouble = draw_image(folder, name, c.title, c.sweep, std::move(image));
@@ -47,26 +50,33 @@ void check_images(const Target& target, const Case& c) {
   for (const std::size_t look : c.image_looks) image_cells(target, c.sweep, solve_options(c, 0), look, c.image_per_wavelength);
 }
 
-ImageFiles write_images(const fs::path& folder, const Target& target, const Case& c, int threads) {
-  ImageFiles files;
+ResultNames image_names(const Case& c) {
+  ResultNames names;
   for (const std::size_t look : c.image_looks) {
-    const std::string name = c.image_looks.size() == 1 ? "image" : fmt::format("image_{}", look);
-    LookImage image = image_of_look(target, c.sweep, solve_options(c, threads), look, c.image_per_wavelength);
-    write_tables(folder, name, target, c, image);
-    if (c.plots) files.drawing_s += draw(folder, name, c, std::move(image));
-    files.pictures.insert(files.pictures.end(), {name + ".png", name + "_phase.png", name + "_window.png"});
-    files.tables.insert(files.tables.end(), {name + ".csv", name + "_mesh.vtu"});
+    const std::string name = name_of_image(c, look);
+    if (c.plots) names.pictures.insert(names.pictures.end(), {name + ".png", name + "_phase.png", name + "_window.png"});
+    names.tables.insert(names.tables.end(), {name + ".csv", name + "_mesh.vtu"});
   }
-  return files;
+  return names;
 }
 
-void add_earlier_images(const fs::path& folder, ImageFiles& files) {
-  static const std::regex picture(R"(image(_\d+)?(_phase|_window)?\.png)"), table(R"(image(_\d+)?(\.csv|_mesh\.vtu))");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (std::regex_match(name, picture)) files.pictures.push_back(name);
-    if (std::regex_match(name, table)) files.tables.push_back(name);
+double write_images(const fs::path& folder, const Target& target, const Case& c, int threads) {
+  double drawing_s = 0.0;
+  for (const std::size_t look : c.image_looks) {
+    const std::string name = name_of_image(c, look);
+    LookImage image = image_of_look(target, c.sweep, solve_options(c, threads), look, c.image_per_wavelength);
+    write_tables(folder, name, target, c, image);
+    if (c.plots) drawing_s += draw(folder, name, c, std::move(image));
   }
+  return drawing_s;
+}
+
+std::vector<std::string> earlier_images(const fs::path& folder) {
+  static const std::regex image(R"(image(_\d+)?(\.csv|_mesh\.vtu|(_phase|_window)?\.png))");
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (const std::string name = entry.path().filename().string(); std::regex_match(name, image)) names.push_back(name);
+  return names;
 }
 
 }  // namespace raytube

@@ -7,21 +7,20 @@
 
 #include "case/case.h"
 #include "program/commands.h"
+#include "program/results.h"
 
 namespace raytube {
 
 /// Throws InputError if an image cannot be made: better now than after the computation.
 void check_images(const Target& target, const Case& c);
 
-struct ImageFiles {
-  std::vector<std::string> pictures, tables;
-  double drawing_s = 0.0;
-};
+/// The files they go to: image.* if there is one and image_<look>.* if there are several.
+ResultNames image_names(const Case& c);
 
-/// Computes and writes them into `folder`, image.* if there is one and image_<look>.* if there are several.
-ImageFiles write_images(const std::filesystem::path& folder, const Target& target, const Case& c, int threads);
+/// Computes and writes them into `folder`; returns the time of drawing [s].
+double write_images(const std::filesystem::path& folder, const Target& target, const Case& c, int threads);
 
-/// Adds the names of images that an earlier run has left in `folder`.
-void add_earlier_images(const std::filesystem::path& folder, ImageFiles& files);
+/// All files in `folder` that have the name of an image.
+std::vector<std::string> earlier_images(const std::filesystem::path& folder);
 
 }  // namespace raytube

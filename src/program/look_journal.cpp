@@ -33,8 +33,9 @@ std::string named(const std::vector<std::string>& names) {
 
 }  // namespace
 
-LookJournal::LookJournal(const fs::path& folder, std::function<JournalIdentity()> identity)
-    : file_(file_in(folder)), identity_(std::move(identity)) {}
+LookJournal::LookJournal(const fs::path& folder, std::function<JournalIdentity()> identity,
+                         std::function<void()> make_sure_of_folder)
+    : file_(file_in(folder)), identity_(std::move(identity)), make_sure_of_folder_(std::move(make_sure_of_folder)) {}
 
 void LookJournal::refuse_leftover(const fs::path& folder) {
   const fs::path file = file_in(folder);
@@ -90,9 +91,9 @@ void LookJournal::write_if_due(std::unique_lock<std::mutex>& lock) {
 }
 
 void LookJournal::write() {
-  if (waiting_.empty()) return;
+  if (waiting_.empty() && (!journal_ || journal_->is_there())) return;
   try {
-    if (!journal_) journal_ = std::make_unique<Journal>(file_, identity_());
+    make_sure_of_file();
     journal_->add(waiting_);
     to_sync_ = true;
   } catch (const std::exception& error) {
@@ -101,6 +102,16 @@ void LookJournal::write() {
   waiting_.clear();
   waiting_bytes_ = 0;
   written_ = Clock::now();
+}
+
+// The folder may have been removed since, and the file with it.
+void LookJournal::make_sure_of_file() {
+  if (journal_ && journal_->is_there()) return;
+  make_sure_of_folder_();
+  if (journal_)
+    journal_->write_again();
+  else
+    journal_ = std::make_unique<Journal>(file_, identity_());
 }
 
 // The others need not wait for the disk.
@@ -130,7 +141,7 @@ void LookJournal::give_up(const std::exception& error) {
 std::string LookJournal::keep_all() {
   const std::lock_guard lock(mutex_);
   if (journal_ && !given_up_) write();
-  if (!journal_ || journal_->records() == 0) return {};
+  if (!journal_ || !journal_->is_there() || journal_->records() == 0) return {};
   return fmt::format("{} of {} looks are kept in {}; go on with --resume", journal_->records(),
                      std::max(looks_, journal_->records()), file_.string());
 }
@@ -139,7 +150,7 @@ void LookJournal::remove() {
   const std::lock_guard lock(mutex_);
   given_up_ = true;
   std::error_code ignored;
-  if (journal_) fs::remove(file_, ignored);
+  if (journal_ && journal_->is_there()) fs::remove(file_, ignored);
 }
 
 }  // namespace raytube

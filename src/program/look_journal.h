@@ -19,8 +19,10 @@ namespace raytube {
 /// that does not take it costs a warning: the run goes on.
 class LookJournal {
  public:
-  /// `identity` is asked once it is needed.
-  LookJournal(const std::filesystem::path& folder, std::function<JournalIdentity()> identity);
+  /// `identity` is asked once it is needed. `make_sure_of_folder` makes the folder again where it was removed, and throws if it
+  /// belongs to another run by now; whoever calls it may come from any thread.
+  LookJournal(const std::filesystem::path& folder, std::function<JournalIdentity()> identity,
+              std::function<void()> make_sure_of_folder);
 
   static std::filesystem::path file_in(const std::filesystem::path& folder) { return folder / ".raytube.journal"; }
 
@@ -36,7 +38,8 @@ class LookJournal {
   /// To be called now and then: finished looks do not wait for the next one.
   void write_now_and_then();
 
-  /// Writes what is left to be written; then what is kept, as a sentence, empty if nothing is.
+  /// Writes what is left to be written; then what is kept, as a sentence, empty if nothing is. A file that was removed is made
+  /// again, with its folder.
   std::string keep_all();
 
   /// Looks taken up from an earlier run.
@@ -51,11 +54,13 @@ class LookJournal {
   void keep(std::size_t place, std::string bytes);
   void write_if_due(std::unique_lock<std::mutex>& lock);
   void write();
+  void make_sure_of_file();
   void sync(std::unique_lock<std::mutex>& lock);
   void give_up(const std::exception& error);
 
   std::filesystem::path file_;
   std::function<JournalIdentity()> identity_;
+  std::function<void()> make_sure_of_folder_;
   std::unique_ptr<Journal> journal_;
   std::size_t looks_ = 0, resumed_ = 0;
   std::vector<JournalRecord> waiting_;

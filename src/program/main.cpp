@@ -1,10 +1,14 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cctype>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 #include "error.h"
@@ -48,13 +52,33 @@ int complain(std::string sentence, int code) {
   return code;
 }
 
+// A file that is opened where stdout was closed would take what is printed.
+void open_standard_streams() {
+  for (int stream = open("/dev/null", O_RDWR); stream >= 0; stream = open("/dev/null", O_RDWR)) {
+    if (stream <= STDERR_FILENO) continue;
+    close(stream);
+    return;
+  }
+}
+
+constexpr const char* not_printed = "standard output: cannot be written completely; is the disk full? Send it elsewhere";
+
+// What is printed waits in buffers, and is lost without a word on a full device.
+void require_printed() {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw std::runtime_error(not_printed);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
+    open_standard_streams();
     end_on_interrupt();
     std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails, as on a full disk
     execute(parse_command_line(argc, argv));
+    require_printed();
     return 0;
   } catch (const InputError& error) {
     return complain(error.what(), bad_input);
@@ -63,6 +87,6 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain("out of memory; lower tubes.per_wavelength or split the sweep", fell_short);
   } catch (const std::exception& error) {
-    return complain(error.what(), fell_short);
+    return complain(std::ferror(stdout) ? not_printed : error.what(), fell_short);
   }
 }

@@ -1,9 +1,12 @@
 // How every command brings its results into their folder.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "output/files.h"
@@ -16,13 +19,41 @@ void warn(const std::string& sentence);
 /// Throws Interrupted once Ctrl-C was pressed.
 void stop_if_interrupted();
 
-/// Last words of a command that keeps nothing of what it has not finished.
-std::string without_results(const OutputFolder& folder);
+/// With a warning. Throws InputError if that cannot be.
+void make_again_if_gone(OutputFolder& folder);
 
-/// Removes all the named files, so that nothing of an earlier command stands beside the new results, then places those that were
-/// written, in the order given: whoever finds the last one finds all. A plot is a convenience: one that cannot take its place
-/// costs a warning and does not hold up the tables. `placed` is called when all is done, before an interrupt may say otherwise.
-void replace_results(const NewResults& results, const std::filesystem::path& folder, const std::vector<std::string>& pictures,
-                     const std::vector<std::string>& tables, const std::function<void()>& placed = {});
+/// The names of a command's results, in the order in which they take their places: whoever finds the last table finds all.
+struct ResultNames {
+  std::vector<std::string> pictures, tables;
+};
+
+/// A file that a command reads, and what names it to the user: a key of the case, or an option.
+using InputFile = std::pair<std::string, std::filesystem::path>;
+
+/// Throws InputError if results of these names cannot go to the folder, or if they would replace an input, or a file that no
+/// earlier command has written: better now than after the computation.
+void check_output(const std::filesystem::path& folder, const ResultNames& names, const std::vector<InputFile>& inputs);
+
+/// Removes what earlier commands have written under any of the names, and of the names in `leftovers`, so that nothing of theirs
+/// stands beside the new results; then places those that were written. Throws InputError, with all as it was, if something else
+/// has taken a place since. A plot is a convenience: one that cannot take its place costs a warning and does not hold up the
+/// tables. `placed` is called when all is done, before an interrupt may say otherwise.
+void replace_results(const NewResults& results, const std::filesystem::path& folder, const ResultNames& names,
+                     const std::vector<std::string>& leftovers, const std::function<void()>& placed);
+
+/// A command that keeps nothing of what it has not finished.
+class AllOrNothing {
+ public:
+  explicit AllOrNothing(const OutputFolder& folder) : folder_(folder) {}
+
+  void complete() { complete_ = true; }
+
+  /// Of an interrupt: none once it is complete.
+  std::optional<std::string> last_words() const;
+
+ private:
+  const OutputFolder& folder_;
+  std::atomic<bool> complete_ = false;
+};
 
 }  // namespace raytube

@@ -90,6 +90,7 @@ std::vector<std::pair<std::string, double>> report_entries(const MeshReport& r) 
           {"vertices_read", count(r.vertices_read)},
           {"vertices_welded", count(r.vertices_welded)},
           {"facets_unusable", count(r.facets_unusable)},
+          {"free_forms_read", count(r.free_forms_read)},
           {"triangles_degenerate", count(r.triangles_degenerate)},
           {"triangles_duplicate", count(r.triangles_duplicate)},
           {"triangles_internal", count(r.triangles_internal)},
@@ -167,13 +168,34 @@ void print_summary(const SweepResult& result, const TubeOptions& tubes, const Ma
   fmt::print("results     {}\n", folder.string());
 }
 
+ResultNames names_of_results(const Request& request, const Case& c) {
+  ResultNames names = image_names(c);
+  if (c.plots) names.pictures.insert(names.pictures.end(), {"rcs.png", "rcs.svg"});
+  names.tables.emplace_back("channels.csv");
+  if (request.parts) names.tables.emplace_back("parts.csv");
+  if (request.random) names.tables.emplace_back("random.csv");
+  names.tables.insert(names.tables.end(), {"rcs.csv", "run.json"});
+  return names;
+}
+
+// What a run with other wishes may have left.
+std::vector<std::string> names_of_earlier_results(const fs::path& folder) {
+  std::vector<std::string> names = earlier_images(folder);
+  names.insert(names.end(), {"parts.csv", "random.csv", "rcs.png", "rcs.svg"});
+  return names;
+}
+
 // A run from the computation on, into its folder.
 class Run {
  public:
   Run(const Request& request, const Case& c, const Target& target, const fs::path& destination, Manifest& manifest)
-      : request_(request), case_(c), target_(target), manifest_(manifest), folder_(destination), journal_(folder_.path(), [this] {
-          return identity_of(case_, manifest_);
-        }) {
+      : request_(request),
+        case_(c),
+        target_(target),
+        manifest_(manifest),
+        folder_(destination),
+        journal_(
+            folder_.path(), [this] { return identity_of(case_, manifest_); }, [this] { make_again_if_gone(folder_); }) {
     if (request.resume)
       journal_.resume();
     else
@@ -197,23 +219,34 @@ class Run {
   }
 
  private:
+  // Once more if somebody removes the folder meanwhile.
   void write(const Solved& solved, const Stopwatch& total) {
+    try {
+      write_into_folder(solved, total);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const std::runtime_error&) {
+      if (folder_.is_there()) throw;
+      write_into_folder(solved, total);
+    }
+  }
+
+  void write_into_folder(const Solved& solved, const Stopwatch& total) {
     const auto& [result, by_chance] = solved;
     manifest_.statistics = result.statistics;
     manifest_.looks_resumed = journal_.resumed();
     if (by_chance) manifest_.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
+    make_again_if_gone(folder_);
     const NewResults results(folder_.path());
     write_tables(results.folder(), case_, solved, request_.parts);
-    ImageFiles images = write_images(results.folder(), target_, case_, manifest_.threads);
+    const double drawing_s = write_images(results.folder(), target_, case_, manifest_.threads);
     manifest_.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
     manifest_.peak_rss_bytes = peak_rss_bytes();
-    manifest_.time.total_s = total.seconds() - images.drawing_s;
+    manifest_.time.total_s = total.seconds() - drawing_s;
     write_manifest(results.folder() / "run.json", manifest_);
     if (case_.plots) draw_plots(results.folder(), case_, result);
-    add_earlier_images(folder_.path(), images);
-    images.pictures.insert(images.pictures.end(), {"rcs.png", "rcs.svg"});
-    images.tables.insert(images.tables.end(), {"channels.csv", "parts.csv", "random.csv", "rcs.csv", "run.json"});
-    replace_results(results, folder_.path(), images.pictures, images.tables, [this] { complete_ = true; });
+    replace_results(results, folder_.path(), names_of_results(request_, case_), names_of_earlier_results(folder_.path()),
+                    [this] { complete_ = true; });
     journal_.remove();
   }
 
@@ -249,7 +282,7 @@ void run_command(const Request& request) {
   const Stopwatch total;
   const Case c = read_case(request.case_file, request.overrides);
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
-  { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
+  check_output(destination, names_of_results(request, c), input_files(c));
   if (!request.resume) LookJournal::refuse_leftover(destination);
   if (request.random && !c.image_looks.empty())
     throw InputError(

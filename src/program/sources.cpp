@@ -208,17 +208,24 @@ void print_summary(const SourceStudy& study, bool exact, const fs::path& folder)
   fmt::print("results     {}\n", folder.string());
 }
 
+ResultNames names_of_results(bool plots) {
+  ResultNames names{{}, {"hits.ply", "sources.csv"}};
+  if (plots) names.pictures = {"launch.png", "launch.svg", "hits.png", "hits.svg", "sources.png", "sources.svg"};
+  return names;
+}
+
 }  // namespace
 
 void sources_command(const Request& request) {
   const SourceCase c = read_source_case(request.case_file, request.overrides);
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
-  { const OutputFolder refused_now_rather_than_after_the_computation(destination); }
+  check_output(destination, names_of_results(c.plots), input_files(c));
   const int threads = request.threads > 0 ? request.threads : all_threads();
   Study study(c, threads);
 
-  const OutputFolder folder(destination);
-  const InterruptFlag interrupt_flag([&folder] { return without_results(folder); });
+  OutputFolder folder(destination);
+  AllOrNothing ending(folder);
+  const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
   ProgressBar bar(!request.quiet && isatty(STDERR_FILENO) != 0);
   const auto go_on = [&](double share) {
     bar.show(share);
@@ -227,6 +234,7 @@ void sources_command(const Request& request) {
   run_on_threads(threads, [&] { study.solve(go_on); });
   const SourceStudy& result = study.result();
 
+  make_again_if_gone(folder);
   const NewResults results(folder.path());
   write_sources_csv(results.folder() / "sources.csv", result);
   stop_if_interrupted();
@@ -235,8 +243,8 @@ void sources_command(const Request& request) {
   const std::string trouble = c.plots ? plot_sources(results.folder(), result) : "";
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
-  replace_results(results, folder.path(), {"launch.png", "launch.svg", "hits.png", "hits.svg", "sources.png", "sources.svg"},
-                  {"hits.ply", "sources.csv"});
+  replace_results(results, folder.path(), names_of_results(c.plots), names_of_results(true).pictures,
+                  [&ending] { ending.complete(); });
   if (!request.quiet) print_summary(result, study.exact(), folder.path());
 }
 

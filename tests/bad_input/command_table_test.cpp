@@ -132,6 +132,61 @@ std::vector<BadRow> folder_rows() {
   };
 }
 
+BadRow taken(const std::string& name, const std::string& file, const std::string& words) {
+  return with_file("taken_" + name, file, "somebody's own", words + " -o .",
+                   ": is where a result is to go, and is not what raytube");
+}
+
+// A file that is read, in the place of a result.
+BadRow read(const std::string& name, const std::string& file, const std::string& bytes, const std::string& words,
+            const std::string& key) {
+  return with_file("read_" + name, file, bytes, words + " -o .", ": is read here (" + key + "), and a result of that name");
+}
+
+std::vector<BadRow> place_rows() {
+  const std::string sources =
+      "[scene]\n[[scene.parts]]\nname = \"a\"\nmesh = \"hits.ply\"\nunit = \"m\"\nsurface = "
+      "\"pec\"\n[source]\npoint_m = [0, 0, 1]\nrays = 10\ncounted = \"a\"\n";
+  const std::string table = "phi_deg,sigma_vv_dbsm\n0,1\n";
+  const auto folder = [](const char* name) { return [name](const Scratch& scratch) { fs::create_directory(scratch / name); }; };
+  return {
+      taken("rcs_csv", "rcs.csv", "run case.toml"),
+      taken("channels_csv", "channels.csv", "run case.toml"),
+      taken("run_json", "run.json", "run case.toml"),
+      taken("parts_csv", "parts.csv", "run case.toml --parts"),
+      taken("random_csv", "random.csv", "run case.toml --launch random"),
+      taken("rcs_svg", "rcs.svg", "run case.toml"),
+      taken("image_csv", "image.csv", "run case.toml --set output.image_look=0"),
+      taken("image_png", "image_phase.png", "run case.toml --set output.image_look=0"),
+      taken("resumed", "rcs.csv", "run case.toml --resume"),
+      taken("converge_csv", "converge.csv", "converge case.toml"),
+      taken("compare_csv", "compare.csv", "compare a.csv b.csv"),
+      taken("compare_png", "compare.png", "compare a.csv b.csv"),
+      read("case", "run.json", good_case, "run run.json", "the case"),
+      read("looks", "rcs.csv", "theta_deg,phi_deg\n1,2\n", "run case.toml --set 'look={looks_csv=\"rcs.csv\"}'",
+           "look.looks_csv"),
+      read("pattern", "channels.csv", "angle_deg,azimuth_db,elevation_db\n0,0,0\n90,-3,-3\n",
+           "run case.toml --set radar.range_m=3 --set radar.pattern_csv=channels.csv", "radar.pattern_csv"),
+      read("table", "compare.csv", table, "compare compare.csv compare.csv", "the first table"),
+      {"read_mesh", "sources scene.toml -o .", "hits.ply: is read here (scene.parts.mesh), and a result of that name",
+       [=](const Scratch& scratch) {
+         scratch.write("scene.toml", sources);
+         scratch.write("hits.ply", "ply\n");
+       }},
+      {"read_through_a_link", "run linked.json -o .", "run.json: is read here (the case)",
+       [](const Scratch& scratch) {
+         scratch.write("run.json", good_case);
+         fs::create_symlink("run.json", scratch / "linked.json");
+       }},
+      {"folder_for_a_table", "run case.toml -o .", "rcs.csv: is a folder where a result is to go; move it away",
+       folder("rcs.csv")},
+      {"folder_for_a_picture", "run case.toml -o .", "rcs.png: is a folder where a result is to go; move it away",
+       folder("rcs.png")},
+      {"link_for_a_table", "run case.toml -o .", "rcs.csv: is where a result is to go",
+       [](const Scratch& scratch) { fs::create_symlink("nowhere", scratch / "rcs.csv"); }},
+  };
+}
+
 std::vector<BadRow> command_rows() {
   return {
       {"no_words", "", "no command; write run, check"},
@@ -216,6 +271,7 @@ std::vector<BadRow> sources_rows() {
 INSTANTIATE_TEST_SUITE_P(Looks, BadTable, ::testing::ValuesIn(looks_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Results, BadTable, ::testing::ValuesIn(result_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Folders, BadTable, ::testing::ValuesIn(folder_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Places, BadTable, ::testing::ValuesIn(place_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Commands, BadTable, ::testing::ValuesIn(command_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Sources, BadTable, ::testing::ValuesIn(sources_rows()), row_name);
 

@@ -95,13 +95,13 @@ TEST_F(LongRuns, TheSecondIntoAFolderIsRefused) {
 
 // A file size limit stands for a full disk; the earlier results are larger than it, and stay.
 TEST_F(LongRuns, AFullDiskLeavesEarlierResultsAlone) {
-  fs::create_directory(scratch / "out");
-  scratch.write("out/rcs.csv", "earlier");
+  ASSERT_EQ(raytube("run case.toml --set look.theta_deg=20 --set output.plots=false").code, 0);
+  const std::string earlier = text_of(scratch / "out/rcs.csv");
   const Outcome outcome = raytube("run case.toml --set output.plots=false", "ulimit -f 1; ");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.complaint, AllOf(HasSubstr("rcs.csv: cannot be written completely"), HasSubstr("is the disk full?")));
-  EXPECT_EQ(text_of(scratch / "out/rcs.csv"), "earlier");
-  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "out"), {}), 1);
+  EXPECT_EQ(text_of(scratch / "out/rcs.csv"), earlier);
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "out"), {}), 4);  // with their list
 }
 
 TEST_F(LongRuns, AJournalThatFindsNoRoomCostsOneWarning) {
@@ -110,6 +110,20 @@ TEST_F(LongRuns, AJournalThatFindsNoRoomCostsOneWarning) {
   EXPECT_THAT(outcome.complaint,
               AllOf(HasSubstr("finished looks are no longer kept"), HasSubstr(".raytube.journal: File too large")));
   EXPECT_EQ(std::count(outcome.complaint.begin(), outcome.complaint.end(), '\n'), 2) << outcome.complaint;
+}
+
+// The journal is open: what it holds is written again, and the run goes on.
+TEST_F(LongRuns, AFolderRemovedMeanwhileIsMadeAgain) {
+  const std::string command = "cd '" + scratch.folder().string() + "'; (exec " + RAYTUBE_PROGRAM " run " + minutes +
+                              ">stdout.txt 2>stderr.txt) & run=$!; await() { while ! [ -s " + journal +
+                              " ]; do sleep 0.1; done; }; await; rm -r out; await; kill -INT $run; wait $run";
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_THAT(text_of(scratch / "stderr.txt"),
+              AllOf(HasSubstr("out was removed; it is made again"), HasSubstr("looks are kept in")));
+  EXPECT_FALSE(fs::exists(scratch / "out/.raytube.lock"));
+  EXPECT_THAT(raytube("run " + minutes).complaint, HasSubstr(".raytube.journal holds"));
 }
 
 TEST_F(LongRuns, MoreMemoryThanThereIsIsSaidBeforehand) {

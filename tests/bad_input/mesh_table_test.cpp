@@ -120,7 +120,13 @@ std::vector<BadRow> ply_rows() {
   return {
       mesh("ply_more_vertices_than_there_are", "ply", ply("ascii", vertices_and_faces("4", "1"), corners), "a number is missing"),
       mesh("ply_fewer_vertices_than_there_are", "ply", ply("ascii", vertices_and_faces("2", "1"), corners + "3 0 1 2\n"),
-           "no facet has an area"),
+           "goes on after the last item its header announces"),
+      mesh("ply_more_faces_than_announced", "ply", ply("ascii", vertices_and_faces("3", "1"), corners + "3 0 1 2\n3 0 2 1\n"),
+           ": goes on after the last item its header announces; correct the counts"),
+      mesh("ply_binary_more_faces_than_announced", "ply",
+           ply("binary_little_endian", vertices_and_faces("1", "1"),
+               bytes_of(0.0f, 0.0f, 0.0f, std::uint8_t{3}, 0, 0, 0, std::uint8_t{3}, 0, 0, 0)),
+           ": goes on after the last item its header announces; correct the counts"),
       mesh("ply_negative_count", "ply", ply("ascii", vertices_and_faces("-3", "1"), corners),
            "line 3: a count was expected instead of '-3'"),
       mesh("ply_1e9_vertices_in_100_bytes", "ply", ply("binary_little_endian", vertices_and_faces("1000000000", "1"), "abc"),
@@ -178,6 +184,10 @@ std::vector<BadRow> off_rows() {
       mesh("off_binary", "off", "OFF BINARY\n", "binary OFF is not supported"),
       mesh("off_without_keyword", "off", "3 1 0\n" + corners + "3 0 1 2\n", "line 1: '3' is not the keyword"),
       mesh("off_cut_after_the_keyword", "off", "OFF\n", "a count was expected instead of ''"),
+      mesh("off_more_facets_than_announced", "off", "OFF\n3 1 0\n" + corners + "3 0 1 2\n3 0 2 1\n",
+           "line 7: more lines than the 3 vertices and 1 facets announced; correct the counts"),
+      mesh("off_more_vertices_than_announced", "off", "OFF\n3 1 0\n" + corners + "0 1 1\n3 0 1 2\n",
+           "line 7: more lines than the 3 vertices and 1 facets announced"),
       mesh("off_facets_missing", "off", "OFF\n3 2 0\n" + corners + "3 0 1 2\n", "the file ends after 1 of 2 facets"),
   };
 }

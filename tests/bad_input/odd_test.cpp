@@ -36,6 +36,29 @@ TEST_F(OddInput, MeshWithByteOrderMarkAndCrLf) {
   expect_same("run case.toml --set target.mesh='\"odd.off\"'");
 }
 
+// Curves and surfaces of free form beside good facets, and the words that belong to them.
+TEST_F(OddInput, MeshWithFreeFormsTellsThatTheyAreLeftOut) {
+  const std::string facets = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+  scratch.write("odd.obj",
+                facets + "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nparm v 0 1\nend\ncurv 0 1 1 2\nend\n");
+  const std::string mesh = " case.toml --set target.mesh='\"odd.obj\"'";
+  expect_same("run" + mesh);
+  EXPECT_THAT(text_of(scratch / "odd/run.json"), ::testing::HasSubstr("\"free_forms_read\": 2,"));
+  EXPECT_EQ(raytube("check" + mesh).code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), ::testing::HasSubstr("curves and surfaces of free form left out"));
+}
+
+// Line ends and zeros that fill a block are not taken for facets.
+TEST_F(OddInput, MeshWithBlanksAtTheEnd) {
+  scratch.write("odd.off", plate + "\n# the end\n \n");
+  expect_same("run case.toml --set target.mesh='\"odd.off\"'");
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+  scratch.write("odd.ply", head + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n\n \n");
+  expect_same("run case.toml --set target.mesh='\"odd.ply\"'");
+}
+
 TEST_F(OddInput, LooksWithByteOrderMarkCrLfAndQuotes) {
   scratch.write("odd.csv", mark + "\"theta_deg\",\"phi_deg\"\r\n\"10\",\"0\"\r\n");
   expect_same("run case.toml --set 'look={looks_csv=\"odd.csv\"}'");

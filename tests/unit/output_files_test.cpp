@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "error.h"
+#include "output/earlier_results.h"
 #include "output/files.h"
 #include "output/manifest.h"
 #include "scratch.h"
@@ -68,6 +69,48 @@ TEST(OutputFolder, LeavesNothingEmptyBehind) {
   fs::create_directory(scratch / "was-here");
   { const OutputFolder folder(scratch / "was-here"); }
   EXPECT_TRUE(fs::exists(scratch / "was-here"));
+}
+
+TEST(OutputFolder, IsMadeAgainWhereItWasRemoved) {
+  const Scratch scratch;
+  OutputFolder folder(scratch / "a/b");
+  EXPECT_FALSE(folder.make_again_if_gone());
+  fs::remove_all(scratch / "a");
+  EXPECT_FALSE(folder.is_there());
+  EXPECT_TRUE(folder.make_again_if_gone());
+  EXPECT_TRUE(fs::is_directory(scratch / "a/b"));
+  EXPECT_THROW(OutputFolder(scratch / "a/b"), InputError);  // the lock is taken again, too
+
+  fs::remove_all(scratch / "a");
+  const OutputFolder of_another(scratch / "a/b");
+  EXPECT_THROW(folder.make_again_if_gone(), InputError);
+}
+
+// Killed while results take their places, it is one or the other that lies there.
+TEST(EarlierResults, AreKnownWhileTheyAreReplaced) {
+  const Scratch scratch;
+  scratch.write("mine.csv", "mine");
+  {
+    const NewResults results(scratch.folder());
+    write(results.folder() / "a.csv", "old");
+    EarlierResults(scratch.folder()).announce(results.folder(), {"a.csv"});
+    results.place({"a.csv"});
+  }
+  const NewResults results(scratch.folder());
+  write(results.folder() / "a.csv", "new");
+  EarlierResults earlier(scratch.folder());
+  EXPECT_TRUE(earlier.hold("a.csv"));
+  EXPECT_FALSE(earlier.hold("mine.csv"));
+  earlier.announce(results.folder(), {"a.csv"});
+  EXPECT_TRUE(EarlierResults(scratch.folder()).hold("a.csv"));  // the old one
+  results.place({"a.csv"});
+  EXPECT_TRUE(EarlierResults(scratch.folder()).hold("a.csv"));  // the new one
+  earlier.settle(results.folder());
+  EXPECT_TRUE(EarlierResults(scratch.folder()).hold("a.csv"));
+  scratch.write("a.csv", "old");
+  EXPECT_FALSE(EarlierResults(scratch.folder()).hold("a.csv"));
+  EXPECT_NO_THROW(earlier.require_room({"b.csv"}));
+  EXPECT_THROW(earlier.require_room({"b.csv", "mine.csv"}), InputError);
 }
 
 TEST(OutputFolder, UnderAFileIsBadInput) {

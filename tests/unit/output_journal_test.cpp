@@ -134,6 +134,25 @@ TEST(Journal, AFullDiskCostsOnlyWhatDoesNotFit) {
   EXPECT_EQ(journal->find(3), std::string(100, 'z'));
 }
 
+TEST(Journal, ARemovedOneIsWrittenAgain) {
+  const Scratch scratch;
+  const auto journal = Journal::reopen(three_records(scratch));
+  ASSERT_TRUE(journal->is_there());
+  const std::string before = text_of(scratch / "j");
+  fs::remove(scratch / "j");
+  EXPECT_FALSE(journal->is_there());
+  journal->write_again();
+  EXPECT_TRUE(journal->is_there());
+  EXPECT_EQ(text_of(scratch / "j"), before);
+  journal->add({{2, bytes_of(2)}});
+  EXPECT_EQ(Journal::reopen(scratch / "j")->find(2), bytes_of(2));
+
+  fs::remove(scratch / "j");
+  scratch.write("j", "another run's");
+  EXPECT_THROW(journal->write_again(), std::system_error);
+  EXPECT_EQ(text_of(scratch / "j"), "another run's");
+}
+
 TEST(Journal, ThatCannotBeBegunLeavesNothing) {
   const Scratch scratch;
   const SmallDisk disk(30);
