@@ -84,6 +84,35 @@ inline PolygonSoup cylinder(double a, double length, std::uint32_t sides) {
   return soup;
 }
 
+/// Tip at (0, 0, height), rim of radius `a` about the origin; with a polygon for a bottom if closed.
+inline PolygonSoup cone(double a, double height, std::uint32_t sides, bool closed) {
+  PolygonSoup soup{{{0, 0, height}}, {}};
+  std::vector<std::uint32_t> bottom;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    soup.points.emplace_back(a * std::cos(2 * pi * i / sides), a * std::sin(2 * pi * i / sides), 0.0);
+    soup.polygons.push_back({0, 1 + i, 1 + (i + 1) % sides});
+    bottom.insert(bottom.begin(), 1 + i);
+  }
+  if (closed) soup.polygons.push_back(bottom);
+  return soup;
+}
+
+/// A plate of side 4 and a sheet of 2 n^2 triangles that lies on it.
+inline PolygonSoup sheet_on_plate(std::uint32_t n) {
+  PolygonSoup soup = plate(4.0, 0.1);
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j)
+      soup.points.emplace_back(2.0 * i / n - 1.0, 2.0 * j / n - 1.0, 1e-6 * ((7 * i + 3 * j) % 5));
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t p = first + i * (n + 1) + j;
+      soup.polygons.push_back({p, p + n + 1, p + n + 2});
+      soup.polygons.push_back({p, p + n + 2, p + 1});
+    }
+  return soup;
+}
+
 inline PolygonSoup transformed(PolygonSoup soup, const glm::dmat3& turn, double scale = 1.0, const dvec3& shift = dvec3(0.0)) {
   for (dvec3& p : soup.points) p = scale * (turn * p) + shift;
   return soup;

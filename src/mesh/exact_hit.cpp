@@ -18,30 +18,26 @@ constexpr double depth_doubt = 2e-6, line_doubt = 1e-5, narrow_angle = 0.25;
 // Sine of the angle between ray and plane below which single precision may put the hit in any triangle of a patch.
 constexpr double grazing = 1e-3;
 
-// In each row the triangles that have its number among `numbers_of` them.
-template <class PerTriangle, class NumbersOf>
-Rows rows(std::size_t count, const PerTriangle& per_triangle, NumbersOf numbers_of) {
-  Rows result{std::vector<std::uint32_t>(count + 1, 0), {}};
-  for (const auto& of : per_triangle)
-    for (const std::uint32_t row : numbers_of(of)) ++result.first[row + 1];
-  for (std::size_t row = 1; row <= count; ++row) result.first[row] += result.first[row - 1];
-  result.triangles.resize(result.first.back());
-  std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
-  for (std::uint32_t t = 0; t < per_triangle.size(); ++t)
-    for (const std::uint32_t row : numbers_of(per_triangle[t])) result.triangles[next[row]++] = t;
-  return result;
-}
-
 }  // namespace
 
-ExactHit::ExactHit(const TriangleMesh& mesh)
+ExactHit::ExactHit(const TriangleMesh& mesh, std::size_t longest_list)
     : mesh_(mesh),
+      longest_list_(longest_list),
       // A point on the ray and a plane offset each carry a few roundings of numbers up to the radius.
       rounding_(8.0 * std::numeric_limits<double>::epsilon() * mesh.radius),
       doubt_(line_doubt * mesh.radius),
-      touching_(mesh, depth_doubt * mesh.radius, narrow_angle),
-      at_vertex_(rows(mesh.vertices.size(), mesh.triangles, std::identity())),
-      of_patch_(rows(mesh.patches.size(), mesh.triangle_patch, [](std::uint32_t patch) { return std::array{patch}; })) {}
+      tree_(mesh),
+      at_vertex_(triangle_rows(mesh.vertices.size(), mesh.triangles, std::identity())),
+      of_patch_(triangle_rows(mesh.patches.size(), mesh.triangle_patch, [](std::uint32_t patch) { return std::array{patch}; })),
+      touching_(mesh, tree_, at_vertex_, depth_doubt * mesh.radius, narrow_angle) {
+  for (std::uint32_t vertex = 0; vertex < at_vertex_.size(); ++vertex) {
+    if (!is_long(at_vertex_[vertex])) continue;
+    std::vector<std::uint32_t>& patches = patches_at_[vertex];
+    for (const std::uint32_t triangle : at_vertex_[vertex]) patches.push_back(patch(triangle));
+    std::ranges::sort(patches);
+    patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+  }
+}
 
 namespace {
 
@@ -85,34 +81,94 @@ bool ExactHit::grazes(const Ray& ray, std::uint32_t patch) const {
   return std::abs(glm::dot(mesh_.patches[patch].normal, ray.direction)) < grazing;
 }
 
+double ExactHit::depth(const Ray& ray, std::uint32_t triangle) const { return depth(ray, triangle, edge_sides(ray, triangle)); }
+
+// The plane of a patch is not quite that of the triangle: where a ray grazes the two, it meets them far apart. The sides are
+// those of the triangle, each as the share of the corner opposite to it.
+double ExactHit::depth(const Ray& ray, std::uint32_t triangle, const std::array<double, 3>& sides) const {
+  const double sum = sides[0] + sides[1] + sides[2];
+  if (!grazes(ray, patch(triangle)) || sum == 0.0) return distance(ray, triangle);
+  double depth = 0.0;
+  for (int k = 0; k < 3; ++k)
+    depth += sides[k] / sum * glm::dot(mesh_.vertices[mesh_.triangles[triangle][(k + 2) % 3]] - ray.origin, ray.direction);
+  return depth;
+}
+
 void ExactHit::keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const {
   const std::uint32_t of = patch(candidate);
   if (of == ray.source_patch || std::ranges::find(ignored_patches, of) != ignored_patches.end()) return;
-  if (!ahead(ray, candidate) || !contains(ray, candidate)) return;
-  const Hit hit{candidate, distance(ray, candidate)};
+  if (!ahead(ray, candidate)) return;
+  const std::array<double, 3> sides = edge_sides(ray, candidate);
+  if (!same_sign(sides)) return;
+  const Hit hit{candidate, depth(ray, candidate, sides)};
+  if (hit.distance < -doubt_) return;  // only its patch's plane lies ahead
   const bool nearer =
       !nearest || hit.distance < nearest.distance || (hit.distance == nearest.distance && hit.triangle < nearest.triangle);
   if (nearer) nearest = hit;
 }
 
+// The same of all triangles that the ray's line meets, if acceptable.
+template <class Accept>
+void ExactHit::keep_nearer_of_all(const Ray& ray, const IgnoredPatches& ignored_patches, Hit& nearest, Accept accept) const {
+  std::vector<std::uint32_t> candidates;
+  tree_.near_line(ray.origin, ray.direction, candidates);
+  for (const std::uint32_t candidate : candidates)
+    if (accept(candidate)) keep_nearer(ray, candidate, ignored_patches, nearest);
+}
+
+bool ExactHit::has_long_corner(std::uint32_t triangle) const {
+  return std::ranges::any_of(mesh_.triangles[triangle], [&](std::uint32_t vertex) { return is_long(at_vertex_[vertex]); });
+}
+
+bool ExactHit::shares_corner(std::uint32_t triangle, std::uint32_t other) const {
+  const auto& corners = mesh_.triangles[other];
+  return std::ranges::any_of(mesh_.triangles[triangle], [&](auto v) { return std::ranges::find(corners, v) != corners.end(); });
+}
+
+bool ExactHit::has_corner_on(std::uint32_t triangle, std::uint32_t of) const {
+  return std::ranges::any_of(mesh_.triangles[triangle], [&](std::uint32_t vertex) {
+    if (is_long(at_vertex_[vertex])) return std::ranges::binary_search(patches_at_.at(vertex), of);
+    return std::ranges::any_of(at_vertex_[vertex], [&](std::uint32_t other) { return patch(other) == of; });
+  });
+}
+
 Hit ExactHit::nearest_touching(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
+  const std::span<const std::uint32_t> others = touching_[triangle];
   Hit nearest;
   keep_nearer(ray, triangle, ignored_patches, nearest);
-  for (const std::uint32_t other : touching_[triangle]) keep_nearer(ray, other, ignored_patches, nearest);
+  if (is_long(others))
+    keep_nearer_of_all(ray, ignored_patches, nearest,
+                       [&](std::uint32_t other) { return std::ranges::binary_search(others, other); });
+  else
+    for (const std::uint32_t other : others) keep_nearer(ray, other, ignored_patches, nearest);
   return nearest;
 }
 
 Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
   Hit nearest = nearest_touching(ray, triangle, ignored_patches);
+  if (has_long_corner(triangle)) {
+    keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t other) {
+      return shares_corner(triangle, other) || (grazes(ray, patch(other)) && has_corner_on(triangle, patch(other)));
+    });
+    return nearest;
+  }
   std::uint32_t scanned = no_index;
   for (const std::uint32_t vertex : mesh_.triangles[triangle])
     for (const std::uint32_t candidate : at_vertex_[vertex]) {
       keep_nearer(ray, candidate, ignored_patches, nearest);
       if (patch(candidate) == scanned || !grazes(ray, patch(candidate))) continue;
       scanned = patch(candidate);
-      for (const std::uint32_t other : of_patch_[scanned]) keep_nearer(ray, other, ignored_patches, nearest);
+      keep_nearer_of_patch(ray, scanned, ignored_patches, nearest);
     }
   return nearest;
+}
+
+void ExactHit::keep_nearer_of_patch(const Ray& ray, std::uint32_t grazed, const IgnoredPatches& ignored_patches,
+                                    Hit& nearest) const {
+  if (is_long(of_patch_[grazed]))
+    keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t other) { return patch(other) == grazed; });
+  else
+    for (const std::uint32_t other : of_patch_[grazed]) keep_nearer(ray, other, ignored_patches, nearest);
 }
 
 bool ExactHit::from_behind(const Ray& ray, std::uint32_t triangle) const {
@@ -123,9 +179,13 @@ Hit ExactHit::front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ign
   const bool inside = ray.source_patch != no_index && glm::dot(mesh_.patches[ray.source_patch].normal, ray.direction) < 0.0;
   if (inside || !from_behind(ray, hit.triangle)) return hit;
   Hit front;
-  for (const std::uint32_t vertex : mesh_.triangles[hit.triangle])
-    for (const std::uint32_t candidate : at_vertex_[vertex])
-      if (!from_behind(ray, candidate)) keep_nearer(ray, candidate, ignored_patches, front);
+  if (has_long_corner(hit.triangle))
+    keep_nearer_of_all(ray, ignored_patches, front,
+                       [&](std::uint32_t other) { return shares_corner(hit.triangle, other) && !from_behind(ray, other); });
+  else
+    for (const std::uint32_t vertex : mesh_.triangles[hit.triangle])
+      for (const std::uint32_t candidate : at_vertex_[vertex])
+        if (!from_behind(ray, candidate)) keep_nearer(ray, candidate, ignored_patches, front);
   if (!front) return hit;
   const double least = std::min(std::abs(glm::dot(mesh_.patches[patch(hit.triangle)].normal, ray.direction)),
                                 std::abs(glm::dot(mesh_.patches[patch(front.triangle)].normal, ray.direction)));

@@ -4,24 +4,20 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "mesh/touching.h"
 #include "mesh/tracer.h"
+#include "mesh/triangle_rows.h"
+#include "mesh/triangle_tree.h"
 
 namespace raytube {
 
-/// Lists of triangles, one after the other.
-struct Rows {
-  std::vector<std::uint32_t> first, triangles;
-  std::span<const std::uint32_t> operator[](std::uint32_t row) const {
-    return {triangles.data() + first[row], triangles.data() + first[row + 1]};
-  }
-};
-
 class ExactHit {
  public:
-  explicit ExactHit(const TriangleMesh& mesh);
+  /// Of lists longer than `longest_list` those that a ray comes near are found in a tree: the same decisions, at bounded cost.
+  explicit ExactHit(const TriangleMesh& mesh, std::size_t longest_list = 64);
 
   std::uint32_t patch(std::uint32_t triangle) const { return mesh_.triangle_patch[triangle]; }
 
@@ -30,6 +26,10 @@ class ExactHit {
     const Patch& plane = mesh_.patches[patch(triangle)];
     return (plane.offset - glm::dot(plane.normal, ray.origin)) / glm::dot(plane.normal, ray.direction);
   }
+
+  /// Which of two triangles that contain the ray is the nearer one: the same, but the distance to the triangle itself where the
+  /// ray grazes it.
+  double depth(const Ray& ray, std::uint32_t triangle) const;
 
   /// True if that plane lies ahead of the ray's start by more than the rounding of the two.
   bool ahead(const Ray& ray, std::uint32_t triangle) const {
@@ -66,15 +66,26 @@ class ExactHit {
 
  private:
   std::array<double, 3> edge_sides(const Ray& ray, std::uint32_t triangle) const;
+  double depth(const Ray& ray, std::uint32_t triangle, const std::array<double, 3>& sides) const;
   void keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const;
   bool from_behind(const Ray& ray, std::uint32_t triangle) const;
   bool grazes(const Ray& ray, std::uint32_t patch) const;
+  bool is_long(std::span<const std::uint32_t> list) const { return list.size() > longest_list_; }
+  bool has_long_corner(std::uint32_t triangle) const;
+  bool shares_corner(std::uint32_t triangle, std::uint32_t other) const;
+  bool has_corner_on(std::uint32_t triangle, std::uint32_t patch) const;
+  void keep_nearer_of_patch(const Ray& ray, std::uint32_t grazed, const IgnoredPatches& ignored_patches, Hit& nearest) const;
+  template <class Accept>
+  void keep_nearer_of_all(const Ray& ray, const IgnoredPatches& ignored_patches, Hit& nearest, Accept accept) const;
 
   const TriangleMesh& mesh_;
+  std::size_t longest_list_;
   double rounding_;
   double doubt_;
+  TriangleTree tree_;
+  TriangleRows at_vertex_, of_patch_;
   Touching touching_;
-  Rows at_vertex_, of_patch_;  // triangles
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> patches_at_;  // vertices with long lists; in ascending order
 };
 
 }  // namespace raytube

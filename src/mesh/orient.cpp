@@ -51,22 +51,43 @@ CutSoup wind_alike(std::span<const dvec3> vertices, const SeparateSoup& separate
   return soup;
 }
 
-/// Adds the triangles in order, so that face numbers are triangle numbers. OpenMesh refuses a triangle it cannot attach;
-/// CGAL's cuts leave none, but should there be one it gets corners of its own rather than be lost.
-HalfedgeMesh halfedge_mesh(std::span<const dvec3> vertices, CutSoup& soup) {
+/// Of each triangle's three sides.
+std::vector<HalfedgeMesh::HalfedgeHandle> add_edges(HalfedgeMesh& mesh, const CutSoup& soup) {
+  std::vector<Triangle> triangles;
+  for (const auto& t : soup.triangles)
+    triangles.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
+  const EdgeTable edges(triangles, soup.vertex.size());
+  std::vector<HalfedgeMesh::HalfedgeHandle> sides(3 * triangles.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto from = [&](const EdgeTable::Side& side) { return triangles[side.triangle][side.corner]; };
+    const std::span<const EdgeTable::Side> of = edges[e].sides;
+    const bool paired = of.size() == 2 && from(of[0]) != from(of[1]);
+    for (const EdgeTable::Side& side : of) {
+      const bool second = paired && &side != &of[0];
+      const auto start = mesh.vertex_handle(from(side)),
+                 end = mesh.vertex_handle(triangles[side.triangle][(side.corner + 1) % 3]);
+      sides[3 * side.triangle + side.corner] =
+          second ? mesh.opposite_halfedge_handle(sides[3 * of[0].triangle + of[0].corner]) : mesh.new_edge(start, end);
+    }
+  }
+  return sides;
+}
+
+/// The triangles in order, so that face numbers are triangle numbers. The links are set by hand: to find an edge, OpenMesh walks
+/// round a vertex, which may have a hundred thousand. Where a side has no partner that runs the other way it is a border (CGAL's
+/// cuts leave no edge of more than two sides); borders are not linked among one another.
+HalfedgeMesh halfedge_mesh(std::span<const dvec3> vertices, const CutSoup& soup) {
   HalfedgeMesh mesh;
   mesh.reserve(soup.vertex.size(), soup.triangles.size() * 3 / 2, soup.triangles.size());
-  const auto add_vertex = [&](std::uint32_t v) { return mesh.add_vertex({vertices[v].x, vertices[v].y, vertices[v].z}); };
-  for (const std::uint32_t v : soup.vertex) add_vertex(v);
-  for (const auto& t : soup.triangles) {
-    std::array<HalfedgeMesh::VertexHandle, 3> corners;
-    for (int k = 0; k < 3; ++k) corners[k] = mesh.vertex_handle(static_cast<unsigned>(t[k]));
-    if (mesh.add_face(corners.data(), 3).is_valid()) continue;
-    for (int k = 0; k < 3; ++k) {
-      soup.vertex.push_back(soup.vertex[t[k]]);
-      corners[k] = add_vertex(soup.vertex.back());
+  for (const std::uint32_t v : soup.vertex) mesh.add_vertex({vertices[v].x, vertices[v].y, vertices[v].z});
+  const std::vector<HalfedgeMesh::HalfedgeHandle> sides = add_edges(mesh, soup);
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const auto face = mesh.new_face();
+    mesh.set_halfedge_handle(face, sides[3 * t]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      mesh.set_face_handle(sides[3 * t + k], face);
+      mesh.set_next_halfedge_handle(sides[3 * t + k], sides[3 * t + (k + 1) % 3]);
     }
-    mesh.add_face(corners.data(), 3);
   }
   return mesh;
 }
@@ -161,7 +182,7 @@ bool only_a_gap(double border, double area) { return border > 0.0 && border * bo
 
 Analysis analyse(std::span<const dvec3> vertices, std::span<const Triangle> triangles, const SeparateSoup& separate,
                  double distance) {
-  CutSoup soup = wind_alike(vertices, separate);
+  const CutSoup soup = wind_alike(vertices, separate);
   HalfedgeMesh mesh = halfedge_mesh(vertices, soup);
   Analysis analysis{number_components(mesh), {}, {}, {}};
   const auto& component = analysis.component;

@@ -6,27 +6,15 @@
 #include <cmath>
 #include <utility>
 
+#include "mesh/edge_table.h"
 #include "mesh/geometry.h"
 
 namespace raytube {
 
 namespace {
 
-using TriangleBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+using ArcBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 using Corners = std::array<dvec3, 3>;
-
-std::vector<TriangleBox> boxes_of(const TriangleMesh& mesh, double margin) {
-  std::vector<TriangleBox> boxes;
-  boxes.reserve(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    Box box;
-    for (const std::uint32_t v : mesh.triangles[t]) box.add(mesh.vertices[v]);
-    box.low -= margin;
-    box.high += margin;
-    boxes.emplace_back(CGAL::Bbox_3(box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z), t);
-  }
-  return boxes;
-}
 
 // The gap between two triangles along an axis, above zero if they are apart; an axis without length tells nothing.
 double gap_along(const Corners& a, const Corners& b, const dvec3& axis) {
@@ -56,19 +44,34 @@ bool are_apart(const Corners& a, const Corners& b, double distance) {
   return false;
 }
 
-// Shorter than half a circle, about the origin.
+// A triangle seen from one of its corners; shorter than half a circle, about the origin.
 struct Arc {
   dvec3 from, to, axis;
+  double angle;
   Arc(const dvec3& first, const dvec3& second)
-      : from(glm::normalize(first)), to(glm::normalize(second)), axis(glm::normalize(glm::cross(first, second))) {}
+      : from(glm::normalize(first)),
+        to(glm::normalize(second)),
+        axis(glm::normalize(glm::cross(first, second))),
+        angle(std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to))) {}
+
+  dvec3 middle() const { return glm::normalize(from + to); }
+
+  // The point `p` lies over the arc, between its ends.
+  bool beside(const dvec3& p) const {
+    return glm::dot(glm::cross(axis, from), p) >= 0.0 && glm::dot(glm::cross(to, axis), p) >= 0.0;
+  }
 
   // Chord from a unit vector to the nearest point of the arc.
   double distance(const dvec3& p) const {
-    const bool beside = glm::dot(glm::cross(axis, from), p) >= 0.0 && glm::dot(glm::cross(to, axis), p) >= 0.0;
-    if (beside) return std::abs(glm::dot(axis, p));
+    if (beside(p)) return std::abs(glm::dot(axis, p));
     return std::min(glm::distance(p, from), glm::distance(p, to));
   }
-  double distance_to_ends(const Arc& other) const { return std::min(distance(other.from), distance(other.to)); }
+
+  // To the nearer end from where `p` lies over the arc.
+  double angle_to_end(const dvec3& p) const {
+    const double from_first = std::atan2(glm::dot(glm::cross(axis, from), p), glm::dot(from, p));
+    return std::min(from_first, angle - from_first);
+  }
 
   bool crosses(const Arc& other) const {
     const double a = glm::dot(other.axis, from), b = glm::dot(other.axis, to);
@@ -77,66 +80,119 @@ struct Arc {
   }
 };
 
-class Pairs {
+// Whether triangles that share corners open at a narrow angle.
+class Corner {
  public:
-  Pairs(const TriangleMesh& mesh, double distance, double narrow) : mesh_(mesh), distance_(distance), narrow_(narrow) {}
+  explicit Corner(double narrow) : narrow_(narrow) {}
 
-  bool touch(std::uint32_t a, std::uint32_t b) const {
-    if (mesh_.triangle_patch[a] == mesh_.triangle_patch[b]) return false;
-    const Triangle &first = mesh_.triangles[a], &second = mesh_.triangles[b];
-    const auto common = [](const Triangle& of, const Triangle& with) {
-      std::vector<int> corners;
-      for (int k = 0; k < 3; ++k)
-        if (std::ranges::find(with, of[k]) != with.end()) corners.push_back(k);
-      return corners;
-    };
-    const std::vector<int> here = common(first, second), there = common(second, first);
-    if (here.empty()) return !are_apart(corners(first, {}), corners(second, {}), distance_);
-    if (here.size() == 1) return meet_at_corner(first, here[0], second, there[0]);
-    return meet_at_edge(first, here, second, there);
+  // True if somewhere on one of the arcs the other one is nearer than `narrow` times the way to the end: from there outwards the
+  // triangles are nearer to one another than that times the way to their edges. Arcs that follow one another are not. The
+  // distance is least over the middle of an arc or beside an end of the other one: between these, it is concave.
+  bool is_narrow(const Arc& a, const Arc& b) const { return a.crosses(b) || comes_near(a, b) || comes_near(b, a); }
+
+  // Meets all arcs that come near this one, or that it comes near to: within half the narrow angle times its own, and a little.
+  ArcBox box(const Arc& arc, std::uint32_t index) const {
+    const double margin = 0.6 * narrow_ * arc.angle;
+    dvec3 low = glm::min(arc.from, arc.to), high = glm::max(arc.from, arc.to);
+    // An arc rises above its chord by less than 1 - cos of half its angle.
+    const double rise = 1.0 - std::cos(0.5 * arc.angle);
+    low -= margin + rise;
+    high += margin + rise;
+    return {CGAL::Bbox_3(low.x, low.y, low.z, high.x, high.y, high.z), index};
   }
+
+  // The same of triangles on a common edge: folded together.
+  bool is_fold(const dvec3& inwards_a, const dvec3& inwards_b) const { return glm::distance(inwards_a, inwards_b) < narrow_; }
 
  private:
-  Corners corners(const Triangle& t, const dvec3& origin) const {
-    return {mesh_.vertices[t[0]] - origin, mesh_.vertices[t[1]] - origin, mesh_.vertices[t[2]] - origin};
+  bool comes_near(const Arc& arc, const Arc& other) const {
+    if (other.distance(arc.middle()) < 0.5 * narrow_ * arc.angle) return true;
+    return std::ranges::any_of(std::array{other.from, other.to}, [&](const dvec3& end) {
+      return arc.beside(end) && std::abs(glm::dot(arc.axis, end)) < narrow_ * arc.angle_to_end(end);
+    });
   }
 
-  // Seen from their common corner each is an arc on the unit sphere; two that are near cross, or an end of one is near the other.
-  bool meet_at_corner(const Triangle& a, int corner_a, const Triangle& b, int corner_b) const {
-    const dvec3 tip = mesh_.vertices[a[corner_a]];
-    const auto arc = [&](const Triangle& t, int corner) {
-      return Arc(mesh_.vertices[t[(corner + 1) % 3]] - tip, mesh_.vertices[t[(corner + 2) % 3]] - tip);
-    };
-    const Arc first = arc(a, corner_a), second = arc(b, corner_b);
-    return first.crosses(second) || std::min(first.distance_to_ends(second), second.distance_to_ends(first)) < narrow_;
+  double narrow_;
+};
+
+class PairFinder {
+ public:
+  PairFinder(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance, double narrow)
+      : mesh_(mesh), distance_(distance), corner_(narrow) {
+    tree.close_pairs(distance, [&](std::uint32_t a, std::uint32_t b) {
+      if (!are_apart(corners(a), corners(b), distance_)) add(a, b);
+    });
+    for (std::uint32_t vertex = 0; vertex < at_vertex.size(); ++vertex) look_round(vertex, at_vertex[vertex]);
+    const EdgeTable edges(mesh.triangles, mesh.vertices.size());
+    for (std::size_t e = 0; e < edges.size(); ++e) look_along(edges[e]);
   }
 
-  // Folded together.
-  bool meet_at_edge(const Triangle& a, const std::vector<int>& here, const Triangle& b, const std::vector<int>& there) const {
-    const dvec3 from = mesh_.vertices[a[here[0]]], edge = glm::normalize(mesh_.vertices[a[here[1]]] - from);
-    const auto inwards = [&](const Triangle& t, const std::vector<int>& ends) {
-      const dvec3 to = mesh_.vertices[t[3 - ends[0] - ends[1]]] - from;
-      return glm::normalize(to - glm::dot(to, edge) * edge);
-    };
-    return glm::distance(inwards(a, here), inwards(b, there)) < narrow_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+
+ private:
+  void add(std::uint32_t a, std::uint32_t b) { pairs.insert(pairs.end(), {{a, b}, {b, a}}); }
+
+  Corners corners(std::uint32_t triangle) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
+  }
+
+  bool share_one_corner(std::uint32_t a, std::uint32_t b) const {
+    const Triangle& with = mesh_.triangles[b];
+    return std::ranges::count_if(mesh_.triangles[a], [&](auto v) { return std::ranges::find(with, v) != with.end(); }) == 1;
+  }
+
+  Arc arc(std::uint32_t triangle, std::uint32_t vertex) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    const auto corner = std::ranges::find(t, vertex) - t.begin();
+    const dvec3& tip = mesh_.vertices[vertex];
+    return {mesh_.vertices[t[(corner + 1) % 3]] - tip, mesh_.vertices[t[(corner + 2) % 3]] - tip};
+  }
+
+  void look_round(std::uint32_t vertex, std::span<const std::uint32_t> triangles) {
+    const auto patch = [&](std::uint32_t i) { return mesh_.triangle_patch[triangles[i]]; };
+    std::vector<Arc> arcs;
+    std::vector<ArcBox> boxes;
+    for (const std::uint32_t triangle : triangles) {
+      arcs.push_back(arc(triangle, vertex));
+      boxes.push_back(corner_.box(arcs.back(), static_cast<std::uint32_t>(boxes.size())));
+    }
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const ArcBox& a, const ArcBox& b) {
+      const std::uint32_t i = a.info(), j = b.info();
+      if (patch(i) == patch(j) || !share_one_corner(triangles[i], triangles[j])) return;
+      if (corner_.is_narrow(arcs[i], arcs[j])) add(triangles[i], triangles[j]);
+    });
+  }
+
+  void look_along(const EdgeTable::Edge& edge) {
+    for (std::size_t i = 0; i < edge.sides.size(); ++i)
+      for (std::size_t j = i + 1; j < edge.sides.size(); ++j) {
+        const std::uint32_t a = edge.sides[i].triangle, b = edge.sides[j].triangle;
+        if (mesh_.triangle_patch[a] != mesh_.triangle_patch[b] && corner_.is_fold(inwards(edge.sides[i]), inwards(edge.sides[j])))
+          add(a, b);
+      }
+  }
+
+  dvec3 inwards(const EdgeTable::Side& side) const {
+    const Triangle& t = mesh_.triangles[side.triangle];
+    const dvec3 from = mesh_.vertices[t[side.corner]], edge = glm::normalize(mesh_.vertices[t[(side.corner + 1) % 3]] - from);
+    const dvec3 to = mesh_.vertices[t[(side.corner + 2) % 3]] - from;
+    return glm::normalize(to - glm::dot(to, edge) * edge);
   }
 
   const TriangleMesh& mesh_;
-  double distance_, narrow_;
+  double distance_;
+  Corner corner_;
 };
 
 }  // namespace
 
-Touching::Touching(const TriangleMesh& mesh, double distance, double narrow) : first_(mesh.triangles.size() + 1, 0) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  std::vector<TriangleBox> boxes = boxes_of(mesh, distance);
-  const Pairs test(mesh, distance, narrow);
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const TriangleBox& a, const TriangleBox& b) {
-    if (!test.touch(a.info(), b.info())) return;
-    pairs.emplace_back(a.info(), b.info());
-    pairs.emplace_back(b.info(), a.info());
-  });
+Touching::Touching(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance,
+                   double narrow)
+    : first_(mesh.triangles.size() + 1, 0) {
+  auto pairs = std::move(PairFinder(mesh, tree, at_vertex, distance, narrow).pairs);
   std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   for (const auto& [triangle, other] : pairs) ++first_[triangle + 1], others_.push_back(other);
   for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];
 }

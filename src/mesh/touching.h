@@ -5,16 +5,21 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
+#include "mesh/triangle_rows.h"
+#include "mesh/triangle_tree.h"
 
 namespace raytube {
 
 /// For each triangle, the triangles of other patches that come within a distance of it elsewhere than along a common edge or at a
-/// common corner, or that open from there at a narrow angle: single precision cannot tell which of the two a ray meets first.
+/// common corner, or that open from there at a narrow angle and lie over one another: single precision cannot tell which of the
+/// two a ray meets first, however far from all edges.
 class Touching {
  public:
-  /// `distance` in metres, `narrow` in radians. May list triangles that are a little further apart.
-  Touching(const TriangleMesh& mesh, double distance, double narrow);
+  /// `tree` and `at_vertex`, its triangles, are the mesh's; `distance` in metres, `narrow` in radians. May list triangles that
+  /// are a little further apart.
+  Touching(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance, double narrow);
 
+  /// In ascending order.
   std::span<const std::uint32_t> operator[](std::uint32_t triangle) const {
     return std::span(others_).subspan(first_[triangle], first_[triangle + 1] - first_[triangle]);
   }
