@@ -40,4 +40,11 @@ std::string number_text(double x) {
   return std::isnan(x) ? "nan" : fmt::format("{}", x);
 }
 
+std::string rounded_down_text(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 2.0);
+  const auto rounded = [&](double units) { return read_back(fmt::format("{:.3g}", units * unit)); };
+  const double floor = std::floor(x / unit);
+  return number_text(rounded(floor) <= x ? rounded(floor) : rounded(floor - 1.0));
+}
+
 }  // namespace raytube

@@ -18,4 +18,7 @@ double decimal_degrees(double radians);
 /// The shortest text that reads back as the same double; "0" for both zeros, "inf", "-inf" and "nan" otherwise.
 std::string number_text(double x);
 
+/// A limit as it is told: three significant digits, never above x; x > 0 and finite.
+std::string rounded_down_text(double x);
+
 }  // namespace raytube

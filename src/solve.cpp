@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -163,6 +164,22 @@ LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tu
   return plan_of(target, sweep, tubes, smooth_surfaces(target, sweep, tubes).has_value());
 }
 
+double densest_tubes(const TriangleMesh& mesh, const Sweep& sweep, const TubeOptions& tubes) {
+  const double shortest = wavelength(std::ranges::max(sweep.frequencies));
+  double most = std::numeric_limits<double>::infinity();
+  for (const Look& look : sweep.looks) most = std::min(most, densest_grid(mesh, look, shortest, tubes.up));
+  return most;
+}
+
+void check_density(const TriangleMesh& mesh, const Sweep& sweep, const TubeOptions& tubes, EdgeMethod method) {
+  if (method == EdgeMethod::utd) return;
+  // No look sees more of the target than its sphere; an antenna in front of it (stands_in_front) sees it up to 20 times as large.
+  const double widest = (all_far(sweep) ? 2.0 : 40.0) * mesh.radius / wavelength(std::ranges::max(sweep.frequencies));
+  const double density = first_density(tubes);
+  if (widest * density < 1e6) return;
+  if (const double most = densest_tubes(mesh, sweep, tubes); density > most) throw InputError(too_dense(density, most));
+}
+
 double ray_range(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
   if (edges.method != EdgeMethod::utd) return 0.0;
   const double range =
@@ -174,6 +191,7 @@ double ray_range(const Target& target, const Sweep& sweep, const EdgeOptions& ed
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {
   check(sweep, options);
   check_antennas(target.mesh, sweep);
+  check_density(target.mesh, sweep, options.tubes, options.edges.method);
   const auto start = std::chrono::steady_clock::now();
   Progress progress(options.progress);
 

@@ -85,6 +85,12 @@ std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<con
 /// Throws InputError if an antenna at a finite distance has not all of the target in front, or its pattern ends on it.
 void check_antennas(const TriangleMesh& mesh, const Sweep& sweep);
 
+/// The most tubes per wavelength that every look of a sweep takes (densest_grid).
+double densest_tubes(const TriangleMesh& mesh, const Sweep& sweep, const TubeOptions& tubes);
+
+/// Throws InputError, with the density that would fit, if a look would have to begin with more.
+void check_density(const TriangleMesh& mesh, const Sweep& sweep, const TubeOptions& tubes, EdgeMethod method);
+
 /// Where transmitter and receiver stand with method utd [m], 0 with another one.
 double ray_range(const Target& target, const Sweep& sweep, const EdgeOptions& edges);
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "decimal.h"
 #include "error.h"
 #include "sbr/current_map.h"
 #include "solve_parts.h"
@@ -13,6 +15,14 @@ namespace raytube {
 namespace {
 
 constexpr double most_across = 1e5, most_cells = 4e6;  // a table of a gigabyte
+
+// Of cells per wavelength, with one cell along each side for what is rounded up: (u d + 1) (v d + 1) = most_cells for the sides
+// u, v in wavelengths, in the form that loses no digits where u + v is large.
+double densest_image(const LaunchGrid& grid, double wavelength) {
+  const double u = grid.columns * grid.du / wavelength, v = grid.rows * grid.dv / wavelength;
+  const double rest = most_cells - 1.0;
+  return 2.0 * rest / (u + v + std::sqrt((u + v) * (u + v) + 4.0 * u * v * rest));
+}
 
 // Coordinates of the solver count from the centre of the mesh.
 ImageLattice recentred(ImageLattice lattice, const TriangleMesh& mesh) {
@@ -88,15 +98,17 @@ ImageLattice image_cells(const Target& target, const Sweep& sweep, const SolveOp
   if (!all_far(sweep))
     throw InputError("output.image_look: images from a finite distance are not in this version; remove [radar]");
   const double length = wavelength(sweep.frequencies.at(image_frequency(sweep)));
-  const bool too_many = 2.0 * target.mesh.radius * per_wavelength / length > most_across;
-  const LaunchGrid cells =
-      launch_grid(target.mesh, sweep.looks.at(look).transmit, length, too_many ? 1.0 : per_wavelength, options.tubes.up);
+  const double across = 2.0 * target.mesh.radius;
+  const bool too_many = across * per_wavelength / length > most_across;
+  const LaunchGrid cells = launch_grid(target.mesh, sweep.looks.at(look).transmit, length,
+                                       too_many ? most_across * length / across : per_wavelength, options.tubes.up);
   if (cells.cells() == 0)
     throw InputError(fmt::format(
         "output.image_look: look {} sees no area of the target, so there is nothing to divide; choose another", look));
   if (too_many || static_cast<double>(cells.cells()) > most_cells)
-    throw InputError(
-        fmt::format("output.image_per_wavelength asks for more than {:.0f} cells in look {}; lower it", most_cells, look));
+    throw InputError(fmt::format(
+        "output.image_per_wavelength: {:.6g} cells per wavelength are more than {:.0f} in look {}; {} would fit", per_wavelength,
+        most_cells, look, rounded_down_text(std::min(densest_image(cells, length), most_across * length / across))));
   ImageLattice lattice = image_lattice(cells);
   lattice.corner += lattice.place(target.mesh.center);
   return lattice;

@@ -1,8 +1,12 @@
 #include "solve_memory.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
+#include "sbr/curved_cells.h"
+#include "sbr/launch.h"
+#include "solve_parts.h"
 #include "threads.h"
 
 namespace raytube {
@@ -30,13 +34,39 @@ double edge_set_bytes(const Target& target, const Sweep& sweep, const EdgeOption
   return static_cast<double>(sets.size() * target.wedges.size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
 }
 
+// In which the launch grid has the most cells, by the box round the target: quicker than by all of its vertices. From nearby the
+// box looks larger.
+const Look& widest_look(const TriangleMesh& mesh, const Sweep& sweep, const TubeOptions& tubes) {
+  TriangleMesh box;
+  box.center = mesh.center, box.radius = mesh.radius;
+  const Box bounds = bounding_box(mesh.vertices);
+  for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7})
+    box.vertices.push_back({(corner & 1 ? bounds.high : bounds.low).x, (corner & 2 ? bounds.high : bounds.low).y,
+                            (corner & 4 ? bounds.high : bounds.low).z});
+  const auto area = [&](const Look& look) {
+    const LaunchGrid grid = launch_grid(box, look.transmit, mesh.radius, 1000.0, tubes.up);
+    const double nearest = std::max(0.05, 1.0 - mesh.radius / look.transmit_range);
+    return static_cast<double>(grid.cells()) * grid.du * grid.dv / (nearest * nearest);
+  };
+  return *std::ranges::max_element(sweep.looks, {}, area);
+}
+
+// Groups of sums that a look may have at a time.
+std::size_t most_tiles(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
+  if (tubes.mode == TubeMode::uniform)
+    return tiles_of_look(target.tracer, target.faces, widest_look(target.mesh, sweep, tubes), sweep.frequencies, tubes);
+  const std::size_t flat = tiles_of_look(target.tracer, target.faces, sweep.looks.front(), sweep.frequencies, tubes);
+  if (!smooth_surfaces(target, sweep, tubes)) return flat;
+  return target.convexity.no_reflection ? std::max(flat, CurvedLook::blocks) : std::numeric_limits<std::size_t>::max();
+}
+
 }  // namespace
 
 MemoryEstimate estimate_memory(const Target& target, const Sweep& sweep, const SolveOptions& options) {
   const int bounces = most_bounces(target, options.tubes);
   const auto rows = static_cast<double>(sweep.rows()), looks = static_cast<double>(sweep.looks.size());
   const auto under_way = std::min<std::size_t>(options.threads > 0 ? options.threads : all_threads(), sweep.looks.size());
-  const std::size_t tiles = tiles_of_look(target.tracer, target.faces, sweep.looks.front(), sweep.frequencies, options.tubes);
+  const std::size_t tiles = options.edges.method == EdgeMethod::utd ? 1 : most_tiles(target, sweep, options.tubes);
   const double edge_sums = edge_parts * static_cast<double>(sweep.frequencies.size()) * sizeof(ScatteringMatrix);
   return {rows * bytes_per_row(bounces, options.keep_parts) + looks * bytes_per_look,
           static_cast<double>(under_way) * (look_sum_bytes(tiles, bounces, sweep.frequencies.size()) + edge_sums),

@@ -66,18 +66,17 @@ inline PolygonSoup icosphere(int subdivisions, double a = 1.0) {
   return {v, t};
 }
 
-/// Closed cylinder along z, centred, `sides` corners on the circle of radius `a`.
-inline PolygonSoup cylinder(double a, double length, std::uint32_t sides) {
+/// Closed right prism from z = low to high on a counter-clockwise outline; the two ends are single polygons.
+inline PolygonSoup prism(const std::vector<dvec2>& outline, double low, double high) {
   PolygonSoup soup;
-  for (const double z : {-length / 2, length / 2})
-    for (std::uint32_t i = 0; i < sides; ++i)
-      soup.points.emplace_back(a * std::cos(2 * pi * i / sides), a * std::sin(2 * pi * i / sides), z);
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  for (const double z : {low, high})
+    for (const dvec2& p : outline) soup.points.emplace_back(p.x, p.y, z);
   std::vector<std::uint32_t> bottom, top;
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t next = (i + 1) % sides;
-    soup.polygons.push_back({i, next, sides + next, sides + i});
-    bottom.insert(bottom.begin(), i);
-    top.push_back(sides + i);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    bottom.push_back(n - 1 - i);
+    top.push_back(n + i);
+    soup.polygons.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
   }
   soup.polygons.push_back(bottom);
   soup.polygons.push_back(top);
@@ -111,6 +110,25 @@ inline PolygonSoup sheet_on_plate(std::uint32_t n) {
       soup.polygons.push_back({p, p + n + 2, p + 1});
     }
   return soup;
+}
+
+/// Closed cylinder along z, centred, `sides` corners on the circle of radius `a`.
+inline PolygonSoup cylinder(double a, double length, std::uint32_t sides) {
+  std::vector<dvec2> outline;
+  for (std::uint32_t i = 0; i < sides; ++i)
+    outline.emplace_back(a * std::cos(2 * pi * i / sides), a * std::sin(2 * pi * i / sides));
+  return prism(outline, -length / 2, length / 2);
+}
+
+/// Two soups as one, nothing shared.
+inline PolygonSoup joined(PolygonSoup first, const PolygonSoup& second) {
+  const auto offset = static_cast<std::uint32_t>(first.points.size());
+  first.points.insert(first.points.end(), second.points.begin(), second.points.end());
+  for (std::vector<std::uint32_t> polygon : second.polygons) {
+    for (std::uint32_t& corner : polygon) corner += offset;
+    first.polygons.push_back(std::move(polygon));
+  }
+  return first;
 }
 
 inline PolygonSoup transformed(PolygonSoup soup, const glm::dmat3& turn, double scale = 1.0, const dvec3& shift = dvec3(0.0)) {

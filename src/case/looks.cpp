@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "case/radar.h"
 #include "case/values.h"
 #include "error.h"
@@ -9,8 +11,6 @@
 namespace raytube {
 
 namespace {
-
-constexpr double most_rows = 1e7;
 
 std::string theta_sentence(const std::string& key, double theta_deg) {
   return fmt::format("{} must lie in 0 to 180 degrees, from +z (found {})", key, theta_deg);
@@ -27,13 +27,6 @@ std::vector<double> read_angles(const CaseValue& root, const CaseValue& section,
   for (const double angle : angles)
     if (name == "theta_deg" && (angle < 0.0 || angle > 180.0)) reject(*value, theta_sentence(key, angle));
   return angles;
-}
-
-void check_rows(const CaseValue& section, double looks, std::size_t frequencies) {
-  const double rows = looks * static_cast<double>(frequencies);
-  if (rows > most_rows)
-    reject(section, fmt::format("{:.7g} looks at {} frequencies make {:.7g} rows, more than the {:.0f} allowed; split the sweep",
-                                looks, frequencies, rows, most_rows));
 }
 
 std::vector<Direction> directions(const std::vector<double>& theta_deg, const std::vector<double>& phi_deg) {
@@ -68,6 +61,15 @@ void fill_from_list(const CaseValue& look, const CaseValue* receive, Case& c) {
 }
 
 }  // namespace
+
+void check_rows(const CaseValue& value, double looks, std::size_t frequencies) {
+  const double rows = looks * static_cast<double>(frequencies), fit = std::floor(most_rows / static_cast<double>(frequencies));
+  if (rows > most_rows)
+    reject(value,
+           fmt::format("{:.7g} looks at {} frequencies make {:.7g} rows, more than the {:.0f} allowed; split the sweep: {:.0f} "
+                       "looks would fit",
+                       looks, frequencies, rows, most_rows, fit));
+}
 
 void read_looks(const CaseValue& root, Case& c) {
   const CaseValue* look = root.find("look");

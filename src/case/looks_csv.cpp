@@ -39,6 +39,8 @@ std::vector<Look> read_looks_csv(const std::filesystem::path& file, bool& bistat
   if (!reader.columns().empty()) check_header(reader);
   bistatic = reader.columns().size() == 4;
   while (reader.next()) {
+    if (static_cast<double>(looks.size()) == most_rows)
+      throw InputError(fmt::format("{}: more than {:.0f} looks; split the list", reader.place(), most_rows));
     const Direction transmit = direction(reader, 0);
     looks.push_back({transmit, bistatic ? direction(reader, 2) : transmit});
   }

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/looks.h"
 #include "case/values.h"
 #include "error.h"
 
 namespace raytube {
 
 namespace {
-
-constexpr double farthest = 1e12;  // [m]
 
 double read_range(const CaseValue& value, const std::string& key) {
   const double range = read_positive(value, key);
@@ -83,6 +82,9 @@ void read_positions(const CaseValue& root, Case& c) {
   if (const CaseValue* receive = find(root, "radar", "receive_position_m"))
     c.radar.receive_positions = read_places(*receive, "radar.receive_position_m");
   c.sweep.bistatic = !c.radar.receive_positions.empty();
+  const double pairs = static_cast<double>(c.radar.positions.size()) *
+                       static_cast<double>(c.sweep.bistatic ? c.radar.receive_positions.size() : 1);
+  check_rows(position, pairs, c.sweep.frequencies.size());
   for (const dvec3& transmit : c.radar.positions) {
     if (!c.sweep.bistatic) c.sweep.looks.push_back(look_between(transmit, transmit));
     for (const dvec3& receive : c.radar.receive_positions) c.sweep.looks.push_back(look_between(transmit, receive));

@@ -106,8 +106,6 @@ void read_parts(const CaseValue& root, SourceCase& c) {
   }
 }
 
-constexpr double farthest = 1e12;  // [m]
-
 void read_box(const CaseValue& value, SourceCase& c) {
   if (value.kind != Kind::list || value.items.size() != 2)
     reject(value, "scene.box_m must be a list of two corners [m], for example [[-1, -1, 0], [1, 1, 2]]");

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "csv_reader.h"
 #include "decimal.h"
 #include "text.h"
 
@@ -82,6 +84,32 @@ std::vector<double> counted_range(const CaseValue& table, const std::string& key
   return values;
 }
 
+// "first:step:last", as others write a range, or "first:last" by 1.
+std::optional<Range> range_with_colons(const CaseValue& value) {
+  std::vector<double> parts;
+  for (std::size_t at = 0; value.kind == Kind::text && at <= value.text.size();) {
+    const std::size_t end = std::min(value.text.find(':', at), value.text.size());
+    const std::optional<double> part = parsed_number(value.text.substr(at, end - at));
+    if (!part || parts.size() == 3) return {};
+    parts.push_back(*part);
+    at = end + 1;
+  }
+  if (parts.size() < 2) return {};
+  return Range{parts.front(), parts.back(), parts.size() == 3 ? parts[1] : 1.0};
+}
+
+[[noreturn]] void reject_values(const CaseValue& value, const std::string& key, std::string_view third) {
+  const std::string forms = fmt::format("{} must be a number, a list or {{ start, stop, {} }}", key, third);
+  const std::optional<Range> meant = range_with_colons(value);
+  const double steps = meant ? std::floor((meant->stop - meant->start) / meant->third + 1e-9) : -1.0;
+  if (!(steps >= 0.0 && std::isfinite(steps))) reject(value, forms);
+  const auto [start, stop, step] = *meant;
+  const bool counted = third == "count";
+  reject(value, fmt::format("{}; for {} write {{ start = {}, stop = {}, {} = {} }}", forms, quotable(value.text),
+                            number_text(start), number_text(counted ? rounded_at_scale(start + steps * step, stop) : stop), third,
+                            number_text(counted ? steps + 1.0 : step)));
+}
+
 std::vector<double> listed(const CaseValue& list, const std::string& key) {
   if (list.items.empty()) reject(list, key + " is an empty list; give at least one number");
   std::vector<double> values;
@@ -147,14 +175,14 @@ std::vector<double> read_stepped(const CaseValue& value, const std::string& key)
   if (value.kind == Kind::table) return stepped_range(value, key);
   if (value.kind == Kind::list) return listed(value, key);
   if (value.kind == Kind::number) return {read_number(value, key)};
-  reject(value, key + " must be a number, a list or { start, stop, step }");
+  reject_values(value, key, "step");
 }
 
 std::vector<double> read_counted(const CaseValue& value, const std::string& key) {
   if (value.kind == Kind::table) return counted_range(value, key);
   if (value.kind == Kind::list) return listed(value, key);
   if (value.kind == Kind::number) return {read_number(value, key)};
-  reject(value, key + " must be a number, a list or { start, stop, count }");
+  reject_values(value, key, "count");
 }
 
 }  // namespace raytube

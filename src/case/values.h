@@ -7,6 +7,9 @@
 
 namespace raytube {
 
+/// [m] from the origin: nothing of a case may lie farther.
+inline constexpr double farthest = 1e12;
+
 double read_number(const CaseValue& value, const std::string& key);
 double read_positive(const CaseValue& value, const std::string& key);
 int read_whole(const CaseValue& value, const std::string& key, int least, int most);

@@ -1,8 +1,9 @@
 #include "mesh/patches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <tuple>
 
 #include "mesh/edge_table.h"
 
@@ -50,6 +51,24 @@ class GrowingPlane {
   Sum<glm::dvec4> moment_;  // weight times centroid, weight
 };
 
+/// Of two points that are not the same the first one, by their coordinates.
+bool before(const dvec3& a, const dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
+/// A triangle with its corners in an order of their own.
+struct Seed {
+  std::uint32_t triangle;
+  double area;
+  std::array<dvec3, 3> corners;
+};
+
+/// A plane across a side of a triangle.
+struct Beside {
+  std::uint32_t patch;
+  double distance;  // of the triangle from it
+  double length;    // of the side
+  std::array<dvec3, 2> ends;
+};
+
 class PatchFinder {
  public:
   PatchFinder(TriangleMesh& mesh, double distance)
@@ -66,13 +85,24 @@ class PatchFinder {
   }
 
  private:
+  /// Of equal ones by place: in which order a file lists triangles and their corners must not decide where a sliver belongs.
   std::vector<std::uint32_t> largest_first() const {
-    std::vector<double> area;
-    for (const Triangle& t : mesh_.triangles) area.push_back(glm::length(area_vector(mesh_.vertices, t)));
-    std::vector<std::uint32_t> order(area.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return area[a] > area[b]; });
+    std::vector<Seed> seeds;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) seeds.push_back(seed(t));
+    std::ranges::sort(seeds, [](const Seed& a, const Seed& b) {
+      if (a.area != b.area) return a.area > b.area;
+      return std::ranges::lexicographical_compare(a.corners, b.corners, before);
+    });
+    std::vector<std::uint32_t> order;
+    for (const Seed& seed : seeds) order.push_back(seed.triangle);
     return order;
+  }
+
+  Seed seed(std::uint32_t triangle) const {
+    std::array<dvec3, 3> corners;
+    for (int k = 0; k < 3; ++k) corners[k] = mesh_.vertices[mesh_.triangles[triangle][k]];
+    std::ranges::sort(corners, before);
+    return {triangle, glm::length(area_vector(corners[0], corners[1], corners[2])), corners};
   }
 
   void grow(std::uint32_t seed) {
@@ -121,16 +151,31 @@ class PatchFinder {
     return distance_ > sliver_uncertainty * height(mesh_.vertices, mesh_.triangles[triangle]);
   }
 
-  /// What no plane has reached belongs to the nearest one beside it; false if none is near enough.
+  /// What no plane has reached belongs to the nearest one beside it, of those as near as coordinates can tell to the one across
+  /// its longest side; false if none is near enough.
   bool join_nearest(std::uint32_t triangle) {
-    double nearest = distance_;
+    std::vector<Beside> beside;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t next = neighbour(triangle, k), patch = next == no_index ? no_index : mesh_.triangle_patch[next];
-      if (patch == no_index || distance_from(mesh_.patches[patch], mesh_.triangles[triangle]) > nearest) continue;
-      nearest = distance_from(mesh_.patches[patch], mesh_.triangles[triangle]);
-      mesh_.triangle_patch[triangle] = patch;
+      if (patch == no_index) continue;
+      const double distance = distance_from(mesh_.patches[patch], mesh_.triangles[triangle]);
+      if (distance <= distance_) beside.push_back(neighbour_across(triangle, k, patch, distance));
     }
-    return mesh_.triangle_patch[triangle] != no_index;
+    if (beside.empty()) return false;
+    const double nearest = std::ranges::min(beside, {}, &Beside::distance).distance + far_nearer * distance_;
+    std::erase_if(beside, [&](const Beside& b) { return b.distance > nearest; });
+    mesh_.triangle_patch[triangle] = std::ranges::min_element(beside, [](const Beside& a, const Beside& b) {
+                                       if (a.length != b.length) return a.length > b.length;
+                                       return std::ranges::lexicographical_compare(a.ends, b.ends, before);
+                                     })->patch;
+    return true;
+  }
+
+  Beside neighbour_across(std::uint32_t triangle, int corner, std::uint32_t patch, double distance) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    std::array<dvec3, 2> ends{mesh_.vertices[t[corner]], mesh_.vertices[t[(corner + 1) % 3]]};
+    std::ranges::sort(ends, before);
+    return {patch, distance, glm::distance(ends[0], ends[1]), ends};
   }
 
   double distance_from(const Patch& plane, const Triangle& t) const {

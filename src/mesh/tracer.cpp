@@ -29,9 +29,14 @@ constexpr double start_from = 2.0;
 // Of the guards (GuardedTriangles): twenty times what single precision can mistake a place by.
 constexpr double guard_margin = 2e-5;
 
+// Embree calls it unknown when a thread or an allocation of its own fails.
+[[noreturn]] void fail(RTCError error) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY || error == RTC_ERROR_UNKNOWN) throw std::bad_alloc();
+  throw std::runtime_error(fmt::format("Embree reports error {}; install Embree 3.13 as Debian has it", static_cast<int>(error)));
+}
+
 void check_device(RTCDevice device) {
-  if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
-    throw std::runtime_error(fmt::format("Embree reports error {}", static_cast<int>(error)));
+  if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) fail(error);
 }
 
 struct QueryContext;
@@ -210,7 +215,7 @@ QueryContext make_context(const Tracer::Scene& scene, const Ray* rays, const Ign
 Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time)
     : mesh(triangles), exact(triangles), width(rays_at_a_time) {
   device = rtcNewDevice(fmt::format("isa={}", name_of(allowed_instruction_set())).c_str());
-  if (!device) throw std::runtime_error("Embree cannot start on this machine");
+  if (!device) fail(rtcGetDeviceError(nullptr));
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
   if (mesh.radius > 0.0) scale = std::exp2(-std::ceil(std::log2(mesh.radius)));

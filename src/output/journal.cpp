@@ -236,17 +236,19 @@ void Journal::sync() {
   if (fdatasync(file_) != 0) fail(path_, errno);
 }
 
-std::vector<std::string> differences(const JournalIdentity& a, const JournalIdentity& b) {
-  std::vector<std::string> names;
-  const auto compare = [&](const JournalIdentity& from, const JournalIdentity& with, bool values) {
-    for (const auto& [name, value] : from) {
-      const auto other = std::ranges::find(with, name, &JournalIdentity::value_type::first);
-      if (other == with.end() || (values && other->second != value)) names.push_back(name);
-    }
+std::vector<JournalDifference> differences(const JournalIdentity& before, const JournalIdentity& now) {
+  const auto value_in = [](const JournalIdentity& identity, const std::string& name) {
+    const auto found = std::ranges::find(identity, name, &JournalIdentity::value_type::first);
+    return found == identity.end() ? std::string() : found->second;
   };
-  compare(a, b, true);
-  compare(b, a, false);
-  return names;
+  std::vector<JournalDifference> found;
+  for (const auto& [name, value] : before)
+    if (std::string other = value_in(now, name); other != value) found.push_back({name, value, std::move(other)});
+  for (const auto& [name, value] : now)
+    if (!value.empty() && value_in(before, name).empty() &&
+        std::ranges::find(found, name, &JournalDifference::name) == found.end())
+      found.push_back({name, {}, value});
+  return found;
 }
 
 }  // namespace raytube

@@ -78,7 +78,13 @@ class Journal {
   mutable std::mutex mutex_;
 };
 
-/// Names of the items in which two identities differ, in the order of the first one.
-std::vector<std::string> differences(const JournalIdentity& a, const JournalIdentity& b);
+/// An item in which two identities differ; of one that only one of them has, the other value is empty.
+struct JournalDifference {
+  std::string name, before, now;
+  friend bool operator==(const JournalDifference&, const JournalDifference&) = default;
+};
+
+/// In the order of the first one.
+std::vector<JournalDifference> differences(const JournalIdentity& before, const JournalIdentity& now);
 
 }  // namespace raytube

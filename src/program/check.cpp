@@ -10,8 +10,8 @@
 #include "decimal.h"
 #include "mesh/mirror.h"
 #include "program/commands.h"
-#include "program/images.h"
 #include "program/memory.h"
+#include "program/solvable.h"
 #include "program/wedge_list.h"
 #include "sbr/launch.h"
 #include "skipped.h"
@@ -255,8 +255,7 @@ void check_command(const Request& request) {
   if (!request.wedges_csv.empty()) check_wedges_file(request.wedges_csv);
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
   const Target target(loaded.mesh, c.edges);
-  check_antennas(loaded.mesh, c.sweep);
-  check_images(target, c);
+  check_solvable(target, c);
   const LookPlan plan = plan_of(target, c.sweep, c.tubes, c.edges.method);
   print_case(c);
   print_mesh(loaded.report, target);
@@ -270,9 +269,11 @@ void check_command(const Request& request) {
   else
     print_cost(c, loaded.mesh, plan);
   print_memory(target, c);
-  if (request.wedges_csv.empty()) return;
-  const std::vector<Wedge> used = merge_thin_rims(target.wedges, target.rims, thin_limit(highest_frequency(c.sweep)));
-  write_wedges_csv(request.wedges_csv, loaded.mesh, used, c.sweep);
+  if (!request.wedges_csv.empty()) {
+    const std::vector<Wedge> used = merge_thin_rims(target.wedges, target.rims, thin_limit(highest_frequency(c.sweep)));
+    write_wedges_csv(request.wedges_csv, loaded.mesh, used, c.sweep);
+  }
+  check_memory(target, c, {c.tubes, c.edges, all_threads(), false, {}}, nullptr);  // as a run would
 }
 
 }  // namespace raytube

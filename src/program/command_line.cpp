@@ -14,6 +14,16 @@ namespace raytube {
 
 namespace {
 
+constexpr const char* main_footer =
+    "Help on a command: raytube run --help\n"
+    "Example:           raytube run cases/dihedral/case.toml\n\n"
+    "Exit codes:\n"
+    "    0  done\n"
+    "    1  fell short: compare found more than its tolerance, or the disk, the memory or the machine gave out\n"
+    "    2  bad input: the case, a file, an option, or more asked for than there is room for; one sentence says what and what to "
+    "do\n"
+    "  130  interrupted";
+
 constexpr const char* run_examples =
     "Writes rcs.csv, channels.csv, rcs.png, rcs.svg and run.json. Stopped in any way, it leaves its finished looks there for\n"
     "--resume.\n\n"
@@ -242,7 +252,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   CLI::App app("Radar cross-section of a triangle mesh by shooting and bouncing rays", "raytube");
   app.set_version_flag("--version", "raytube " RAYTUBE_VERSION);
   app.require_subcommand(1);
-  app.footer("Help on a command: raytube run --help\nExample:           raytube run cases/dihedral/case.toml");
+  app.footer(main_footer);
   CLI::App* run = add_run(app, request);
   CLI::App* check = add_check(app, request);
   CLI::App* trace = add_trace(app, request);

@@ -16,7 +16,6 @@
 #include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
-#include "sbr/launch.h"
 #include "text.h"
 #include "threads.h"
 
@@ -50,15 +49,12 @@ std::vector<double> parsed_densities(const std::string& option) {
 
 // Refuses now what the last density would be refused for after hours.
 void check_finest(double density, const std::string& option, const Case& c, const TriangleMesh& mesh) {
-  const double shortest = wavelength(std::ranges::max(c.sweep.frequencies));
-  try {
-    for (const Look& look : c.sweep.looks) grid_of_look(mesh, look, shortest, density, c.tubes.up);
-  } catch (const InputError&) {
+  const double most = densest_tubes(mesh, c.sweep, c.tubes);
+  if (density > most)
     throw InputError(fmt::format(
-        "--densities {}: {} tubes per wavelength are more than 10^6 along one side of the launch plane; lower it, or check "
+        "--densities {}: {} tubes per wavelength are more than 10^6 along one side of the launch plane; {} would fit, or check "
         "target.unit and frequency.ghz",
-        option, number_text(density)));
-  }
+        quotable(option), number_text(density), rounded_down_text(most)));
 }
 
 // Shares of the whole study's work: tubes grow with the square of the density.
@@ -68,6 +64,21 @@ ResultNames names_of_results(bool with_plot) {
   ResultNames names{{}, {"converge.csv"}};
   if (with_plot) names.pictures = {"converge.png", "converge.svg"};
   return names;
+}
+
+// Clipped tubes have no density to study.
+SolveOptions options_of(const Case& c, const Request& request) {
+  TubeOptions tubes = c.tubes;
+  if (tubes.clip) tubes.mode = TubeMode::uniform;
+  return {tubes, c.edges, request.threads > 0 ? request.threads : all_threads(), false, {}};
+}
+
+// The amplitudes of every density are kept to the end.
+void check_study_memory(const Target& target, const Case& c, const Request& request, const std::vector<double>& densities) {
+  SolveOptions finest = options_of(c, request);
+  finest.tubes.per_wavelength = densities.back();
+  const double kept = static_cast<double>(densities.size() * c.sweep.rows() * sizeof(ScatteringMatrix));
+  check_memory(target, c, finest, nullptr, kept);
 }
 
 // Solves one density after the other and keeps what is finished on disk.
@@ -82,10 +93,7 @@ class Study {
         densities_(densities.size()),
         bar_(isatty(STDERR_FILENO) != 0),
         study_{c.title, c.sweep, {}, {}} {
-    // Clipped tubes have no density to study.
-    TubeOptions tubes = c.tubes;
-    if (tubes.clip) tubes.mode = TubeMode::uniform;
-    options_ = {tubes, c.edges, request.threads > 0 ? request.threads : all_threads(), false, {}};
+    options_ = options_of(c, request);
     for (const double density : densities) whole_ += work(density);
   }
 
@@ -169,9 +177,10 @@ void converge_command(const Request& request) {
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   check_output(destination, names_of_results(c.plots), input_files(c));
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
-  check_finest(densities.back(), request.densities, c, loaded.mesh);
   const Target target(loaded.mesh, c.edges);
-  check_memory(target, c, {c.tubes, c.edges, request.threads > 0 ? request.threads : all_threads(), false, {}}, nullptr);
+  check_antennas(loaded.mesh, c.sweep);
+  check_finest(densities.back(), request.densities, c, loaded.mesh);
+  check_study_memory(target, c, request, densities);
   Study study(c, target, request, destination, densities);
   const InterruptFlag interrupt_flag([&study] { return study.last_words(); });
   try {

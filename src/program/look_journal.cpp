@@ -21,14 +21,34 @@ constexpr std::size_t most_waiting = std::size_t{4} << 20;  // [bytes] unless it
 constexpr auto between_writes = 1ms;                        // looks may be finished within microseconds
 constexpr auto between_syncs = 1s;
 constexpr int sync_share = 100;  // of the time of one thread, that of bringing it to the disk is less than 1 / this
-constexpr std::size_t most_named = 3;
+constexpr std::size_t most_named = 3, longest_value = 40;
 
 std::string looks_text(std::size_t count) { return fmt::format("{} finished look{}", count, count == 1 ? "" : "s"); }
 
-std::string named(const std::vector<std::string>& names) {
-  const std::size_t count = std::min(names.size(), most_named);
-  const std::string more = names.size() > count ? fmt::format(" and {} more", names.size() - count) : "";
-  return fmt::format("{}{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(count), ", "), more);
+// A long list from the entry on that is not the same.
+std::string shown(const std::string& value, std::size_t differs_at) {
+  if (value.empty()) return "not given";
+  if (value.size() <= longest_value) return value;
+  const std::size_t comma = value.rfind(',', std::min(differs_at, value.size()) - 1);
+  const std::size_t from = differs_at == 0 || comma == std::string::npos ? 0 : comma + 1;
+  const std::string part = value.substr(from, longest_value);
+  return fmt::format("{}{}{}", from > 0 ? "..." : "", part, from + part.size() < value.size() ? "..." : "");
+}
+
+// Of a file and the program only a checksum is known, which says nothing to anybody; their names are words.
+std::string told(const JournalDifference& item) {
+  const auto& [name, before, now] = item;
+  if (name.find(' ') != std::string::npos) return "another " + name;
+  const auto at = static_cast<std::size_t>(std::ranges::mismatch(before, now).in1 - before.begin());
+  return fmt::format("{} = {} (now {})", name, shown(before, at), shown(now, at));
+}
+
+std::string told(const std::vector<JournalDifference>& items) {
+  std::vector<std::string> sentences;
+  for (const JournalDifference& item : items)
+    if (sentences.size() < most_named) sentences.push_back(told(item));
+  const std::string more = items.size() > most_named ? fmt::format(" and {} more", items.size() - most_named) : "";
+  return fmt::format("{}{}", fmt::join(sentences, ", "), more);
 }
 
 }  // namespace
@@ -49,11 +69,11 @@ void LookJournal::refuse_leftover(const fs::path& folder) {
 void LookJournal::resume() {
   journal_ = Journal::reopen(file_);
   if (!journal_) return warn(fmt::format("nothing to resume in {}: the run starts afresh", file_.parent_path().string()));
-  if (const std::vector<std::string> names = differences(journal_->identity(), identity_()); !names.empty())
-    throw InputError(fmt::format(
-        "--resume: {} was begun with another {}; run with what it was begun with, or delete the file (and the {} in it) to "
-        "start afresh",
-        file_.string(), named(names), looks_text(journal_->records())));
+  if (const std::vector<JournalDifference> found = differences(journal_->identity(), identity_()); !found.empty())
+    throw InputError(
+        fmt::format("--resume: {} was begun with {}; run with what it was begun with, or delete the file (and the {} in it) to "
+                    "start afresh",
+                    file_.string(), told(found), looks_text(journal_->records())));
   resumed_ = journal_->records();
 }
 

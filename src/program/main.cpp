@@ -10,6 +10,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "error.h"
 #include "instruction_set.h"
@@ -20,6 +21,11 @@ namespace {
 
 using namespace raytube;
 
+// For want of memory, or of room for the stack of a thread.
+constexpr const char* too_little =
+    "out of memory; earlier results are as they were. End other programs or raise the limit (ulimit -v, ulimit -u, the "
+    "container's), "
+    "take fewer --threads, or split the sweep";
 constexpr int fell_short = 1, bad_input = 2, interrupted = 130;
 
 void execute(const Request& request) {
@@ -85,7 +91,9 @@ int main(int argc, char** argv) {
   } catch (const Interrupted& interruption) {
     return complain(interruption.what(), interrupted);
   } catch (const std::bad_alloc&) {
-    return complain("out of memory; lower tubes.per_wavelength or split the sweep", fell_short);
+    return complain(too_little, fell_short);
+  } catch (const std::system_error& error) {
+    return complain(error.code() == std::errc::resource_unavailable_try_again ? too_little : error.what(), fell_short);
   } catch (const std::exception& error) {
     return complain(std::ferror(stdout) ? not_printed : error.what(), fell_short);
   }

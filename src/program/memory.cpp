@@ -102,8 +102,8 @@ double random_bytes(const Case& c, const RandomOptions& random) {
 }
 
 struct Need {
-  double rows, image, others;
-  double total() const { return rows + image + others; }
+  double rows, image, sums, others;
+  double total() const { return rows + image + sums + others; }
 };
 
 Need need_of(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random) {
@@ -113,18 +113,28 @@ Need need_of(const Target& target, const Case& c, const SolveOptions& options, c
   const auto values = static_cast<double>(c.looks.theta_deg.size() + c.looks.phi_deg.size() + c.looks.rx_theta_deg.size() +
                                           c.looks.rx_phi_deg.size() + c.sweep.frequencies.size());
   return {solve.rows + (random ? random_bytes(c, *random) : 0.0), image_bytes(target, c, options),
-          held_now().resident + solve.sums + solve.edges + journal_bytes + options.threads * bytes_per_thread +
-              values * bytes_per_angle};
+          solve.sums + options.threads * bytes_per_thread,
+          held_now().resident + solve.edges + journal_bytes + values * bytes_per_angle};
 }
 
 std::string remedy(const Need& need, const Case& c, const SolveOptions& options, double available) {
+  if (need.sums > std::max(need.rows, need.image) && options.threads > 1) {
+    const double fit = std::floor(options.threads * (available - need.rows - need.image - need.others) / need.sums);
+    if (fit >= 1.0) return fmt::format("--threads {} would fit", fit);
+  }
   if (need.image > need.rows) {
-    const double share = std::max(0.0, available - need.rows - need.others) / need.image;
+    const double share = std::max(0.0, available - need.rows - need.sums - need.others) / need.image;
     return share > 0.0 ? fmt::format("output.image_per_wavelength = {:.2g} would fit", c.image_per_wavelength * std::sqrt(share))
                        : "leave out output.image_look";
   }
+  if (need.sums > std::max(need.rows, need.image)) {
+    const auto count = static_cast<double>(c.sweep.frequencies.size());
+    const double fit = std::floor(count * (available - need.image - need.others) / (need.rows + need.sums));
+    return fit >= 1.0 ? fmt::format("split the sweep: {:.3g} of its {:.0f} frequencies would fit", fit, count)
+                      : "split the sweep";
+  }
   const double per_row = need.rows / static_cast<double>(c.sweep.rows());
-  const double fit = std::floor(std::max(0.0, available - need.image - need.others) / per_row);
+  const double fit = std::floor(std::max(0.0, available - need.image - need.sums - need.others) / per_row);
   const std::string split =
       fit < 1.0 ? "split the sweep"
                 : fmt::format("split the sweep: {:.3g} of its {} rows (looks times frequencies) would fit", fit, c.sweep.rows());
@@ -151,12 +161,16 @@ double memory_to_be_had() {
   return now.resident + free;
 }
 
-void check_memory(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random) {
-  const Need need = need_of(target, c, options, random);
-  const double available = memory_to_be_had();
-  if (need.total() <= available) return;
-  throw InputError(fmt::format("{}: the run would take about {} of memory, and there are {}; {}", c.file.string(),
-                               memory_text(need.total()), memory_text(available), remedy(need, c, options, available)));
+void require_memory(double bytes, const std::string& place, const std::string& what, const std::string& remedy) {
+  if (const double available = memory_to_be_had(); bytes > available)
+    throw InputError(fmt::format("{}: {} would take about {} of memory, and there are {}; {}", place, what, memory_text(bytes),
+                                 memory_text(available), remedy));
+}
+
+void check_memory(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random, double kept) {
+  Need need = need_of(target, c, options, random);
+  need.rows += kept;
+  require_memory(need.total(), c.file.string(), "the run", remedy(need, c, options, memory_to_be_had()));
 }
 
 }  // namespace raytube

@@ -17,7 +17,12 @@ double memory_to_be_had();
 /// "1.5 GB"
 std::string memory_text(double bytes);
 
-/// Throws InputError with the estimate and what would fit if there is not so much memory.
-void check_memory(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random);
+/// Throws InputError with the estimate and what would fit if there is not so much memory; `kept` bytes beside what a run takes
+/// grow with its rows.
+void check_memory(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random,
+                  double kept = 0.0);
+
+/// The same for something else, of which `what` and `remedy` tell: "the run", "split the sweep".
+void require_memory(double bytes, const std::string& place, const std::string& what, const std::string& remedy);
 
 }  // namespace raytube

@@ -21,6 +21,7 @@
 #include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
+#include "program/solvable.h"
 #include "threads.h"
 #include "yardstick.h"
 
@@ -121,7 +122,7 @@ Manifest describe_input(const Case& c, const MeshReport& report) {
 
 // What every bit of a finished look depends on, beside the number of threads, on which none does.
 JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
-  JournalIdentity identity{{"version of raytube", manifest.program_version + ' ' + sha256_of_file("/proc/self/exe")},
+  JournalIdentity identity{{"version or build of raytube", manifest.program_version + ' ' + sha256_of_file("/proc/self/exe")},
                            {"mesh in target.mesh", manifest.mesh_sha256},
                            {"list in look.looks_csv", manifest.looks_csv_sha256}};
   if (!c.radar.pattern_csv.empty())
@@ -291,7 +292,7 @@ void run_command(const Request& request) {
   Manifest manifest = describe_input(c, loaded.report);
   manifest.time.read_s = total.seconds();
   const Target target(loaded.mesh, c.edges);
-  check_images(target, c);
+  check_solvable(target, c);
   manifest.time.build_s = total.seconds() - manifest.time.read_s;
   manifest.embree_instruction_set = name_of(allowed_instruction_set());
   manifest.own_instruction_set = name_of(std::max(allowed_instruction_set(), InstructionSet::avx2));

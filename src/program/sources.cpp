@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -12,6 +13,7 @@
 #include "output/sources_files.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
+#include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "sbr/launch_limit.h"
@@ -23,7 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_triangles = 4000;        // for exact shares: their cost grows with the square
+constexpr std::size_t most_triangles = 4000;   // for exact shares: their cost grows with the square
+constexpr std::uint64_t sampled_rays = 10000;  // to know how many hits there will be
+constexpr double sample_margin = 1.2;
 constexpr std::uint64_t most_launch_points = 4000;  // in a picture
 
 JoinedMesh load_scene(const SourceCase& c) {
@@ -84,6 +88,23 @@ class Study {
     }
   }
 
+  /// Throws InputError if the hits to be shown find no room: those of each model's largest launch are kept, while they are put
+  /// together three times over. How many a ray makes, a sample tells, taken only where the most of them would not fit.
+  void check_memory() const {
+    const double rays = static_cast<double>(case_.rays.back()), models = static_cast<double>(case_.models.size());
+    const double available = memory_to_be_had(), bytes_per_ray = (case_.max_reflections + 1.0) * sizeof(CountedHit);
+    if (rays * (models + 2.0) * bytes_per_ray <= available) return;
+    double sum = 0.0, most = 0.0;
+    for (const LaunchModel model : case_.models) {
+      const double hits = sampled_hits_per_ray(model);
+      sum += hits, most = std::max(most, hits);
+    }
+    const double bytes = sample_margin * rays * (sum + 2.0 * most) * sizeof(CountedHit);
+    require_memory(bytes, case_.file.string(),
+                   fmt::format("the hits of {} rays on \"{}\"", case_.rays.back(), case_.parts[case_.counted].name),
+                   fmt::format("source.rays = {:.0f} would fit", std::floor(rays * available / bytes)));
+  }
+
   const SourceStudy& result() const { return study_; }
 
   bool exact() const { return joined_.mesh.triangles.size() <= most_triangles; }
@@ -137,6 +158,13 @@ class Study {
       if (shown && asked == case_.rays.back()) keep_hits(rays, std::move(hits.hits));
       ++finished_;
     }
+  }
+
+  double sampled_hits_per_ray(LaunchModel model) const {
+    const Launch sample = launch(0, model, std::min(sampled_rays, case_.rays.back()));
+    const HitOptions keep{case_.max_reflections, case_.counted, true, threads_, {}};
+    const RayHits found = trace_rays(tracer_, joined_.triangle_part, surfaces_, sample, keep);
+    return static_cast<double>(found.hits.size()) / static_cast<double>(sample.rays());
   }
 
   HitOptions options(bool keep) const {
@@ -222,6 +250,7 @@ void sources_command(const Request& request) {
   check_output(destination, names_of_results(c.plots), input_files(c));
   const int threads = request.threads > 0 ? request.threads : all_threads();
   Study study(c, threads);
+  study.check_memory();
 
   OutputFolder folder(destination);
   AllOrNothing ending(folder);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "mesh/tracer.h"
 #include "mesh/triangle_mesh.h"
@@ -47,15 +48,21 @@ struct LaunchGrid {
 };
 
 /// Grid of `per_wavelength` cells per wavelength along each side, fitted to the exact extent: ceil(extent * per_wavelength /
-/// wavelength - 1e-6) equal cells. Columns u = phi_hat, rows v = -theta_hat of `transmit`, or v along `up` projected
-/// (the default again where `up` points along the line of sight). With an antenna, at a place in recentred coordinates, in its
-/// perspective, these axes turned with the line of sight to the origin.
+/// wavelength - 1e-6) equal cells. Throws InputError where these are more than 10^6. Columns u = phi_hat, rows v = -theta_hat of
+/// `transmit`, or v along `up` projected (the default again where `up` points along the line of sight). With an antenna, at a
+/// place in recentred coordinates, in its perspective, these axes turned with the line of sight to the origin.
 LaunchGrid launch_grid(const TriangleMesh& mesh, const Direction& transmit, double wavelength, double per_wavelength,
                        const std::optional<dvec3>& up, const std::optional<dvec3>& antenna = {});
 
 /// The same of a look, from wherever it is.
 LaunchGrid grid_of_look(const TriangleMesh& mesh, const Look& look, double wavelength, double per_wavelength,
                         const std::optional<dvec3>& up);
+
+/// The most cells per wavelength that the launch grid of a look takes: 10^6 of them along its longer side.
+double densest_grid(const TriangleMesh& mesh, const Look& look, double wavelength, const std::optional<dvec3>& up);
+
+/// What there is to say about a density above the most.
+std::string too_dense(double per_wavelength, double most);
 
 /// False if an antenna at this place, in recentred coordinates, has some of the mesh beside or behind it: farther off its line of
 /// sight to the origin than it lies along it, or nearer than a twentieth of the way there.

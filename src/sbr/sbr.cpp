@@ -194,14 +194,14 @@ class LookTracer {
   }
 
   TubeSums once(double share, CurrentMap* map) const {
-    Part part{options_.mode == TubeMode::adaptive ? trace_faces_or_cells : trace_uniform, options_.per_wavelength};
+    Part part{options_.mode == TubeMode::adaptive ? trace_faces_or_cells : trace_uniform, first_density(options_)};
     retrace(part, share, map);
     return std::move(part.sums);
   }
 
   /// Each part is sampled more finely until the whole is within the tolerance.
   TubeSums refined(double share, CurrentMap* map) const {
-    const double density = std::min(first_per_wavelength, options_.per_wavelength);
+    const double density = first_density(options_);
     std::vector<Part> parts{{trace_faces_or_cells, density}};
     if (smooth_) parts.push_back({look_.far() ? trace_curved : trace_curved_near, density});
     if (smooth_ && !known_.no_reflection) parts.push_back({trace_curved_bounces, density});
@@ -270,6 +270,11 @@ class LookTracer {
 };
 
 }  // namespace
+
+double first_density(const TubeOptions& options) {
+  const bool refined = options.mode == TubeMode::adaptive && options.clip;
+  return refined ? std::min(first_per_wavelength, options.per_wavelength) : options.per_wavelength;
+}
 
 double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {
   // The batch, the sum of all batches, and the look's own result.

@@ -42,6 +42,9 @@ struct TubeOptions {
   std::optional<dvec3> up;  // rows of the launch grid follow this vector's projection; default -theta_hat
 };
 
+/// Cells per wavelength of the first grid of a look; clipped adaptive tubes become finer where they have to.
+double first_density(const TubeOptions& options);
+
 class CurrentMap;
 
 /// Traces the tubes of a look once and integrates the PO current of every bounce, radiating unblocked, for all frequencies [Hz]

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t most_images = 200;
 constexpr double never = 1e-9;         // as in SheetTracer
-constexpr double touching = 1e-13;     // rays that come so close to running along a plane do; they do so at one azimuth:
-constexpr double same_azimuth = 1e-6;  // [rad]
+constexpr double touching = 1e-13;     // a cone that misses a plane by so little of its width touches it, along one ray
+constexpr double same_azimuth = 1e-6;  // [rad] cuts that are one: those of such a ray, up to the root of twice `touching` apart
 constexpr double widest_panel = 0.4;   // [rad]
 
 class CutFinder {

@@ -67,6 +67,10 @@ std::vector<BadRow> text_rows() {
       text("case_date_for_a_number", target + "[frequency]\nghz = 1979-05-27\n" + look,
            ", line 5: frequency.ghz must be a number, a list or"),
       text("case_later_key", good_case + "[materials]\nsteel = 1\n", "\"materials\" is not in this version; remove it"),
+      text("case_of_1e7_pairs_of_places",
+           target + frequency + "[radar]\nposition_m = [" + times(4000, "[0,0,3],") + "]\nreceive_position_m = [" +
+               times(4000, "[0,0,3],") + "]\n",
+           ", line 7: 1.6e+07 looks at 1 frequencies make 1.6e+07 rows, more than the 10000000 allowed; split the sweep"),
       text("case_for_sources", "[source]\nrays = 5\n",
            ", line 1: [source] belongs to a case for raytube sources; run it with that command"),
   };
@@ -99,6 +103,16 @@ std::vector<BadRow> value_rows() {
       set("theta_below_zero", "look.theta_deg=-1e-9", "look.theta_deg must lie in 0 to 180 degrees"),
       set("theta_text", "look.theta_deg=up", "look.theta_deg must be a number, a list or { start, stop, step }"),
       set("theta_true", "look.theta_deg=true", "look.theta_deg must be a number, a list or"),
+      set("theta_range_of_matlab", "look.theta_deg=0:0.5:90",
+          "look.theta_deg must be a number, a list or { start, stop, step }; for 0:0.5:90 write { start = 0, stop = 90, step = "
+          "0.5 }"),
+      set("phi_range_of_matlab_by_one", "look.phi_deg=-3:3", "for -3:3 write { start = -3, stop = 3, step = 1 }"),
+      set("phi_range_of_four_parts", "look.phi_deg=0:1:2:3", "look.phi_deg must be a number, a list or { start, stop, step }\n"),
+      set("frequency_range_of_matlab", "frequency.ghz=92:0.5:94",
+          "frequency.ghz must be a number, a list or { start, stop, count }; for 92:0.5:94 write { start = 92, stop = 94, count "
+          "= 5 }"),
+      set("phi_range_of_steps_zero_with_colons", "look.phi_deg=0:0:3", "or { start, stop, step }\n"),
+      set("frequency_range_that_ends_early", "frequency.ghz=1:0.3:2", "write { start = 1, stop = 1.9, count = 4 }"),
       set("phi_no_values", "look.phi_deg=[]", "look.phi_deg is an empty list; give at least one number"),
       set("phi_infinite", "look.phi_deg=-inf", "look.phi_deg must be a finite number"),
       set("phi_range_without_end", "look.phi_deg={start=0,stop=inf,step=1}", "look.phi_deg.stop must be a finite number"),
@@ -112,7 +126,7 @@ std::vector<BadRow> value_rows() {
       set("phi_range_of_doubles_ends", "look.phi_deg={start=-1.7e308,stop=1.7e308,step=1}",
           "more than the 1000000 allowed; choose another step"),
       set("looks_in_1e7_rows", "look.theta_deg={start=0,stop=180,step=0.01}|look.phi_deg={start=0,stop=360,step=0.01}",
-          "rows, more than the 10000000 allowed; split the sweep"),
+          "rows, more than the 10000000 allowed; split the sweep: 10000000 looks would fit"),
       set("receive_without_phi", "receive.theta_deg=3", "receive.phi_deg is missing; add"),
       set("tubes_mode_unknown", "tubes.mode=\"random\"", "tubes.mode \"random\" is unknown; write \"uniform\" or \"adaptive\""),
       set("tubes_mode_is_a_list", "tubes.mode=[\"uniform\"]", "tubes.mode must be a text"),
@@ -153,11 +167,33 @@ std::vector<BadRow> value_rows() {
       set("image_look_1e300", "output.image_look=1e300", "the case has 1 direction pair(s)"),
       set("image_looks_none", "output.image_look=[]", "output.image_look is an empty list; give at least one"),
       set("image_density_1e300", "output.image_look=0|output.image_per_wavelength=1e300",
-          "output.image_per_wavelength asks for more than 4000000 cells in look 0; lower it"),
+          "output.image_per_wavelength: 1e+300 cells per wavelength are more than 4000000 in look 0; "),
       set("image_density_negative", "output.image_per_wavelength=-1", "output.image_per_wavelength must be greater than 0"),
       set("plots_text", "output.plots=\"yes\"", "output.plots must be true or false, without quotes"),
       set("title_is_a_number", "title=5", "title must be a text in double quotes"),
   };
+}
+
+// What `run` refuses `check` refuses too, in the same words: the plate is 1 m wide here and the wavelength 0.03 m, or as given.
+std::vector<BadRow> verdict_rows() {
+  std::vector<BadRow> rows;
+  for (const std::string command : {"run", "check"}) {
+    const auto refused = [&](const std::string& name, const std::string& values, const std::string& says) {
+      rows.push_back({command + "_" + name, command + " case.toml --set target.unit=m " + values, says, [](const Scratch&) {},
+                      "case.toml: "});
+    };
+    refused(
+        "frequency_of_a_petahertz", "--set frequency.ghz=1e6",
+        "tubes.per_wavelength: 10 tubes per wavelength are more than 10^6 along one side of the launch plane; 0.299 would fit");
+    refused("uniform_tubes_too_dense", "--set tubes.mode=uniform --set tubes.per_wavelength=29990",
+            "29990 tubes per wavelength are more than 10^6 along one side of the launch plane; 29900 would fit");
+    refused("image_too_dense", "--set output.image_look=0 --set output.image_per_wavelength=60.5",
+            "60.5 cells per wavelength are more than 4000000 in look 0; 60.3 would fit");
+    refused("antenna_in_the_target", "--set radar.range_m=0.5",
+            "an antenna 0.5 m from the mesh's origin stands beside the target");
+    refused("ray_range_in_the_target", "--set edges.method=utd --set edges.utd_range_m=0.1", "edges.utd_range_m is 0.1 m, but");
+  }
+  return rows;
 }
 
 std::vector<BadRow> override_rows() {
@@ -209,6 +245,7 @@ std::vector<BadRow> file_rows() {
 
 INSTANTIATE_TEST_SUITE_P(CaseText, BadTable, ::testing::ValuesIn(text_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(CaseValues, BadTable, ::testing::ValuesIn(value_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Verdicts, BadTable, ::testing::ValuesIn(verdict_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Overrides, BadTable, ::testing::ValuesIn(override_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(CaseFiles, BadTable, ::testing::ValuesIn(file_rows()), row_name);
 

@@ -50,7 +50,7 @@ TEST_F(ImageFiles, WhatCannotBeShownIsRefusedBeforeTheComputation) {
   for (const std::string command : {"run", "check"}) {
     expect_refused(command + " case.toml --set output.image_look=3", "output.image_look 3: the case has 1 direction pair(s)");
     expect_refused(command + " case.toml --set look.theta_deg=90 --set output.image_look=0", "look 0 sees no area of the target");
-    expect_refused(command + " case.toml --set output.image_look=0 --set output.image_per_wavelength=1e9", "lower it");
+    expect_refused(command + " case.toml --set output.image_look=0 --set output.image_per_wavelength=1e9", "60300 would fit");
   }
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace raytube::testing;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
 // Minutes of work in looks of milliseconds.
@@ -47,7 +48,15 @@ TEST_F(LongRuns, WhatIsKeptIsSaidAndNotLost) {
 
   const Outcome changed = raytube("run " + minutes + "--resume --set tubes.per_wavelength=11");
   EXPECT_EQ(changed.code, 2);
-  EXPECT_THAT(changed.complaint, AllOf(HasSubstr("begun with another tubes.per_wavelength;"), HasSubstr("delete the file")));
+  EXPECT_THAT(changed.complaint,
+              AllOf(HasSubstr("begun with tubes.per_wavelength = 10.0 (now 11.0);"), HasSubstr("delete the file")));
+
+  const Outcome longer = raytube("run " + minutes + "--resume --set 'look.phi_deg={start=0,stop=90,step=0.02}'");
+  EXPECT_EQ(longer.code, 2);
+  EXPECT_THAT(longer.complaint, HasSubstr("look.phi_deg = ...0.01,0.02,"));
+  EXPECT_THAT(longer.complaint, HasSubstr(" (now ...0.02,0.04,"));
+  const Outcome nearer = raytube("run " + minutes + "--resume --set radar.range_m=1000");
+  EXPECT_THAT(nearer.complaint, HasSubstr("begun with radar.range_m = not given (now 1000.0)"));
 
   scratch.write("mesh.off", plate + "# the same, but not the same file\n");
   const Outcome another_mesh = raytube("run " + minutes + "--resume");
@@ -127,13 +136,51 @@ TEST_F(LongRuns, AFolderRemovedMeanwhileIsMadeAgain) {
 }
 
 TEST_F(LongRuns, MoreMemoryThanThereIsIsSaidBeforehand) {
+  if (!memory_can_be_limited) GTEST_SKIP() << "under a sanitizer";
   const std::string rows =
-      "run case.toml --parts --set 'frequency.ghz={start=1,stop=10,count=1000000}' --set 'look.phi_deg=[1,2,3,4,5]'";
-  const Outcome outcome = raytube(rows, "ulimit -v 3000000; ");
+      "run case.toml --parts --set 'frequency.ghz={start=1,stop=10,count=5000}' --set "
+      "'look.phi_deg={start=0,stop=99.9,step=0.1}'";
+  const Outcome outcome = raytube(rows, "ulimit -v 1000000; ");
   EXPECT_EQ(outcome.code, 2) << outcome.complaint;
   EXPECT_THAT(outcome.complaint, AllOf(HasSubstr("case.toml: the run would take about"), HasSubstr("of memory, and there are"),
                                        HasSubstr("rows (looks times frequencies) would fit")));
+  const Outcome wide =
+      raytube("run case.toml --threads 1 --set 'frequency.ghz={start=1,stop=10,count=1000000}'", "ulimit -v 600000; ");
+  EXPECT_EQ(wide.code, 2) << wide.complaint;
+  EXPECT_THAT(wide.complaint, HasSubstr("of its 1000000 frequencies would fit"));
   EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
+// `check` says what it can, and ends as a run would.
+TEST_F(LongRuns, MoreMemoryThanThereIsIsToldByCheckToo) {
+  if (!memory_can_be_limited) GTEST_SKIP() << "under a sanitizer";
+  const std::string rows =
+      "check case.toml --set 'frequency.ghz={start=1,stop=10,count=5000}' --set 'look.phi_deg={start=0,stop=159.9,step=0.1}'";
+  const Outcome outcome = raytube(rows, "ulimit -v 500000; ");
+  EXPECT_EQ(outcome.code, 2) << outcome.complaint;
+  EXPECT_THAT(outcome.complaint, HasSubstr("case.toml: the run would take about"));
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("\nmemory\n  at most about"));
+}
+
+// Whatever the limit, a run ends with its results, or with a sentence and the earlier ones as they were.
+TEST_F(LongRuns, TooLittleMemoryForTheLibrariesIsSaid) {
+  if (!memory_can_be_limited) GTEST_SKIP() << "under a sanitizer";
+  ASSERT_EQ(raytube("run case.toml --set output.plots=false").code, 0);
+  const std::string earlier = text_of(scratch / "out/run.json");
+  bool fell_short = false;
+  for (int megabytes = 100; megabytes <= 300; megabytes += 20) {
+    const std::string limit = "ulimit -v " + std::to_string(1000 * megabytes) + "; ";
+    const Outcome outcome = raytube("run case.toml --set output.plots=false", limit);
+    if (outcome.code == 0) break;
+    if (outcome.code == 127) continue;  // the loader did not come as far as the program
+    EXPECT_THAT(outcome.code, AnyOf(1, 2)) << limit;
+    EXPECT_THAT(outcome.complaint, AnyOf(HasSubstr("out of memory; earlier results are as they were. End other programs or"),
+                                         HasSubstr("the run would take about")))
+        << limit;
+    EXPECT_EQ(text_of(scratch / "out/run.json"), earlier);
+    fell_short = fell_short || outcome.code == 1;
+  }
+  EXPECT_TRUE(fell_short);
 }
 
 }  // namespace

@@ -17,6 +17,13 @@ const std::string frequency = "[frequency]\nghz = 10\n";
 const std::string look = "[look]\ntheta_deg = 10\nphi_deg = 0\n";
 const std::string good_case = target + frequency + look;
 
+// Sanitizers take terabytes of addresses for themselves: under them `ulimit -v` stops the program before it begins.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool memory_can_be_limited = false;
+#else
+constexpr bool memory_can_be_limited = true;
+#endif
+
 struct Outcome {
   int code = -1;
   std::string complaint;  // stderr

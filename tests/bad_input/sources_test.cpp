@@ -43,9 +43,21 @@ TEST_F(SourcesProgram, SeveralPositionsMakeOneTableAndAResponse) {
 }
 
 TEST_F(SourcesProgram, AnInterruptLeavesNothing) {
-  const Outcome outcome = raytube("sources case.toml --set source.rays=100000000", "timeout --preserve-status -s INT -k 5 1 ");
+  const Outcome outcome = raytube("sources case.toml --set source.rays=20000000", "timeout --preserve-status -s INT -k 5 1 ");
   EXPECT_EQ(outcome.code, 130);
   EXPECT_EQ(outcome.complaint, "raytube: interrupted; no results written\n");
+  EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
+// Every ray at the plate makes a hit that is kept, and the sample knows.
+TEST_F(SourcesProgram, MoreHitsThanThereIsMemoryForAreRefused) {
+  if (!memory_can_be_limited) GTEST_SKIP() << "under a sanitizer";
+  const Outcome outcome =
+      raytube("sources case.toml --set source.rays=100000000 --set source.models=geometry", "ulimit -v 2000000; ");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.complaint,
+              AllOf(HasSubstr("case.toml: the hits of 100000000 rays on \"plate\" would take about 11.5 GB of memory"),
+                    HasSubstr("; source.rays = "), HasSubstr(" would fit")));
   EXPECT_FALSE(fs::exists(scratch / "out"));
 }
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "case/source_case.h"
-#include "error.h"
 #include "scratch.h"
 #include "target.h"
 
@@ -27,15 +26,6 @@ std::vector<std::string> parts_of(const std::string& bytes) {
   for (std::size_t at = 0; at <= bytes.size(); at = parts.back().size() + at + 1)
     parts.push_back(bytes.substr(at, bytes.find('\0', at) - at));
   return parts;
-}
-
-template <class Read>
-void refuse_or(Read read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    expect_sentence(error.what());
-  }
 }
 
 void read_whole_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {

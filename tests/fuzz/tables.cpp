@@ -3,7 +3,6 @@
 
 #include "case/looks.h"
 #include "case/radar.h"
-#include "error.h"
 #include "output/comparison.h"
 #include "scratch.h"
 #include "target.h"
@@ -12,15 +11,6 @@ namespace {
 
 using namespace raytube;
 using namespace raytube::fuzz;
-
-template <class Read>
-void refuse_or(Read read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    expect_sentence(error.what());
-  }
-}
 
 void read_looks_of(const std::filesystem::path& file) {
   bool bistatic = false;

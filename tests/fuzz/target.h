@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "error.h"
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace raytube::fuzz {
@@ -21,5 +23,15 @@ inline void expect(bool holds, const char* expectation) {
 
 /// Every message to the user is one sentence of printable bytes with something in it.
 void expect_sentence(const std::string& message);
+
+/// What cannot be read is refused in such a sentence.
+template <class Read>
+void refuse_or(Read read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    expect_sentence(error.what());
+  }
+}
 
 }  // namespace raytube::fuzz

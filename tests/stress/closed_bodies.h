@@ -75,22 +75,12 @@ class ClosedBodies {
   PolygonSoup star_prism() {
     const auto corners = static_cast<std::uint32_t>(2 * (2 + generator_() % 12));
     const double depth = number(0.02, 0.9), height = number(0.1, 2.0);
-    PolygonSoup soup;
-    for (const double z : {0.0, height})
-      for (std::uint32_t i = 0; i < corners; ++i) {
-        const double r = i % 2 ? depth : 1.0, phi = 2 * pi * i / corners;
-        soup.points.emplace_back(r * std::cos(phi), r * std::sin(phi), z);
-      }
-    std::vector<std::uint32_t> bottom, top;
+    std::vector<dvec2> outline;
     for (std::uint32_t i = 0; i < corners; ++i) {
-      const std::uint32_t next = (i + 1) % corners;
-      soup.polygons.push_back({i, next, corners + next, corners + i});
-      bottom.insert(bottom.begin(), i);
-      top.push_back(corners + i);
+      const double r = i % 2 ? depth : 1.0, phi = 2 * pi * i / corners;
+      outline.emplace_back(r * std::cos(phi), r * std::sin(phi));
     }
-    soup.polygons.push_back(bottom);
-    soup.polygons.push_back(top);
-    return soup;
+    return shapes::prism(outline, 0.0, height);
   }
 
   PolygonSoup ring() {

@@ -14,16 +14,6 @@ PolygonSoup moved(PolygonSoup soup, const dvec3& shift) {
   return soup;
 }
 
-PolygonSoup joined(PolygonSoup first, const PolygonSoup& second) {
-  const auto offset = static_cast<std::uint32_t>(first.points.size());
-  first.points.insert(first.points.end(), second.points.begin(), second.points.end());
-  for (auto polygon : second.polygons) {
-    for (std::uint32_t& corner : polygon) corner += offset;
-    first.polygons.push_back(std::move(polygon));
-  }
-  return first;
-}
-
 PolygonSoup turned_over(PolygonSoup soup) {
   for (auto& polygon : soup.polygons) std::ranges::reverse(polygon);
   return soup;
@@ -44,27 +34,27 @@ struct Pair {
 Pair boxes() {
   return {"two boxes side by side", shapes::box({2 * side, side, side}), [](double gap) {
             const dvec3 aside((side + gap) / 2, 0, 0);
-            return joined(moved(shapes::cube(side), -aside), moved(shapes::cube(side), aside));
+            return shapes::joined(moved(shapes::cube(side), -aside), moved(shapes::cube(side), aside));
           }};
 }
 
 Pair cube_on_block() {
   return {"cube on a wider block", between::cube_on_block(2 * side, side / 2, side), [](double gap) {
             const PolygonSoup block = moved(shapes::box({2 * side, 2 * side, side / 2}), {0, 0, -side / 4});
-            return joined(block, moved(shapes::cube(side), {0, 0, side / 2 + gap}));
+            return shapes::joined(block, moved(shapes::cube(side), {0, 0, side / 2 + gap}));
           }};
 }
 
 Pair plate_on_plate() {
   const PolygonSoup plate = shapes::plate(2 * side);
   return {"plate on a wider plate", plate, [=](double gap) {
-            return joined(plate, moved(shapes::plate(side, 0.3), {0, 0, gap}));
+            return shapes::joined(plate, moved(shapes::plate(side, 0.3), {0, 0, gap}));
           }};
 }
 
 Pair double_sheet(const std::string& name, const PolygonSoup& other) {
   const PolygonSoup plate = shapes::plate(2 * side);
-  return {name, plate, [=](double gap) { return joined(plate, moved(other, {0, 0, gap})); }};
+  return {name, plate, [=](double gap) { return shapes::joined(plate, moved(other, {0, 0, gap})); }};
 }
 
 std::vector<Pair> double_sheets() {

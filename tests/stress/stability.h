@@ -3,7 +3,8 @@
 //
 //   build/stress_tests                                              the quick suite, as ctest runs it
 //   build-stress/stress_tests                                       the full one (preset stress)
-//   RAYTUBE_STABILITY_TABLE=docs/stability.md build-stress/stress_tests     the same, and the table in that file is replaced
+//   RAYTUBE_STABILITY_TABLE=docs/stability.md build-stress/stress_tests     the same, and the table in that file is replaced;
+//                                                                         refused with --gtest_filter
 #pragma once
 
 #include <cmath>

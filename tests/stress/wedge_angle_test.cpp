@@ -118,19 +118,7 @@ PolygonSoup prism_with_wedge(double angle, double wavelength) {
   if (angle > 0.9 * pi) outline.push_back(w * dvec2(-2.0, -1.2 - std::max(-std::sin(half + 0.2), 0.0)));
   if (angle > 0.9 * pi) outline.push_back(w * dvec2(-2.0, 1.2 + std::max(-std::sin(half + 0.2), 0.0)));
   outline.push_back(w * dvec2(-std::cos(half), std::sin(half)));
-  PolygonSoup soup;
-  const auto n = static_cast<std::uint32_t>(outline.size());
-  for (const double z : {-1.5 * wavelength, 1.5 * wavelength})
-    for (const dvec2& p : outline) soup.points.emplace_back(p.x, p.y, z);
-  std::vector<std::uint32_t> bottom, top;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    bottom.push_back(n - 1 - i);
-    top.push_back(n + i);
-    soup.polygons.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
-  }
-  soup.polygons.push_back(bottom);
-  soup.polygons.push_back(top);
-  return soup;
+  return shapes::prism(outline, -1.5 * wavelength, 1.5 * wavelength);
 }
 
 struct Change {

@@ -1,3 +1,7 @@
+#include <algorithm>
+
+#include "mesh/geometry.h"
+#include "mesh/patches.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {
@@ -31,6 +35,31 @@ TEST(MeshPatches, PlanesAreExactWhateverTheMesh) {
   ASSERT_EQ(loaded.mesh.patches.size(), 1u);
   EXPECT_NEAR(glm::distance(loaded.mesh.patches[0].normal, skew_rotation()[2]), 0.0, 5e-16);
   EXPECT_NEAR(loaded.mesh.patches[0].offset, 0.0, 1e-16);
+}
+
+// Two planes at right angles, of each a largest triangle of area 1/2, and a sliver along their fold that is as near to one as to
+// the other. Whether it lies in the plane z = 0 may depend on where things are, not on how they are listed.
+bool sliver_lies_in_the_ground(std::size_t first_triangle, int first_corner) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-4, 1e-4}, {0.5, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0.5, 0, 2}};
+  const std::vector<Triangle> listed{{0, 2, 1}, {0, 1, 3}, {5, 4, 6}, {0, 4, 2}, {2, 4, 5}, {2, 5, 1}};
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    Triangle triangle = listed[(i + first_triangle) % listed.size()];
+    std::ranges::rotate(triangle, triangle.begin() + first_corner);
+    mesh.triangles.push_back(triangle);
+  }
+  mesh.triangle_component.assign(listed.size(), 0);
+  find_patches(mesh, 1e-3);
+  EXPECT_EQ(mesh.patches.size(), 2u);
+  const std::uint32_t patch = mesh.triangle_patch[(listed.size() - first_triangle) % listed.size()];
+  return std::abs(mesh.patches[patch].normal.z) > 0.5;
+}
+
+TEST(MeshPatches, ASliverHasItsPlaneInWhateverOrderTrianglesAreListed) {
+  const bool as_listed = sliver_lies_in_the_ground(0, 0);
+  for (std::size_t triangle = 0; triangle < 6; ++triangle)
+    for (int corner = 0; corner < 3; ++corner)
+      EXPECT_EQ(sliver_lies_in_the_ground(triangle, corner), as_listed) << triangle << ' ' << corner;
 }
 
 }  // namespace

@@ -44,6 +44,14 @@ TEST(Decimal, DegreesGiveBackTheRadians) {
   }
 }
 
+TEST(Decimal, ALimitIsNeverToldTooLarge) {
+  EXPECT_EQ(rounded_down_text(29979.2458), "29900");
+  EXPECT_EQ(rounded_down_text(0.29979), "0.299");
+  EXPECT_EQ(rounded_down_text(158.0), "158");
+  for (double x = 1.3e-300; x < 1e300; x *= 1.7)
+    ASSERT_TRUE(std::stod(rounded_down_text(x)) <= x && std::stod(rounded_down_text(x)) > 0.99 * x) << x;
+}
+
 TEST(Decimal, ScaleSetsTheLastDigit) {
   EXPECT_EQ(rounded_at_scale(0.1 + 0.2, 10.0), 0.3);
   EXPECT_EQ(rounded_at_scale(1e-17, 10.0), 0.0);

@@ -92,14 +92,16 @@ TEST(Journal, OtherFilesAreNone) {
   EXPECT_THROW(Journal::reopen(scratch.folder()), InputError);
 }
 
-TEST(Journal, NamesWhatDiffers) {
+TEST(Journal, TellsWhatDiffers) {
   JournalIdentity other = identity;
   EXPECT_THAT(differences(identity, other), ElementsAre());
   other[1].second = "abd";
-  EXPECT_THAT(differences(identity, other), ElementsAre("mesh"));
+  const JournalDifference mesh{"mesh", identity[1].second, "abd"};
+  EXPECT_THAT(differences(identity, other), ElementsAre(mesh));
   other.emplace_back("edges.order", "2");
-  EXPECT_THAT(differences(identity, other), ElementsAre("mesh", "edges.order"));
-  EXPECT_THAT(differences(other, identity), ElementsAre("mesh", "edges.order"));
+  EXPECT_THAT(differences(identity, other), ElementsAre(mesh, JournalDifference{"edges.order", "", "2"}));
+  EXPECT_THAT(differences(other, identity),
+              ElementsAre(JournalDifference{"mesh", "abd", identity[1].second}, JournalDifference{"edges.order", "2", ""}));
 }
 
 // Files of this process end after so many bytes, as on a full disk.

@@ -1,6 +1,9 @@
 // The launch plane: how many cells, where they lie, where their rays leave.
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "error.h"
 #include "sbr/launch.h"
 
 namespace raytube {
@@ -34,6 +37,18 @@ TEST(LaunchGrid, CellsAreCountedUpToTheNextWholeOne) {
 TEST(LaunchGrid, AMillionthOfACellIsRoundingNotAnotherCell) {
   EXPECT_EQ(grid_along_x(box(1.0, 2.0 + 0.5e-6 * 0.05, 1.0), 0.5, 10.0).columns, 40u);
   EXPECT_EQ(grid_along_x(box(1.0, 2.0 + 2.0e-6 * 0.05, 1.0), 0.5, 10.0).columns, 41u);
+}
+
+// 10^6 along the longer side, from afar and from a place whence the box looks larger.
+TEST(LaunchGrid, TheDensestOneIsTheLastNotRefused) {
+  const TriangleMesh mesh = box(1.0, 2.0, 0.31);
+  EXPECT_NEAR(densest_grid(mesh, {along_x, along_x}, 0.5, {}), 250000.0, 1e-6);
+  for (const double range : {std::numeric_limits<double>::infinity(), 5.0}) {
+    const Look look{along_x, along_x, range, range};
+    const double most = densest_grid(mesh, look, 0.5, {});
+    EXPECT_EQ(grid_of_look(mesh, look, 0.5, most, {}).columns, 1000000u);
+    EXPECT_THROW(grid_of_look(mesh, look, 0.5, most * (1.0 + 1e-9), {}), InputError);
+  }
 }
 
 TEST(LaunchGrid, CellsCoverTheExtentExactly) {

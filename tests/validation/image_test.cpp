@@ -57,16 +57,6 @@ SolveOptions adaptive(EdgeMethod edges, int order = 3) {
 // A sum of some thousand parts up to some hundred times as large as it: 1e-16 each, at random.
 constexpr double rounding = 1e-12;
 
-PolygonSoup joined(PolygonSoup soup, const PolygonSoup& other) {
-  const auto before = static_cast<std::uint32_t>(soup.points.size());
-  for (std::vector<std::uint32_t> polygon : other.polygons) {
-    for (std::uint32_t& corner : polygon) corner += before;
-    soup.polygons.push_back(polygon);
-  }
-  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
-  return soup;
-}
-
 Sweep one_look(const Direction& d) { return monostatic({d}, frequency); }
 
 TEST(Image, CellsAddUpToTheRow) {
@@ -100,7 +90,7 @@ TEST(Image, ThinSheetsAddUpToTheRow) {
 TEST(Image, ReflectingCurvedSurfacesAddUpToTheRow) {
   PolygonSoup soup = shapes::icosphere(3, 0.3);
   const PolygonSoup other = shapes::transformed(soup, glm::dmat3(1.0), 1.0, {0.2, 0.7, 0.1});
-  soup = joined(soup, other);
+  soup = shapes::joined(soup, other);
   SolveOptions o = adaptive(EdgeMethod::none);
   o.tubes.curved = CurvedSurfaces::always;
   o.tubes.max_bounces = 3;
@@ -199,7 +189,7 @@ TEST(Image, EdgesAreWhereTheyStand) {
 TEST(Image, BrightestWhereThePlateFacesTheRadar) {
   const glm::dmat3 turn(std::cos(0.6), 0.0, -std::sin(0.6), 0.0, 1.0, 0.0, std::sin(0.6), 0.0, std::cos(0.6));
   const PolygonSoup other = shapes::transformed(shapes::plate(1.4), turn, 1.0, {0.0, 2.0, 0.0});
-  const Solved plates(joined(shapes::plate(1.0), other), one_look({0.0, 0.0}), adaptive(EdgeMethod::none), 0, 0.5);
+  const Solved plates(shapes::joined(shapes::plate(1.0), other), one_look({0.0, 0.0}), adaptive(EdgeMethod::none), 0, 0.5);
   const auto power = [](const ScatteringMatrix& s) { return std::abs(s.vv()); };
   const auto brightest = std::ranges::max_element(plates.image.cells, {}, power) - plates.image.cells.begin();
   const ImageLattice& lattice = plates.image.lattice;

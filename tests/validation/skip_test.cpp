@@ -196,32 +196,22 @@ TEST(Skip, EdgePassWithoutEdges) {
   EXPECT_EQ(count(without, "edge passes", "no edge is lit"), 4u);
 }
 
-PolygonSoup joined(PolygonSoup soup, const PolygonSoup& other) {
-  const auto first = static_cast<std::uint32_t>(soup.points.size());
-  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
-  for (std::vector<std::uint32_t> polygon : other.polygons) {
-    for (std::uint32_t& corner : polygon) corner += first;
-    soup.polygons.push_back(polygon);
-  }
-  return soup;
-}
-
 // A small cube behind a sphere.
 TEST(Skip, LooksWithoutLitEdges) {
   const PolygonSoup cube = shapes::transformed(shapes::cube(0.1), glm::dmat3(1.0), 1.0, {0.5, 0.0, 0.0});
   const Sweep sweep = monostatic({{90.0 * degree, 180.0 * degree}, {88.0 * degree, 179.0 * degree}, {0.5, 0.0}}, frequency);
-  const SweepResult result = solve_soup(joined(shapes::icosphere(3, 0.3), cube), sweep, uniform());
+  const SweepResult result = solve_soup(shapes::joined(shapes::icosphere(3, 0.3), cube), sweep, uniform());
   EXPECT_EQ(count(result, "edge passes", "no edge is lit"), 2u);
 }
 
 TEST(Skip, EdgesInsideABody) {
   const Sweep sweep = monostatic(around(4), frequency);
   for (const SolveOptions& o : {uniform(), adaptive()}) {
-    const auto [with, without] = solve_both(joined(shapes::cube(0.6), shapes::cube(0.2)), sweep, o);
+    const auto [with, without] = solve_both(shapes::joined(shapes::cube(0.6), shapes::cube(0.2)), sweep, o);
     EXPECT_TRUE(same_bytes(with.total, without.total));
     EXPECT_EQ(count(with, "wedges", "inside"), 12u);
     EXPECT_EQ(with.statistics.wedges_lit, without.statistics.wedges_lit);
-    const SweepResult nothing_left = solve_soup(joined(shapes::icosphere(3, 0.3), shapes::cube(0.1)), sweep, o);
+    const SweepResult nothing_left = solve_soup(shapes::joined(shapes::icosphere(3, 0.3), shapes::cube(0.1)), sweep, o);
     EXPECT_EQ(count(nothing_left, "edge passes", "no edge of the target"), 4u);
   }
 }

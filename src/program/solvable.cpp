@@ -1,0 +1,30 @@
+#include "program/solvable.h"
+
+#include "error.h"
+#include "program/images.h"
+#include "solve_parts.h"
+
+namespace raytube {
+
+namespace {
+
+void check_all(const Target& target, const Case& c) {
+  check(c.sweep, {c.tubes, c.edges, 0, false, {}});
+  check_antennas(target.mesh, c.sweep);
+  check_density(target.mesh, c.sweep, c.tubes, c.edges.method);
+  ray_range(target, c.sweep, c.edges);
+  check_images(target, c);
+}
+
+}  // namespace
+
+// What the solver says knows no files.
+void check_solvable(const Target& target, const Case& c) {
+  try {
+    check_all(target, c);
+  } catch (const InputError& error) {
+    throw InputError(c.file.string() + ": " + error.what());
+  }
+}
+
+}  // namespace raytube
