@@ -81,7 +81,7 @@ def compared(program, result, reference, options):
 
 def compared_as_text(result, reference):
     ours, theirs = rows_of(result), rows_of(reference)
-    changed = [f"row {i + 1}, {key}: {a[key]}, was {b[key]}\n" for i, (a, b) in enumerate(zip(ours, theirs)) for key in b if a[key] != b[key]]
+    changed = [f"row {i + 1}, {key}: {a[key]}, was {b[key]}\n" for i, (a, b) in enumerate(zip(ours, theirs)) for key in SOURCE_COLUMNS if a[key] != b[key]]
     if len(ours) != len(theirs):
         changed.append(f"{len(ours)} rows, were {len(theirs)}\n")
     return not changed, "".join(changed)
@@ -133,7 +133,20 @@ def instruction_sets(program):
     return found
 
 
-def treat_bytes(name, program, _):
+def treat_builds(name, program, other):
+    """True if the other program's table is this one's, but for roundings of another compilation."""
+    path = os.path.join(HERE, name + ".csv")
+    head = head_of(path)
+    options = "exact" if head["compare"] == "exact" else "--tolerance-relative 1e-13"
+    with tempfile.TemporaryDirectory() as ours, tempfile.TemporaryDirectory() as theirs:
+        run(program, os.path.dirname(path), head, ours)
+        run(other, os.path.dirname(path), head, theirs)
+        same, text = compared(program, os.path.join(ours, head["table"]), os.path.join(theirs, head["table"]), options)
+    print(f"{name}: {'agrees' if same else 'DIFFERS'} ({options})" + ("" if same else "\n" + text), flush=True)
+    return same
+
+
+def treat_bytes(name, program):
     """True if the table is the same for all instruction sets times three numbers of threads."""
     path = os.path.join(HERE, name + ".csv")
     head = head_of(path)
@@ -149,15 +162,25 @@ def treat_bytes(name, program, _):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["check", "update", "bytes"])
+    parser.add_argument("what", choices=["check", "update", "bytes", "builds"])
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--program", default=os.path.join(HERE, "..", "build", "raytube"))
+    parser.add_argument("--other", help="the other build's program, for `builds`")
     chosen = parser.parse_intermixed_args()
     program = os.path.abspath(chosen.program)
+    if (chosen.what == "builds") != (chosen.other is not None):
+        refuse("`builds`, and nothing else, takes --other PROGRAM")
+    if chosen.other and not os.access(chosen.other, os.X_OK):
+        refuse(f"{chosen.other}: no such program; build it first")
     chosen.names = [name.removesuffix(".csv") for name in chosen.names] or names()
     check_request(chosen.names, program)
-    action = treat_bytes if chosen.what == "bytes" else treat
-    results = [action(name, program, chosen.what == "update") for name in chosen.names]
+    actions = {
+        "check": lambda name: treat(name, program, False),
+        "update": lambda name: treat(name, program, True),
+        "bytes": lambda name: treat_bytes(name, program),
+        "builds": lambda name: treat_builds(name, program, os.path.abspath(chosen.other)),
+    }
+    results = [actions[chosen.what](name) for name in chosen.names]
     sys.exit(0 if all(results) else 1)
 
 
