@@ -96,16 +96,14 @@ inline PolygonSoup cone(double a, double height, std::uint32_t sides, bool close
   return soup;
 }
 
-/// A plate of side 4 and a sheet of 2 n^2 triangles that lies on it.
-inline PolygonSoup sheet_on_plate(std::uint32_t n) {
-  PolygonSoup soup = plate(4.0, 0.1);
-  const auto first = static_cast<std::uint32_t>(soup.points.size());
+/// A square about the origin of 2 n^2 triangles, `side` wide.
+inline PolygonSoup tiled_plate(double side, std::uint32_t n) {
+  PolygonSoup soup;
   for (std::uint32_t i = 0; i <= n; ++i)
-    for (std::uint32_t j = 0; j <= n; ++j)
-      soup.points.emplace_back(2.0 * i / n - 1.0, 2.0 * j / n - 1.0, 1e-6 * ((7 * i + 3 * j) % 5));
+    for (std::uint32_t j = 0; j <= n; ++j) soup.points.emplace_back(side * i / n - side / 2, side * j / n - side / 2, 0.0);
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < n; ++j) {
-      const std::uint32_t p = first + i * (n + 1) + j;
+      const std::uint32_t p = i * (n + 1) + j;
       soup.polygons.push_back({p, p + n + 1, p + n + 2});
       soup.polygons.push_back({p, p + n + 2, p + 1});
     }
@@ -129,6 +127,14 @@ inline PolygonSoup joined(PolygonSoup first, const PolygonSoup& second) {
     first.polygons.push_back(std::move(polygon));
   }
   return first;
+}
+
+/// A plate of side 4 and a sheet of 2 n^2 triangles that lies on it, some of its corners by up to 4e-6 above.
+inline PolygonSoup sheet_on_plate(std::uint32_t n) {
+  PolygonSoup sheet = tiled_plate(2.0, n);
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j) sheet.points[i * (n + 1) + j].z = 1e-6 * ((7 * i + 3 * j) % 5);
+  return joined(plate(4.0, 0.1), sheet);
 }
 
 inline PolygonSoup transformed(PolygonSoup soup, const glm::dmat3& turn, double scale = 1.0, const dvec3& shift = dvec3(0.0)) {

@@ -132,15 +132,24 @@ bool ExactHit::has_corner_on(std::uint32_t triangle, std::uint32_t of) const {
   });
 }
 
+// A ray along a surface that touches the triangle may have met it before, farther away than what touches.
 Hit ExactHit::nearest_touching(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
-  const std::span<const std::uint32_t> others = touching_[triangle];
+  const std::span<const std::uint32_t> others = touching_[triangle], patches = touching_.patches(triangle);
+  const auto runs_along = [&](std::uint32_t of) {
+    return std::abs(glm::dot(mesh_.patches[of].normal, ray.direction)) < narrow_angle;
+  };
   Hit nearest;
   keep_nearer(ray, triangle, ignored_patches, nearest);
-  if (is_long(others))
-    keep_nearer_of_all(ray, ignored_patches, nearest,
-                       [&](std::uint32_t other) { return std::ranges::binary_search(others, other); });
-  else
-    for (const std::uint32_t other : others) keep_nearer(ray, other, ignored_patches, nearest);
+  if (is_long(others)) {
+    keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t other) {
+      return std::ranges::binary_search(others, other) ||
+             (runs_along(patch(other)) && std::ranges::binary_search(patches, patch(other)));
+    });
+    return nearest;
+  }
+  for (const std::uint32_t other : others) keep_nearer(ray, other, ignored_patches, nearest);
+  for (const std::uint32_t of : patches)
+    if (runs_along(of)) keep_nearer_of_patch(ray, of, ignored_patches, nearest);
   return nearest;
 }
 
@@ -152,13 +161,14 @@ Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const Ignor
     });
     return nearest;
   }
-  std::uint32_t scanned = no_index;
+  std::vector<std::uint32_t> scanned;
   for (const std::uint32_t vertex : mesh_.triangles[triangle])
     for (const std::uint32_t candidate : at_vertex_[vertex]) {
       keep_nearer(ray, candidate, ignored_patches, nearest);
-      if (patch(candidate) == scanned || !grazes(ray, patch(candidate))) continue;
-      scanned = patch(candidate);
-      keep_nearer_of_patch(ray, scanned, ignored_patches, nearest);
+      const std::uint32_t of = patch(candidate);
+      if (!grazes(ray, of) || std::ranges::find(scanned, of) != scanned.end()) continue;
+      scanned.push_back(of);
+      keep_nearer_of_patch(ray, of, ignored_patches, nearest);
     }
   return nearest;
 }

@@ -49,8 +49,8 @@ class ExactHit {
   /// True if no other surface touches the triangle.
   bool is_alone(std::uint32_t triangle) const { return touching_[triangle].empty(); }
 
-  /// The nearest triangle that contains the ray, among `triangle` and those touching it, but not on the patch the ray leaves or
-  /// an ignored one; ties to the lower index.
+  /// The nearest triangle that contains the ray, among `triangle`, those touching it, and all of a patch of these which the ray
+  /// runs along, but not on the patch the ray leaves or an ignored one; ties to the lower index.
   Hit nearest_touching(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
 
   /// A ray this far inside all three edges meets the triangle in single precision too [m].

@@ -195,6 +195,19 @@ Touching::Touching(const TriangleMesh& mesh, const TriangleTree& tree, const Tri
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   for (const auto& [triangle, other] : pairs) ++first_[triangle + 1], others_.push_back(other);
   for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];
+  find_patches(mesh);
+}
+
+void Touching::find_patches(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> found;
+  first_patch_.push_back(0);
+  for (std::uint32_t triangle = 0; triangle + 1 < first_.size(); ++triangle) {
+    found.clear();
+    for (const std::uint32_t other : (*this)[triangle]) found.push_back(mesh.triangle_patch[other]);
+    std::ranges::sort(found);
+    patches_.insert(patches_.end(), found.begin(), std::unique(found.begin(), found.end()));
+    first_patch_.push_back(patches_.size());
+  }
 }
 
 }  // namespace raytube

@@ -24,9 +24,16 @@ class Touching {
     return std::span(others_).subspan(first_[triangle], first_[triangle + 1] - first_[triangle]);
   }
 
+  /// Their patches, in ascending order.
+  std::span<const std::uint32_t> patches(std::uint32_t triangle) const {
+    return std::span(patches_).subspan(first_patch_[triangle], first_patch_[triangle + 1] - first_patch_[triangle]);
+  }
+
  private:
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> others_;
+  void find_patches(const TriangleMesh& mesh);
+
+  std::vector<std::size_t> first_, first_patch_;
+  std::vector<std::uint32_t> others_, patches_;
 };
 
 }  // namespace raytube

@@ -1,6 +1,7 @@
 // Every hit is the one that double precision finds by trying all triangles, with any packet and under any instruction set.
 #include <gtest/gtest.h>
 
+#include <glm/gtc/quaternion.hpp>
 #include <random>
 
 #include "doubtful_rays.h"
@@ -128,6 +129,31 @@ TEST(ExactHits, GrazedFacetsOfPatchesThatAreNotQuiteFlat) {
   ASSERT_LT(mesh.patches.size(), 60u);
   for (const double largest_sine : {1e-5, 1e-7}) expect_exact(mesh, grazing_rays(mesh, largest_sine));
 }
+// A steep wall crosses a floor of many triangles beside a line of their edges: a ray that runs along the floor meets it in a
+// triangle that does not touch the wall, and in single precision at the same depth.
+TEST(ExactHits, FloorOfManyTrianglesBeforeAWall) {
+  constexpr int n = 20;
+  for (const double beyond_line : {4e-6, 1.2e-5, 3e-5}) {
+    PolygonSoup scene = shapes::joined(
+        shapes::tiled_plate(2.0, n),
+        {{{beyond_line, -0.91, -0.5}, {beyond_line, 0.87, -0.5}, {beyond_line, 0.87, 0.5}, {beyond_line, -0.91, 0.5}},
+         {{0, 1, 2, 3}}});
+    const glm::dmat3 turn = glm::mat3_cast(glm::angleAxis(0.7, glm::normalize(dvec3(0.3, -0.2, 1.0))));
+    const TriangleMesh mesh = build_mesh(shapes::transformed(scene, turn), 1.0).mesh;
+    std::mt19937_64 generator(3);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    std::vector<Ray> rays;
+    for (const double sine : {1e-5, 1e-4, 3e-4, 2e-3, 5e-3, 2e-2, 0.1})
+      for (int i = 0; i < 400; ++i) {
+        const dvec3 place(-1.5e-5 - (i % 2 ? 0.1 : 3.0) * beyond_line * uniform(generator), 1.6 * uniform(generator) - 0.8, 0.0);
+        const double azimuth = 0.6 * (uniform(generator) - 0.5) + (i % 4 > 1 ? pi : 0.0), level = std::sqrt(1.0 - sine * sine);
+        const dvec3 direction = turn * dvec3(level * std::cos(azimuth), level * std::sin(azimuth), -sine);
+        rays.push_back({turn * place - mesh.center - (3.0 * mesh.radius) * direction, direction, no_index});
+      }
+    expect_exact(mesh, rays);
+  }
+}
+
 TEST(ExactHits, CrossingPlates) {
   const auto tilted = shapes::transformed(shapes::plate(1.0, 0.1), glm::dmat3(0.6, 0.0, 0.8, 0.0, 1.0, 0.0, -0.8, 0.0, 0.6));
   expect_exact(shapes::joined(shapes::plate(1.0), tilted), 4000);
