@@ -9,6 +9,7 @@
 
 #include "error.h"
 #include "output/files.h"
+#include "output/sync.h"
 
 namespace raytube {
 
@@ -53,12 +54,17 @@ bool EarlierResults::lists(const std::string& name) const {
 }
 
 bool EarlierResults::hold(const std::string& name) const {
-  if (unlisted_.contains(name)) return true;
+  if (unlisted_.contains(name)) return is_file(folder_ / name);
   if (!lists(name)) return false;
   return std::ranges::find(entries_, Entry{name, sum_of(folder_ / name)}) != entries_.end();
 }
 
 void EarlierResults::require_room(const std::vector<std::string>& names) const {
+  if (const fs::path list = folder_ / list_name; !is_nothing(list) && !is_file(list))
+    throw InputError(
+        fmt::format("{}: is where the list of results is to go, and is no file; move it away, or choose another folder "
+                    "with -o DIR",
+                    list.string()));
   for (const std::string& name : names) {
     const fs::path place = folder_ / name;
     if (is_nothing(place) || hold(name)) continue;
@@ -69,33 +75,48 @@ void EarlierResults::require_room(const std::vector<std::string>& names) const {
   }
 }
 
-void EarlierResults::announce(const fs::path& from, const std::vector<std::string>& names) {
-  std::erase_if(entries_, [this](const Entry& entry) { return is_nothing(folder_ / entry.first); });
+void EarlierResults::expect(const fs::path& from, const std::vector<std::string>& names) {
   for (const std::string& name : unlisted_)
     if (is_file(folder_ / name)) entries_.emplace_back(name, sha256_of_file(folder_ / name));
   unlisted_.clear();
-  for (const std::string& name : names) announced_.emplace_back(name, sha256_of_file(from / name));
-  std::erase_if(entries_, [this](const Entry& entry) { return std::ranges::find(announced_, entry) != announced_.end(); });
-  entries_.insert(entries_.end(), announced_.begin(), announced_.end());
-  write(from);
+  for (const std::string& name : names) expected_.emplace_back(name, sha256_of_file(from / name));
+}
+
+void EarlierResults::announce(const fs::path& by_way_of) {
+  drop_what_is_gone();
+  std::vector<Entry> both = entries_;
+  std::erase_if(both, [this](const Entry& entry) { return std::ranges::find(expected_, entry) != expected_.end(); });
+  both.insert(both.end(), expected_.begin(), expected_.end());
+  write(by_way_of, both);
 }
 
 void EarlierResults::settle(const fs::path& by_way_of) {
   std::erase_if(entries_, [this](const Entry& entry) {
-    const auto replaced_by = std::ranges::find(announced_, entry.first, &Entry::first);
-    return is_nothing(folder_ / entry.first) || (replaced_by != announced_.end() && *replaced_by != entry);
+    return std::ranges::find(expected_, entry.first, &Entry::first) != expected_.end();
   });
+  entries_.insert(entries_.end(), expected_.begin(), expected_.end());
+  withdraw(by_way_of);
+}
+
+void EarlierResults::withdraw(const fs::path& by_way_of) {
+  expected_.clear();
+  drop_what_is_gone();
   try {
-    write(by_way_of);
+    write(by_way_of, entries_);
   } catch (const std::runtime_error&) {
-    // The list of before knows all of these, and some that are gone: no harm.
+    // The list that was announced knows all of these, and some that are gone: no harm.
   }
 }
 
-void EarlierResults::write(const fs::path& by_way_of) const {
+void EarlierResults::drop_what_is_gone() {
+  std::erase_if(entries_, [this](const Entry& entry) { return is_nothing(folder_ / entry.first); });
+}
+
+void EarlierResults::write(const fs::path& by_way_of, const std::vector<Entry>& entries) const {
   OutputFile list(by_way_of / list_name);
-  for (const auto& [name, sum] : entries_) list.write(fmt::format("{}  {}\n", sum, name));
+  for (const auto& [name, sum] : entries) list.write(fmt::format("{}  {}\n", sum, name));
   list.commit();
+  sync_file(by_way_of / list_name);
   fs::rename(by_way_of / list_name, folder_ / list_name);
 }
 

@@ -20,23 +20,30 @@ class EarlierResults {
   /// True if the file of that name is there as a command has written it.
   bool hold(const std::string& name) const;
 
-  /// Throws InputError if something else lies where these are to go.
+  /// Throws InputError if something else lies where these are to go, or the list.
   void require_room(const std::vector<std::string>& names) const;
 
-  /// Puts the named files of another folder on the list, beside those that they will replace: a command that is killed while they
-  /// take their places leaves nothing that the list does not know. Throws std::runtime_error if the disk does not take it.
-  void announce(const std::filesystem::path& from, const std::vector<std::string>& names);
+  /// Reads the named files of another folder, which are to take their places here. Throws std::runtime_error if that cannot be.
+  void expect(const std::filesystem::path& from, const std::vector<std::string>& names);
+
+  /// Puts them on the list, beside those that they will replace: a command that is killed while they take their places leaves
+  /// nothing that the list does not know. Throws std::runtime_error if the disk does not take it.
+  void announce(const std::filesystem::path& by_way_of);
 
   /// They have taken their places: takes off the list whatever is no longer there.
   void settle(const std::filesystem::path& by_way_of);
 
+  /// They have not, and all is as it was.
+  void withdraw(const std::filesystem::path& by_way_of);
+
  private:
   using Entry = std::pair<std::string, std::string>;  // name and SHA-256
   bool lists(const std::string& name) const;
-  void write(const std::filesystem::path& by_way_of) const;
+  void drop_what_is_gone();
+  void write(const std::filesystem::path& by_way_of, const std::vector<Entry>& entries) const;
 
   std::filesystem::path folder_;
-  std::vector<Entry> entries_, announced_;
+  std::vector<Entry> entries_, expected_;
   std::set<std::string> unlisted_;
 };
 
@@ -44,5 +51,8 @@ class EarlierResults {
 /// hidden files. Only what such a result says of itself tells it. `listed` says whether a name is on the list after all.
 std::set<std::string> unlisted_results(const std::filesystem::path& folder,
                                        const std::function<bool(const std::string&)>& listed);
+
+/// What lies in a folder under the name of an image.
+std::set<std::string> names_of_images(const std::filesystem::path& folder);
 
 }  // namespace raytube

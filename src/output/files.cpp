@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <regex>
@@ -10,6 +11,7 @@
 #include <system_error>
 
 #include "error.h"
+#include "output/sync.h"
 
 namespace raytube {
 
@@ -34,8 +36,8 @@ fs::path temporary_beside(const fs::path& path) {
   return path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), getpid());
 }
 
-// Removes what temporary_beside names in a folder: this process's own, or those of processes that are no more.
-void remove_leftovers(const fs::path& folder, bool own) {
+// Removes what temporary_beside names in a folder: of this process, and unless `own_only` of those that are no more.
+void remove_leftovers(const fs::path& folder, bool own_only) {
   static const std::regex leftover(R"(\.(results|probe)\.(\d{1,9})\.part)");
   std::error_code ignored;
   std::vector<fs::path> found;
@@ -44,7 +46,8 @@ void remove_leftovers(const fs::path& folder, bool own) {
     std::smatch parts;
     if (!std::regex_match(name, parts, leftover)) continue;
     const pid_t process = std::stoi(parts[2]);
-    if (own ? process == getpid() : kill(process, 0) != 0 && errno == ESRCH) found.push_back(entry.path());
+    const bool is_gone = !own_only && kill(process, 0) != 0 && errno == ESRCH;
+    if (process == getpid() || is_gone) found.push_back(entry.path());
   }
   for (const fs::path& path : found) fs::remove_all(path, ignored);
 }
@@ -63,6 +66,7 @@ OutputFolder::OutputFolder(const fs::path& path) {
   first_created_ = missing;
   try {
     lock_.emplace(path_);
+    remove_leftovers(path_, false);  // also of this process's number: in a container they come again
     const fs::path probe = temporary_beside(path_ / "probe");
     if (!std::ofstream(probe)) not_writable(path, "cannot be written to");
     fs::remove(probe, error);
@@ -71,7 +75,6 @@ OutputFolder::OutputFolder(const fs::path& path) {
     remove_if_empty();
     throw;
   }
-  remove_leftovers(path_, false);
 }
 
 OutputFolder::~OutputFolder() {
@@ -96,7 +99,7 @@ bool OutputFolder::make_again_if_gone() {
 }
 
 void OutputFolder::abandon() const {
-  const std::lock_guard lock(mutex_);
+  mutex_.lock();  // for good: whoever finds the folder gone now shall not make it again, but wait for the end
   remove_leftovers(path_, true);
   if (lock_) lock_->remove_file();
   remove_if_empty();
@@ -111,8 +114,9 @@ void OutputFolder::remove_if_empty() const {
 NewResults::NewResults(const fs::path& destination)
     : destination_(destination), folder_(temporary_beside(destination / "results")) {
   std::error_code error;
-  fs::create_directory(folder_, error);
-  if (error) throw std::runtime_error(fmt::format("{}: cannot be created ({})", folder_.string(), error.message()));
+  if (fs::create_directory(folder_, error)) return;
+  const std::string reason = error ? error.message() : "it is there; remove it";
+  throw std::runtime_error(fmt::format("{}: cannot be created ({})", folder_.string(), reason));
 }
 
 NewResults::~NewResults() {
@@ -120,13 +124,46 @@ NewResults::~NewResults() {
   fs::remove_all(folder_, ignored);
 }
 
-void NewResults::place(const std::vector<std::string>& names) const {
+void NewResults::sync() const {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) sync_file(entry.path());
+}
+
+void NewResults::place(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
+    if (!fs::exists(folder_ / name)) continue;
     std::error_code error;
-    if (fs::exists(folder_ / name)) fs::rename(folder_ / name, destination_ / name, error);
+    const fs::path earlier = kept_earlier(name, error);
+    if (!error) fs::rename(folder_ / name, destination_ / name, error);
     if (error)
       throw std::runtime_error(fmt::format("{}: cannot be replaced ({})", (destination_ / name).string(), error.message()));
+    placed_.emplace_back(name, earlier);
   }
+}
+
+// Under another name, as far as the file system has links, otherwise as a copy. Empty if there is none.
+fs::path NewResults::kept_earlier(const std::string& name, std::error_code& error) const {
+  const fs::path place = destination_ / name;
+  fs::path kept = folder_ / fmt::format(".earlier.{}", placed_.size());
+  if (!fs::exists(fs::symlink_status(place))) return {};
+  fs::create_hard_link(place, kept, error);
+  if (error) fs::copy_file(place, kept, error);
+  return kept;
+}
+
+bool NewResults::has_placed(const std::string& name) const {
+  return std::ranges::find(placed_, name, &Placed::first) != placed_.end();
+}
+
+void NewResults::take_back() {
+  std::error_code ignored;
+  for (auto placed = placed_.rbegin(); placed != placed_.rend(); ++placed) {
+    const auto& [name, earlier] = *placed;
+    if (earlier.empty())
+      fs::remove(destination_ / name, ignored);
+    else
+      fs::rename(earlier, destination_ / name, ignored);
+  }
+  placed_.clear();
 }
 
 OutputFile::OutputFile(const fs::path& path) : path_(path), stream_(path, std::ios::binary) {

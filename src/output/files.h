@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "output/folder_lock.h"
@@ -35,7 +37,8 @@ class OutputFolder {
   /// Makes the folder again if it is not there; true if it had to. Throws InputError if that cannot be.
   bool make_again_if_gone();
 
-  /// Leaves it as the end of the program would, but for the lock: for a program that is about to end without clearing up.
+  /// Leaves it as the end of the program would, but for the lock: for a program that is about to end without clearing up. Whoever
+  /// asks about the folder afterwards waits for that.
   void abandon() const;
 
  private:
@@ -57,12 +60,24 @@ class NewResults {
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Renames those of the named files that were written, in the order given. Throws std::runtime_error if one cannot take its
-  /// place.
-  void place(const std::vector<std::string>& names) const;
+  /// Brings what was written to the disk itself. Throws std::runtime_error if the disk did not take everything.
+  void sync() const;
+
+  /// Renames those of the named files that were written, in the order given, over what lies there: each place has the earlier
+  /// file or the new one at any time. Throws std::runtime_error if one cannot take its place.
+  void place(const std::vector<std::string>& names);
+
+  bool has_placed(const std::string& name) const;
+
+  /// Puts back what lay in their places before.
+  void take_back();
 
  private:
+  using Placed = std::pair<std::string, std::filesystem::path>;  // and where the earlier file is kept
+  std::filesystem::path kept_earlier(const std::string& name, std::error_code& error) const;
+
   std::filesystem::path destination_, folder_;
+  std::vector<Placed> placed_;
 };
 
 /// A text file. Complete only after commit().

@@ -28,7 +28,7 @@ std::string owner_text(int descriptor) {
 
 bool is_still(int descriptor, const fs::path& file) {
   struct stat held, there;
-  return fstat(descriptor, &held) == 0 && stat(file.c_str(), &there) == 0 && held.st_ino == there.st_ino &&
+  return fstat(descriptor, &held) == 0 && lstat(file.c_str(), &there) == 0 && held.st_ino == there.st_ino &&
          held.st_dev == there.st_dev;
 }
 
@@ -43,7 +43,10 @@ FolderLock::FolderLock(const fs::path& folder) : file_(folder / ".raytube.lock")
 // False if the owner before has just removed the file.
 bool FolderLock::take() {
   const std::string folder = file_.parent_path().string();
-  descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor_ < 0 && errno == ELOOP)
+    throw InputError(
+        fmt::format("{}: is a link, and is not followed; remove it, or choose another folder with -o DIR", file_.string()));
   if (descriptor_ < 0)
     throw InputError(
         fmt::format("output folder {}: cannot be written to ({}); choose another one with -o DIR", folder, std::strerror(errno)));

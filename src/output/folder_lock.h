@@ -29,7 +29,7 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-/// True if the file of that name is the one that is open; it may be another one by now, or none.
+/// True if the file of that name is the one that is open; it may be another one by now, a link, or none.
 bool is_still(int descriptor, const std::filesystem::path& file);
 
 }  // namespace raytube

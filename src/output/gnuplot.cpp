@@ -53,12 +53,22 @@ bool is_whole(const std::filesystem::path& picture) {
   return picture.extension() == ".png" ? end.ends_with(chunk) : end.find(tag) != std::string::npos;
 }
 
-// Throws std::runtime_error if that is why the picture is not whole: gnuplot does not say.
+// Throws std::runtime_error if that is why the picture is not whole: gnuplot does not say. What there is of it keeps its room
+// meanwhile, and a file may not have been allowed to grow beyond it.
 void require_room_on_disk(const std::filesystem::path& picture) {
-  constexpr std::size_t room = 1 << 18;  // [bytes] more than a plot takes
-  OutputFile file(picture);
-  file.write(std::string(room, '\0'));
-  file.commit();
+  constexpr std::size_t piece = 1 << 18;  // [bytes]
+  const std::filesystem::path trial = picture.parent_path() / ("more of " + picture.filename().string());
+  std::error_code error;
+  const auto size = std::filesystem::file_size(picture, error);
+  try {
+    OutputFile file(trial);
+    for (std::size_t written = 0; written <= (error ? 0 : size); written += piece) file.write(std::string(piece, '\0'));
+    file.commit();
+  } catch (const std::runtime_error&) {
+    std::filesystem::remove(trial, error);
+    throw std::runtime_error(fmt::format("{}: cannot be written completely; is the disk full?", picture.string()));
+  }
+  std::filesystem::remove(trial, error);
 }
 
 }  // namespace

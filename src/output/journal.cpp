@@ -15,6 +15,7 @@
 
 #include "error.h"
 #include "output/folder_lock.h"
+#include "output/sync.h"
 
 namespace raytube {
 
@@ -92,14 +93,6 @@ JournalIdentity identity_of(std::string_view bytes) {
   return identity;
 }
 
-// A file that is new in its folder may lose its name with the power, too.
-void sync_folder_of(const fs::path& path) {
-  const int folder = open(path.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return;
-  fsync(folder);
-  close(folder);
-}
-
 }  // namespace
 
 Journal::Journal(int file, const fs::path& path) : path_(path), file_(file) {}
@@ -117,12 +110,14 @@ Journal::Journal(const fs::path& path, const JournalIdentity& identity)
     unlink(path_.c_str());
     throw;
   }
-  sync_folder_of(path_);
+  sync_folder(path_.parent_path());
 }
 
 std::unique_ptr<Journal> Journal::reopen(const fs::path& path) {
-  const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
+  const int file = open(path.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
   if (file < 0 && errno == ENOENT) return nullptr;
+  if (file < 0 && errno == ELOOP)
+    throw InputError(fmt::format("{}: is a link, and is not followed; delete it to start afresh", path.string()));
   if (file < 0)
     throw InputError(fmt::format("{}: cannot be read ({}); delete it to start afresh", path.string(), std::strerror(errno)));
   std::unique_ptr<Journal> journal(new Journal(file, path));
@@ -229,7 +224,7 @@ void Journal::write_again() {
     throw;
   }
   close(again);
-  sync_folder_of(path_);
+  sync_folder(path_.parent_path());
 }
 
 void Journal::sync() {

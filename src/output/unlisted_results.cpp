@@ -50,19 +50,24 @@ Json case_of_run(const fs::path& folder) {
 
 // What a run with this resolved case writes. It does not say whether parts.csv or random.csv were asked for: their heads do.
 std::set<std::string> results_of_run(const fs::path& folder, const Json& resolved) {
-  static const std::regex image(R"(image(_\d+)?(\.csv|_mesh\.vtu|(_phase|_window)?\.png))");
   std::set<std::string> names = {"rcs.csv", "channels.csv", "run.json"};
   for (const char* table : {"parts.csv", "random.csv"})
     if (head_of(folder / table).starts_with("# Time factor exp(+j omega t); a wave travels as exp(-j k r).")) names.insert(table);
   const Json output = resolved.value("output", Json::object());
   if (output.value("plots", Json()) == true) names.insert({"rcs.png", "rcs.svg"});
-  if (!output.contains("image_look")) return names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (const std::string name = entry.path().filename().string(); std::regex_match(name, image)) names.insert(name);
+  if (output.contains("image_look")) names.merge(names_of_images(folder));
   return names;
 }
 
 }  // namespace
+
+std::set<std::string> names_of_images(const fs::path& folder) {
+  static const std::regex image(R"(image(_\d+)?(\.csv|_mesh\.vtu|(_phase|_window)?\.png))");
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (const std::string name = entry.path().filename().string(); std::regex_match(name, image)) names.insert(name);
+  return names;
+}
 
 std::set<std::string> unlisted_results(const fs::path& folder, const std::function<bool(const std::string&)>& listed) {
   std::set<std::string> names;
@@ -76,6 +81,8 @@ std::set<std::string> unlisted_results(const fs::path& folder, const std::functi
     if (const Json resolved = case_of_run(folder); resolved.is_object()) names.merge(results_of_run(folder, resolved));
   } catch (const std::runtime_error&) {
     // What cannot be read is nobody's result.
+  } catch (const Json::exception&) {
+    // Nor is what has another type than a run writes there.
   }
   return names;
 }

@@ -56,7 +56,7 @@ void write_files(const std::filesystem::path& destination, const Comparison& com
   const OutputFolder folder(destination);
   AllOrNothing ending(folder);
   const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
-  const NewResults results(folder.path());
+  NewResults results(folder.path());
   write_compare_csv(results.folder() / "compare.csv", comparison);
   const std::string trouble = plot_comparison(results.folder(), comparison);
   stop_if_interrupted();

@@ -132,7 +132,7 @@ class Study {
   /// Puts the study so far in the place of what an earlier one left.
   void write(bool with_plot) {
     make_again_if_gone(folder_);
-    const NewResults results(folder());
+    NewResults results(folder());
     write_converge_csv(results.folder() / "converge.csv", study_);
     const std::string trouble = with_plot ? plot_convergence(results.folder(), study_) : "";
     if (with_plot) stop_if_interrupted();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <regex>
 
 #include "output/image_csv.h"
 #include "output/image_plot.h"
@@ -69,14 +68,6 @@ double write_images(const fs::path& folder, const Target& target, const Case& c,
     if (c.plots) drawing_s += draw(folder, name, c, std::move(image));
   }
   return drawing_s;
-}
-
-std::vector<std::string> earlier_images(const fs::path& folder) {
-  static const std::regex image(R"(image(_\d+)?(\.csv|_mesh\.vtu|(_phase|_window)?\.png))");
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (const std::string name = entry.path().filename().string(); std::regex_match(name, image)) names.push_back(name);
-  return names;
 }
 
 }  // namespace raytube

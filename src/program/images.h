@@ -20,7 +20,4 @@ ResultNames image_names(const Case& c);
 /// Computes and writes them into `folder`; returns the time of drawing [s].
 double write_images(const std::filesystem::path& folder, const Target& target, const Case& c, int threads);
 
-/// All files in `folder` that have the name of an image.
-std::vector<std::string> earlier_images(const std::filesystem::path& folder);
-
 }  // namespace raytube

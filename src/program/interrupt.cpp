@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <ctime>
 
@@ -15,33 +16,27 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto look_out = 50ms;   // for the flag
-constexpr auto patience = 500ms;  // with a computation that should end by itself
+constexpr auto look_out = 50ms;                       // for the flag
+constexpr auto patience = 500ms;                      // with a computation that should end by itself
+constexpr std::int64_t twice_within = 2'000'000'000;  // [ns] shells and wrappers may deliver one Ctrl-C twice
 
 std::atomic<bool> deferred = false;
 std::atomic<bool> on_the_way_out = false;
-std::atomic<int> flag = 0;                             // the signal
-static_assert(std::atomic<int>::is_always_lock_free);  // else no signal handler may touch it
-timespec raised_at;
+std::atomic<std::int64_t> raised_at = 0;  // [ns] of the steady clock; 0: not yet
+static_assert(std::atomic<std::int64_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);  // for signal handlers
 std::mutex moving;  // of results into their place
 
-double seconds_since(const timespec& earlier) {
-  timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<double>(now.tv_sec - earlier.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec - earlier.tv_nsec);
-}
-
-// Only what is allowed in a signal handler: clock_gettime, write, _exit and flags.
-void on_signal(int signal) {
+// Only what is allowed in a signal handler: clock_gettime, write, _exit and flags. Two threads may be in it at a time.
+void on_signal(int) {
   static constexpr char sentence[] = "raytube: interrupted\n";
-  if (deferred && !flag) {
-    clock_gettime(CLOCK_MONOTONIC, &raised_at);
-    flag = signal;
-    return;
-  }
-  if (deferred && seconds_since(raised_at) < 2.0) return;  // shells and wrappers may deliver one Ctrl-C twice
-  if (write(STDERR_FILENO, sentence, sizeof sentence - 1) < 0) _exit(128 + signal);
-  _exit(128 + signal);
+  timespec clock;
+  clock_gettime(CLOCK_MONOTONIC, &clock);
+  const std::int64_t now = std::int64_t{1'000'000'000} * clock.tv_sec + clock.tv_nsec;
+  std::int64_t earlier = 0;
+  if (deferred && raised_at.compare_exchange_strong(earlier, now)) return;
+  if (deferred && now - earlier < twice_within) return;
+  if (write(STDERR_FILENO, sentence, sizeof sentence - 1) < 0) _exit(code_of_an_interrupt);
+  _exit(code_of_an_interrupt);
 }
 
 }  // namespace
@@ -54,7 +49,7 @@ void end_on_interrupt() {
 }
 
 InterruptFlag::InterruptFlag(std::function<std::optional<std::string>()> last_words) : last_words_(std::move(last_words)) {
-  flag = 0;
+  raised_at = 0;
   on_the_way_out = false;
   deferred = true;
   watch_ = std::jthread([this](const std::stop_token& over) { watch(over); });
@@ -66,7 +61,7 @@ InterruptFlag::~InterruptFlag() {
   deferred = false;
 }
 
-bool InterruptFlag::raised() { return flag != 0; }
+bool InterruptFlag::raised() { return raised_at != 0; }
 
 void InterruptFlag::leaving() { on_the_way_out = true; }
 
@@ -83,7 +78,7 @@ void InterruptFlag::watch(const std::stop_token& over) {
   const std::optional<std::string> sentence = last_words_();
   if (!sentence) return;
   fmt::print(stderr, "{}raytube: {}\n", isatty(STDERR_FILENO) ? "\r\033[K" : "", *sentence);
-  _exit(128 + flag);
+  _exit(code_of_an_interrupt);
 }
 
 NotNow::NotNow() { moving.lock(); }

@@ -10,7 +10,9 @@
 
 namespace raytube {
 
-/// From now on Ctrl-C (or a termination request) ends the program at once with a message and code 130 (143).
+constexpr int code_of_an_interrupt = 130;
+
+/// From now on Ctrl-C (or a termination request, which is no different) ends the program at once with a message and that code.
 void end_on_interrupt();
 
 /// While one lives, Ctrl-C only raises a flag, for the computation to end by itself. If that takes too long (nobody looks at the

@@ -24,9 +24,8 @@ using namespace raytube;
 // For want of memory, or of room for the stack of a thread.
 constexpr const char* too_little =
     "out of memory; earlier results are as they were. End other programs or raise the limit (ulimit -v, ulimit -u, the "
-    "container's), "
-    "take fewer --threads, or split the sweep";
-constexpr int fell_short = 1, bad_input = 2, interrupted = 130;
+    "container's), take fewer --threads, or split the sweep";
+constexpr int fell_short = 1, bad_input = 2;
 
 void execute(const Request& request) {
   if (!request.instruction_set.empty()) limit_instruction_set(request.instruction_set);
@@ -89,7 +88,7 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     return complain(error.what(), bad_input);
   } catch (const Interrupted& interruption) {
-    return complain(interruption.what(), interrupted);
+    return complain(interruption.what(), code_of_an_interrupt);
   } catch (const std::bad_alloc&) {
     return complain(too_little, fell_short);
   } catch (const std::system_error& error) {

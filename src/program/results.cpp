@@ -1,13 +1,14 @@
 #include "program/results.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
 #include "error.h"
 #include "output/earlier_results.h"
+#include "output/sync.h"
 #include "program/interrupt.h"
 
 namespace raytube {
@@ -52,6 +53,21 @@ Names with_room(const EarlierResults& earlier, const Names& pictures) {
   return free;
 }
 
+Names held(const EarlierResults& earlier, const Names& names) {
+  Names there;
+  for (const std::string& name : names)
+    if (earlier.hold(name)) there.push_back(name);
+  return there;
+}
+
+void place_pictures(NewResults& results, const Names& pictures) {
+  try {
+    results.place(pictures);
+  } catch (const std::runtime_error& error) {
+    warn(fmt::format("no plot: {}", error.what()));
+  }
+}
+
 }  // namespace
 
 void warn(const std::string& sentence) { fmt::print(stderr, "raytube: {}\n", sentence); }
@@ -73,26 +89,30 @@ void check_output(const fs::path& folder, const ResultNames& names, const std::v
   EarlierResults(open.path()).require_room(all);
 }
 
-void replace_results(const NewResults& results, const fs::path& folder, const ResultNames& names, const Names& leftovers,
+void replace_results(NewResults& results, const fs::path& folder, const ResultNames& names, const Names& leftovers,
                      const std::function<void()>& placed) {
   EarlierResults earlier(folder);
-  const Names tables = written(results, names.tables), pictures = with_room(earlier, written(results, names.pictures));
+  const Names tables = written(results, names.tables);
   earlier.require_room(tables);
-  Names old;
-  for (const std::string& name : joined(leftovers, joined(names.pictures, names.tables)))
-    if (earlier.hold(name)) old.push_back(name);
+  const Names pictures = with_room(earlier, written(results, names.pictures));
+  const Names old = held(earlier, joined(leftovers, joined(names.pictures, names.tables)));
+  results.sync();
+  earlier.expect(results.folder(), joined(pictures, tables));
 
   const NotNow results_change_places;
-  earlier.announce(results.folder(), joined(pictures, tables));
-  std::error_code ignored;
-  for (auto name = old.rbegin(); name != old.rend(); ++name) fs::remove(folder / *name, ignored);
+  earlier.announce(results.folder());
   try {
-    results.place(pictures);
-  } catch (const std::runtime_error& error) {
-    warn(fmt::format("no plot: {}", error.what()));
+    place_pictures(results, pictures);
+    results.place(tables);
+  } catch (...) {
+    results.take_back();
+    earlier.withdraw(results.folder());
+    throw;
   }
-  results.place(tables);
+  for (const std::string& name : old)
+    if (!results.has_placed(name)) unlink((folder / name).c_str());  // which removes no folder
   earlier.settle(results.folder());
+  sync_folder(folder);
   placed();
 }
 

@@ -34,11 +34,12 @@ using InputFile = std::pair<std::string, std::filesystem::path>;
 /// earlier command has written: better now than after the computation.
 void check_output(const std::filesystem::path& folder, const ResultNames& names, const std::vector<InputFile>& inputs);
 
-/// Removes what earlier commands have written under any of the names, and of the names in `leftovers`, so that nothing of theirs
-/// stands beside the new results; then places those that were written. Throws InputError, with all as it was, if something else
-/// has taken a place since. A plot is a convenience: one that cannot take its place costs a warning and does not hold up the
-/// tables. `placed` is called when all is done, before an interrupt may say otherwise.
-void replace_results(const NewResults& results, const std::filesystem::path& folder, const ResultNames& names,
+/// Places the results that were written, over those of earlier commands; then removes what these have left under any other of the
+/// names, and of the names in `leftovers`. Throws with all as it was: InputError if something else has taken a place since,
+/// std::runtime_error if one cannot be had or the disk did not take the files. A plot is a convenience: one that cannot take its
+/// place costs a warning and does not hold up the tables. `placed` is called when all is done and on the disk itself, before an
+/// interrupt may say otherwise.
+void replace_results(NewResults& results, const std::filesystem::path& folder, const ResultNames& names,
                      const std::vector<std::string>& leftovers, const std::function<void()>& placed);
 
 /// A command that keeps nothing of what it has not finished.

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <set>
 
 #include "case/case.h"
 #include "instruction_set.h"
 #include "output/csv.h"
+#include "output/earlier_results.h"
 #include "output/files.h"
 #include "output/manifest.h"
 #include "output/plot.h"
@@ -181,7 +183,8 @@ ResultNames names_of_results(const Request& request, const Case& c) {
 
 // What a run with other wishes may have left.
 std::vector<std::string> names_of_earlier_results(const fs::path& folder) {
-  std::vector<std::string> names = earlier_images(folder);
+  const std::set<std::string> images = names_of_images(folder);
+  std::vector<std::string> names(images.begin(), images.end());
   names.insert(names.end(), {"parts.csv", "random.csv", "rcs.png", "rcs.svg"});
   return names;
 }
@@ -238,7 +241,7 @@ class Run {
     manifest_.looks_resumed = journal_.resumed();
     if (by_chance) manifest_.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
     make_again_if_gone(folder_);
-    const NewResults results(folder_.path());
+    NewResults results(folder_.path());
     write_tables(results.folder(), case_, solved, request_.parts);
     const double drawing_s = write_images(results.folder(), target_, case_, manifest_.threads);
     manifest_.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");

@@ -264,7 +264,7 @@ void sources_command(const Request& request) {
   const SourceStudy& result = study.result();
 
   make_again_if_gone(folder);
-  const NewResults results(folder.path());
+  NewResults results(folder.path());
   write_sources_csv(results.folder() / "sources.csv", result);
   stop_if_interrupted();
   write_hits_ply(results.folder() / "hits.ply", result);

@@ -67,7 +67,7 @@ void check_wedges_file(const std::filesystem::path& file) { folder_of(file); }
 
 void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mesh, std::span<const Wedge> wedges,
                       const Sweep& sweep) {
-  const NewResults results(folder_of(file));
+  NewResults results(folder_of(file));
   OutputFile out(results.folder() / file.filename());
   LitFractions lit(mesh, wedges, sweep);
   out.write(header);

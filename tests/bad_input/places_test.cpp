@@ -1,4 +1,6 @@
 // Where results go: beside files of somebody's own, over earlier results, into folders that vanish, onto disks that are full.
+#include <nlohmann/json.hpp>
+
 #include "program.h"
 
 namespace raytube {
@@ -9,6 +11,7 @@ using namespace raytube::testing;
 using ::testing::HasSubstr;
 
 const std::string no_plots = " --set output.plots=false";
+const std::string with_gnuplot_from_here = "PATH=.:$PATH ";
 
 class Places : public BadInput {
  protected:
@@ -28,8 +31,6 @@ class Places : public BadInput {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(scratch / "stderr.txt")};
   }
 };
-
-const std::string with_gnuplot_from_here = "PATH=.:$PATH ";
 
 TEST_F(Places, ARunReplacesAllOfAnEarlierOne) {
   ASSERT_EQ(raytube("run case.toml --parts --set output.image_look=0").code, 0);
@@ -62,6 +63,43 @@ TEST_F(Places, ARunReplacesAllOfAnEarlierVersion) {
   scratch.write("out/rcs.csv", "mine");  // not what run.json was written with
   EXPECT_EQ(raytube("run case.toml").code, 2);
   EXPECT_EQ(text_of(scratch / "out/rcs.csv"), "mine");
+}
+
+// A run always writes channels.csv, but what lies there by now is something else.
+TEST_F(Places, WhatLiesUnderANameOfAnEarlierVersionStays) {
+  ASSERT_EQ(raytube("run case.toml" + no_plots).code, 0);
+  fs::remove(scratch / "out/.raytube.results");
+  fs::remove(scratch / "out/channels.csv");
+  fs::create_symlink(scratch.write("mine.csv", "mine"), scratch / "out/channels.csv");
+  EXPECT_EQ(raytube("run case.toml" + no_plots).code, 2);
+  EXPECT_TRUE(fs::is_symlink(scratch / "out/channels.csv"));
+  fs::remove(scratch / "out/channels.csv");
+  fs::create_directory(scratch / "out/channels.csv");
+  const Outcome outcome = raytube("run case.toml" + no_plots);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.complaint, HasSubstr("out/channels.csv: is a folder where a result is to go"));
+  EXPECT_EQ(files_in("out"), 3u);  // rcs.csv and run.json are still there
+}
+
+TEST_F(Places, ARunJsonOfOddTypesIsNobodysResult) {
+  ASSERT_EQ(raytube("run case.toml" + no_plots).code, 0);
+  fs::remove(scratch / "out/.raytube.results");
+  auto json = nlohmann::json::parse(text_of(scratch / "out/run.json"));
+  json["case"]["output"] = 3;
+  scratch.write("out/run.json", json.dump());
+  const Outcome outcome = raytube("run case.toml" + no_plots);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.complaint, HasSubstr("is where a result is to go, and is not what raytube has written there"));
+}
+
+TEST_F(Places, TheListNeedsRoomToo) {
+  fs::create_directories(scratch / "out/.raytube.results");
+  stand_in_for_gnuplot("touch drawn\n");
+  const Outcome outcome = raytube("run case.toml", with_gnuplot_from_here);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.complaint, AllOf(HasSubstr("out/.raytube.results: is where the list of results is to go"),
+                                       HasSubstr("; move it away, or choose another folder with -o DIR")));
+  EXPECT_FALSE(fs::exists(scratch / "drawn"));  // before the work
 }
 
 TEST_F(Places, OtherCommandsReplaceThoseOfAnEarlierVersion) {
@@ -146,6 +184,20 @@ TEST_F(Places, ADiskThatIsFullAtThePictureLeavesEarlierResultsAlone) {
   EXPECT_THAT(outcome.complaint, HasSubstr("rcs.png: cannot be written completely; is the disk full?"));
   EXPECT_EQ(text_of(scratch / "out/rcs.csv"), table);
   EXPECT_EQ(text_of(scratch / "out/rcs.png"), picture);
+}
+
+// Half of it is more than the whole of most pictures.
+TEST_F(Places, ADiskThatIsFullInABigPictureIsFull) {
+  ASSERT_EQ(raytube("run case.toml --set look.theta_deg=20").code, 0);
+  const std::string table = text_of(scratch / "out/rcs.csv"), picture = text_of(scratch / "out/rcs.png");
+  stand_in_for_gnuplot(R"sh(head -c 9000000 /dev/zero >"$(sed -n "s/^set output '\(.*\)'$/\1/p" "$2" | head -n 1)")sh"
+                       "\n");
+  const Outcome outcome = raytube("run case.toml", "ulimit -f 2048; " + with_gnuplot_from_here);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.complaint, HasSubstr("rcs.png: cannot be written completely; is the disk full?"));
+  EXPECT_EQ(text_of(scratch / "out/rcs.csv"), table);
+  EXPECT_EQ(text_of(scratch / "out/rcs.png"), picture);
+  EXPECT_EQ(files_in("out"), 6u);  // with channels.csv, run.json, rcs.svg and the list: no trial is left
 }
 
 }  // namespace

@@ -128,6 +128,15 @@ TEST_F(BadInput, InterruptWhilePlottingLeavesEarlierResultsAlone) {
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "old"), {}), 4);  // with their list: nothing beside them
 }
 
+// gnuplot does not end when it is told to, so that the watch over the interrupt has to end the program.
+TEST_F(BadInput, ATerminationRequestEndsAsCtrlCDoes) {
+  fs::permissions(scratch.write("gnuplot", "#!/bin/sh\ntrap '' TERM\nsleep 5\n"), fs::perms::owner_all);
+  const Outcome outcome = raytube("run case.toml", "PATH=.:$PATH timeout --preserve-status -s TERM -k 5 1 ");
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.complaint, HasSubstr("interrupted"));
+  EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
 TEST_F(BadInput, CommandLine) {
   expect_refused("", "no command");
   expect_refused("fly", "unknown command \"fly\"");

@@ -49,15 +49,8 @@ TEST(TriangleTree, FindsAllThatALineMeets) {
 }
 
 TEST(TriangleTree, FindsAllPairsThatCross) {
-  PolygonSoup soup = shapes::icosphere(2);
-  const auto first = static_cast<std::uint32_t>(soup.points.size());
   const PolygonSoup other = shapes::transformed(shapes::icosphere(2, 0.9), turned, 1.0, {0.2, 0.1, 0.15});
-  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
-  for (auto polygon : other.polygons) {
-    for (auto& corner : polygon) corner += first;
-    soup.polygons.push_back(polygon);
-  }
-  const TriangleMesh mesh = mesh_of(std::move(soup));
+  const TriangleMesh mesh = mesh_of(shapes::joined(shapes::icosphere(2), other));
   std::set<std::pair<std::uint32_t, std::uint32_t>> visited;
   TriangleTree(mesh).close_pairs(
       1e-6, [&](std::uint32_t a, std::uint32_t b) { EXPECT_TRUE(visited.insert(std::minmax(a, b)).second); });

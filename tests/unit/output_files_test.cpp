@@ -1,7 +1,11 @@
 // Files appear whole or not at all.
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "error.h"
 #include "output/earlier_results.h"
@@ -34,7 +38,7 @@ TEST(NewResults, EarlierOnesStayUntilTheNewTakeTheirPlace) {
   EXPECT_EQ(text_of(scratch / "a.csv"), "old");
   EXPECT_EQ(entries(scratch.folder()), 1);
   {
-    const NewResults results(scratch.folder());
+    NewResults results(scratch.folder());
     write(results.folder() / "a.csv", "new");
     write(results.folder() / "not-placed.csv", "");
     results.place({"not-written.csv", "a.csv"});
@@ -46,9 +50,47 @@ TEST(NewResults, EarlierOnesStayUntilTheNewTakeTheirPlace) {
 TEST(NewResults, AnOccupiedPlaceThrows) {
   const Scratch scratch;
   fs::create_directories(scratch / "a.csv/folder");
-  const NewResults results(scratch.folder());
+  NewResults results(scratch.folder());
   write(results.folder() / "a.csv", "new");
   EXPECT_THROW(results.place({"a.csv"}), std::runtime_error);
+}
+
+// A place that cannot be had shows when some have been taken.
+TEST(NewResults, AreTakenBack) {
+  const Scratch scratch;
+  scratch.write("a.csv", "old");
+  scratch.write("b.csv", "old, too");
+  fs::create_directories(scratch / "d.csv/folder");
+  {
+    NewResults results(scratch.folder());
+    for (const char* name : {"a.csv", "b.csv", "c.csv", "d.csv"}) write(results.folder() / name, "new");
+    EXPECT_THROW(results.place({"b.csv", "c.csv", "a.csv", "d.csv"}), std::runtime_error);
+    EXPECT_EQ(text_of(scratch / "a.csv"), "new");
+    EXPECT_TRUE(results.has_placed("c.csv"));
+    EXPECT_FALSE(results.has_placed("d.csv"));
+    results.take_back();
+  }
+  EXPECT_EQ(text_of(scratch / "a.csv"), "old");
+  EXPECT_EQ(text_of(scratch / "b.csv"), "old, too");
+  EXPECT_FALSE(fs::exists(scratch / "c.csv"));
+  EXPECT_TRUE(fs::exists(scratch / "d.csv/folder"));
+  EXPECT_EQ(entries(scratch.folder()), 3);
+}
+
+// Process numbers come again, in containers even at once.
+TEST(NewResults, NeverTakeWhatAnotherProcessLeft) {
+  const Scratch scratch;
+  fs::path left;
+  {
+    const NewResults results(scratch.folder());
+    left = results.folder();
+  }
+  fs::create_directory(left);
+  write(left / "rcs.csv", "stale");
+  EXPECT_THROW(NewResults(scratch.folder()), std::runtime_error);
+  const OutputFolder folder(scratch.folder());
+  EXPECT_FALSE(fs::exists(left));
+  { const NewResults results(scratch.folder()); }
 }
 
 TEST(OutputFile, UnwritablePlaceThrows) {
@@ -86,22 +128,41 @@ TEST(OutputFolder, IsMadeAgainWhereItWasRemoved) {
   EXPECT_THROW(folder.make_again_if_gone(), InputError);
 }
 
+// By a thread that fails while another one says the last words: it is to wait for the end, which this test has in another
+// process.
+TEST(OutputFolder, IsNotMadeAgainOnceItIsAbandoned) {
+  const Scratch scratch;
+  const pid_t child = fork();
+  if (child == 0) {
+    OutputFolder folder(scratch / "a");
+    folder.abandon();
+    std::thread([&folder] { folder.make_again_if_gone(); }).detach();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    _exit(0);
+  }
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  EXPECT_FALSE(fs::exists(scratch / "a"));
+}
+
 // Killed while results take their places, it is one or the other that lies there.
 TEST(EarlierResults, AreKnownWhileTheyAreReplaced) {
   const Scratch scratch;
   scratch.write("mine.csv", "mine");
   {
-    const NewResults results(scratch.folder());
+    NewResults results(scratch.folder());
     write(results.folder() / "a.csv", "old");
-    EarlierResults(scratch.folder()).announce(results.folder(), {"a.csv"});
+    EarlierResults earlier(scratch.folder());
+    earlier.expect(results.folder(), {"a.csv"});
+    earlier.announce(results.folder());
     results.place({"a.csv"});
   }
-  const NewResults results(scratch.folder());
+  NewResults results(scratch.folder());
   write(results.folder() / "a.csv", "new");
   EarlierResults earlier(scratch.folder());
   EXPECT_TRUE(earlier.hold("a.csv"));
   EXPECT_FALSE(earlier.hold("mine.csv"));
-  earlier.announce(results.folder(), {"a.csv"});
+  earlier.expect(results.folder(), {"a.csv"});
+  earlier.announce(results.folder());
   EXPECT_TRUE(EarlierResults(scratch.folder()).hold("a.csv"));  // the old one
   results.place({"a.csv"});
   EXPECT_TRUE(EarlierResults(scratch.folder()).hold("a.csv"));  // the new one
@@ -111,6 +172,25 @@ TEST(EarlierResults, AreKnownWhileTheyAreReplaced) {
   EXPECT_FALSE(EarlierResults(scratch.folder()).hold("a.csv"));
   EXPECT_NO_THROW(earlier.require_room({"b.csv"}));
   EXPECT_THROW(earlier.require_room({"b.csv", "mine.csv"}), InputError);
+}
+
+TEST(EarlierResults, AreWithdrawnWhereTheyFoundNoPlace) {
+  const Scratch scratch;
+  for (const char* text : {"old", "new"}) {
+    NewResults results(scratch.folder());
+    write(results.folder() / "a.csv", text);
+    EarlierResults earlier(scratch.folder());
+    earlier.expect(results.folder(), {"a.csv"});
+    earlier.announce(results.folder());
+    results.place({"a.csv"});
+    if (text == std::string("old"))
+      earlier.settle(results.folder());
+    else
+      results.take_back(), earlier.withdraw(results.folder());
+  }
+  EXPECT_TRUE(EarlierResults(scratch.folder()).hold("a.csv"));
+  EXPECT_EQ(text_of(scratch / ".raytube.results"), sha256_of_file(scratch / "a.csv") + "  a.csv\n");
+  EXPECT_EQ(text_of(scratch / "a.csv"), "old");
 }
 
 TEST(OutputFolder, UnderAFileIsBadInput) {

@@ -155,6 +155,15 @@ TEST(Journal, ARemovedOneIsWrittenAgain) {
   EXPECT_EQ(text_of(scratch / "j"), "another run's");
 }
 
+TEST(Journal, ALinkIsNone) {
+  const Scratch scratch;
+  const auto journal = Journal::reopen(three_records(scratch));
+  fs::rename(scratch / "j", scratch / "elsewhere");
+  fs::create_symlink(scratch / "elsewhere", scratch / "j");
+  EXPECT_FALSE(journal->is_there());
+  EXPECT_THROW(Journal::reopen(scratch / "j"), InputError);
+}
+
 TEST(Journal, ThatCannotBeBegunLeavesNothing) {
   const Scratch scratch;
   const SmallDisk disk(30);
@@ -185,6 +194,20 @@ TEST(FolderLock, AFileThatSomebodyLeftMeansNothing) {
   scratch.write(".raytube.lock", "1");
   { const OutputFolder folder(scratch.folder()); }
   EXPECT_FALSE(fs::exists(scratch / ".raytube.lock"));
+}
+
+// Its target would be overwritten.
+TEST(FolderLock, ALinkIsNotFollowed) {
+  const Scratch scratch;
+  fs::create_symlink(scratch.write("mine.txt", "mine"), scratch / ".raytube.lock");
+  try {
+    const OutputFolder folder(scratch.folder());
+    FAIL() << "followed";
+  } catch (const InputError& refused) {
+    EXPECT_THAT(refused.what(), AllOf(HasSubstr(".raytube.lock: is a link"), HasSubstr("remove it")));
+  }
+  EXPECT_EQ(text_of(scratch / "mine.txt"), "mine");
+  EXPECT_TRUE(fs::is_symlink(scratch / ".raytube.lock"));
 }
 
 TEST(OutputFolder, RemovesWhatKilledProgramsLeft) {

@@ -1,0 +1,14 @@
+// What is to outlive a loss of power has to be brought to the disk itself.
+#pragma once
+
+#include <filesystem>
+
+namespace raytube {
+
+/// Throws std::runtime_error if the disk did not take all of the file: some say so no earlier than now.
+void sync_file(const std::filesystem::path& file);
+
+/// The names in a folder, which a file that is new there may lose with the power; where the file system can do that.
+void sync_folder(const std::filesystem::path& folder);
+
+}  // namespace raytube
