@@ -135,11 +135,14 @@ bool ExactHit::has_corner_on(std::uint32_t triangle, std::uint32_t of) const {
 // A ray along a surface that touches the triangle may have met it before, farther away than what touches.
 Hit ExactHit::nearest_touching(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
   const std::span<const std::uint32_t> others = touching_[triangle], patches = touching_.patches(triangle);
-  const auto runs_along = [&](std::uint32_t of) {
-    return std::abs(glm::dot(mesh_.patches[of].normal, ray.direction)) < narrow_angle;
-  };
   Hit nearest;
   keep_nearer(ray, triangle, ignored_patches, nearest);
+  const dvec3 place = ray.origin + distance(ray, triangle) * ray.direction;
+  const auto runs_along = [&](std::uint32_t of) {
+    const Patch& plane = mesh_.patches[of];
+    return std::abs(glm::dot(plane.normal, place) - plane.offset) < doubt_ &&
+           std::abs(glm::dot(plane.normal, ray.direction)) < narrow_angle;
+  };
   if (is_long(others)) {
     keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t other) {
       return std::ranges::binary_search(others, other) ||

@@ -17,7 +17,7 @@ namespace raytube {
 class ExactHit {
  public:
   /// Of lists longer than `longest_list` those that a ray comes near are found in a tree: the same decisions, at bounded cost.
-  explicit ExactHit(const TriangleMesh& mesh, std::size_t longest_list = 64);
+  explicit ExactHit(const TriangleMesh& mesh, std::size_t longest_list = 256);
 
   std::uint32_t patch(std::uint32_t triangle) const { return mesh_.triangle_patch[triangle]; }
 
