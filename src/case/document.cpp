@@ -7,6 +7,9 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <regex>
+#include <sstream>
+#include <string_view>
 
 #include "error.h"
 #include "text.h"
@@ -119,6 +122,22 @@ std::string text_of_file(const std::filesystem::path& file) {
   throw InputError(fmt::format("{}: a key of more than {} parts; write section.key", place, most_parts));
 }
 
+// What people who come from MATLAB write in a line that is no TOML.
+std::string_view habit_in_line(const std::string& text, std::size_t line) {
+  std::istringstream lines(text);
+  std::string asked;
+  for (std::size_t i = 0; i < line && std::getline(lines, asked); ++i) {
+  }
+  asked.resize(std::min<std::size_t>(asked.size(), 200));  // std::regex takes stack for every character
+  static const std::regex range(R"([\d.]\s*:\s*[-+\d.])"), comment(R"(^[^"]*%)"), spaces(R"([\d.]\s+[-+\d.])"),
+      closing(R"(;\s*$)");
+  if (std::regex_search(asked, comment)) return "; a comment begins with #";
+  if (std::regex_search(asked, range)) return "; a range is written { start = 0, stop = 90, step = 1 }";
+  if (std::regex_search(asked, closing)) return "; a line ends without a semicolon";
+  if (std::regex_search(asked, spaces)) return "; numbers of a list have commas between them";
+  return "";
+}
+
 CaseValue parsed_file(const std::filesystem::path& file) {
   const Source source{file.string(), true};
   const std::string text = text_of_file(file);
@@ -129,8 +148,8 @@ CaseValue parsed_file(const std::filesystem::path& file) {
     root.place = source.name;
     return root;
   } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}: not valid TOML; correct this line ({})", source.place(error.source()), error.description()));
+    throw InputError(fmt::format("{}: not valid TOML{}; correct this line ({})", source.place(error.source()),
+                                 habit_in_line(text, error.source().begin.line), error.description()));
   }
 }
 

@@ -78,7 +78,9 @@ void check_study_memory(const Target& target, const Case& c, const Request& requ
   SolveOptions finest = options_of(c, request);
   finest.tubes.per_wavelength = densities.back();
   const double kept = static_cast<double>(densities.size() * c.sweep.rows() * sizeof(ScatteringMatrix));
-  check_memory(target, c, finest, nullptr, kept);
+  Case study = c;
+  study.image_looks.clear();
+  check_memory(target, study, finest, nullptr, kept);
 }
 
 // Solves one density after the other and keeps what is finished on disk.

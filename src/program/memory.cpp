@@ -124,20 +124,21 @@ std::string remedy(const Need& need, const Case& c, const SolveOptions& options,
   }
   if (need.image > need.rows) {
     const double share = std::max(0.0, available - need.rows - need.sums - need.others) / need.image;
-    return share > 0.0 ? fmt::format("output.image_per_wavelength = {:.2g} would fit", c.image_per_wavelength * std::sqrt(share))
+    return share > 0.0 ? fmt::format("output.image_per_wavelength = {} would fit",
+                                     rounded_down_text(c.image_per_wavelength * std::sqrt(share)))
                        : "leave out output.image_look";
   }
   if (need.sums > std::max(need.rows, need.image)) {
     const auto count = static_cast<double>(c.sweep.frequencies.size());
     const double fit = std::floor(count * (available - need.image - need.others) / (need.rows + need.sums));
-    return fit >= 1.0 ? fmt::format("split the sweep: {:.3g} of its {:.0f} frequencies would fit", fit, count)
+    return fit >= 1.0 ? fmt::format("split the sweep: {:.0f} of its {:.0f} frequencies would fit", fit, count)
                       : "split the sweep";
   }
   const double per_row = need.rows / static_cast<double>(c.sweep.rows());
   const double fit = std::floor(std::max(0.0, available - need.image - need.sums - need.others) / per_row);
   const std::string split =
       fit < 1.0 ? "split the sweep"
-                : fmt::format("split the sweep: {:.3g} of its {} rows (looks times frequencies) would fit", fit, c.sweep.rows());
+                : fmt::format("split the sweep: {:.0f} of its {} rows (looks times frequencies) would fit", fit, c.sweep.rows());
   return split + (options.keep_parts ? ", more without --parts" : "");
 }
 

@@ -292,6 +292,9 @@ void run_command(const Request& request) {
     throw InputError(
         "output.image_look: an image adds up to the deterministic S, not to the mean of random tubes; leave out one");
   const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  if (const auto count = loaded.report.free_forms_read)
+    warn(fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
+                     c.mesh_file.string(), count));
   Manifest manifest = describe_input(c, loaded.report);
   manifest.time.read_s = total.seconds();
   const Target target(loaded.mesh, c.edges);

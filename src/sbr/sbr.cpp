@@ -147,8 +147,8 @@ TubeSums trace_curved_bounces(const AdaptiveLook& look, Progress& progress, doub
 // Cells per wavelength to begin with, and the least and the most by which they grow.
 constexpr double first_per_wavelength = 10.0, least_growth = 1.5, most_growth = 4.0;
 
-// Cells along one side that are not exceeded for the tolerance's sake: a launch grid refuses 10^6.
-constexpr double finest_grid = 9e5;
+// Of the densest grid that can be launched, the share that is not exceeded for the tolerance's sake.
+constexpr double finest_grid = 0.9;
 
 // A part of a look, on a grid of its own density.
 struct Part {
@@ -217,7 +217,8 @@ class LookTracer {
   // False if no part can be made better.
   bool refine(std::vector<Part>& parts, const TubeSums& sums) const {
     bool any = false;
-    const double most = std::min(options_.per_wavelength, finest_grid * wavelength_ / (2.0 * tracer_.mesh().radius));
+    const double most =
+        std::min(options_.per_wavelength, finest_grid * densest_grid(tracer_.mesh(), look_, wavelength_, options_.up));
     for (Part& part : parts) {
       const double too_large = excess(sums, part.sums.error, tolerance_) * static_cast<double>(parts.size());
       if (too_large <= 1.0 || !part.sampled() || part.per_wavelength >= most) continue;
