@@ -27,7 +27,7 @@ struct ImageLattice {
 };
 
 /// What comes back from a straight piece of an edge.
-struct EdgePiece {
+struct ImageEdge {
   dvec3 begin, end;
   ScatteringMatrix s;
 };
@@ -40,7 +40,7 @@ struct LookImage {
   ImageLattice lattice;                 // in the mesh's own coordinates
   std::vector<ScatteringMatrix> cells;  // row by row: of the tubes launched there at all their bounces, and of edges seen there
   std::vector<ScatteringMatrix> triangles;  // of the mesh, of the currents of every bounce
-  std::vector<EdgePiece> edges;             // each within one cell, in the mesh's own coordinates
+  std::vector<ImageEdge> edges;             // each within one cell, in the mesh's own coordinates
 };
 
 }  // namespace raytube

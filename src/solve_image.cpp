@@ -31,7 +31,7 @@ ImageLattice recentred(ImageLattice lattice, const TriangleMesh& mesh) {
 }
 
 // Within a cell each, with a share of S by length.
-void add_cut_up(const EdgePiece& piece, const ImageLattice& lattice, std::vector<EdgePiece>& pieces) {
+void add_cut_up(const ImageEdge& piece, const ImageLattice& lattice, std::vector<ImageEdge>& pieces) {
   const std::vector<double> shares = lattice.crossings(piece.begin, piece.end);
   const dvec3 way = piece.end - piece.begin;
   for (std::size_t i = 1; i < shares.size(); ++i) {
@@ -40,17 +40,17 @@ void add_cut_up(const EdgePiece& piece, const ImageLattice& lattice, std::vector
   }
 }
 
-std::vector<EdgePiece> edge_pieces(const Target& target, const Sweep& sweep, const SolveOptions& options, const Look& look,
+std::vector<ImageEdge> edge_pieces(const Target& target, const Sweep& sweep, const SolveOptions& options, const Look& look,
                                    std::size_t frequency, const ImageLattice& lattice, const TubeSums& tubes) {
   if (options.edges.method != EdgeMethod::fringe) return {};
   EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
                  options.tubes.skip);
   prepare_between(edges, target, sweep, options.edges);
-  std::vector<EdgePiece> pieces;
+  std::vector<ImageEdge> pieces;
   if (edges_count(edges, options))
     pieces = edges.pieces(target.tracer, look, frequency, options.edges.order, options.edges.receiver_shadow,
                           options.edges.transition, lattice);
-  for (const EdgePiece& piece :
+  for (const ImageEdge& piece :
        edges.between_pieces(target.faces, target.tracer, look, frequency, between_options(tubes, options)))
     add_cut_up(piece, lattice, pieces);
   return pieces;
@@ -59,7 +59,7 @@ std::vector<EdgePiece> edge_pieces(const Target& target, const Sweep& sweep, con
 // To the phase reference and the coordinates of the mesh, with the symmetry of a monostatic look.
 void finish(LookImage& image, const Target& target, const Sweep& sweep) {
   const Complex factor = to_mesh_origin(target.mesh, sweep.looks[image.look], image.frequency);
-  for (EdgePiece& piece : image.edges) {
+  for (ImageEdge& piece : image.edges) {
     piece.begin += target.mesh.center;
     piece.end += target.mesh.center;
     if (!sweep.bistatic) make_reciprocal(std::span(&piece.s, 1));
@@ -83,7 +83,7 @@ LookImage image_of(const Target& target, const Sweep& sweep, const SolveOptions&
                                         sweep.frequencies, options.tubes, progress, 1.0, sweep.radar, &map);
   LookImage image{index, sweep.frequencies[f], cells, map.take_cells(), map.take_triangles(), {}};
   image.edges = edge_pieces(target, sweep, options, look, f, lattice, tubes);
-  for (const EdgePiece& piece : image.edges)
+  for (const ImageEdge& piece : image.edges)
     image.cells[lattice.index(lattice.at(lattice.place(0.5 * (piece.begin + piece.end))))] += piece.s;
   finish(image, target, sweep);
   return image;

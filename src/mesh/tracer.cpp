@@ -118,7 +118,7 @@ void refuse(const RTCFilterFunctionNArguments* arguments) {
 }
 
 // Sixteen rays with what Embree finds of them. Lanes beyond the last ray are inactive and repeat it: Embree computes with them
-// all the same, and what was in memory may be subnormal numbers, a hundred times as slow.
+// all the same and asks its filter about them, and what was in memory may be subnormal numbers, a hundred times as slow.
 struct alignas(64) Packet {
   RTCRayHit16 rays;
   std::array<int, packet_width> valid;
@@ -134,7 +134,8 @@ double start_of(const Ray& ray, double scale, bool from_behind) {
 void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_behind) {
   RTCRay16& to = packet.rays.ray;
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
-    const Ray& ray = rays[std::min(lane, rays.size() - 1)];
+    const std::size_t index = std::min(lane, rays.size() - 1);
+    const Ray& ray = rays[index];
     const double start = packet.start[lane] = start_of(ray, scale, from_behind);
     to.org_x[lane] = static_cast<float>(ray.origin.x * scale + start * ray.direction.x);
     to.org_y[lane] = static_cast<float>(ray.origin.y * scale + start * ray.direction.y);
@@ -142,6 +143,7 @@ void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_beh
     to.dir_x[lane] = static_cast<float>(ray.direction.x);
     to.dir_y[lane] = static_cast<float>(ray.direction.y);
     to.dir_z[lane] = static_cast<float>(ray.direction.z);
+    to.id[lane] = static_cast<unsigned>(index);
   }
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
     packet.valid[lane] = lane < rays.size() ? -1 : 0;
@@ -149,7 +151,6 @@ void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_beh
     to.tfar[lane] = std::numeric_limits<float>::infinity();
     to.mask[lane] = 0xffffffffu;
     to.flags[lane] = 0;
-    to.id[lane] = static_cast<unsigned>(lane);
     packet.rays.hit.geomID[lane] = packet.rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
   }
 }

@@ -172,7 +172,7 @@ OutputFile::OutputFile(const fs::path& path) : path_(path), stream_(path, std::i
 
 void OutputFile::commit() {
   stream_.close();
-  if (!stream_) throw std::runtime_error(fmt::format("{}: cannot be written completely; is the disk full?", path_.string()));
+  if (!stream_) refuse_unwritten(path_);
 }
 
 }  // namespace raytube

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "output/files.h"
+#include "output/sync.h"
 
 namespace raytube {
 
@@ -66,7 +67,7 @@ void require_room_on_disk(const std::filesystem::path& picture) {
     file.commit();
   } catch (const std::runtime_error&) {
     std::filesystem::remove(trial, error);
-    throw std::runtime_error(fmt::format("{}: cannot be written completely; is the disk full?", picture.string()));
+    refuse_unwritten(picture);
   }
   std::filesystem::remove(trial, error);
 }

@@ -5,6 +5,9 @@
 
 namespace raytube {
 
+/// Throws the std::runtime_error that says so, with the error number of the system if there is one.
+[[noreturn]] void refuse_unwritten(const std::filesystem::path& file, int error = 0);
+
 /// Throws std::runtime_error if the disk did not take all of the file: some say so no earlier than now.
 void sync_file(const std::filesystem::path& file);
 

@@ -36,7 +36,7 @@ template <class Value>
 void write_cells(OutputFile& out, const char* type, const std::string& name, const LookImage& image, Value value) {
   DataArray data(out, type, name);
   for (const ScatteringMatrix& s : image.triangles) data.line(value(s, false));
-  for (const EdgePiece& piece : image.edges) data.line(value(piece.s, true));
+  for (const ImageEdge& piece : image.edges) data.line(value(piece.s, true));
 }
 
 std::string point_text(const dvec3& r) { return fmt::format("{} {} {}", number_text(r.x), number_text(r.y), number_text(r.z)); }
@@ -46,7 +46,7 @@ void write_points(OutputFile& out, std::span<const dvec3> vertices, const LookIm
   {
     DataArray points(out, "Float64", "points", 3);
     for (const dvec3& vertex : vertices) points.line(point_text(vertex));
-    for (const EdgePiece& piece : image.edges) points.line(point_text(piece.begin) + ' ' + point_text(piece.end));
+    for (const ImageEdge& piece : image.edges) points.line(point_text(piece.begin) + ' ' + point_text(piece.end));
   }
   out.write("</Points>\n");
 }

@@ -66,8 +66,8 @@ class BetweenLook {
     return result;
   }
 
-  std::vector<EdgePiece> pieces(const BetweenOptions& options, std::size_t frequency) const {
-    std::vector<EdgePiece> result;
+  std::vector<ImageEdge> pieces(const BetweenOptions& options, std::size_t frequency) const {
+    std::vector<ImageEdge> result;
     const std::vector<PaintedLight> parts = paint(options.tolerance);
     for (std::size_t i = 0; i < jobs_.size(); ++i) result.push_back(piece(*jobs_[i].light, parts[i].scattering[frequency]));
     if (options.order == 1) return result;
@@ -85,7 +85,7 @@ class BetweenLook {
   }
 
  private:
-  static EdgePiece piece(const EdgeLight& light, const ScatteringMatrix& s) {
+  static ImageEdge piece(const EdgeLight& light, const ScatteringMatrix& s) {
     const EdgeAxis& axis = *light.edge;
     return {axis.origin + light.from * axis.tangent, axis.origin + light.to * axis.tangent, s};
   }
@@ -157,7 +157,7 @@ BetweenResult between_scattering(const BetweenScene& scene, const Look& look, st
   return BetweenLook(scene, look, frequencies).solve(options);
 }
 
-std::vector<EdgePiece> between_pieces(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
+std::vector<ImageEdge> between_pieces(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
                                       std::size_t frequency, const BetweenOptions& options) {
   if (scene.axes.empty()) return {};
   return BetweenLook(scene, look, frequencies).pieces(options, frequency);

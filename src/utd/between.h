@@ -45,7 +45,7 @@ BetweenResult between_scattering(const BetweenScene& scene, const Look& look, st
                                  const BetweenOptions& options);
 
 /// The same at `frequencies[frequency]`, by the lit pieces of edges these waves come from.
-std::vector<EdgePiece> between_pieces(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
+std::vector<ImageEdge> between_pieces(const BetweenScene& scene, const Look& look, std::span<const double> frequencies,
                                       std::size_t frequency, const BetweenOptions& options);
 
 }  // namespace raytube

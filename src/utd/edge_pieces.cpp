@@ -46,7 +46,7 @@ class Pieces {
     }
   }
 
-  std::vector<EdgePiece> take() { return std::move(pieces_); }
+  std::vector<ImageEdge> take() { return std::move(pieces_); }
 
  private:
   ScatteringMatrix of(std::uint32_t index, std::span<const LitInterval> lit, std::span<const double> frequencies,
@@ -64,11 +64,11 @@ class Pieces {
   std::span<const double> frequencies_;
   std::size_t frequency_;
   MakeEdges make_;
-  std::vector<EdgePiece> pieces_;
+  std::vector<ImageEdge> pieces_;
 };
 
 template <class MakeEdges>
-std::vector<EdgePiece> pieces_of(std::span<const Wedge> wedges, LitEdges& light, const ImageLattice& lattice,
+std::vector<ImageEdge> pieces_of(std::span<const Wedge> wedges, LitEdges& light, const ImageLattice& lattice,
                                  std::span<const double> frequencies, std::size_t frequency, MakeEdges make) {
   Pieces<MakeEdges> pieces(wedges, lattice, frequencies, frequency, make);
   const auto edges = make(frequencies);
@@ -80,7 +80,7 @@ std::vector<EdgePiece> pieces_of(std::span<const Wedge> wedges, LitEdges& light,
 
 }  // namespace
 
-std::vector<EdgePiece> fringe_pieces(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
+std::vector<ImageEdge> fringe_pieces(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
                                      const Look& look, std::span<const double> frequencies, std::size_t frequency, int order,
                                      bool receiver_shadow, TransitionTier tier, bool mirror_at_folds,
                                      const ImageLattice& lattice) {

@@ -61,7 +61,7 @@ EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int 
   return all;
 }
 
-std::vector<EdgePiece> EdgeSets::pieces(const Tracer& tracer, const Look& look, std::size_t frequency, int order,
+std::vector<ImageEdge> EdgeSets::pieces(const Tracer& tracer, const Look& look, std::size_t frequency, int order,
                                         bool receiver_shadow, TransitionTier tier, const ImageLattice& lattice) const {
   for (const Set& set : sets_)
     if (const auto place = std::ranges::find(set.places, frequency); place != set.places.end())
@@ -71,7 +71,7 @@ std::vector<EdgePiece> EdgeSets::pieces(const Tracer& tracer, const Look& look, 
   return {};
 }
 
-std::vector<EdgePiece> EdgeSets::between_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look,
+std::vector<ImageEdge> EdgeSets::between_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look,
                                                 std::size_t frequency, const BetweenOptions& options) const {
   for (const Set& set : sets_)
     for (const BetweenGroup& group : set.between)

@@ -25,7 +25,7 @@ class EdgeSets {
                             const Radar& radar) const;
 
   /// The same at one of the frequencies, piece by piece: see fringe_pieces.
-  std::vector<EdgePiece> pieces(const Tracer& tracer, const Look& look, std::size_t frequency, int order, bool receiver_shadow,
+  std::vector<ImageEdge> pieces(const Tracer& tracer, const Look& look, std::size_t frequency, int order, bool receiver_shadow,
                                 TransitionTier tier, const ImageLattice& lattice) const;
 
   /// Finds the edges that may light other surfaces than their own, at the frequencies that are not `crowded`.
@@ -34,7 +34,7 @@ class EdgeSets {
   /// What the waves of edges do on other surfaces in one look at all frequencies; nothing unless prepared.
   BetweenResult between(const FaceTree& tree, const Tracer& tracer, const Look& look, const BetweenOptions& options) const;
   /// The same at one of the frequencies, by the lit pieces of edges these waves come from.
-  std::vector<EdgePiece> between_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look, std::size_t frequency,
+  std::vector<ImageEdge> between_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look, std::size_t frequency,
                                         const BetweenOptions& options) const;
 
  private:

@@ -49,7 +49,7 @@ EdgeLookResult fringe_scattering_near(std::span<const Wedge> wedges, const Outli
 
 /// The same currents at `frequencies[frequency]`, piece by piece of the lit edges within a cell of the lattice each: those on the
 /// faces beside a piece, and what these start at other edges. They add up to the sums above.
-std::vector<EdgePiece> fringe_pieces(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
+std::vector<ImageEdge> fringe_pieces(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
                                      const Look& look, std::span<const double> frequencies, std::size_t frequency, int order,
                                      bool receiver_shadow, TransitionTier tier, bool mirror_at_folds,
                                      const ImageLattice& lattice);

@@ -108,7 +108,8 @@ TEST_F(LongRuns, AFullDiskLeavesEarlierResultsAlone) {
   const std::string earlier = text_of(scratch / "out/rcs.csv");
   const Outcome outcome = raytube("run case.toml --set output.plots=false", "ulimit -f 1; ");
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.complaint, AllOf(HasSubstr("rcs.csv: cannot be written completely"), HasSubstr("is the disk full?")));
+  EXPECT_THAT(outcome.complaint, AllOf(HasSubstr("rcs.csv: cannot be written completely"),
+                                       HasSubstr("is the disk full? Make room, or write elsewhere with -o")));
   EXPECT_EQ(text_of(scratch / "out/rcs.csv"), earlier);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "out"), {}), 4);  // with their list
 }

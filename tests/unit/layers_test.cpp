@@ -47,6 +47,23 @@ TEST(Layers, NoArrowBack) {
   EXPECT_GT(checked, 50);
 }
 
+// Two types of one name that never meet in a source file get past the compiler, and the linker mixes up their functions.
+TEST(Layers, TypesInHeadersHaveOneDefinition) {
+  const std::regex definition(R"(^(?:struct|class|enum class) (?:alignas\(\d+\) )?(\w+)(?: final)?(?: :.*)? \{)");
+  std::map<std::string, fs::path> defined_in;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
+    if (entry.path().extension() != ".h") continue;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      std::smatch match;
+      if (!std::regex_search(line, match, definition)) continue;
+      const auto& [name, is_new] = defined_in.emplace(match[1], entry.path());
+      EXPECT_TRUE(is_new) << match[1] << ": " << entry.path() << " and " << name->second;
+    }
+  }
+  EXPECT_GT(defined_in.size(), 100);
+}
+
 TEST(Layers, ForeignLibrariesStayOutOfHeaders) {
   const std::regex foreign(R"(#include\s+<(embree|CGAL|OpenMesh|CLI|toml|nlohmann|openssl))");
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {

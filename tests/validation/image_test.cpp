@@ -18,9 +18,9 @@ ScatteringMatrix sum_of(std::span<const ScatteringMatrix> parts) {
   return sum;
 }
 
-ScatteringMatrix sum_of(std::span<const EdgePiece> pieces) {
+ScatteringMatrix sum_of(std::span<const ImageEdge> pieces) {
   ScatteringMatrix sum;
-  for (const EdgePiece& piece : pieces) sum += piece.s;
+  for (const ImageEdge& piece : pieces) sum += piece.s;
   return sum;
 }
 
@@ -180,7 +180,7 @@ TEST(Image, EdgesAreWhereTheyStand) {
       const double added = largest_amplitude(with.cells[i] - without.cells[i]);
       EXPECT_EQ(added > 0.0, rim);
     }
-  for (const EdgePiece& piece : with.edges)
+  for (const ImageEdge& piece : with.edges)
     EXPECT_NEAR(std::max(std::abs(piece.begin.y), std::abs(piece.begin.z)), 0.2, 1e-12);  // rounding of the coordinates
 }
 
