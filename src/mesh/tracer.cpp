@@ -2,7 +2,7 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <bit>
@@ -201,6 +201,13 @@ void intersect(RTCScene scene, RTCIntersectContext& context, int width, Packet& 
     rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
 }
 
+// On one thread: the order of equal leaves then never depends on the machine's load. Embree builds in an arena of its own, which
+// no other arena holds back.
+void commit(RTCScene scene) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  rtcCommitScene(scene);
+}
+
 QueryContext make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredPatches& ignored) {
   QueryContext context;
   rtcInitIntersectContext(&context);
@@ -224,8 +231,7 @@ Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time)
   add_geometry(guarded);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) safe_sides.push_back(safe_side(guarded, t));
   source = std::move(guarded.source);
-  // One thread: the order of equal leaves then never depends on the machine's load.
-  tbb::task_arena(1).execute([this] { rtcJoinCommitScene(scene); });
+  commit(scene);
   check_device(device);
 }
 
