@@ -5,11 +5,13 @@
 #include <random>
 
 #include "material.h"
+#include "mesh/geometry.h"
 #include "mesh/tracer.h"
 
 namespace raytube::testing {
 
-/// A ray from a random point of a random facet into the body.
+/// A ray from a random point of a random facet into the body. The plane of a sliver may be far from that of its patch: what leads
+/// into the body by only one of them is no such ray.
 inline Ray ray_into(const TriangleMesh& mesh, std::mt19937_64& generator) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const auto triangle = static_cast<std::uint32_t>(generator() % mesh.triangles.size());
@@ -19,7 +21,9 @@ inline Ray ray_into(const TriangleMesh& mesh, std::mt19937_64& generator) {
   const std::uint32_t patch = mesh.triangle_patch[triangle];
   const double z = 2.0 * uniform(generator) - 1.0, phi = 2.0 * pi * uniform(generator), s = std::sqrt(1.0 - z * z);
   const dvec3 direction(s * std::cos(phi), s * std::sin(phi), z);
-  return {point, glm::dot(direction, mesh.patches[patch].normal) < 0.0 ? direction : -direction, patch};
+  const dvec3 into = glm::dot(direction, mesh.patches[patch].normal) < 0.0 ? direction : -direction;
+  if (glm::dot(into, area_vector(mesh.vertices, mesh.triangles[triangle])) >= 0.0) return ray_into(mesh, generator);
+  return {point, into, patch};
 }
 
 /// True if a ray inside a closed mesh met nothing, or the outside of a facet.

@@ -49,7 +49,7 @@ class Guard {
         if (!is_inside_patch(edges_[e])) find_rim(side);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) add_widened(t);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-      if (is_flat(mesh.triangles[t])) make_rectangle(t);
+      if (is_flat(all_.triangles[t])) make_rectangle(t);
     for (std::size_t e = 0; e < edges_.size(); ++e) add_guards(edges_[e]);
   }
 
@@ -66,11 +66,12 @@ class Guard {
       rims_[patch_vertex(side.triangle, mesh_.triangles[side.triangle][corner])].add(outwards);
   }
 
-  // In the plane of the triangle, away from it.
+  // Away from the triangle in the plane of its patch: a thin one does not know its own, and would take a corner out of it.
   dvec3 away_from(const EdgeTable::Side& side) const {
     const Triangle& t = mesh_.triangles[side.triangle];
     const dvec3 along = mesh_.vertices[t[(side.corner + 1) % 3]] - mesh_.vertices[t[side.corner]];
-    return glm::normalize(glm::cross(along, area_vector(mesh_.vertices, t)));
+    const bool turned = glm::dot(area_vector(mesh_.vertices, t), normal(side.triangle)) < 0.0;
+    return glm::normalize(glm::cross(along, turned ? -normal(side.triangle) : normal(side.triangle)));
   }
 
   void add_widened(std::uint32_t triangle) {
@@ -107,20 +108,21 @@ class Guard {
 
   bool is_flat(const Triangle& t) const {
     double shortest = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k)
-      shortest = std::min(shortest, glm::distance(mesh_.vertices[t[k]], mesh_.vertices[t[(k + 1) % 3]]));
-    return height(mesh_.vertices, t) < flattest * shortest;
+    for (int k = 0; k < 3; ++k) shortest = std::min(shortest, glm::distance(all_.vertices[t[k]], all_.vertices[t[(k + 1) % 3]]));
+    return height(all_.vertices, t) < flattest * shortest;
   }
 
-  // In its place the rectangle along its longest side that holds it: two triangles with a short side each.
+  // In place of a widened triangle the rectangle along its longest side that holds it: two triangles with a short side each. One
+  // that held the triangle of the mesh would leave a gap to neighbours whose common corner has moved.
   void make_rectangle(std::uint32_t triangle) {
-    const Triangle& t = mesh_.triangles[triangle];
-    const int k = longest_edge(mesh_.vertices, t);
-    const dvec3 from = mesh_.vertices[t[k]], to = mesh_.vertices[t[(k + 1) % 3]];
-    const dvec3 along = glm::normalize(to - from), across = glm::normalize(glm::cross(area_vector(mesh_.vertices, t), along));
-    const dvec3 top = (height(mesh_.vertices, t) + margin_) * across;
-    const std::uint32_t first = add_quadrangle(from - margin_ * (along + across), to + margin_ * (along - across),
-                                               to + margin_ * along + top, from - margin_ * along + top);
+    const Triangle t = all_.triangles[triangle];
+    const int k = longest_edge(all_.vertices, t);
+    const dvec3 from = all_.vertices[t[k]], to = all_.vertices[t[(k + 1) % 3]], third = all_.vertices[t[(k + 2) % 3]];
+    const dvec3 along = glm::normalize(to - from), across = glm::normalize(glm::cross(normal(triangle), along));
+    const double top = glm::dot(third - from, across);
+    const dvec3 low = (std::min(top, 0.0) - margin_) * across, high = (std::max(top, 0.0) + margin_) * across;
+    const dvec3 beyond = margin_ * along;
+    const std::uint32_t first = add_quadrangle(from - beyond + low, to + beyond + low, to + beyond + high, from - beyond + high);
     all_.triangles[triangle] = {first, first + 1, first + 2};
     all_.triangles.push_back({first, first + 2, first + 3});
     all_.source.push_back(triangle);
