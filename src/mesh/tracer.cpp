@@ -2,7 +2,6 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <bit>
@@ -201,13 +200,6 @@ void intersect(RTCScene scene, RTCIntersectContext& context, int width, Packet& 
     rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
 }
 
-// On one thread: the order of equal leaves then never depends on the machine's load. Embree builds in an arena of its own, which
-// no other arena holds back.
-void commit(RTCScene scene) {
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  rtcCommitScene(scene);
-}
-
 QueryContext make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredPatches& ignored) {
   QueryContext context;
   rtcInitIntersectContext(&context);
@@ -222,7 +214,9 @@ QueryContext make_context(const Tracer::Scene& scene, const Ray* rays, const Ign
 
 Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time)
     : mesh(triangles), exact(triangles), width(rays_at_a_time) {
-  device = rtcNewDevice(fmt::format("isa={}", name_of(allowed_instruction_set())).c_str());
+  // As many user threads as there are threads leave none to Embree, and one builds: the order of equal leaves then never depends
+  // on the machine's load.
+  device = rtcNewDevice(fmt::format("isa={},user_threads=1000000", name_of(allowed_instruction_set())).c_str());
   if (!device) fail(rtcGetDeviceError(nullptr));
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
@@ -231,7 +225,7 @@ Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time)
   add_geometry(guarded);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) safe_sides.push_back(safe_side(guarded, t));
   source = std::move(guarded.source);
-  commit(scene);
+  rtcJoinCommitScene(scene);
   check_device(device);
 }
 
