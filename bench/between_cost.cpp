@@ -5,8 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "case/case.h"
-#include "mesh/load.h"
+#include "case/target.h"
 #include "timing.h"
 
 namespace {
@@ -53,7 +52,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
 
   const Case c = read_case(file, {});
-  const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  const LoadedMesh loaded = load_target(c);
   const Target target(loaded.mesh, c.edges);
   std::vector<double> times[std::size(ways)];
   for (int run = 0; run < repeat; ++run)

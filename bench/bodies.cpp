@@ -1,5 +1,6 @@
 #include "bodies.h"
 
+#include "case/target.h"
 #include "timing.h"
 
 namespace raytube::bench {
@@ -39,7 +40,7 @@ Case repository_case(const std::string& file, const std::string& mode) {
 
 LoadedMesh repository_mesh(const std::string& case_file) {
   const Case c = repository_case(case_file, "uniform");
-  return load_mesh(c.mesh_file, c.metres_per_unit);
+  return load_target(c);
 }
 
 SolveOptions over_cells(TubeMode mode, double per_wavelength, int threads) {

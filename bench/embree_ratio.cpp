@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bare_embree.h"
-#include "case/case.h"
+#include "case/target.h"
 #include "timing.h"
 
 namespace {
@@ -17,7 +17,7 @@ using bench::median;
 
 void measure(const std::string& file, int threads, int repeat) {
   const Case c = read_case(file, {"tubes.mode=\"uniform\""});
-  const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  const LoadedMesh loaded = load_target(c);
   const Target target(loaded.mesh, c.edges);
   SolveOptions options;
   options.tubes = c.tubes;

@@ -1,6 +1,7 @@
 // Adaptive against uniform tubes on the dihedral, and whole jobs against bare Embree on the uniform grid of the same job.
 #include "bare_embree.h"
 #include "bodies.h"
+#include "case/target.h"
 #include "closed_forms.h"
 #include "studies.h"
 #include "timing.h"
@@ -54,7 +55,7 @@ double solve_seconds(const Target& target, const Case& job, int threads) {
 
 Json job_row(const std::string& file, const Settings& settings) {
   const Case tubes = repository_case(file, "adaptive"), grid = repository_case(file, "uniform");
-  const LoadedMesh loaded = load_mesh(grid.mesh_file, grid.metres_per_unit);
+  const LoadedMesh loaded = load_target(grid);
   const Target target(loaded.mesh, grid.edges);
   std::vector<double> adaptive, uniform, bare;
   on_threads(settings.threads, [&] {

@@ -96,6 +96,14 @@ def dihedral_po(w, b, freq, g):
     return tuple(-1j * b * k / (2 * math.pi) * (single + sign * double) for sign in (-1, 1))
 
 
+def slab_transmission(eps_r, thickness, freq, cosine):
+    """(TE, TM) of a dielectric slab in vacuum, relative to the same way through vacuum (Born & Wolf 1999, section 1.6.4)."""
+    k = 2 * math.pi * freq / C0
+    q = cmath.sqrt(eps_r - 1 + cosine * cosine)
+    once, way = cmath.exp(-1j * k * q * thickness), cmath.exp(1j * k * cosine * thickness)
+    return tuple((1 - r * r) * once * way / (1 - (r * once) ** 2) for r in ((cosine - q) / (cosine + q), (eps_r * cosine - q) / (eps_r * cosine + q)))
+
+
 def cube_po(a, freq, phi):
     """Cube of side a centred at the origin, theta = 90: the lit faces of azimuth 0, 90, 180, 270 deg, each a plate."""
     k = 2 * math.pi * freq / C0
@@ -234,6 +242,18 @@ def main():
     write_reference("dihedral/reference.csv", head("physical optics of both single bounces and the double bounce, closed form, no edges", no_edges,
                                                   "--tolerance-db 1e-10", "the reference holds 12 digits"), 94e9, looks,
                     [dihedral_po(0.15, 0.15, 94e9, math.radians(p)) for _, p in looks])
+
+    # radome: the same dihedral at 77 GHz behind a slab of 3 mm whose normal has the azimuth 80 degrees, 320 mm from the fold. A rhombus, so that
+    # no look along the plane z = 0 is across one of its edges; as large as all the beams of the dihedral from 30 to 60 degrees need
+    normal = (math.cos(math.radians(80)), math.sin(math.radians(80)))
+    corners = [(320 * normal[0] - t * normal[1], 320 * normal[1] + t * normal[0], z) for t, z in ((-737, 0), (-267, -155), (203, 0), (-267, 155))]
+    write_off("radome/sheet.off", corners, [(0, 1, 2, 3)])
+    looks = [(90, 30 + i / 2) for i in range(61)]
+    amplitudes = [[s * t ** 2 for s, t in zip(dihedral_po(0.15, 0.15, 77e9, math.radians(p)),
+                                              slab_transmission(2.6 - 0.03j, 3e-3, 77e9, math.cos(math.radians(p - 80))))] for _, p in looks]
+    write_reference("radome/reference.csv", head("physical optics of the dihedral, closed form, times the square of what the slab lets through", "run case.toml",
+                                                "--tolerance-db 0.1", "side lobes of the single bounces, 1 % of the peak, come back past the slab in place of through it"),
+                    77e9, looks, amplitudes)
 
     # powercube: 90 mm, 94 GHz, -10 ... 10 degrees
     v = [tuple(45.0 if i >> b & 1 else -45.0 for b in range(3)) for i in range(8)]

@@ -21,6 +21,7 @@ inline ComplexVector operator*(Complex factor, const dvec3& v) { return {factor.
 inline ComplexVector operator*(Complex factor, const ComplexVector& v) {
   return {factor.real() * v.re - factor.imag() * v.im, factor.real() * v.im + factor.imag() * v.re};
 }
+inline ComplexVector cross(const dvec3& a, const ComplexVector& b) { return {glm::cross(a, b.re), glm::cross(a, b.im)}; }
 inline Complex dot(const ComplexVector& v, const dvec3& direction) {
   return {glm::dot(v.re, direction), glm::dot(v.im, direction)};
 }

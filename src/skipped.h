@@ -18,6 +18,7 @@ struct SkipCounts {
   std::uint64_t crowded_frequencies = 0;  // with too many edges and surfaces for waves between them
   std::uint64_t near_looks = 0;           // from a finite distance, for which there are no waves between surfaces
   std::uint64_t unlit_looks = 0;          // no edge that radiates is lit
+  std::uint64_t material_looks = 0;       // without waves between surfaces for the sake of such materials
 };
 
 /// The items that are not zero.

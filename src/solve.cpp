@@ -18,6 +18,7 @@
 #include "solve_look.h"
 #include "solve_parts.h"
 #include "solve_rows.h"
+#include "utd/material_edges.h"
 #include "utd/ray_fields.h"
 
 namespace raytube {
@@ -73,10 +74,13 @@ LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const 
                       const Look& look, const SolveOptions& options, Progress& progress, double share) {
   LookResult result;
   result.tubes = sbr_scattering(target.tracer, target.faces, smooth, target.convexity, look, sweep.frequencies, options.tubes,
-                                progress, share, sweep.radar);
+                                progress, share, sweep.radar, sweep.materials);
   if (edges_count(edges, options))
     result.edges = edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow,
                                     options.edges.transition, sweep.radar);
+  if (options.edges.method == EdgeMethod::fringe && options.edges.materials == MaterialEdgeMethod::luebbers)
+    add_material_edges(result.edges, target.wedges, sweep.materials, target.tracer, look, sweep.frequencies,
+                       options.edges.receiver_shadow);
   result.between = edges.between(target.faces, target.tracer, look, between_options(result.tubes, options));
   for (std::size_t f = 0; !look.far() && f < result.between.scattering.size(); ++f)
     result.between.scattering[f] *= from_plane_waves(target.mesh, look, sweep.radar, sweep.frequencies[f]);
@@ -125,25 +129,39 @@ Target::Target(const TriangleMesh& triangles, const EdgeOptions& edges)
       rims(edges.thin_sheets ? find_rims(triangles, wedges) : std::vector<Rim>()),
       min_wedge_angle(edges.min_wedge_angle) {}
 
-std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
+std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, const EdgeOptions& edges,
                                     std::span<const double> frequencies) {
-  if (method == EdgeMethod::none) return {{"wedges", "edges.method is \"none\"", wedges.size()}};
+  if (edges.method == EdgeMethod::none) return {{"wedges", "edges.method is \"none\"", wedges.size()}};
   const auto concave = std::ranges::count_if(wedges, [](const Wedge& wedge) { return !wedge.convex(); });
-  if (method == EdgeMethod::utd)
-    return {{"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)}};
+  const Skipped reflecting{"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)};
+  if (edges.method == EdgeMethod::utd) return {reflecting};
+  const auto other = edges.materials == MaterialEdgeMethod::none
+                         ? std::ranges::count_if(wedges, [](const Wedge& w) { return w.convex() && !w.conducting(); })
+                         : 0;
   const std::vector<Wedge> merged = merge_thin_rims(wedges, rims, thin_limit(std::ranges::min(frequencies)));
-  return {{"wedges", "concave: multiple reflection stands for them", static_cast<std::uint64_t>(concave)},
+  return {reflecting,
+          {"wedges", "a face is no perfect conductor (edges.materials)", static_cast<std::uint64_t>(other)},
           {"wedges", "across the rim of a thin sheet, no longer than it is thick", rim_corners(merged)}};
 }
 
+namespace {
+
+bool wants_between(const Target& target, const EdgeOptions& edges) {
+  return edges.between && edges.method == EdgeMethod::fringe && !target.convexity.no_reflection;
+}
+
+}  // namespace
+
 std::uint64_t looks_too_near_for_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
-  const bool wanted = edges.between && edges.method == EdgeMethod::fringe && !target.convexity.no_reflection;
-  return wanted && !waves_are_plane(target.mesh, sweep) ? sweep.looks.size() : 0;
+  return wants_between(target, edges) && !waves_are_plane(target.mesh, sweep) ? sweep.looks.size() : 0;
+}
+
+std::uint64_t looks_without_between_for_materials(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
+  return wants_between(target, edges) && !sweep.materials.empty() ? sweep.looks.size() : 0;
 }
 
 std::vector<bool> crowded_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
-  if (!edges.between || edges.method != EdgeMethod::fringe || target.convexity.no_reflection) return {};
-  if (!waves_are_plane(target.mesh, sweep)) return {};
+  if (!wants_between(target, edges) || !sweep.materials.empty() || !waves_are_plane(target.mesh, sweep)) return {};
   return between_crowded(target.mesh, target.wedges, sweep.frequencies);
 }
 
@@ -190,6 +208,7 @@ double ray_range(const Target& target, const Sweep& sweep, const EdgeOptions& ed
 
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {
   check(sweep, options);
+  check_materials(target.mesh, sweep);
   check_antennas(target.mesh, sweep);
   check_density(target.mesh, sweep, options.tubes, options.edges.method);
   const auto start = std::chrono::steady_clock::now();

@@ -22,12 +22,16 @@ namespace raytube {
 /// mode to compare with programs that trace paths.
 enum class EdgeMethod { none, fringe, utd };
 
+/// What edges add beside other materials than perfect conductors. luebbers: utd/material_edges.h.
+enum class MaterialEdgeMethod { none, luebbers };
+
 struct EdgeOptions {
   EdgeMethod method = EdgeMethod::fringe;
   int order = 3;                 // edges in a row that a current passes, 1 to 3; 1 takes every face as endless
   bool between = true;           // edges light other surfaces: diffraction between surfaces
   bool receiver_shadow = false;  // an edge hidden from the receiver does not count
   TransitionTier transition = TransitionTier::exact;  // of the transition function; plays a part at order 2 and 3 only
+  MaterialEdgeMethod materials = MaterialEdgeMethod::none;
   bool thin_sheets = true;                 // the rim of a sheet thinner than wavelength / 10 is the edge of a half plane
   double utd_range = 0.0;                  // of transmitter and receiver with method utd [m]; 0: default_ray_range
   double min_wedge_angle = 15.0 * degree;  // a crease flatter than this is tessellation, not an edge [rad]
@@ -78,8 +82,11 @@ std::vector<bool> crowded_between(const Target& target, const Sweep& sweep, cons
 /// Looks from a finite distance that would have waves between surfaces from afar.
 std::uint64_t looks_too_near_for_between(const Target& target, const Sweep& sweep, const EdgeOptions& edges);
 
+/// Looks that would have waves between surfaces if all of these were perfect conductors.
+std::uint64_t looks_without_between_for_materials(const Target& target, const Sweep& sweep, const EdgeOptions& edges);
+
 /// The wedges whose fringe currents a solve leaves out, and why; of the rims, what is left out at the lowest frequency.
-std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, EdgeMethod method,
+std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const Rim> rims, const EdgeOptions& edges,
                                     std::span<const double> frequencies);
 
 /// Throws InputError if an antenna at a finite distance has not all of the target in front, or its pattern ends on it.

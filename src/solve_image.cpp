@@ -80,7 +80,7 @@ LookImage image_of(const Target& target, const Sweep& sweep, const SolveOptions&
   Progress progress(options.progress);
   const Look& look = sweep.looks[index];
   const TubeSums tubes = sbr_scattering(target.tracer, target.faces, smooth ? &*smooth : nullptr, target.convexity, look,
-                                        sweep.frequencies, options.tubes, progress, 1.0, sweep.radar, &map);
+                                        sweep.frequencies, options.tubes, progress, 1.0, sweep.radar, sweep.materials, &map);
   LookImage image{index, sweep.frequencies[f], cells, map.take_cells(), map.take_triangles(), {}};
   image.edges = edge_pieces(target, sweep, options, look, f, lattice, tubes);
   for (const ImageEdge& piece : image.edges)
@@ -119,6 +119,10 @@ LookImage image_of_look(const Target& target, const Sweep& sweep, const SolveOpt
   check(sweep, options);
   if (options.edges.method == EdgeMethod::utd)
     throw InputError("output.image_look: edges.method \"utd\" adds up rays, not currents; write \"fringe\" or \"none\"");
+  if (options.edges.materials != MaterialEdgeMethod::none)
+    throw InputError(
+        "output.image_look: the heuristic of edges.materials has no place in an image; write edges.materials = \"none\"");
+  check_materials(target.mesh, sweep);
   const ImageLattice cells = image_cells(target, sweep, options, look, per_wavelength);
   LookImage image;
   run_on_threads(options.threads, [&] { image = image_of(target, sweep, options, look, cells); });

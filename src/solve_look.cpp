@@ -87,7 +87,7 @@ class Reader {
 template <class Archive, class Look>
 void visit(Archive& archive, Look& look) {
   auto& [tubes, edges, between] = look;
-  archive(tubes.bounces), archive(tubes.error), archive(tubes.hits);
+  archive(tubes.bounces), archive(tubes.incoherent), archive(tubes.error), archive(tubes.hits);
   archive(tubes.tubes), archive(tubes.rays), archive(tubes.lost_rays), archive(tubes.tubes_cut);
   archive(tubes.empty_cells), archive(tubes.faces_away), archive(tubes.sliver_area);
   archive(edges.scattering), archive(edges.higher), archive(edges.windowed);
@@ -99,8 +99,8 @@ bool has_frequencies(const LookResult& look, std::size_t count) {
   const auto none_or_all = [count](const auto& list) { return list.empty() || list.size() == count; };
   for (const std::vector<ScatteringMatrix>& bounce : look.tubes.bounces)
     if (bounce.size() != count) return false;
-  return look.tubes.error.size() == count && none_or_all(look.edges.scattering) && none_or_all(look.edges.higher) &&
-         none_or_all(look.edges.windowed) && none_or_all(look.between.scattering) &&
+  return look.tubes.error.size() == count && none_or_all(look.tubes.incoherent) && none_or_all(look.edges.scattering) &&
+         none_or_all(look.edges.higher) && none_or_all(look.edges.windowed) && none_or_all(look.between.scattering) &&
          look.between.error.size() == look.between.scattering.size();
 }
 

@@ -46,6 +46,17 @@ void check_near(const Sweep& sweep, const SolveOptions& options) {
     throw InputError("antennas at a finite distance have no part in the edge method utd, which has a range of its own");
 }
 
+void check_materials(const Sweep& sweep, const SolveOptions& options) {
+  if (sweep.materials.empty()) return;
+  if (!all_far(sweep))
+    throw InputError("antennas at a finite distance know perfect conductors only; remove [radar] or the materials");
+  if (options.edges.method == EdgeMethod::utd)
+    throw InputError("edges.method \"utd\" knows perfect conductors only; write \"fringe\" or \"none\", or remove the materials");
+  const bool sheets = std::ranges::any_of(sweep.materials, &Material::transmits);
+  if (sheets && options.tubes.curved == CurvedSurfaces::always)
+    throw InputError("tubes.curved \"always\" knows no sheets that let waves through; write \"convex\" or \"never\"");
+}
+
 }  // namespace
 
 bool all_far(const Sweep& sweep) { return std::ranges::all_of(sweep.looks, &Look::far); }
@@ -66,7 +77,13 @@ void check(const Sweep& sweep, const SolveOptions& options) {
   if (options.edges.order < 1 || options.edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
   if (options.tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
   if (!all_far(sweep)) check_near(sweep, options);
+  check_materials(sweep, options);
   if (!(options.edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
+}
+
+void check_materials(const TriangleMesh& mesh, const Sweep& sweep) {
+  const auto missing = [&](const Patch& patch) { return patch.material != no_index && patch.material >= sweep.materials.size(); };
+  if (std::ranges::any_of(mesh.patches, missing)) throw InputError("the mesh is made of materials that the sweep does not have");
 }
 
 void make_reciprocal(std::span<ScatteringMatrix> scattering) {

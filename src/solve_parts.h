@@ -21,6 +21,9 @@ bool waves_are_plane(const TriangleMesh& mesh, const Sweep& sweep);
 /// Throws InputError for an empty or non-physical sweep, or options out of range.
 void check(const Sweep& sweep, const SolveOptions& options);
 
+/// Throws InputError if the mesh is made of materials that the sweep has not.
+void check_materials(const TriangleMesh& mesh, const Sweep& sweep);
+
 /// Reciprocity: the true S of a monostatic look has S_vh = S_hv, so dropping our antisymmetric part brings S closer. One bounce
 /// has none; several bounces have one out of their specular directions, fringe currents off their cone. A bistatic sweep is
 /// left alone, also where it passes the monostatic direction: there the parts correct one another, and rows must not jump.

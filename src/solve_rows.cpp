@@ -27,6 +27,7 @@ RowCollector::RowCollector(const Target& target, const Sweep& sweep, const Solve
   for (std::size_t i = 0; i < following_.size(); ++i) following_[next[plan.sources[i].place]++] = i;
   result_.total.resize(sweep.rows());
   result_.error.resize(sweep.rows());
+  if (any_rough(sweep.materials)) result_.incoherent.resize(sweep.rows());
   if (!options.keep_parts) return;
   result_.edges_first.resize(sweep.rows());
   result_.edges_higher.resize(sweep.rows());
@@ -55,6 +56,8 @@ void RowCollector::count(std::size_t place, const LookResult& look) {
 
 void RowCollector::add_rows(std::size_t look, const LookResult& part, const LookSource& source) {
   for (std::size_t f = 0; f < sweep_.frequencies.size(); ++f) add_row(look, f, part, source);
+  if (!part.tubes.incoherent.empty())
+    std::ranges::copy(part.tubes.incoherent, result_.incoherent.begin() + static_cast<std::ptrdiff_t>(sweep_.row(look, 0)));
   Statistics& all = result_.statistics;
   all.wedges_lit += part.edges.wedges_lit;
   all.painted_pieces += part.between.lit_pieces;
@@ -98,12 +101,13 @@ SweepResult RowCollector::finish(const std::vector<bool>& crowded) {
   Statistics& all = result_.statistics;
   all.sliver_area = std::accumulate(sliver_areas_.begin(), sliver_areas_.end(), 0.0);
   if (looks_without_tubes_) all.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
-  for (const Skipped& left_out : skipped_wedges(target_.wedges, target_.rims, options_.edges.method, sweep_.frequencies))
+  for (const Skipped& left_out : skipped_wedges(target_.wedges, target_.rims, options_.edges, sweep_.frequencies))
     if (left_out.count) all.skipped.push_back(left_out);
   skipped_.repeated_looks = plan_.repeated;
   skipped_.mirrored_looks = plan_.mirrored;
   skipped_.crowded_frequencies = static_cast<std::uint64_t>(std::ranges::count(crowded, true));
   skipped_.near_looks = looks_too_near_for_between(target_, sweep_, options_.edges);
+  skipped_.material_looks = looks_without_between_for_materials(target_, sweep_, options_.edges);
   if (options_.tubes.skip) count_spared_by_shape();
   for (const Skipped& item : skipped_items(skipped_)) all.skipped.push_back(item);
   all.wedges = target_.wedges.size();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "antenna.h"
+#include "material.h"
 
 namespace raytube {
 
@@ -36,6 +37,7 @@ struct Sweep {
   std::vector<Look> looks;
   bool bistatic = false;  // receive directions were given (they may still coincide); else every look is its own receiver
   Radar radar{};          // of looks from a finite distance
+  std::vector<Material> materials{};  // of the target: see Patch::material
 
   std::size_t rows() const { return frequencies.size() * looks.size(); }
   std::size_t row(std::size_t look, std::size_t frequency) const { return look * frequencies.size() + frequency; }
@@ -76,6 +78,7 @@ struct SweepResult {
       bounces;  // bounces[m][row]: PO currents of bounce m + 1; empty unless parts are kept
   // Fringe currents of the lit wedges, and what these currents start at further wedges; empty unless parts are kept.
   std::vector<ScatteringMatrix> edges_first, edges_higher;
+  std::vector<std::array<double, 2>> incoherent;  // sigma of rough surfaces for transmitted V and H [m^2]; empty: there are none
   std::vector<ScatteringMatrix> between;  // currents that diffracted waves paint on other surfaces; empty unless parts are kept
   Statistics statistics;
 };

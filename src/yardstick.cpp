@@ -36,7 +36,7 @@ std::vector<RandomSums> draw(const Target& target, const Sweep& sweep, const Sol
     // A look's stream depends on nothing but its place and the run.
     const std::uint64_t stream = std::uint64_t{i / looks} << 32 | i % looks;
     drawn[i] = random_tubes(target.tracer, sweep.looks[i % looks], sweep.frequencies, options.tubes,
-                            {random.samples, random.seed, stream});
+                            {random.samples, random.seed, stream}, sweep.materials);
     progress.add(share);
   });
   return drawn;
@@ -91,7 +91,7 @@ Statistics statistics_of(const Target& target, const Sweep& sweep, const EdgeOpt
   s.rays = sum.rays, s.hits = sum.hits, s.lost_rays = sum.lost_rays, s.tubes_cut = sum.tubes_cut;
   s.sliver_area = 0.0;
   s.skipped.clear();
-  for (const Skipped& left_out : skipped_wedges(target.wedges, target.rims, edges.method, sweep.frequencies))
+  for (const Skipped& left_out : skipped_wedges(target.wedges, target.rims, edges, sweep.frequencies))
     if (left_out.count) s.skipped.push_back(left_out);
   return s;
 }

@@ -27,6 +27,10 @@ run cylinder cases/cylinder/case.toml
 run cylinder_off cases/cylinder/case.toml "${off[@]}"
 run trihedral cases/trihedral/case.toml
 run sphere cases/sphere/bistatic.toml
+run radome cases/radome/case.toml
+run dihedral_77 cases/dihedral/case.toml --set frequency.ghz=77 "${off[@]}"
+run coated_sphere cases/coated_sphere/case.toml
+run coated_sphere_bare cases/coated_sphere/case.toml --set 'target.material="pec"'
 run haul_truck cases/haul_truck/case.toml
 grep -v '^#' "$work/haul_truck/rcs.csv" >"$work/haul_truck_errors.csv"
 for body in cube2 dihedral3; do
@@ -35,7 +39,7 @@ for body in cube2 dihedral3; do
   grep -E '^theta_deg|,az_th90$' tests/data/mom/$body.csv >"$work/${body}_mom.csv"
 done
 run dihedral3_sharp docs/figures/dihedral3.toml "${fine[@]}" --set edges.between=false
-for name in plate dihedral powercube cylinder trihedral; do grep -v '^#' cases/$name/reference.csv >"$work/${name}_reference.csv"; done
+for name in plate dihedral powercube cylinder trihedral radome coated_sphere; do grep -v '^#' cases/$name/reference.csv >"$work/${name}_reference.csv"; done
 grep -v '^#' cases/sphere/reference_bistatic.csv >"$work/sphere_reference.csv"
 "$program" converge cases/convergence/case.toml -o "$work/convergence_plate" >/dev/null
 "$program" converge cases/convergence/dihedral.toml -o "$work/convergence_dihedral" >/dev/null
@@ -57,10 +61,10 @@ paste -d, "$work/plate.csv" "$work/plate_reference.csv" >"$work/plate_both.csv"
 for name in dihedral dihedral_off; do
   paste -d, "$work/$name.csv" "$work/${name%_off}_reference.csv" >"$work/${name}_both.csv"
 done
-paste -d, "$work/sphere.csv" "$work/sphere_reference.csv" >"$work/sphere_both.csv"
+for name in sphere radome coated_sphere; do paste -d, "$work/$name.csv" "$work/${name}_reference.csv" >"$work/${name}_both.csv"; done
 
 cd docs/figures
-pictures=(plate dihedral chamber cube2 dihedral3 sphere powercube cylinder trihedral haul_truck haul_truck_image convergence_plate
+pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder trihedral haul_truck haul_truck_image convergence_plate
           convergence_dihedral stochastic double_slit_launch double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','
@@ -158,6 +162,40 @@ set ylabel 'raytube − Mie (dB)'
 set yrange [-3:3]
 plot work.'sphere_both.csv' using 5:(diff(\$12,\$13,\$29,\$30)) with lines lc rgb '#8a1fbf' lw 1.6 title 'E in plane (HH)', \
      work.'sphere_both.csv' using 5:(diff(\$6,\$7,\$23,\$24)) with lines ls 1 lw 1.6 title 'E across plane (VV)'
+unset multiplot
+set ylabel 'σ (dBsm)'
+
+eval canvas('radome', 900, 700)
+set multiplot layout 2,1 title '150 mm dihedral behind a flat radome, 77 GHz, θ = 90°, monostatic'
+set xlabel 'φ (deg)'
+set xrange [30:60]
+set xtics 5
+set yrange [20:32]
+plot work.'dihedral_77.csv' using 3:(db(\$6,\$7)) with lines lc rgb '#2e8b3d' lw 1.4 title 'VV without the radome', \
+     work.'radome_reference.csv' using 3:(db(\$6,\$7)) with lines ls 3 title 'VV closed form', \
+     work.'radome.csv' using 3:(db(\$6,\$7)) with lines ls 1 lw 1.6 title 'VV raytube', \
+     work.'radome_reference.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#cdb4e8' lw 6 title 'HH closed form', \
+     work.'radome.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.6 title 'HH raytube'
+set ylabel 'raytube − closed form (dB)'
+set yrange [-0.2:0.2]
+plot work.'radome_both.csv' using 3:(diff(\$6,\$7,\$23,\$24)) with lines ls 1 lw 1.6 title 'VV', \
+     work.'radome_both.csv' using 3:(diff(\$12,\$13,\$29,\$30)) with lines lc rgb '#8a1fbf' lw 1.6 title 'HH'
+unset multiplot
+set ylabel 'σ (dBsm)'
+
+eval canvas('coated_sphere', 900, 700)
+set multiplot layout 2,1 title 'Sphere of 1 m radius with an absorbing coat of 5 mm, monostatic'
+set xlabel 'frequency (GHz)'
+set xrange [2:5]
+set xtics 0.5
+set yrange [-35:10]
+plot work.'coated_sphere_bare.csv' using (\$1/1e9):(db(\$6,\$7)) with lines lc rgb '#2e8b3d' lw 1.4 title 'without coat, raytube', \
+     work.'coated_sphere_reference.csv' using (\$1/1e9):(db(\$6,\$7)) with lines ls 3 title 'exact series', \
+     work.'coated_sphere.csv' using (\$1/1e9):(db(\$6,\$7)) with lines ls 1 lw 1.6 title 'raytube, VV'
+set ylabel 'raytube − series (dB)'
+set yrange [-0.8:0.8]
+plot work.'coated_sphere_both.csv' using (\$1/1e9):(diff(\$6,\$7,\$23,\$24)) with lines ls 1 lw 1.6 title 'VV', \
+     work.'coated_sphere_both.csv' using (\$1/1e9):(diff(\$12,\$13,\$29,\$30)) with lines lc rgb '#8a1fbf' lw 1.6 title 'HH'
 unset multiplot
 set ylabel 'σ (dBsm)'
 

@@ -9,6 +9,7 @@
 #include "case/document.h"
 #include "case/keys.h"
 #include "case/looks.h"
+#include "case/materials.h"
 #include "case/names.h"
 #include "case/radar.h"
 #include "case/values.h"
@@ -20,17 +21,23 @@ namespace raytube {
 
 namespace {
 
+void read_mesh(const CaseValue& value, const std::string& key, Case& c) {
+  c.meshes.push_back(read_text(value, key));
+  if (c.meshes.back().empty()) reject(value, key + " is empty; give the mesh file, relative to the case file");
+  c.mesh_files.push_back((c.file.parent_path() / c.meshes.back()).lexically_normal());
+}
+
+void read_meshes(const CaseValue& value, Case& c) {
+  if (value.kind != CaseValue::Kind::list) return read_mesh(value, "target.mesh", c);
+  if (value.items.empty()) reject(value, "target.mesh is an empty list; give at least one mesh file");
+  for (const CaseValue& item : value.items) read_mesh(item, "every entry of target.mesh", c);
+}
+
 void read_target(const CaseValue& root, Case& c) {
-  const CaseValue& mesh = require(root, "target", "mesh", "mesh = \"file.stl\"");
-  c.mesh = read_text(mesh, "target.mesh");
-  if (c.mesh.empty()) reject(mesh, "target.mesh is empty; give the mesh file, relative to the case file");
-  c.mesh_file = (c.file.parent_path() / c.mesh).lexically_normal();
+  read_meshes(require(root, "target", "mesh", "mesh = \"file.stl\""), c);
   const CaseValue& unit = require(root, "target", "unit", "unit = \"mm\" (or m, cm, um, in, ft: the length of one mesh unit)");
   c.unit = read_text(unit, "target.unit");
   c.metres_per_unit = read_unit(unit, "target.unit");
-  if (const CaseValue* material = find(root, "target", "material"))
-    if (read_text(*material, "target.material") != "pec")
-      reject(*material, fmt::format("target.material \"{}\" is not in this version; write \"pec\"", quotable(material->text)));
 }
 
 void read_frequencies(const CaseValue& root, Case& c) {
@@ -107,6 +114,17 @@ EdgeMethod read_method(const CaseValue& value) {
   reject(value, fmt::format("edges.method \"{}\" is not in this version; write \"fringe\", \"none\" or \"utd\"", quotable(text)));
 }
 
+MaterialEdgeMethod read_material_edges(const CaseValue& value, const Case& c) {
+  const std::string text = read_text(value, "edges.materials");
+  if (text == "none") return MaterialEdgeMethod::none;
+  if (text != "luebbers")
+    reject(value, fmt::format("edges.materials \"{}\" is unknown; write \"none\" or \"luebbers\"", quotable(text)));
+  if (c.sweep.materials.empty())
+    reject(value, "edges.materials says what edges beside other materials do, but all is a perfect conductor; remove it");
+  if (c.edges.method != EdgeMethod::fringe) reject(value, "edges.materials needs edges.method = \"fringe\"; remove it");
+  return MaterialEdgeMethod::luebbers;
+}
+
 void read_edges(const CaseValue& root, Case& c) {
   if (const CaseValue* method = find(root, "edges", "method")) c.edges.method = read_method(*method);
   if (const CaseValue* range = find(root, "edges", "utd_range_m")) {
@@ -119,6 +137,7 @@ void read_edges(const CaseValue& root, Case& c) {
   if (const CaseValue* shadow = find(root, "edges", "receiver_shadow"))
     c.edges.receiver_shadow = read_flag(*shadow, "edges.receiver_shadow");
   if (const CaseValue* transition = find(root, "edges", "transition")) c.edges.transition = read_transition(*transition);
+  if (const CaseValue* materials = find(root, "edges", "materials")) c.edges.materials = read_material_edges(*materials, c);
   if (const CaseValue* thin = find(root, "edges", "thin_sheets")) c.edges.thin_sheets = read_flag(*thin, "edges.thin_sheets");
   if (const CaseValue* angle = find(root, "edges", "min_wedge_deg")) {
     const double degrees = read_number(*angle, "edges.min_wedge_deg");
@@ -140,6 +159,9 @@ void read_image_looks(const CaseValue& value, Case& c) {
   const bool list = value.kind == CaseValue::Kind::list;
   if (!list && value.kind != CaseValue::Kind::number)
     reject(value, "output.image_look must be the number of a direction pair or a list of such, counted from 0");
+  if (c.edges.materials != MaterialEdgeMethod::none)
+    reject(value,
+           "output.image_look: the heuristic of edges.materials has no place in an image; write edges.materials = \"none\"");
   if (c.edges.method == EdgeMethod::utd)
     reject(value, "output.image_look needs currents, but edges.method is \"utd\"; write \"fringe\" or \"none\" there");
   if (list && value.items.empty())
@@ -152,6 +174,12 @@ void read_image_looks(const CaseValue& value, Case& c) {
 
 void read_output(const CaseValue& root, Case& c) {
   if (const CaseValue* plots = find(root, "output", "plots")) c.plots = read_flag(*plots, "output.plots");
+  if (const CaseValue* incoherent = find(root, "output", "incoherent")) {
+    c.incoherent = read_flag(*incoherent, "output.incoherent");
+    if (c.incoherent && !any_rough(c.sweep.materials))
+      reject(*incoherent,
+             "output.incoherent: no surface is rough; give roughness_rms_mm to a material of the target, or remove it");
+  }
   if (const CaseValue* looks = find(root, "output", "image_look")) read_image_looks(*looks, c);
   if (const CaseValue* density = find(root, "output", "image_per_wavelength"))
     c.image_per_wavelength = read_positive(*density, "output.image_per_wavelength");
@@ -166,18 +194,21 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   c.file = file;
   read_target(root, c);
   read_frequencies(root, c);
+  read_materials(root, c);
   read_looks(root, c);
   read_tubes(root, c);
   read_edges(root, c);
   read_radar(root, c);
   read_output(root, c);
   const CaseValue* title = root.find("title");
-  c.title = title ? read_text(*title, "title") : c.mesh_file.stem().string();
+  c.title = title ? read_text(*title, "title") : c.mesh_files.front().stem().string();
   return c;
 }
 
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const Case& c) {
-  std::vector<std::pair<std::string, std::filesystem::path>> files = {{"the case", c.file}, {"target.mesh", c.mesh_file}};
+  std::vector<std::pair<std::string, std::filesystem::path>> files = {{"the case", c.file}};
+  for (const std::filesystem::path& mesh : c.mesh_files) files.emplace_back("target.mesh", mesh);
+  for (const auto& [name, table] : medium_tables(c)) files.emplace_back("table_csv", table);
   const std::filesystem::path folder = c.file.parent_path();
   if (!c.looks.looks_csv.empty()) files.emplace_back("look.looks_csv", folder / c.looks.looks_csv);
   if (!c.radar.pattern_csv.empty()) files.emplace_back("radar.pattern_csv", folder / c.radar.pattern_csv);

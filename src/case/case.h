@@ -1,7 +1,9 @@
 // Case file (TOML) -> Case: strict keys, units converted, every default resolved.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,22 +28,65 @@ struct RadarChoice {
   std::string pattern_csv;                          // relative to the case's folder
 };
 
+/// A medium as the user gave it: by name, by a table or by numbers.
+struct MediumChoice {
+  std::string medium;                                // of the library; else empty
+  std::string table_csv;                             // relative to the case's folder; else empty
+  std::array<double, 2> eps_r{1, 0}, mu_r{1, 0};     // eps' and eps'', mu' and mu''
+  std::optional<double> loss_tangent, conductivity;  // in the place of eps''; conductivity [S/m]
+  std::string place;                                 // where it stands, and the key that says what it is
+};
+
+struct LayerChoice {
+  double thickness_mm = 0.0;  // 0: a half-space
+  MediumChoice medium;
+};
+
+/// An entry of the materials section as the user gave it.
+struct MaterialChoice {
+  std::string name, kind;
+  std::vector<LayerChoice> layers;
+  std::optional<double> resistance, conductance;  // [ohm], [S]
+  double roughness_mm = 0.0;
+};
+
+/// Which material is where, as the user gave it. A number tells more than a name in a mesh file, and this more than the name of
+/// the file.
+struct MaterialPlaces {
+  struct Part {
+    std::string name, material, place;
+  };
+  struct Facets {
+    std::uint64_t first, last;
+    std::string material, place;
+  };
+  std::string elsewhere = "pec";
+  std::vector<Part> parts;
+  std::vector<Facets> facets;  // ascending, and no facet in two of them
+};
+
 struct Case {
   std::string title;
   std::filesystem::path file;
-  std::string mesh;                 // as written, relative to the case's folder
-  std::filesystem::path mesh_file;  // resolved against it
-  std::string unit;                 // as written
+  std::vector<std::string> meshes;                // as written, relative to the case's folder
+  std::vector<std::filesystem::path> mesh_files;  // resolved against it
+  std::string unit;                               // as written
   double metres_per_unit = 1.0;
+  MaterialPlaces places;
+  std::vector<MaterialChoice> materials;  // all that are defined; those of use are in sweep.materials
   Sweep sweep;
   LookChoice looks;
   RadarChoice radar;
   TubeOptions tubes;
   EdgeOptions edges;
   bool plots = true;
+  bool incoherent = false;               // what rough surfaces scatter incoherently is written, too
   std::vector<std::size_t> image_looks;  // of which images are made
   double image_per_wavelength = 10.0;
 };
+
+/// Tables of the media in use, as written and resolved, each once.
+std::vector<std::pair<std::string, std::filesystem::path>> medium_tables(const Case& c);
 
 /// The files that the case is read from, each with the key that names it.
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const Case& c);

@@ -76,7 +76,7 @@ CaseValue converted(const toml::node& node, const Source& source) {
 }
 
 constexpr std::uintmax_t longest_file = 1 << 24;  // [bytes]
-constexpr std::size_t most_parts = 10;            // of a dotted key; those known have two
+constexpr std::size_t most_parts = 10;            // of a dotted key; those known have three at most
 
 // Line of the first dotted key with more parts, 0 if there is none. The TOML library descends one call for each, and would run
 // out of stack.

@@ -29,7 +29,7 @@ Json tubes_json(const TubeOptions& tubes) {
   return json;
 }
 
-Json edges_json(const EdgeOptions& edges) {
+Json edges_json(const EdgeOptions& edges, bool has_materials) {
   Json json = {{"method", edge_method_name(edges.method)},
                {"order", edges.order},
                {"between", edges.between},
@@ -37,6 +37,7 @@ Json edges_json(const EdgeOptions& edges) {
                {"transition", transition_name(edges.transition)},
                {"thin_sheets", edges.thin_sheets},
                {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
+  if (has_materials) json["materials"] = material_edge_name(edges.materials);
   if (edges.utd_range > 0.0) json["utd_range_m"] = edges.utd_range;
   return json;
 }
@@ -71,17 +72,65 @@ void put_looks(const LookChoice& looks, Json& json) {
     json["receive"] = {{"theta_deg", one_or_list(looks.rx_theta_deg)}, {"phi_deg", one_or_list(looks.rx_phi_deg)}};
 }
 
+Json facets_json(const std::vector<MaterialPlaces::Facets>& facets) {
+  Json json = Json::object();
+  for (const auto& [first, last, material, place] : facets)
+    json[material].push_back(first == last ? Json(first) : Json({first, last}));
+  return json;
+}
+
+Json target_json(const Case& c) {
+  Json json = {{"mesh", c.meshes.size() == 1 ? Json(c.meshes.front()) : Json(c.meshes)},
+               {"unit", c.unit},
+               {"material", c.places.elsewhere}};
+  for (const auto& [name, material, place] : c.places.parts) json["parts"][name] = material;
+  if (!c.places.facets.empty()) json["facets"] = facets_json(c.places.facets);
+  return json;
+}
+
+void put_medium(const MediumChoice& medium, Json& json) {
+  if (!medium.medium.empty()) {
+    json["medium"] = medium.medium;
+  } else if (!medium.table_csv.empty()) {
+    json["table_csv"] = medium.table_csv;
+  } else {
+    const bool one_number = medium.loss_tangent || medium.conductivity;
+    json["eps_r"] = one_number ? Json(medium.eps_r[0]) : Json(medium.eps_r);
+    if (medium.loss_tangent) json["loss_tangent"] = *medium.loss_tangent;
+    if (medium.conductivity) json["conductivity_s_per_m"] = *medium.conductivity;
+    json["mu_r"] = medium.mu_r;
+  }
+}
+
+void put_layer(const LayerChoice& layer, Json& json) {
+  if (layer.thickness_mm > 0.0) json["thickness_mm"] = layer.thickness_mm;
+  put_medium(layer.medium, json);
+}
+
+Json material_json(const MaterialChoice& material) {
+  Json json = {{"kind", material.kind}};
+  if (material.layers.size() == 1) put_layer(material.layers.front(), json);
+  for (std::size_t i = 0; i < material.layers.size() && material.layers.size() > 1; ++i)
+    put_layer(material.layers[i], json["layers"][i]);
+  if (material.resistance) json["resistance_ohm"] = *material.resistance;
+  if (material.conductance) json["conductance_s"] = *material.conductance;
+  json["roughness_rms_mm"] = material.roughness_mm;
+  return json;
+}
+
 Json resolved_case(const Case& c) {
   Json json;
   json["title"] = c.title;
-  json["target"] = {{"mesh", c.mesh}, {"unit", c.unit}, {"material", "pec"}};
+  json["target"] = target_json(c);
+  for (const MaterialChoice& material : c.materials) json["materials"][material.name] = material_json(material);
   json["frequency"] = frequency_json(c.sweep);
   if (c.radar.positions.empty()) put_looks(c.looks, json);
   if (!c.sweep.looks.front().far()) json["radar"] = radar_json(c);
   json["tubes"] = tubes_json(c.tubes);
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};
-  json["edges"] = edges_json(c.edges);
+  json["edges"] = edges_json(c.edges, !c.sweep.materials.empty());
   json["output"] = {{"plots", c.plots}};
+  if (c.incoherent) json["output"]["incoherent"] = true;
   if (!c.image_looks.empty()) {
     json["output"]["image_look"] = c.image_looks;
     json["output"]["image_per_wavelength"] = c.image_per_wavelength;

@@ -12,10 +12,12 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 36> known_keys = {"title",
+constexpr std::array<std::string_view, 40> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
+                                                         "target.parts",
+                                                         "target.facets",
                                                          "frequency.ghz",
                                                          "look.theta_deg",
                                                          "look.phi_deg",
@@ -35,6 +37,7 @@ constexpr std::array<std::string_view, 36> known_keys = {"title",
                                                          "edges.between",
                                                          "edges.receiver_shadow",
                                                          "edges.transition",
+                                                         "edges.materials",
                                                          "edges.thin_sheets",
                                                          "edges.utd_range_m",
                                                          "edges.min_wedge_deg",
@@ -46,15 +49,17 @@ constexpr std::array<std::string_view, 36> known_keys = {"title",
                                                          "radar.beamwidth_deg",
                                                          "radar.pattern_csv",
                                                          "output.plots",
+                                                         "output.incoherent",
                                                          "output.image_look",
                                                          "output.image_per_wavelength"};
 
-constexpr std::array<std::string_view, 1> later_keys = {"materials"};
+// Of [materials.NAME]. The first ones say what a layer is.
+constexpr std::array<std::string_view, 12> material_keys = {
+    "thickness_mm", "eps_r", "mu_r",   "loss_tangent",   "conductivity_s_per_m", "table_csv",
+    "medium",       "kind",  "layers", "resistance_ohm", "conductance_s",        "roughness_rms_mm"};
+constexpr std::span<const std::string_view> layer_keys = std::span(material_keys).first(7);
 
-template <std::size_t size>
-bool contains(const std::array<std::string_view, size>& keys, std::string_view key) {
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
+bool contains(std::span<const std::string_view> keys, std::string_view key) { return std::ranges::find(keys, key) != keys.end(); }
 
 bool is_section(std::string_view key) {
   return std::any_of(known_keys.begin(), known_keys.end(), [&](std::string_view known) {
@@ -86,7 +91,6 @@ std::size_t key_distance(std::string_view key, std::string_view known) {
 }
 
 void check_key(const CaseValue& value, const std::string& key) {
-  if (contains(later_keys, key)) reject(value, fmt::format("\"{}\" is not in this version; remove it", key));
   if (!contains(known_keys, key))
     reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", quotable(key), nearest_key(key, known_keys)));
 }
@@ -95,11 +99,39 @@ void check_key(const CaseValue& value, const std::string& key) {
 void check_unknown_section(const CaseValue& value, const std::string& section) {
   if (section == "scene" || section == "source")
     reject(value, fmt::format("[{}] belongs to a case for raytube sources; run it with that command", section));
-  const bool holds_key = value.kind == CaseValue::Kind::table && !value.keys.empty() && !contains(later_keys, section);
+  if (edit_distance(section, "materials") <= 2)
+    reject(value, fmt::format("unknown section \"{}\"; did you mean \"materials\"?", quotable(section)));
+  const bool holds_key = value.kind == CaseValue::Kind::table && !value.keys.empty();
   check_key(value, holds_key ? section + "." + value.keys.front() : section);
 }
 
+void check_keys_among(const CaseValue& table, std::span<const std::string_view> known, const std::string& path) {
+  for (std::size_t i = 0; i < table.keys.size(); ++i)
+    if (!contains(known, table.keys[i]))
+      reject(table.items[i], fmt::format("unknown key \"{0}.{1}\"; did you mean \"{0}.{2}\"?", path, quotable(table.keys[i]),
+                                         nearest_key(table.keys[i], known)));
+}
+
+void check_material(const CaseValue& material, const std::string& path) {
+  if (material.kind != CaseValue::Kind::table) reject(material, fmt::format("{0} must be a section; write [{0}]", path));
+  check_keys_among(material, material_keys, path);
+  const CaseValue* layers = material.find("layers");
+  for (std::size_t i = 0; layers && i < layers->items.size(); ++i)
+    check_keys_among(layers->items[i], layer_keys, fmt::format("{}.layers[{}]", path, i));
+}
+
+void check_materials(const CaseValue& materials) {
+  if (materials.kind != CaseValue::Kind::table)
+    reject(materials, "materials must be a section; write [materials.NAME] for each material");
+  for (std::size_t i = 0; i < materials.keys.size(); ++i)
+    check_material(materials.items[i], "materials." + quotable(materials.keys[i]));
+}
+
 }  // namespace
+
+std::string_view nearest_name(std::string_view name, std::span<const std::string> known) {
+  return *std::ranges::min_element(known, {}, [&](const std::string& other) { return edit_distance(name, other); });
+}
 
 std::string_view nearest_key(std::string_view key, std::span<const std::string_view> known) {
   return *std::min_element(known.begin(), known.end(),
@@ -110,6 +142,10 @@ void check_case_keys(const CaseValue& root) {
   for (std::size_t i = 0; i < root.keys.size(); ++i) {
     const std::string& section = root.keys[i];
     const CaseValue& value = root.items[i];
+    if (section == "materials") {
+      check_materials(value);
+      continue;
+    }
     if (!is_section(section)) {
       check_unknown_section(value, section);
       continue;

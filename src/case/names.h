@@ -29,6 +29,17 @@ constexpr std::string_view edge_method_name(EdgeMethod method) {
   return edge_method_names[static_cast<std::size_t>(method)].name;
 }
 
+struct MaterialEdgeName {
+  std::string_view name;
+  MaterialEdgeMethod method;
+};
+inline constexpr std::array<MaterialEdgeName, 2> material_edge_names = {
+    {{"none", MaterialEdgeMethod::none}, {"luebbers", MaterialEdgeMethod::luebbers}}};
+
+constexpr std::string_view material_edge_name(MaterialEdgeMethod method) {
+  return material_edge_names[static_cast<std::size_t>(method)].name;
+}
+
 struct CurvedName {
   std::string_view name;
   CurvedSurfaces where;

@@ -38,7 +38,7 @@ void check_keys(const CaseValue& table, const std::string& prefix) {
     const std::string key = prefix + table.keys[i];
     const CaseValue& value = table.items[i];
     if (is_known(key)) continue;
-    if (key == "target" || key == "look" || key == "frequency")
+    if (key == "target" || key == "look" || key == "frequency" || key == "materials")
       reject(value, fmt::format("[{}] belongs to a case for raytube run; run it with that command", key));
     if (!is_above_known(key)) {
       const bool holds_key = value.kind == Kind::table && !value.keys.empty();

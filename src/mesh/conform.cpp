@@ -6,29 +6,27 @@ namespace raytube {
 
 namespace {
 
-void split(std::vector<EdgeSplit> splits, std::vector<Triangle>& triangles, MeshReport& report) {
+void split(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
   for (const EdgeSplit& s : splits) report.t_junctions_split += s.vertices.size();
-  const SplitCount count = apply_splits(splits, triangles);
+  const SplitCount count = apply_splits(splits, facets);
   report.triangles_added += count.added;
   report.triangles_degenerate += count.vanished;
 }
 
-bool remove_slivers(std::span<const dvec3> vertices, const EdgeTable& edges, std::vector<Triangle>& triangles, double distance,
+bool remove_slivers(std::span<const dvec3> vertices, const EdgeTable& edges, Facets& facets, double distance,
                     MeshReport& report) {
-  SliverRemoval removal = find_slivers(vertices, triangles, edges, distance);
+  SliverRemoval removal = find_slivers(vertices, facets.triangles, edges, distance);
   if (removal.triangles.empty()) return false;
-  std::uint32_t index = 0;
-  report.triangles_degenerate +=
-      std::erase_if(triangles, [&](const Triangle&) { return std::ranges::binary_search(removal.triangles, index++); });
-  split(std::move(removal.splits), triangles, report);
+  report.triangles_degenerate += facets.drop_if([&](std::size_t i) { return std::ranges::binary_search(removal.triangles, i); });
+  split(std::move(removal.splits), facets, report);
   return true;
 }
 
-bool split_t_junctions(std::span<const dvec3> vertices, const EdgeTable& edges, std::vector<Triangle>& triangles, double distance,
+bool split_t_junctions(std::span<const dvec3> vertices, const EdgeTable& edges, Facets& facets, double distance,
                        MeshReport& report) {
-  std::vector<EdgeSplit> splits = find_t_junctions(vertices, triangles, edges, distance);
+  std::vector<EdgeSplit> splits = find_t_junctions(vertices, facets.triangles, edges, distance);
   if (splits.empty()) return false;
-  split(std::move(splits), triangles, report);
+  split(std::move(splits), facets, report);
   return true;
 }
 
@@ -37,14 +35,14 @@ constexpr int max_rounds = 64;
 
 }  // namespace
 
-void make_conforming(std::span<const dvec3> vertices, std::vector<Triangle>& triangles, double distance, MeshReport& report) {
+void make_conforming(std::span<const dvec3> vertices, Facets& facets, double distance, MeshReport& report) {
   for (int round = 0; round < max_rounds; ++round) {
-    const EdgeTable edges(triangles, vertices.size());
+    const EdgeTable edges(facets.triangles, vertices.size());
     // Slivers first: on their long edges lie the vertices of others, which would all be taken for T-junctions.
-    if (remove_slivers(vertices, edges, triangles, distance, report)) continue;
-    if (!split_t_junctions(vertices, edges, triangles, distance, report)) break;
+    if (remove_slivers(vertices, edges, facets, distance, report)) continue;
+    if (!split_t_junctions(vertices, edges, facets, distance, report)) break;
   }
-  report.triangles_degenerate += std::erase_if(triangles, [&](const Triangle& t) { return height(vertices, t) == 0.0; });
+  report.triangles_degenerate += facets.drop_if([&](std::size_t i) { return height(vertices, facets.triangles[i]) == 0.0; });
 }
 
 }  // namespace raytube

@@ -33,7 +33,7 @@ std::vector<EdgePiece> exposed_sectors(const TriangleMesh& mesh, const EdgeTable
 bool has_opening(const EdgePiece& piece);
 
 /// True if the piece's faces differ from a plane by at least `min_wedge_angle` [rad].
-bool is_wedge(const EdgePiece& piece, double min_wedge_angle);
+bool is_wedge(const TriangleMesh& mesh, const EdgePiece& piece, double min_wedge_angle);
 
 /// Joins pieces with the same faces that follow one another on a straight line, within `distance`. A run takes the place of
 /// its first piece.

@@ -78,10 +78,11 @@ double refined_n(const FaceFrame& first, const FaceFrame& second, double n) {
 
 bool has_opening(const EdgePiece& piece) { return piece.n * pi > no_opening; }
 
-bool is_wedge(const EdgePiece& piece, double min_wedge_angle) {
+bool is_wedge(const TriangleMesh& mesh, const EdgePiece& piece, double min_wedge_angle) {
   const double bend = std::abs(piece.n - 1.0) * pi;
-  const bool same_plane = piece.faces[0].patch == piece.faces[1].patch && bend < no_opening;
-  return !same_plane && has_opening(piece) && bend >= min_wedge_angle;
+  const Patch &first = mesh.patches[piece.faces[0].patch], &second = mesh.patches[piece.faces[1].patch];
+  const bool same_plane = first.normal == second.normal && first.offset == second.offset;  // one patch, or cut by materials
+  return !(same_plane && bend < no_opening) && has_opening(piece) && bend >= min_wedge_angle;
 }
 
 std::vector<EdgePiece> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges) {

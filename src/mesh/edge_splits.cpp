@@ -64,18 +64,19 @@ class Touched {
 
 }  // namespace
 
-SplitCount apply_splits(std::vector<EdgeSplit>& splits, std::vector<Triangle>& triangles) {
+SplitCount apply_splits(std::vector<EdgeSplit>& splits, Facets& facets) {
   std::ranges::sort(splits, {}, [](const EdgeSplit& s) { return std::pair(s.low, s.high); });
   const Touched touched(splits);
   SplitCount count;
-  std::vector<Triangle> result;
-  result.reserve(triangles.size());
-  for (const Triangle& t : triangles) {
+  Facets result;
+  result.triangles.reserve(facets.triangles.size());
+  for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
+    const Triangle& t = facets.triangles[i];
     const std::vector<Triangle> pieces = touched(t) ? pieces_of(t, splits) : std::vector{t};
     pieces.empty() ? ++count.vanished : count.added += pieces.size() - 1;
-    result.insert(result.end(), pieces.begin(), pieces.end());
+    for (const Triangle& piece : pieces) result.add(piece, facets, i);
   }
-  triangles = std::move(result);
+  facets = std::move(result);
   return count;
 }
 

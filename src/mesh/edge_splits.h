@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/geometry.h"
+#include "mesh/facets.h"
 
 namespace raytube {
 
@@ -20,7 +20,8 @@ struct SplitCount {
   std::uint64_t vanished = 0;  // triangles of which nothing is left but pieces with repeated corners
 };
 
-/// Cuts the triangles along the splits, of which there is one for an edge at most. `splits` gets sorted.
-SplitCount apply_splits(std::vector<EdgeSplit>& splits, std::vector<Triangle>& triangles);
+/// Cuts the triangles along the splits, of which there is one for an edge at most; pieces are made of what the triangle was.
+/// `splits` gets sorted.
+SplitCount apply_splits(std::vector<EdgeSplit>& splits, Facets& facets);
 
 }  // namespace raytube

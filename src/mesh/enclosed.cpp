@@ -104,9 +104,13 @@ std::uint64_t mark_enclosed(const TriangleMesh& mesh, const std::vector<bool>& c
   std::vector<bool> patches(mesh.patches.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (components[mesh.triangle_component[t]]) patches[mesh.triangle_patch[t]] = true;
-  for (Wedge& wedge : wedges)
-    wedge.enclosed = std::ranges::any_of(wedge.faces, [&](const WedgeFace& face) { return patches[face.patch]; });
-  return static_cast<std::uint64_t>(std::ranges::count(wedges, true, &Wedge::enclosed));
+  std::uint64_t marked = 0;
+  for (Wedge& wedge : wedges) {
+    if (std::ranges::none_of(wedge.faces, [&](const WedgeFace& face) { return patches[face.patch]; })) continue;
+    if (!wedge.silent) ++marked;
+    wedge.silent = true;
+  }
+  return marked;
 }
 
 }  // namespace raytube

@@ -23,7 +23,7 @@ void append(const TriangleMesh& part, const dvec3& shift, TriangleMesh& whole) {
   for (const auto& [a, b, c] : part.triangles) whole.triangles.push_back({a + first_vertex, b + first_vertex, c + first_vertex});
   for (const std::uint32_t patch : part.triangle_patch) whole.triangle_patch.push_back(patch + first_patch);
   for (const std::uint32_t component : part.triangle_component) whole.triangle_component.push_back(component + first_component);
-  for (const Patch& p : part.patches) whole.patches.push_back({p.normal, p.offset + glm::dot(p.normal, shift)});
+  for (const Patch& p : part.patches) whole.patches.push_back({p.normal, p.offset + glm::dot(p.normal, shift), p.material});
   whole.components.insert(whole.components.end(), part.components.begin(), part.components.end());
 }
 

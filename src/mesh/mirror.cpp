@@ -103,10 +103,11 @@ class Mirror {
     return true;
   }
 
-  // A sheet has two sides alike, so its normal may point either way.
+  // A sheet that conducts has two sides alike, so its normal may point either way. Of others the layers count from its side.
   bool is_image(const Patch& plane, const Patch& other, bool closed, const EdgeTable::Edge& edge) const {
     const double along = glm::dot(image(plane.normal, axis_), other.normal), sign = along > 0.0 ? 1.0 : -1.0;
-    if (std::abs(along) < 1.0 - same_angle || (closed && sign < 0.0)) return false;
+    const bool sided = closed || plane.material != no_index;
+    if (plane.material != other.material || std::abs(along) < 1.0 - same_angle || (sided && sign < 0.0)) return false;
     return std::ranges::all_of(std::array{edge.low, edge.high}, [&](std::uint32_t v) {
       const double height = glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset,
                    image_height = glm::dot(other.normal, mesh_.vertices[image_of_vertex_[v]]) - other.offset;

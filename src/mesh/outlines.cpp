@@ -33,7 +33,7 @@ double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direct
 Outlines::Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle)
     : edges_(2 * mesh.patches.size()), wanted_(2 * mesh.patches.size(), false) {
   for (const Wedge& wedge : wedges)
-    if (wedge.radiates())
+    if (wedge.radiates() && wedge.conducting())
       for (const WedgeFace& face : wedge.faces) wanted_[side_index(face.patch, face.back)] = true;
   add_wedges(wedges);
   add_creases(mesh, min_wedge_angle);
@@ -48,12 +48,12 @@ void Outlines::add(std::size_t side, const OutlineEdge& edge) {
   added.length = glm::length(along);
 }
 
-/// An edge of a thin rim stays where it is in the outlines; what stands there is the half plane, and nothing on the rim's own
-/// side.
+/// Currents end beside other materials than perfect conductors: as far as they know there is no wedge. An edge of a thin rim
+/// stays where it is in the outlines; what stands there is the half plane, and nothing on the rim's own side.
 void Outlines::add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int face) {
   const Wedge& w = wedges[wedge];
   const std::size_t side = side_index(w.faces[face].patch, w.faces[face].back);
-  add(side, {w.start, w.end, w.faces[face].into_face, wedge, face, false});
+  add(side, {w.start, w.end, w.faces[face].into_face, w.conducting() ? wedge : no_index, face, false});
   if (w.half_plane == no_index || !wanted_[side]) return;
   OutlineEdge& edge = edges_[side].back();
   edge.wedge = no_index;
@@ -77,7 +77,7 @@ void Outlines::add_creases(const TriangleMesh& mesh, double min_wedge_angle) {
   std::vector<EdgePiece> pieces = exposed_sectors(mesh, table);
   std::erase_if(pieces, [&](const EdgePiece& piece) {
     const auto wanted = [&](const PatchSide& side) { return wanted_[side_index(side.patch, side.back)]; };
-    return piece.faces[0] == piece.faces[1] || is_wedge(piece, min_wedge_angle) ||
+    return piece.faces[0] == piece.faces[1] || is_wedge(mesh, piece, min_wedge_angle) ||
            (!wanted(piece.faces[0]) && !wanted(piece.faces[1]));
   });
   const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "mesh/edge_table.h"
@@ -84,7 +85,43 @@ class PatchFinder {
       if (mesh_.triangle_patch[seed] == no_index && !join_nearest(seed)) grow(seed);
   }
 
+  /// Cuts the patches where materials meet. The piece with a patch's first triangle takes its number, the others follow behind.
+  void cut(std::span<const std::uint32_t> materials) {
+    const std::vector<std::uint32_t> pieces = connected_pieces(materials);
+    std::vector<std::uint32_t> patch_of_piece(mesh_.triangles.size(), no_index);
+    std::vector<bool> taken(mesh_.patches.size(), false);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      std::uint32_t& patch = patch_of_piece[pieces[t]];
+      if (patch == no_index) {
+        patch = mesh_.triangle_patch[t];
+        if (taken[patch]) patch = copy_of(patch);
+        taken[patch] = true;
+        mesh_.patches[patch].material = materials[t];
+      }
+      mesh_.triangle_patch[t] = patch;
+    }
+  }
+
  private:
+  /// A number for each triangle, in common with those of its patch that it reaches across edges without leaving its material.
+  std::vector<std::uint32_t> connected_pieces(std::span<const std::uint32_t> materials) const {
+    std::vector<std::uint32_t> parents(mesh_.triangles.size());
+    std::iota(parents.begin(), parents.end(), 0u);
+    for (std::uint32_t t = 0; t < parents.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t next = neighbour(t, k);
+        if (next == no_index || mesh_.triangle_patch[next] != mesh_.triangle_patch[t] || materials[next] != materials[t])
+          continue;
+        parents[find_root(parents, next)] = find_root(parents, t);
+      }
+    return number_sets(std::move(parents));
+  }
+
+  std::uint32_t copy_of(std::uint32_t patch) {
+    mesh_.patches.push_back(Patch(mesh_.patches[patch]));
+    return static_cast<std::uint32_t>(mesh_.patches.size() - 1);
+  }
+
   /// Of equal ones by place: in which order a file lists triangles and their corners must not decide where a sliver belongs.
   std::vector<std::uint32_t> largest_first() const {
     std::vector<Seed> seeds;
@@ -205,6 +242,10 @@ class PatchFinder {
 
 }  // namespace
 
-void find_patches(TriangleMesh& mesh, double distance) { PatchFinder(mesh, distance).run(); }
+void find_patches(TriangleMesh& mesh, double distance, std::span<const std::uint32_t> materials) {
+  PatchFinder finder(mesh, distance);
+  finder.run();
+  if (!materials.empty()) finder.cut(materials);
+}
 
 }  // namespace raytube

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 #include "mesh/formats.h"
 #include "mesh/text_scanner.h"
@@ -20,8 +21,8 @@ bool is_free_form(std::string_view keyword) {
   return std::ranges::find(keywords, keyword) != std::end(keywords);
 }
 
-/// Wavefront OBJ: of all its statements only `v` and `f` carry the surface; materials, groups, normals are passed over, and
-/// curves and surfaces of free form counted.
+/// Wavefront OBJ: of all its statements only `v` and `f` carry the surface; groups, objects and materials are names of the facets
+/// that follow, curves and surfaces of free form are counted, normals and others passed over.
 class ObjParser {
  public:
   explicit ObjParser(const MeshFile& file) : file_(file), scanner_(file, true) {}
@@ -32,6 +33,7 @@ class ObjParser {
       if (keyword == "v") read_vertex();
       if (keyword == "f") read_facet();
       if (is_free_form(keyword)) ++soup_.free_forms;
+      read_names(keyword);
     }
     if (largest_corner_ > soup_.points.size())
       file_.reject(fmt::format("line {}: vertex {} does not exist, the file holds {}; export the mesh again",
@@ -46,7 +48,28 @@ class ObjParser {
     soup_.points.push_back(point);
   }
 
+  /// Of groups there may be several. Objects and materials have one name, in which some programs put blanks.
+  void read_names(std::string_view keyword) {
+    if (keyword != "g" && keyword != "o" && keyword != "usemtl") return;
+    names_.reset();
+    if (keyword == "o") object_ = scanner_.rest_of_line();
+    if (keyword == "usemtl") material_ = scanner_.rest_of_line();
+    if (keyword != "g") return;
+    groups_.clear();
+    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) groups_.emplace_back(word);
+  }
+
+  void name_facet() {
+    if (!names_) {
+      std::vector<std::string> names = groups_;
+      names.insert(names.end(), {object_, material_});
+      names_ = soup_.names.list(names);
+    }
+    soup_.names.give(soup_.polygons.size(), *names_);
+  }
+
   void read_facet() {
+    name_facet();
     soup_.polygons.emplace_back();
     for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word())
       soup_.polygons.back().push_back(vertex_of(word));
@@ -76,6 +99,9 @@ class ObjParser {
   const MeshFile& file_;
   TextScanner scanner_;
   PolygonSoup soup_;
+  std::vector<std::string> groups_;
+  std::string object_, material_;
+  std::optional<std::uint32_t> names_;  // the list of these, once a facet goes by it
   std::uint64_t largest_corner_ = 0;
   std::size_t largest_corner_line_ = 0;
 };

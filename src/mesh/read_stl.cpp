@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -39,13 +40,24 @@ class SoupBuilder {
     if (is_new) soup_.points.push_back(key);
     corners_.push_back(place->second);
   }
-  void end_facet() { soup_.polygons.push_back(std::exchange(corners_, {})); }
+  void end_facet() {
+    if (!names_) names_ = soup_.names.list({name_});
+    soup_.names.give(soup_.polygons.size(), *names_);
+    soup_.polygons.push_back(std::exchange(corners_, {}));
+  }
+  /// Of the facets that follow.
+  void set_name(std::string_view name) {
+    name_ = name;
+    names_.reset();
+  }
   std::size_t facets() const { return soup_.polygons.size(); }
   PolygonSoup take() { return std::move(soup_); }
 
  private:
   PolygonSoup soup_;
   std::vector<std::uint32_t> corners_;
+  std::string name_;
+  std::optional<std::uint32_t> names_;
   std::unordered_map<dvec3, std::uint32_t, PointHash> index_;
 };
 
@@ -88,8 +100,11 @@ PolygonSoup parse_text(const MeshFile& file) {
   int corners = 0;
   for (std::string word = lower(scanner.word_of_any_line()); !word.empty(); word = lower(scanner.word_of_any_line())) {
     last = word;
-    if (word == "solid" || word == "endsolid") {
-      scanner.skip_line();  // a name follows, which may be any text
+    if (word == "solid") {
+      soup.set_name(scanner.rest_of_line());  // may be any text
+    } else if (word == "endsolid") {
+      scanner.skip_line();  // the name again
+      soup.set_name({});
     } else if (word == "normal") {
       for (int i = 0; i < 3; ++i) scanner.word_of_any_line();  // not used, and often NaN for slivers
     } else if (word == "vertex") {

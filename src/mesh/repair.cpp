@@ -8,6 +8,7 @@
 #include "mesh/conform.h"
 #include "mesh/duplicates.h"
 #include "mesh/edge_table.h"
+#include "mesh/facets.h"
 #include "mesh/load.h"
 #include "mesh/orient.h"
 #include "mesh/patches.h"
@@ -43,21 +44,24 @@ dvec3 recentre(std::vector<dvec3>& points, double metres_per_unit) {
   return middle * metres_per_unit;
 }
 
-std::vector<Triangle> split_polygons(const PolygonSoup& soup, MeshReport& report) {
-  std::vector<Triangle> triangles;
-  for (const auto& polygon : soup.polygons) {
-    const std::vector<Triangle> pieces = triangulate(soup.points, polygon);
+Facets split_polygons(const PolygonSoup& soup, MeshReport& report) {
+  Facets facets;
+  for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
+    const std::vector<Triangle> pieces = triangulate(soup.points, soup.polygons[i]);
     if (pieces.empty()) ++report.facets_unusable;
-    triangles.insert(triangles.end(), pieces.begin(), pieces.end());
+    facets.triangles.insert(facets.triangles.end(), pieces.begin(), pieces.end());
+    if (!soup.materials.empty()) facets.materials.resize(facets.triangles.size(), soup.materials[i]);
   }
-  return triangles;
+  return facets;
 }
 
-void join_corners(std::vector<Triangle>& triangles, std::span<const std::uint32_t> vertex_of_point, MeshReport& report) {
-  for (Triangle& t : triangles)
+void join_corners(Facets& facets, std::span<const std::uint32_t> vertex_of_point, MeshReport& report) {
+  for (Triangle& t : facets.triangles)
     for (std::uint32_t& corner : t) corner = vertex_of_point[corner];
-  report.triangles_degenerate +=
-      std::erase_if(triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  report.triangles_degenerate += facets.drop_if([&](std::size_t i) {
+    const Triangle& t = facets.triangles[i];
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  });
 }
 
 struct EdgeCount {
@@ -80,15 +84,24 @@ EdgeCount count_edges(std::span<const Triangle> triangles, std::size_t vertex_co
 }
 
 /// The mesh's state before it is mended, for comparison with other programs, which leave out facets without area.
-void report_as_read(const TriangleMesh& mesh, MeshReport& report) {
+void report_as_read(std::span<const dvec3> vertices, std::span<const Triangle> triangles, MeshReport& report) {
   std::vector<Triangle> solid;
   const double rounding = 1e-3 * report.weld_distance;
-  std::ranges::copy_if(mesh.triangles, std::back_inserter(solid),
-                       [&](const Triangle& t) { return height(mesh.vertices, t) > rounding; });
-  const EdgeCount count = count_edges(solid, mesh.vertices.size());
+  std::ranges::copy_if(triangles, std::back_inserter(solid), [&](const Triangle& t) { return height(vertices, t) > rounding; });
+  const EdgeCount count = count_edges(solid, vertices.size());
   report.open_edges_read = count.open;
   report.non_manifold_edges_read = count.non_manifold;
   report.badly_wound_edges_read = count.badly_wound;
+}
+
+/// What waves enter has two exposed sides.
+void open_penetrable_components(TriangleMesh& mesh, const Facets& facets, std::span<const Material> materials,
+                                MeshReport& report) {
+  for (std::uint32_t t = 0; t < mesh.triangle_component.size(); ++t) {
+    if (!transmits(materials, facets.material(t)) || !mesh.closed(t)) continue;
+    mesh.components[mesh.triangle_component[t]].closed = false;
+    ++report.components_penetrable;
+  }
 }
 
 void report_as_traced(const TriangleMesh& mesh, MeshReport& report) {
@@ -107,7 +120,7 @@ void report_as_traced(const TriangleMesh& mesh, MeshReport& report) {
 
 }  // namespace
 
-LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::string& name) {
+LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::string& name, std::span<const Material> materials) {
   LoadedMesh loaded;
   auto& [mesh, report] = loaded;
   report.facets_read = soup.polygons.size();
@@ -122,23 +135,25 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
   if (diagonal == 0.0) reject_without_area(name);
   report.weld_distance = weld_fraction * diagonal;
 
-  mesh.triangles = split_polygons(soup, report);
-  report.triangles_read = mesh.triangles.size();
+  Facets facets = split_polygons(soup, report);
+  report.triangles_read = facets.triangles.size();
   WeldedPoints welded = weld(soup.points, report.weld_distance, diagonal);
   report.vertices_welded = soup.points.size() - welded.vertices.size();
   mesh.vertices = std::move(welded.vertices);
-  join_corners(mesh.triangles, welded.vertex_of_point, report);
-  report_as_read(mesh, report);
-  make_conforming(mesh.vertices, mesh.triangles, report.weld_distance, report);
-  drop_duplicates(mesh.triangles, mesh.vertices.size(), report);
-  if (mesh.triangles.empty()) reject_without_area(name);
+  join_corners(facets, welded.vertex_of_point, report);
+  report_as_read(mesh.vertices, facets.triangles, report);
+  make_conforming(mesh.vertices, facets, report.weld_distance, report);
+  drop_duplicates(facets, materials, mesh.vertices.size(), report);
+  if (facets.triangles.empty()) reject_without_area(name);
 
-  drop_unused_points(mesh.vertices, mesh.triangles);
+  drop_unused_points(mesh.vertices, facets.triangles);
   for (const dvec3& v : mesh.vertices) mesh.radius = std::max(mesh.radius, glm::length(v));
-  Surfaces surfaces = orient(mesh.vertices, mesh.triangles, report.weld_distance, report);
+  Surfaces surfaces = orient(mesh.vertices, facets.triangles, report.weld_distance, report);
   mesh.triangle_component = std::move(surfaces.triangle_component);
   mesh.components = std::move(surfaces.components);
-  find_patches(mesh, flat_fraction * diagonal);
+  open_penetrable_components(mesh, facets, materials, report);
+  mesh.triangles = std::move(facets.triangles);
+  find_patches(mesh, flat_fraction * diagonal, facets.materials);
   report_as_traced(mesh, report);
   return loaded;
 }

@@ -1,9 +1,12 @@
 #include "mesh/smooth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/patch_rims.h"
+#include "mesh/triangle_rows.h"
 
 namespace raytube {
 
@@ -23,11 +26,27 @@ std::size_t corner_of(const TriangleMesh& mesh, std::uint32_t triangle, std::uin
   return 3 * std::size_t{triangle} + static_cast<std::size_t>(std::ranges::find(t, vertex) - t.begin());
 }
 
+bool is_one_plane(const Patch& a, const Patch& b) { return a.normal == b.normal && a.offset == b.offset; }
+
+// For each patch a number in common with those that it would be one patch with if all were made of the same.
+std::vector<std::uint32_t> uncut_patches(const TriangleMesh& mesh, const EdgeTable& edges) {
+  std::vector<std::uint32_t> parents(mesh.patches.size());
+  std::iota(parents.begin(), parents.end(), 0u);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges[e].sides.size() != 2) continue;
+    const std::uint32_t a = mesh.triangle_patch[edges[e].sides[0].triangle], b = mesh.triangle_patch[edges[e].sides[1].triangle];
+    if (mesh.patches[a].material == mesh.patches[b].material || !is_one_plane(mesh.patches[a], mesh.patches[b])) continue;
+    parents[find_root(parents, b)] = find_root(parents, a);
+  }
+  return number_sets(std::move(parents));
+}
+
 // The creases of a tessellation, and which patches keep their planes.
 class Tessellation {
  public:
   Tessellation(const TriangleMesh& mesh, double max_crease)
-      : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()), rims_(mesh, edges_) {
+      : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()), rims_(mesh, edges_), plane_(uncut_patches(mesh, edges_)) {
+    patches_ = triangle_rows(mesh.patches.size(), plane_, [](std::uint32_t plane) { return std::array{plane}; });
     crossable_.resize(edges_.size());
     panel_.assign(mesh.patches.size(), true);
     for (std::size_t e = 0; e < edges_.size(); ++e) crossable_[e] = is_smooth(edges_[e], std::cos(max_crease));
@@ -39,15 +58,20 @@ class Tessellation {
 
   const EdgeTable& edges() const { return edges_; }
   bool crossable(std::size_t edge) const { return crossable_[edge]; }
-  bool panel(std::uint32_t triangle) const { return panel_[mesh_.triangle_patch[triangle]]; }
-  void keep_flat(std::uint32_t triangle) { panel_[mesh_.triangle_patch[triangle]] = true; }
+  bool panel(std::uint32_t triangle) const { return panel_[plane(triangle)]; }
+  void keep_flat(std::uint32_t triangle) { panel_[plane(triangle)] = true; }
 
-  // Whether both sides of the edge are part of one curved surface.
+  // Whether both sides of the edge are part of one curved surface of one material.
   bool joins(std::size_t edge) const {
-    return crossable_[edge] && !panel(edges_[edge].sides[0].triangle) && !panel(edges_[edge].sides[1].triangle);
+    if (!crossable_[edge]) return false;
+    const std::uint32_t a = edges_[edge].sides[0].triangle, b = edges_[edge].sides[1].triangle;
+    return !panel(a) && !panel(b) && material(a) == material(b);
   }
 
  private:
+  std::uint32_t plane(std::uint32_t triangle) const { return plane_[mesh_.triangle_patch[triangle]]; }
+  std::uint32_t material(std::uint32_t triangle) const { return mesh_.patches[mesh_.triangle_patch[triangle]].material; }
+
   bool is_smooth(const EdgeTable::Edge& edge, double least_cosine) const {
     if (edge.sides.size() != 2) return false;
     const auto [a, b] = std::pair(edge.sides[0], edge.sides[1]);
@@ -60,14 +84,14 @@ class Tessellation {
   }
 
   void set_curved(const EdgeTable::Edge& edge) {
-    for (const EdgeTable::Side& side : edge.sides) panel_[mesh_.triangle_patch[side.triangle]] = false;
+    for (const EdgeTable::Side& side : edge.sides) panel_[plane(side.triangle)] = false;
   }
 
-  // Whether a patch reaches further than `width` from an edge of it.
-  bool reaches(std::uint32_t patch, const EdgeTable::Edge& edge, double width) const {
+  // Whether the patches of a plane reach further than `width` from an edge of it.
+  bool reaches(std::uint32_t plane, const EdgeTable::Edge& edge, double width) const {
     const dvec3 start = mesh_.vertices[edge.low], along = glm::normalize(mesh_.vertices[edge.high] - start);
-    return std::ranges::any_of(
-        rims_[patch], [&](std::uint32_t v) { return glm::length(glm::cross(mesh_.vertices[v] - start, along)) > width; });
+    const auto is_far = [&](std::uint32_t v) { return glm::length(glm::cross(mesh_.vertices[v] - start, along)) > width; };
+    return std::ranges::any_of(patches_[plane], [&](std::uint32_t patch) { return std::ranges::any_of(rims_[patch], is_far); });
   }
 
   double width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const {
@@ -77,14 +101,16 @@ class Tessellation {
 
   void compare_widths(const EdgeTable::Edge& edge) {
     for (const int side : {0, 1}) {
-      const std::uint32_t patch = mesh_.triangle_patch[edge.sides[side].triangle];
-      if (!panel_[patch] && reaches(patch, edge, panel_ratio * width(edge, edge.sides[1 - side]))) panel_[patch] = true;
+      const std::uint32_t own = plane(edge.sides[side].triangle);
+      if (!panel_[own] && reaches(own, edge, panel_ratio * width(edge, edge.sides[1 - side]))) panel_[own] = true;
     }
   }
 
   const TriangleMesh& mesh_;
   EdgeTable edges_;
   PatchRims rims_;
+  std::vector<std::uint32_t> plane_;  // of each patch: materials cut patches, but do not change what is a panel
+  TriangleRows patches_;              // of each plane
   std::vector<bool> crossable_, panel_;
 };
 

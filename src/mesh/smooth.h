@@ -48,7 +48,8 @@ class BentFacet {
 
 /// Facets joined by creases flatter than wedges are one surface with averaged normals. Facets stay flat where that is truer:
 /// alone in their plane, or much wider than their neighbours across a crease (a panel that runs into a fillet), or where the
-/// surface would rise from the facet by more than `max_rise`: so coarse a mesh does not say what it stands for.
+/// surface would rise from the facet by more than `max_rise`: so coarse a mesh does not say what it stands for. Materials change
+/// nothing about the shape, but surfaces end where they meet.
 class SmoothSurfaces {
  public:
   /// Creases below `max_crease` [rad] are tessellation; `max_rise` in metres.

@@ -58,6 +58,15 @@ void TextScanner::skip_line() {
   if (position_ < file_.bytes.size()) pass_line_end();
 }
 
+std::string_view TextScanner::rest_of_line() {
+  const std::size_t begin = position_;
+  while (!at_line_end()) ++position_;
+  std::string_view rest = std::string_view(file_.bytes).substr(begin, position_ - begin);
+  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+  while (!rest.empty() && is_blank(rest.back())) rest.remove_suffix(1);
+  return rest;
+}
+
 bool TextScanner::next_line() {
   if (on_a_line_) skip_line();
   on_a_line_ = true;

@@ -18,6 +18,8 @@ class TextScanner {
   /// Moves to the next line that holds a word; false at the end of the file.
   bool next_line();
   void skip_line();
+  /// The rest of this line without the blanks around it, as names stand in it: no comment starts there.
+  std::string_view rest_of_line();
 
   /// The next word of this line; empty at its end.
   std::string_view word();

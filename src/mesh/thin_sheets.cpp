@@ -47,7 +47,9 @@ Span span_of(const Wedge& wedge, const dvec3& start, const dvec3& along) {
 }
 
 bool could_be_rim(const WedgeFace& rim, const WedgeFace& side, const WedgeFace& other_rim, const WedgeFace& other_side) {
-  return glm::dot(rim.into_face, other_rim.into_face) < -std::cos(taper) &&
+  const auto conducts = [](const WedgeFace* face) { return face->material == no_index; };
+  return std::ranges::all_of(std::array{&rim, &side, &other_rim, &other_side}, conducts) &&
+         glm::dot(rim.into_face, other_rim.into_face) < -std::cos(taper) &&
          glm::dot(side.into_face, other_side.into_face) > std::cos(taper) &&
          std::abs(glm::dot(rim.into_face, side.into_face)) < std::sin(slant) &&
          std::abs(glm::dot(other_rim.into_face, other_side.into_face)) < std::sin(slant);

@@ -12,20 +12,22 @@ namespace raytube {
 
 inline constexpr std::uint32_t no_index = 0xffffffffu;
 
-/// Connected coplanar triangles; the plane is normal . r = offset, in recentred coordinates [m].
+/// Connected coplanar triangles of one material; the plane is normal . r = offset, in recentred coordinates [m].
 struct Patch {
   dvec3 normal;  // unit; outward on closed components
   double offset;
+  std::uint32_t material = no_index;  // among those of the sweep; no_index: a perfect conductor
 };
 
 /// Triangles connected through shared edges after welding.
 struct Component {
-  bool closed = false;  // bounds a volume: only the outer side is exposed
+  bool closed = false;  // bounds a volume that waves do not enter: only the outer side is exposed
   std::uint32_t triangles = 0;
 };
 
 /// Vertices are in metres relative to `center`, the middle of the target's bounding box in the mesh's own coordinates.
-/// Winding is counter-clockwise seen from outside for closed components, consistent within open ones.
+/// Winding is counter-clockwise seen from outside for closed components, and for those that bound a volume which waves enter;
+/// consistent within open ones.
 struct TriangleMesh {
   std::vector<dvec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -60,12 +62,13 @@ struct MeshReport {
   std::uint64_t non_manifold_edges_read = 0;  // more than two facets meet
   std::uint64_t badly_wound_edges_read = 0;   // its two facets run along it in the same sense
 
-  std::uint64_t triangles_degenerate = 0;  // dropped: no area
-  std::uint64_t triangles_duplicate = 0;   // dropped: same corners as another one
-  std::uint64_t triangles_internal = 0;    // dropped: coincident opposite facets where two closed bodies touch
-  std::uint64_t t_junctions_split = 0;     // vertices on the inside of an edge, those of flat facets too
-  std::uint64_t triangles_added = 0;       // by these splits
-  std::uint64_t triangles_flipped = 0;     // winding reversed for consistent, outward orientation
+  std::uint64_t triangles_degenerate = 0;          // dropped: no area
+  std::uint64_t triangles_duplicate = 0;           // dropped: same corners as another one
+  std::uint64_t duplicates_of_other_material = 0;  // of these: made of something else than the one that stays
+  std::uint64_t triangles_internal = 0;            // dropped: coincident opposite facets where two closed bodies touch
+  std::uint64_t t_junctions_split = 0;             // vertices on the inside of an edge, those of flat facets too
+  std::uint64_t triangles_added = 0;               // by these splits
+  std::uint64_t triangles_flipped = 0;             // winding reversed for consistent, outward orientation
 
   // As traced.
   std::uint64_t triangles_traced = 0;
@@ -73,6 +76,7 @@ struct MeshReport {
   std::uint64_t non_manifold_edges = 0;
   std::uint64_t components = 0;
   std::uint64_t components_closed = 0;
+  std::uint64_t components_penetrable = 0;     // closed, but waves go through part of them: not among components_closed
   std::uint64_t components_nearly_closed = 0;  // open, but for a gap small against their area
   std::uint64_t patches = 0;
   double weld_distance = 0.0;  // [m]

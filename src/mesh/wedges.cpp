@@ -23,10 +23,15 @@ Wedge wedge_of(const TriangleMesh& mesh, const PatchRims& rims, const EdgePiece&
   for (int i = 0; i < 2; ++i) {
     const std::uint32_t patch = run.faces[i].patch;
     frames[i] = face_frame(mesh, run.faces[i], tangent, i);
-    wedge.faces[i] = {patch, frames[i].into_face, frames[i].normal,
-                      std::max(distance, extent(mesh, rims[patch], wedge.start, frames[i].into_face)), run.faces[i].back};
+    wedge.faces[i] = {patch,
+                      frames[i].into_face,
+                      frames[i].normal,
+                      std::max(distance, extent(mesh, rims[patch], wedge.start, frames[i].into_face)),
+                      run.faces[i].back,
+                      mesh.patches[patch].material};
   }
   wedge.n = refined_n(frames[0], frames[1], run.n);
+  wedge.silent = !wedge.conducting();
   return wedge;
 }
 
@@ -35,7 +40,7 @@ Wedge wedge_of(const TriangleMesh& mesh, const PatchRims& rims, const EdgePiece&
 std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle) {
   const EdgeTable edges(mesh.triangles, mesh.vertices.size());
   std::vector<EdgePiece> pieces = exposed_sectors(mesh, edges);
-  std::erase_if(pieces, [&](const EdgePiece& piece) { return !is_wedge(piece, min_wedge_angle); });
+  std::erase_if(pieces, [&](const EdgePiece& piece) { return !is_wedge(mesh, piece, min_wedge_angle); });
   const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();
   const PatchRims rims(mesh, edges);
   std::vector<Wedge> wedges;

@@ -1,6 +1,7 @@
 // Wedge edges of a mesh: where two exposed faces, or the two sides of an open sheet, meet at an angle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -12,10 +13,11 @@ namespace raytube {
 /// One of the two faces of a wedge, seen from the free space between them.
 struct WedgeFace {
   std::uint32_t patch = no_index;
-  dvec3 into_face;     // x_f: unit, in the face, perpendicular to the edge, away from it
-  dvec3 normal;        // n_f: unit, out of the metal into the free space of this wedge
-  double width = 0.0;  // extent of the patch along into_face [m]
-  bool back = false;   // the side of the patch that its normal points away from
+  dvec3 into_face;                    // x_f: unit, in the face, perpendicular to the edge, away from it
+  dvec3 normal;                       // n_f: unit, out of the metal into the free space of this wedge
+  double width = 0.0;                 // extent of the patch along into_face [m]
+  bool back = false;                  // the side of the patch that its normal points away from
+  std::uint32_t material = no_index;  // of the patch
 };
 
 /// A straight edge with free space between faces[0] and faces[1]; angles are measured from faces[0] through free space,
@@ -27,9 +29,13 @@ struct Wedge {
   dvec3 across{0.0};             // not 0: this is the edge of a thin sheet, amid its rim; from side 0 to side 1 over it [m]
   std::uint32_t rim = no_index;  // then the patch of that rim
   std::uint32_t half_plane = no_index;  // this edge bounds the rim of a thin sheet: the wedge that stands for it (thin_sheets.h)
-  bool enclosed = false;                // inside a closed body, where no light comes: mark_enclosed
+  bool silent = false;                  // inside a closed body, where no light comes (mark_enclosed), or beside other materials
 
   bool convex() const { return n > 1.0; }
+  /// Both faces are perfect conductors.
+  bool conducting() const {
+    return std::ranges::all_of(faces, [](const WedgeFace& face) { return face.material == no_index; });
+  }
   bool radiates() const { return convex() && half_plane == no_index; }
   double thickness() const { return std::abs(glm::dot(across, faces[0].normal)); }  // of the sheet, 0 for a sharp edge [m]
   double interior_angle() const { return (2.0 - n) * pi; }                          // metal side [rad]

@@ -134,6 +134,20 @@ void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, c
   out.commit();
 }
 
+void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  OutputFile out(file);
+  out.write(
+      "# Power that roughness takes from reflected waves, scattered by Lambert's law: to be added to sigma as power, without a\n"
+      "# phase. By transmit polarisation, both receive polarisations together; sigma in dBsm, 10 log10(sigma / 1 m^2).\n");
+  out.write(std::string(key_columns) + ",sigma_incoherent_v_dbsm,sigma_incoherent_h_dbsm\n");
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+    std::string line = key_text(frequency, look);
+    for (const double sigma : result.incoherent[row]) line += ',' + number_text(10.0 * std::log10(sigma));
+    out.write(line + '\n');
+  });
+  out.commit();
+}
+
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit

@@ -33,6 +33,10 @@ void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const 
 /// channels.csv: magnitude sqrt(sigma) [m] and phase [rad] received in V and H, one row per transmit polarisation.
 void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
 
+/// incoherent.csv: sigma of what rough surfaces scatter incoherently, per transmit polarisation, both receive polarisations
+/// together. Needs a result with it.
+void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
+
 /// parts.csv: complex S of bounce 1, 2, ..., of the edges at first order, of all their higher orders together, and of what
 /// their waves paint on other surfaces, side by side; they add up to rcs.csv. Bounce 1 has its columns even where nothing was
 /// hit. Needs a result with parts.

@@ -37,7 +37,8 @@ Json counts_json(const Statistics& statistics) {
 }
 
 Json mesh_json(const Manifest& manifest) {
-  Json json = {{"sha256", manifest.mesh_sha256}};
+  const std::vector<std::string>& hashes = manifest.mesh_sha256;
+  Json json = {{"sha256", hashes.size() == 1 ? Json(hashes.front()) : Json(hashes)}};
   for (const auto& [name, value] : manifest.mesh_report) json[name] = count_or_length(value);
   json["notes"] = Json::array();
   for (const auto& [what, count] : manifest.mesh_notes)
@@ -70,6 +71,7 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["case_file"] = manifest.case_file;
   json["case"] = Json::parse(manifest.case_json);
   if (!manifest.looks_csv_sha256.empty()) json["looks_csv_sha256"] = manifest.looks_csv_sha256;
+  for (const auto& [name, sha256] : manifest.table_csv_sha256) json["table_csv_sha256"][name] = sha256;
   json["mesh"] = mesh_json(manifest);
   json["instruction_sets"] = {{"embree", manifest.embree_instruction_set}, {"raytube", manifest.own_instruction_set}};
   json["threads"] = manifest.threads;

@@ -27,8 +27,9 @@ struct Manifest {
   std::string case_file;  // absolute; file names in the resolved case are relative to its folder
   std::string case_json;  // the resolved case
   std::string program_version;
-  std::string mesh_sha256;
-  std::string looks_csv_sha256;  // empty: no look list
+  std::vector<std::string> mesh_sha256;                               // of each mesh file
+  std::string looks_csv_sha256;                                       // empty: no look list
+  std::vector<std::pair<std::string, std::string>> table_csv_sha256;  // of each table of a medium: its name first
   std::string embree_instruction_set, own_instruction_set;
   int threads = 1;
   std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "case/case.h"
 #include "case/names.h"
+#include "case/target.h"
 #include "decimal.h"
 #include "mesh/mirror.h"
 #include "program/commands.h"
@@ -67,7 +67,8 @@ void print_case(const Case& c) {
   for (const double hertz : c.sweep.frequencies) ghz.push_back(hertz / 1e9);
   fmt::print("case         {}\n", c.file.string());
   fmt::print("title        {}\n", c.title);
-  fmt::print("mesh         {}, one unit is {} m ({}), perfect conductor\n", c.mesh_file.string(), c.metres_per_unit, c.unit);
+  fmt::print("mesh         {}, one unit is {} m ({}){}\n", mesh_names(c), c.metres_per_unit, c.unit,
+             c.sweep.materials.empty() ? ", perfect conductor" : "");
   fmt::print("frequency    {} GHz\n", values_text(ghz));
   fmt::print("looks        {}\n", looks_text(c));
   print_antennas(c);
@@ -103,6 +104,30 @@ void print_shape(const Target& target) {
   const std::array<bool, 3> mirrors = find_mirror_planes(target.mesh, target.wedges);
   for (int axis = 0; axis < 3; ++axis)
     if (mirrors[axis]) fmt::print("  its own mirror image across {} = {:.6g} m\n", "xyz"[axis], target.mesh.center[axis]);
+}
+
+struct Share {
+  std::uint64_t triangles = 0;
+  double area = 0.0;  // [m^2]
+};
+
+void print_share(const std::string& material, const Share& share) {
+  fmt::print("  {}: {} triangles, {:.6g} m^2\n", material, share.triangles, share.area);
+}
+
+// What each material covers, so that a part without its name is noticed.
+void print_materials(const std::vector<Material>& materials, const TriangleMesh& mesh) {
+  if (materials.empty()) return;
+  std::vector<Share> shares(materials.size() + 1);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    Share& share = shares[std::min<std::size_t>(mesh.patches[mesh.triangle_patch[i]].material, materials.size())];
+    const auto& [a, b, c] = mesh.triangles[i];
+    ++share.triangles;
+    share.area += 0.5 * glm::length(glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+  }
+  fmt::print("\nmaterials\n");
+  for (std::size_t i = 0; i < materials.size(); ++i) print_share(materials[i].name, shares[i]);
+  print_share("perfect conductor", shares.back());
 }
 
 void print_mesh(const MeshReport& report, const Target& target) {
@@ -182,13 +207,13 @@ void print_skipped(const Case& c, const MeshReport& r, const Target& target, con
                                   {"triangles", "no area", r.triangles_degenerate},
                                   {"triangles", "same corners as another one", r.triangles_duplicate},
                                   {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};
-  for (const Skipped& wedge : skipped_wedges(target.wedges, target.rims, c.edges.method, c.sweep.frequencies))
-    skipped.push_back(wedge);
+  for (const Skipped& wedge : skipped_wedges(target.wedges, target.rims, c.edges, c.sweep.frequencies)) skipped.push_back(wedge);
   SkipCounts counts{.repeated_looks = plan.repeated, .mirrored_looks = plan.mirrored};
   if (c.tubes.skip && c.edges.method != EdgeMethod::none) counts.enclosed_wedges = target.wedges_enclosed;
   const std::vector<bool> crowded = crowded_between(target, c.sweep, c.edges);
   counts.crowded_frequencies = static_cast<std::uint64_t>(std::ranges::count(crowded, true));
   counts.near_looks = looks_too_near_for_between(target, c.sweep, c.edges);
+  counts.material_looks = looks_without_between_for_materials(target, c.sweep, c.edges);
   for (const Skipped& item : skipped_items(counts)) skipped.push_back(item);
   std::vector<std::string> lines;
   for (const Skipped& s : skipped)
@@ -246,6 +271,9 @@ void print_memory(const Target& target, const Case& c) {
   };
   fmt::print("\nmemory\n  at most about {}, {} with --parts, however dense the tubes are; {} are to be had\n", bytes(false),
              bytes(true), memory_text(memory_to_be_had()));
+  if (std::ranges::any_of(c.sweep.materials, &Material::transmits))
+    fmt::print(
+        "  and what tubes take that sheets double at every meeting: it is not known before, and grows with tubes.max_bounces\n");
 }
 
 }  // namespace
@@ -253,12 +281,13 @@ void print_memory(const Target& target, const Case& c) {
 void check_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   if (!request.wedges_csv.empty()) check_wedges_file(request.wedges_csv);
-  const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  const LoadedMesh loaded = load_target(c);
   const Target target(loaded.mesh, c.edges);
   check_solvable(target, c);
   const LookPlan plan = plan_of(target, c.sweep, c.tubes, c.edges.method);
   print_case(c);
   print_mesh(loaded.report, target);
+  print_materials(c.sweep.materials, loaded.mesh);
   print_wedges(target.wedges);
   print_thin_rims(c, target.rims);
   print_skipped(c, loaded.report, target, plan);

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <numeric>
 
-#include "case/case.h"
+#include "case/target.h"
 #include "csv_reader.h"
 #include "decimal.h"
 #include "error.h"
@@ -178,7 +178,7 @@ void converge_command(const Request& request) {
         fmt::format("{}: edges.method \"utd\" has no tubes whose density could be studied; remove it", c.file.string()));
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   check_output(destination, names_of_results(c.plots), input_files(c));
-  const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  const LoadedMesh loaded = load_target(c);
   const Target target(loaded.mesh, c.edges);
   check_antennas(loaded.mesh, c.sweep);
   check_finest(densities.back(), request.densities, c, loaded.mesh);

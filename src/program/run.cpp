@@ -1,5 +1,5 @@
 // raytube run: case -> mesh -> solve -> files.
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <chrono>
 #include <set>
 
-#include "case/case.h"
+#include "case/target.h"
 #include "instruction_set.h"
 #include "output/csv.h"
 #include "output/earlier_results.h"
@@ -70,6 +70,7 @@ void write_tables(const fs::path& folder, const Case& c, const Solved& solved, b
   write_channels_csv(folder / "channels.csv", c.sweep, result);
   stop_if_interrupted();
   if (parts) write_parts_csv(folder / "parts.csv", c.sweep, result);
+  if (c.incoherent) write_incoherent_csv(folder / "incoherent.csv", c.sweep, result);
   if (by_chance) write_random_csv(folder / "random.csv", c.sweep, *by_chance);
   stop_if_interrupted();
 }
@@ -96,6 +97,7 @@ std::vector<std::pair<std::string, double>> report_entries(const MeshReport& r) 
           {"free_forms_read", count(r.free_forms_read)},
           {"triangles_degenerate", count(r.triangles_degenerate)},
           {"triangles_duplicate", count(r.triangles_duplicate)},
+          {"duplicates_of_other_material", count(r.duplicates_of_other_material)},
           {"triangles_internal", count(r.triangles_internal)},
           {"triangles_added", count(r.triangles_added)},
           {"t_junctions_split", count(r.t_junctions_split)},
@@ -105,6 +107,7 @@ std::vector<std::pair<std::string, double>> report_entries(const MeshReport& r) 
           {"non_manifold_edges", count(r.non_manifold_edges)},
           {"components", count(r.components)},
           {"components_closed", count(r.components_closed)},
+          {"components_penetrable", count(r.components_penetrable)},
           {"components_nearly_closed", count(r.components_nearly_closed)},
           {"patches", count(r.patches)},
           {"weld_distance_m", r.weld_distance}};
@@ -115,8 +118,9 @@ Manifest describe_input(const Case& c, const MeshReport& report) {
   manifest.case_file = fs::absolute(c.file).lexically_normal().string();
   manifest.case_json = resolved_case_json(c);
   manifest.program_version = RAYTUBE_VERSION;
-  manifest.mesh_sha256 = sha256_of_file(c.mesh_file);
+  for (const fs::path& mesh : c.mesh_files) manifest.mesh_sha256.push_back(sha256_of_file(mesh));
   if (!c.looks.looks_csv.empty()) manifest.looks_csv_sha256 = sha256_of_file(c.file.parent_path() / c.looks.looks_csv);
+  for (const auto& [name, table] : medium_tables(c)) manifest.table_csv_sha256.emplace_back(name, sha256_of_file(table));
   manifest.mesh_report = report_entries(report);
   for (const MeshNote& note : report.notes()) manifest.mesh_notes.emplace_back(note.what, static_cast<double>(note.count));
   return manifest;
@@ -125,8 +129,9 @@ Manifest describe_input(const Case& c, const MeshReport& report) {
 // What every bit of a finished look depends on, beside the number of threads, on which none does.
 JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
   JournalIdentity identity{{"version or build of raytube", manifest.program_version + ' ' + sha256_of_file("/proc/self/exe")},
-                           {"mesh in target.mesh", manifest.mesh_sha256},
+                           {"mesh in target.mesh", fmt::format("{}", fmt::join(manifest.mesh_sha256, " "))},
                            {"list in look.looks_csv", manifest.looks_csv_sha256}};
+  for (const auto& [name, sha256] : manifest.table_csv_sha256) identity.emplace_back("table " + name, sha256);
   if (!c.radar.pattern_csv.empty())
     identity.emplace_back("pattern in radar.pattern_csv", sha256_of_file(c.file.parent_path() / c.radar.pattern_csv));
   for (const auto& [key, value] : numerical_keys(c)) identity.emplace_back(key, value);
@@ -144,6 +149,7 @@ void print_errors(const SweepResult& result, const TubeOptions& tubes) {
   double largest = 0.0;
   std::size_t above = 0;
   for (std::size_t row = 0; row < result.total.size(); ++row) {
+    if (largest_amplitude(result.total[row]) == 0.0) continue;  // no level is relative to nothing
     const double level = std::ranges::max(error_levels_db(result.total[row], result.error[row]));
     largest = std::max(largest, level);
     above += level > tubes.tolerance_db ? 1 : 0;
@@ -164,7 +170,9 @@ void print_summary(const SweepResult& result, const TubeOptions& tubes, const Ma
     fmt::print("resumed     {} looks were computed before, and are not in that time\n", manifest.looks_resumed);
   fmt::print("lost rays   {}\n", s.lost_rays);
   if (paths && s.tubes_cut) fmt::print("cut search  in {} looks: too many sequences of mirrors\n", s.tubes_cut);
-  if (!paths && s.tubes_cut) fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide\n", s.tubes_cut);
+  if (!paths && s.tubes_cut)
+    fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide; the error does not know of them\n",
+               s.tubes_cut);
   for (const Skipped& skipped : s.skipped) fmt::print("skipped     {} ({}): {}\n", skipped.what, skipped.count, skipped.why);
   fmt::print("peak sigma  {:.2f} dBsm\n", peak_sigma_dbsm(result));
   if (!paths && !manifest.random) print_errors(result, tubes);
@@ -176,6 +184,7 @@ ResultNames names_of_results(const Request& request, const Case& c) {
   if (c.plots) names.pictures.insert(names.pictures.end(), {"rcs.png", "rcs.svg"});
   names.tables.emplace_back("channels.csv");
   if (request.parts) names.tables.emplace_back("parts.csv");
+  if (c.incoherent) names.tables.emplace_back("incoherent.csv");
   if (request.random) names.tables.emplace_back("random.csv");
   names.tables.insert(names.tables.end(), {"rcs.csv", "run.json"});
   return names;
@@ -185,7 +194,7 @@ ResultNames names_of_results(const Request& request, const Case& c) {
 std::vector<std::string> names_of_earlier_results(const fs::path& folder) {
   const std::set<std::string> images = names_of_images(folder);
   std::vector<std::string> names(images.begin(), images.end());
-  names.insert(names.end(), {"parts.csv", "random.csv", "rcs.png", "rcs.svg"});
+  names.insert(names.end(), {"incoherent.csv", "parts.csv", "random.csv", "rcs.png", "rcs.svg"});
   return names;
 }
 
@@ -291,10 +300,12 @@ void run_command(const Request& request) {
   if (request.random && !c.image_looks.empty())
     throw InputError(
         "output.image_look: an image adds up to the deterministic S, not to the mean of random tubes; leave out one");
-  const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  if (request.random && c.incoherent)
+    throw InputError("output.incoherent: random tubes do not add up what roughness scatters; remove it, or --launch random");
+  const LoadedMesh loaded = load_target(c);
   if (const auto count = loaded.report.free_forms_read)
     warn(fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
-                     c.mesh_file.string(), count));
+                     mesh_names(c), count));
   Manifest manifest = describe_input(c, loaded.report);
   manifest.time.read_s = total.seconds();
   const Target target(loaded.mesh, c.edges);

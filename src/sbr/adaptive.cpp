@@ -26,7 +26,7 @@ class FaceTrace {
  public:
   explicit FaceTrace(const AdaptiveLook& look)
       : look_(look),
-        beams_(look.tree.mesh(), look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
+        beams_(look.tree.mesh(), look.surfaces, look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
         visible_(look.tree, look.tracer),
         cell_tubes_(look.tracer, look.grid, look.spherical, look.wavenumbers, beams_, sums_) {
     cell_tubes_.report_to(look.map);
@@ -88,12 +88,17 @@ class FaceTrace {
       const std::uint32_t node = beams_.child(beam, patch, middle(part.outline));
       integrate(node, part.outline, bounce);
       if (look_.map) report(beams_.footprint(node), part);
-      if (look_.clip || cells_in_blocks() > few_cells)
-        reflected_.push_back({node, patch, std::move(part.outline)});
-      else
-        follow_by_rays(node, patch);
+      if (const std::uint32_t through = beams_.through(node); through != no_index) send_on(through, patch, part.outline);
+      if (beams_.is_lit(node)) send_on(node, patch, std::move(part.outline));
     }
     parts_.clear();
+  }
+
+  void send_on(std::uint32_t beam, std::uint32_t patch, ConvexPolygon outline) {
+    if (look_.clip || cells_in_blocks() > few_cells)
+      reflected_.push_back({beam, patch, std::move(outline)});
+    else
+      follow_by_rays(beam, patch);
   }
 
   // Where tubes grow too many, those smaller than a cell go on as the uniform grid would have them: as a whole cell if its ray is
@@ -141,6 +146,8 @@ class FaceTrace {
           cell_tubes_.add(column, row, beam, patch, doubt);
   }
 
+  double cell_area() const { return static_cast<double>(cells_in_blocks()) * look_.grid.du * look_.grid.dv; }
+
   std::uint64_t cells_in_blocks() const {
     std::uint64_t cells = 0;
     for (const CellBlock& block : blocks_) cells += block.cells();
@@ -154,9 +161,11 @@ class FaceTrace {
     if (look_.spherical) return look_.spherical->add(sums_, bounce, footprint.outgoing, beams_.patch(node), outline);
     for (std::size_t f = 0; f < sums.size(); ++f) {
       const double k = look_.wavenumbers[f];
-      add_far_field(sums[f], footprint, k, look_.clip ? phase_integral(footprint, k, outline) : over_cells(footprint, k));
+      add_far_field(sums[f], footprint, f, k, look_.clip ? phase_integral(footprint, k, outline) : over_cells(footprint, k));
     }
     if (!look_.clip) count_staircase(footprint, outline);
+    if (footprint.outgoing.spectrum && look_.surfaces.any_rough())
+      sums_.add_incoherent(*footprint.outgoing.spectrum, look_.clip ? area(outline) : cell_area());
   }
 
   void report(const Footprint& footprint, const VisiblePart& part) {
@@ -183,7 +192,8 @@ class FaceTrace {
         square += step * step / 12.0 * (alike * alike + step * glm::length(side));
       }
       for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) sums_.pieces[f].squares[p][q] += std::pow(per_area * footprint.weight[p][q], 2) * square;
+        for (int q = 0; q < 2; ++q)
+          sums_.pieces[f].squares[p][q] += std::pow(per_area * largest_weight(footprint, p, q), 2) * square;
     }
   }
 

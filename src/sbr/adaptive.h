@@ -23,6 +23,7 @@ struct AdaptiveLook {
   const SphericalBasis& receive;
   const SphericalLook* spherical;  // antennas at a finite distance; null: plane waves
   std::span<const double> wavenumbers;
+  const SpectralSurfaces& surfaces;
   double phase_tolerance;        // [rad] by which a curved surface may lie off its description
   const SmoothSurfaces* smooth;  // curved surfaces; null: all facets are flat
   bool clip;  // integrate over exactly the parts lit; else over the cells of the grid whose ray runs through them

@@ -8,6 +8,7 @@
 #include "mesh/tracer.h"
 #include "sbr/convex_polygon.h"
 #include "sbr/launch.h"
+#include "sbr/spectrum.h"
 
 namespace raytube {
 
@@ -31,6 +32,8 @@ struct Beam {
   dvec3 u_hat{0.0}, v_hat{0.0};
   double curvature = 0.0;     // of the wavefront at the base [1/m]; 0: a plane wave
   double launch_depth = 0.0;  // [m] spherical wave: where its tubes begin if they leave no surface
+  // What takes the place of `field` once the wave has met other than perfect conductors.
+  const Spectrum* spectrum = nullptr;
 
   bool spherical() const { return curvature != 0.0; }
 };

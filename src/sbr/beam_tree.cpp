@@ -6,6 +6,7 @@ namespace raytube {
 
 void BeamTree::restart(const Beam& incident) {
   nodes_.clear();
+  spectra_.clear();
   nodes_.push_back({{incident, {}}});
   if (slots_.empty()) slots_.resize(64);
   std::ranges::fill(slots_, Slot{});
@@ -27,8 +28,32 @@ std::uint32_t BeamTree::add_child(std::uint32_t parent, std::uint32_t patch, con
   const bool from_behind = facing(beam, plane) > 0.0;
   const Footprint footprint = beam.spherical() ? Footprint{reflected_spherical(beam, plane), {}}
                                                : raytube::footprint(anchored(beam, anchor), plane, receive_);
-  nodes_.push_back({footprint, patch, no_index, no_index, from_behind});
+  Node node{footprint, patch, no_index, no_index, no_index, from_behind};
+  if (plane.material != no_index || beam.spectrum) scatter(parent, node);
+  nodes_.push_back(node);
   return static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+// Fields and weights where perfect conductors are not all that the wave has met.
+void BeamTree::scatter(std::uint32_t parent, Node& node) {
+  LeavingWaves waves = leaving_waves(surfaces_, beam(parent), mesh_.patches[node.patch], receive_);
+  node.lit = raytube::is_lit(waves.reflected);
+  spectra_.push_back(std::move(waves.reflected));
+  node.footprint.outgoing.spectrum = &spectra_.back();
+  if (raytube::is_lit(waves.transmitted)) add_through(parent, node, std::move(waves.transmitted));
+}
+
+// The arriving wave as it was but for its fields, described from where it meets the surface.
+void BeamTree::add_through(std::uint32_t parent, Node& node, Spectrum transmitted) {
+  const Beam& leaving = node.footprint.outgoing;
+  Node through{{beam(parent), {}}, node.patch};
+  Beam& passing = through.footprint.outgoing;
+  passing.anchor = leaving.anchor, passing.base = leaving.base;
+  passing.along_u = leaving.along_u, passing.along_v = leaving.along_v;
+  spectra_.push_back(std::move(transmitted));
+  passing.spectrum = &spectra_.back();
+  node.through = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(through);
 }
 
 // Where the child is or would be. Fibonacci hashing: Knuth, The Art of Computer Programming 3, section 6.4.

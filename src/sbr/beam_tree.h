@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "sbr/footprint.h"
@@ -12,7 +13,8 @@ class BeamTree {
  public:
   static constexpr std::uint32_t root = 0;
 
-  BeamTree(const TriangleMesh& mesh, const SphericalBasis& receive, const Beam& incident) : mesh_(mesh), receive_(receive) {
+  BeamTree(const TriangleMesh& mesh, const SpectralSurfaces& surfaces, const SphericalBasis& receive, const Beam& incident)
+      : mesh_(mesh), surfaces_(surfaces), receive_(receive) {
     restart(incident);
   }
 
@@ -26,9 +28,18 @@ class BeamTree {
     return node.recent_patch == patch ? node.recent_child : find_child(parent, patch, anchor);
   }
 
+  const SpectralSurfaces& surfaces() const { return surfaces_; }
+  /// False if all beams so far have met perfect conductors only.
+  bool spectral() const { return !spectra_.empty(); }
+  /// The beam that goes on behind the surface that this one was reflected by; no_index if there is none.
+  std::uint32_t through(std::uint32_t node) const { return nodes_[node].through; }
+  /// False if nothing was reflected.
+  bool is_lit(std::uint32_t node) const { return nodes_[node].lit; }
+
   const Footprint& footprint(std::uint32_t node) const { return nodes_[node].footprint; }
   const Beam& beam(std::uint32_t node) const { return nodes_[node].footprint.outgoing; }
   /// The patch of this beam's footprint, which it leaves.
+  std::uint32_t patch_index(std::uint32_t node) const { return nodes_[node].patch; }
   const Patch& patch(std::uint32_t node) const { return mesh_.patches[nodes_[node].patch]; }
   /// True if the patch of this beam's footprint is lit from the side its normal points away from.
   bool from_behind(std::uint32_t node) const { return nodes_[node].from_behind; }
@@ -38,7 +49,8 @@ class BeamTree {
     Footprint footprint;
     std::uint32_t patch = no_index;
     std::uint32_t recent_patch = no_index, recent_child = no_index;  // neighbouring tubes mostly ask for the same child
-    bool from_behind = false;
+    std::uint32_t through = no_index;
+    bool from_behind = false, lit = true;
   };
   struct Slot {
     std::uint32_t parent = no_index, patch = no_index, child = no_index;
@@ -46,13 +58,17 @@ class BeamTree {
 
   std::uint32_t find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
   std::uint32_t add_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
+  void scatter(std::uint32_t parent, Node& node);
+  void add_through(std::uint32_t parent, Node& node, Spectrum transmitted);
   Slot& slot(std::uint32_t parent, std::uint32_t patch);
   void widen();
 
   const TriangleMesh& mesh_;
+  SpectralSurfaces surfaces_;
   SphericalBasis receive_;
   std::vector<Node> nodes_;
-  std::vector<Slot> slots_;  // hash table with linear probing; a power of two of them, at most half in use
+  std::deque<Spectrum> spectra_;  // beams hold pointers to them
+  std::vector<Slot> slots_;       // hash table with linear probing; a power of two of them, at most half in use
 };
 
 }  // namespace raytube

@@ -50,6 +50,7 @@ void CellTubes::advance(int bounce, int max_bounces) {
   if (bounce < max_bounces) {
     reflect();
     integrate(bounce);
+    send_on();
     return;
   }
   for (const std::uint32_t triangle : found_) sums_.tubes_cut += triangle != no_index ? 1 : 0;
@@ -77,6 +78,27 @@ void CellTubes::reflect() {
     found_[alive] = triangle;
     rays_[alive] = reflected_ray(column, row, node, patch);
     ++alive;
+  }
+  tubes_.resize(alive);
+  rays_.resize(alive);
+}
+
+// Ends the tubes of which nothing was reflected and adds those that go on behind a sheet.
+void CellTubes::send_on() {
+  if (!beams_.spectral()) return;
+  const std::size_t count = tubes_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [column, row, node, doubt] = tubes_[i];
+    const std::uint32_t through = beams_.through(node);
+    if (through == no_index) continue;
+    tubes_.push_back({column, row, through, doubt});
+    rays_.push_back(reflected_ray(column, row, through, beams_.patch_index(through)));
+  }
+  std::size_t alive = 0;
+  for (std::size_t i = 0; i < tubes_.size(); ++i) {
+    if (!beams_.is_lit(tubes_[i].beam)) continue;
+    tubes_[alive] = tubes_[i];
+    rays_[alive++] = rays_[i];
   }
   tubes_.resize(alive);
   rays_.resize(alive);
@@ -118,12 +140,19 @@ void CellTubes::integrate(int bounce) {
   find_runs();
   integrate_runs(sums);
   add_variance();
+  add_incoherent();
   if (map_) report();
   for (std::uint32_t grid = 0; grid < coarse_grids; ++grid) {
     if (coarse_sums_[grid].empty()) continue;
     find_coarse_runs(grid);
     integrate_runs(coarse_sums_[grid]);
   }
+}
+
+void CellTubes::add_incoherent() {
+  if (!beams_.spectral() || !beams_.surfaces().any_rough()) return;
+  for (const Tube& tube : tubes_)
+    if (const Spectrum* spectrum = beams_.beam(tube.beam).spectrum) sums_.add_incoherent(*spectrum, grid_.du * grid_.dv);
 }
 
 void CellTubes::report() {
@@ -143,7 +172,7 @@ void CellTubes::add_variance() {
                                    : beams_.footprint(tube.beam);
     const double square = tube.doubt * std::pow(f.area * cell, 2);
     for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) variance_[p][q] += square * f.weight[p][q] * f.weight[p][q];
+      for (int q = 0; q < 2; ++q) variance_[p][q] += square * std::pow(largest_weight(f, p, q), 2);
   }
 }
 

@@ -80,11 +80,13 @@ class CellTubes {
   void reflect();
   void find_runs();
   void find_coarse_runs(std::uint32_t grid);
+  void send_on();
   void extend(const Run& next);
   void integrate(int bounce);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);
   void report();
   void add_variance();
+  void add_incoherent();
 
   const Tracer& tracer_;
   const LaunchGrid& grid_;

@@ -41,7 +41,7 @@ void CurrentMap::add(const Footprint& footprint, const Bounds& tube, std::uint32
   cut_up(tube, [&](const Bounds& part) {
     const dvec2 at = middle(part), size = part.high - part.low;
     ScatteringMatrix s;
-    add_far_field(s, footprint, wavenumber_, phase_integral(footprint, wavenumber_, at, size.x, size.y));
+    add_far_field(s, footprint, frequency_, wavenumber_, phase_integral(footprint, wavenumber_, at, size.x, size.y));
     add(at, triangle, s);
   });
 }
@@ -51,9 +51,9 @@ void CurrentMap::add(const Footprint& footprint, const ConvexPolygon& outline, s
   for (const std::uint32_t triangle : triangles) {
     clipped_ = outline;
     if (triangles.size() > 1 && !clip_to(corners(footprint, triangle), outline)) continue;
-    add_far_field(triangles_[triangle], footprint, wavenumber_, phase_integral(footprint, wavenumber_, clipped_));
+    add_far_field(triangles_[triangle], footprint, frequency_, wavenumber_, phase_integral(footprint, wavenumber_, clipped_));
     cut_up(clipped_, [&](const ConvexPolygon& part) {
-      add_far_field(cells_[lattice_.index(lattice_.at(middle(part)))], footprint, wavenumber_,
+      add_far_field(cells_[lattice_.index(lattice_.at(middle(part)))], footprint, frequency_, wavenumber_,
                     phase_integral(footprint, wavenumber_, part));
     });
   }

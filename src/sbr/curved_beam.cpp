@@ -50,12 +50,11 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
   f.outgoing.caustics = beam.caustics + caustics_within(beam, distance);
   constexpr std::array<Complex, 4> quarter_turns{Complex(1, 0), Complex(0, 1), Complex(-1, 0), Complex(0, -1)};
   // Amplitude 1 / sqrt(cross-section), surface per launch area cross-section / |facing|.
-  const Complex strength =
-      quarter_turns[f.outgoing.caustics % 4] * (std::sqrt(std::abs(triple(across_u, across_v, d))) / -facing);
+  f.strength = quarter_turns[f.outgoing.caustics % 4] * (std::sqrt(std::abs(triple(across_u, across_v, d))) / -facing);
   const std::array<dvec3, 2> receive_axes{receive.theta_hat, receive.phi_hat};
   for (int q = 0; q < 2; ++q) {
     const dvec3 current = surface_current_pec(d, beam.field[q], n);
-    for (int p = 0; p < 2; ++p) f.weight[p][q] = strength * glm::dot(receive_axes[p], current);
+    for (int p = 0; p < 2; ++p) f.weight[p][q] = f.strength * glm::dot(receive_axes[p], current);
     f.outgoing.field[q] = reflected_field_pec(beam.field[q], n);
   }
 
@@ -78,6 +77,17 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
   f.outgoing.bend_u = reflected_bend(d, beam.bend_u, n, -(surface.curvature * along_u));
   f.outgoing.bend_v = reflected_bend(d, beam.bend_v, n, -(surface.curvature * along_v));
   f.outgoing.path = beam.path + glm::dot(d - f.outgoing.direction, surface.point);
+  return f;
+}
+
+CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive,
+                                 const SpectralSurfaces& surfaces, const Patch& patch) {
+  CurvedFootprint f = curved_footprint(beam, surface, receive);
+  if (patch.material == no_index && beam.spectrum.empty()) return f;
+  const bool from_behind = glm::dot(patch.normal, beam.direction) > 0.0;
+  const Spectrum arriving = beam.spectrum.empty() ? plain_spectrum(beam.field, surfaces.wavenumbers.size()) : beam.spectrum;
+  f.outgoing.spectrum =
+      leaving_waves(surfaces, {beam.direction, surface.normal, patch.material, from_behind}, arriving, receive).reflected;
   return f;
 }
 
@@ -115,10 +125,12 @@ Complex phase_integral(const CurvedFootprint& f, double k, const dvec2& size) {
 
 }  // namespace
 
-void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, double k, const dvec2& size) {
+void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t frequency, double k, const dvec2& size) {
   const Complex scaled = Complex(0.0, -k / (4.0 * pi)) * std::polar(1.0, k * f.phase) * phase_integral(f, k, size);
+  const Spectrum& spectrum = f.outgoing.spectrum;
   for (int p = 0; p < 2; ++p)
-    for (int q = 0; q < 2; ++q) sum.at(p, q) += f.weight[p][q] * scaled;
+    for (int q = 0; q < 2; ++q)
+      sum.at(p, q) += spectrum.empty() ? f.weight[p][q] * scaled : spectrum[frequency].weight[p][q] * f.strength * scaled;
 }
 
 }  // namespace raytube

@@ -16,6 +16,7 @@ struct CurvedBeam {
   dvec3 bend_u, bend_v;        // d direction / du, dv [1/m]
   double path = 0.0;           // phase e^{-jk (d.r + path)} at the tube's middle [m]
   std::array<dvec3, 2> field;  // of unit incident V and H, at unit amplitude
+  Spectrum spectrum{};         // instead, once the tube has met other than perfect conductors
   int caustics = 0;            // passed so far
 };
 
@@ -24,17 +25,24 @@ CurvedBeam launched_beam(const LaunchGrid& grid, const SphericalBasis& transmit,
 
 /// The currents of a tube on a surface: a quadratic phase over the launch coordinates counted from the tube's middle.
 struct CurvedFootprint {
-  std::array<std::array<Complex, 2>, 2> weight;  // [receive][transmit] p . eta J times the surface per launch area
-  double phase = 0.0;                            // exponent / k
+  // [receive][transmit] p . eta J times `strength`; not used where the outgoing beam has a spectrum.
+  std::array<std::array<Complex, 2>, 2> weight;
+  Complex strength;    // amplitude times the surface per launch area
+  double phase = 0.0;  // exponent / k
   dvec2 slope{0.0};
   glm::dmat2 curvature{0.0};
   CurvedBeam outgoing;
 };
 
-/// Where a tube meets a surface that its middle ray meets at `surface.point`.
+/// Where a tube meets a perfect conductor that its middle ray meets at `surface.point`.
 CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive);
 
-/// Adds the far field of the footprint over a launch rectangle of this size about the tube's middle.
-void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, double k, const dvec2& size);
+/// The same for a surface of any opaque material, that of `patch`.
+CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive,
+                                 const SpectralSurfaces& surfaces, const Patch& patch);
+
+/// Adds the far field of the footprint over a launch rectangle of this size about the tube's middle; `frequency` is the place of
+/// `k` in its spectrum.
+void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t frequency, double k, const dvec2& size);
 
 }  // namespace raytube

@@ -80,12 +80,14 @@ class CellTrace {
       : look_(look),
         facing_(facing),
         incident_(incident_beam(look.grid, look.transmit, dvec2(0.0))),
-        light_{look.grid, look.transmit, look.receive, look.wavenumbers},
-        map_light_{look.grid, look.transmit, look.receive, {}},
+        light_{look.grid, look.transmit, look.receive, look.surfaces},
+        map_light_(light_),
         highest_(std::ranges::max(look.wavenumbers)),
         smallest_(std::max(smallest_cell * 2.0 * pi / highest_, least_rises * look.smooth->rise())),
         visible_(look.tree, look.tracer) {
-    if (look.map) map_light_.wavenumbers = std::span(&look.map->wavenumber(), 1);
+    if (!look.map) return;
+    map_materials_ = at_frequency({look.surfaces.materials.begin(), look.surfaces.materials.end()}, look.map->frequency());
+    map_light_.surfaces = {map_materials_, std::span(&look.map->wavenumber(), 1)};
   }
 
   TubeSums run(const Bounds& block, std::span<const std::uint32_t> triangles) {
@@ -150,7 +152,15 @@ class CellTrace {
     }
     if (!base) return {};
     base_ = base;
-    return CurvedPiece(look_.grid, look_.smooth->at(above(at), look_.grid.direction, base->triangle));
+    return piece_over(at, base->triangle);
+  }
+
+  // The surface that the facet stands for, about where the ray from this place meets it.
+  CurvedPiece piece_over(const dvec2& at, std::uint32_t triangle) const {
+    const TriangleMesh& mesh = look_.tree.mesh();
+    const Patch& patch = mesh.patches[mesh.triangle_patch[triangle]];
+    return {look_.grid, look_.smooth->at(above(at), look_.grid.direction, triangle), patch.material,
+            glm::dot(patch.normal, look_.grid.direction) > 0.0};
   }
 
   Affine facet_depth(const FacingTriangle& f) const {
@@ -228,7 +238,7 @@ class CellTrace {
   // The part of a piece within a box or a polygon.
   template <class Shape, class TriangleAt>
   void add(const CurvedPiece& piece, const Shape& shape, TriangleAt triangle_at) {
-    const std::vector<ScatteringMatrix> part = curved_far_field(light_, piece, shape);
+    const std::vector<ScatteringMatrix> part = curved_far_field(light_, piece, shape, &sums_);
     add(part);
     if (look_.map) report(piece, shape, part[look_.map->frequency()], triangle_at);
   }
@@ -268,10 +278,8 @@ class CellTrace {
     visible_.within(incident_, rectangle(box), parts_);
     for (const VisiblePart& part : parts_) {
       if (region(part.face) == no_index) continue;
-      const LocalSurface surface =
-          look_.smooth->at(above(middle(part.outline)), look_.grid.direction, look_.tree.faces()[part.face].triangle);
       const std::uint32_t facet = look_.tree.faces()[part.face].triangle;
-      add(CurvedPiece(look_.grid, surface), part.outline, [&](const dvec2&) { return facet; });
+      add(piece_over(middle(part.outline), facet), part.outline, [&](const dvec2&) { return facet; });
     }
   }
 
@@ -279,7 +287,8 @@ class CellTrace {
   std::span<const FacingTriangle> facing_;
   Beam incident_;
   Illumination light_, map_light_;
-  double highest_, smallest_;  // wavenumber [rad/m], cell [m]
+  std::vector<Material> map_materials_;  // at the map's frequency
+  double highest_, smallest_;            // wavenumber [rad/m], cell [m]
   VisibleSurfaces visible_;
   const FacingTriangle* base_ = nullptr;
   double phase_off_ = 0.0;  // of the facets' sides from the piece in question [rad], at the highest frequency

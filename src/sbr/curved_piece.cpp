@@ -7,7 +7,8 @@
 
 namespace raytube {
 
-CurvedPiece::CurvedPiece(const LaunchGrid& grid, const LocalSurface& surface) : surface_(surface) {
+CurvedPiece::CurvedPiece(const LaunchGrid& grid, const LocalSurface& surface, std::uint32_t material, bool from_behind)
+    : surface_(surface), material_(material), from_behind_(from_behind) {
   const dvec3 from_plane = surface.point - grid.plane_origin;
   anchor_ = {glm::dot(from_plane, grid.u_hat), glm::dot(from_plane, grid.v_hat)};
   const glm::dmat3 frame(grid.u_hat, grid.v_hat, grid.direction);
@@ -38,10 +39,17 @@ double CurvedPiece::distance(const dvec3& point) const {
 
 namespace {
 
-// The integrals of 1 and of the depth's slopes times the phase factor, of all frequencies.
+// The integrals of 1 and of the depth's slopes times the phase factor, of all frequencies; of other materials than a perfect
+// conductor those of all four weights.
 class Moments {
  public:
-  Moments(const Illumination& light, const CurvedPiece& piece) : light_(light), piece_(piece), sums_(light.wavenumbers.size()) {
+  Moments(const Illumination& light, const CurvedPiece& piece, TubeSums* told = nullptr)
+      : light_(light),
+        piece_(piece),
+        told_(light.surfaces.any_rough() ? told : nullptr),
+        plain_(piece.material() == no_index),
+        sums_(light.surfaces.wavenumbers.size()) {
+    if (!plain_) arriving_ = plain_spectrum({light.transmit.theta_hat, light.transmit.phi_hat}, sums_.size());
     change_ = light.receive.radial - light.grid.direction;
     along_ = {glm::dot(change_, light.grid.u_hat), glm::dot(change_, light.grid.v_hat), glm::dot(change_, light.grid.direction)};
   }
@@ -51,8 +59,9 @@ class Moments {
   void add(const dvec2& at, double weight) {
     const CurvedPiece::Depth here = piece_.depth(at);
     const double length = path(at, here.depth);
+    if (!plain_) return add_weights(here, length, weight);
     for (std::size_t f = 0; f < sums_.size(); ++f) {
-      const Complex value = std::polar(weight, light_.wavenumbers[f] * length);
+      const Complex value = std::polar(weight, light_.surfaces.wavenumbers[f] * length);
       sums_[f].one += value;
       sums_[f].slope_u += here.slope_u * value;
       sums_[f].slope_v += here.slope_v * value;
@@ -66,8 +75,13 @@ class Moments {
     const double start = glm::dot(change_, piece_.surface().point);
     std::vector<ScatteringMatrix> scattering(sums_.size());
     for (std::size_t f = 0; f < sums_.size(); ++f) {
-      const double k = light_.wavenumbers[f];
+      const double k = light_.surfaces.wavenumbers[f];
       const Complex factor = Complex(0.0, -k / (2.0 * pi)) * std::polar(1.0, k * start);
+      if (!plain_) {
+        scattering[f] = sums_[f].weights;
+        scattering[f] *= 0.5 * factor;
+        continue;
+      }
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) {
           const double forward = glm::dot(received[p], grid.direction);
@@ -83,12 +97,31 @@ class Moments {
   // Exponent / k, counted from the anchor.
   double path(const dvec2& at, double depth) const { return along_.x * at.x + along_.y * at.y + along_.z * depth; }
 
+  // The normal and the surface per launch area follow from the slopes.
+  void add_weights(const CurvedPiece::Depth& here, double length, double weight) {
+    const LaunchGrid& grid = light_.grid;
+    const dvec3 across = here.slope_u * grid.u_hat + here.slope_v * grid.v_hat - grid.direction;
+    const double stretch = glm::length(across);
+    const Incidence incidence{grid.direction, across / stretch, piece_.material(), piece_.from_behind()};
+    const Spectrum waves = leaving_waves(light_.surfaces, incidence, arriving_, light_.receive).reflected;
+    if (told_) told_->add_incoherent(waves, weight);
+    for (std::size_t f = 0; f < sums_.size(); ++f) {
+      const Complex value = std::polar(weight * stretch, light_.surfaces.wavenumbers[f] * length);
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) sums_[f].weights.at(p, q) += value * waves[f].weight[p][q];
+    }
+  }
+
   struct Sum {
     Complex one, slope_u, slope_v;
+    ScatteringMatrix weights;
   };
   const Illumination& light_;
   const CurvedPiece& piece_;
+  TubeSums* told_;
+  bool plain_;
   dvec3 change_, along_;
+  Spectrum arriving_;
   std::vector<Sum> sums_;
 };
 
@@ -140,10 +173,11 @@ double path_range(const Illumination& light, const CurvedPiece& piece, const Bou
   return path_ranges(Moments(light, piece), from_anchor(piece, cell)).whole;
 }
 
-std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const Bounds& cell) {
+std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const Bounds& cell,
+                                               TubeSums* sums) {
   const Bounds box = from_anchor(piece, cell);
-  Moments moments(light, piece);
-  const dvec2 phase = std::ranges::max(light.wavenumbers) * path_ranges(moments, box).along;
+  Moments moments(light, piece, sums);
+  const dvec2 phase = std::ranges::max(light.surfaces.wavenumbers) * path_ranges(moments, box).along;
   // Chords run along the steeper axis, so that most of them cross the limb and do not touch it.
   const int axis = phase.x > phase.y ? 0 : 1, across = 1 - axis;
   std::vector<double> ends = breaks(piece.limb(), axis, box.low[axis], box.high[axis], box.low[across], box.high[across]);
@@ -162,9 +196,9 @@ std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const 
   return moments.far_field();
 }
 
-std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece,
-                                               const ConvexPolygon& polygon) {
-  Moments moments(light, piece);
+std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const ConvexPolygon& polygon,
+                                               TubeSums* sums) {
+  Moments moments(light, piece, sums);
   const dvec2 origin = polygon[0].at - piece.anchor();
   double low = moments.path(origin), high = low;
   for (const Corner& corner : polygon) {
@@ -172,7 +206,7 @@ std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const 
     low = std::min(low, path);
     high = std::max(high, path);
   }
-  const auto rule = gauss_rule(points_for(std::ranges::max(light.wavenumbers) * (high - low)) - 1);
+  const auto rule = gauss_rule(points_for(std::ranges::max(light.surfaces.wavenumbers) * (high - low)) - 1);
   // Triangles of a fan, each a square collapsed to a corner (Duffy 1982).
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const dvec2 a = polygon[i - 1].at - polygon[0].at, b = polygon[i].at - polygon[0].at;

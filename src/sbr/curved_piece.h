@@ -7,6 +7,7 @@
 #include "sbr/conic.h"
 #include "sbr/convex_polygon.h"
 #include "sbr/launch.h"
+#include "sbr/tube_sums.h"
 
 namespace raytube {
 
@@ -15,14 +16,14 @@ struct Illumination {
   const LaunchGrid& grid;
   const SphericalBasis& transmit;
   const SphericalBasis& receive;
-  std::span<const double> wavenumbers;  // [rad/m]
+  SpectralSurfaces surfaces;
 };
 
 /// A surface to second order as the parallel rays of a look see it: a depth over the launch plane, up to its own limb, where the
 /// rays graze it.
 class CurvedPiece {
  public:
-  CurvedPiece(const LaunchGrid& grid, const LocalSurface& surface);
+  CurvedPiece(const LaunchGrid& grid, const LocalSurface& surface, std::uint32_t material = no_index, bool from_behind = false);
 
   /// The launch coordinates of the point it is expanded about.
   const dvec2& anchor() const { return anchor_; }
@@ -41,9 +42,13 @@ class CurvedPiece {
   double distance(const dvec3& point) const;
 
   const LocalSurface& surface() const { return surface_; }
+  std::uint32_t material() const { return material_; }
+  bool from_behind() const { return from_behind_; }
 
  private:
   LocalSurface surface_;
+  std::uint32_t material_;
+  bool from_behind_;
   dvec2 anchor_;
   dvec3 normal_;      // along (u_hat, v_hat, direction)
   glm::dmat3 curve_;  // in the same frame
@@ -52,11 +57,15 @@ class CurvedPiece {
 
 /// Far field of the physical-optics currents on the piece within a launch rectangle, [frequency].
 /// S = -(jk / 4 pi) p . integral of 2 n x (d x e) e^{jk (s - d).r} over the lit surface, in launch coordinates, where the surface
-/// element carries n x (d x e) dS = [p.e + (p.d) (e . grad depth)] du dv.
-std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const Bounds& cell);
+/// element carries n x (d x e) dS = [p.e + (p.d) (e . grad depth)] du dv; of other materials than a perfect conductor the
+/// currents of the plane tangential to the surface.
+/// `sums`, if any, is told what the surface scatters incoherently.
+std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const Bounds& cell,
+                                               TubeSums* sums = nullptr);
 
 /// The same over a convex polygon of the launch plane that stays clear of the limb.
-std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const ConvexPolygon& polygon);
+std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const ConvexPolygon& polygon,
+                                               TubeSums* sums = nullptr);
 
 /// The range of the exponent of that integral over a rectangle, divided by the wavenumber [m].
 double path_range(const Illumination& light, const CurvedPiece& piece, const Bounds& cell);

@@ -89,7 +89,8 @@ class CurvedTubes {
         continue;
       }
       Tube tube = tubes_[i];
-      tube.footprint = curved_footprint(tube.beam, surface(tube.beam, hit.triangle), look_.receive);
+      tube.footprint =
+          curved_footprint(tube.beam, surface(tube.beam, hit.triangle), look_.receive, look_.surfaces, mesh.patches[patch]);
       if (!take(tube, hit)) continue;
       if (is_too_wide(tube.footprint)) {
         ++sums_.tubes_cut;
@@ -125,17 +126,18 @@ class CurvedTubes {
     std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
     const dvec2 cell(look_.grid.du, look_.grid.dv);
+    if (look_.surfaces.any_rough()) sums_.add_incoherent(tube.footprint.outgoing.spectrum, cell.x * cell.y);
     for (std::size_t f = 0; f < sums.size(); ++f) {
-      add_far_field(sums[f], tube.footprint, look_.wavenumbers[f], cell);
+      add_far_field(sums[f], tube.footprint, f, look_.wavenumbers[f], cell);
       for (std::uint32_t grid = 0; grid < coarse_grids; ++grid)
         if (tube.cell.x % 3 == 1 - grid && tube.cell.y % 3 == 1 - grid)
-          add_far_field(coarse_sums_[grid][f], tube.footprint, look_.wavenumbers[f], 3.0 * cell);
+          add_far_field(coarse_sums_[grid][f], tube.footprint, f, look_.wavenumbers[f], 3.0 * cell);
     }
   }
 
   void report(const Tube& tube, std::uint32_t triangle) {
     ScatteringMatrix s;
-    add_far_field(s, tube.footprint, look_.map->wavenumber(), {look_.grid.du, look_.grid.dv});
+    add_far_field(s, tube.footprint, look_.map->frequency(), look_.map->wavenumber(), {look_.grid.du, look_.grid.dv});
     look_.map->add({look_.grid.u_center(tube.cell.x), look_.grid.v_center(tube.cell.y)}, triangle, s);
   }
 

@@ -23,12 +23,16 @@ Reals scaled(const Reals& x, double factor, double shift = 0.0) {
 }  // namespace
 
 void FarFields::add(const Footprint& f, const dvec2& center, const dvec2& size) {
-  const std::size_t lane = count_++ % lanes;
-  if (lane == 0) blocks_.push_back({});
-  Block& block = blocks_.back();
   const dvec2 offset = center - f.outgoing.anchor;
   const double phase = f.phase + f.phase_u * offset.x + f.phase_v * offset.y, half_u = 0.5 * f.phase_u * size.x,
                half_v = 0.5 * f.phase_v * size.y, half = std::abs(half_u) + std::abs(half_v);
+  if (f.outgoing.spectrum) {
+    spectral_.push_back({f.outgoing.spectrum, phase, half_u, half_v, f.area * size.x * size.y});
+    return;
+  }
+  const std::size_t lane = count_++ % lanes;
+  if (lane == 0) blocks_.push_back({});
+  Block& block = blocks_.back();
   nearest_ = count_ == 1 ? phase - half : std::min(nearest_, phase - half);
   farthest_ = count_ == 1 ? phase + half : std::max(farthest_, phase + half);
   block.phase[lane] = phase;
@@ -54,6 +58,21 @@ FarFields::Amplitudes FarFields::at(double k, double path) const {
 }
 
 void FarFields::add_up(std::vector<ScatteringMatrix>& sums) {
+  if (count_ > 0 || spectral_.empty()) add_up_blocks(sums);
+  for (std::size_t f = 0; f < sums.size(); ++f) {
+    const double k = band_.wavenumbers()[f];
+    for (const Spectral& tube : spectral_) {
+      const double magnitude = k / (4.0 * pi) * tube.area * sinc(k * tube.half_u) * sinc(k * tube.half_v);
+      const Complex factor = Complex(0.0, -magnitude) * std::polar(1.0, k * tube.phase);
+      const auto& weight = (*tube.spectrum)[f].weight;
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) sums[f].at(p, q) += factor * weight[p][q];
+    }
+  }
+  spectral_.clear();
+}
+
+void FarFields::add_up_blocks(std::vector<ScatteringMatrix>& sums) {
   const double middle = 0.5 * (nearest_ + farthest_);
   if (const ChebyshevNodes* nodes = band_.nodes(0.5 * (farthest_ - nearest_)))
     interpolate(*nodes, middle, sums);

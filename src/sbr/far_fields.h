@@ -23,6 +23,11 @@ class FarFields {
   void add_up(std::vector<ScatteringMatrix>& sums);
 
  private:
+  // A tube whose weights differ from frequency to frequency.
+  struct Spectral {
+    const Spectrum* spectrum;
+    double phase, half_u, half_v, area;
+  };
   struct Block {
     Reals phase, half_u, half_v;                      // exponent / k at the middle and from there to the sides [m]
     std::array<std::array<double, 4>, lanes> weight;  // VV, VH, HV, HH, times the area of the footprint
@@ -33,10 +38,12 @@ class FarFields {
   };
 
   Amplitudes at(double k, double path) const;
+  void add_up_blocks(std::vector<ScatteringMatrix>& sums);
   void interpolate(const ChebyshevNodes& nodes, double path, std::vector<ScatteringMatrix>& sums);
 
   Band band_;
   std::vector<Block> blocks_;
+  std::vector<Spectral> spectral_;
   std::vector<Amplitudes> samples_;
   std::size_t count_ = 0;
   double nearest_ = 0.0, farthest_ = 0.0;  // bounds of the exponents / k [m]

@@ -1,5 +1,6 @@
 #include "sbr/footprint.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "material.h"
@@ -46,8 +47,29 @@ Complex phase_integral(const Footprint& f, double k, const dvec2& center, double
   return std::polar(1.0, k * (f.phase + f.phase_u * offset.x + f.phase_v * offset.y)) * magnitude;
 }
 
-void add_far_field(ScatteringMatrix& sum, const Footprint& f, double k, Complex integral) {
+LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Beam& beam, const Patch& patch,
+                           const SphericalBasis& receive) {
+  const bool from_behind = facing(beam, patch) > 0.0;
+  const Incidence incidence{beam.direction, from_behind ? -patch.normal : patch.normal, patch.material, from_behind};
+  if (beam.spectrum) return leaving_waves(surfaces, incidence, *beam.spectrum, receive);
+  return leaving_waves(surfaces, incidence, plain_spectrum(beam.field, surfaces.wavenumbers.size()), receive);
+}
+
+double largest_weight(const Footprint& f, int p, int q) {
+  if (!f.outgoing.spectrum) return std::abs(f.weight[p][q]);
+  double largest = 0.0;
+  for (const SpectralWave& wave : *f.outgoing.spectrum) largest = std::max(largest, std::abs(wave.weight[p][q]));
+  return largest;
+}
+
+void add_far_field(ScatteringMatrix& sum, const Footprint& f, std::size_t frequency, double k, Complex integral) {
   const Complex scaled = Complex(0.0, -k / (4.0 * pi)) * integral;
+  if (f.outgoing.spectrum) {
+    const auto& weight = (*f.outgoing.spectrum)[frequency].weight;
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) sum.at(p, q) += weight[p][q] * scaled;
+    return;
+  }
   for (int p = 0; p < 2; ++p)
     for (int q = 0; q < 2; ++q) sum.at(p, q) += f.weight[p][q] * scaled;
 }

@@ -25,6 +25,7 @@ struct Scene {
   LaunchGrid rectangle;
   SphericalBasis transmit, receive;
   std::vector<double> wavenumbers;
+  std::span<const Material> materials;
   double to_mesh_origin;  // [m], moves the phase reference there from the centre of the mesh
   double area_of_tube;
 };
@@ -32,7 +33,9 @@ struct Scene {
 class Block {
  public:
   explicit Block(const Scene& scene)
-      : scene_(scene), beams_(scene.tracer.mesh(), scene.receive, incident_beam(scene.rectangle, scene.transmit, dvec2(0.0))) {
+      : scene_(scene),
+        beams_(scene.tracer.mesh(), {scene.materials, scene.wavenumbers}, scene.receive,
+               incident_beam(scene.rectangle, scene.transmit, dvec2(0.0))) {
     sums_.scattering.resize(scene.wavenumbers.size());
   }
 
@@ -80,6 +83,23 @@ class Block {
       rays_[i] = {point, beams_.beam(samples_[i].beam).direction, patch};
       add(beams_.footprint(samples_[i].beam), samples_[i].place);
     }
+    send_on(alive);
+  }
+
+  // Ends the tubes of which nothing was reflected and adds those that go on behind a sheet.
+  void send_on(std::size_t count) {
+    if (!beams_.spectral()) return;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t through = beams_.through(samples_[i].beam);
+      if (through == no_index) continue;
+      samples_.push_back({samples_[i].place, through});
+      rays_.push_back({rays_[i].origin, beams_.beam(through).direction, rays_[i].source_patch});
+    }
+    std::size_t lit = 0;
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (beams_.is_lit(samples_[i].beam)) samples_[lit] = samples_[i], rays_[lit++] = rays_[i];
+    samples_.resize(lit);
+    rays_.resize(lit);
   }
 
   bool from_inside(const Ray& ray, const Hit& hit) const {
@@ -93,7 +113,7 @@ class Block {
     const double path = f.phase + f.phase_u * step.x + f.phase_v * step.y + scene_.to_mesh_origin;
     for (std::size_t i = 0; i < scene_.wavenumbers.size(); ++i) {
       const double k = scene_.wavenumbers[i];
-      add_far_field(sums_.scattering[i], f, k, std::polar(f.area * scene_.area_of_tube, k * path));
+      add_far_field(sums_.scattering[i], f, i, k, std::polar(f.area * scene_.area_of_tube, k * path));
     }
   }
 
@@ -106,13 +126,14 @@ class Block {
 };
 
 Scene scene_of(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& tubes,
-               std::uint64_t samples) {
+               std::uint64_t samples, std::span<const Material> materials) {
   const TriangleMesh& mesh = tracer.mesh();
   Scene scene{tracer,
               launch_grid(mesh, look.transmit, wavelength(std::ranges::max(frequencies)), 1.0, tubes.up),
               spherical_basis(look.transmit),
               spherical_basis(look.receive),
               {},
+              materials,
               0.0,
               0.0};
   for (const double frequency : frequencies) scene.wavenumbers.push_back(wavenumber(frequency));
@@ -133,10 +154,10 @@ RandomSums& RandomSums::operator+=(const RandomSums& other) {
 }
 
 RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& tubes,
-                        const RandomLaunch& launch) {
+                        const RandomLaunch& launch, std::span<const Material> materials) {
   RandomSums none;
   none.scattering.resize(frequencies.size());
-  const Scene scene = scene_of(tracer, look, frequencies, tubes, launch.samples);
+  const Scene scene = scene_of(tracer, look, frequencies, tubes, launch.samples, materials);
   if (scene.rectangle.cells() == 0) return none;  // no projected area
   using Indices = tbb::blocked_range<std::uint64_t>;
   // Cut and joined in the same places whoever works: threads never show in the sum.

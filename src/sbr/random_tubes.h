@@ -31,6 +31,6 @@ struct RandomSums {
 /// polarisations: an unbiased estimate of the area integral with a standard error that falls as 1 / sqrt(samples). Of
 /// `tubes`, `max_bounces` and `up` count; facets are flat. The same bytes for any number of threads.
 RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& tubes,
-                        const RandomLaunch& launch);
+                        const RandomLaunch& launch, std::span<const Material> materials = {});
 
 }  // namespace raytube

@@ -36,8 +36,10 @@ TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, double u, 
 // The wave of a tube from surface to surface.
 class ReplayedWave {
  public:
-  ReplayedWave(const LaunchGrid& grid, const Look& look, const Radar& radar, const TriangleMesh& mesh, const dvec2& at)
+  ReplayedWave(const LaunchGrid& grid, const Look& look, const Radar& radar, const TriangleMesh& mesh,
+               const SpectralSurfaces& surfaces, const dvec2& at)
       : mesh_(mesh),
+        surfaces_(surfaces),
         receive_(spherical_basis(look.receive)),
         to_origin_(glm::dot(grid.direction, mesh.center)),
         beam_(incident_beam(grid, spherical_basis(look.transmit), at)) {
@@ -55,21 +57,41 @@ class ReplayedWave {
     const dvec3 normal = from_behind(patch) ? -plane.normal : plane.normal;
     if (!spherical_) {
       const double path = beam_.path + glm::dot(beam_.direction, point) + to_origin_;
-      beam_ = footprint(beam_, plane, receive_).outgoing;
-      return {triangle, patch, point, normal, beam_.direction, path, beam_.field};
+      const bool goes_on = scatter(plane);
+      return {triangle, patch, point, normal, beam_.direction, path, field(), goes_on};
     }
     beam_ = reflected_spherical(beam_, plane);
     const AntennaRay leaving = spherical_->wave(beam_, point);
-    return {triangle, patch, point, normal, leaving.direction, leaving.path, leaving.field};
+    return {
+        triangle, patch, point, normal, leaving.direction, leaving.path, {ComplexVector{leaving.field[0]}, {leaving.field[1]}}};
   }
+
+  bool is_lit() const { return !beam_.spectrum || raytube::is_lit(spectrum_); }
 
  private:
   static constexpr double any_wavenumber = 1.0;
 
+  // The reflected beam; true if another one goes on behind the plane.
+  bool scatter(const Patch& plane) {
+    const bool spectral = beam_.spectrum || plane.material != no_index;
+    LeavingWaves waves = spectral ? leaving_waves(surfaces_, beam_, plane, receive_) : LeavingWaves{};
+    beam_ = footprint(beam_, plane, receive_).outgoing;
+    spectrum_ = std::move(waves.reflected);
+    if (spectral) beam_.spectrum = &spectrum_;
+    return raytube::is_lit(waves.transmitted);
+  }
+
+  std::array<ComplexVector, 2> field() const {
+    if (beam_.spectrum) return spectrum_.front().field;
+    return {ComplexVector{beam_.field[0]}, {beam_.field[1]}};
+  }
+
   const TriangleMesh& mesh_;
+  SpectralSurfaces surfaces_;
   SphericalBasis receive_;
   double to_origin_;
   Beam beam_;
+  Spectrum spectrum_;  // the beam's
   std::optional<AntennaPair> antennas_;
   std::optional<SphericalLook> spherical_;
 };
@@ -77,11 +99,14 @@ class ReplayedWave {
 }  // namespace
 
 TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u, double v,
-                     const Radar& radar) {
+                     const Radar& radar, std::span<const Material> materials) {
+  if (!look.far() && !materials.empty())
+    throw InputError("trace: antennas at a finite distance know perfect conductors only; remove [radar] or the materials");
   const TriangleMesh& mesh = tracer.mesh();
+  const double k = wavenumber(frequency_hz);
   const LaunchGrid grid = grid_of_look(mesh, look, wavelength(frequency_hz), options.per_wavelength, options.up);
   TubeTrace trace = find_cell(grid, mesh.center, u, v);
-  ReplayedWave wave(grid, look, radar, mesh, {grid.u_center(trace.column), grid.v_center(trace.row)});
+  ReplayedWave wave(grid, look, radar, mesh, {materials, {&k, 1}}, {grid.u_center(trace.column), grid.v_center(trace.row)});
   Ray ray = grid.ray(trace.column, trace.row);
   trace.direction = ray.direction;
   while (true) {
@@ -96,6 +121,8 @@ TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz
     const TubeBounce bounce = wave.reflect(hit.triangle, ray.origin + hit.distance * ray.direction);
     ray = {bounce.point, bounce.direction_out, bounce.patch};
     trace.bounces.push_back(bounce);
+    trace.end = bounce.goes_on ? "nothing reflected" : "absorbed";
+    if (!wave.is_lit()) return trace;
   }
 }
 

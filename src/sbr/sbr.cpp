@@ -50,8 +50,8 @@ struct Tiling {
   std::size_t count;
 };
 
-// Faces whose tubes are followed together.
-constexpr std::uint32_t faces_per_tile = 256;
+// Faces whose tubes are followed together. Between sheets tubes double at every meeting, so that those of few faces are many.
+constexpr std::uint32_t faces_per_tile = 256, faces_per_tile_with_sheets = 8;
 
 // Adds up tile(0) ... tile(count - 1) in this order, whoever computes them; what is told to a map, one thread does.
 template <class Function>
@@ -79,7 +79,7 @@ TubeSums trace_uniform(const AdaptiveLook& look, Progress& progress, double shar
   const Tiling tiles(look.grid);
   const NotTraced not_traced{look.skip ? &look.tree : nullptr, look.known.no_reflection};
   tbb::enumerable_thread_specific<TileTracer> tile_tracers([&] {
-    return TileTracer(look.tracer, look.grid, look.transmit, look.receive, look.spherical, look.wavenumbers, look.max_bounces,
+    return TileTracer(look.tracer, look.surfaces, look.grid, look.transmit, look.receive, look.spherical, look.max_bounces,
                       look.smooth, not_traced, look.map);
   });
   const auto trace = [&](std::size_t i) { return tile_tracers.local().trace(tiles[i]); };
@@ -88,11 +88,13 @@ TubeSums trace_uniform(const AdaptiveLook& look, Progress& progress, double shar
 
 TubeSums trace_flat(const AdaptiveLook& look, Progress& progress, double share) {
   const auto face_count = static_cast<std::uint32_t>(look.tree.faces().size());
+  const bool sheets = std::ranges::any_of(look.surfaces.materials, &Material::transmits);
+  const std::uint32_t together = sheets ? faces_per_tile_with_sheets : faces_per_tile;
   const auto trace = [&](std::size_t i) {
-    const auto begin = static_cast<std::uint32_t>(i) * faces_per_tile;
-    return trace_faces(look, begin, std::min(begin + faces_per_tile, face_count));
+    const auto begin = static_cast<std::uint32_t>(i) * together;
+    return trace_faces(look, begin, std::min(begin + together, face_count));
   };
-  return sum_tiles(look, (face_count + faces_per_tile - 1) / faces_per_tile, trace, progress, share);
+  return sum_tiles(look, (face_count + together - 1) / together, trace, progress, share);
 }
 
 // So many cells a flat face is worth: it takes longer than they do, but less long than those that come as close.
@@ -176,8 +178,8 @@ TubeSums total(const std::vector<Part>& parts) {
 class LookTracer {
  public:
   LookTracer(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
-             const Look& look, const Radar& radar, std::span<const double> frequencies, const TubeOptions& options,
-             Progress& progress)
+             const Look& look, const Radar& radar, std::span<const double> frequencies, std::span<const Material> materials,
+             const TubeOptions& options, Progress& progress)
       : tracer_(tracer),
         faces_(faces),
         smooth_(smooth),
@@ -188,8 +190,10 @@ class LookTracer {
         wavelength_(wavelength(std::ranges::max(frequencies))),
         tolerance_(relative_error(options.tolerance_db)),
         options_(options),
-        progress_(progress) {
+        progress_(progress),
+        surfaces_{materials, {}} {
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
+    surfaces_.wavenumbers = wavenumbers_;
     if (!look.far()) antennas_.emplace(look, radar, tracer.mesh().center);
   }
 
@@ -233,20 +237,9 @@ class LookTracer {
     const LaunchGrid grid = grid_of_look(tracer_.mesh(), look_, wavelength_, part.per_wavelength, options_.up);
     std::optional<SphericalLook> spherical;
     if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
-    const AdaptiveLook view{tracer_,
-                            faces_,
-                            grid,
-                            transmit_,
-                            receive_,
-                            spherical ? &*spherical : nullptr,
-                            wavenumbers_,
-                            tolerance_,
-                            smooth_,
-                            options_.clip,
-                            options_.max_bounces,
-                            options_.skip,
-                            known_,
-                            map};
+    const AdaptiveLook view{tracer_,       faces_,    grid,       transmit_, receive_,      spherical ? &*spherical : nullptr,
+                            wavenumbers_,  surfaces_, tolerance_, smooth_,   options_.clip, options_.max_bounces,
+                            options_.skip, known_,    map};
     const std::uint64_t rays_before = part.sums.rays;
     part.sums = {};
     if (grid.cells() > 0)
@@ -267,6 +260,7 @@ class LookTracer {
   const TubeOptions& options_;
   Progress& progress_;
   std::vector<double> wavenumbers_;
+  SpectralSurfaces surfaces_;
   std::optional<AntennaPair> antennas_;
 };
 
@@ -292,8 +286,8 @@ std::size_t tiles_of_look(const Tracer& tracer, const FaceTree& faces, const Loo
 
 TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
                         const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
-                        double share, const Radar& radar, CurrentMap* map) {
-  const LookTracer tubes(tracer, faces, smooth, convexity, look, radar, frequencies, options, progress);
+                        double share, const Radar& radar, std::span<const Material> materials, CurrentMap* map) {
+  const LookTracer tubes(tracer, faces, smooth, convexity, look, radar, frequencies, materials, options, progress);
   return options.mode == TubeMode::adaptive && options.clip ? tubes.refined(share, map) : tubes.once(share, map);
 }
 

@@ -55,7 +55,8 @@ class CurrentMap;
 /// told where the currents are, in the last trace.
 TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
                         const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
-                        double share, const Radar& radar = {}, CurrentMap* map = nullptr);
+                        double share, const Radar& radar = {}, std::span<const Material> materials = {},
+                        CurrentMap* map = nullptr);
 
 /// Bytes that the sums of one look under way take at most, with so many tiles, bounces and frequencies.
 double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies);
@@ -69,8 +70,9 @@ struct TubeBounce {
   std::uint32_t triangle, patch;
   dvec3 point, normal;  // normal on the side the tube comes from
   dvec3 direction_out;
-  double path;                 // [m] phase path, less that of the wave at the origin of the mesh's coordinates
-  std::array<dvec3, 2> field;  // reflected field of unit incident V and H
+  double path;                         // [m] phase path, less that of the wave at the origin of the mesh's coordinates
+  std::array<ComplexVector, 2> field;  // reflected field of unit incident V and H
+  bool goes_on = false;                // behind the surface, too: of that nothing is replayed
 };
 
 struct TubeTrace {
@@ -82,8 +84,9 @@ struct TubeTrace {
 };
 
 /// Replays the tube whose cell holds (u, v), launch coordinates in metres with the mesh's own origin. Throws InputError
-/// outside the launch rectangle. At a finite distance the axes are drawn at that of the middle of the mesh.
+/// outside the launch rectangle. At a finite distance the axes are drawn at that of the middle of the mesh. `materials` are those
+/// of one frequency.
 TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u, double v,
-                     const Radar& radar = {});
+                     const Radar& radar = {}, std::span<const Material> materials = {});
 
 }  // namespace raytube

@@ -26,15 +26,15 @@ struct NotTraced {
 /// only memory. Keeps references to all it is given.
 class TileTracer {
  public:
-  TileTracer(const Tracer& tracer, const LaunchGrid& grid, const SphericalBasis& transmit, const SphericalBasis& receive,
-             const SphericalLook* spherical, std::span<const double> wavenumbers, int max_bounces, const SmoothSurfaces* smooth,
+  TileTracer(const Tracer& tracer, const SpectralSurfaces& surfaces, const LaunchGrid& grid, const SphericalBasis& transmit,
+             const SphericalBasis& receive, const SphericalLook* spherical, int max_bounces, const SmoothSurfaces* smooth,
              const NotTraced& not_traced, CurrentMap* map)
       : grid_(grid),
         transmit_(transmit),
         max_bounces_(max_bounces),
         not_traced_(not_traced),
-        beams_(tracer.mesh(), receive, incident_beam(grid, transmit, dvec2(0.0))),
-        tubes_(tracer, grid, spherical, wavenumbers, beams_, sums_) {
+        beams_(tracer.mesh(), surfaces, receive, incident_beam(grid, transmit, dvec2(0.0))),
+        tubes_(tracer, grid, spherical, surfaces.wavenumbers, beams_, sums_) {
     tubes_.leave_out(smooth);
     tubes_.report_to(map);
   }

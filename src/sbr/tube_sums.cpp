@@ -32,6 +32,12 @@ std::vector<ScatteringMatrix>& TubeSums::at(int bounce, std::size_t frequencies)
   return bounces[b];
 }
 
+void TubeSums::add_incoherent(const Spectrum& spectrum, double area) {
+  incoherent.resize(std::max(incoherent.size(), spectrum.size()));
+  for (std::size_t f = 0; f < spectrum.size(); ++f)
+    for (std::size_t q = 0; q < 2; ++q) incoherent[f][q] += area * spectrum[f].incoherent[q];
+}
+
 void TubeSums::compare_with(const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums) {
   coarse.assign(coarse_sums[0].size(), {});
   for (std::size_t f = 0; f < coarse.size(); ++f) {
@@ -52,6 +58,9 @@ void TubeSums::add(const TubeSums& other) {
     for (int grid = 0; grid < coarse_grids; ++grid) coarse[f][grid] += other.coarse[f][grid];
   for (std::size_t f = 0; f < other.pieces.size(); ++f) add_at(pieces, f, other.pieces[f]);
   for (std::size_t f = 0; f < other.quadrature.size(); ++f) add_at(quadrature, f, other.quadrature[f]);
+  incoherent.resize(std::max(incoherent.size(), other.incoherent.size()));
+  for (std::size_t f = 0; f < other.incoherent.size(); ++f)
+    for (std::size_t q = 0; q < 2; ++q) incoherent[f][q] += other.incoherent[f][q];
   tubes += other.tubes;
   rays += other.rays;
   lost_rays += other.lost_rays;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "field.h"
+#include "sbr/spectrum.h"
 
 namespace raytube {
 
@@ -29,16 +30,20 @@ struct TubeSums {
   std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
   /// [frequency][grid], all bounces together: fine minus coarse, summed over tiles; empty: nothing was sampled.
   std::vector<std::array<ErrorSum, coarse_grids>> coarse;
-  std::vector<ErrorSum> pieces;      // [frequency], of single tubes whose error is known; empty: there are none
-  std::vector<ErrorSum> quadrature;  // [frequency], of spherical waves: no grid changes it; empty: there are none
-  std::vector<ChannelErrors> error;  // [frequency], estimate for the whole look [m]; empty in its parts
-  std::vector<std::uint64_t> hits;   // [bounce]
+  std::vector<ErrorSum> pieces;                   // [frequency], of single tubes whose error is known; empty: there are none
+  std::vector<ErrorSum> quadrature;               // [frequency], of spherical waves: no grid changes it; empty: there are none
+  std::vector<std::array<double, 2>> incoherent;  // [frequency][transmit] sigma of rough surfaces [m^2]; empty: there are none
+  std::vector<ChannelErrors> error;               // [frequency], estimate for the whole look [m]; empty in its parts
+  std::vector<std::uint64_t> hits;                // [bounce]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;
   std::uint64_t empty_cells = 0, faces_away = 0;  // not traced: see SkipCounts
   double sliver_area = 0.0;                       // [m^2] of the launch plane, left out by adaptive tubes
 
   /// The sums of a bounce, counted from 0; they and their counter of hits come into being when first asked for.
   std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);
+
+  /// What the currents of this wave scatter incoherently from so much area across it.
+  void add_incoherent(const Spectrum& spectrum, double area);
 
   /// Sets `coarse` from what the coarse grids, [grid][frequency], give for all that has been added up so far.
   void compare_with(const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums);

@@ -38,7 +38,7 @@ std::vector<bool> between_crowded(const TriangleMesh& mesh, std::span<const Wedg
   const std::vector<double> areas = patch_areas(mesh);
   std::vector<double> lengths;
   for (const Wedge& wedge : wedges)
-    if (wedge.radiates() && !wedge.enclosed) lengths.push_back(wedge.length());
+    if (wedge.radiates() && !wedge.silent) lengths.push_back(wedge.length());
   std::vector<bool> crowded;
   for (const double frequency : frequencies) {
     const double least = wavelength(frequency);

@@ -70,7 +70,7 @@ std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge>
   const Folds folds = ends_of_folds(wedges);
   std::vector<EdgeAxis> axes;
   for (const Wedge& wedge : wedges)
-    if (wedge.radiates() && !wedge.enclosed && sees_anything(mesh, wedge)) axes.push_back(axis_of(wedge, folds));
+    if (wedge.radiates() && !wedge.silent && sees_anything(mesh, wedge)) axes.push_back(axis_of(wedge, folds));
   return axes;
 }
 

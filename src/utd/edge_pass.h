@@ -141,7 +141,7 @@ class EndlessEdges {
 
   /// None if the edge adds nothing.
   std::optional<Meeting> meeting(std::uint32_t index) const {
-    if (!wedges_[index].radiates() || wedges_[index].enclosed) return std::nullopt;
+    if (!wedges_[index].radiates() || wedges_[index].silent) return std::nullopt;
     const Meeting result(wedges_[index], incident_);
     return result.incidence.weight == 0.0 ? std::nullopt : std::optional(result);
   }
@@ -182,7 +182,7 @@ class StripPass {
   /// None if the edge adds nothing. One that is only grazed, over one face, takes its light from the edge at the other end of
   /// that face.
   std::optional<Meeting> meeting(std::uint32_t index) const {
-    if (!wedges_[index].radiates() || wedges_[index].enclosed) return std::nullopt;
+    if (!wedges_[index].radiates() || wedges_[index].silent) return std::nullopt;
     const Meeting result(wedges_[index], incident_);
     return result.incidence.weight == 1.0 ? std::optional(result) : std::nullopt;
   }

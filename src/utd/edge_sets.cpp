@@ -37,12 +37,12 @@ EdgeSets::EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, c
     set.wedges = sharp ? wedges : merge_thin_rims(wedges, rims, thin_limit(set.frequencies.front()));
     set.outlines = sharp ? outlines : Outlines(mesh, set.wedges, min_wedge_angle);
     if (skip_enclosed) continue;
-    for (Wedge& wedge : set.wedges) wedge.enclosed = false;
+    for (Wedge& wedge : set.wedges) wedge.silent = !wedge.conducting();
   }
 }
 
 bool EdgeSets::radiate() const {
-  const auto one_does = [](const Wedge& wedge) { return wedge.radiates() && !wedge.enclosed; };
+  const auto one_does = [](const Wedge& wedge) { return wedge.radiates() && !wedge.silent; };
   return std::ranges::any_of(sets_, [&](const Set& set) { return std::ranges::any_of(set.wedges, one_does); });
 }
 

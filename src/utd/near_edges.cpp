@@ -92,7 +92,7 @@ class NearSum {
   template <class PassOf>
   void add(std::span<const Wedge> wedges, std::uint32_t index, LitEdges& edges, PassOf pass_of) {
     const Wedge& wedge = wedges[index];
-    if (!wedge.radiates() || wedge.enclosed) return;
+    if (!wedge.radiates() || wedge.silent) return;
     pieces_.clear();
     cut(wedge, antennas_, near_, highest_, 0.0, 1.0, pieces_);
     bool searched = false, lit = false;

@@ -54,7 +54,7 @@ class RayFields::Sum {
 
   RayLookResult run() {
     for (const Wedge& wedge : scene_.wedges_)
-      if (wedge.convex() && !wedge.enclosed) add_edge(wedge);
+      if (wedge.convex() && !wedge.silent) add_edge(wedge);
     add_shadow();
     const MirrorPathList list = scene_.mirrors_.find(transmitter_, receiver_, scene_.most_bounces_, on_rim_);
     for (const MirrorPath& path : list.paths) add_mirrors(path);

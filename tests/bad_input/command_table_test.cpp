@@ -167,6 +167,10 @@ std::vector<BadRow> place_rows() {
            "look.looks_csv"),
       read("pattern", "channels.csv", "angle_deg,azimuth_db,elevation_db\n0,0,0\n90,-3,-3\n",
            "run case.toml --set radar.range_m=3 --set radar.pattern_csv=channels.csv", "radar.pattern_csv"),
+      read("medium", "channels.csv", "freq_ghz,eps_real,eps_loss\n1,4,0\n20,4,0\n",
+           "run case.toml --set target.material=a --set materials.a.kind=dielectric --set materials.a.table_csv=channels.csv",
+           "table_csv"),
+      read("second_mesh", "rcs.csv", plate, "run case.toml --set 'target.mesh=[\"mesh.off\", \"rcs.csv\"]'", "target.mesh"),
       read("table", "compare.csv", table, "compare compare.csv compare.csv", "the first table"),
       {"read_mesh", "sources scene.toml -o .", "hits.ply: is read here (scene.parts.mesh), and a result of that name",
        [=](const Scratch& scratch) {

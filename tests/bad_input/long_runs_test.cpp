@@ -55,6 +55,8 @@ TEST_F(LongRuns, WhatIsKeptIsSaidAndNotLost) {
   EXPECT_EQ(longer.code, 2);
   EXPECT_THAT(longer.complaint, HasSubstr("look.phi_deg = ...0.01,0.02,"));
   EXPECT_THAT(longer.complaint, HasSubstr(" (now ...0.02,0.04,"));
+  const Outcome painted = raytube("run " + minutes + "--resume --set target.material=absorber");
+  EXPECT_THAT(painted.complaint, HasSubstr("begun with target.material = \"pec\" (now \"absorber\")"));
   const Outcome nearer = raytube("run " + minutes + "--resume --set radar.range_m=1000");
   EXPECT_THAT(nearer.complaint, HasSubstr("begun with radar.range_m = not given (now 1000.0)"));
 

@@ -3,6 +3,8 @@
 
 #include <sched.h>
 
+#include <nlohmann/json.hpp>
+
 namespace raytube {
 namespace {
 
@@ -38,6 +40,24 @@ TEST_F(BadInput, Mesh) {
 TEST_F(BadInput, MeshForEveryCommand) {
   expect_refused("check case.toml --set target.mesh=missing.stl", "missing.stl");
   expect_refused("trace case.toml --look 0 --u 0 --v 0 --set target.mesh=missing.stl", "missing.stl");
+}
+
+TEST_F(BadInput, SeveralMeshFilesAndMaterials) {
+  scratch.write("tile.off", "OFF\n3 1 0\n0 0 5\n1 0 5\n0 1 5\n3 0 1 2\n");
+  scratch.write("glass.csv", "freq_ghz,eps_real,eps_loss\n1,4,0\n20,4,0\n");
+  const std::string tiled =
+      "case.toml --set 'target.mesh=[\"mesh.off\", \"tile.off\"]' --set materials.glass.kind=dielectric "
+      "--set materials.glass.table_csv=glass.csv --set 'target.parts.\"tile.off\"=glass' --set output.plots=false";
+  EXPECT_EQ(raytube("check " + tiled).code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"),
+              AllOf(HasSubstr("mesh.off, tile.off, one unit is"), HasSubstr("glass: 1 triangles"),
+                    HasSubstr("perfect conductor: 2 triangles")));
+  EXPECT_EQ(raytube("trace " + tiled + " --look 0 --u 0 --v 0").code, 0);
+  EXPECT_EQ(raytube("run " + tiled).code, 0);
+  const auto json = nlohmann::json::parse(text_of(scratch / "out/run.json"));
+  EXPECT_EQ(json["mesh"]["sha256"].size(), 2u);
+  EXPECT_EQ(json["table_csv_sha256"]["glass.csv"].get<std::string>().size(), 64u);
+  EXPECT_EQ(json["case"]["target"]["parts"]["tile.off"], "glass");
 }
 
 TEST_F(BadInput, WedgeList) {

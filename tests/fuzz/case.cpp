@@ -17,6 +17,7 @@ struct CaseFolder : Folder {
   CaseFolder() {
     write("looks.csv", "theta_deg,phi_deg\n90,0\n90,1\n");
     write("bistatic.csv", "theta_deg,phi_deg,rx_theta_deg,rx_phi_deg\n90,0,90,1\n");
+    write("glass.csv", "freq_ghz,eps_real,eps_loss\n1,4,0.1\n100,5,0.2\n");
     write("horn.csv", "angle_deg,azimuth_db,elevation_db\n-90,-30,-30\n0,0,0\n90,-30,-30\n");
   }
 };

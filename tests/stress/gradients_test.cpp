@@ -276,7 +276,7 @@ struct CurvedCell {
     const dvec3 normal = glm::normalize(basis.radial + tilt.x * grid.u_hat + tilt.y * grid.v_hat);
     const CurvedPiece piece(grid, {dvec3(0.0), normal, glm::dmat3(-curvature)});
     const std::vector<double> wavenumbers{2 * pi};
-    const Illumination light{grid, basis, basis, wavenumbers};
+    const Illumination light{grid, basis, basis, {{}, wavenumbers}};
     const ScatteringMatrix s = curved_far_field(light, piece, Bounds{dvec2(-0.5), dvec2(0.5)}).front();
     const FineComplex sum = fine_integral(20, [&](Fine x) {
       return fine_integral(20, [&](Fine y) {

@@ -18,7 +18,7 @@ const Bad bad_values[] = {
     {"target.mesh=3", "target.mesh must be a text"},
     {"target.mesh=\"\"", "give the mesh file"},
     {"target.unit=km", "write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\""},
-    {"target.material=glass", "not in this version; write \"pec\""},
+    {"target.material=glass", "\"glass\" is no material; add [materials.glass], or did you mean \"pec\"?"},
     {"frequency.ghz=0", "greater than 0 (found 0)"},
     {"frequency.ghz=-2", "greater than 0 (found -2)"},
     {"frequency.ghz=nan", "finite"},
@@ -66,7 +66,7 @@ const Bad bad_values[] = {
     {"output.image_per_wavelenth=3", "did you mean \"output.image_per_wavelength\""},
 
     {"accuracy.tolerance_db=-1", "accuracy.tolerance_db"},
-    {"materials.glass=3", "\"materials\" is not in this version"},
+    {"materials.glass=3", "materials.glass must be a section; write [materials.glass]"},
     {"edges.methd=none", "did you mean \"edges.method\""},
     {"mesh=m.stl", "did you mean \"target.mesh\""},
     {"tube.max_bounces=3", "did you mean \"tubes.max_bounces\""},

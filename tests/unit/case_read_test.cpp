@@ -11,8 +11,8 @@ using ::testing::HasSubstr;
 TEST(CaseRead, SmallestCaseGetsEveryDefault) {
   const Case c = read_text(smallest);
   EXPECT_EQ(c.title, "m");
-  EXPECT_EQ(c.mesh_file.filename(), "m.stl");
-  EXPECT_EQ(c.mesh_file.parent_path(), c.file.parent_path());
+  EXPECT_EQ(c.mesh_files.front().filename(), "m.stl");
+  EXPECT_EQ(c.mesh_files.front().parent_path(), c.file.parent_path());
   EXPECT_EQ(c.tubes.mode, TubeMode::adaptive);
   EXPECT_TRUE(c.tubes.clip);
   EXPECT_TRUE(c.tubes.skip);
@@ -35,7 +35,7 @@ TEST(CaseRead, EveryKeyIsTaken) {
       "[tubes]\nmode = \"adaptive\"\nclip = false\nskip = false\nper_wavelength = 12\nmax_bounces = 3\nup = [0, 0, 2.0]\n"
       "[edges]\nmethod = \"none\"\norder = 3\nthin_sheets = false\nmin_wedge_deg = 20\n[output]\nplots = false\n");
   EXPECT_EQ(c.title, "T");
-  EXPECT_THAT(c.mesh_file.string(), ::testing::EndsWith("/sub/m.obj"));
+  EXPECT_THAT(c.mesh_files.front().string(), ::testing::EndsWith("/sub/m.obj"));
   EXPECT_EQ(c.metres_per_unit, 0.3048);
   EXPECT_THAT(c.sweep.frequencies, ElementsAre(1e9, 2.5e9));
   ASSERT_EQ(c.sweep.looks.size(), 2u);
@@ -104,7 +104,7 @@ TEST(CaseRead, Units) {
 }
 
 TEST(CaseRead, AbsoluteMeshPathStays) {
-  EXPECT_EQ(read_text(smallest, {"target.mesh=\"/data/../meshes/m.stl\""}).mesh_file, "/meshes/m.stl");
+  EXPECT_EQ(read_text(smallest, {"target.mesh=\"/data/../meshes/m.stl\""}).mesh_files.front(), "/meshes/m.stl");
 }
 
 TEST(CaseRead, GigahertzGiveTheHertzMeant) {

@@ -81,6 +81,7 @@ TEST(SourceCase, BadInputNamesPlaceAndRemedy) {
   says(part + source + "seeds = 1\n", "line 10: unknown key \"source.seeds\"; did you mean \"source.seed\"?");
   says(part + "units = 1\n" + source, "unknown key \"scene.parts.units\"; did you mean \"scene.parts.unit\"?");
   says(part + source + "[target]\nmesh = \"a\"\n", "[target] belongs to a case for raytube run; run it with that command");
+  says(part + source + "[materials.a]\nkind = \"pec\"\n", "[materials] belongs to a case for raytube run");
   says("[scene]\nparts = 3\n" + source, "scene.parts must be a list of parts");
   says("[scene]\nparts = [3]\n" + source, "every entry of scene.parts must be a part");
   says("source = 3\n" + part, "source must be a section");

@@ -9,7 +9,8 @@ namespace {
 
 TEST(MeshPatches, SinglePrecisionFacesStayWhole) {
   for (const int pieces : {1, 40}) {
-    const PolygonSoup soup = moved(remeshed(cube(0.09), pieces, pieces), skew_rotation(), dvec3(0.02, -0.01, 0.03));
+    const PolygonSoup soup =
+        moved(remeshed(box(dvec3(0.0), dvec3(0.09)), pieces, pieces), skew_rotation(), dvec3(0.02, -0.01, 0.03));
     const LoadedMesh loaded = build(in_single_precision(soup));
     EXPECT_EQ(loaded.report.patches, 6u);
     EXPECT_EQ(loaded.report.components_closed, 1u);

@@ -203,6 +203,59 @@ TEST_F(MeshRead, ObjVariants) {
   EXPECT_EQ(read("a.obj", "v 1 2 3 1.0\nv +4e0 -.5 6. 0.1 0.2 0.3\nv 1e-400 0 0\nf 1 2 3\n").points[1], dvec3(4, -0.5, 6));
 }
 
+/// Those of each polygon, one after the other.
+std::vector<std::string> names(const PolygonSoup& soup) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
+    std::string& all = result.emplace_back();
+    for (const std::uint32_t place : soup.names.of(i)) all += "<" + soup.names.all()[place] + ">";
+  }
+  return result;
+}
+
+using Names = std::vector<std::string>;
+
+TEST_F(MeshRead, ObjNames) {
+  const std::string file =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"
+      "g hull left # port\no  mast 1 \nusemtl Material #25\nf 1 2 3\nf 2 3 1\n"
+      "g nowhere\ng\nf 1 2 3\no\nusemtl\r\nf 1 2 3\n"
+      "g left \\\n hull hull\nusemtl left\nf 1 2 3\n";
+  const PolygonSoup soup = read("a.obj", file);
+  EXPECT_EQ(names(soup), (Names{"", "<hull><left><mast 1><Material #25>", "<hull><left><mast 1><Material #25>",
+                                "<mast 1><Material #25>", "", "<hull><left>"}));
+  EXPECT_EQ(soup.names.all(), (Names{"hull", "left", "mast 1", "Material #25"}));
+}
+
+TEST_F(MeshRead, StlNames) {
+  const auto solid = [](const std::string& name) {
+    const std::string facet = "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    return "solid" + name + "\n" + facet + facet + "endsolid" + name + "\n";
+  };
+  const PolygonSoup soup = read("a.stl", solid(" nose  cone #1 ") + solid("") + "solid empty\nendsolid\n" + solid("\tWing\r"));
+  EXPECT_EQ(names(soup), (Names{"<nose  cone #1>", "<nose  cone #1>", "", "", "<Wing>", "<Wing>"}));
+  EXPECT_EQ(soup.names.all(), (Names{"nose  cone #1", "Wing"}));
+  EXPECT_EQ(names(read("b.stl", stl_binary(triangles(), "solid made by a program"))), Names(4));
+}
+
+TEST_F(MeshRead, SeveralFilesAreOneTarget) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  PolygonSoup whole = read("a.obj", corners + "f 1 2 3\ng wing\nf 1 2 3\n"), part = read("b.obj", corners + "g wing\nf 3 2 1\n");
+  add_name(whole, "a.obj");
+  add_name(part, "b.obj");
+  add_polygons(part, whole);
+  add_polygons(read("c.off", "OFF 3 1 0\n5 0 0\n6 0 0\n6 1 0\n3 0 1 2\n"), whole);
+  EXPECT_EQ(whole.polygons, (std::vector<Polygon>{{0, 1, 2}, {0, 1, 2}, {5, 4, 3}, {6, 7, 8}}));
+  EXPECT_EQ(whole.points[8], dvec3(6, 1, 0));
+  EXPECT_EQ(names(whole), (Names{"<a.obj>", "<wing><a.obj>", "<wing><b.obj>", ""}));
+  EXPECT_EQ(whole.names.all(), (Names{"wing", "a.obj", "b.obj"}));
+  EXPECT_TRUE(whole.materials.empty());
+  part.materials = {7};
+  add_polygons(part, whole);
+  add_polygons(read("d.obj", corners + "f 1 2 3\n"), whole);
+  EXPECT_EQ(whole.materials, (std::vector<std::uint32_t>{no_index, no_index, no_index, no_index, 7, no_index}));
+}
+
 TEST_F(MeshRead, OffVariants) {
   const PolygonSoup soup = read("a.off", "COFF 3 1 0\n0 0 0 0 0 255\n\n1 0 0 0 0 255\n0 1 0 0 0 255\n3 0 1 2\n");
   EXPECT_EQ(soup.polygons.size(), 1u);

@@ -22,7 +22,7 @@ inline PolygonSoup box(const dvec3& low, const dvec3& high) {
   return soup;
 }
 
-inline PolygonSoup cube(double side = 1.0) { return box(dvec3(0.0), dvec3(side)); }
+inline PolygonSoup cube() { return box(dvec3(0.0), dvec3(1.0)); }
 
 /// A parallelogram.
 inline PolygonSoup plate(const dvec3& corner, const dvec3& a, const dvec3& b) {

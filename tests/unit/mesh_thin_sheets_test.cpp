@@ -63,8 +63,8 @@ TEST(MeshThinSheets, BoxPlateHasFourHalfPlanes) {
 }
 
 TEST(MeshThinSheets, ThickPlatesAndOtherBodiesStayAsTheyAre) {
-  for (const PolygonSoup& soup :
-       {sheet(3, 2, 0.15), cube(), cube(0.05), sheet(3, 0.05, 0.05), cylinder(12), prism({{0, 0}, {1, 0}, {0, 0.08}}, 2.0)}) {
+  for (const PolygonSoup& soup : {sheet(3, 2, 0.15), cube(), box(dvec3(0.0), dvec3(0.05)), sheet(3, 0.05, 0.05), cylinder(12),
+                                  prism({{0, 0}, {1, 0}, {0, 0.08}}, 2.0)}) {
     const LoadedMesh loaded = build(soup);
     const std::vector<Wedge> before = wedges_of(loaded), after = merged(loaded);
     ASSERT_EQ(after.size(), before.size());

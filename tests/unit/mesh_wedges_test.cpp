@@ -7,7 +7,7 @@ namespace raytube::shapes {
 namespace {
 
 TEST(MeshWedges, CubeHasTwelveRightEdges) {
-  const LoadedMesh loaded = build(cube(2.0));
+  const LoadedMesh loaded = build(box(dvec3(0.0), dvec3(2.0)));
   EXPECT_EQ(loaded.report.components_closed, 1u);
   EXPECT_EQ(loaded.report.patches, 6u);
   EXPECT_TRUE(loaded.report.notes().empty());

@@ -34,7 +34,7 @@ CurvedPiece sphere_piece(const LaunchGrid& grid, dvec2 at) {
 ScatteringMatrix sphere_by_cells(const Direction& transmit, const Direction& receive) {
   const LaunchGrid grid = plane_towards(transmit);
   const SphericalBasis t = spherical_basis(transmit), r = spherical_basis(receive);
-  const Illumination light{grid, t, r, wavenumbers};
+  const Illumination light{grid, t, r, {{}, wavenumbers}};
   ScatteringMatrix sum;
   for (double u = -3.2; u < 3.0; u += 0.5)
     for (double v = -3.3; v < 3.0; v += 0.5) {

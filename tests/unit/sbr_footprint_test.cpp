@@ -127,7 +127,7 @@ TEST(Footprint, FarFieldOfAPlateAtBroadside) {
   scene.grid = scene.made_grid();
   const Footprint onto = footprint(incident_beam(scene.grid, scene.transmit, {0.0, 0.0}), scene.patch, scene.receive);
   ScatteringMatrix s;
-  add_far_field(s, onto, k, phase_integral(onto, k, {0.0, 0.0}, 0.6, 0.5));
+  add_far_field(s, onto, 0, k, phase_integral(onto, k, {0.0, 0.0}, 0.6, 0.5));
   const Complex expected(0.0, -k * 0.3 / (2.0 * pi));
   EXPECT_NEAR(std::abs(s.vv() - expected), 0.0, rounding);
   EXPECT_NEAR(std::abs(s.hh() - expected), 0.0, rounding);

@@ -5,7 +5,7 @@
 
 #include <regex>
 
-#include "case/case.h"
+#include "case/target.h"
 #include "closed_forms.h"
 #include "run.h"
 #include "scratch.h"
@@ -24,7 +24,7 @@ struct Studied {
 Studied study(const std::string& name, const std::vector<double>& densities) {
   Studied studied{read_case(RAYTUBE_SOURCE_DIR "/cases/convergence/" + name), {}, {}};
   const Case& c = studied.c;
-  const LoadedMesh loaded = load_mesh(c.mesh_file, c.metres_per_unit);
+  const LoadedMesh loaded = load_target(c);
   const Target target(loaded.mesh, c.edges);
   SolveOptions options{c.tubes, c.edges, 0, false, {}};
   for (const double density : densities) {

@@ -1,0 +1,119 @@
+// [target] material, [target.parts] and [target.facets].
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "case/keys.h"
+#include "case/materials.h"
+#include "case/values.h"
+#include "decimal.h"
+#include "text.h"
+
+namespace raytube {
+
+namespace {
+
+using Kind = CaseValue::Kind;
+using Facets = MaterialPlaces::Facets;
+
+constexpr double most_facets = 9007199254740992.0;  // 2^53: whole numbers of a case file are doubles
+
+void check_name(const CaseValue& value, const std::string& sentence, const std::string& name,
+                const std::vector<std::string>& names) {
+  if (std::ranges::find(names, name) == names.end())
+    reject(value, fmt::format("{} is no material; add [materials.{}], or did you mean \"{}\"?", sentence, quotable(name),
+                              quotable(nearest_name(name, names))));
+}
+
+std::string read_name(const CaseValue& value, const std::string& key, const std::vector<std::string>& names) {
+  const std::string name = read_text(value, key);
+  check_name(value, fmt::format("{} \"{}\"", key, quotable(name)), name, names);
+  return name;
+}
+
+std::uint64_t read_facet(const CaseValue& value, const std::string& key) {
+  const double number = read_number(value, "every facet of " + key);
+  if (number < 0.0 || number > most_facets || number != std::floor(number))
+    reject(value, fmt::format("every facet of {} must be a whole number, counted from 0 (found {})", key, number_text(number)));
+  return static_cast<std::uint64_t>(number);
+}
+
+Facets read_range(const CaseValue& value, const std::string& key, const std::string& material) {
+  if (value.kind != Kind::list) return {read_facet(value, key), read_facet(value, key), material, value.place};
+  if (value.items.size() != 2) reject(value, key + " has a range that is not [first, last]; write for example [10, 20]");
+  const Facets range{read_facet(value.items[0], key), read_facet(value.items[1], key), material, value.place};
+  if (range.first > range.last)
+    reject(value, fmt::format("{0} has the range [{1}, {2}]; write [{2}, {1}]", key, range.first, range.last));
+  return range;
+}
+
+bool before(const Facets& a, const Facets& b) { return std::tie(a.first, a.last) < std::tie(b.first, b.last); }
+
+// Ranges that overlap or follow one another, made one.
+std::vector<Facets> merged(std::vector<Facets> ranges) {
+  std::ranges::sort(ranges, before);
+  std::vector<Facets> result;
+  for (Facets& range : ranges)
+    if (!result.empty() && range.first <= result.back().last + 1)
+      result.back().last = std::max(result.back().last, range.last);
+    else
+      result.push_back(std::move(range));
+  return result;
+}
+
+std::vector<Facets> read_ranges(const CaseValue& value, const std::string& material) {
+  const std::string key = "target.facets." + quotable(material);
+  if (value.kind != Kind::list || value.items.empty())
+    reject(value, key + " must be a list of facets and ranges, for example [0, 1, [10, 20]]");
+  std::vector<Facets> ranges;
+  for (const CaseValue& item : value.items) ranges.push_back(read_range(item, key, material));
+  return merged(std::move(ranges));
+}
+
+// Those of one material lie apart, so two that overlap are neighbours.
+void check_apart(const std::vector<Facets>& facets, const CaseValue& section) {
+  const auto overlap = [](const Facets& a, const Facets& b) { return b.first <= a.last; };
+  const auto found = std::ranges::adjacent_find(facets, overlap);
+  if (found != facets.end())
+    reject(*section.find(std::next(found)->material),
+           fmt::format("target.facets gives facet {} both to \"{}\" and to \"{}\"; remove it from one of them",
+                       std::next(found)->first, quotable(found->material), quotable(std::next(found)->material)));
+}
+
+std::vector<Facets> read_facets(const CaseValue& section, const std::vector<std::string>& names) {
+  if (section.kind != Kind::table) reject(section, "target.facets must be a section; write [target.facets]");
+  std::vector<Facets> facets;
+  for (std::size_t i = 0; i < section.keys.size(); ++i) {
+    const std::string& material = section.keys[i];
+    check_name(section.items[i], "target.facets." + quotable(material), material, names);
+    for (Facets& range : read_ranges(section.items[i], material)) facets.push_back(std::move(range));
+  }
+  std::ranges::sort(facets, before);
+  check_apart(facets, section);
+  return facets;
+}
+
+std::vector<MaterialPlaces::Part> read_parts(const CaseValue& section, const std::vector<std::string>& names) {
+  if (section.kind != Kind::table) reject(section, "target.parts must be a section; write [target.parts]");
+  std::vector<MaterialPlaces::Part> parts;
+  for (std::size_t i = 0; i < section.keys.size(); ++i) {
+    const CaseValue& value = section.items[i];
+    parts.push_back({section.keys[i], read_name(value, "target.parts." + quotable(section.keys[i]), names), value.place});
+  }
+  return parts;
+}
+
+}  // namespace
+
+MaterialPlaces read_places(const CaseValue& root, const std::vector<std::string>& names) {
+  MaterialPlaces places;
+  if (const CaseValue* material = find(root, "target", "material"))
+    places.elsewhere = read_name(*material, "target.material", names);
+  if (const CaseValue* parts = find(root, "target", "parts")) places.parts = read_parts(*parts, names);
+  if (const CaseValue* facets = find(root, "target", "facets")) places.facets = read_facets(*facets, names);
+  return places;
+}
+
+}  // namespace raytube

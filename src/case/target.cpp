@@ -1,0 +1,115 @@
+#include "case/target.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "case/keys.h"
+#include "error.h"
+#include "text.h"
+
+namespace raytube {
+
+namespace {
+
+using Part = MaterialPlaces::Part;
+
+/// What the names in a mesh say about its polygons.
+class NamedMaterials {
+ public:
+  NamedMaterials(const PolygonSoup& soup, const Case& c) : soup_(soup), case_(c) {
+    std::unordered_map<std::string_view, const Part*> parts;
+    for (const Part& part : c.places.parts) parts.emplace(part.name, &part);
+    for (const std::string& name : soup.names.all()) {
+      const auto found = parts.find(name);
+      part_of_name_.push_back(found == parts.end() ? nullptr : found->second);
+    }
+    for (const Part& part : c.places.parts)
+      if (std::ranges::find(part_of_name_, &part) == part_of_name_.end()) reject_unknown(part);
+  }
+
+  const std::string& material_of(std::size_t polygon) const {
+    const Part *inside = nullptr, *file = nullptr;
+    for (const std::uint32_t name : soup_.names.of(polygon))
+      if (const Part* part = part_of_name_[name]) {
+        const Part*& known = is_file(part->name) ? file : inside;
+        if (known && known->material != part->material) reject_two(polygon, *known, *part);
+        known = part;
+      }
+    return inside ? inside->material : file ? file->material : case_.places.elsewhere;
+  }
+
+ private:
+  bool is_file(const std::string& name) const { return std::ranges::find(case_.meshes, name) != case_.meshes.end(); }
+
+  [[noreturn]] void reject_unknown(const Part& part) const {
+    const std::vector<std::string>& names = soup_.names.all();
+    const std::string where = fmt::format("{}: target.parts.{} is no name in the mesh", part.place, quotable(part.name));
+    throw InputError(fmt::format("{}; did you mean \"{}\"?", where, quotable(nearest_name(part.name, names))));
+  }
+
+  [[noreturn]] static void reject_two(std::size_t polygon, const Part& first, const Part& second) {
+    throw InputError(fmt::format(
+        "{}: facet {} of the mesh goes by the names \"{}\" and \"{}\", which have the materials \"{}\" and \"{}\" in "
+        "target.parts; remove one of them there",
+        second.place, polygon, quotable(first.name), quotable(second.name), quotable(first.material), quotable(second.material)));
+  }
+
+  const PolygonSoup& soup_;
+  const Case& case_;
+  std::vector<const Part*> part_of_name_;  // null: the case does not mention it
+};
+
+std::unordered_map<std::string_view, std::uint32_t> numbers_of(const std::vector<Material>& materials) {
+  std::unordered_map<std::string_view, std::uint32_t> numbers;
+  for (std::size_t i = 0; i < materials.size(); ++i) numbers.emplace(materials[i].name, static_cast<std::uint32_t>(i));
+  return numbers;
+}
+
+void check_last_facet(const std::vector<MaterialPlaces::Facets>& facets, std::size_t polygons) {
+  for (const auto& [first, last, material, place] : facets)
+    if (last >= polygons)
+      throw InputError(fmt::format("{}: target.facets.{} names facet {}, but the mesh has {}, counted from 0; choose among these",
+                                   place, quotable(material), last, polygons));
+}
+
+// Names take memory, and are of use to parts alone.
+PolygonSoup read_named(const Case& c, std::size_t file) {
+  PolygonSoup soup = read_polygon_soup(c.mesh_files[file]);
+  if (!c.places.parts.empty()) add_name(soup, c.meshes[file]);
+  return soup;
+}
+
+}  // namespace
+
+std::string mesh_names(const Case& c) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : c.mesh_files) names.push_back(file.string());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void assign_materials(PolygonSoup& soup, const Case& c) {
+  const NamedMaterials by_name(soup, c);
+  const auto numbers = numbers_of(c.sweep.materials);
+  const auto number_of = [&](const std::string& material) {
+    const auto found = numbers.find(material);
+    return found == numbers.end() ? no_index : found->second;
+  };
+  soup.materials.resize(soup.polygons.size());
+  for (std::size_t i = 0; i < soup.polygons.size(); ++i) soup.materials[i] = number_of(by_name.material_of(i));
+  check_last_facet(c.places.facets, soup.polygons.size());
+  for (const auto& [first, last, material, place] : c.places.facets)
+    std::fill(soup.materials.begin() + first, soup.materials.begin() + last + 1, number_of(material));
+  if (numbers.empty()) soup.materials.clear();
+}
+
+LoadedMesh load_target(const Case& c) {
+  PolygonSoup whole = read_named(c, 0);
+  for (std::size_t i = 1; i < c.meshes.size(); ++i) add_polygons(read_named(c, i), whole);
+  assign_materials(whole, c);
+  return build_mesh(std::move(whole), c.metres_per_unit, mesh_names(c), c.sweep.materials);
+}
+
+}  // namespace raytube

@@ -1,0 +1,19 @@
+// The target of a case: all its mesh files, with their materials.
+#pragma once
+
+#include "case/case.h"
+#include "mesh/load.h"
+
+namespace raytube {
+
+/// The files as the user is told of them.
+std::string mesh_names(const Case& c);
+
+/// Gives every polygon the material that the case has for it; those of a perfect conductor alone get none. Throws InputError for
+/// a part or a facet that is not there, and for a polygon that goes by names of different materials.
+void assign_materials(PolygonSoup& soup, const Case& c);
+
+/// Reads the files, assigns the materials and builds the mesh. Throws InputError.
+LoadedMesh load_target(const Case& c);
+
+}  // namespace raytube

@@ -1,0 +1,24 @@
+#include <algorithm>
+
+#include "mesh/load.h"
+
+namespace raytube {
+
+void add_name(PolygonSoup& soup, const std::string& name) { soup.names.add_to_all(name, soup.polygons.size()); }
+
+void add_polygons(const PolygonSoup& part, PolygonSoup& whole) {
+  const auto first_point = static_cast<std::uint32_t>(whole.points.size());
+  const std::size_t first_polygon = whole.polygons.size();
+  whole.points.insert(whole.points.end(), part.points.begin(), part.points.end());
+  whole.polygons.insert(whole.polygons.end(), part.polygons.begin(), part.polygons.end());
+  for (std::size_t i = first_polygon; i < whole.polygons.size(); ++i)
+    for (std::uint32_t& corner : whole.polygons[i]) corner += first_point;
+  whole.free_forms += part.free_forms;
+  whole.names.append(part.names, first_polygon);
+  if (whole.materials.empty() && part.materials.empty()) return;
+  whole.materials.resize(first_polygon, no_index);
+  whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
+  whole.materials.resize(whole.polygons.size(), no_index);
+}
+
+}  // namespace raytube

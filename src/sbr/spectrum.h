@@ -1,0 +1,62 @@
+// Waves that have met other than perfect conductors: complex, and different at every frequency.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "complex_vector.h"
+#include "material.h"
+#include "mesh/triangle_mesh.h"
+
+namespace raytube {
+
+/// A wave that leaves a surface, at one frequency.
+struct SpectralWave {
+  std::array<ComplexVector, 2> field;              // of unit incident V and H
+  std::array<std::array<Complex, 2>, 2> weight{};  // [receive][transmit] p . (eta J - s x M) of the currents it leaves behind
+  std::array<double, 2> incoherent{};  // sigma per area across the arriving wave of what roughness scatters, for unit V and H
+};
+
+/// At every frequency of a look.
+using Spectrum = std::vector<SpectralWave>;
+
+/// Real fields, the same at every frequency.
+Spectrum plain_spectrum(const std::array<dvec3, 2>& field, std::size_t frequencies);
+
+/// False if less than 1e-9 of the incident wave is left of it at every frequency: such waves end, or they would go to and fro
+/// between sheets without end and bring no digit that counts.
+bool is_lit(const Spectrum& spectrum);
+
+/// What the patches of a look's target are made of (Patch::material), and its wavenumbers.
+struct SpectralSurfaces {
+  std::span<const Material> materials;
+  std::span<const double> wavenumbers;
+
+  /// To a wave that comes in at this angle. no_index: a perfect conductor.
+  SurfaceResponse response(std::uint32_t material, std::size_t frequency, double cosine, bool from_behind) const;
+  /// Share of the power reflected by the smooth surface that roughness takes from it.
+  double incoherent_share(std::uint32_t material, std::size_t frequency, double cosine) const;
+  bool any_rough() const { return raytube::any_rough(materials); }
+};
+
+/// Where a wave meets a surface. `normal` points to the side the wave comes from.
+struct Incidence {
+  dvec3 direction, normal;
+  std::uint32_t material = no_index;
+  bool from_behind = false;  // the surface's own normal points the other way
+
+  double cosine() const { return -glm::dot(direction, normal); }
+};
+
+/// The waves that leave a surface. The weights are the reflected one's: S of a current is -(jk / 4 pi) times the integral of
+/// p . (eta J - s x M) e^{jk s.r} (Stratton & Chu 1939). What roughness takes from the reflected wave goes into all directions
+/// above the surface by Lambert's law, without memory of polarisation: sigma = 4 (1 - rho^2) |R|^2 A cos(theta_i) cos(theta_s),
+/// of both receive polarisations together (effective roughness: Degli-Esposti et al. 2007, IEEE Trans. AP-55, 143).
+struct LeavingWaves {
+  Spectrum reflected, transmitted;
+};
+LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Incidence& incidence, const Spectrum& arriving,
+                           const SphericalBasis& receive);
+
+}  // namespace raytube
