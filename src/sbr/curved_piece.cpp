@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gauss.h"
+#include "sbr/curved_rule.h"
+#include "sbr/curved_weights.h"
 
 namespace raytube {
 
@@ -39,17 +40,11 @@ double CurvedPiece::distance(const dvec3& point) const {
 
 namespace {
 
-// The integrals of 1 and of the depth's slopes times the phase factor, of all frequencies; of other materials than a perfect
-// conductor those of all four weights.
+// The integrals of 1 and of the depth's slopes times the phase factor, of all frequencies.
 class Moments {
  public:
-  Moments(const Illumination& light, const CurvedPiece& piece, TubeSums* told = nullptr)
-      : light_(light),
-        piece_(piece),
-        told_(light.surfaces.any_rough() ? told : nullptr),
-        plain_(piece.material() == no_index),
-        sums_(light.surfaces.wavenumbers.size()) {
-    if (!plain_) arriving_ = plain_spectrum({light.transmit.theta_hat, light.transmit.phi_hat}, sums_.size());
+  Moments(const Illumination& light, const CurvedPiece& piece)
+      : light_(light), piece_(piece), sums_(light.surfaces.wavenumbers.size()) {
     change_ = light.receive.radial - light.grid.direction;
     along_ = {glm::dot(change_, light.grid.u_hat), glm::dot(change_, light.grid.v_hat), glm::dot(change_, light.grid.direction)};
   }
@@ -59,7 +54,6 @@ class Moments {
   void add(const dvec2& at, double weight) {
     const CurvedPiece::Depth here = piece_.depth(at);
     const double length = path(at, here.depth);
-    if (!plain_) return add_weights(here, length, weight);
     for (std::size_t f = 0; f < sums_.size(); ++f) {
       const Complex value = std::polar(weight, light_.surfaces.wavenumbers[f] * length);
       sums_[f].one += value;
@@ -77,11 +71,6 @@ class Moments {
     for (std::size_t f = 0; f < sums_.size(); ++f) {
       const double k = light_.surfaces.wavenumbers[f];
       const Complex factor = Complex(0.0, -k / (2.0 * pi)) * std::polar(1.0, k * start);
-      if (!plain_) {
-        scattering[f] = sums_[f].weights;
-        scattering[f] *= 0.5 * factor;
-        continue;
-      }
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) {
           const double forward = glm::dot(received[p], grid.direction);
@@ -97,49 +86,14 @@ class Moments {
   // Exponent / k, counted from the anchor.
   double path(const dvec2& at, double depth) const { return along_.x * at.x + along_.y * at.y + along_.z * depth; }
 
-  // The normal and the surface per launch area follow from the slopes.
-  void add_weights(const CurvedPiece::Depth& here, double length, double weight) {
-    const LaunchGrid& grid = light_.grid;
-    const dvec3 across = here.slope_u * grid.u_hat + here.slope_v * grid.v_hat - grid.direction;
-    const double stretch = glm::length(across);
-    const Incidence incidence{grid.direction, across / stretch, piece_.material(), piece_.from_behind()};
-    const Spectrum waves = leaving_waves(light_.surfaces, incidence, arriving_, light_.receive).reflected;
-    if (told_) told_->add_incoherent(waves, weight);
-    for (std::size_t f = 0; f < sums_.size(); ++f) {
-      const Complex value = std::polar(weight * stretch, light_.surfaces.wavenumbers[f] * length);
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) sums_[f].weights.at(p, q) += value * waves[f].weight[p][q];
-    }
-  }
-
   struct Sum {
     Complex one, slope_u, slope_v;
-    ScatteringMatrix weights;
   };
   const Illumination& light_;
   const CurvedPiece& piece_;
-  TubeSums* told_;
-  bool plain_;
   dvec3 change_, along_;
-  Spectrum arriving_;
   std::vector<Sum> sums_;
 };
-
-// Points enough for e^{jx} over a range of x: a rule of n points has the polynomials up to 2n - 1, and the Legendre series of
-// e^{jx} ends soon after half the range (Trefethen 2013, Approximation theory and practice, chapter 8).
-int points_for(double phase_range) { return std::min(5 + static_cast<int>(0.3 * phase_range), most_gauss_points); }
-
-// On the limb the depth ends like a square root; x = -cos takes that out of the integrand.
-template <class Function>
-void for_points(double low, double high, bool at_limb, double phase_range, Function function) {
-  const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
-  for (const GaussPoint& point : gauss_rule(points_for(at_limb ? 1.6 * phase_range + 8.0 : phase_range))) {
-    if (at_limb)
-      function(middle - half * std::cos(pi * point.place), half * pi * std::sin(pi * point.place) * point.weight);
-    else
-      function(middle + half * (2.0 * point.place - 1.0), 2.0 * half * point.weight);
-  }
-}
 
 Bounds from_anchor(const CurvedPiece& piece, const Bounds& cell) {
   return {cell.low - piece.anchor(), cell.high - piece.anchor()};
@@ -175,8 +129,9 @@ double path_range(const Illumination& light, const CurvedPiece& piece, const Bou
 
 std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const Bounds& cell,
                                                TubeSums* sums) {
+  if (piece.material() != no_index) return curved_weights_far_field(light, piece, cell, sums);
   const Bounds box = from_anchor(piece, cell);
-  Moments moments(light, piece, sums);
+  Moments moments(light, piece);
   const dvec2 phase = std::ranges::max(light.surfaces.wavenumbers) * path_ranges(moments, box).along;
   // Chords run along the steeper axis, so that most of them cross the limb and do not touch it.
   const int axis = phase.x > phase.y ? 0 : 1, across = 1 - axis;
@@ -198,7 +153,8 @@ std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const 
 
 std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const ConvexPolygon& polygon,
                                                TubeSums* sums) {
-  Moments moments(light, piece, sums);
+  if (piece.material() != no_index) return curved_weights_far_field(light, piece, polygon, sums);
+  Moments moments(light, piece);
   const dvec2 origin = polygon[0].at - piece.anchor();
   double low = moments.path(origin), high = low;
   for (const Corner& corner : polygon) {
