@@ -177,7 +177,7 @@ plot work.'dihedral_77.csv' using 3:(db(\$6,\$7)) with lines lc rgb '#2e8b3d' lw
      work.'radome_reference.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#cdb4e8' lw 6 title 'HH closed form', \
      work.'radome.csv' using 3:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.6 title 'HH raytube'
 set ylabel 'raytube − closed form (dB)'
-set yrange [-0.2:0.2]
+set yrange [-0.05:0.05]
 plot work.'radome_both.csv' using 3:(diff(\$6,\$7,\$23,\$24)) with lines ls 1 lw 1.6 title 'VV', \
      work.'radome_both.csv' using 3:(diff(\$12,\$13,\$29,\$30)) with lines lc rgb '#8a1fbf' lw 1.6 title 'HH'
 unset multiplot

@@ -1,6 +1,7 @@
 #include "sbr/adaptive.h"
 
 #include <cmath>
+#include <optional>
 
 #include "sbr/cell_tubes.h"
 #include "sbr/lattice.h"
@@ -29,6 +30,8 @@ class FaceTrace {
         beams_(look.tree.mesh(), look.surfaces, look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
         visible_(look.tree, look.tracer),
         cell_tubes_(look.tracer, look.grid, look.spherical, look.wavenumbers, beams_, sums_) {
+    if (look.sheets) sight_.emplace(*look.sheets, look.tree, look.tracer, visible_, beams_);
+    cell_tubes_.look_through(look.sheets);
     cell_tubes_.report_to(look.map);
   }
 
@@ -86,8 +89,7 @@ class FaceTrace {
       if (!look_.clip && blocks_.empty()) continue;
       const std::uint32_t patch = look_.tree.faces()[part.face].patch;
       const std::uint32_t node = beams_.child(beam, patch, middle(part.outline));
-      integrate(node, part.outline, bounce);
-      if (look_.map) report(beams_.footprint(node), part);
+      integrate(node, part, bounce);
       if (const std::uint32_t through = beams_.through(node); through != no_index) send_on(through, patch, part.outline);
       if (beams_.is_lit(node)) send_on(node, patch, std::move(part.outline));
     }
@@ -154,24 +156,40 @@ class FaceTrace {
     return cells;
   }
 
-  void integrate(std::uint32_t node, const ConvexPolygon& outline, int bounce) {
-    const Footprint& footprint = beams_.footprint(node);
+  void integrate(std::uint32_t node, const VisiblePart& part, int bounce) {
+    const ConvexPolygon& outline = part.outline;
     std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
-    if (look_.spherical) return look_.spherical->add(sums_, bounce, footprint.outgoing, beams_.patch(node), outline);
-    for (std::size_t f = 0; f < sums.size(); ++f) {
-      const double k = look_.wavenumbers[f];
-      add_far_field(sums[f], footprint, f, k, look_.clip ? phase_integral(footprint, k, outline) : over_cells(footprint, k));
-    }
+    if (look_.spherical) return look_.spherical->add(sums_, bounce, beams_.beam(node), beams_.patch(node), outline);
+    radiate(beams_.footprint(node), part, blocks_, sums);
+    if (sight_) radiate_through_sheets(node, part, sums);
+    const Footprint& footprint = beams_.footprint(node);
     if (!look_.clip) count_staircase(footprint, outline);
     if (footprint.outgoing.spectrum && look_.surfaces.any_rough())
       sums_.add_incoherent(*footprint.outgoing.spectrum, look_.clip ? area(outline) : cell_area());
   }
 
-  void report(const Footprint& footprint, const VisiblePart& part) {
+  void radiate(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks,
+               std::vector<ScatteringMatrix>& sums) {
+    for (std::size_t f = 0; f < sums.size(); ++f) {
+      const double k = look_.wavenumbers[f];
+      add_far_field(sums[f], footprint, f, k,
+                    look_.clip ? phase_integral(footprint, k, part.outline) : over_cells(footprint, k, blocks));
+    }
+    if (look_.map) report(footprint, part, blocks);
+  }
+
+  void radiate_through_sheets(std::uint32_t node, const VisiblePart& part, std::vector<ScatteringMatrix>& sums) {
+    for (SeenPart& seen : sight_->through_sheets(node, part.outline)) {
+      if (!look_.clip) cells_under(look_.grid, seen.outline, seen_blocks_);
+      radiate(beams_.footprint(seen.node), {part.face, std::move(seen.outline)}, seen_blocks_, sums);
+    }
+  }
+
+  void report(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks) {
     CurrentMap& map = *look_.map;
     if (look_.clip) return map.add(footprint, part.outline, part.face);
-    for (const CellBlock& block : blocks_)
+    for (const CellBlock& block : blocks)
       for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
         for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
           map.add(footprint, cell_bounds(look_.grid, column, row),
@@ -197,9 +215,9 @@ class FaceTrace {
     }
   }
 
-  Complex over_cells(const Footprint& footprint, double k) const {
+  Complex over_cells(const Footprint& footprint, double k, std::span<const CellBlock> blocks) const {
     Complex sum = 0.0;
-    for (const CellBlock& block : blocks_) {
+    for (const CellBlock& block : blocks) {
       const LaunchGrid& grid = look_.grid;
       const dvec2 size{(block.column_end - block.column_begin) * grid.du, (block.row_end - block.row_begin) * grid.dv};
       const dvec2 low{grid.u_begin + block.column_begin * grid.du, grid.v_begin + block.row_begin * grid.dv};
@@ -211,11 +229,12 @@ class FaceTrace {
   const AdaptiveLook& look_;
   BeamTree beams_;
   VisibleSurfaces visible_;
+  std::optional<PolygonSight> sight_;  // where there are sheets
   std::vector<VisiblePart> parts_;
   std::vector<PolygonTube> tubes_, reflected_;
   std::vector<Ray> rays_;
   std::vector<Hit> in_middle_;
-  std::vector<CellBlock> blocks_;
+  std::vector<CellBlock> blocks_, seen_blocks_;
   double thinned_ = 0.0;  // of tubes that became cells or nothing, (area) (cell - area) [m^4]
   TubeSums sums_;
   CellTubes cell_tubes_;

@@ -9,6 +9,7 @@
 #include "mesh/tracer.h"
 #include "sbr/current_map.h"
 #include "sbr/launch.h"
+#include "sbr/sight.h"
 #include "sbr/spherical_look.h"
 #include "sbr/tube_sums.h"
 
@@ -28,9 +29,10 @@ struct AdaptiveLook {
   const SmoothSurfaces* smooth;  // curved surfaces; null: all facets are flat
   bool clip;  // integrate over exactly the parts lit; else over the cells of the grid whose ray runs through them
   int max_bounces;
-  bool skip;        // empty cells of the grid
-  Convexity known;  // what need not be looked for
-  CurrentMap* map;  // currents are told to it, too, and by one thread; null: to no one
+  bool skip;                    // empty cells of the grid
+  Convexity known;              // what need not be looked for
+  const SheetsInSight* sheets;  // null: there are none
+  CurrentMap* map;              // currents are told to it, too, and by one thread; null: to no one
 };
 
 /// Follows the light that reaches the flat ones of the faces [begin, end) directly through all its reflections and integrates the

@@ -28,7 +28,8 @@ std::uint32_t BeamTree::add_child(std::uint32_t parent, std::uint32_t patch, con
   const bool from_behind = facing(beam, plane) > 0.0;
   const Footprint footprint = beam.spherical() ? Footprint{reflected_spherical(beam, plane), {}}
                                                : raytube::footprint(anchored(beam, anchor), plane, receive_);
-  Node node{footprint, patch, no_index, no_index, no_index, from_behind};
+  Node node{footprint, patch};
+  node.from_behind = from_behind, node.reflected = is_reflected(parent);
   if (plane.material != no_index || beam.spectrum) scatter(parent, node);
   nodes_.push_back(node);
   return static_cast<std::uint32_t>(nodes_.size() - 1);
@@ -36,7 +37,7 @@ std::uint32_t BeamTree::add_child(std::uint32_t parent, std::uint32_t patch, con
 
 // Fields and weights where perfect conductors are not all that the wave has met.
 void BeamTree::scatter(std::uint32_t parent, Node& node) {
-  LeavingWaves waves = leaving_waves(surfaces_, beam(parent), mesh_.patches[node.patch], receive_);
+  LeavingWaves waves = leaving_waves(surfaces_, beam(parent), node.reflected, mesh_.patches[node.patch], receive_);
   node.lit = raytube::is_lit(waves.reflected);
   spectra_.push_back(std::move(waves.reflected));
   node.footprint.outgoing.spectrum = &spectra_.back();
@@ -47,6 +48,7 @@ void BeamTree::scatter(std::uint32_t parent, Node& node) {
 void BeamTree::add_through(std::uint32_t parent, Node& node, Spectrum transmitted) {
   const Beam& leaving = node.footprint.outgoing;
   Node through{{beam(parent), {}}, node.patch};
+  through.reflected = node.reflected, through.goes_on = true;
   Beam& passing = through.footprint.outgoing;
   passing.anchor = leaving.anchor, passing.base = leaving.base;
   passing.along_u = leaving.along_u, passing.along_v = leaving.along_v;
@@ -54,6 +56,55 @@ void BeamTree::add_through(std::uint32_t parent, Node& node, Spectrum transmitte
   passing.spectrum = &spectra_.back();
   node.through = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(through);
+}
+
+bool BeamTree::is_reflected(std::uint32_t node) const {
+  const Node& n = nodes_[node];
+  return n.goes_on ? n.reflected : node != root;
+}
+
+std::uint32_t BeamTree::seen_through(std::uint32_t node, std::uint32_t sheet) {
+  constexpr std::uint32_t not_met = 0x80000000u;  // sets such children apart from the footprints on the sheet
+  Slot& place = slot(node, sheet ^ not_met);
+  if (place.child == no_index) place = {node, sheet ^ not_met, add_seen(node, sheet)};
+  const std::uint32_t child = place.child;
+  if (2 * nodes_.size() > slots_.size()) widen();
+  return child;
+}
+
+std::uint32_t BeamTree::add_seen(std::uint32_t node, std::uint32_t sheet) {
+  Node seen{nodes_[node].footprint, nodes_[node].patch};
+  seen.uncovered = node;
+  Spectrum spectrum(surfaces_.wavenumbers.size());
+  for (std::size_t f = 0; f < spectrum.size(); ++f) {
+    const ChannelWeights behind = raytube::seen_through(surfaces_, mesh_.patches[sheet], f, receive_),
+                         before = seen_weights(nodes_[node], f);
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q)
+        spectrum[f].weight[p][q] = behind[p][0] * before[0][q] + behind[p][1] * before[1][q] - before[p][q];
+  }
+  spectra_.push_back(std::move(spectrum));
+  seen.footprint.outgoing.spectrum = &spectra_.back();
+  nodes_.push_back(seen);
+  return static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+// As far as lines of sight run through sheets, at their end before this one.
+ChannelWeights BeamTree::seen_weights(const Node& node, std::size_t frequency) const {
+  const Beam& beam = node.footprint.outgoing;
+  if (node.uncovered != no_index) {
+    ChannelWeights sum = seen_weights(nodes_[node.uncovered], frequency);
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) sum[p][q] += (*beam.spectrum)[frequency].weight[p][q];
+    return sum;
+  }
+  const dvec3& normal = mesh_.patches[node.patch].normal;
+  if (!node.reflected)
+    return radiated(node.from_behind ? -normal : normal, beam.direction,
+                    beam.spectrum ? (*beam.spectrum)[frequency].field : plain_spectrum(beam.field, 1)[0].field, receive_);
+  if (beam.spectrum) return (*beam.spectrum)[frequency].weight;
+  const auto& w = node.footprint.weight;
+  return {{{w[0][0], w[0][1]}, {w[1][0], w[1][1]}}};
 }
 
 // Where the child is or would be. Fibonacci hashing: Knuth, The Art of Computer Programming 3, section 6.4.

@@ -36,6 +36,12 @@ class BeamTree {
   /// False if nothing was reflected.
   bool is_lit(std::uint32_t node) const { return nodes_[node].lit; }
 
+  bool is_sheet(std::uint32_t patch) const { return surfaces_.transmits(mesh_.patches[patch].material); }
+  /// The currents of a footprint, or of what seen_through() made of one, once more: those that the receiver has through a sheet
+  /// which stands before it, less those without. Only what is radiated back counts: the wave's shadow is a part of the incident
+  /// wave, and no sheet stands before that.
+  std::uint32_t seen_through(std::uint32_t node, std::uint32_t sheet);
+
   const Footprint& footprint(std::uint32_t node) const { return nodes_[node].footprint; }
   const Beam& beam(std::uint32_t node) const { return nodes_[node].footprint.outgoing; }
   /// The patch of this beam's footprint, which it leaves.
@@ -50,7 +56,10 @@ class BeamTree {
     std::uint32_t patch = no_index;
     std::uint32_t recent_patch = no_index, recent_child = no_index;  // neighbouring tubes mostly ask for the same child
     std::uint32_t through = no_index;
+    std::uint32_t uncovered = no_index;  // of currents seen through a sheet, the same without it
     bool from_behind = false, lit = true;
+    bool reflected = false;  // the wave that arrives has been, somewhere before
+    bool goes_on = false;    // the beam is the wave that arrives, behind a sheet
   };
   struct Slot {
     std::uint32_t parent = no_index, patch = no_index, child = no_index;
@@ -58,6 +67,9 @@ class BeamTree {
 
   std::uint32_t find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
   std::uint32_t add_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
+  std::uint32_t add_seen(std::uint32_t node, std::uint32_t sheet);
+  ChannelWeights seen_weights(const Node& node, std::size_t frequency) const;
+  bool is_reflected(std::uint32_t node) const;
   void scatter(std::uint32_t parent, Node& node);
   void add_through(std::uint32_t parent, Node& node, Spectrum transmitted);
   Slot& slot(std::uint32_t parent, std::uint32_t patch);

@@ -104,16 +104,27 @@ void CellTubes::send_on() {
   rays_.resize(alive);
 }
 
-void CellTubes::find_runs() {
+void CellTubes::find_sheets_in_sight() {
+  seen_.clear();
+  if (!sight_) return;
+  for (std::uint32_t i = 0; i < tubes_.size(); ++i) sight_->add(i, tubes_[i].beam, rays_[i].origin, rays_[i].source_patch);
+  sums_.rays += sight_->through_sheets(beams_, [&](std::uint32_t i, std::uint32_t node) {
+    const Tube& tube = tubes_[i];
+    seen_.push_back({tube.column, tube.row, node, tube.doubt});
+    if (map_) report(seen_.back(), found_[i]);
+  });
+}
+
+void CellTubes::find_runs(std::span<const Tube> tubes) {
   runs_.clear();
-  for (const auto& [column, row, node, doubt] : tubes_)
+  for (const auto& [column, row, node, doubt] : tubes)
     extend({node, {column, column + 1, row, row + 1}, grid_.ray_place(column, row)});
 }
 
-void CellTubes::find_coarse_runs(std::uint32_t grid) {
+void CellTubes::find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid) {
   const CellBlock& block = coarse_block_;
   runs_.clear();
-  for (const auto& [column, row, node, doubt] : tubes_) {
+  for (const auto& [column, row, node, doubt] : tubes) {
     const Group down = group_of(row, grid, block.row_begin, block.row_end);
     if (down.empty()) continue;
     const Group across = group_of(column, grid, block.column_begin, block.column_end);
@@ -137,15 +148,19 @@ void CellTubes::integrate(int bounce) {
   if (tubes_.empty()) return;
   std::vector<ScatteringMatrix>& sums = sums_.at(bounce, frequencies_);
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
-  find_runs();
-  integrate_runs(sums);
+  find_sheets_in_sight();
   add_variance();
   add_incoherent();
-  if (map_) report();
-  for (std::uint32_t grid = 0; grid < coarse_grids; ++grid) {
-    if (coarse_sums_[grid].empty()) continue;
-    find_coarse_runs(grid);
-    integrate_runs(coarse_sums_[grid]);
+  for (std::size_t i = 0; map_ && i < tubes_.size(); ++i) report(tubes_[i], found_[i]);
+  for (const std::span<const Tube> tubes : {std::span<const Tube>(tubes_), std::span<const Tube>(seen_)}) {
+    if (tubes.empty()) continue;
+    find_runs(tubes);
+    integrate_runs(sums);
+    for (std::uint32_t grid = 0; grid < coarse_grids; ++grid) {
+      if (coarse_sums_[grid].empty()) continue;
+      find_coarse_runs(tubes, grid);
+      integrate_runs(coarse_sums_[grid]);
+    }
   }
 }
 
@@ -155,11 +170,8 @@ void CellTubes::add_incoherent() {
     if (const Spectrum* spectrum = beams_.beam(tube.beam).spectrum) sums_.add_incoherent(*spectrum, grid_.du * grid_.dv);
 }
 
-void CellTubes::report() {
-  for (std::size_t i = 0; i < tubes_.size(); ++i) {
-    const auto [column, row, node, doubt] = tubes_[i];
-    map_->add(beams_.footprint(node), cell_bounds(grid_, column, row), found_[i]);
-  }
+void CellTubes::report(const Tube& tube, std::uint32_t triangle) {
+  map_->add(beams_.footprint(tube.beam), cell_bounds(grid_, tube.column, tube.row), triangle);
 }
 
 // S = -(jk / 4 pi) p_hat . eta J * integral: see add_far_field.

@@ -1,6 +1,7 @@
 // Tubes of one cell of the launch grid each, followed by single rays.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "sbr/current_map.h"
 #include "sbr/far_fields.h"
 #include "sbr/lattice.h"
+#include "sbr/sight.h"
 #include "sbr/spherical_look.h"
 #include "sbr/tube_sums.h"
 
@@ -37,6 +39,11 @@ class CellTubes {
 
   /// Tubes that meet a curved surface first are someone else's.
   void leave_out(const SmoothSurfaces* smooth) { smooth_ = smooth; }
+
+  /// Currents may stand behind sheets; null: there are none.
+  void look_through(const SheetsInSight* sheets) {
+    if (sheets) sight_.emplace(*sheets, tracer_);
+  }
 
   /// Currents are told to it, too.
   void report_to(CurrentMap* map) { map_ = map; }
@@ -78,13 +85,14 @@ class CellTubes {
 
   Ray reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const;
   void reflect();
-  void find_runs();
-  void find_coarse_runs(std::uint32_t grid);
+  void find_sheets_in_sight();
+  void find_runs(std::span<const Tube> tubes);
+  void find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid);
   void send_on();
   void extend(const Run& next);
   void integrate(int bounce);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);
-  void report();
+  void report(const Tube& tube, std::uint32_t triangle);
   void add_variance();
   void add_incoherent();
 
@@ -97,7 +105,9 @@ class CellTubes {
   TubeSums& sums_;
   const SmoothSurfaces* smooth_ = nullptr;
   CurrentMap* map_ = nullptr;
+  std::optional<RaySight> sight_;
   std::vector<Tube> tubes_;
+  std::vector<Tube> seen_;  // their currents again, for every sheet before them
   std::vector<Ray> rays_;
   std::vector<std::uint32_t> found_;  // triangles met: by each ray, then by each tube
   std::vector<Run> runs_;

@@ -34,6 +34,24 @@ Bounds bounds(const ConvexPolygon& polygon) {
   return b;
 }
 
+AffineMap inverse(const AffineMap& map) {
+  const double scale = 1.0 / stretch(map);
+  const dvec2 u = scale * dvec2(map.v.y, -map.u.y), v = scale * dvec2(-map.v.x, map.u.x);
+  return {-(map.c.x * u + map.c.y * v), u, v};
+}
+
+ConvexPolygon image(const ConvexPolygon& polygon, const AffineMap& there, const AffineMap& back) {
+  const auto line = [&](const Affine& f) {
+    return normalized({f(back.c), f.u * back.u.x + f.v * back.u.y, f.u * back.v.x + f.v * back.v.y});
+  };
+  ConvexPolygon result;
+  for (const Corner& corner : polygon) result.push_back({there(corner.at), line(corner.edge)});
+  if (stretch(there) > 0.0) return result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) result[i].edge = line(polygon[(i + polygon.size() - 1) % polygon.size()].edge);
+  std::ranges::reverse(result);
+  return result;
+}
+
 Range range(const Bounds& box, const Affine& f) {
   const double across_u = f.u * (box.high.x - box.low.x), across_v = f.v * (box.high.y - box.low.y), corner = f(box.low);
   return {corner + std::min(across_u, 0.0) + std::min(across_v, 0.0), corner + std::max(across_u, 0.0) + std::max(across_v, 0.0)};

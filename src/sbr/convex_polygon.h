@@ -61,6 +61,18 @@ Range range(const Bounds& box, const Affine& f);
 /// The polygon of these corners, in whichever sense they run.
 void set_corners(ConvexPolygon& polygon, std::span<const dvec2> corners);
 
+/// c + x u + y v: from one plane to another.
+struct AffineMap {
+  dvec2 c, u, v;
+  dvec2 operator()(const dvec2& at) const { return c + at.x * u + at.y * v; }
+};
+
+/// Area of the image over that of the original, below zero if it is mirrored.
+inline double stretch(const AffineMap& map) { return map.u.x * map.v.y - map.u.y * map.v.x; }
+AffineMap inverse(const AffineMap& map);
+/// `there` maps the polygon's plane, `back` is its inverse.
+ConvexPolygon image(const ConvexPolygon& polygon, const AffineMap& there, const AffineMap& back);
+
 /// Cuts along f = 0, which is no distance as a rule. A corner with |f| <= tolerance lies on the cut and belongs to both parts; a
 /// part without a corner beyond that is left empty. The two parts share the new corners, so their areas add up.
 void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive, ConvexPolygon& negative);

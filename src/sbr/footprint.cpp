@@ -47,10 +47,10 @@ Complex phase_integral(const Footprint& f, double k, const dvec2& center, double
   return std::polar(1.0, k * (f.phase + f.phase_u * offset.x + f.phase_v * offset.y)) * magnitude;
 }
 
-LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Beam& beam, const Patch& patch,
+LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Beam& beam, bool reflected, const Patch& patch,
                            const SphericalBasis& receive) {
   const bool from_behind = facing(beam, patch) > 0.0;
-  const Incidence incidence{beam.direction, from_behind ? -patch.normal : patch.normal, patch.material, from_behind};
+  const Incidence incidence{beam.direction, from_behind ? -patch.normal : patch.normal, patch.material, from_behind, reflected};
   if (beam.spectrum) return leaving_waves(surfaces, incidence, *beam.spectrum, receive);
   return leaving_waves(surfaces, incidence, plain_spectrum(beam.field, surfaces.wavenumbers.size()), receive);
 }

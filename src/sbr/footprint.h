@@ -22,8 +22,9 @@ struct Footprint {
 /// `receive`. Valid for a perfect conductor large in wavelengths; for other materials as well but for fields and weights.
 Footprint footprint(const Beam& beam, const Patch& patch, const SphericalBasis& receive);
 
-/// Both waves that leave the patch for a beam with or without a spectrum, whatever it is made of.
-LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Beam& beam, const Patch& patch, const SphericalBasis& receive);
+/// Both waves that leave the patch for a beam with or without a spectrum, whatever it is made of. `reflected`: see Incidence.
+LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Beam& beam, bool reflected, const Patch& patch,
+                           const SphericalBasis& receive);
 
 /// The largest magnitude of a weight at any frequency.
 double largest_weight(const Footprint& f, int p, int q);

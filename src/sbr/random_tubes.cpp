@@ -4,9 +4,10 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "random.h"
-#include "sbr/beam_tree.h"
+#include "sbr/sight.h"
 
 namespace raytube {
 
@@ -26,6 +27,7 @@ struct Scene {
   SphericalBasis transmit, receive;
   std::vector<double> wavenumbers;
   std::span<const Material> materials;
+  std::optional<SheetsInSight> sheets;
   double to_mesh_origin;  // [m], moves the phase reference there from the centre of the mesh
   double area_of_tube;
 };
@@ -37,6 +39,7 @@ class Block {
         beams_(scene.tracer.mesh(), {scene.materials, scene.wavenumbers}, scene.receive,
                incident_beam(scene.rectangle, scene.transmit, dvec2(0.0))) {
     sums_.scattering.resize(scene.wavenumbers.size());
+    if (scene.sheets) sight_.emplace(*scene.sheets, scene.tracer);
   }
 
   void launch(const dvec2& random) {
@@ -82,7 +85,11 @@ class Block {
       samples_[i].beam = beams_.child(samples_[i].beam, patch, samples_[i].place);
       rays_[i] = {point, beams_.beam(samples_[i].beam).direction, patch};
       add(beams_.footprint(samples_[i].beam), samples_[i].place);
+      if (sight_) sight_->add(static_cast<std::uint32_t>(i), samples_[i].beam, point, patch);
     }
+    if (sight_)
+      sums_.rays += sight_->through_sheets(
+          beams_, [&](std::uint32_t i, std::uint32_t node) { add(beams_.footprint(node), samples_[i].place); });
     send_on(alive);
   }
 
@@ -119,6 +126,7 @@ class Block {
 
   const Scene& scene_;
   BeamTree beams_;
+  std::optional<RaySight> sight_;
   std::vector<Sample> samples_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
@@ -134,8 +142,10 @@ Scene scene_of(const Tracer& tracer, const Look& look, std::span<const double> f
               spherical_basis(look.receive),
               {},
               materials,
+              {},
               0.0,
               0.0};
+  if (std::ranges::any_of(materials, &Material::transmits)) scene.sheets.emplace(mesh, materials, scene.receive);
   for (const double frequency : frequencies) scene.wavenumbers.push_back(wavenumber(frequency));
   scene.to_mesh_origin = glm::dot(scene.receive.radial + scene.transmit.radial, mesh.center);
   const LaunchGrid& r = scene.rectangle;

@@ -74,7 +74,7 @@ class ReplayedWave {
   // The reflected beam; true if another one goes on behind the plane.
   bool scatter(const Patch& plane) {
     const bool spectral = beam_.spectrum || plane.material != no_index;
-    LeavingWaves waves = spectral ? leaving_waves(surfaces_, beam_, plane, receive_) : LeavingWaves{};
+    LeavingWaves waves = spectral ? leaving_waves(surfaces_, beam_, false, plane, receive_) : LeavingWaves{};
     beam_ = footprint(beam_, plane, receive_).outgoing;
     spectrum_ = std::move(waves.reflected);
     if (spectral) beam_.spectrum = &spectrum_;

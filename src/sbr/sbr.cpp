@@ -80,7 +80,7 @@ TubeSums trace_uniform(const AdaptiveLook& look, Progress& progress, double shar
   const NotTraced not_traced{look.skip ? &look.tree : nullptr, look.known.no_reflection};
   tbb::enumerable_thread_specific<TileTracer> tile_tracers([&] {
     return TileTracer(look.tracer, look.surfaces, look.grid, look.transmit, look.receive, look.spherical, look.max_bounces,
-                      look.smooth, not_traced, look.map);
+                      look.smooth, not_traced, look.sheets, look.map);
   });
   const auto trace = [&](std::size_t i) { return tile_tracers.local().trace(tiles[i]); };
   return sum_tiles(look, tiles.count, trace, progress, share);
@@ -88,8 +88,7 @@ TubeSums trace_uniform(const AdaptiveLook& look, Progress& progress, double shar
 
 TubeSums trace_flat(const AdaptiveLook& look, Progress& progress, double share) {
   const auto face_count = static_cast<std::uint32_t>(look.tree.faces().size());
-  const bool sheets = std::ranges::any_of(look.surfaces.materials, &Material::transmits);
-  const std::uint32_t together = sheets ? faces_per_tile_with_sheets : faces_per_tile;
+  const std::uint32_t together = look.sheets ? faces_per_tile_with_sheets : faces_per_tile;
   const auto trace = [&](std::size_t i) {
     const auto begin = static_cast<std::uint32_t>(i) * together;
     return trace_faces(look, begin, std::min(begin + together, face_count));
@@ -195,6 +194,7 @@ class LookTracer {
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
     surfaces_.wavenumbers = wavenumbers_;
     if (!look.far()) antennas_.emplace(look, radar, tracer.mesh().center);
+    if (std::ranges::any_of(materials, &Material::transmits)) sheets_.emplace(tracer.mesh(), materials, receive_);
   }
 
   TubeSums once(double share, CurrentMap* map) const {
@@ -237,9 +237,22 @@ class LookTracer {
     const LaunchGrid grid = grid_of_look(tracer_.mesh(), look_, wavelength_, part.per_wavelength, options_.up);
     std::optional<SphericalLook> spherical;
     if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
-    const AdaptiveLook view{tracer_,       faces_,    grid,       transmit_, receive_,      spherical ? &*spherical : nullptr,
-                            wavenumbers_,  surfaces_, tolerance_, smooth_,   options_.clip, options_.max_bounces,
-                            options_.skip, known_,    map};
+    const AdaptiveLook view{tracer_,
+                            faces_,
+                            grid,
+                            transmit_,
+                            receive_,
+                            spherical ? &*spherical : nullptr,
+                            wavenumbers_,
+                            surfaces_,
+                            tolerance_,
+                            smooth_,
+                            options_.clip,
+                            options_.max_bounces,
+                            options_.skip,
+                            known_,
+                            sheets_ ? &*sheets_ : nullptr,
+                            map};
     const std::uint64_t rays_before = part.sums.rays;
     part.sums = {};
     if (grid.cells() > 0)
@@ -262,6 +275,7 @@ class LookTracer {
   std::vector<double> wavenumbers_;
   SpectralSurfaces surfaces_;
   std::optional<AntennaPair> antennas_;
+  std::optional<SheetsInSight> sheets_;
 };
 
 }  // namespace

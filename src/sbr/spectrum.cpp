@@ -37,23 +37,58 @@ double incoherent_sigma(const SpectralSurfaces& surfaces, const Incidence& incid
   return 4.0 * share * reflected * reflected * std::max(0.0, glm::dot(towards, incidence.normal));
 }
 
+// p . (s x M) = (p x s) . M
+ChannelWeights weights(const std::array<ComplexVector, 2>& electric, const std::array<ComplexVector, 2>& magnetic,
+                       const SphericalBasis& receive) {
+  const std::array<dvec3, 2> p_hat{receive.theta_hat, receive.phi_hat};
+  ChannelWeights result;
+  for (std::size_t p = 0; p < 2; ++p)
+    for (std::size_t q = 0; q < 2; ++q)
+      result[p][q] = dot(electric[q], p_hat[p]) - dot(magnetic[q], glm::cross(p_hat[p], receive.radial));
+  return result;
+}
+
 }  // namespace
+
+ChannelWeights radiated(const dvec3& n, const dvec3& d, const std::array<ComplexVector, 2>& field,
+                        const SphericalBasis& receive) {
+  return weights({cross(n, cross(d, field[0])), cross(n, cross(d, field[1]))}, {cross(-n, field[0]), cross(-n, field[1])},
+                 receive);
+}
+
+ChannelWeights seen_through(const SpectralSurfaces& surfaces, const Patch& patch, std::size_t frequency,
+                            const SphericalBasis& receive) {
+  const dvec3 d = -receive.radial;
+  const bool from_behind = glm::dot(d, patch.normal) > 0.0;
+  const dvec3 n = from_behind ? -patch.normal : patch.normal;
+  const SurfaceResponse response = surfaces.response(patch.material, frequency, -glm::dot(d, n), from_behind);
+  ChannelWeights result;
+  for (std::size_t p = 0; p < 2; ++p) {
+    const dvec3& e = p == 0 ? receive.theta_hat : receive.phi_hat;
+    const ComplexVector behind = waves_at_surface(d, n, ComplexVector{e}, response).transmitted;
+    result[p] = {dot(behind, receive.theta_hat), dot(behind, receive.phi_hat)};
+  }
+  return result;
+}
 
 LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Incidence& incidence, const Spectrum& arriving,
                            const SphericalBasis& receive) {
   LeavingWaves waves{Spectrum(arriving.size()), Spectrum(arriving.size())};
-  const std::array<dvec3, 2> electric{receive.theta_hat, receive.phi_hat},
-      magnetic{glm::cross(receive.theta_hat, receive.radial), glm::cross(receive.phi_hat, receive.radial)};
+  const bool only_reflects = incidence.reflected && surfaces.transmits(incidence.material);
   for (std::size_t f = 0; f < arriving.size(); ++f) {
     const SurfaceResponse response = surfaces.response(incidence.material, f, incidence.cosine(), incidence.from_behind);
+    SpectralWave& reflected = waves.reflected[f];
+    std::array<ComplexVector, 2> electric, magnetic;
     for (std::size_t q = 0; q < 2; ++q) {
       const SurfaceWaves at = waves_at_surface(incidence.direction, incidence.normal, arriving[f].field[q], response);
-      waves.reflected[f].field[q] = at.reflected;
+      reflected.field[q] = at.reflected;
+      reflected.incoherent[q] = incoherent_sigma(surfaces, incidence, f, arriving[f].field[q], receive.radial);
       waves.transmitted[f].field[q] = at.transmitted;
-      waves.reflected[f].incoherent[q] = incoherent_sigma(surfaces, incidence, f, arriving[f].field[q], receive.radial);
-      for (std::size_t p = 0; p < 2; ++p)  // p . (s x M) = (p x s) . M
-        waves.reflected[f].weight[p][q] = dot(at.electric_current, electric[p]) - dot(at.magnetic_current, magnetic[p]);
+      electric[q] = at.electric_current, magnetic[q] = at.magnetic_current;
     }
+    const dvec3 leaving = reflected_direction(incidence.direction, incidence.normal);
+    reflected.weight =
+        only_reflects ? radiated(incidence.normal, leaving, reflected.field, receive) : weights(electric, magnetic, receive);
   }
   return waves;
 }

@@ -11,10 +11,13 @@
 
 namespace raytube {
 
+/// p . (eta J - s x M) of currents, [receive][transmit], or how a sheet mixes receive polarisations.
+using ChannelWeights = std::array<std::array<Complex, 2>, 2>;
+
 /// A wave that leaves a surface, at one frequency.
 struct SpectralWave {
-  std::array<ComplexVector, 2> field;              // of unit incident V and H
-  std::array<std::array<Complex, 2>, 2> weight{};  // [receive][transmit] p . (eta J - s x M) of the currents it leaves behind
+  std::array<ComplexVector, 2> field;  // of unit incident V and H
+  ChannelWeights weight{};             // of the currents it leaves behind
   std::array<double, 2> incoherent{};  // sigma per area across the arriving wave of what roughness scatters, for unit V and H
 };
 
@@ -38,6 +41,7 @@ struct SpectralSurfaces {
   /// Share of the power reflected by the smooth surface that roughness takes from it.
   double incoherent_share(std::uint32_t material, std::size_t frequency, double cosine) const;
   bool any_rough() const { return raytube::any_rough(materials); }
+  bool transmits(std::uint32_t material) const { return material != no_index && materials[material].transmits(); }
 };
 
 /// Where a wave meets a surface. `normal` points to the side the wave comes from.
@@ -45,14 +49,25 @@ struct Incidence {
   dvec3 direction, normal;
   std::uint32_t material = no_index;
   bool from_behind = false;  // the surface's own normal points the other way
+  bool reflected = false;    // somewhere before: no longer the incident wave
 
   double cosine() const { return -glm::dot(direction, normal); }
 };
 
+/// ChannelWeights of the currents that radiate a wave of direction `d` from a plane of normal `n`, to the side it points to, and
+/// nothing to the other: J = n x H, M = -n x E (Love's principle).
+ChannelWeights radiated(const dvec3& n, const dvec3& d, const std::array<ComplexVector, 2>& field, const SphericalBasis& receive);
+
+/// What the receiver's wave, of unit V and H, is behind a surface that stands before it: [wave][component].
+ChannelWeights seen_through(const SpectralSurfaces& surfaces, const Patch& patch, std::size_t frequency,
+                            const SphericalBasis& receive);
+
 /// The waves that leave a surface. The weights are the reflected one's: S of a current is -(jk / 4 pi) times the integral of
-/// p . (eta J - s x M) e^{jk s.r} (Stratton & Chu 1939). What roughness takes from the reflected wave goes into all directions
-/// above the surface by Lambert's law, without memory of polarisation: sigma = 4 (1 - rho^2) |R|^2 A cos(theta_i) cos(theta_s),
-/// of both receive polarisations together (effective roughness: Degli-Esposti et al. 2007, IEEE Trans. AP-55, 143).
+/// p . (eta J - s x M) e^{jk s.r} (Stratton & Chu 1939). Where a reflected wave meets a sheet only the part of the currents
+/// counts that reflects it: behind the sheet its sources are seen through it. What roughness takes from the reflected wave goes
+/// into all directions above the surface by Lambert's law, without memory of polarisation: sigma = 4 (1 - rho^2) |R|^2 A
+/// cos(theta_i) cos(theta_s), of both receive polarisations together (effective roughness: Degli-Esposti et al. 2007, IEEE Trans.
+/// AP-55, 143).
 struct LeavingWaves {
   Spectrum reflected, transmitted;
 };

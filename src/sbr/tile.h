@@ -28,7 +28,7 @@ class TileTracer {
  public:
   TileTracer(const Tracer& tracer, const SpectralSurfaces& surfaces, const LaunchGrid& grid, const SphericalBasis& transmit,
              const SphericalBasis& receive, const SphericalLook* spherical, int max_bounces, const SmoothSurfaces* smooth,
-             const NotTraced& not_traced, CurrentMap* map)
+             const NotTraced& not_traced, const SheetsInSight* sheets, CurrentMap* map)
       : grid_(grid),
         transmit_(transmit),
         max_bounces_(max_bounces),
@@ -36,6 +36,7 @@ class TileTracer {
         beams_(tracer.mesh(), surfaces, receive, incident_beam(grid, transmit, dvec2(0.0))),
         tubes_(tracer, grid, spherical, surfaces.wavenumbers, beams_, sums_) {
     tubes_.leave_out(smooth);
+    tubes_.look_through(sheets);
     tubes_.report_to(map);
   }
   TileTracer(const TileTracer&) = delete;

@@ -4,51 +4,13 @@
 
 #include "closed_forms.h"
 #include "coated_sphere.h"
-#include "shapes.h"
-#include "solve.h"
+#include "material_scene.h"
 
 namespace raytube {
+
+using namespace material_scene;
+
 namespace {
-
-constexpr double frequency = 10e9;
-const double k = wavenumber(frequency), lambda = wavelength(frequency);
-
-Material half_space(Complex permittivity, Complex permeability = 1.0) {
-  Material material{"half-space", MaterialKind::half_space, 0.0, {}};
-  material.layers = {{{{permittivity, permeability}, 0.0}}};
-  return material;
-}
-
-Material layered(MaterialKind kind, std::vector<Layer> layers) {
-  Material material{"layers", kind, 0.0, {}};
-  material.layers = {std::move(layers)};
-  return material;
-}
-
-// One material all over, or for each polygon; edges add nothing.
-struct Scene {
-  PolygonSoup soup;
-  std::vector<Material> materials;
-  TubeOptions tubes{};
-
-  std::vector<ScatteringMatrix> solved(std::vector<Look> looks, bool bistatic) const {
-    PolygonSoup made = soup;
-    if (!materials.empty() && made.materials.empty()) made.materials.assign(made.polygons.size(), 0);
-    const LoadedMesh loaded = build_mesh(made, 1.0, "test", materials);
-    SolveOptions options{tubes, {}, 1, false, {}};
-    options.edges.method = EdgeMethod::none;
-    const Target target(loaded.mesh, options.edges);
-    return solve(target, {{frequency}, std::move(looks), bistatic, {}, materials}, options).total;
-  }
-  ScatteringMatrix seen(const Direction& look) const { return solved({{look, look}}, false).front(); }
-  ScatteringMatrix seen(const Direction& transmit, const Direction& receive) const {
-    return solved({{transmit, receive}}, true).front();
-  }
-};
-
-double difference(const ScatteringMatrix& a, const ScatteringMatrix& b) { return frobenius_norm(a - b) / frobenius_norm(b); }
-
-Direction deg(double theta, double phi) { return {theta * degree, phi * degree}; }
 
 // In the plane phi = 0 of a plate z = 0, V is TM and H is TE. Reflected tangential fields are gamma times the conductor's.
 void expect_specular(const Material& material, double theta) {
@@ -117,7 +79,7 @@ TEST(Materials, ASheetOfNoThicknessIsNotThereAndAConductingOneIsAConductor) {
   }
 }
 
-// What stands behind a sheet is lit through it and seen through it, by the currents that the sheet has on the way back.
+// What stands behind a sheet is lit through it and seen through it.
 TEST(Materials, AConductorBehindASheetIsSeenThroughItTwice) {
   const Material sheet = layered(MaterialKind::sheet, {{{{2.5, -0.2}}, 1.7e-3}});
   PolygonSoup soup = shapes::plate(20.0 * lambda);
