@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -45,6 +46,9 @@ class ExactHit {
   /// True if the ray passes well inside all three edges: single precision cannot have mistaken this hit but for one with a
   /// surface that touches the triangle.
   bool is_inside(const Ray& ray, std::uint32_t triangle) const;
+
+  /// The triangles of other patches that touch it, in ascending order.
+  std::span<const std::uint32_t> touching(std::uint32_t triangle) const { return touching_[triangle]; }
 
   /// True if no other surface touches the triangle.
   bool is_alone(std::uint32_t triangle) const { return touching_[triangle].empty(); }

@@ -99,7 +99,9 @@ void open_penetrable_components(TriangleMesh& mesh, const Facets& facets, std::s
                                 MeshReport& report) {
   for (std::uint32_t t = 0; t < mesh.triangle_component.size(); ++t) {
     if (!transmits(materials, facets.material(t)) || !mesh.closed(t)) continue;
-    mesh.components[mesh.triangle_component[t]].closed = false;
+    Component& component = mesh.components[mesh.triangle_component[t]];
+    component.closed = false;
+    component.penetrable = true;
     ++report.components_penetrable;
   }
 }

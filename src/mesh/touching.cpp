@@ -187,6 +187,18 @@ class PairFinder {
 
 }  // namespace
 
+bool lie_upon_one_another(const Corners& a, const Corners& b, double distance) {
+  const dvec3 normal_a = area_vector(a[0], a[1], a[2]), normal_b = area_vector(b[0], b[1], b[2]);
+  // The larger one knows the plane better.
+  const dvec3 normal = glm::normalize(glm::length(normal_a) > glm::length(normal_b) ? normal_a : normal_b);
+  const auto is_beside = [&](const dvec3& p) { return std::abs(glm::dot(p - a[0], normal)) > distance; };
+  if (std::ranges::any_of(a, is_beside) || std::ranges::any_of(b, is_beside)) return false;
+  for (int i = 0; i < 3; ++i)
+    for (const Corners& corners : {a, b})
+      if (gap_along(a, b, glm::cross(normal, corners[(i + 1) % 3] - corners[i])) > -distance) return false;
+  return true;
+}
+
 Touching::Touching(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance,
                    double narrow)
     : first_(mesh.triangles.size() + 1, 0) {

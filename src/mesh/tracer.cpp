@@ -313,6 +313,8 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 
 const TriangleMesh& Tracer::mesh() const { return scene_->mesh; }
 
+std::span<const std::uint32_t> Tracer::touching(std::uint32_t triangle) const { return scene_->exact.touching(triangle); }
+
 void Tracer::closest_triangles(std::span<const Ray> rays, std::span<std::uint32_t> found) const {
   for (std::size_t first = 0; first < rays.size(); first += packet_width) {
     const std::size_t count = std::min(packet_width, rays.size() - first);

@@ -56,6 +56,10 @@ class Tracer {
   bool meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
                     const IgnoredPatches& ignored_patches) const;
 
+  /// The triangles of other patches so close to this one that single precision cannot tell which of them a ray meets, in
+  /// ascending order.
+  std::span<const std::uint32_t> touching(std::uint32_t triangle) const;
+
   struct Scene;
 
  private:

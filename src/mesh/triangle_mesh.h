@@ -23,6 +23,7 @@ struct Patch {
 struct Component {
   bool closed = false;  // bounds a volume that waves do not enter: only the outer side is exposed
   std::uint32_t triangles = 0;
+  bool penetrable = false;  // bounds a volume, but waves enter it: both sides are exposed
 };
 
 /// Vertices are in metres relative to `center`, the middle of the target's bounding box in the mesh's own coordinates.

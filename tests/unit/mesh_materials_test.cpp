@@ -7,6 +7,7 @@
 #include "mesh/enclosed.h"
 #include "mesh/join.h"
 #include "mesh/mirror.h"
+#include "mesh/overlaps.h"
 #include "mesh/smooth.h"
 #include "unit/mesh_shapes.h"
 
@@ -223,6 +224,7 @@ TEST(MeshMaterials, ABodyPartlyOfSheetsIsOpen) {
     EXPECT_NEAR(volume(loaded.mesh), 1.0, rounding);
     ASSERT_EQ(loaded.mesh.components.size(), 1u);
     EXPECT_FALSE(loaded.mesh.components[0].closed);
+    EXPECT_TRUE(loaded.mesh.components[0].penetrable);
     EXPECT_EQ(loaded.report.components_closed, 0u);
     EXPECT_EQ(loaded.report.components_penetrable, 1u);
     const auto notes = loaded.report.notes();
@@ -231,6 +233,58 @@ TEST(MeshMaterials, ABodyPartlyOfSheetsIsOpen) {
   }
   EXPECT_EQ(build_both(made_of(cube(), absorber)).report.components_closed, 1u);
   EXPECT_EQ(build_both(made_of(cube(), absorber)).report.components_penetrable, 0u);
+}
+
+Overlaps overlaps_of(const PolygonSoup& soup) {
+  const LoadedMesh loaded = build_both(soup);
+  return overlaps_of_materials(Tracer(loaded.mesh));
+}
+
+// A film and a plate of the whole and of a part of its size, apart from it and tilted.
+TEST(MeshMaterials, OverlapsAreThoseInOnePlane) {
+  const PolygonSoup below = plate(dvec3(0.0), {1, 0, 0}, {0, 1, 0});
+  const auto upon = [&](const PolygonSoup& film_soup) {
+    return overlaps_of(moved(together(made_of(film_soup, film), below), skew_rotation())).pairs;
+  };
+  EXPECT_EQ(upon(plate({0.4, 0.2, 0}, {0.1, 0, 0}, {0, 0.1, 0})), 2u);
+  EXPECT_EQ(upon(plate({0.4, 0.45, 0}, {0.1, 0, 0}, {0, 0.1, 0})), 3u);
+  EXPECT_EQ(upon(plate({0.4, 0.2, 1e-6}, {0.1, 0, 0}, {0, 0.1, 0})), 0u);
+  EXPECT_EQ(upon(plate({0.4, 0.2, 0}, {0.1, 0, 0}, {0, 0.1, 0.01})), 0u);
+  EXPECT_EQ(upon(plate({0.4, 0.2, -0.1}, {0.1, 0, 0}, {0, 0, 0.3})), 0u);
+  EXPECT_EQ(upon(plate({1, 0, 0}, {1, 0, 0}, {0, 1, 0})), 0u);
+  EXPECT_EQ(upon(plate({1, 1, 0}, {1, 0, 0}, {0, 1, 0})), 0u);
+  EXPECT_EQ(overlaps_of(made_of(together(plate({0.4, 0.2, 0}, {0.1, 0, 0}, {0, 0.1, 0}), below), film)).pairs, 0u);
+}
+
+// Corners, edges and all in common, but the other diagonal.
+TEST(MeshMaterials, OverlapsMayShareCorners) {
+  const std::vector<dvec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 2, 0}};
+  const auto pairs = [&](const std::vector<Polygon>& films) {
+    const PolygonSoup metals{square, {{0, 1, 2}, {0, 2, 3}}};
+    return overlaps_of(together(made_of(PolygonSoup{square, films}, film), metals)).pairs;
+  };
+  EXPECT_EQ(pairs({{0, 1, 3}, {1, 2, 3}}), 4u);
+  EXPECT_EQ(pairs({{0, 1, 4}}), 2u);
+  EXPECT_EQ(pairs({{2, 3, 4}}), 0u);
+  EXPECT_EQ(overlaps_of(striped({film, metal, absorber})).pairs, 0u);
+}
+
+TEST(MeshMaterials, OverlapsHaveASideInCommon) {
+  const PolygonSoup below = box(dvec3(0.0), {1, 1, 1});
+  const auto with = [&](const dvec3& low, const dvec3& high, std::uint32_t material) {
+    return overlaps_of(together(below, made_of(box(low, high), material))).pairs;
+  };
+  EXPECT_EQ(with({0.5, 0.1, 1}, {0.7, 0.2, 2}, absorber), 0u);    // upon one another
+  EXPECT_EQ(with({0.5, 0.1, 1}, {0.7, 0.2, 2}, film), 2u);        // waves get in
+  EXPECT_EQ(with({0.5, 0.1, 0.5}, {0.7, 0.2, 1}, absorber), 2u);  // both look up
+}
+
+TEST(MeshMaterials, AnOverlapHasAnExample) {
+  const PolygonSoup below = plate(dvec3(0.0), {1, 0, 0}, {0, 1, 0});
+  const LoadedMesh loaded = build_both(together(below, made_of(plate({0.6, 0.2, 0}, {0.1, 0, 0}, {0, 0.1, 0}), film)));
+  const auto [first, second] = overlaps_of_materials(Tracer(loaded.mesh)).example;
+  EXPECT_EQ(material(loaded.mesh, first), metal);
+  EXPECT_EQ(material(loaded.mesh, second), film);
 }
 
 TEST(MeshMaterials, WhatLiesBehindSheetsIsNotEnclosed) {
