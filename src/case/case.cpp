@@ -69,7 +69,8 @@ CurvedSurfaces read_curved(const CaseValue& value) {
 }
 
 void read_tubes(const CaseValue& root, Case& c) {
-  if (const CaseValue* mode = find(root, "tubes", "mode")) {
+  const CaseValue *mode = find(root, "tubes", "mode"), *clip = find(root, "tubes", "clip");
+  if (mode) {
     const std::string name = read_text(*mode, "tubes.mode");
     if (name != "uniform" && name != "adaptive")
       reject(*mode, fmt::format("tubes.mode \"{}\" is unknown; write \"uniform\" or \"adaptive\"", quotable(name)));
@@ -79,19 +80,21 @@ void read_tubes(const CaseValue& root, Case& c) {
     c.tubes.per_wavelength = read_positive(*density, "tubes.per_wavelength");
   if (const CaseValue* bounces = find(root, "tubes", "max_bounces"))
     c.tubes.max_bounces = read_whole(*bounces, "tubes.max_bounces", 1, 1000);
-  if (const CaseValue* clip = find(root, "tubes", "clip")) {
+  if (clip) {
     if (c.tubes.mode == TubeMode::uniform)
-      reject(*clip, "tubes.clip needs tubes.mode = \"adaptive\"; a uniform grid is never clipped, so remove it");
+      reject(*clip, {mode}, "tubes.clip needs tubes.mode = \"adaptive\"; a uniform grid is never clipped, so remove it");
     c.tubes.clip = read_flag(*clip, "tubes.clip");
   }
   const bool clipped = c.tubes.mode == TubeMode::adaptive && c.tubes.clip;
   if (const CaseValue* curved = find(root, "tubes", "curved")) {
-    if (!clipped) reject(*curved, "tubes.curved needs adaptive tubes with clip; the others see facets, so remove it");
+    if (!clipped)
+      reject(*curved, {mode, clip}, "tubes.curved needs adaptive tubes with clip; the others see facets, so remove it");
     c.tubes.curved = read_curved(*curved);
   }
   if (const CaseValue* tolerance = find(root, "accuracy", "tolerance_db")) {
     if (!clipped)
-      reject(*tolerance, "accuracy.tolerance_db needs adaptive tubes with clip; the others have the density given, so remove it");
+      reject(*tolerance, {mode, clip},
+             "accuracy.tolerance_db needs adaptive tubes with clip; the others have the density given, so remove it");
     c.tubes.tolerance_db = read_positive(*tolerance, "accuracy.tolerance_db");
   }
   if (clipped && !find(root, "tubes", "per_wavelength")) c.tubes.per_wavelength = most_per_wavelength;
@@ -114,22 +117,23 @@ EdgeMethod read_method(const CaseValue& value) {
   reject(value, fmt::format("edges.method \"{}\" is not in this version; write \"fringe\", \"none\" or \"utd\"", quotable(text)));
 }
 
-MaterialEdgeMethod read_material_edges(const CaseValue& value, const Case& c) {
+MaterialEdgeMethod read_material_edges(const CaseValue& value, const CaseValue* method, const Case& c) {
   const std::string text = read_text(value, "edges.materials");
   if (text == "none") return MaterialEdgeMethod::none;
   if (text != "luebbers")
     reject(value, fmt::format("edges.materials \"{}\" is unknown; write \"none\" or \"luebbers\"", quotable(text)));
   if (c.sweep.materials.empty())
     reject(value, "edges.materials says what edges beside other materials do, but all is a perfect conductor; remove it");
-  if (c.edges.method != EdgeMethod::fringe) reject(value, "edges.materials needs edges.method = \"fringe\"; remove it");
+  if (c.edges.method != EdgeMethod::fringe) reject(value, {method}, "edges.materials needs edges.method = \"fringe\"; remove it");
   return MaterialEdgeMethod::luebbers;
 }
 
 void read_edges(const CaseValue& root, Case& c) {
-  if (const CaseValue* method = find(root, "edges", "method")) c.edges.method = read_method(*method);
+  const CaseValue* method = find(root, "edges", "method");
+  if (method) c.edges.method = read_method(*method);
   if (const CaseValue* range = find(root, "edges", "utd_range_m")) {
     if (c.edges.method != EdgeMethod::utd)
-      reject(*range, "edges.utd_range_m needs edges.method = \"utd\"; currents radiate to infinity, so remove it");
+      reject(*range, {method}, "edges.utd_range_m needs edges.method = \"utd\"; currents radiate to infinity, so remove it");
     c.edges.utd_range = read_positive(*range, "edges.utd_range_m");
   }
   if (const CaseValue* order = find(root, "edges", "order")) c.edges.order = read_whole(*order, "edges.order", 1, 3);
@@ -137,7 +141,8 @@ void read_edges(const CaseValue& root, Case& c) {
   if (const CaseValue* shadow = find(root, "edges", "receiver_shadow"))
     c.edges.receiver_shadow = read_flag(*shadow, "edges.receiver_shadow");
   if (const CaseValue* transition = find(root, "edges", "transition")) c.edges.transition = read_transition(*transition);
-  if (const CaseValue* materials = find(root, "edges", "materials")) c.edges.materials = read_material_edges(*materials, c);
+  if (const CaseValue* materials = find(root, "edges", "materials"))
+    c.edges.materials = read_material_edges(*materials, method, c);
   if (const CaseValue* thin = find(root, "edges", "thin_sheets")) c.edges.thin_sheets = read_flag(*thin, "edges.thin_sheets");
   if (const CaseValue* angle = find(root, "edges", "min_wedge_deg")) {
     const double degrees = read_number(*angle, "edges.min_wedge_deg");
@@ -155,15 +160,16 @@ std::size_t read_image_look(const CaseValue& value, const Case& c) {
                             number_text(number), c.sweep.looks.size()));
 }
 
-void read_image_looks(const CaseValue& value, Case& c) {
+void read_image_looks(const CaseValue& root, const CaseValue& value, Case& c) {
   const bool list = value.kind == CaseValue::Kind::list;
   if (!list && value.kind != CaseValue::Kind::number)
     reject(value, "output.image_look must be the number of a direction pair or a list of such, counted from 0");
   if (c.edges.materials != MaterialEdgeMethod::none)
-    reject(value,
+    reject(value, {find(root, "edges", "materials")},
            "output.image_look: the heuristic of edges.materials has no place in an image; write edges.materials = \"none\"");
   if (c.edges.method == EdgeMethod::utd)
-    reject(value, "output.image_look needs currents, but edges.method is \"utd\"; write \"fringe\" or \"none\" there");
+    reject(value, {find(root, "edges", "method")},
+           "output.image_look needs currents, but edges.method is \"utd\"; write \"fringe\" or \"none\" there");
   if (list && value.items.empty())
     reject(value, "output.image_look is an empty list; give at least one direction pair, or remove it");
   for (const CaseValue& item : list ? std::span(value.items) : std::span(&value, 1))
@@ -180,7 +186,7 @@ void read_output(const CaseValue& root, Case& c) {
       reject(*incoherent,
              "output.incoherent: no surface is rough; give roughness_rms_mm to a material of the target, or remove it");
   }
-  if (const CaseValue* looks = find(root, "output", "image_look")) read_image_looks(*looks, c);
+  if (const CaseValue* looks = find(root, "output", "image_look")) read_image_looks(root, *looks, c);
   if (const CaseValue* density = find(root, "output", "image_per_wavelength"))
     c.image_per_wavelength = read_positive(*density, "output.image_per_wavelength");
 }

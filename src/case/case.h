@@ -34,7 +34,7 @@ struct MediumChoice {
   std::string table_csv;                             // relative to the case's folder; else empty
   std::array<double, 2> eps_r{1, 0}, mu_r{1, 0};     // eps' and eps'', mu' and mu''
   std::optional<double> loss_tangent, conductivity;  // in the place of eps''; conductivity [S/m]
-  std::string place;                                 // where it stands, and the key that says what it is
+  std::string place, key;                            // where it stands; the key that says what it is
 };
 
 struct LayerChoice {

@@ -20,6 +20,8 @@ namespace {
 
 using Kind = CaseValue::Kind;
 
+constexpr std::string_view override_prefix = "--set ";
+
 // Where a value was written: the override's own text, or a line of the case file.
 struct Source {
   std::string name;
@@ -186,7 +188,7 @@ CaseValue override_with_bare_word(const std::string& key, const std::string& wor
 }
 
 CaseValue override_tree(const std::string& option) {
-  const Source source{"--set " + quotable(option), false};
+  const Source source{std::string(override_prefix) + quotable(option), false};
   const std::size_t equals = option.find('=');
   if (equals == 0 || equals == std::string::npos)
     throw InputError(source.name + ": no KEY=VALUE; write for example --set tubes.per_wavelength=20");
@@ -234,6 +236,15 @@ const CaseValue& require(const CaseValue& root, const std::string& section, cons
 }
 
 void reject(const CaseValue& value, const std::string& sentence) { throw InputError(value.place + ": " + sentence); }
+
+void reject(const CaseValue& value, std::initializer_list<const CaseValue*> others, const std::string& sentence) {
+  if (!is_override(value.place))
+    for (const CaseValue* other : others)
+      if (other && is_override(other->place)) reject(*other, sentence);
+  reject(value, sentence);
+}
+
+bool is_override(std::string_view place) { return place.starts_with(override_prefix); }
 
 CaseValue read_case_document(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   CaseValue root = parsed_file(file);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,13 @@ const CaseValue& require(const CaseValue& root, const std::string& section, cons
 
 /// Throws InputError that begins with the place of `value`.
 [[noreturn]] void reject(const CaseValue& value, const std::string& sentence);
+
+/// The same where `value` cannot go with any of the others (null: not there): one from the command line is what went wrong, and
+/// the sentence begins with its place, rather than a line of the file.
+[[noreturn]] void reject(const CaseValue& value, std::initializer_list<const CaseValue*> others, const std::string& sentence);
+
+/// True for the place of a value from the command line.
+bool is_override(std::string_view place);
 
 /// Reads a TOML file, then applies the overrides in order. An override is KEY=VALUE with a dotted key; a VALUE that is not
 /// TOML is taken as a string. Throws InputError.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <numeric>
 
 #include "text.h"
@@ -129,8 +130,18 @@ void check_materials(const CaseValue& materials) {
 
 }  // namespace
 
+std::string lower_case(std::string_view name) {
+  std::string lower(name);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+// Capitals tell apart only what nothing else does.
 std::string_view nearest_name(std::string_view name, std::span<const std::string> known) {
-  return *std::ranges::min_element(known, {}, [&](const std::string& other) { return edit_distance(name, other); });
+  const std::string lower = lower_case(name);
+  return *std::ranges::min_element(known, {}, [&](const std::string& other) {
+    return std::pair(edit_distance(lower, lower_case(other)), edit_distance(name, other));
+  });
 }
 
 std::string_view nearest_key(std::string_view key, std::span<const std::string_view> known) {

@@ -13,6 +13,9 @@ void check_case_keys(const CaseValue& root);
 /// The one of `known` dotted keys that `key` was most likely meant to be.
 std::string_view nearest_key(std::string_view key, std::span<const std::string_view> known);
 
+/// With capitals made small.
+std::string lower_case(std::string_view name);
+
 /// The one of `known` names, of which there is at least one, that `name` was most likely meant to be.
 std::string_view nearest_name(std::string_view name, std::span<const std::string> known);
 

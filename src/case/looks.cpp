@@ -52,9 +52,11 @@ void fill_from_angles(const CaseValue& section, Case& c) {
 void fill_from_list(const CaseValue& look, const CaseValue* receive, Case& c) {
   const CaseValue& name = *look.find("looks_csv");
   if (look.find("theta_deg") || look.find("phi_deg"))
-    reject(name, "look.looks_csv stands instead of look.theta_deg and look.phi_deg; remove one or the other");
+    reject(name, {look.find("theta_deg"), look.find("phi_deg")},
+           "look.looks_csv stands instead of look.theta_deg and look.phi_deg; remove one or the other");
   if (receive)
-    reject(*receive, "[receive] cannot go with look.looks_csv; give the columns rx_theta_deg, rx_phi_deg in the list instead");
+    reject(*receive, {&name},
+           "[receive] cannot go with look.looks_csv; give the columns rx_theta_deg, rx_phi_deg in the list instead");
   c.looks.looks_csv = read_text(name, "look.looks_csv");
   c.sweep.looks = read_looks_csv(c.file.parent_path() / c.looks.looks_csv, c.sweep.bistatic);
   check_rows(look, static_cast<double>(c.sweep.looks.size()), c.sweep.frequencies.size());

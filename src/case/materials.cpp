@@ -41,8 +41,9 @@ std::string read_kind(const Entry& entry) {
 void check_kind_has_keys(const Entry& entry, const std::string& kind) {
   const auto only = [&](std::string_view key, std::initializer_list<std::string_view> having) {
     if (const CaseValue* value = entry.find(key); value && std::ranges::find(having, kind) == having.end())
-      reject(*value, fmt::format("{} does not belong to kind \"{}\"; remove it, or write kind = \"{}\"", entry.key(key), kind,
-                                 fmt::join(having, "\" or \"")));
+      reject(*value, {entry.find("kind")},
+             fmt::format("{} does not belong to kind \"{}\"; remove it, or write kind = \"{}\"", entry.key(key), kind,
+                         fmt::join(having, "\" or \"")));
   };
   for (const char* key : medium_keys) only(key, {"dielectric", "coated", "sheet"});
   for (const char* key : {"thickness_mm", "layers"}) only(key, {"coated", "sheet"});
@@ -57,7 +58,9 @@ double read_at_least_zero(const CaseValue& value, const std::string& key) {
 
 LayerChoice read_layer(const Entry& entry) {
   const CaseValue* thickness = entry.find("thickness_mm");
-  if (!thickness) reject(entry.table, entry.key("thickness_mm") + " is missing; add the thickness of the layer in millimetres");
+  if (!thickness)
+    reject(entry.table, {entry.find("kind")},
+           entry.key("thickness_mm") + " is missing; add the thickness of the layer in millimetres");
   const double mm = read_positive(*thickness, entry.key("thickness_mm"));
   if (mm > farthest * 1e3)
     reject(*thickness, fmt::format("{} must be at most {:g} (found {})", entry.key("thickness_mm"), farthest * 1e3, mm));
@@ -81,8 +84,9 @@ std::vector<LayerChoice> read_layers(const CaseValue& value, const std::string& 
 void check_alone(const Entry& entry, std::string_view first, std::span<const char* const> others) {
   for (const char* key : others)
     if (const CaseValue* value = entry.find(key))
-      reject(*value, fmt::format("{} cannot go with {}; {}", entry.key(key), first,
-                                 first == "layers" ? "write it inside each layer" : "remove one of them"));
+      reject(*value, {entry.find(first)},
+             fmt::format("{} cannot go with {}; {}", entry.key(key), first,
+                         first == "layers" ? "write it inside each layer" : "remove one of them"));
 }
 
 std::vector<LayerChoice> read_made_of(const Entry& entry, const std::string& kind) {
@@ -138,7 +142,7 @@ MaterialKind kind_of(const MaterialChoice& choice) {
   return choice.layers.empty() ? MaterialKind::thin_sheet : MaterialKind::sheet;
 }
 
-Material material_of(const MaterialChoice& choice, const Case& c) {
+Material material_of(const MaterialChoice& choice, const Case& c, const std::string& frequencies_place) {
   Material material;
   material.name = choice.name;
   material.kind = kind_of(choice);
@@ -147,7 +151,7 @@ Material material_of(const MaterialChoice& choice, const Case& c) {
   if (choice.conductance) material.conductance = *choice.conductance;
   if (!choice.layers.empty()) material.layers.resize(c.sweep.frequencies.size());
   for (const LayerChoice& layer : choice.layers) {
-    const std::vector<Medium> media = media_at(layer.medium, c.file.parent_path(), c.sweep.frequencies);
+    const std::vector<Medium> media = media_at(layer.medium, c.file.parent_path(), c.sweep.frequencies, frequencies_place);
     for (std::size_t i = 0; i < media.size(); ++i) material.layers[i].push_back({media[i], layer.thickness_mm / 1e3});
   }
   return material;
@@ -163,7 +167,7 @@ void read_materials(const CaseValue& root, Case& c) {
   c.places = read_places(root, names);
   for (const MaterialChoice& choice : c.materials)
     if (is_used(c.places, choice.name) && !(choice.kind == "pec" && choice.roughness_mm == 0.0))
-      c.sweep.materials.push_back(material_of(choice, c));
+      c.sweep.materials.push_back(material_of(choice, c, find(root, "frequency", "ghz")->place));
   if (!is_used(c.places, "absorber")) return;
   c.sweep.materials.emplace_back();  // which absorbs
   c.sweep.materials.back().name = "absorber";

@@ -35,7 +35,7 @@ std::array<double, 2> read_pair(const CaseValue& value, const std::string& key) 
 std::array<double, 2> read_relative(const CaseValue& value, const std::string& key) {
   const auto [real, loss] = read_pair(value, key);
   if (loss < 0.0)
-    reject(value, fmt::format("{} has a gain: in {} losses are not below 0; write [{}, {}]", key, loss_convention,
+    reject(value, fmt::format("{} has a gain: in {} losses are not below 0; write [{}, {}]", key, loss_convention(key),
                               number_text(real), number_text(-loss)));
   if (real == 0.0) reject(value, key + " must not be 0; vacuum has 1");
   return {real, loss};
@@ -45,7 +45,7 @@ double read_loss(const CaseValue& value, const std::string& key) {
   const double loss = read_number(value, key);
   if (loss < 0.0)
     reject(value, fmt::format("{} is a gain (found {}): in {} losses are not below 0; write {}", key, number_text(loss),
-                              loss_convention, number_text(-loss)));
+                              loss_convention(key), number_text(-loss)));
   return loss;
 }
 
@@ -55,7 +55,7 @@ const CaseValue* only_one(const CaseValue& table, const std::string& path, std::
   std::string_view first;
   for (const char* key : keys) {
     const CaseValue* value = table.find(key);
-    if (value && found) reject(*value, fmt::format("{}.{} cannot go with {}; remove one of them", path, key, first));
+    if (value && found) reject(*value, {found}, fmt::format("{}.{} cannot go with {}; remove one of them", path, key, first));
     if (value) first = key, found = value;
   }
   return found;
@@ -70,24 +70,26 @@ void read_numbers(const CaseValue& table, const std::string& path, MediumChoice&
   const bool is_tangent = table.find("loss_tangent") != nullptr;
   const std::string key = path + (is_tangent ? ".loss_tangent" : ".conductivity_s_per_m");
   if (eps.kind == CaseValue::Kind::list)
-    reject(*loss, fmt::format("{} cannot go with a loss in eps_r; write eps_r = {}", key, number_text(medium.eps_r[0])));
+    reject(*loss, {&eps}, fmt::format("{} cannot go with a loss in eps_r; write eps_r = {}", key, number_text(medium.eps_r[0])));
   (is_tangent ? medium.loss_tangent : medium.conductivity) = read_loss(*loss, key);
   if (is_tangent && medium.eps_r[0] < 0.0)
-    reject(*loss, fmt::format("{} needs an eps_r above 0; write eps_r = [eps', eps''] instead", key));
+    reject(*loss, {&eps}, fmt::format("{} needs an eps_r above 0; write eps_r = [eps', eps''] instead", key));
 }
 
 void refuse_numbers(const CaseValue& table, const std::string& path, std::string_view instead) {
   for (const char* key : {"mu_r", "loss_tangent", "conductivity_s_per_m"})
     if (const CaseValue* value = table.find(key))
-      reject(*value, fmt::format("{}.{} cannot go with {}, which says it; remove one of them", path, key, instead));
+      reject(*value, {table.find(instead)},
+             fmt::format("{}.{} cannot go with {}, which says it; remove one of them", path, key, instead));
 }
 
 std::string read_medium_name(const CaseValue& value, const std::string& key) {
   const std::string name = read_text(value, key);
   const std::vector<std::string> known = library_names();
-  if (std::ranges::find(known, name) == known.end())
-    reject(value, fmt::format("{} \"{}\" is not in the library; write {}", key, quotable(name), fmt::join(known, ", ")));
-  return name;
+  if (std::ranges::find(known, name) != known.end()) return name;
+  const std::string meant = medium_meant(name);
+  reject(value, fmt::format("{} \"{}\" is not in the library; write {}", key, quotable(name),
+                            meant.empty() ? fmt::format("{}", fmt::join(known, ", ")) : fmt::format("\"{}\"", meant)));
 }
 
 Medium medium_of_numbers(const MediumChoice& choice, double frequency) {
@@ -97,20 +99,28 @@ Medium medium_of_numbers(const MediumChoice& choice, double frequency) {
   return {{choice.eps_r[0], -loss}, {choice.mu_r[0], -choice.mu_r[1]}};
 }
 
-Medium medium_of_library(const MediumChoice& choice, double frequency) {
+std::string place_of(const MediumChoice& choice) { return fmt::format("{}: {}", choice.place, choice.key); }
+
+// Frequencies from the command line are what went wrong, rather than a line of the file.
+std::string place_of(const MediumChoice& choice, const std::string& asked_at) {
+  const bool asked_too_much = is_override(asked_at) && !is_override(choice.place);
+  return fmt::format("{}: {}", asked_too_much ? asked_at : choice.place, choice.key);
+}
+
+Medium medium_of_library(const MediumChoice& choice, double frequency, const std::string& asked_at) {
   try {
     return *library_medium(choice.medium, frequency);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", choice.place, error.what()));
+    throw InputError(fmt::format("{}: {}", place_of(choice, asked_at), error.what()));
   }
 }
 
-Medium medium_of_table(const MediumTable& table, const MediumChoice& choice, double frequency) {
+Medium medium_of_table(const MediumTable& table, const MediumChoice& choice, double frequency, const std::string& asked_at) {
   if (frequency < table.frequencies.front() || frequency > table.frequencies.back())
     throw InputError(
         fmt::format("{} \"{}\" goes from {} to {} GHz, but frequency.ghz asks for {}; choose frequencies within, or "
                     "another table",
-                    choice.place, quotable(choice.table_csv), number_text(table.frequencies.front() / 1e9),
+                    place_of(choice, asked_at), quotable(choice.table_csv), number_text(table.frequencies.front() / 1e9),
                     number_text(table.frequencies.back() / 1e9), number_text(frequency / 1e9)));
   return table.at(frequency);
 }
@@ -119,7 +129,7 @@ void check_size(const Complex& relative, std::string_view name, const MediumChoi
   if (const double size = std::abs(relative); !(size > 1.0 / most_relative && size < most_relative))
     throw InputError(
         fmt::format("{}: {} is {:.3g} in size at {} GHz, which is not a medium's; correct it, or write kind = \"pec\"",
-                    choice.place, name, size, number_text(frequency / 1e9)));
+                    place_of(choice), name, size, number_text(frequency / 1e9)));
 }
 
 void check_medium(const Medium& medium, const MediumChoice& choice, double frequency) {
@@ -128,23 +138,29 @@ void check_medium(const Medium& medium, const MediumChoice& choice, double frequ
   // Only a loss tells waves that go on from waves that come back, and those would be a gain.
   const bool lossless = medium.permittivity.imag() == 0.0 && medium.permeability.imag() == 0.0;
   if (lossless && medium.permittivity.real() < 0.0 && medium.permeability.real() < 0.0)
-    throw InputError(fmt::format("{}: eps_r and mu_r are both below 0 at {} GHz; give one of them a loss", choice.place,
+    throw InputError(fmt::format("{}: eps_r and mu_r are both below 0 at {} GHz; give one of them a loss", place_of(choice),
                                  number_text(frequency / 1e9)));
 }
 
 }  // namespace
 
+std::string loss_convention(std::string_view key) {
+  const bool magnetic = key.substr(key.rfind('.') + 1).starts_with("mu_");
+  return fmt::format("{0}_r = {0}' - j {0}'' (e^{{+jwt}})", magnetic ? "mu" : "eps");
+}
+
 MediumChoice read_medium(const CaseValue& table, const std::string& path) {
   MediumChoice medium;
   const CaseValue* given = only_one(table, path, {"eps_r", "table_csv", "medium"});
-  if (!given) reject(table, path + ".eps_r is missing; add it, or table_csv or medium in its place");
+  if (!given) reject(table, {table.find("kind")}, path + ".eps_r is missing; add it, or table_csv or medium in its place");
+  medium.place = given->place;
   if (table.find("eps_r")) {
-    medium.place = fmt::format("{}: {}.eps_r", given->place, path);
+    medium.key = path + ".eps_r";
     read_numbers(table, path, medium);
     return medium;
   }
   const std::string key = table.find("medium") ? "medium" : "table_csv";
-  medium.place = fmt::format("{}: {}.{}", given->place, path, key);
+  medium.key = path + '.' + key;
   refuse_numbers(table, path, key);
   if (key == "medium")
     medium.medium = read_medium_name(*given, path + ".medium");
@@ -154,14 +170,20 @@ MediumChoice read_medium(const CaseValue& table, const std::string& path) {
   return medium;
 }
 
-std::vector<Medium> media_at(const MediumChoice& choice, const std::filesystem::path& folder,
-                             std::span<const double> frequencies) {
+std::string medium_meant(std::string_view name) {
+  const std::vector<std::string> known = library_names();
+  const auto found = std::ranges::find(known, lower_case(name));
+  return found == known.end() ? "" : *found;
+}
+
+std::vector<Medium> media_at(const MediumChoice& choice, const std::filesystem::path& folder, std::span<const double> frequencies,
+                             const std::string& asked_at) {
   MediumTable table;
-  if (!choice.table_csv.empty()) table = read_medium_csv(folder / choice.table_csv, choice.place);
+  if (!choice.table_csv.empty()) table = read_medium_csv(folder / choice.table_csv, place_of(choice));
   std::vector<Medium> media;
   for (const double frequency : frequencies) {
-    media.push_back(!choice.table_csv.empty() ? medium_of_table(table, choice, frequency)
-                    : !choice.medium.empty()  ? medium_of_library(choice, frequency)
+    media.push_back(!choice.table_csv.empty() ? medium_of_table(table, choice, frequency, asked_at)
+                    : !choice.medium.empty()  ? medium_of_library(choice, frequency, asked_at)
                                               : medium_of_numbers(choice, frequency));
     check_medium(media.back(), choice, frequency);
   }

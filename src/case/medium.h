@@ -3,21 +3,27 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "case/case.h"
 #include "case/document.h"
 
 namespace raytube {
 
-/// How losses are written, for sentences about gain.
-inline constexpr const char* loss_convention = "eps_r = eps' - j eps'' (e^{+jwt})";
+/// How losses are written, for sentences about gain: those of mu_r if `key` is about it, else of eps_r.
+std::string loss_convention(std::string_view key);
 
 /// The keys of a table that make a medium; `path` is the dotted name of the table. Throws InputError.
 MediumChoice read_medium(const CaseValue& table, const std::string& path);
 
-/// At each frequency; tables are looked for in `folder`. Throws InputError where it is not known.
-std::vector<Medium> media_at(const MediumChoice& choice, const std::filesystem::path& folder,
-                             std::span<const double> frequencies);
+/// The name of the library that `name` is but for capitals; empty: none.
+std::string medium_meant(std::string_view name);
+
+/// At each frequency; tables are looked for in `folder`. Throws InputError where it is not known; `asked_at` is the place of the
+/// frequencies.
+std::vector<Medium> media_at(const MediumChoice& choice, const std::filesystem::path& folder, std::span<const double> frequencies,
+                             const std::string& asked_at);
 
 /// A medium measured at some frequencies, ascending [Hz].
 struct MediumTable {

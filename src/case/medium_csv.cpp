@@ -33,7 +33,7 @@ Complex read_relative(const CsvReader& reader, std::size_t column) {
                loss = reader.finite_number(column + 1, "write the loss, not below 0");
   if (loss < 0.0)
     throw InputError(fmt::format("{}: {} has a gain: in {} losses are not below 0; write {}", reader.place(),
-                                 long_header[column + 1], loss_convention, number_text(-loss)));
+                                 long_header[column + 1], loss_convention(long_header[column]), number_text(-loss)));
   if (real == 0.0) throw InputError(fmt::format("{}: {} must not be 0; vacuum has 1", reader.place(), long_header[column]));
   return {real, -loss};
 }

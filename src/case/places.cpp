@@ -7,6 +7,7 @@
 
 #include "case/keys.h"
 #include "case/materials.h"
+#include "case/medium.h"
 #include "case/values.h"
 #include "decimal.h"
 #include "text.h"
@@ -20,11 +21,18 @@ using Facets = MaterialPlaces::Facets;
 
 constexpr double most_facets = 9007199254740992.0;  // 2^53: whole numbers of a case file are doubles
 
+// A medium of the library makes a material only together with a kind.
 void check_name(const CaseValue& value, const std::string& sentence, const std::string& name,
                 const std::vector<std::string>& names) {
-  if (std::ranges::find(names, name) == names.end())
+  if (std::ranges::find(names, name) != names.end()) return;
+  const std::string_view nearest = nearest_name(name, names);
+  const std::string medium = lower_case(nearest) == lower_case(name) ? "" : medium_meant(name);
+  if (medium.empty())
     reject(value, fmt::format("{} is no material; add [materials.{}], or did you mean \"{}\"?", sentence, quotable(name),
-                              quotable(nearest_name(name, names))));
+                              quotable(nearest)));
+  reject(value,
+         fmt::format("{0} is no material but a medium; add [materials.{1}] with a kind and medium = \"{1}\", and name that here",
+                     sentence, medium));
 }
 
 std::string read_name(const CaseValue& value, const std::string& key, const std::vector<std::string>& names) {
@@ -65,8 +73,8 @@ std::vector<Facets> merged(std::vector<Facets> ranges) {
 
 std::vector<Facets> read_ranges(const CaseValue& value, const std::string& material) {
   const std::string key = "target.facets." + quotable(material);
-  if (value.kind != Kind::list || value.items.empty())
-    reject(value, key + " must be a list of facets and ranges, for example [0, 1, [10, 20]]");
+  if (value.kind != Kind::list) reject(value, key + " must be a list of facets and ranges, for example [0, 1, [10, 20]]");
+  if (value.items.empty()) reject(value, key + " is an empty list; give at least one facet, or remove it");
   std::vector<Facets> ranges;
   for (const CaseValue& item : value.items) ranges.push_back(read_range(item, key, material));
   return merged(std::move(ranges));
@@ -77,7 +85,7 @@ void check_apart(const std::vector<Facets>& facets, const CaseValue& section) {
   const auto overlap = [](const Facets& a, const Facets& b) { return b.first <= a.last; };
   const auto found = std::ranges::adjacent_find(facets, overlap);
   if (found != facets.end())
-    reject(*section.find(std::next(found)->material),
+    reject(*section.find(std::next(found)->material), {section.find(found->material)},
            fmt::format("target.facets gives facet {} both to \"{}\" and to \"{}\"; remove it from one of them",
                        std::next(found)->first, quotable(found->material), quotable(std::next(found)->material)));
 }
@@ -95,11 +103,25 @@ std::vector<Facets> read_facets(const CaseValue& section, const std::vector<std:
   return facets;
 }
 
+// A dot in a name without quotes reads as a section in a section.
+[[noreturn]] void reject_dots(const std::string& first, const CaseValue& value) {
+  std::string name = first;
+  const CaseValue* inside = &value;
+  for (; inside->kind == Kind::table && !inside->keys.empty(); inside = &inside->items.front())
+    name += "." + inside->keys.front();
+  const std::string key = fmt::format("parts.\"{}\"", quotable(name)),
+                    material = inside->kind == Kind::text ? quotable(inside->text) : "MATERIAL";
+  reject(value, "a name with dots needs quotes; write " + (is_override(value.place)
+                                                               ? fmt::format("--set 'target.{}={}'", key, material)
+                                                               : fmt::format("{} = \"{}\" under [target]", key, material)));
+}
+
 std::vector<MaterialPlaces::Part> read_parts(const CaseValue& section, const std::vector<std::string>& names) {
   if (section.kind != Kind::table) reject(section, "target.parts must be a section; write [target.parts]");
   std::vector<MaterialPlaces::Part> parts;
   for (std::size_t i = 0; i < section.keys.size(); ++i) {
     const CaseValue& value = section.items[i];
+    if (value.kind == Kind::table) reject_dots(section.keys[i], value);
     parts.push_back({section.keys[i], read_name(value, "target.parts." + quotable(section.keys[i]), names), value.place});
   }
   return parts;

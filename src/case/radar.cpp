@@ -73,11 +73,11 @@ void read_positions(const CaseValue& root, Case& c) {
   const CaseValue& position = *find(root, "radar", "position_m");
   for (const char* section : {"look", "receive"})
     if (const CaseValue* given = root.find(section))
-      reject(*given,
+      reject(*given, {&position},
              fmt::format("[{}] cannot go with radar.position_m, which says where the antenna stands; remove one", section));
   for (const char* key : {"range_m", "receive_range_m"})
     if (const CaseValue* given = find(root, "radar", key))
-      reject(*given, fmt::format("radar.{} cannot go with radar.position_m; remove one of them", key));
+      reject(*given, {&position}, fmt::format("radar.{} cannot go with radar.position_m; remove one of them", key));
   c.radar.positions = read_places(position, "radar.position_m");
   if (const CaseValue* receive = find(root, "radar", "receive_position_m"))
     c.radar.receive_positions = read_places(*receive, "radar.receive_position_m");
@@ -104,9 +104,10 @@ void read_radar(const CaseValue& root, Case& c) {
     read_pattern_csv(c.file.parent_path() / c.radar.pattern_csv, c.sweep.radar.pattern);
   }
   if (c.tubes.mode == TubeMode::adaptive && !c.tubes.clip)
-    reject(*section, "[radar] needs exact polygons or a uniform grid; remove tubes.clip = false");
+    reject(*section, {find(root, "tubes", "clip")}, "[radar] needs exact polygons or a uniform grid; remove tubes.clip = false");
   if (c.edges.method == EdgeMethod::utd)
-    reject(*section, "[radar] has no part in edges.method = \"utd\"; give edges.utd_range_m instead");
+    reject(*section, {find(root, "edges", "method")},
+           "[radar] has no part in edges.method = \"utd\"; give edges.utd_range_m instead");
 }
 
 }  // namespace raytube

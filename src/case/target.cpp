@@ -51,10 +51,11 @@ class NamedMaterials {
   }
 
   [[noreturn]] static void reject_two(std::size_t polygon, const Part& first, const Part& second) {
-    throw InputError(fmt::format(
-        "{}: facet {} of the mesh goes by the names \"{}\" and \"{}\", which have the materials \"{}\" and \"{}\" in "
-        "target.parts; remove one of them there",
-        second.place, polygon, quotable(first.name), quotable(second.name), quotable(first.material), quotable(second.material)));
+    throw InputError(
+        fmt::format("{}: facet {} of the mesh goes by the names \"{}\" and \"{}\", which have the materials \"{}\" and \"{}\" in "
+                    "target.parts; remove one of them there",
+                    is_override(first.place) ? first.place : second.place, polygon, quotable(first.name), quotable(second.name),
+                    quotable(first.material), quotable(second.material)));
   }
 
   const PolygonSoup& soup_;

@@ -10,6 +10,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 const std::string in_facets = "[target.facets]\n";
 
@@ -187,10 +188,29 @@ TEST_F(CaseTables, AreInputsOfTheCase) {
   EXPECT_EQ(inputs[2].second, scratch / "glass.csv");
 }
 
+TEST_F(CaseTables, BlameFrequenciesFromTheCommandLine) {
+  const auto file = scratch.write("case.toml", made_of("kind = \"dielectric\"\ntable_csv = \"glass.csv\"\n"));
+  scratch.write("glass.csv", "freq_ghz,eps_real,eps_loss\n1,4,0\n20,6,0\n");
+  const auto says = [&](const std::vector<std::string>& overrides) {
+    try {
+      read_case(file, overrides);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(says({"frequency.ghz=10"}), "");
+  EXPECT_THAT(says({"frequency.ghz=30"}),
+              StartsWith("--set frequency.ghz=30: materials.it.table_csv \"glass.csv\" goes from 1 to"));
+  scratch.write("glass.csv", "freq_ghz,eps_real,eps_loss\n1,4,0\n9,6,0\n");
+  EXPECT_THAT(says({}), HasSubstr("case.toml, line 12: materials.it.table_csv \"glass.csv\" goes from 1 to 9 GHz"));
+  EXPECT_THAT(says({"frequency.ghz=30", "materials.it.table_csv=\"none.csv\""}), StartsWith("--set materials.it.table_csv="));
+}
+
 TEST_F(CaseTables, AreRefusedWithTheLine) {
   const std::string header = "freq_ghz,eps_real,eps_loss\n";
   EXPECT_THAT(complaint(header + "1,4,0\n9.5,5,0\n"),
-              HasSubstr("line 12: materials.it.table_csv \"glass.csv\" goes from 1 to 9.5 GHz, but frequency.ghz asks for 10"));
+              HasSubstr("materials.it.table_csv \"glass.csv\" goes from 1 to 9.5 GHz, but frequency.ghz asks for 10"));
   EXPECT_THAT(complaint(header + "11,4,0\n12,5,0\n"), HasSubstr("goes from 11 to 12 GHz"));
   EXPECT_THAT(complaint(header + "1,4,0\n20,5,0\n20,5,0\n"), HasSubstr("glass.csv, line 4: freq_ghz must ascend"));
   EXPECT_THAT(complaint(header + "1,4,0\n"), HasSubstr("glass.csv: a table of a medium needs at least two rows"));
@@ -201,6 +221,8 @@ TEST_F(CaseTables, AreRefusedWithTheLine) {
       HasSubstr("glass.csv, line 3: eps_loss has a gain: in eps_r = eps' - j eps'' (e^{+jwt}) losses are not below 0; write 1"));
   EXPECT_THAT(complaint(header + "1,0,1\n20,5,1\n"), HasSubstr("glass.csv, line 2: eps_real must not be 0"));
   EXPECT_THAT(complaint(header + "0,4,1\n20,5,1\n"), HasSubstr("line 2: freq_ghz must be greater than 0"));
+  EXPECT_THAT(complaint("freq_ghz,eps_real,eps_loss,mu_real,mu_loss\n1,4,0,1,0\n20,5,0,1,-2\n"),
+              HasSubstr("line 3: mu_loss has a gain: in mu_r = mu' - j mu'' (e^{+jwt}) losses are not below 0; write 2"));
   // Through 0 between two rows.
   EXPECT_THAT(complaint(header + "5,-1,0\n15,1,0\n"), HasSubstr("eps_r is 0 in size at 10 GHz"));
 }
@@ -238,7 +260,7 @@ TEST(CaseMaterials, BadMediaNamePlaceAndRemedy) {
       {"kind = \"pec\"\nroughness_rms_mm = -2\n", ".roughness_rms_mm must be at least 0 (found -2)"},
       {"kind = \"dielectric\"\neps_r = [2, -0.5]\n",
        ".eps_r has a gain: in eps_r = eps' - j eps'' (e^{+jwt}) losses are not below 0; write [2, 0.5]"},
-      {"kind = \"dielectric\"\neps_r = 2\nmu_r = [1, -1]\n", ".mu_r has a gain: in eps_r = eps' - j eps'' (e^{+jwt})"},
+      {"kind = \"dielectric\"\neps_r = 2\nmu_r = [1, -1]\n", ".mu_r has a gain: in mu_r = mu' - j mu'' (e^{+jwt})"},
       {"kind = \"dielectric\"\neps_r = 2\nloss_tangent = -0.1\n",
        ".loss_tangent is a gain (found -0.1): in eps_r = eps' - j eps'' (e^{+jwt}) losses are not below 0; write 0.1"},
       {"kind = \"dielectric\"\neps_r = 2\nconductivity_s_per_m = -1\n", ".conductivity_s_per_m is a gain (found -1): in eps_r ="},
@@ -258,6 +280,7 @@ TEST(CaseMaterials, BadMediaNamePlaceAndRemedy) {
       {"kind = \"dielectric\"\ntable_csv = \"t.csv\"\n", ".table_csv: "},
       {"kind = \"dielectric\"\ntable_csv = \"\"\n", ".table_csv is empty; give the file"},
       {"kind = \"dielectric\"\nmedium = \"unobtainium\"\n", ".medium \"unobtainium\" is not in the library; write "},
+      {"kind = \"dielectric\"\nmedium = \"Glass\"\n", ".medium \"Glass\" is not in the library; write \"glass\""},
       {"kind = \"dielectric\"\neps = 2\n", "unknown key \"materials.it.eps\"; did you mean \"materials.it.eps_r\"?"},
   };
   for (const auto& [keys, says] : bad) {
@@ -276,7 +299,7 @@ TEST(CaseMaterials, BadPlacesNameTheRemedy) {
   says("[target.parts]\nwing = 3\n", "target.parts.wing must be a text");
   says(in_facets + "pant = [1]\n", "target.facets.pant is no material; add [materials.pant], or did you mean \"paint\"?");
   says(in_facets + "paint = 1\n", "target.facets.paint must be a list of facets and ranges");
-  says(in_facets + "paint = []\n", "target.facets.paint must be a list");
+  says(in_facets + "paint = []\n", "target.facets.paint is an empty list; give at least one facet, or remove it");
   says(in_facets + "paint = [-1]\n", "every facet of target.facets.paint must be a whole number, counted from 0 (found -1)");
   says(in_facets + "paint = [0.5]\n", "whole number, counted from 0 (found 0.5)");
   says(in_facets + "paint = [[3, 1]]\n", "target.facets.paint has the range [3, 1]; write [1, 3]");
@@ -297,6 +320,70 @@ TEST(CaseMaterials, BadPlacesNameTheRemedy) {
   EXPECT_THAT(complaint(smallest, {"target.mesh=[\"a.stl\", 3]"}), HasSubstr("every entry of target.mesh must be a text"));
 }
 
+// Capitals count less than letters.
+TEST(CaseMaterials, MediaAndCapitalsAreNoMaterials) {
+  const std::string materials = "[materials.GLAZING]\nkind = \"absorber\"\n";
+  const auto says = [&](const std::string& name) { return complaint(smallest + materials, {"target.material=" + name}); };
+  EXPECT_THAT(says("glass"), HasSubstr("target.material \"glass\" is no material but a medium; add [materials.glass] with a kind "
+                                       "and medium = \"glass\", and name that here"));
+  EXPECT_THAT(says("Wood"),
+              HasSubstr("\"Wood\" is no material but a medium; add [materials.wood] with a kind and medium = \"wood\""));
+  EXPECT_THAT(says("glazing"), HasSubstr("add [materials.glazing], or did you mean \"GLAZING\"?"));
+  EXPECT_THAT(says("PEC"), HasSubstr("did you mean \"pec\"?"));
+  EXPECT_THAT(says("glazin"), HasSubstr("did you mean \"GLAZING\"?"));
+  EXPECT_THAT(complaint(smallest + "[materials.glass]\nkind = \"absorber\"\n", {"target.material=GLASS"}),
+              HasSubstr("did you mean \"glass\"?"));
+}
+
+TEST(CaseMaterials, NamesWithDotsNeedQuotes) {
+  const std::string in_file = "[target]\nmesh = \"m.stl\"\nunit = \"mm\"\nparts.plate.v2.off = \"absorber\"\n";
+  EXPECT_THAT(complaint(in_file + frequency + look),
+              HasSubstr("line 4: a name with dots needs quotes; write parts.\"plate.v2.off\" = \"absorber\" under [target]"));
+  EXPECT_THAT(complaint(smallest, {"target.parts.plate.off=pec"}),
+              HasSubstr("a name with dots needs quotes; write --set 'target.parts.\"plate.off\"=pec'"));
+  EXPECT_THAT(complaint(smallest, {"target.parts.plate={}"}), HasSubstr("write --set 'target.parts.\"plate\"=MATERIAL'"));
+  EXPECT_EQ(read_text(smallest, {"target.parts.\"plate.off\"=pec"}).places.parts.at(0).name, "plate.off");
+}
+
+// Whatever is in the file was there before.
+TEST(CaseMaterials, ConflictsAreBlamedOnTheCommandLine) {
+  const auto blamed = [](const std::string& keys, const std::string& option, const std::string& says) {
+    EXPECT_THAT(complaint(made_of(keys), {option}), AllOf(StartsWith("--set " + option + ": "), HasSubstr(says)));
+  };
+  const std::string coat = "kind = \"coated\"\nthickness_mm = 3\n", body = "kind = \"dielectric\"\n";
+  blamed(coat + "eps_r = 2\n", "materials.it.kind=dielectric", "it.thickness_mm does not belong to kind \"dielectric\"");
+  blamed(body + "eps_r = 2\n", "materials.it.kind=sheet", "it.thickness_mm is missing");
+  blamed("kind = \"absorber\"\n", "materials.it.kind=dielectric", "it.eps_r is missing");
+  blamed(coat + "eps_r = 2\n", "materials.it.layers=[{thickness_mm=2,eps_r=3}]", "it.thickness_mm cannot go with layers");
+  blamed("kind = \"sheet\"\nthickness_mm = 3\neps_r = 2\n", "materials.it.resistance_ohm=5", "cannot go with resistance_ohm");
+  blamed(body + "table_csv = \"t.csv\"\n", "materials.it.eps_r=5", "it.table_csv cannot go with eps_r");
+  blamed(body + "medium = \"glass\"\n", "materials.it.table_csv=\"t.csv\"", "it.medium cannot go with table_csv");
+  blamed(body + "eps_r = 2\nloss_tangent = 0.1\n", "materials.it.eps_r=[2,1]", "it.loss_tangent cannot go with a loss in eps_r");
+  blamed(body + "eps_r = 2\nloss_tangent = 0.1\n", "materials.it.eps_r=-2", "it.loss_tangent needs an eps_r above 0");
+  blamed(body + "mu_r = 2\n", "materials.it.medium=glass", "it.mu_r cannot go with medium");
+  blamed(body + "medium = \"glass\"\n", "frequency.ghz=200", "materials.it.medium: \"glass\" is known from 0.1 to 100 GHz");
+  blamed(body + "eps_r = 2\n[target.facets]\npec = [3]\n", "target.facets.it=[[0,4]]", "target.facets gives facet 3 both to");
+  blamed(body + "eps_r = 2\n[edges]\nmaterials = \"luebbers\"\n", "edges.method=none", "edges.materials needs edges.method");
+  EXPECT_THAT(complaint(made_of(coat + "eps_r = 2\nresistance_ohm = 3\n"), {"tubes.max_bounces=3"}),
+              HasSubstr("case.toml, line 14: "));
+}
+
+// So are those with other keys.
+TEST(CaseMaterials, OtherConflictsAreBlamedOnTheCommandLine) {
+  const auto blamed = [](const std::string& keys, const std::string& option, const std::string& says) {
+    EXPECT_THAT(complaint(smallest + keys, {option}), AllOf(StartsWith("--set " + option + ": "), HasSubstr(says)));
+  };
+  blamed("[tubes]\nclip = true\n", "tubes.mode=uniform", "tubes.clip needs tubes.mode");
+  blamed("[tubes]\ncurved = \"never\"\n", "tubes.mode=uniform", "tubes.curved needs adaptive tubes");
+  blamed("[accuracy]\ntolerance_db = 1\n", "tubes.clip=false", "accuracy.tolerance_db needs adaptive tubes");
+  blamed("[edges]\nmethod = \"utd\"\nutd_range_m = 9\n", "edges.method=none", "edges.utd_range_m needs edges.method");
+  blamed("[output]\nimage_look = 0\n", "edges.method=utd", "output.image_look needs currents");
+  blamed("[radar]\nrange_m = 1000\n", "edges.method=utd", "[radar] has no part in edges.method");
+  blamed("[radar]\nrange_m = 1000\n", "tubes.clip=false", "[radar] needs exact polygons");
+  blamed("", "look.looks_csv=looks.csv", "look.looks_csv stands instead of");
+  blamed("", "radar.position_m=[0,0,9]", "[look] cannot go with radar.position_m");
+}
+
 /// Two files: squares of four groups and a triangle of one solid.
 class CaseTargets : public ::testing::Test {
  protected:
@@ -309,11 +396,12 @@ class CaseTargets : public ::testing::Test {
                   "endsolid pane\n");
   }
 
-  Case read(const std::string& keys) const {
+  Case read(const std::string& keys, const std::vector<std::string>& overrides = {}) const {
     return read_case(scratch.write("case.toml", "[target]\nmesh = [\"a.obj\", \"b.stl\"]\nunit = \"m\"\n" + frequency + look +
                                                     "[materials.film]\nkind = \"sheet\"\nresistance_ohm = 9\n[materials.tar]\n"
                                                     "kind = \"dielectric\"\neps_r = 3\n" +
-                                                    keys));
+                                                    keys),
+                     overrides);
   }
 
   /// The material of each polygon, by name.
@@ -331,9 +419,9 @@ class CaseTargets : public ::testing::Test {
     return names;
   }
 
-  std::string complaint(const std::string& keys) const {
+  std::string complaint(const std::string& keys, const std::vector<std::string>& overrides = {}) const {
     try {
-      load_target(read(keys));
+      load_target(read(keys, overrides));
     } catch (const InputError& error) {
       return error.what();
     }
@@ -375,6 +463,8 @@ TEST_F(CaseTargets, WhatIsNotThereIsNamed) {
   EXPECT_THAT(
       complaint("[target.parts]\ndoor = \"tar\"\nred = \"film\"\n"),
       AllOf(HasSubstr("facet 1 of the mesh goes by the names \"door\" and \"red\""), HasSubstr("remove one of them there")));
+  EXPECT_THAT(complaint("[target.parts]\nred = \"film\"\n", {"target.parts.door=tar"}),
+              StartsWith("--set target.parts.door=tar: facet 1 of the mesh goes by the names \"door\" and \"red\""));
 }
 
 }  // namespace
