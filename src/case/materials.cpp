@@ -173,6 +173,13 @@ void read_materials(const CaseValue& root, Case& c) {
   c.sweep.materials.back().name = "absorber";
 }
 
+std::vector<std::string> unused_materials(const Case& c) {
+  std::vector<std::string> names;
+  for (const MaterialChoice& material : c.materials)
+    if (!is_used(c.places, material.name)) names.push_back(material.name);
+  return names;
+}
+
 std::vector<std::pair<std::string, std::filesystem::path>> medium_tables(const Case& c) {
   std::vector<std::pair<std::string, std::filesystem::path>> tables;
   for (const MaterialChoice& material : c.materials)

@@ -10,6 +10,7 @@
 #include "decimal.h"
 #include "mesh/mirror.h"
 #include "program/commands.h"
+#include "program/material_report.h"
 #include "program/memory.h"
 #include "program/solvable.h"
 #include "program/wedge_list.h"
@@ -93,9 +94,14 @@ void print_case(const Case& c) {
   fmt::print("rows         {}\n", c.sweep.rows());
 }
 
+const char* state_text(const Component& component) {
+  if (component.penetrable) return "closed, but partly of sheets: seen from both sides";
+  return component.closed ? "closed" : "open";
+}
+
 void print_components(const std::vector<Component>& components) {
   for (std::size_t i = 0; i < std::min(components.size(), most_lines); ++i)
-    fmt::print("  component {}: {}, {} triangles\n", i, components[i].closed ? "closed" : "open", components[i].triangles);
+    fmt::print("  component {}: {}, {} triangles\n", i, state_text(components[i]), components[i].triangles);
   if (components.size() > most_lines) fmt::print("  and {} more components\n", components.size() - most_lines);
 }
 
@@ -104,30 +110,6 @@ void print_shape(const Target& target) {
   const std::array<bool, 3> mirrors = find_mirror_planes(target.mesh, target.wedges);
   for (int axis = 0; axis < 3; ++axis)
     if (mirrors[axis]) fmt::print("  its own mirror image across {} = {:.6g} m\n", "xyz"[axis], target.mesh.center[axis]);
-}
-
-struct Share {
-  std::uint64_t triangles = 0;
-  double area = 0.0;  // [m^2]
-};
-
-void print_share(const std::string& material, const Share& share) {
-  fmt::print("  {}: {} triangles, {:.6g} m^2\n", material, share.triangles, share.area);
-}
-
-// What each material covers, so that a part without its name is noticed.
-void print_materials(const std::vector<Material>& materials, const TriangleMesh& mesh) {
-  if (materials.empty()) return;
-  std::vector<Share> shares(materials.size() + 1);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    Share& share = shares[std::min<std::size_t>(mesh.patches[mesh.triangle_patch[i]].material, materials.size())];
-    const auto& [a, b, c] = mesh.triangles[i];
-    ++share.triangles;
-    share.area += 0.5 * glm::length(glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
-  }
-  fmt::print("\nmaterials\n");
-  for (std::size_t i = 0; i < materials.size(); ++i) print_share(materials[i].name, shares[i]);
-  print_share("perfect conductor", shares.back());
 }
 
 void print_mesh(const MeshReport& report, const Target& target) {
@@ -160,6 +142,14 @@ std::vector<WedgeClass> wedge_classes(const std::vector<Wedge>& wedges) {
   for (const auto& [key, found] : by_angle) classes.push_back(found);
   std::stable_sort(classes.begin(), classes.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
   return classes;
+}
+
+void print_material_edges(const EdgeOptions& edges, const std::vector<Wedge>& wedges) {
+  const auto count = std::ranges::count_if(wedges, [](const Wedge& w) { return w.convex() && !w.conducting(); });
+  if (count == 0 || edges.method != EdgeMethod::fringe) return;
+  fmt::print("  {} with a face that is no perfect conductor {} (edges.materials = \"{}\")\n", count,
+             edges.materials == MaterialEdgeMethod::none ? "add nothing" : "add their first order, by a heuristic",
+             material_edge_name(edges.materials));
 }
 
 void print_wedges(const std::vector<Wedge>& wedges) {
@@ -287,8 +277,9 @@ void check_command(const Request& request) {
   const LookPlan plan = plan_of(target, c.sweep, c.tubes, c.edges.method);
   print_case(c);
   print_mesh(loaded.report, target);
-  print_materials(c.sweep.materials, loaded.mesh);
+  fmt::print("{}", materials_text(c, target));
   print_wedges(target.wedges);
+  print_material_edges(c.edges, target.wedges);
   print_thin_rims(c, target.rims);
   print_skipped(c, loaded.report, target, plan);
   if (c.edges.method == EdgeMethod::utd)

@@ -20,6 +20,7 @@
 #include "program/images.h"
 #include "program/interrupt.h"
 #include "program/look_journal.h"
+#include "program/material_report.h"
 #include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
@@ -124,6 +125,16 @@ Manifest describe_input(const Case& c, const MeshReport& report) {
   manifest.mesh_report = report_entries(report);
   for (const MeshNote& note : report.notes()) manifest.mesh_notes.emplace_back(note.what, static_cast<double>(note.count));
   return manifest;
+}
+
+// What of the materials is not seen as it is drawn.
+void warn_of_materials(const Case& c, const MeshReport& report, const Target& target, Manifest& manifest) {
+  const OverlapNote overlap = overlap_note(c, target);
+  for (const std::string& sentence : {duplicates_sentence(report), overlap.sentence})
+    if (!sentence.empty()) warn(fmt::format("{}: {}", mesh_names(c), sentence));
+  if (overlap.pairs > 0)
+    manifest.mesh_notes.emplace_back("pairs of facets of different materials upon one another in one plane, one of which is seen",
+                                     static_cast<double>(overlap.pairs));
 }
 
 // What every bit of a finished look depends on, beside the number of threads, on which none does.
@@ -310,6 +321,7 @@ void run_command(const Request& request) {
   manifest.time.read_s = total.seconds();
   const Target target(loaded.mesh, c.edges);
   check_solvable(target, c);
+  warn_of_materials(c, loaded.report, target, manifest);
   manifest.time.build_s = total.seconds() - manifest.time.read_s;
   manifest.embree_instruction_set = name_of(allowed_instruction_set());
   manifest.own_instruction_set = name_of(std::max(allowed_instruction_set(), InstructionSet::avx2));

@@ -1,0 +1,141 @@
+#include "program/material_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/materials.h"
+#include "decimal.h"
+#include "mesh/overlaps.h"
+#include "text.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr const char* remedy = "write kind = \"coated\" for a layer on a conductor, or leave one of the two out of the mesh";
+
+struct Share {
+  std::uint64_t triangles = 0;
+  double area = 0.0;  // [m^2]
+};
+
+double area_of(const TriangleMesh& mesh, std::size_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return 0.5 * glm::length(glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+}
+
+std::uint32_t material_of(const TriangleMesh& mesh, std::size_t triangle) {
+  return mesh.patches[mesh.triangle_patch[triangle]].material;
+}
+
+// Of each material, and of perfect conductors behind them.
+std::vector<Share> shares_of(std::size_t materials, const TriangleMesh& mesh) {
+  std::vector<Share> shares(materials + 1);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    Share& share = shares[std::min<std::size_t>(material_of(mesh, i), materials)];
+    ++share.triangles;
+    share.area += area_of(mesh, i);
+  }
+  return shares;
+}
+
+std::string share_text(std::string_view material, const Share& share) {
+  return fmt::format("  {}: {} triangles, {:.6g} m^2", quotable(material), share.triangles, share.area);
+}
+
+// The frequency of a sweep nearest to its middle.
+std::size_t middle_frequency(const std::vector<double>& frequencies) {
+  const auto [lowest, highest] = std::ranges::minmax(frequencies);
+  const double middle = 0.5 * (lowest + highest);
+  const auto nearest = std::ranges::min_element(frequencies, {}, [&](double f) { return std::abs(f - middle); });
+  return static_cast<std::size_t>(nearest - frequencies.begin());
+}
+
+const char* kind_text(MaterialKind kind) {
+  switch (kind) {
+    case MaterialKind::conductor:
+      return "pec";
+    case MaterialKind::absorber:
+      return "absorber";
+    case MaterialKind::half_space:
+      return "dielectric";
+    case MaterialKind::coated:
+      return "coated";
+    default:
+      return "sheet";
+  }
+}
+
+// To hundredths, without a sign before zero.
+std::string level_text(const Complex& ratio) {
+  return fmt::format("{:.2f} dB", std::round(2000.0 * std::log10(std::abs(ratio))) / 100.0 + 0.0);
+}
+
+// Both polarisations have the same levels at normal incidence.
+std::string response_text(const Material& material, const Sweep& sweep, std::size_t frequency) {
+  const double k = wavenumber(sweep.frequencies[frequency]);
+  const SurfaceResponse front = response(material, frequency, k, 1.0, false);
+  const std::string reflected = level_text(front.reflected.te);
+  std::string text = fmt::format("{}{}, |R| {}", kind_text(material.kind), material.roughness > 0.0 ? ", rough" : "", reflected);
+  if (!material.transmits()) return text;
+  const std::string from_behind = level_text(response(material, frequency, k, 1.0, true).reflected.te);
+  if (from_behind != reflected) text += fmt::format(" ({} from behind)", from_behind);
+  return text + ", |T| " + level_text(front.transmitted.te);
+}
+
+// The middle of the smaller one of two triangles, in the mesh's own coordinates.
+dvec3 place_of(const Overlaps& overlaps, const TriangleMesh& mesh) {
+  const auto [first, second] = overlaps.example;
+  const auto& [a, b, c] = mesh.triangles[area_of(mesh, first) < area_of(mesh, second) ? first : second];
+  return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0 + mesh.center;
+}
+
+std::string name_of(const std::vector<Material>& materials, std::uint32_t material) {
+  return material < materials.size() ? quotable(materials[material].name) : "pec";
+}
+
+}  // namespace
+
+std::string materials_text(const Case& c, const Target& target) {
+  const std::vector<Material>& materials = c.sweep.materials;
+  const std::vector<std::string> unused = unused_materials(c);
+  if (materials.empty() && unused.empty()) return "";
+  const std::vector<Share> shares = shares_of(materials.size(), target.mesh);
+  const std::size_t frequency = middle_frequency(c.sweep.frequencies);
+  std::string text = "\nmaterials";
+  if (!materials.empty())
+    text += fmt::format(", at normal incidence and {} GHz", number_text(c.sweep.frequencies[frequency] / 1e9));
+  text += '\n';
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    text += fmt::format("{}; {}\n", share_text(materials[i].name, shares[i]), response_text(materials[i], c.sweep, frequency));
+  text += share_text("perfect conductor", shares.back()) + '\n';
+  if (!unused.empty())
+    text += fmt::format("  defined, but named nowhere in [target]: {}\n", quotable(fmt::format("{}", fmt::join(unused, ", "))));
+  if (const OverlapNote note = overlap_note(c, target); note.pairs > 0) text += fmt::format("  {}\n", note.sentence);
+  return text;
+}
+
+OverlapNote overlap_note(const Case& c, const Target& target) {
+  if (c.sweep.materials.empty()) return {};
+  const Overlaps overlaps = overlaps_of_materials(target.tracer);
+  if (overlaps.pairs == 0) return {};
+  const dvec3 place = place_of(overlaps, target.mesh);
+  const auto name = [&](int i) { return name_of(c.sweep.materials, material_of(target.mesh, overlaps.example[i])); };
+  return {overlaps.pairs,
+          fmt::format("{} pairs of facets of different materials lie upon one another in one plane, for example \"{}\" and "
+                      "\"{}\" near ({:.6g}, {:.6g}, {:.6g}) m: only one of the two is seen, by their order in the file and by "
+                      "rounding; {}",
+                      overlaps.pairs, name(0), name(1), place.x, place.y, place.z, remedy)};
+}
+
+std::string duplicates_sentence(const MeshReport& report) {
+  if (report.duplicates_of_other_material == 0) return "";
+  return fmt::format(
+      "{} facets are left out, as others with the same corners come before them, but are made of another material; {}",
+      report.duplicates_of_other_material, remedy);
+}
+
+}  // namespace raytube

@@ -1,0 +1,25 @@
+// What is told of the materials of a target.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/case.h"
+
+namespace raytube {
+
+/// A section of `check`: what each material covers, reflects and lets through, and what no facet can make use of. Empty if the
+/// case defines none.
+std::string materials_text(const Case& c, const Target& target);
+
+/// How many pairs of facets of different materials lie upon one another in one plane, with an example and the remedy.
+struct OverlapNote {
+  std::uint64_t pairs = 0;
+  std::string sentence;  // empty: there are none
+};
+OverlapNote overlap_note(const Case& c, const Target& target);
+
+/// Facets that were left out though made of something else than the one in their place; empty: there are none.
+std::string duplicates_sentence(const MeshReport& report);
+
+}  // namespace raytube
