@@ -300,6 +300,17 @@ class Run {
   std::atomic<bool> complete_ = false;
 };
 
+// What random tubes cannot be asked for.
+void refuse_by_chance(const Case& c) {
+  if (!c.image_looks.empty())
+    throw InputError(
+        c.file.string() +
+        ": output.image_look: an image adds up to the deterministic S, not to the mean of random tubes; leave out one");
+  if (c.incoherent)
+    throw InputError(c.file.string() +
+                     ": output.incoherent: random tubes do not add up what roughness scatters; remove it, or --launch random");
+}
+
 }  // namespace
 
 void run_command(const Request& request) {
@@ -308,11 +319,7 @@ void run_command(const Request& request) {
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   check_output(destination, names_of_results(request, c), input_files(c));
   if (!request.resume) LookJournal::refuse_leftover(destination);
-  if (request.random && !c.image_looks.empty())
-    throw InputError(
-        "output.image_look: an image adds up to the deterministic S, not to the mean of random tubes; leave out one");
-  if (request.random && c.incoherent)
-    throw InputError("output.incoherent: random tubes do not add up what roughness scatters; remove it, or --launch random");
+  if (request.random) refuse_by_chance(c);
   const LoadedMesh loaded = load_target(c);
   if (const auto count = loaded.report.free_forms_read)
     warn(fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",

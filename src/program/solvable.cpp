@@ -1,6 +1,5 @@
 #include "program/solvable.h"
 
-#include "error.h"
 #include "program/images.h"
 #include "solve_parts.h"
 
@@ -18,13 +17,8 @@ void check_all(const Target& target, const Case& c) {
 
 }  // namespace
 
-// What the solver says knows no files.
 void check_solvable(const Target& target, const Case& c) {
-  try {
-    check_all(target, c);
-  } catch (const InputError& error) {
-    throw InputError(c.file.string() + ": " + error.what());
-  }
+  naming_the_case(c, [&] { check_all(target, c); });
 }
 
 }  // namespace raytube

@@ -8,6 +8,7 @@
 #include "decimal.h"
 #include "error.h"
 #include "program/commands.h"
+#include "program/solvable.h"
 
 namespace raytube {
 
@@ -57,13 +58,14 @@ void trace_command(const Request& request) {
   const Look& look = chosen_look(c, request.look);
   if (!std::isfinite(request.u) || !std::isfinite(request.v)) throw InputError("--u and --v must be finite numbers of metres");
   const LoadedMesh loaded = load_target(c);
-  check_antennas(loaded.mesh, c.sweep);
+  naming_the_case(c, [&] { check_antennas(loaded.mesh, c.sweep); });
   const Tracer tracer(loaded.mesh);
   // The grid of a sweep is laid at its highest frequency.
   const auto highest = std::ranges::max_element(c.sweep.frequencies);
   const std::vector<Material> materials =
       at_frequency(c.sweep.materials, static_cast<std::size_t>(highest - c.sweep.frequencies.begin()));
-  const TubeTrace trace = trace_tube(tracer, look, *highest, c.tubes, request.u, request.v, c.sweep.radar, materials);
+  const TubeTrace trace = naming_the_case(
+      c, [&] { return trace_tube(tracer, look, *highest, c.tubes, request.u, request.v, c.sweep.radar, materials); });
 
   fmt::print("look {}: {} to the transmitter, {} to the receiver\n", request.look, direction_text(look.transmit),
              direction_text(look.receive));

@@ -24,8 +24,9 @@ const std::string journal = "out/.raytube.journal";
 class LongRuns : public BadInput {
  protected:
   // Ctrl-C as soon as the file named has something in it.
-  Outcome interrupted_once_there_is(const std::string& file, const std::string& before = "exec ") const {
-    const std::string command = "cd '" + scratch.folder().string() + "'; (" + before + RAYTUBE_PROGRAM " run " + minutes +
+  Outcome interrupted_once_there_is(const std::string& file, const std::string& before = "exec ",
+                                    const std::string& more = "") const {
+    const std::string command = "cd '" + scratch.folder().string() + "'; (" + before + RAYTUBE_PROGRAM " run " + minutes + more +
                                 ">stdout.txt 2>stderr.txt) & run=$!; while ! [ -s " + file +
                                 " ]; do sleep 0.1; done; kill -INT $run; wait $run";
     const int status = std::system(command.c_str());
@@ -64,6 +65,21 @@ TEST_F(LongRuns, WhatIsKeptIsSaidAndNotLost) {
   const Outcome another_mesh = raytube("run " + minutes + "--resume");
   EXPECT_EQ(another_mesh.code, 2);
   EXPECT_THAT(another_mesh.complaint, HasSubstr("begun with another mesh in target.mesh"));
+  EXPECT_EQ(text_of(scratch / journal), kept);
+}
+
+TEST_F(LongRuns, LooksOfAnotherTableOfAMediumAreNotMixed) {
+  const std::string glass =
+      "--set target.material=glass --set materials.glass.kind=dielectric --set materials.glass.table_csv=glass.csv ";
+  const std::string table = "freq_ghz,eps_real,eps_loss\n1,4,0\n20,4,0\n";
+  scratch.write("glass.csv", table);
+  EXPECT_EQ(interrupted_once_there_is(journal, "exec ", glass).code, 130);
+  const std::string kept = text_of(scratch / journal);
+  ASSERT_FALSE(kept.empty());
+  scratch.write("glass.csv", table + "30,5,0\n");
+  const Outcome changed = raytube("run " + minutes + glass + "--resume");
+  EXPECT_EQ(changed.code, 2);
+  EXPECT_THAT(changed.complaint, AllOf(HasSubstr("begun with another table glass.csv"), HasSubstr("delete the file")));
   EXPECT_EQ(text_of(scratch / journal), kept);
 }
 
