@@ -253,6 +253,7 @@ TEST(MeshMaterials, OverlapsAreThoseInOnePlane) {
   EXPECT_EQ(upon(plate({0.4, 0.2, -0.1}, {0.1, 0, 0}, {0, 0, 0.3})), 0u);
   EXPECT_EQ(upon(plate({1, 0, 0}, {1, 0, 0}, {0, 1, 0})), 0u);
   EXPECT_EQ(upon(plate({1, 1, 0}, {1, 0, 0}, {0, 1, 0})), 0u);
+  EXPECT_EQ(upon(plate({1 + 3e-7, 0.2, 0}, {1, 0, 0}, {0, 0.5, 0})), 0u);  // beside it, but not welded
   EXPECT_EQ(overlaps_of(made_of(together(plate({0.4, 0.2, 0}, {0.1, 0, 0}, {0, 0.1, 0}), below), film)).pairs, 0u);
 }
 
