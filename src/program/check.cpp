@@ -262,8 +262,8 @@ void print_memory(const Target& target, const Case& c) {
   fmt::print("\nmemory\n  at most about {}, {} with --parts, however dense the tubes are; {} are to be had\n", bytes(false),
              bytes(true), memory_text(memory_to_be_had()));
   if (std::ranges::any_of(c.sweep.materials, &Material::transmits))
-    fmt::print(
-        "  and what tubes take that sheets double at every meeting: it is not known before, and grows with tubes.max_bounces\n");
+    fmt::print("  and up to {} for tubes that sheets double at every meeting; those beyond are cut\n",
+               memory_text(all_threads() * tubes_between_sheets_bytes(c.sweep.frequencies.size())));
 }
 
 }  // namespace

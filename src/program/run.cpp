@@ -171,7 +171,7 @@ void print_errors(const SweepResult& result, const TubeOptions& tubes) {
   fmt::print("\n");
 }
 
-void print_summary(const SweepResult& result, const TubeOptions& tubes, const Manifest& manifest, const fs::path& folder) {
+void print_summary(const SweepResult& result, const Case& c, const Manifest& manifest, const fs::path& folder) {
   const Statistics& s = result.statistics;
   const bool paths = s.ray_range > 0.0;
   fmt::print("rays        {} in {} {}, {:.2f} s on {} thread{}\n", s.rays, s.tubes, paths ? "paths" : "tubes", s.solve_s,
@@ -182,11 +182,11 @@ void print_summary(const SweepResult& result, const TubeOptions& tubes, const Ma
   fmt::print("lost rays   {}\n", s.lost_rays);
   if (paths && s.tubes_cut) fmt::print("cut search  in {} looks: too many sequences of mirrors\n", s.tubes_cut);
   if (!paths && s.tubes_cut)
-    fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide; the error does not know of them\n",
-               s.tubes_cut);
+    fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide or too many; the error {}\n", s.tubes_cut,
+               c.sweep.materials.empty() ? "does not know of them" : "has what they may bring");
   for (const Skipped& skipped : s.skipped) fmt::print("skipped     {} ({}): {}\n", skipped.what, skipped.count, skipped.why);
   fmt::print("peak sigma  {:.2f} dBsm\n", peak_sigma_dbsm(result));
-  if (!paths && !manifest.random) print_errors(result, tubes);
+  if (!paths && !manifest.random) print_errors(result, c.tubes);
   fmt::print("results     {}\n", folder.string());
 }
 
@@ -276,7 +276,7 @@ class Run {
 
   void print(const Solved& solved) const {
     if (solved.by_chance) fmt::print("{}", random_text(*solved.by_chance));
-    print_summary(solved.result, case_.tubes, manifest_, folder_.path());
+    print_summary(solved.result, case_, manifest_, folder_.path());
   }
 
   std::string interrupted_sentence() {

@@ -45,7 +45,9 @@ class FaceTrace {
     sums_.rays = sums_.tubes = sums_.hits.empty() ? 0 : sums_.hits[0];
     count_faces_away(begin, end);
     for (int bounce = 1; !look_.known.no_reflection && !(reflected_.empty() && cell_tubes_.empty()); ++bounce) {
+      beams_.next_bounce();
       if (bounce < look_.max_bounces) thin_out();
+      if (beams_.spectral()) end_weakest();
       cell_tubes_.advance(bounce, look_.max_bounces);
       std::swap(tubes_, reflected_);
       reflected_.clear();
@@ -75,7 +77,7 @@ class FaceTrace {
   // Of tubes that end by their number of bounces nobody asks more than whether their middle would go on.
   void follow(const PolygonTube& tube, const Hit& in_middle, int bounce) {
     if (bounce == look_.max_bounces) {
-      if (in_middle) ++sums_.tubes_cut;
+      if (in_middle) sums_.cut(area(tube.outline), beams_.amplitude(tube.beam));
       return;
     }
     visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, parts_);
@@ -89,6 +91,7 @@ class FaceTrace {
       if (!look_.clip && blocks_.empty()) continue;
       const std::uint32_t patch = look_.tree.faces()[part.face].patch;
       const std::uint32_t node = beams_.child(beam, patch, middle(part.outline));
+      sums_.meet(bounce, area(part.outline), beams_.amplitude(beam));
       integrate(node, part, bounce);
       if (const std::uint32_t through = beams_.through(node); through != no_index) send_on(through, patch, part.outline);
       if (beams_.is_lit(node)) send_on(node, patch, std::move(part.outline));
@@ -116,6 +119,12 @@ class FaceTrace {
       follow_by_rays(tube.beam, tube.patch, 1.0 - size / cell);
       return true;
     });
+  }
+
+  void end_weakest() {
+    const auto weight = [&](const PolygonTube& tube) { return area(tube.outline) * beams_.amplitude(tube.beam); };
+    raytube::end_weakest(reflected_, most_tubes, weight,
+                         [&](const PolygonTube& tube) { sums_.cut(area(tube.outline), beams_.amplitude(tube.beam)); });
   }
 
   bool too_many() const {

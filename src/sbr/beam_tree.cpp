@@ -7,6 +7,8 @@ namespace raytube {
 void BeamTree::restart(const Beam& incident) {
   nodes_.clear();
   spectra_.clear();
+  earlier_spectra_.clear();
+  spectral_ = false;
   nodes_.push_back({{incident, {}}});
   if (slots_.empty()) slots_.resize(64);
   std::ranges::fill(slots_, Slot{});
@@ -38,10 +40,14 @@ std::uint32_t BeamTree::add_child(std::uint32_t parent, std::uint32_t patch, con
 // Fields and weights where perfect conductors are not all that the wave has met.
 void BeamTree::scatter(std::uint32_t parent, Node& node) {
   LeavingWaves waves = leaving_waves(surfaces_, beam(parent), node.reflected, mesh_.patches[node.patch], receive_);
-  node.lit = raytube::is_lit(waves.reflected);
-  spectra_.push_back(std::move(waves.reflected));
-  node.footprint.outgoing.spectrum = &spectra_.back();
-  if (raytube::is_lit(waves.transmitted)) add_through(parent, node, std::move(waves.transmitted));
+  node.amplitude = raytube::amplitude(waves.reflected);
+  node.footprint.outgoing.spectrum = keep(std::move(waves.reflected));
+  if (raytube::amplitude(waves.transmitted) > least_amplitude) add_through(parent, node, std::move(waves.transmitted));
+}
+
+const Spectrum* BeamTree::keep(Spectrum spectrum) {
+  spectral_ = true;
+  return &spectra_.emplace_back(std::move(spectrum));
 }
 
 // The arriving wave as it was but for its fields, described from where it meets the surface.
@@ -52,8 +58,8 @@ void BeamTree::add_through(std::uint32_t parent, Node& node, Spectrum transmitte
   Beam& passing = through.footprint.outgoing;
   passing.anchor = leaving.anchor, passing.base = leaving.base;
   passing.along_u = leaving.along_u, passing.along_v = leaving.along_v;
-  spectra_.push_back(std::move(transmitted));
-  passing.spectrum = &spectra_.back();
+  through.amplitude = raytube::amplitude(transmitted);
+  passing.spectrum = keep(std::move(transmitted));
   node.through = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(through);
 }
@@ -83,8 +89,7 @@ std::uint32_t BeamTree::add_seen(std::uint32_t node, std::uint32_t sheet) {
       for (int q = 0; q < 2; ++q)
         spectrum[f].weight[p][q] = behind[p][0] * before[0][q] + behind[p][1] * before[1][q] - before[p][q];
   }
-  spectra_.push_back(std::move(spectrum));
-  seen.footprint.outgoing.spectrum = &spectra_.back();
+  seen.footprint.outgoing.spectrum = keep(std::move(spectrum));
   nodes_.push_back(seen);
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }

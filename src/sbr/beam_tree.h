@@ -30,11 +30,18 @@ class BeamTree {
 
   const SpectralSurfaces& surfaces() const { return surfaces_; }
   /// False if all beams so far have met perfect conductors only.
-  bool spectral() const { return !spectra_.empty(); }
+  bool spectral() const { return spectral_; }
+  /// Beams from before the last bounce will not be asked for again: their spectra go.
+  void next_bounce() {
+    earlier_spectra_.swap(spectra_);
+    spectra_.clear();
+  }
   /// The beam that goes on behind the surface that this one was reflected by; no_index if there is none.
   std::uint32_t through(std::uint32_t node) const { return nodes_[node].through; }
-  /// False if nothing was reflected.
-  bool is_lit(std::uint32_t node) const { return nodes_[node].lit; }
+  /// Of a beam, of unit incident waves, at the frequency where it is largest.
+  double amplitude(std::uint32_t node) const { return nodes_[node].amplitude; }
+  /// False if so little of a wave is left that it ends.
+  bool is_lit(std::uint32_t node) const { return nodes_[node].amplitude > least_amplitude; }
 
   bool is_sheet(std::uint32_t patch) const { return surfaces_.transmits(mesh_.patches[patch].material); }
   /// The currents of a footprint, or of what seen_through() made of one, once more: those that the receiver has through a sheet
@@ -57,7 +64,8 @@ class BeamTree {
     std::uint32_t recent_patch = no_index, recent_child = no_index;  // neighbouring tubes mostly ask for the same child
     std::uint32_t through = no_index;
     std::uint32_t uncovered = no_index;  // of currents seen through a sheet, the same without it
-    bool from_behind = false, lit = true;
+    double amplitude = 1.0;
+    bool from_behind = false;
     bool reflected = false;  // the wave that arrives has been, somewhere before
     bool goes_on = false;    // the beam is the wave that arrives, behind a sheet
   };
@@ -65,6 +73,7 @@ class BeamTree {
     std::uint32_t parent = no_index, patch = no_index, child = no_index;
   };
 
+  const Spectrum* keep(Spectrum spectrum);
   std::uint32_t find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
   std::uint32_t add_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
   std::uint32_t add_seen(std::uint32_t node, std::uint32_t sheet);
@@ -79,8 +88,9 @@ class BeamTree {
   SpectralSurfaces surfaces_;
   SphericalBasis receive_;
   std::vector<Node> nodes_;
-  std::deque<Spectrum> spectra_;  // beams hold pointers to them
-  std::vector<Slot> slots_;       // hash table with linear probing; a power of two of them, at most half in use
+  std::deque<Spectrum> spectra_, earlier_spectra_;  // beams hold pointers to them
+  bool spectral_ = false;
+  std::vector<Slot> slots_;  // hash table with linear probing; a power of two of them, at most half in use
 };
 
 }  // namespace raytube

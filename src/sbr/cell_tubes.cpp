@@ -48,18 +48,28 @@ void CellTubes::advance(int bounce, int max_bounces) {
   tracer_.closest_triangles(rays_, found_);
   sums_.rays += rays_.size();
   if (bounce < max_bounces) {
-    reflect();
+    reflect(bounce);
     integrate(bounce);
     send_on();
+    end_weakest();
     return;
   }
-  for (const std::uint32_t triangle : found_) sums_.tubes_cut += triangle != no_index ? 1 : 0;
+  for (std::size_t i = 0; i < tubes_.size(); ++i)
+    if (found_[i] != no_index) sums_.cut(grid_.du * grid_.dv, beams_.amplitude(tubes_[i].beam));
   tubes_.clear();
   rays_.clear();
 }
 
+void CellTubes::end_weakest() {
+  if (!beams_.spectral() || tubes_.size() <= most_tubes) return;
+  const auto amplitude = [&](const Tube& tube) { return beams_.amplitude(tube.beam); };
+  raytube::end_weakest(tubes_, most_tubes, amplitude, [&](const Tube& tube) { sums_.cut(grid_.du * grid_.dv, amplitude(tube)); });
+  rays_.clear();
+  for (const Tube& tube : tubes_) rays_.push_back(reflected_ray(tube.column, tube.row, tube.beam, beams_.patch_index(tube.beam)));
+}
+
 // Replaces the tubes by those that met a surface, sent on their way from there.
-void CellTubes::reflect() {
+void CellTubes::reflect(int bounce) {
   const TriangleMesh& mesh = tracer_.mesh();
   std::size_t alive = 0;
   for (std::size_t i = 0; i < tubes_.size(); ++i) {
@@ -74,6 +84,7 @@ void CellTubes::reflect() {
       ++sums_.lost_rays;
       continue;
     }
+    sums_.meet(bounce, grid_.du * grid_.dv, beams_.amplitude(beam));
     tubes_[alive] = {column, row, node, doubt};
     found_[alive] = triangle;
     rays_[alive] = reflected_ray(column, row, node, patch);

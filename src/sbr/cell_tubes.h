@@ -84,11 +84,12 @@ class CellTubes {
   };
 
   Ray reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const;
-  void reflect();
+  void reflect(int bounce);
   void find_sheets_in_sight();
   void find_runs(std::span<const Tube> tubes);
   void find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid);
   void send_on();
+  void end_weakest();
   void extend(const Run& next);
   void integrate(int bounce);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);

@@ -50,7 +50,8 @@ class CurvedTubes {
     for (int bounce = 1; !tubes_.empty(); ++bounce) {
       find_hits();
       if (bounce == look_.max_bounces) {
-        sums_.tubes_cut += static_cast<std::uint64_t>(std::ranges::count_if(hits_, [](const Hit& hit) { return bool(hit); }));
+        for (const Hit& hit : hits_)
+          if (hit) sums_.cut(look_.grid.du * look_.grid.dv, 1.0);
         break;
       }
       keep([&](const Tube& tube, const Hit& hit) {
@@ -93,7 +94,7 @@ class CurvedTubes {
           curved_footprint(tube.beam, surface(tube.beam, hit.triangle), look_.receive, look_.surfaces, mesh.patches[patch]);
       if (!take(tube, hit)) continue;
       if (is_too_wide(tube.footprint)) {
-        ++sums_.tubes_cut;
+        sums_.cut(look_.grid.du * look_.grid.dv, 1.0);
         continue;
       }
       tube.beam = tube.footprint.outgoing;
@@ -126,6 +127,7 @@ class CurvedTubes {
     std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
     const dvec2 cell(look_.grid.du, look_.grid.dv);
+    sums_.meet(bounce, cell.x * cell.y, 1.0);
     if (look_.surfaces.any_rough()) sums_.add_incoherent(tube.footprint.outgoing.spectrum, cell.x * cell.y);
     for (std::size_t f = 0; f < sums.size(); ++f) {
       add_far_field(sums[f], tube.footprint, f, look_.wavenumbers[f], cell);

@@ -42,6 +42,39 @@ std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGri
   return errors;
 }
 
+namespace {
+
+// What tubes that were cut meet next, and after that: of what the last bounces brought the share that a geometric series goes on
+// with, and what is left of their waves if it goes into all directions alike, sigma = area, half into each polarisation. Between
+// sheets waves come back into the same direction every second bounce or later.
+struct CutTubes {
+  explicit CutTubes(const TubeSums& sums)
+      : first(sums.bounces.size() - std::min(sums.bounces.size(), std::max<std::size_t>(2, sums.bounces.size() / 2))),
+        scattered(std::sqrt(sums.cut_power / (8.0 * pi))) {
+    const double before = first < sums.met.size() ? sums.met[first] : 0.0;
+    const double share = before > 0.0 ? std::min(sums.cut_amplitude / before, most) : most;
+    series = share / (1.0 - share);
+  }
+
+  static constexpr double most = 0.9;  // beyond, nothing is known of what follows
+  std::size_t first;                   // of the last bounces
+  double scattered, series;
+};
+
+}  // namespace
+
+void add_cut_tubes(TubeSums& sums) {
+  if (sums.cut_amplitude == 0.0) return;
+  const CutTubes cut(sums);
+  for (std::size_t f = 0; f < sums.error.size(); ++f)
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) {
+        double last = 0.0;
+        for (std::size_t b = cut.first; b < sums.bounces.size(); ++b) last += std::abs(sums.bounces[b][f].at(p, q));
+        sums.error[f][p][q] += std::hypot(cut.series * last, cut.scattered);
+      }
+}
+
 double relative_error(double level_db) { return std::pow(10.0, level_db / 20.0) - 1.0; }
 
 double excess(const TubeSums& sums, const std::vector<ChannelErrors>& errors, double share) {

@@ -13,6 +13,9 @@ namespace raytube {
 std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGrid& grid, std::span<const double> wavenumbers,
                                            double radius);
 
+/// Adds to the error of a whole look what tubes that were cut may still have brought.
+void add_cut_tubes(TubeSums& sums);
+
 /// The share of max(|S_pq|, S_max / 100) that a level [dB] stands for, S_max the largest of the four amplitudes.
 double relative_error(double level_db);
 

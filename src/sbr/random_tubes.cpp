@@ -75,6 +75,7 @@ class Block {
   }
 
   void advance() {
+    beams_.next_bounce();
     const std::size_t alive = trace();
     samples_.resize(alive);
     rays_.resize(alive);

@@ -66,7 +66,7 @@ class ReplayedWave {
         triangle, patch, point, normal, leaving.direction, leaving.path, {ComplexVector{leaving.field[0]}, {leaving.field[1]}}};
   }
 
-  bool is_lit() const { return !beam_.spectrum || raytube::is_lit(spectrum_); }
+  bool is_lit() const { return !beam_.spectrum || amplitude(spectrum_) > least_amplitude; }
 
  private:
   static constexpr double any_wavenumber = 1.0;
@@ -78,7 +78,7 @@ class ReplayedWave {
     beam_ = footprint(beam_, plane, receive_).outgoing;
     spectrum_ = std::move(waves.reflected);
     if (spectral) beam_.spectrum = &spectrum_;
-    return raytube::is_lit(waves.transmitted);
+    return amplitude(waves.transmitted) > least_amplitude;
   }
 
   std::array<ComplexVector, 2> field() const {

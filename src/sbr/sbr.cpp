@@ -52,6 +52,8 @@ struct Tiling {
 
 // Faces whose tubes are followed together. Between sheets tubes double at every meeting, so that those of few faces are many.
 constexpr std::uint32_t faces_per_tile = 256, faces_per_tile_with_sheets = 8;
+// Followed together: each beam between sheets keeps its fields at all of them.
+constexpr std::size_t most_frequencies_with_sheets = 16;
 
 // Adds up tile(0) ... tile(count - 1) in this order, whoever computes them; what is told to a map, one thread does.
 template <class Function>
@@ -200,7 +202,7 @@ class LookTracer {
   TubeSums once(double share, CurrentMap* map) const {
     Part part{options_.mode == TubeMode::adaptive ? trace_faces_or_cells : trace_uniform, first_density(options_)};
     retrace(part, share, map);
-    return std::move(part.sums);
+    return with_cut_tubes(std::move(part.sums));
   }
 
   /// Each part is sampled more finely until the whole is within the tolerance.
@@ -214,10 +216,16 @@ class LookTracer {
     while (excess(sums, sums.error, tolerance_) > 1.0 && refine(parts, sums)) sums = total(parts);
     if (map)
       for (Part& part : parts) retrace(part, 0.0, map);
-    return sums;
+    return with_cut_tubes(std::move(sums));
   }
 
  private:
+  // Of conductors alone the number of bounces belongs to the model.
+  TubeSums with_cut_tubes(TubeSums sums) const {
+    if (!surfaces_.materials.empty()) add_cut_tubes(sums);
+    return sums;
+  }
+
   // False if no part can be made better.
   bool refine(std::vector<Part>& parts, const TubeSums& sums) const {
     bool any = false;
@@ -235,6 +243,27 @@ class LookTracer {
 
   void retrace(Part& part, double share, CurrentMap* map = nullptr) const {
     const LaunchGrid grid = grid_of_look(tracer_.mesh(), look_, wavelength_, part.per_wavelength, options_.up);
+    const std::uint64_t rays_before = part.sums.rays;
+    part.sums = {};
+    if (grid.cells() == 0) progress_.add(share);
+    const std::size_t count = grid.cells() > 0 ? wavenumbers_.size() : 0,
+                      together = sheets_ && !map ? most_frequencies_with_sheets : wavenumbers_.size();
+    for (std::size_t first = 0; first < count; first += together) {
+      SpectralSurfaces surfaces{surfaces_.materials, wavenumbers_, first};
+      surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
+      const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
+      TubeSums sums = trace(part, grid, surfaces, part_of_share, map);
+      if (first == 0)
+        part.sums = std::move(sums);
+      else
+        part.sums.append(std::move(sums));
+    }
+    part.sums.rays += rays_before;
+    part.sums.error = numerical_error(part.sums, grid, wavenumbers_, tracer_.mesh().radius);
+  }
+
+  TubeSums trace(const Part& part, const LaunchGrid& grid, const SpectralSurfaces& surfaces, double share,
+                 CurrentMap* map) const {
     std::optional<SphericalLook> spherical;
     if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
     const AdaptiveLook view{tracer_,
@@ -243,8 +272,8 @@ class LookTracer {
                             transmit_,
                             receive_,
                             spherical ? &*spherical : nullptr,
-                            wavenumbers_,
-                            surfaces_,
+                            surfaces.wavenumbers,
+                            surfaces,
                             tolerance_,
                             smooth_,
                             options_.clip,
@@ -253,14 +282,7 @@ class LookTracer {
                             known_,
                             sheets_ ? &*sheets_ : nullptr,
                             map};
-    const std::uint64_t rays_before = part.sums.rays;
-    part.sums = {};
-    if (grid.cells() > 0)
-      part.sums = part.trace(view, progress_, share);
-    else
-      progress_.add(share);
-    part.sums.rays += rays_before;
-    part.sums.error = numerical_error(part.sums, grid, wavenumbers_, tracer_.mesh().radius);
+    return part.trace(view, progress_, share);
   }
 
   const Tracer& tracer_;
@@ -289,6 +311,13 @@ double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {
   // The batch, the sum of all batches, and the look's own result.
   const std::size_t held = std::min(tiles, batch_of(bounces, frequencies)) + 2;
   return static_cast<double>(held) * tile_bytes(bounces, frequencies);
+}
+
+// Beams of two bounces: most_tubes before a meeting, and after it twice as many, or more where facets divide them.
+double tubes_between_sheets_bytes(std::size_t frequencies) {
+  constexpr double beams = 4.0 * most_tubes;
+  return beams *
+         static_cast<double>(2 * sizeof(Footprint) + std::min(frequencies, most_frequencies_with_sheets) * sizeof(SpectralWave));
 }
 
 std::size_t tiles_of_look(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,

@@ -9,15 +9,15 @@ Spectrum plain_spectrum(const std::array<dvec3, 2>& field, std::size_t frequenci
   return Spectrum(frequencies, {{ComplexVector{field[0]}, ComplexVector{field[1]}}});
 }
 
-bool is_lit(const Spectrum& spectrum) {
-  constexpr double least = 1e-9;
-  return std::ranges::any_of(spectrum,
-                             [](const SpectralWave& wave) { return norm(wave.field[0]) + norm(wave.field[1]) > least; });
+double amplitude(const Spectrum& spectrum) {
+  double largest = 0.0;
+  for (const SpectralWave& wave : spectrum) largest = std::max({largest, norm(wave.field[0]), norm(wave.field[1])});
+  return largest;
 }
 
 SurfaceResponse SpectralSurfaces::response(std::uint32_t material, std::size_t frequency, double cosine, bool from_behind) const {
   if (material == no_index) return perfect_conductor;
-  return raytube::response(materials[material], frequency, wavenumbers[frequency], cosine, from_behind);
+  return raytube::response(materials[material], first_frequency + frequency, wavenumbers[frequency], cosine, from_behind);
 }
 
 double SpectralSurfaces::incoherent_share(std::uint32_t material, std::size_t frequency, double cosine) const {
@@ -31,7 +31,7 @@ double incoherent_sigma(const SpectralSurfaces& surfaces, const Incidence& incid
                         const ComplexVector& arriving, const dvec3& towards) {
   const double share = surfaces.incoherent_share(incidence.material, frequency, incidence.cosine());
   if (share == 0.0) return 0.0;
-  const SurfaceResponse smooth = smooth_response(surfaces.materials[incidence.material], frequency,
+  const SurfaceResponse smooth = smooth_response(surfaces.materials[incidence.material], surfaces.first_frequency + frequency,
                                                  surfaces.wavenumbers[frequency], incidence.cosine(), incidence.from_behind);
   const double reflected = norm(waves_at_surface(incidence.direction, incidence.normal, arriving, smooth).reflected);
   return 4.0 * share * reflected * reflected * std::max(0.0, glm::dot(towards, incidence.normal));

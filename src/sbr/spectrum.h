@@ -27,14 +27,17 @@ using Spectrum = std::vector<SpectralWave>;
 /// Real fields, the same at every frequency.
 Spectrum plain_spectrum(const std::array<dvec3, 2>& field, std::size_t frequencies);
 
-/// False if less than 1e-9 of the incident wave is left of it at every frequency: such waves end, or they would go to and fro
-/// between sheets without end and bring no digit that counts.
-bool is_lit(const Spectrum& spectrum);
+/// Waves of less, of unit incident ones, end: they would go to and fro between sheets and bring no digit that counts.
+inline constexpr double least_amplitude = 1e-9;
+
+/// The larger one of both fields at the frequency where it is largest.
+double amplitude(const Spectrum& spectrum);
 
 /// What the patches of a look's target are made of (Patch::material), and its wavenumbers.
 struct SpectralSurfaces {
   std::span<const Material> materials;
   std::span<const double> wavenumbers;
+  std::size_t first_frequency = 0;  // of the materials' that these wavenumbers begin with
 
   /// To a wave that comes in at this angle. no_index: a perfect conductor.
   SurfaceResponse response(std::uint32_t material, std::size_t frequency, double cosine, bool from_behind) const;

@@ -25,7 +25,10 @@ TubeSums TileTracer::trace(const Tile& tile) {
     tubes_.advance(0, max_bounces_);
     tubes_.clear();
   }
-  for (int bounce = 0; !tubes_.empty(); ++bounce) tubes_.advance(bounce, max_bounces_);
+  for (int bounce = 0; !tubes_.empty(); ++bounce) {
+    beams_.next_bounce();
+    tubes_.advance(bounce, max_bounces_);
+  }
   sums_.compare_with(tubes_.coarse_sums());
   return std::move(sums_);
 }

@@ -32,6 +32,16 @@ std::vector<ScatteringMatrix>& TubeSums::at(int bounce, std::size_t frequencies)
   return bounces[b];
 }
 
+void TubeSums::meet(int bounce, double area, double amplitude) {
+  add_at(met, static_cast<std::size_t>(bounce), area * amplitude);
+}
+
+void TubeSums::cut(double area, double amplitude) {
+  ++tubes_cut;
+  cut_amplitude += area * amplitude;
+  cut_power += area * amplitude * amplitude;
+}
+
 void TubeSums::add_incoherent(const Spectrum& spectrum, double area) {
   incoherent.resize(std::max(incoherent.size(), spectrum.size()));
   for (std::size_t f = 0; f < spectrum.size(); ++f)
@@ -61,6 +71,9 @@ void TubeSums::add(const TubeSums& other) {
   incoherent.resize(std::max(incoherent.size(), other.incoherent.size()));
   for (std::size_t f = 0; f < other.incoherent.size(); ++f)
     for (std::size_t q = 0; q < 2; ++q) incoherent[f][q] += other.incoherent[f][q];
+  for (std::size_t b = 0; b < other.met.size(); ++b) add_at(met, b, other.met[b]);
+  cut_amplitude += other.cut_amplitude;
+  cut_power += other.cut_power;
   tubes += other.tubes;
   rays += other.rays;
   lost_rays += other.lost_rays;
@@ -68,6 +81,27 @@ void TubeSums::add(const TubeSums& other) {
   empty_cells += other.empty_cells;
   faces_away += other.faces_away;
   sliver_area += other.sliver_area;
+}
+
+void TubeSums::append(TubeSums further) {
+  const std::size_t before = bounces.empty() ? 0 : bounces[0].size(),
+                    more = further.bounces.empty() ? 0 : further.bounces[0].size();
+  bounces.resize(std::max(bounces.size(), further.bounces.size()), std::vector<ScatteringMatrix>(before));
+  further.bounces.resize(bounces.size(), std::vector<ScatteringMatrix>(more));
+  for (std::size_t b = 0; b < bounces.size(); ++b)
+    bounces[b].insert(bounces[b].end(), further.bounces[b].begin(), further.bounces[b].end());
+  const auto join = [&](auto& values, const auto& others) {
+    if (values.empty() && others.empty()) return;
+    values.resize(before);
+    values.insert(values.end(), others.begin(), others.end());
+    values.resize(before + more);
+  };
+  join(coarse, further.coarse), join(pieces, further.pieces), join(quadrature, further.quadrature);
+  join(incoherent, further.incoherent);
+  rays += further.rays;
+  tubes_cut = std::max(tubes_cut, further.tubes_cut);
+  cut_amplitude = std::max(cut_amplitude, further.cut_amplitude);
+  cut_power = std::max(cut_power, further.cut_power);
 }
 
 }  // namespace raytube

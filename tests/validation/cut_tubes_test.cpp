@@ -1,0 +1,89 @@
+// Tubes that go to and fro between sheets: what the estimate says of those that are cut, and many frequencies of them.
+#include <gtest/gtest.h>
+
+#include "material_scene.h"
+
+namespace raytube {
+
+using namespace material_scene;
+
+namespace {
+
+const Material glass = layered(MaterialKind::sheet, {{{{6.0, -0.05}}, 4e-3}});
+
+SweepResult solved(const PolygonSoup& soup, const Material& material, const std::vector<double>& frequencies,
+                   const std::vector<Look>& looks, const TubeOptions& tubes) {
+  const LoadedMesh loaded = build_mesh(soup, 1.0, "test", std::span(&material, 1));
+  SolveOptions options{tubes, {}, 1, false, {}};
+  options.edges.method = EdgeMethod::none;
+  return solve(Target(loaded.mesh, options.edges), {frequencies, looks, false, {}, {material}}, options);
+}
+
+PolygonSoup hollow_box() {
+  PolygonSoup soup = shapes::cube(20.0 / 3.0 * lambda);
+  soup.materials.assign(soup.polygons.size(), 0);
+  return soup;
+}
+
+std::vector<Look> looks_aslant() {
+  std::vector<Look> looks;
+  for (double phi = 0.0; phi <= 45.0; phi += 5.0) looks.push_back({deg(70.0, phi), deg(70.0, phi)});
+  return looks;
+}
+
+// 40 bounces stand for all of them: what they leave is 1e-7 of the rest.
+TEST(CutTubes, TheEstimateFollowsTheErrorOfABoxOfGlass) {
+  const auto after = [&](int bounces) {
+    TubeOptions tubes;
+    tubes.max_bounces = bounces;
+    return solved(hollow_box(), glass, {frequency}, looks_aslant(), tubes);
+  };
+  const SweepResult all = after(40);
+  for (const int bounces : {4, 8, 16}) {
+    const SweepResult cut = after(bounces);
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < all.total.size(); ++i)
+      for (int p = 0; p < 2; ++p) ratios.push_back(std::abs(cut.total[i].at(p, p) - all.total[i].at(p, p)) / cut.error[i][p][p]);
+    std::ranges::sort(ratios);
+    // An extrapolation: right in the order of magnitude, and not too small in most rows.
+    EXPECT_LT(ratios.back(), 4.0) << bounces;
+    EXPECT_LT(ratios[3 * ratios.size() / 4], 1.0) << bounces;
+    EXPECT_GT(ratios[ratios.size() / 2], 0.03) << bounces;
+  }
+}
+
+// Sheets have their frequencies traced some at a time; each is as it is alone. The grid of cells is that of the highest one.
+TEST(CutTubes, ManyFrequenciesAreEachAsTheyAreAlone) {
+  Material dispersive = glass;
+  std::vector<double> frequencies;
+  dispersive.layers.clear();
+  for (int i = 0; i < 21; ++i) {
+    frequencies.push_back(frequency * (1.0 + 0.01 * i));
+    dispersive.layers.push_back({{{{6.0 - 0.02 * i, -0.05}}, 4e-3}});
+  }
+  const std::vector<Look> look{{deg(70.0, 20.0), deg(70.0, 20.0)}};
+  for (const TubeMode mode : {TubeMode::adaptive, TubeMode::uniform}) {
+    TubeOptions tubes;
+    tubes.mode = mode;
+    const SweepResult all = solved(hollow_box(), dispersive, frequencies, look, tubes);
+    for (const std::size_t i : {0, 15, 16, 20}) {
+      TubeOptions same_grid = tubes;
+      same_grid.per_wavelength = tubes.per_wavelength * frequencies.back() / frequencies[i];
+      const SweepResult one = solved(hollow_box(), at_frequency({dispersive}, i).front(), {frequencies[i]}, look, same_grid);
+      EXPECT_LT(difference(all.total[i], one.total[0]), 1e-9) << i;
+    }
+  }
+}
+
+TEST(CutTubes, TheStrongestGoOn) {
+  std::vector<int> tubes{3, 1, 2, 3, 0, 2, 2}, ended;
+  end_weakest(
+      tubes, 4, [](int tube) { return static_cast<double>(tube); }, [&](int tube) { ended.push_back(tube); });
+  EXPECT_EQ(tubes, (std::vector<int>{3, 2, 3, 2}));
+  EXPECT_EQ(ended, (std::vector<int>{1, 0, 2}));
+  end_weakest(
+      tubes, 4, [](int tube) { return static_cast<double>(tube); }, [&](int) { FAIL(); });
+}
+
+}  // namespace
+}  // namespace raytube
