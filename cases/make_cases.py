@@ -251,7 +251,7 @@ def main():
     looks = [(90, 30 + i / 2) for i in range(61)]
     amplitudes = [[s * t ** 2 for s, t in zip(dihedral_po(0.15, 0.15, 77e9, math.radians(p)),
                                               slab_transmission(2.6 - 0.03j, 3e-3, 77e9, math.cos(math.radians(p - 80))))] for _, p in looks]
-    write_reference("radome/reference.csv", head("physical optics of the dihedral, closed form, times the square of what the slab lets through", "run case.toml",
+    write_reference("radome/reference.csv", head("physical optics of the dihedral, closed form, times the square of what the slab lets through, no edges", no_edges,
                                                 "--tolerance-db 0.02", "at 60 degrees what goes to and fro between slab and dihedral, 0.03 dB, meets the dihedral; the closed form is without it"),
                     77e9, looks, amplitudes)
 

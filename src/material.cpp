@@ -78,4 +78,17 @@ SurfaceWaves waves_at_surface(const dvec3& d, const dvec3& n, const ComplexVecto
   return waves;
 }
 
+ChannelWeights seen_through(const Material& material, std::size_t frequency, double wavenumber, const dvec3& normal,
+                            const SphericalBasis& antenna) {
+  const dvec3 d = -antenna.radial;
+  const bool from_behind = glm::dot(d, normal) > 0.0;
+  const dvec3 n = from_behind ? -normal : normal;
+  const SurfaceResponse at = response(material, frequency, wavenumber, -glm::dot(d, n), from_behind);
+  const auto behind = [&](const dvec3& e) -> std::array<Complex, 2> {
+    const ComplexVector passing = waves_at_surface(d, n, ComplexVector{e}, at).transmitted;
+    return {dot(passing, antenna.theta_hat), dot(passing, antenna.phi_hat)};
+  };
+  return {behind(antenna.theta_hat), behind(antenna.phi_hat)};
+}
+
 }  // namespace raytube

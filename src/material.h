@@ -72,4 +72,12 @@ struct SurfaceWaves {
 /// `n` points to the side that the wave `e`, of direction `d`, comes from.
 SurfaceWaves waves_at_surface(const dvec3& d, const dvec3& n, const ComplexVector& e, const SurfaceResponse& response);
 
+/// Of each of two polarisations to each.
+using ChannelWeights = std::array<std::array<Complex, 2>, 2>;
+
+/// What the unit waves V and H of an antenna in the direction of this basis are behind a plane that lets waves through: [wave][V
+/// or H]. `normal` is that of the plane.
+ChannelWeights seen_through(const Material& material, std::size_t frequency, double wavenumber, const dvec3& normal,
+                            const SphericalBasis& antenna);
+
 }  // namespace raytube

@@ -27,7 +27,7 @@ run cylinder cases/cylinder/case.toml
 run cylinder_off cases/cylinder/case.toml "${off[@]}"
 run trihedral cases/trihedral/case.toml
 run sphere cases/sphere/bistatic.toml
-run radome cases/radome/case.toml
+run radome cases/radome/case.toml "${off[@]}"
 run dihedral_77 cases/dihedral/case.toml --set frequency.ghz=77 "${off[@]}"
 run coated_sphere cases/coated_sphere/case.toml
 run coated_sphere_bare cases/coated_sphere/case.toml --set 'target.material="pec"'

@@ -58,17 +58,8 @@ ChannelWeights radiated(const dvec3& n, const dvec3& d, const std::array<Complex
 
 ChannelWeights seen_through(const SpectralSurfaces& surfaces, const Patch& patch, std::size_t frequency,
                             const SphericalBasis& receive) {
-  const dvec3 d = -receive.radial;
-  const bool from_behind = glm::dot(d, patch.normal) > 0.0;
-  const dvec3 n = from_behind ? -patch.normal : patch.normal;
-  const SurfaceResponse response = surfaces.response(patch.material, frequency, -glm::dot(d, n), from_behind);
-  ChannelWeights result;
-  for (std::size_t p = 0; p < 2; ++p) {
-    const dvec3& e = p == 0 ? receive.theta_hat : receive.phi_hat;
-    const ComplexVector behind = waves_at_surface(d, n, ComplexVector{e}, response).transmitted;
-    result[p] = {dot(behind, receive.theta_hat), dot(behind, receive.phi_hat)};
-  }
-  return result;
+  return seen_through(surfaces.materials[patch.material], surfaces.first_frequency + frequency, surfaces.wavenumbers[frequency],
+                      patch.normal, receive);
 }
 
 LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Incidence& incidence, const Spectrum& arriving,

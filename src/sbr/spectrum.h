@@ -11,13 +11,10 @@
 
 namespace raytube {
 
-/// p . (eta J - s x M) of currents, [receive][transmit], or how a sheet mixes receive polarisations.
-using ChannelWeights = std::array<std::array<Complex, 2>, 2>;
-
 /// A wave that leaves a surface, at one frequency.
 struct SpectralWave {
   std::array<ComplexVector, 2> field;  // of unit incident V and H
-  ChannelWeights weight{};             // of the currents it leaves behind
+  ChannelWeights weight{};             // p . (eta J - s x M) of the currents it leaves behind, [receive][transmit]
   std::array<double, 2> incoherent{};  // sigma per area across the arriving wave of what roughness scatters, for unit V and H
 };
 
@@ -61,7 +58,7 @@ struct Incidence {
 /// nothing to the other: J = n x H, M = -n x E (Love's principle).
 ChannelWeights radiated(const dvec3& n, const dvec3& d, const std::array<ComplexVector, 2>& field, const SphericalBasis& receive);
 
-/// What the receiver's wave, of unit V and H, is behind a surface that stands before it: [wave][component].
+/// What the receiver's waves are behind a sheet that stands before it.
 ChannelWeights seen_through(const SpectralSurfaces& surfaces, const Patch& patch, std::size_t frequency,
                             const SphericalBasis& receive);
 

@@ -49,6 +49,9 @@ bool EdgeSets::radiate() const {
 EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier,
                                     const Radar& radar) const {
   const auto part = [&](const Set& set) {
+    if (sheets_)
+      return veiled_fringe_scattering(set.wedges, set.outlines, *sheets_, look, set.frequencies, set.places, order,
+                                      receiver_shadow, tier);
     return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier,
                          !set.between.empty(), radar, tracer.mesh().center);
   };

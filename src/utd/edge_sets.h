@@ -1,10 +1,13 @@
 // The edges of a target at every frequency of a sweep: which rims are thin depends on the wavelength.
 #pragma once
 
+#include <optional>
+
 #include "mesh/thin_sheets.h"
 #include "utd/between.h"
 #include "utd/between_groups.h"
 #include "utd/edges.h"
+#include "utd/veils.h"
 
 namespace raytube {
 
@@ -16,6 +19,9 @@ class EdgeSets {
   EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines, std::span<const Rim> rims,
            double min_wedge_angle, std::span<const double> frequencies, bool skip_enclosed);
   EdgeSets(const EdgeSets&) = delete;
+
+  /// From now on edges behind sheets of these materials count, too. Both arguments are kept by reference.
+  void look_through_sheets(const TriangleMesh& mesh, std::span<const Material> materials) { sheets_.emplace(mesh, materials); }
 
   /// Whether any edge does, in any look.
   bool radiate() const;
@@ -53,6 +59,7 @@ class EdgeSets {
 
   std::vector<Set> sets_;  // highest frequency first
   std::size_t frequency_count_;
+  std::optional<SheetsApart> sheets_;
 };
 
 }  // namespace raytube

@@ -1,0 +1,188 @@
+#include "utd/veils.h"
+
+#include <map>
+#include <utility>
+
+#include "utd/edge_pass.h"
+#include "utd/lit_edges.h"
+
+namespace raytube {
+
+namespace {
+
+// The mesh with its patches, of the triangles that `take` says.
+template <class Take>
+TriangleMesh part_of(const TriangleMesh& mesh, Take take) {
+  TriangleMesh part = mesh;
+  part.triangles.clear(), part.triangle_patch.clear(), part.triangle_component.clear();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!take(mesh.patches[mesh.triangle_patch[t]].material)) continue;
+    part.triangles.push_back(mesh.triangles[t]);
+    part.triangle_patch.push_back(mesh.triangle_patch[t]);
+    part.triangle_component.push_back(mesh.triangle_component[t]);
+  }
+  return part;
+}
+
+// The sheets before the transmitter and before the receiver.
+using Veil = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
+
+// What comes through them, at every frequency.
+struct Passage {
+  ChannelWeights transmit, receive;
+};
+
+ChannelWeights product(const ChannelWeights& a, const ChannelWeights& b) {
+  ChannelWeights c;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j];
+  return c;
+}
+
+ChannelWeights through(const SheetsApart& target, std::span<const std::uint32_t> sheets, std::size_t place, double k,
+                       const SphericalBasis& antenna) {
+  ChannelWeights all{{{1.0, 0.0}, {0.0, 1.0}}};
+  for (const std::uint32_t patch : sheets)
+    all = product(seen_through(target.material(patch), place, k, target.normal(patch), antenna), all);
+  return all;
+}
+
+void transform(ScatteringMatrix& s, const Passage& by) {
+  const ScatteringMatrix bare = std::exchange(s, {});
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q)
+      for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) s.at(p, q) += by.receive[p][i] * bare.at(i, j) * by.transmit[q][j];
+}
+
+// Parts of edges by the sheets they stand behind.
+class VeiledParts {
+ public:
+  VeiledParts(const SheetsApart& target, const Look& look, double wavelength)
+      : target_(target),
+        transmitter_(spherical_basis(look.transmit).radial),
+        receiver_(spherical_basis(look.receive).radial),
+        wavelength_(wavelength) {}
+
+  void add(const Wedge& wedge, std::uint32_t index, const LitInterval& lit) {
+    const double length = (lit.end - lit.begin) * wedge.length();
+    const int steps = static_cast<int>(std::clamp(std::ceil(2.0 * length / wavelength_), 8.0, 128.0));
+    // Ends touch other faces: seen from a little inside.
+    const auto place = [&](int i) { return lit.begin + (lit.end - lit.begin) * std::clamp(i / double(steps), 1e-6, 1.0 - 1e-6); };
+    double begin = lit.begin, low = place(0);
+    Veil veil = at(wedge, low);
+    for (int i = 1; i <= steps;) {
+      Veil next = at(wedge, place(i));
+      if (next == veil) {
+        low = place(i++);
+        continue;
+      }
+      const double change = bisect(wedge, veil, low, place(i));
+      put(index, {begin, change}, std::move(veil));
+      begin = low = change;
+      veil = at(wedge, std::min(change + beside, place(i)));
+    }
+    put(index, {begin, lit.end}, std::move(veil));
+  }
+
+  const std::map<Veil, std::vector<LitPieces>>& groups() const { return groups_; }
+
+ private:
+  static constexpr double beside = 1e-9;
+
+  Veil at(const Wedge& wedge, double fraction) const {
+    const dvec3 point = glm::mix(wedge.start, wedge.end, fraction);
+    std::vector<std::uint32_t> before = target_.before(point, transmitter_);
+    return {before, receiver_ == transmitter_ ? before : target_.before(point, receiver_)};
+  }
+
+  // Where it ends between a place that has it and one that has not.
+  double bisect(const Wedge& wedge, const Veil& veil, double low, double high) const {
+    while (high - low > beside) {
+      const double middle = 0.5 * (low + high);
+      (at(wedge, middle) == veil ? low : high) = middle;
+    }
+    return high;
+  }
+
+  void put(std::uint32_t index, const LitInterval& part, Veil veil) {
+    std::vector<LitPieces>& group = groups_[std::move(veil)];
+    if (group.empty() || group.back().wedge != index) group.push_back({index, {}});
+    group.back().lit.push_back(part);
+  }
+
+  const SheetsApart& target_;
+  dvec3 transmitter_, receiver_;
+  double wavelength_;
+  std::map<Veil, std::vector<LitPieces>> groups_;
+};
+
+void add_through(const Veil& veil, EdgeLookResult part, const SheetsApart& target, const Look& look,
+                 std::span<const double> frequencies, std::span<const std::size_t> places, EdgeLookResult& sum) {
+  for (std::size_t i = 0; i < frequencies.size(); ++i) {
+    const double k = wavenumber(frequencies[i]);
+    const Passage passage{through(target, veil.first, places[i], k, spherical_basis(look.transmit)),
+                          through(target, veil.second, places[i], k, spherical_basis(look.receive))};
+    transform(part.scattering[i], passage);
+    sum.scattering[i] += part.scattering[i];
+    if (part.windowed[i]) sum.windowed[i] = true;
+    if (part.higher.empty()) continue;
+    transform(part.higher[i], passage);
+    sum.higher[i] += part.higher[i];
+  }
+  sum.lit = sum.lit || part.lit;
+}
+
+// `make` makes an EndlessEdges or a StripPass.
+template <class Make>
+EdgeLookResult veiled_sum(std::span<const Wedge> wedges, const SheetsApart& target, const Look& look, LitEdges& light,
+                          std::span<const double> frequencies, std::span<const std::size_t> places, Make make) {
+  EdgeLookResult sum;
+  VeiledParts parts(target, look, shortest_wavelength(frequencies));
+  const auto edges = make();
+  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
+    const auto meeting = edges.meeting(index);
+    if (!meeting || !light.find(index, meeting->incidence)) continue;
+    ++sum.wedges_lit;
+    for (const LitInterval& lit : light.lit()) parts.add(wedges[index], index, lit);
+  }
+  sum.scattering.resize(frequencies.size()), sum.higher.resize(frequencies.size()), sum.windowed.resize(frequencies.size());
+  for (const auto& [veil, pieces] : parts.groups()) {
+    auto pass = make();
+    for (const LitPieces& piece : pieces) pass.add(piece.wedge, *pass.meeting(piece.wedge), piece.lit);
+    add_through(veil, pass.take(), target, look, frequencies, places, sum);
+  }
+  return sum;
+}
+
+}  // namespace
+
+SheetsApart::SheetsApart(const TriangleMesh& mesh, std::span<const Material> materials)
+    : opaque_mesh_(part_of(mesh, [&](std::uint32_t m) { return m == no_index || !materials[m].transmits(); })),
+      sheet_mesh_(part_of(mesh, [&](std::uint32_t m) { return m != no_index && materials[m].transmits(); })),
+      opaque_(opaque_mesh_),
+      sheets_(sheet_mesh_),
+      materials_(materials) {}
+
+std::vector<std::uint32_t> SheetsApart::before(const dvec3& place, const dvec3& direction) const {
+  std::vector<std::uint32_t> patches;
+  Ray ray{place, direction};
+  for (Hit hit;; patches.push_back(ray.source_patch)) {
+    sheets_.closest_hits({&ray, 1}, {&hit, 1});
+    if (!hit) return patches;
+    ray = {ray.origin + hit.distance * direction, direction, sheet_mesh_.triangle_patch[hit.triangle]};
+  }
+}
+
+EdgeLookResult veiled_fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const SheetsApart& target,
+                                        const Look& look, std::span<const double> frequencies,
+                                        std::span<const std::size_t> places, int order, bool receiver_shadow,
+                                        TransitionTier tier) {
+  const LookVectors vectors = look_vectors(look);
+  LitEdges light(wedges, target.opaque(), vectors, shortest_wavelength(frequencies), receiver_shadow);
+  const auto sum = [&](auto make) { return veiled_sum(wedges, target, look, light, frequencies, places, make); };
+  if (order == 1) return sum([&] { return EndlessEdges(wedges, vectors, frequencies); });
+  return sum([&] { return StripPass(wedges, outlines, vectors, frequencies, order, tier, false); });
+}
+
+}  // namespace raytube

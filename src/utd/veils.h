@@ -1,0 +1,39 @@
+// Edges behind sheets that let waves through: lit through them, and seen through them.
+#pragma once
+
+#include "material.h"
+#include "utd/edges.h"
+
+namespace raytube {
+
+/// The opaque surfaces of a target and its sheets, each as if the others were not there. `mesh` and `materials` must outlive it.
+class SheetsApart {
+ public:
+  SheetsApart(const TriangleMesh& mesh, std::span<const Material> materials);
+  SheetsApart(const SheetsApart&) = delete;
+
+  const Tracer& opaque() const { return opaque_; }
+  std::span<const Material> materials() const { return materials_; }
+
+  /// The patches of the sheets that stand between a place and the antenna in this direction, nearest first.
+  std::vector<std::uint32_t> before(const dvec3& place, const dvec3& direction) const;
+  const dvec3& normal(std::uint32_t patch) const { return sheet_mesh_.patches[patch].normal; }
+  const Material& material(std::uint32_t patch) const { return materials_[sheet_mesh_.patches[patch].material]; }
+
+ private:
+  TriangleMesh opaque_mesh_, sheet_mesh_;
+  Tracer opaque_, sheets_;
+  std::span<const Material> materials_;
+};
+
+/// fringe_scattering() where opaque surfaces cast shadows and sheets do not: parts of edges behind the same sheets, for both
+/// antennas, are taken together, and what they radiate is transformed by what these let through along both lines of sight. An
+/// edge's part changes its sheets to within 1e-9 of its length; sheets that cover less than the spacing of the points at which
+/// Visibility looks may be missed. `places` are those of the frequencies among the materials'. Valid as T of the plane waves is:
+/// far from the sheets' own rims.
+EdgeLookResult veiled_fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const SheetsApart& target,
+                                        const Look& look, std::span<const double> frequencies,
+                                        std::span<const std::size_t> places, int order, bool receiver_shadow,
+                                        TransitionTier tier);
+
+}  // namespace raytube
