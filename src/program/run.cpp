@@ -182,8 +182,9 @@ void print_summary(const SweepResult& result, const Case& c, const Manifest& man
   fmt::print("lost rays   {}\n", s.lost_rays);
   if (paths && s.tubes_cut) fmt::print("cut search  in {} looks: too many sequences of mirrors\n", s.tubes_cut);
   if (!paths && s.tubes_cut)
-    fmt::print("cut tubes   {} still bounced after tubes.max_bounces, or grew too wide or too many; the error {}\n", s.tubes_cut,
-               c.sweep.materials.empty() ? "does not know of them" : "has what they may bring");
+    fmt::print(
+        "cut tubes   {} still bounced after tubes.max_bounces, or grew too wide or too many; the error {}\n", s.tubes_cut,
+        c.sweep.materials.empty() ? "does not know of them" : "has what they may bring: more of tubes.max_bounces makes it less");
   for (const Skipped& skipped : s.skipped) fmt::print("skipped     {} ({}): {}\n", skipped.what, skipped.count, skipped.why);
   fmt::print("peak sigma  {:.2f} dBsm\n", peak_sigma_dbsm(result));
   if (!paths && !manifest.random) print_errors(result, c.tubes);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sbr/cell_tubes.h"
+#include "sbr/cut_tubes.h"
 #include "sbr/lattice.h"
 #include "sbr/polygon_integral.h"
 #include "sbr/visible.h"
@@ -77,7 +78,9 @@ class FaceTrace {
   // Of tubes that end by their number of bounces nobody asks more than whether their middle would go on.
   void follow(const PolygonTube& tube, const Hit& in_middle, int bounce) {
     if (bounce == look_.max_bounces) {
-      if (in_middle) sums_.cut(area(tube.outline), beams_.amplitude(tube.beam));
+      if (in_middle)
+        count_cut(sums_, look_.tracer, look_.surfaces, visible_.middle_ray(beams_.beam(tube.beam), tube.patch, tube.outline),
+                  in_middle, area(tube.outline), beams_.amplitude(tube.beam));
       return;
     }
     visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, parts_);
@@ -123,8 +126,10 @@ class FaceTrace {
 
   void end_weakest() {
     const auto weight = [&](const PolygonTube& tube) { return area(tube.outline) * beams_.amplitude(tube.beam); };
-    raytube::end_weakest(reflected_, most_tubes, weight,
-                         [&](const PolygonTube& tube) { sums_.cut(area(tube.outline), beams_.amplitude(tube.beam)); });
+    raytube::end_weakest(reflected_, most_tubes, weight, [&](const PolygonTube& tube) {
+      ++sums_.tubes_cut;
+      sums_.leave_out(area(tube.outline), beams_.amplitude(tube.beam));
+    });
   }
 
   bool too_many() const {

@@ -6,6 +6,7 @@ namespace raytube {
 
 void BeamTree::restart(const Beam& incident) {
   nodes_.clear();
+  first_ = first_of_bounce_ = 0;
   spectra_.clear();
   earlier_spectra_.clear();
   spectral_ = false;
@@ -14,12 +15,21 @@ void BeamTree::restart(const Beam& incident) {
   std::ranges::fill(slots_, Slot{});
 }
 
+void BeamTree::next_bounce() {
+  nodes_.erase(nodes_.begin(), nodes_.begin() + (first_of_bounce_ - first_));
+  first_ = first_of_bounce_;
+  first_of_bounce_ = end();
+  earlier_spectra_.swap(spectra_);
+  spectra_.clear();
+  std::ranges::fill(slots_, Slot{});
+}
+
 std::uint32_t BeamTree::find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
   Slot& place = slot(parent, patch);
   if (place.child == no_index) place = {parent, patch, add_child(parent, patch, anchor)};
   const std::uint32_t child = place.child;
-  nodes_[parent].recent_patch = patch;
-  nodes_[parent].recent_child = child;
+  at(parent).recent_patch = patch;
+  at(parent).recent_child = child;
   if (2 * nodes_.size() > slots_.size()) widen();
   return child;
 }
@@ -34,7 +44,7 @@ std::uint32_t BeamTree::add_child(std::uint32_t parent, std::uint32_t patch, con
   node.from_behind = from_behind, node.reflected = is_reflected(parent);
   if (plane.material != no_index || beam.spectrum) scatter(parent, node);
   nodes_.push_back(node);
-  return static_cast<std::uint32_t>(nodes_.size() - 1);
+  return end() - 1;
 }
 
 // Fields and weights where perfect conductors are not all that the wave has met.
@@ -60,12 +70,12 @@ void BeamTree::add_through(std::uint32_t parent, Node& node, Spectrum transmitte
   passing.along_u = leaving.along_u, passing.along_v = leaving.along_v;
   through.amplitude = raytube::amplitude(transmitted);
   passing.spectrum = keep(std::move(transmitted));
-  node.through = static_cast<std::uint32_t>(nodes_.size());
+  node.through = end();
   nodes_.push_back(through);
 }
 
 bool BeamTree::is_reflected(std::uint32_t node) const {
-  const Node& n = nodes_[node];
+  const Node& n = at(node);
   return n.goes_on ? n.reflected : node != root;
 }
 
@@ -79,26 +89,33 @@ std::uint32_t BeamTree::seen_through(std::uint32_t node, std::uint32_t sheet) {
 }
 
 std::uint32_t BeamTree::add_seen(std::uint32_t node, std::uint32_t sheet) {
-  Node seen{nodes_[node].footprint, nodes_[node].patch};
+  Node seen{at(node).footprint, at(node).patch};
   seen.uncovered = node;
-  Spectrum spectrum(surfaces_.wavenumbers.size());
+  const std::vector<ChannelWeights>& through = through_sheet(sheet);
+  Spectrum spectrum(through.size());
   for (std::size_t f = 0; f < spectrum.size(); ++f) {
-    const ChannelWeights behind = raytube::seen_through(surfaces_, mesh_.patches[sheet], f, receive_),
-                         before = seen_weights(nodes_[node], f);
+    const ChannelWeights behind = through[f], before = seen_weights(at(node), f);
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q)
         spectrum[f].weight[p][q] = behind[p][0] * before[0][q] + behind[p][1] * before[1][q] - before[p][q];
   }
   seen.footprint.outgoing.spectrum = keep(std::move(spectrum));
   nodes_.push_back(seen);
-  return static_cast<std::uint32_t>(nodes_.size() - 1);
+  return end() - 1;
+}
+
+const std::vector<ChannelWeights>& BeamTree::through_sheet(std::uint32_t sheet) {
+  const auto [known, is_new] = through_sheets_.try_emplace(sheet);
+  for (std::size_t f = 0; is_new && f < surfaces_.wavenumbers.size(); ++f)
+    known->second.push_back(raytube::seen_through(surfaces_, mesh_.patches[sheet], f, receive_));
+  return known->second;
 }
 
 // As far as lines of sight run through sheets, at their end before this one.
 ChannelWeights BeamTree::seen_weights(const Node& node, std::size_t frequency) const {
   const Beam& beam = node.footprint.outgoing;
   if (node.uncovered != no_index) {
-    ChannelWeights sum = seen_weights(nodes_[node.uncovered], frequency);
+    ChannelWeights sum = seen_weights(at(node.uncovered), frequency);
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q) sum[p][q] += (*beam.spectrum)[frequency].weight[p][q];
     return sum;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <vector>
 
 #include "sbr/footprint.h"
@@ -24,24 +25,21 @@ class BeamTree {
   /// The footprint of beam `parent` on `patch`, computed on first use, with the anchor then given. Of a spherical wave only the
   /// beam that leaves: its footprint is never the same twice.
   std::uint32_t child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
-    const Node& node = nodes_[parent];
+    const Node& node = at(parent);
     return node.recent_patch == patch ? node.recent_child : find_child(parent, patch, anchor);
   }
 
   const SpectralSurfaces& surfaces() const { return surfaces_; }
   /// False if all beams so far have met perfect conductors only.
   bool spectral() const { return spectral_; }
-  /// Beams from before the last bounce will not be asked for again: their spectra go.
-  void next_bounce() {
-    earlier_spectra_.swap(spectra_);
-    spectra_.clear();
-  }
+  /// Beams from before the last bounce will not be asked for again, and are forgotten.
+  void next_bounce();
   /// The beam that goes on behind the surface that this one was reflected by; no_index if there is none.
-  std::uint32_t through(std::uint32_t node) const { return nodes_[node].through; }
+  std::uint32_t through(std::uint32_t node) const { return at(node).through; }
   /// Of a beam, of unit incident waves, at the frequency where it is largest.
-  double amplitude(std::uint32_t node) const { return nodes_[node].amplitude; }
+  double amplitude(std::uint32_t node) const { return at(node).amplitude; }
   /// False if so little of a wave is left that it ends.
-  bool is_lit(std::uint32_t node) const { return nodes_[node].amplitude > least_amplitude; }
+  bool is_lit(std::uint32_t node) const { return at(node).amplitude > least_amplitude; }
 
   bool is_sheet(std::uint32_t patch) const { return surfaces_.transmits(mesh_.patches[patch].material); }
   /// The currents of a footprint, or of what seen_through() made of one, once more: those that the receiver has through a sheet
@@ -49,13 +47,13 @@ class BeamTree {
   /// wave, and no sheet stands before that.
   std::uint32_t seen_through(std::uint32_t node, std::uint32_t sheet);
 
-  const Footprint& footprint(std::uint32_t node) const { return nodes_[node].footprint; }
-  const Beam& beam(std::uint32_t node) const { return nodes_[node].footprint.outgoing; }
+  const Footprint& footprint(std::uint32_t node) const { return at(node).footprint; }
+  const Beam& beam(std::uint32_t node) const { return at(node).footprint.outgoing; }
   /// The patch of this beam's footprint, which it leaves.
-  std::uint32_t patch_index(std::uint32_t node) const { return nodes_[node].patch; }
-  const Patch& patch(std::uint32_t node) const { return mesh_.patches[nodes_[node].patch]; }
+  std::uint32_t patch_index(std::uint32_t node) const { return at(node).patch; }
+  const Patch& patch(std::uint32_t node) const { return mesh_.patches[at(node).patch]; }
   /// True if the patch of this beam's footprint is lit from the side its normal points away from.
-  bool from_behind(std::uint32_t node) const { return nodes_[node].from_behind; }
+  bool from_behind(std::uint32_t node) const { return at(node).from_behind; }
 
  private:
   struct Node {
@@ -73,10 +71,14 @@ class BeamTree {
     std::uint32_t parent = no_index, patch = no_index, child = no_index;
   };
 
+  Node& at(std::uint32_t node) { return nodes_[node - first_]; }
+  const Node& at(std::uint32_t node) const { return nodes_[node - first_]; }
+  std::uint32_t end() const { return first_ + static_cast<std::uint32_t>(nodes_.size()); }
   const Spectrum* keep(Spectrum spectrum);
   std::uint32_t find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
   std::uint32_t add_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
   std::uint32_t add_seen(std::uint32_t node, std::uint32_t sheet);
+  const std::vector<ChannelWeights>& through_sheet(std::uint32_t sheet);
   ChannelWeights seen_weights(const Node& node, std::size_t frequency) const;
   bool is_reflected(std::uint32_t node) const;
   void scatter(std::uint32_t parent, Node& node);
@@ -87,8 +89,10 @@ class BeamTree {
   const TriangleMesh& mesh_;
   SpectralSurfaces surfaces_;
   SphericalBasis receive_;
-  std::vector<Node> nodes_;
-  std::deque<Spectrum> spectra_, earlier_spectra_;  // beams hold pointers to them
+  std::vector<Node> nodes_;  // from number first_ on
+  std::uint32_t first_ = 0, first_of_bounce_ = 0;
+  std::deque<Spectrum> spectra_, earlier_spectra_;                       // beams hold pointers to them
+  std::map<std::uint32_t, std::vector<ChannelWeights>> through_sheets_;  // [patch][frequency]
   bool spectral_ = false;
   std::vector<Slot> slots_;  // hash table with linear probing; a power of two of them, at most half in use
 };

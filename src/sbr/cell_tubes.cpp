@@ -44,26 +44,32 @@ Ray CellTubes::reflected_ray(std::uint32_t column, std::uint32_t row, std::uint3
 }
 
 void CellTubes::advance(int bounce, int max_bounces) {
+  sums_.rays += rays_.size();
+  if (bounce == max_bounces) return cut();
   found_.resize(rays_.size());
   tracer_.closest_triangles(rays_, found_);
-  sums_.rays += rays_.size();
-  if (bounce < max_bounces) {
-    reflect(bounce);
-    integrate(bounce);
-    send_on();
-    end_weakest();
-    return;
-  }
+  reflect(bounce);
+  integrate(bounce);
+  send_on();
+  end_weakest();
+}
+
+void CellTubes::cut() {
+  std::vector<Hit> hits(rays_.size());
+  tracer_.closest_hits(rays_, hits);
   for (std::size_t i = 0; i < tubes_.size(); ++i)
-    if (found_[i] != no_index) sums_.cut(grid_.du * grid_.dv, beams_.amplitude(tubes_[i].beam));
-  tubes_.clear();
-  rays_.clear();
+    if (hits[i])
+      count_cut(sums_, tracer_, beams_.surfaces(), rays_[i], hits[i], grid_.du * grid_.dv, beams_.amplitude(tubes_[i].beam));
+  clear();
 }
 
 void CellTubes::end_weakest() {
   if (!beams_.spectral() || tubes_.size() <= most_tubes) return;
   const auto amplitude = [&](const Tube& tube) { return beams_.amplitude(tube.beam); };
-  raytube::end_weakest(tubes_, most_tubes, amplitude, [&](const Tube& tube) { sums_.cut(grid_.du * grid_.dv, amplitude(tube)); });
+  raytube::end_weakest(tubes_, most_tubes, amplitude, [&](const Tube& tube) {
+    ++sums_.tubes_cut;
+    sums_.leave_out(grid_.du * grid_.dv, amplitude(tube));
+  });
   rays_.clear();
   for (const Tube& tube : tubes_) rays_.push_back(reflected_ray(tube.column, tube.row, tube.beam, beams_.patch_index(tube.beam)));
 }

@@ -9,6 +9,7 @@
 #include "mesh/tracer.h"
 #include "sbr/beam_tree.h"
 #include "sbr/current_map.h"
+#include "sbr/cut_tubes.h"
 #include "sbr/far_fields.h"
 #include "sbr/lattice.h"
 #include "sbr/sight.h"
@@ -90,6 +91,7 @@ class CellTubes {
   void find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid);
   void send_on();
   void end_weakest();
+  void cut();
   void extend(const Run& next);
   void integrate(int bounce);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);

@@ -51,7 +51,7 @@ class CurvedTubes {
       find_hits();
       if (bounce == look_.max_bounces) {
         for (const Hit& hit : hits_)
-          if (hit) sums_.cut(look_.grid.du * look_.grid.dv, 1.0);
+          if (hit) cut();
         break;
       }
       keep([&](const Tube& tube, const Hit& hit) {
@@ -69,6 +69,11 @@ class CurvedTubes {
     CurvedBeam beam;
     CurvedFootprint footprint{};
   };
+
+  void cut() {
+    ++sums_.tubes_cut;
+    sums_.leave_out(look_.grid.du * look_.grid.dv, 1.0);
+  }
 
   void find_hits() {
     hits_.resize(rays_.size());
@@ -94,7 +99,7 @@ class CurvedTubes {
           curved_footprint(tube.beam, surface(tube.beam, hit.triangle), look_.receive, look_.surfaces, mesh.patches[patch]);
       if (!take(tube, hit)) continue;
       if (is_too_wide(tube.footprint)) {
-        sums_.cut(look_.grid.du * look_.grid.dv, 1.0);
+        cut();
         continue;
       }
       tube.beam = tube.footprint.outgoing;

@@ -1,6 +1,7 @@
 #include "sbr/estimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -45,34 +46,47 @@ std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGri
 namespace {
 
 // What tubes that were cut meet next, and after that: of what the last bounces brought the share that a geometric series goes on
-// with, and what is left of their waves if it goes into all directions alike, sigma = area, half into each polarisation. Between
-// sheets waves come back into the same direction every second bounce or later.
-struct CutTubes {
-  explicit CutTubes(const TubeSums& sums)
-      : first(sums.bounces.size() - std::min(sums.bounces.size(), std::max<std::size_t>(2, sums.bounces.size() / 2))),
-        scattered(std::sqrt(sums.cut_power / (8.0 * pi))) {
-    const double before = first < sums.met.size() ? sums.met[first] : 0.0;
-    const double share = before > 0.0 ? std::min(sums.cut_amplitude / before, most) : most;
-    series = share / (1.0 - share);
+// with, and what is left of their waves if it goes into all directions alike, sigma = area, into the receive polarisations that
+// bounces have gone into so far. Between sheets waves come back into the same direction every second bounce or later.
+class CutTubes {
+ public:
+  explicit CutTubes(const TubeSums& sums) : sums_(sums), first_(first_of_last(sums.bounces.size())) {
+    const double before = first_ < sums.met.size() ? sums.met[first_] : 0.0;
+    const double share = before > 0.0 ? std::min(std::sqrt(sums.left_out / before), most) : most;
+    series_ = share / (1.0 - share);
   }
 
+  double error(std::size_t f, std::size_t p, std::size_t q) const {
+    double last = 0.0;
+    std::array<double, 2> power{};
+    for (std::size_t b = 0; b < sums_.bounces.size(); ++b) {
+      const auto& s = sums_.bounces[b][f].s;
+      if (b >= first_) last += std::abs(s[p][q]);
+      for (std::size_t receive = 0; receive < 2; ++receive) power[receive] += std::norm(s[receive][q]);
+    }
+    const double all = power[0] + power[1], polarised = all > 0.0 ? power[p] / all : 0.5;
+    return std::hypot(series_ * last, std::sqrt(polarised * sums_.left_out / (4.0 * pi)));
+  }
+
+ private:
   static constexpr double most = 0.9;  // beyond, nothing is known of what follows
-  std::size_t first;                   // of the last bounces
-  double scattered, series;
+  static std::size_t first_of_last(std::size_t bounces) {
+    return bounces - std::min(bounces, std::max<std::size_t>(2, bounces / 2));
+  }
+
+  const TubeSums& sums_;
+  std::size_t first_;
+  double series_;
 };
 
 }  // namespace
 
 void add_cut_tubes(TubeSums& sums) {
-  if (sums.cut_amplitude == 0.0) return;
+  if (sums.left_out == 0.0) return;
   const CutTubes cut(sums);
   for (std::size_t f = 0; f < sums.error.size(); ++f)
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) {
-        double last = 0.0;
-        for (std::size_t b = cut.first; b < sums.bounces.size(); ++b) last += std::abs(sums.bounces[b][f].at(p, q));
-        sums.error[f][p][q] += std::hypot(cut.series * last, cut.scattered);
-      }
+    for (std::size_t p = 0; p < 2; ++p)
+      for (std::size_t q = 0; q < 2; ++q) sums.error[f][p][q] += cut.error(f, p, q);
 }
 
 double relative_error(double level_db) { return std::pow(10.0, level_db / 20.0) - 1.0; }

@@ -4,9 +4,11 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "random.h"
+#include "sbr/cut_tubes.h"
 #include "sbr/sight.h"
 
 namespace raytube {
@@ -51,7 +53,7 @@ class Block {
 
   RandomSums run(int max_bounces) {
     for (int bounce = 0; bounce < max_bounces && !rays_.empty(); ++bounce) advance();
-    sums_.tubes_cut = trace();
+    sums_.tubes_cut += trace();
     return std::move(sums_);
   }
 
@@ -108,6 +110,19 @@ class Block {
       if (beams_.is_lit(samples_[i].beam)) samples_[lit] = samples_[i], rays_[lit++] = rays_[i];
     samples_.resize(lit);
     rays_.resize(lit);
+    end_weakest();
+  }
+
+  void end_weakest() {
+    if (samples_.size() <= most_tubes) return;
+    std::vector<std::size_t> kept(samples_.size());
+    std::iota(kept.begin(), kept.end(), std::size_t{0});
+    raytube::end_weakest(
+        kept, most_tubes, [&](std::size_t i) { return beams_.amplitude(samples_[i].beam); },
+        [&](std::size_t) { ++sums_.tubes_cut; });
+    for (std::size_t i = 0; i < kept.size(); ++i) samples_[i] = samples_[kept[i]], rays_[i] = rays_[kept[i]];
+    samples_.resize(kept.size());
+    rays_.resize(kept.size());
   }
 
   bool from_inside(const Ray& ray, const Hit& hit) const {

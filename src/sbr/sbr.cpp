@@ -8,6 +8,7 @@
 #include "sbr/adaptive.h"
 #include "sbr/curved_cells.h"
 #include "sbr/curved_tubes.h"
+#include "sbr/cut_tubes.h"
 #include "sbr/estimate.h"
 #include "sbr/launch.h"
 #include "sbr/tile.h"

@@ -61,7 +61,7 @@ TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const Smoot
 /// Bytes that the sums of one look under way take at most, with so many tiles, bounces and frequencies.
 double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies);
 
-/// Bytes that the tubes of one tile between sheets, which double at every meeting, take at most.
+/// Bytes that the tubes of one tile take where as many as may be are between sheets, few of which stand behind one another.
 double tubes_between_sheets_bytes(std::size_t frequencies);
 
 /// Tiles of a look: blocks of the launch grid of a look, groups of faces where tubes are adaptive.

@@ -20,6 +20,16 @@ SurfaceResponse SpectralSurfaces::response(std::uint32_t material, std::size_t f
   return raytube::response(materials[material], first_frequency + frequency, wavenumbers[frequency], cosine, from_behind);
 }
 
+std::array<double, 2> SpectralSurfaces::strongest(std::uint32_t material, double cosine, bool from_behind) const {
+  std::array<double, 2> largest{};
+  for (std::size_t f = 0; f < wavenumbers.size(); ++f) {
+    const auto [reflected, transmitted] = response(material, f, cosine, from_behind);
+    largest[0] = std::max({largest[0], std::abs(reflected.te), std::abs(reflected.tm)});
+    largest[1] = std::max({largest[1], std::abs(transmitted.te), std::abs(transmitted.tm)});
+  }
+  return largest;
+}
+
 double SpectralSurfaces::incoherent_share(std::uint32_t material, std::size_t frequency, double cosine) const {
   if (material == no_index || materials[material].roughness == 0.0) return 0.0;
   return 1.0 - std::pow(coherent_factor(materials[material], wavenumbers[frequency], cosine), 2);

@@ -33,13 +33,7 @@ std::vector<ScatteringMatrix>& TubeSums::at(int bounce, std::size_t frequencies)
 }
 
 void TubeSums::meet(int bounce, double area, double amplitude) {
-  add_at(met, static_cast<std::size_t>(bounce), area * amplitude);
-}
-
-void TubeSums::cut(double area, double amplitude) {
-  ++tubes_cut;
-  cut_amplitude += area * amplitude;
-  cut_power += area * amplitude * amplitude;
+  add_at(met, static_cast<std::size_t>(bounce), area * amplitude * amplitude);
 }
 
 void TubeSums::add_incoherent(const Spectrum& spectrum, double area) {
@@ -72,8 +66,7 @@ void TubeSums::add(const TubeSums& other) {
   for (std::size_t f = 0; f < other.incoherent.size(); ++f)
     for (std::size_t q = 0; q < 2; ++q) incoherent[f][q] += other.incoherent[f][q];
   for (std::size_t b = 0; b < other.met.size(); ++b) add_at(met, b, other.met[b]);
-  cut_amplitude += other.cut_amplitude;
-  cut_power += other.cut_power;
+  left_out += other.left_out;
   tubes += other.tubes;
   rays += other.rays;
   lost_rays += other.lost_rays;
@@ -100,8 +93,7 @@ void TubeSums::append(TubeSums further) {
   join(incoherent, further.incoherent);
   rays += further.rays;
   tubes_cut = std::max(tubes_cut, further.tubes_cut);
-  cut_amplitude = std::max(cut_amplitude, further.cut_amplitude);
-  cut_power = std::max(cut_power, further.cut_power);
+  left_out = std::max(left_out, further.left_out);
 }
 
 }  // namespace raytube

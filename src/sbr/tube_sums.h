@@ -1,9 +1,7 @@
 // What a bundle of tubes adds up to.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "field.h"
@@ -27,29 +25,6 @@ struct ErrorSum {
 /// corner, and from one cell beside it. An edge along the grid may by chance lie between the groups of one of them.
 inline constexpr int coarse_grids = 2;
 
-/// Between sheets tubes double at every meeting. With more than this under way in a tile the weakest end: counted as cut.
-inline constexpr std::size_t most_tubes = 32768;
-
-/// Ends all but so many tubes, those of the largest weight(tube), the first ones where these are equal; tells end(tube) of the
-/// others.
-template <class Tube, class Weight, class End>
-void end_weakest(std::vector<Tube>& tubes, std::size_t most, Weight weight, End end) {
-  if (tubes.size() <= most) return;
-  std::vector<double> weights;
-  for (const Tube& tube : tubes) weights.push_back(weight(tube));
-  std::ranges::nth_element(weights, weights.begin() + static_cast<std::ptrdiff_t>(most), std::greater());
-  const double limit = weights[most];
-  auto as_weak =
-      static_cast<std::ptrdiff_t>(most) -
-      std::count_if(weights.begin(), weights.begin() + static_cast<std::ptrdiff_t>(most), [&](double w) { return w > limit; });
-  std::erase_if(tubes, [&](const Tube& tube) {
-    const double w = weight(tube);
-    if (w > limit || (w == limit && as_weak-- > 0)) return false;
-    end(tube);
-    return true;
-  });
-}
-
 /// Sums and counts of a tile, or of several added up in order.
 struct TubeSums {
   std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
@@ -60,18 +35,18 @@ struct TubeSums {
   std::vector<std::array<double, 2>> incoherent;  // [frequency][transmit] sigma of rough surfaces [m^2]; empty: there are none
   std::vector<ChannelErrors> error;               // [frequency], estimate for the whole look [m]; empty in its parts
   std::vector<std::uint64_t> hits;                // [bounce]
-  std::vector<double> met;                        // [bounce] area times amplitude of the waves that met surfaces [m^2]
+  std::vector<double> met;                        // [bounce] area times squared amplitude of the waves that met surfaces [m^2]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_cut = 0;
-  double cut_amplitude = 0.0, cut_power = 0.0;    // area of tubes that were cut times their amplitude, and its square [m^2]
+  double left_out = 0.0;                          // the same of tubes that were cut
   std::uint64_t empty_cells = 0, faces_away = 0;  // not traced: see SkipCounts
   double sliver_area = 0.0;                       // [m^2] of the launch plane, left out by adaptive tubes
 
   /// The sums of a bounce, counted from 0; they and their counter of hits come into being when first asked for.
   std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);
 
-  /// A tube of this area across its wave, of this amplitude of unit incident ones, met a surface, or was cut before it did.
+  /// A tube of this area across its wave, of this amplitude of unit incident ones, met a surface; or was cut before it did.
   void meet(int bounce, double area, double amplitude);
-  void cut(double area, double amplitude);
+  void leave_out(double area, double amplitude) { left_out += area * amplitude * amplitude; }
 
   /// What the currents of this wave scatter incoherently from so much area across it.
   void add_incoherent(const Spectrum& spectrum, double area);
@@ -81,7 +56,8 @@ struct TubeSums {
 
   void add(const TubeSums& other);
 
-  /// The same tubes at further frequencies.
+  /// The same tubes at further frequencies. Counts stay those of the first ones: weak waves end by what is left of them at any
+  /// frequency traced together.
   void append(TubeSums further);
 };
 

@@ -1,4 +1,6 @@
 // Tubes that go to and fro between sheets: what the estimate says of those that are cut, and many frequencies of them.
+#include "sbr/cut_tubes.h"
+
 #include <gtest/gtest.h>
 
 #include "material_scene.h"
@@ -31,25 +33,48 @@ std::vector<Look> looks_aslant() {
   return looks;
 }
 
-// 40 bounces stand for all of them: what they leave is 1e-7 of the rest.
-TEST(CutTubes, TheEstimateFollowsTheErrorOfABoxOfGlass) {
-  const auto after = [&](int bounces) {
+// Wherever its faces are looked at tubes double.
+PolygonSoup dihedral_in_a_box() {
+  PolygonSoup soup = hollow_box();
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  const PolygonSoup inside = shapes::dihedral(2.0 * lambda, 3.0 * lambda);
+  soup.points.insert(soup.points.end(), inside.points.begin(), inside.points.end());
+  for (const std::vector<std::uint32_t>& t : inside.polygons) soup.polygons.push_back({t[0] + first, t[1] + first, t[2] + first});
+  soup.materials.resize(soup.polygons.size(), no_index);
+  return soup;
+}
+
+// True over estimated errors of co-polarised rows, in order; so many bounces stand for all of them.
+std::vector<double> error_ratios(const PolygonSoup& soup, int bounces, int all_bounces) {
+  const auto after = [&](int most) {
     TubeOptions tubes;
-    tubes.max_bounces = bounces;
-    return solved(hollow_box(), glass, {frequency}, looks_aslant(), tubes);
+    tubes.max_bounces = most;
+    return solved(soup, glass, {frequency}, looks_aslant(), tubes);
   };
-  const SweepResult all = after(40);
-  for (const int bounces : {4, 8, 16}) {
-    const SweepResult cut = after(bounces);
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < all.total.size(); ++i)
-      for (int p = 0; p < 2; ++p) ratios.push_back(std::abs(cut.total[i].at(p, p) - all.total[i].at(p, p)) / cut.error[i][p][p]);
-    std::ranges::sort(ratios);
-    // An extrapolation: right in the order of magnitude, and not too small in most rows.
-    EXPECT_LT(ratios.back(), 4.0) << bounces;
-    EXPECT_LT(ratios[3 * ratios.size() / 4], 1.0) << bounces;
-    EXPECT_GT(ratios[ratios.size() / 2], 0.03) << bounces;
-  }
+  const SweepResult cut = after(bounces), all = after(all_bounces);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < all.total.size(); ++i)
+    for (int p = 0; p < 2; ++p) ratios.push_back(std::abs(cut.total[i].at(p, p) - all.total[i].at(p, p)) / cut.error[i][p][p]);
+  std::ranges::sort(ratios);
+  return ratios;
+}
+
+// An extrapolation: right in the order of magnitude, and not too small in two rows of three.
+void expect_fair(const std::vector<double>& ratios, double least_median) {
+  EXPECT_LT(ratios.back(), 4.0);
+  EXPECT_LT(ratios[2 * ratios.size() / 3], 1.0);
+  EXPECT_GT(ratios[ratios.size() / 2], least_median);
+}
+
+// 40 bounces leave 1e-7 of the rest.
+TEST(CutTubes, TheEstimateFollowsTheErrorOfABoxOfGlass) {
+  for (const int bounces : {4, 8, 16}) expect_fair(error_ratios(hollow_box(), bounces, 40), 0.1);
+}
+
+// What goes to and fro in it goes on in many directions, most of which never come back. At five
+// bounces, when not all has returned for the first time, there is no series yet.
+TEST(CutTubes, TheEstimateCoversTheErrorWhereTubesDouble) {
+  for (const int bounces : {8, 10}) expect_fair(error_ratios(dihedral_in_a_box(), bounces, 16), 0.01);
 }
 
 // Sheets have their frequencies traced some at a time; each is as it is alone. The grid of cells is that of the highest one.

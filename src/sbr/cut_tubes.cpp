@@ -1,0 +1,21 @@
+#include "sbr/cut_tubes.h"
+
+namespace raytube {
+
+void count_cut(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, Ray ray, Hit hit, double area,
+               double amplitude) {
+  ++sums.tubes_cut;
+  while (hit && amplitude > least_amplitude) {
+    const std::uint32_t patch = tracer.mesh().triangle_patch[hit.triangle];
+    const Patch& plane = tracer.mesh().patches[patch];
+    if (!surfaces.transmits(plane.material)) return sums.leave_out(area, amplitude);
+    const double cosine = glm::dot(ray.direction, plane.normal);
+    const auto [reflected, transmitted] = surfaces.strongest(plane.material, std::abs(cosine), cosine > 0.0);
+    sums.leave_out(area, amplitude * reflected);
+    amplitude *= transmitted;
+    ray = {ray.origin + hit.distance * ray.direction, ray.direction, patch};
+    tracer.closest_hits({&ray, 1}, {&hit, 1});
+  }
+}
+
+}  // namespace raytube
