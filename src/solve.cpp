@@ -217,8 +217,7 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
                  options.tubes.skip);
   prepare_between(edges, target, sweep, options.edges);
-  if (edges_count(edges, options) && std::ranges::any_of(sweep.materials, &Material::transmits))
-    edges.look_through_sheets(target.mesh, sweep.materials);
+  look_through_sheets(edges, target, sweep, options);
   const double range = ray_range(target, sweep, options.edges);
   std::optional<RayFields> rays;
   if (range > 0.0)

@@ -46,6 +46,7 @@ std::vector<ImageEdge> edge_pieces(const Target& target, const Sweep& sweep, con
   EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
                  options.tubes.skip);
   prepare_between(edges, target, sweep, options.edges);
+  look_through_sheets(edges, target, sweep, options);
   std::vector<ImageEdge> pieces;
   if (edges_count(edges, options))
     pieces = edges.pieces(target.tracer, look, frequency, options.edges.order, options.edges.receiver_shadow,

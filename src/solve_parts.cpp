@@ -112,6 +112,11 @@ bool edges_count(const EdgeSets& edges, const SolveOptions& options) {
   return options.edges.method == EdgeMethod::fringe && (edges.radiate() || !options.tubes.skip);
 }
 
+void look_through_sheets(EdgeSets& edges, const Target& target, const Sweep& sweep, const SolveOptions& options) {
+  if (edges_count(edges, options) && std::ranges::any_of(sweep.materials, &Material::transmits))
+    edges.look_through_sheets(target.mesh, sweep.materials);
+}
+
 Complex from_plane_waves(const TriangleMesh& mesh, const Look& look, const Radar& radar, double frequency) {
   const AntennaPair antennas(look, radar, mesh.center);
   const AntennaRay arriving = antennas.transmit.ray_to(dvec3(0.0)), received = antennas.receive.ray_to(dvec3(0.0));

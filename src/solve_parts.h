@@ -41,6 +41,9 @@ BetweenOptions between_options(const TubeSums& tubes, const SolveOptions& option
 /// Whether a solve asks the edges for their currents.
 bool edges_count(const EdgeSets& edges, const SolveOptions& options);
 
+/// Where edges count and there are sheets.
+void look_through_sheets(EdgeSets& edges, const Target& target, const Sweep& sweep, const SolveOptions& options);
+
 /// What waves between surfaces, of plane waves with their phase reference at the centre of the mesh, are times for antennas at a
 /// finite distance.
 Complex from_plane_waves(const TriangleMesh& mesh, const Look& look, const Radar& radar, double frequency);

@@ -262,7 +262,7 @@ void print_memory(const Target& target, const Case& c) {
   fmt::print("\nmemory\n  at most about {}, {} with --parts, however dense the tubes are; {} are to be had\n", bytes(false),
              bytes(true), memory_text(memory_to_be_had()));
   if (std::ranges::any_of(c.sweep.materials, &Material::transmits))
-    fmt::print("  and about {} where sheets double as many tubes as may be; more behind many sheets\n",
+    fmt::print("  and about {} where sheets double as many tubes as may be; more where many stand in a row\n",
                memory_text(all_threads() * tubes_between_sheets_bytes(c.sweep.frequencies.size())));
 }
 

@@ -75,16 +75,37 @@ class FaceTrace {
     look_.tracer.closest_hits(rays_, in_middle_);
   }
 
-  // Of tubes that end by their number of bounces nobody asks more than whether their middle would go on.
+  // Of tubes that end by their number of bounces nobody asks more than whether their middle would go on; where there are sheets,
+  // what they would meet.
   void follow(const PolygonTube& tube, const Hit& in_middle, int bounce) {
     if (bounce == look_.max_bounces) {
-      if (in_middle)
-        count_cut(sums_, look_.tracer, look_.surfaces, visible_.middle_ray(beams_.beam(tube.beam), tube.patch, tube.outline),
-                  in_middle, area(tube.outline), beams_.amplitude(tube.beam));
+      if (sight_)
+        cut(tube, in_middle);
+      else if (in_middle)
+        count_cut(sums_, area(tube.outline), beams_.amplitude(tube.beam));
       return;
     }
     visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, parts_);
     reflect(tube.beam, bounce);
+  }
+
+  void cut(const PolygonTube& tube, const Hit& in_middle) {
+    const double before = sums_.left_out;
+    leave_out(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, beams_.amplitude(tube.beam));
+    if (sums_.left_out > before) ++sums_.tubes_cut;
+  }
+
+  // What sheets reflect of a tube, and what it meets behind them.
+  void leave_out(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& outline, const Hit& in_middle,
+                 double amplitude) {
+    std::vector<VisiblePart> parts;
+    visible_.from_surface(beam, source_patch, outline, in_middle, parts);
+    for (const VisiblePart& part : parts) {
+      const std::uint32_t patch = look_.tree.faces()[part.face].patch;
+      const auto [reflected, transmitted] = look_.surfaces.strongest(look_.tree.mesh().patches[patch], beam.direction);
+      sums_.leave_out(area(part.outline), amplitude * reflected);
+      if (amplitude * transmitted > least_amplitude) leave_out(beam, patch, part.outline, {}, amplitude * transmitted);
+    }
   }
 
   // Turns the parts that a beam has met into currents and reflected tubes.

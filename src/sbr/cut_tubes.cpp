@@ -7,10 +7,7 @@ void count_cut(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& sur
   ++sums.tubes_cut;
   while (hit && amplitude > least_amplitude) {
     const std::uint32_t patch = tracer.mesh().triangle_patch[hit.triangle];
-    const Patch& plane = tracer.mesh().patches[patch];
-    if (!surfaces.transmits(plane.material)) return sums.leave_out(area, amplitude);
-    const double cosine = glm::dot(ray.direction, plane.normal);
-    const auto [reflected, transmitted] = surfaces.strongest(plane.material, std::abs(cosine), cosine > 0.0);
+    const auto [reflected, transmitted] = surfaces.strongest(tracer.mesh().patches[patch], ray.direction);
     sums.leave_out(area, amplitude * reflected);
     amplitude *= transmitted;
     ray = {ray.origin + hit.distance * ray.direction, ray.direction, patch};

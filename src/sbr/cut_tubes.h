@@ -34,8 +34,13 @@ void end_weakest(std::vector<Tube>& tubes, std::size_t most, Weight weight, End 
   });
 }
 
-/// Counts a tube of this area and amplitude that would have met `hit` with its next bounce: what a sheet there reflects, what the
-/// next one behind it does, and so on.
+/// Counts a tube that would have met an opaque surface with its next bounce.
+inline void count_cut(TubeSums& sums, double area, double amplitude) {
+  ++sums.tubes_cut;
+  sums.leave_out(area, amplitude);
+}
+
+/// The same of one whose ray would have met `hit`: what a sheet there reflects, what the next one behind it does, and so on.
 void count_cut(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, Ray ray, Hit hit, double area,
                double amplitude);
 

@@ -20,10 +20,12 @@ SurfaceResponse SpectralSurfaces::response(std::uint32_t material, std::size_t f
   return raytube::response(materials[material], first_frequency + frequency, wavenumbers[frequency], cosine, from_behind);
 }
 
-std::array<double, 2> SpectralSurfaces::strongest(std::uint32_t material, double cosine, bool from_behind) const {
+std::array<double, 2> SpectralSurfaces::strongest(const Patch& patch, const dvec3& direction) const {
+  if (!transmits(patch.material)) return {1.0, 0.0};
+  const double cosine = glm::dot(direction, patch.normal);
   std::array<double, 2> largest{};
   for (std::size_t f = 0; f < wavenumbers.size(); ++f) {
-    const auto [reflected, transmitted] = response(material, f, cosine, from_behind);
+    const auto [reflected, transmitted] = response(patch.material, f, std::abs(cosine), cosine > 0.0);
     largest[0] = std::max({largest[0], std::abs(reflected.te), std::abs(reflected.tm)});
     largest[1] = std::max({largest[1], std::abs(transmitted.te), std::abs(transmitted.tm)});
   }

@@ -40,8 +40,9 @@ struct SpectralSurfaces {
   SurfaceResponse response(std::uint32_t material, std::size_t frequency, double cosine, bool from_behind) const;
   /// Share of the power reflected by the smooth surface that roughness takes from it.
   double incoherent_share(std::uint32_t material, std::size_t frequency, double cosine) const;
-  /// The largest shares of a wave's amplitude, at any frequency, that are reflected and let through.
-  std::array<double, 2> strongest(std::uint32_t material, double cosine, bool from_behind) const;
+  /// The largest shares of a wave's amplitude, at any frequency, that a sheet reflects and lets through; of what is opaque 1 and
+  /// 0.
+  std::array<double, 2> strongest(const Patch& patch, const dvec3& direction) const;
   bool any_rough() const { return raytube::any_rough(materials); }
   bool transmits(std::uint32_t material) const { return material != no_index && materials[material].transmits(); }
 };

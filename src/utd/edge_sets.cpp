@@ -66,11 +66,16 @@ EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int 
 
 std::vector<ImageEdge> EdgeSets::pieces(const Tracer& tracer, const Look& look, std::size_t frequency, int order,
                                         bool receiver_shadow, TransitionTier tier, const ImageLattice& lattice) const {
-  for (const Set& set : sets_)
-    if (const auto place = std::ranges::find(set.places, frequency); place != set.places.end())
-      return fringe_pieces(set.wedges, set.outlines, tracer, look, set.frequencies,
-                           static_cast<std::size_t>(place - set.places.begin()), order, receiver_shadow, tier,
-                           !set.between.empty(), lattice);
+  for (const Set& set : sets_) {
+    const auto place = std::ranges::find(set.places, frequency);
+    if (place == set.places.end()) continue;
+    const auto index = static_cast<std::size_t>(place - set.places.begin());
+    if (sheets_)
+      return veiled_fringe_pieces(set.wedges, set.outlines, *sheets_, look, set.frequencies, index, frequency, order,
+                                  receiver_shadow, tier, lattice);
+    return fringe_pieces(set.wedges, set.outlines, tracer, look, set.frequencies, index, order, receiver_shadow, tier,
+                         !set.between.empty(), lattice);
+  }
   return {};
 }
 

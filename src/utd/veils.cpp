@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "utd/edge_pass.h"
+#include "utd/edge_pieces.h"
 #include "utd/lit_edges.h"
 
 namespace raytube {
@@ -117,42 +117,72 @@ class VeiledParts {
   std::map<Veil, std::vector<LitPieces>> groups_;
 };
 
+Passage passage(const SheetsApart& target, const Veil& veil, const Look& look, std::size_t place, double k) {
+  return {through(target, veil.first, place, k, spherical_basis(look.transmit)),
+          through(target, veil.second, place, k, spherical_basis(look.receive))};
+}
+
 void add_through(const Veil& veil, EdgeLookResult part, const SheetsApart& target, const Look& look,
                  std::span<const double> frequencies, std::span<const std::size_t> places, EdgeLookResult& sum) {
+  sum.higher.resize(part.higher.size());
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
-    const double k = wavenumber(frequencies[i]);
-    const Passage passage{through(target, veil.first, places[i], k, spherical_basis(look.transmit)),
-                          through(target, veil.second, places[i], k, spherical_basis(look.receive))};
-    transform(part.scattering[i], passage);
+    const Passage by = passage(target, veil, look, places[i], wavenumber(frequencies[i]));
+    transform(part.scattering[i], by);
     sum.scattering[i] += part.scattering[i];
     if (part.windowed[i]) sum.windowed[i] = true;
     if (part.higher.empty()) continue;
-    transform(part.higher[i], passage);
+    transform(part.higher[i], by);
     sum.higher[i] += part.higher[i];
   }
   sum.lit = sum.lit || part.lit;
+}
+
+// Returns how many edges there are.
+template <class Edges>
+std::uint64_t find_parts(std::span<const Wedge> wedges, const Edges& edges, LitEdges& light, VeiledParts& parts) {
+  std::uint64_t lit_edges = 0;
+  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
+    const auto meeting = edges.meeting(index);
+    if (!meeting || !light.find(index, meeting->incidence)) continue;
+    ++lit_edges;
+    for (const LitInterval& lit : light.lit()) parts.add(wedges[index], index, lit);
+  }
+  return lit_edges;
 }
 
 // `make` makes an EndlessEdges or a StripPass.
 template <class Make>
 EdgeLookResult veiled_sum(std::span<const Wedge> wedges, const SheetsApart& target, const Look& look, LitEdges& light,
                           std::span<const double> frequencies, std::span<const std::size_t> places, Make make) {
-  EdgeLookResult sum;
   VeiledParts parts(target, look, shortest_wavelength(frequencies));
-  const auto edges = make();
-  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
-    const auto meeting = edges.meeting(index);
-    if (!meeting || !light.find(index, meeting->incidence)) continue;
-    ++sum.wedges_lit;
-    for (const LitInterval& lit : light.lit()) parts.add(wedges[index], index, lit);
-  }
-  sum.scattering.resize(frequencies.size()), sum.higher.resize(frequencies.size()), sum.windowed.resize(frequencies.size());
+  EdgeLookResult sum;
+  sum.scattering.resize(frequencies.size()), sum.windowed.resize(frequencies.size());
+  sum.wedges_lit = find_parts(wedges, make(frequencies), light, parts);
   for (const auto& [veil, pieces] : parts.groups()) {
-    auto pass = make();
+    auto pass = make(frequencies);
     for (const LitPieces& piece : pieces) pass.add(piece.wedge, *pass.meeting(piece.wedge), piece.lit);
     add_through(veil, pass.take(), target, look, frequencies, places, sum);
   }
   return sum;
+}
+
+template <class Make>
+std::vector<ImageEdge> veiled_pieces(std::span<const Wedge> wedges, const SheetsApart& target, const Look& look, LitEdges& light,
+                                     std::span<const double> frequencies, std::size_t frequency, std::size_t place,
+                                     const ImageLattice& lattice, Make make) {
+  VeiledParts parts(target, look, shortest_wavelength(frequencies));
+  find_parts(wedges, make(frequencies), light, parts);
+  std::vector<ImageEdge> all;
+  for (const auto& [veil, group] : parts.groups()) {
+    EdgePieces pieces(wedges, lattice, frequencies, frequency, make);
+    for (const LitPieces& piece : group) pieces.add(piece.wedge, piece.lit);
+    const Passage by = passage(target, veil, look, place, wavenumber(frequencies[frequency]));
+    for (ImageEdge& piece : pieces.take()) {
+      transform(piece.s, by);
+      all.push_back(piece);
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -181,8 +211,21 @@ EdgeLookResult veiled_fringe_scattering(std::span<const Wedge> wedges, const Out
   const LookVectors vectors = look_vectors(look);
   LitEdges light(wedges, target.opaque(), vectors, shortest_wavelength(frequencies), receiver_shadow);
   const auto sum = [&](auto make) { return veiled_sum(wedges, target, look, light, frequencies, places, make); };
-  if (order == 1) return sum([&] { return EndlessEdges(wedges, vectors, frequencies); });
-  return sum([&] { return StripPass(wedges, outlines, vectors, frequencies, order, tier, false); });
+  if (order == 1) return sum([&](std::span<const double> list) { return EndlessEdges(wedges, vectors, list); });
+  return sum([&](std::span<const double> list) { return StripPass(wedges, outlines, vectors, list, order, tier, false); });
+}
+
+std::vector<ImageEdge> veiled_fringe_pieces(std::span<const Wedge> wedges, const Outlines& outlines, const SheetsApart& target,
+                                            const Look& look, std::span<const double> frequencies, std::size_t frequency,
+                                            std::size_t place, int order, bool receiver_shadow, TransitionTier tier,
+                                            const ImageLattice& lattice) {
+  const LookVectors vectors = look_vectors(look);
+  LitEdges light(wedges, target.opaque(), vectors, shortest_wavelength(frequencies), receiver_shadow);
+  const auto pieces = [&](auto make) {
+    return veiled_pieces(wedges, target, look, light, frequencies, frequency, place, lattice, make);
+  };
+  if (order == 1) return pieces([&](std::span<const double> list) { return EndlessEdges(wedges, vectors, list); });
+  return pieces([&](std::span<const double> list) { return StripPass(wedges, outlines, vectors, list, order, tier, false); });
 }
 
 }  // namespace raytube

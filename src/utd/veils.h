@@ -30,10 +30,16 @@ class SheetsApart {
 /// antennas, are taken together, and what they radiate is transformed by what these let through along both lines of sight. An
 /// edge's part changes its sheets to within 1e-9 of its length; sheets that cover less than the spacing of the points at which
 /// Visibility looks may be missed. `places` are those of the frequencies among the materials'. Valid as T of the plane waves is:
-/// far from the sheets' own rims.
+/// far from the sheets' own rims. What a current starts at another edge has the sheets of its own edge, wherever that one is.
 EdgeLookResult veiled_fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const SheetsApart& target,
                                         const Look& look, std::span<const double> frequencies,
                                         std::span<const std::size_t> places, int order, bool receiver_shadow,
                                         TransitionTier tier);
+
+/// The same currents at `frequencies[frequency]`, piece by piece: see fringe_pieces.
+std::vector<ImageEdge> veiled_fringe_pieces(std::span<const Wedge> wedges, const Outlines& outlines, const SheetsApart& target,
+                                            const Look& look, std::span<const double> frequencies, std::size_t frequency,
+                                            std::size_t place, int order, bool receiver_shadow, TransitionTier tier,
+                                            const ImageLattice& lattice);
 
 }  // namespace raytube

@@ -71,8 +71,7 @@ TEST(CutTubes, TheEstimateFollowsTheErrorOfABoxOfGlass) {
   for (const int bounces : {4, 8, 16}) expect_fair(error_ratios(hollow_box(), bounces, 40), 0.1);
 }
 
-// What goes to and fro in it goes on in many directions, most of which never come back. At five
-// bounces, when not all has returned for the first time, there is no series yet.
+// What goes to and fro in it goes on in many directions, most of which never come back.
 TEST(CutTubes, TheEstimateCoversTheErrorWhereTubesDouble) {
   for (const int bounces : {8, 10}) expect_fair(error_ratios(dihedral_in_a_box(), bounces, 16), 0.01);
 }

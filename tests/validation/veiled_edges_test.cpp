@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "material_scene.h"
+#include "solve_image.h"
 
 namespace raytube {
 
@@ -86,6 +87,40 @@ TEST(VeiledEdges, OnlyWhatASheetCoversIsChangedByIt) {
     EXPECT_GT(std::abs(covered(film, p)), 0.05 * std::abs(whole.at(p, p)));
     EXPECT_GT(std::abs(covered(film, p) - whole.at(p, p)), 0.05 * std::abs(whole.at(p, p)));
   }
+}
+
+// A slab whose rims are half planes at one frequency and boxes at the other: two sets of edges.
+TEST(VeiledEdges, EveryFrequencyHasItsOwnRims) {
+  const PolygonSoup slab = shapes::box({5.0 * lambda, 5.0 * lambda, 0.05 * lambda});
+  const Direction look = deg(25.0, 15.0);
+  for (const int order : {1, 3}) {
+    SolveOptions options{{}, {}, 1, false, {}};
+    options.edges.order = order;
+    options.edges.between = false;
+    const auto solved = [&](const PolygonSoup& soup, const std::vector<Material>& materials) {
+      std::vector<Material> at_both = materials;
+      for (Material& material : at_both) material.layers.push_back(material.layers.front());
+      const LoadedMesh loaded = build_mesh(soup, 1.0, "test", at_both);
+      return solve(Target(loaded.mesh, options.edges), {{frequency, 3.0 * frequency}, {{look, look}}, false, {}, at_both},
+                   options)
+          .total;
+    };
+    const auto bare = solved(slab, {}), veiled = solved(under_sheet(slab, -30.0 * lambda), {nothing});
+    for (const std::size_t f : {0, 1}) EXPECT_LT(difference(veiled[f], bare[f]), 1e-9) << order << f;
+  }
+}
+
+// Images divide what is seen through sheets, too, and leave nothing out: rounding of some thousand parts.
+TEST(VeiledEdges, ImagesAddUpBehindSheets) {
+  const std::vector<Material> materials{laminate};
+  const LoadedMesh loaded = build_mesh(under_sheet(shapes::cube(3.0 * lambda), 0.5 * lambda), 1.0, "test", materials);
+  const Direction look = deg(20.0, 15.0);
+  const SolveOptions options{{}, {}, 1, false, {}};
+  const Target target(loaded.mesh, options.edges);
+  const Sweep sweep{{frequency}, {{look, look}}, false, {}, materials};
+  ScatteringMatrix sum;
+  for (const ScatteringMatrix& cell : image_of_look(target, sweep, options, 0, 5.0).cells) sum += cell;
+  EXPECT_LT(difference(sum, solve(target, sweep, options).total.front()), 1e-9);
 }
 
 }  // namespace
