@@ -49,9 +49,9 @@ SurfaceResponse smooth_response(const Material& material, std::size_t frequency,
     case MaterialKind::sheet:
       break;
   }
-  std::vector<Layer> layers = material.layers[frequency];
-  if (from_behind) std::ranges::reverse(layers);
-  return sheet_response(layers, wavenumber, cosine);
+  const std::vector<Layer>& layers = material.layers[frequency];
+  if (!from_behind) return sheet_response(layers, wavenumber, cosine);
+  return sheet_response(std::vector<Layer>(layers.rbegin(), layers.rend()), wavenumber, cosine);
 }
 
 double coherent_factor(const Material& material, double wavenumber, double cosine) {

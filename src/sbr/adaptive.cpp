@@ -147,10 +147,8 @@ class FaceTrace {
 
   void end_weakest() {
     const auto weight = [&](const PolygonTube& tube) { return area(tube.outline) * beams_.amplitude(tube.beam); };
-    raytube::end_weakest(reflected_, most_tubes, weight, [&](const PolygonTube& tube) {
-      ++sums_.tubes_cut;
-      sums_.leave_out(area(tube.outline), beams_.amplitude(tube.beam));
-    });
+    raytube::end_weakest(reflected_, most_tubes, weight,
+                         [&](const PolygonTube& tube) { count_cut(sums_, area(tube.outline), beams_.amplitude(tube.beam)); });
   }
 
   bool too_many() const {

@@ -66,10 +66,8 @@ void CellTubes::cut() {
 void CellTubes::end_weakest() {
   if (!beams_.spectral() || tubes_.size() <= most_tubes) return;
   const auto amplitude = [&](const Tube& tube) { return beams_.amplitude(tube.beam); };
-  raytube::end_weakest(tubes_, most_tubes, amplitude, [&](const Tube& tube) {
-    ++sums_.tubes_cut;
-    sums_.leave_out(grid_.du * grid_.dv, amplitude(tube));
-  });
+  raytube::end_weakest(tubes_, most_tubes, amplitude,
+                       [&](const Tube& tube) { count_cut(sums_, grid_.du * grid_.dv, amplitude(tube)); });
   rays_.clear();
   for (const Tube& tube : tubes_) rays_.push_back(reflected_ray(tube.column, tube.row, tube.beam, beams_.patch_index(tube.beam)));
 }

@@ -5,6 +5,7 @@
 
 #include "material.h"
 #include "sbr/curved_beam.h"
+#include "sbr/cut_tubes.h"
 
 namespace raytube {
 
@@ -70,10 +71,7 @@ class CurvedTubes {
     CurvedFootprint footprint{};
   };
 
-  void cut() {
-    ++sums_.tubes_cut;
-    sums_.leave_out(look_.grid.du * look_.grid.dv, 1.0);
-  }
+  void cut() { count_cut(sums_, look_.grid.du * look_.grid.dv, 1.0); }
 
   void find_hits() {
     hits_.resize(rays_.size());

@@ -34,7 +34,7 @@ void end_weakest(std::vector<Tube>& tubes, std::size_t most, Weight weight, End 
   });
 }
 
-/// Counts a tube that would have met an opaque surface with its next bounce.
+/// Counts a tube of this area and amplitude that was cut.
 inline void count_cut(TubeSums& sums, double area, double amplitude) {
   ++sums.tubes_cut;
   sums.leave_out(area, amplitude);

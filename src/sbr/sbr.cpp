@@ -193,9 +193,8 @@ class LookTracer {
         tolerance_(relative_error(options.tolerance_db)),
         options_(options),
         progress_(progress),
-        surfaces_{materials, {}} {
+        materials_(materials) {
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
-    surfaces_.wavenumbers = wavenumbers_;
     if (!look.far()) antennas_.emplace(look, radar, tracer.mesh().center);
     if (std::ranges::any_of(materials, &Material::transmits)) sheets_.emplace(tracer.mesh(), materials, receive_);
   }
@@ -223,7 +222,7 @@ class LookTracer {
  private:
   // Of conductors alone the number of bounces belongs to the model.
   TubeSums with_cut_tubes(TubeSums sums) const {
-    if (!surfaces_.materials.empty()) add_cut_tubes(sums);
+    if (!materials_.empty()) add_cut_tubes(sums);
     return sums;
   }
 
@@ -250,7 +249,7 @@ class LookTracer {
     const std::size_t count = grid.cells() > 0 ? wavenumbers_.size() : 0,
                       together = sheets_ && !map ? most_frequencies_with_sheets : wavenumbers_.size();
     for (std::size_t first = 0; first < count; first += together) {
-      SpectralSurfaces surfaces{surfaces_.materials, wavenumbers_, first};
+      SpectralSurfaces surfaces{materials_, wavenumbers_, first};
       surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
       const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
       TubeSums sums = trace(part, grid, surfaces, part_of_share, map);
@@ -296,7 +295,7 @@ class LookTracer {
   const TubeOptions& options_;
   Progress& progress_;
   std::vector<double> wavenumbers_;
-  SpectralSurfaces surfaces_;
+  std::span<const Material> materials_;
   std::optional<AntennaPair> antennas_;
   std::optional<SheetsInSight> sheets_;
 };

@@ -13,7 +13,6 @@ class SheetsApart {
   SheetsApart(const SheetsApart&) = delete;
 
   const Tracer& opaque() const { return opaque_; }
-  std::span<const Material> materials() const { return materials_; }
 
   /// The patches of the sheets that stand between a place and the antenna in this direction, nearest first.
   std::vector<std::uint32_t> before(const dvec3& place, const dvec3& direction) const;
