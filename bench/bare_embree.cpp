@@ -7,8 +7,8 @@
 #include <array>
 #include <limits>
 
-#include "material.h"
-#include "sbr/launch.h"
+#include "sbr/launch/launch.h"
+#include "scene/material.h"
 #include "timing.h"
 
 namespace raytube::bench {

@@ -1,7 +1,7 @@
 // What bare Embree takes for the rays of the uniform grid: the yardstick of every throughput here.
 #pragma once
 
-#include "solve.h"
+#include "solve/solve.h"
 
 namespace raytube::bench {
 

@@ -36,7 +36,7 @@ double solve_time(const Target& target, const Case& c, const Way& way, int threa
   if (way.mode == TubeMode::uniform) options.tubes.per_wavelength = 10.0;
   options.edges.method = way.method;
   options.edges.order = way.order;
-  options.edges.between = way.between;
+  options.edges.interaction = way.interaction;
   return solve(target, c.sweep, options).statistics.solve_s;
 }
 

@@ -8,7 +8,7 @@ namespace raytube::bench {
 EdgeOptions Body::no_edges() {
   EdgeOptions edges;
   edges.method = EdgeMethod::none;
-  edges.thin_sheets = false;
+  edges.thin_plates = false;
   return edges;
 }
 

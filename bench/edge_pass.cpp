@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "solve.h"
+#include "solve/solve.h"
 #include "timing.h"
 
 namespace {
@@ -55,7 +55,7 @@ double solve_time(const Target& target, const Sweep& sweep, EdgeMethod method, i
   SolveOptions options;
   options.edges.method = method;
   options.edges.order = order;
-  options.edges.between = false;
+  options.edges.interaction = false;
   options.threads = threads;
   return solve(target, sweep, options).statistics.solve_s;
 }

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bodies.h"
-#include "instruction_set.h"
+#include "core/instruction_set.h"
 #include "shapes.h"
 #include "studies.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "field.h"
+#include "core/field.h"
 
 namespace raytube::bench {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solve.h"
+#include "solve/solve.h"
 
 namespace raytube::bench {
 

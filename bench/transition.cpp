@@ -9,9 +9,9 @@
 #include <chrono>
 
 #include "case/names.h"
-#include "solve.h"
-#include "utd/edges.h"
-#include "utd/strip_kernels.h"
+#include "solve/solve.h"
+#include "utd/fringe/edges.h"
+#include "utd/multiple/strip_kernels.h"
 
 namespace {
 

@@ -2,13 +2,19 @@
 include(CMakePackageConfigHelpers)
 install(TARGETS raytube RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS raytube_solver EXPORT raytubeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES antenna.h complex_vector.h error.h field.h image.h layers.h look_plan.h material.h progress.h random_result.h sweep.h solve.h
-        solve_image.h yardstick.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube)
-install(FILES mesh/triangle_mesh.h mesh/load.h mesh/outlines.h mesh/thin_sheets.h mesh/smooth.h mesh/wedges.h mesh/tracer.h
-        mesh/convexity.h mesh/face_tree.h mesh/faces.h mesh/geometry.h mesh/part_names.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/mesh)
-install(FILES sbr/sbr.h sbr/launch.h sbr/spectrum.h sbr/tube_sums.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/sbr)
-install(FILES utd/diffracted_field.h utd/ray_source.h utd/transition.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/utd)
+set(public_headers
+    core/complex_vector.h core/error.h core/field.h core/progress.h
+    scene/antenna.h scene/image.h scene/layers.h scene/look_plan.h scene/material.h scene/random_result.h scene/sweep.h
+    mesh/load.h mesh/model/face_tree.h mesh/model/faces.h mesh/model/geometry.h mesh/model/part_names.h mesh/model/triangle_mesh.h
+    mesh/features/convexity.h mesh/features/outlines.h mesh/features/smooth.h mesh/features/thin_plates.h mesh/features/wedges.h
+    mesh/trace/tracer.h
+    sbr/sbr.h sbr/beams/spectrum.h sbr/beams/tube_sums.h sbr/launch/launch.h
+    utd/wedge/diffracted_field.h utd/wedge/ray_source.h utd/wedge/transition.h
+    solve/image.h solve/random.h solve/solve.h)
+foreach(header IN LISTS public_headers)
+  cmake_path(GET header PARENT_PATH room)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/${room})
+endforeach()
 install(EXPORT raytubeTargets NAMESPACE raytube:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/raytube)
 configure_package_config_file(raytubeConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfig.cmake
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/raytube)

@@ -13,7 +13,7 @@ inline constexpr int vv = 0, hh = 1;
 inline SolveOptions adaptive(bool between, int order = 3) {
   SolveOptions o = options(EdgeMethod::fringe, 40.0);
   o.tubes.mode = TubeMode::adaptive;
-  o.edges.between = between;
+  o.edges.interaction = between;
   o.edges.order = order;
   return o;
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "field.h"
+#include "core/field.h"
 
 namespace raytube::closed_forms {
 

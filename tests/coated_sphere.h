@@ -6,7 +6,7 @@
 #include <complex>
 #include <vector>
 
-#include "layers.h"
+#include "scene/layers.h"
 
 namespace raytube {
 

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "gauss.h"
+#include "math/erfc_ray.h"
+#include "math/gauss.h"
 #include "strip_2d.h"
-#include "utd/edge_wave.h"
-#include "utd/erfc_ray.h"
+#include "utd/wedge/edge_wave.h"
 
 namespace raytube::testing {
 
@@ -16,7 +16,7 @@ inline dvec2 direction_at(double angle) { return {std::cos(angle), std::sin(angl
 
 /// How the fringe current of an outer edge ends: not at all; at the fold; its inner half mirrored there; that half closed at its
 /// own edge, by a factor or by the next strips.
-enum class FringeEnd { endless, cut, mirrored, closed, linked };
+enum class FringeEnd { untruncated, cut, mirrored, closed, linked };
 
 /// Whose boundaries count in the illumination of the other plate.
 enum class Boundaries { both, reflected };
@@ -124,7 +124,7 @@ class Dihedral2d {
     const dvec2 observer = direction_at(to), edge = w_ * plate.along;
     const double source = angle_at_edge(plate, -light.direction), mu = -glm::dot(observer, plate.along);
     const double infinity = std::numeric_limits<double>::infinity();
-    Complex sum = both_sides(source, hard_, mu, end == FringeEnd::endless ? infinity : k * w_).radiated;
+    Complex sum = both_sides(source, hard_, mu, end == FringeEnd::untruncated ? infinity : k * w_).radiated;
     if (end >= FringeEnd::mirrored) sum += mirrored_part(source, mu, end);
     return light.amplitude * phase(observer - light.direction, edge) * radiation(light.plate, to) * Complex(0, 2 / k) * sum;
   }

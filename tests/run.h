@@ -12,7 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "solve.h"
+#include "solve/solve.h"
 
 namespace raytube::testing {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "sbr/launch_limit.h"
-#include "sbr/ray_hits.h"
+#include "point_source/launch_limit.h"
+#include "point_source/ray_hits.h"
 
 namespace raytube::testing {
 
@@ -42,7 +42,7 @@ struct SourceScene {
   }
 
   std::vector<LaunchLimit> limits(const Launch& launch) const {
-    return launch_limits(launch, seen_pieces(joined.mesh, launch.eye()), joined.triangle_part, surfaces.size(),
+    return launch_limits(launch, visible_pieces(joined.mesh, launch.eye()), joined.triangle_part, surfaces.size(),
                          cut_tolerance(joined.mesh, launch.eye()));
   }
 
@@ -50,7 +50,7 @@ struct SourceScene {
   std::vector<double> exact(const dvec3& source) const {
     const dvec3 from = source - joined.mesh.center;
     std::vector<double> shares(surfaces.size(), 0.0);
-    for (const SeenPiece& piece : seen_pieces(joined.mesh, {from, {}}))
+    for (const VisiblePiece& piece : visible_pieces(joined.mesh, {from, {}}))
       shares[joined.triangle_part[piece.triangle]] += solid_angle(piece.outline, from) / (4.0 * pi);
     return shares;
   }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "utd/strip_kernels.h"
+#include "utd/multiple/strip_kernels.h"
 
 namespace raytube::testing {
 
@@ -43,7 +43,7 @@ inline EdgeStrips both_sides(double source, bool hard, double mu, double length)
   return {lit.current.hard - dark.current.hard, 2.0 * (lit.end - dark.end)};
 }
 
-inline constexpr int physical_optics = -1, endless_strips = 0;  // 1: strips that end with the face; 2, 3, ...: edges in a row
+inline constexpr int physical_optics = -1, untruncated_strips = 0;  // 1: strips that end with the face; 2, 3, ...: edges in a row
 
 /// Far-field amplitude P about the centre of a strip of width w [wavelengths]; angles of source and observer from its plane.
 inline Complex strip_amplitude(double w, double source, double observer, int order, bool hard) {
@@ -53,7 +53,7 @@ inline Complex strip_amplitude(double w, double source, double observer, int ord
     if (order == physical_optics) break;
     double mu = edge == 0 ? std::cos(observer) : -std::cos(observer);
     const Complex phase = std::polar(1.0, (edge == 0 ? -0.5 : 0.5) * x * spread);
-    const double length = order == endless_strips ? std::numeric_limits<double>::infinity() : x;
+    const double length = order == untruncated_strips ? std::numeric_limits<double>::infinity() : x;
     EdgeStrips strips = both_sides(edge == 0 ? source : pi - source, hard, mu, length);
     p += Complex(0, 2 / k) * strips.radiated * phase;
     Complex wave = 0.5 * phase * strips.onwards;  // half: incident and reflected wave are one at grazing

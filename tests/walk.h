@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <random>
 
-#include "material.h"
-#include "mesh/geometry.h"
-#include "mesh/tracer.h"
+#include "mesh/model/geometry.h"
+#include "mesh/trace/tracer.h"
+#include "scene/material.h"
 
 namespace raytube::testing {
 

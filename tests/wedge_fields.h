@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "gauss.h"
-#include "utd/diffracted_field.h"
+#include "math/gauss.h"
+#include "utd/wedge/diffracted_field.h"
 
 namespace raytube::wedge_fields {
 

@@ -13,9 +13,9 @@
 #include "case/names.h"
 #include "case/radar.h"
 #include "case/values.h"
-#include "decimal.h"
-#include "error.h"
-#include "text.h"
+#include "core/decimal.h"
+#include "core/error.h"
+#include "core/text.h"
 
 namespace raytube {
 
@@ -137,13 +137,13 @@ void read_edges(const CaseValue& root, Case& c) {
     c.edges.utd_range = read_positive(*range, "edges.utd_range_m");
   }
   if (const CaseValue* order = find(root, "edges", "order")) c.edges.order = read_whole(*order, "edges.order", 1, 3);
-  if (const CaseValue* between = find(root, "edges", "between")) c.edges.between = read_flag(*between, "edges.between");
+  if (const CaseValue* between = find(root, "edges", "between")) c.edges.interaction = read_flag(*between, "edges.between");
   if (const CaseValue* shadow = find(root, "edges", "receiver_shadow"))
     c.edges.receiver_shadow = read_flag(*shadow, "edges.receiver_shadow");
   if (const CaseValue* transition = find(root, "edges", "transition")) c.edges.transition = read_transition(*transition);
   if (const CaseValue* materials = find(root, "edges", "materials"))
     c.edges.materials = read_material_edges(*materials, method, c);
-  if (const CaseValue* thin = find(root, "edges", "thin_sheets")) c.edges.thin_sheets = read_flag(*thin, "edges.thin_sheets");
+  if (const CaseValue* thin = find(root, "edges", "thin_sheets")) c.edges.thin_plates = read_flag(*thin, "edges.thin_sheets");
   if (const CaseValue* angle = find(root, "edges", "min_wedge_deg")) {
     const double degrees = read_number(*angle, "edges.min_wedge_deg");
     if (degrees < 0.0 || degrees >= 180.0)

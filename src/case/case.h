@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "solve.h"
+#include "solve/solve.h"
 
 namespace raytube {
 

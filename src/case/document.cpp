@@ -11,8 +11,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "error.h"
-#include "text.h"
+#include "core/error.h"
+#include "core/text.h"
 
 namespace raytube {
 

@@ -2,7 +2,7 @@
 
 #include "case/case.h"
 #include "case/names.h"
-#include "decimal.h"
+#include "core/decimal.h"
 
 namespace raytube {
 
@@ -32,10 +32,10 @@ Json tubes_json(const TubeOptions& tubes) {
 Json edges_json(const EdgeOptions& edges, bool has_materials) {
   Json json = {{"method", edge_method_name(edges.method)},
                {"order", edges.order},
-               {"between", edges.between},
+               {"between", edges.interaction},
                {"receiver_shadow", edges.receiver_shadow},
                {"transition", transition_name(edges.transition)},
-               {"thin_sheets", edges.thin_sheets},
+               {"thin_sheets", edges.thin_plates},
                {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
   if (has_materials) json["materials"] = material_edge_name(edges.materials);
   if (edges.utd_range > 0.0) json["utd_range_m"] = edges.utd_range;

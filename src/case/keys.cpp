@@ -7,7 +7,7 @@
 #include <cctype>
 #include <numeric>
 
-#include "text.h"
+#include "core/text.h"
 
 namespace raytube {
 

@@ -6,7 +6,7 @@
 
 #include "case/radar.h"
 #include "case/values.h"
-#include "error.h"
+#include "core/error.h"
 
 namespace raytube {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "case/looks.h"
-#include "csv_reader.h"
-#include "error.h"
+#include "core/csv_reader.h"
+#include "core/error.h"
 
 namespace raytube {
 

@@ -7,8 +7,8 @@
 
 #include "case/medium.h"
 #include "case/values.h"
-#include "decimal.h"
-#include "text.h"
+#include "core/decimal.h"
+#include "core/text.h"
 
 namespace raytube {
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <numeric>
 
-#include "error.h"
+#include "core/error.h"
 
 namespace raytube {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "layers.h"
+#include "scene/layers.h"
 
 namespace raytube {
 

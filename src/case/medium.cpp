@@ -9,9 +9,9 @@
 #include "case/keys.h"
 #include "case/media.h"
 #include "case/values.h"
-#include "decimal.h"
-#include "error.h"
-#include "text.h"
+#include "core/decimal.h"
+#include "core/error.h"
+#include "core/text.h"
 
 namespace raytube {
 

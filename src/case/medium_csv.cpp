@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "case/medium.h"
-#include "csv_reader.h"
-#include "decimal.h"
-#include "error.h"
+#include "core/csv_reader.h"
+#include "core/decimal.h"
+#include "core/error.h"
 
 namespace raytube {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "solve.h"
+#include "solve/solve.h"
 
 namespace raytube {
 

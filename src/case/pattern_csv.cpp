@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "case/radar.h"
-#include "csv_reader.h"
-#include "error.h"
+#include "core/csv_reader.h"
+#include "core/error.h"
 
 namespace raytube {
 

@@ -9,8 +9,8 @@
 #include "case/materials.h"
 #include "case/medium.h"
 #include "case/values.h"
-#include "decimal.h"
-#include "text.h"
+#include "core/decimal.h"
+#include "core/text.h"
 
 namespace raytube {
 

@@ -7,7 +7,7 @@
 
 #include "case/looks.h"
 #include "case/values.h"
-#include "error.h"
+#include "core/error.h"
 
 namespace raytube {
 
@@ -33,7 +33,7 @@ Direction direction_of(const dvec3& place) {
   return {std::atan2(std::hypot(place.x, place.y), place.z), std::atan2(place.y, place.x)};
 }
 
-Look look_between(const dvec3& transmit, const dvec3& receive) {
+Look look_at_interaction(const dvec3& transmit, const dvec3& receive) {
   return {direction_of(transmit), direction_of(receive), glm::length(transmit), glm::length(receive)};
 }
 
@@ -86,8 +86,8 @@ void read_positions(const CaseValue& root, Case& c) {
                        static_cast<double>(c.sweep.bistatic ? c.radar.receive_positions.size() : 1);
   check_rows(position, pairs, c.sweep.frequencies.size());
   for (const dvec3& transmit : c.radar.positions) {
-    if (!c.sweep.bistatic) c.sweep.looks.push_back(look_between(transmit, transmit));
-    for (const dvec3& receive : c.radar.receive_positions) c.sweep.looks.push_back(look_between(transmit, receive));
+    if (!c.sweep.bistatic) c.sweep.looks.push_back(look_at_interaction(transmit, transmit));
+    for (const dvec3& receive : c.radar.receive_positions) c.sweep.looks.push_back(look_at_interaction(transmit, receive));
   }
 }
 

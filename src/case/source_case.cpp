@@ -10,8 +10,8 @@
 #include "case/document.h"
 #include "case/keys.h"
 #include "case/values.h"
-#include "error.h"
-#include "text.h"
+#include "core/error.h"
+#include "core/text.h"
 
 namespace raytube {
 

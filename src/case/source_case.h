@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/geometry.h"
-#include "sbr/ray_hits.h"
+#include "mesh/model/geometry.h"
+#include "point_source/ray_hits.h"
 
 namespace raytube {
 

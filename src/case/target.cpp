@@ -7,8 +7,8 @@
 #include <unordered_map>
 
 #include "case/keys.h"
-#include "error.h"
-#include "text.h"
+#include "core/error.h"
+#include "core/text.h"
 
 namespace raytube {
 

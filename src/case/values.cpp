@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "csv_reader.h"
-#include "decimal.h"
-#include "text.h"
+#include "core/csv_reader.h"
+#include "core/decimal.h"
+#include "core/text.h"
 
 namespace raytube {
 

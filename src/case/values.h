@@ -3,7 +3,7 @@
 #pragma once
 
 #include "case/document.h"
-#include "field.h"
+#include "core/field.h"
 
 namespace raytube {
 

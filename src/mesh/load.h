@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <span>
 
-#include "material.h"
-#include "mesh/part_names.h"
-#include "mesh/triangle_mesh.h"
+#include "mesh/model/part_names.h"
+#include "mesh/model/triangle_mesh.h"
+#include "scene/material.h"
 
 namespace raytube {
 

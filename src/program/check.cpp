@@ -7,17 +7,17 @@
 
 #include "case/names.h"
 #include "case/target.h"
-#include "decimal.h"
-#include "mesh/mirror.h"
+#include "core/decimal.h"
+#include "core/threads.h"
+#include "mesh/features/symmetry.h"
 #include "program/commands.h"
 #include "program/material_report.h"
 #include "program/memory.h"
 #include "program/solvable.h"
 #include "program/wedge_list.h"
-#include "sbr/launch.h"
-#include "skipped.h"
-#include "solve_image.h"
-#include "threads.h"
+#include "sbr/launch/launch.h"
+#include "scene/skipped.h"
+#include "solve/image.h"
 
 namespace raytube {
 
@@ -83,7 +83,7 @@ void print_case(const Case& c) {
     fmt::print("edges        none\n");
   else if (c.edges.method == EdgeMethod::fringe)
     fmt::print("edges        fringe currents, order {}, creases of {} deg and more{}\n", c.edges.order,
-               decimal_degrees(c.edges.min_wedge_angle), c.edges.between ? "; waves between surfaces" : "");
+               decimal_degrees(c.edges.min_wedge_angle), c.edges.interaction ? "; waves between surfaces" : "");
   if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
     fmt::print("             transition function {}{}\n", transition_name(c.edges.transition),
                c.edges.order == 1 ? ", which plays no part at order 1" : "");
@@ -163,7 +163,7 @@ void print_wedges(const std::vector<Wedge>& wedges) {
   if (classes.size() > most_lines) fmt::print("  and {} more angles\n", classes.size() - most_lines);
 }
 
-void print_thin_rims(const Case& c, std::span<const Rim> rims) {
+void print_thin_plate_edges(const Case& c, std::span<const ThinPlateEdge> rims) {
   const auto [lowest, highest] = std::ranges::minmax(c.sweep.frequencies);
   if (c.edges.method != EdgeMethod::fringe || thin_rims(rims, lowest) == 0) return;
   const auto print = [&](double frequency) {
@@ -200,10 +200,10 @@ void print_skipped(const Case& c, const MeshReport& r, const Target& target, con
   for (const Skipped& wedge : skipped_wedges(target.wedges, target.rims, c.edges, c.sweep.frequencies)) skipped.push_back(wedge);
   SkipCounts counts{.repeated_looks = plan.repeated, .mirrored_looks = plan.mirrored};
   if (c.tubes.skip && c.edges.method != EdgeMethod::none) counts.enclosed_wedges = target.wedges_enclosed;
-  const std::vector<bool> crowded = crowded_between(target, c.sweep, c.edges);
-  counts.crowded_frequencies = static_cast<std::uint64_t>(std::ranges::count(crowded, true));
-  counts.near_looks = looks_too_near_for_between(target, c.sweep, c.edges);
-  counts.material_looks = looks_without_between_for_materials(target, c.sweep, c.edges);
+  const std::vector<bool> above_limit = above_interaction_limit(target, c.sweep, c.edges);
+  counts.frequencies_above_interaction_limit = static_cast<std::uint64_t>(std::ranges::count(above_limit, true));
+  counts.near_looks = looks_too_near_for_interaction(target, c.sweep, c.edges);
+  counts.material_looks = looks_without_interaction_for_materials(target, c.sweep, c.edges);
   for (const Skipped& item : skipped_items(counts)) skipped.push_back(item);
   std::vector<std::string> lines;
   for (const Skipped& s : skipped)
@@ -280,7 +280,7 @@ void check_command(const Request& request) {
   fmt::print("{}", materials_text(c, target));
   print_wedges(target.wedges);
   print_material_edges(c.edges, target.wedges);
-  print_thin_rims(c, target.rims);
+  print_thin_plate_edges(c, target.rims);
   print_skipped(c, loaded.report, target, plan);
   if (c.edges.method == EdgeMethod::utd)
     print_rays(c, target, plan);
@@ -290,7 +290,7 @@ void check_command(const Request& request) {
     print_cost(c, loaded.mesh, plan);
   print_memory(target, c);
   if (!request.wedges_csv.empty()) {
-    const std::vector<Wedge> used = merge_thin_rims(target.wedges, target.rims, thin_limit(highest_frequency(c.sweep)));
+    const std::vector<Wedge> used = merge_thin_plate_edges(target.wedges, target.rims, thin_limit(highest_frequency(c.sweep)));
     write_wedges_csv(request.wedges_csv, loaded.mesh, used, c.sweep);
   }
   check_memory(target, c, {c.tubes, c.edges, all_threads(), false, {}}, nullptr);  // as a run would

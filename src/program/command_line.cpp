@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "csv_reader.h"
-#include "error.h"
+#include "core/csv_reader.h"
+#include "core/error.h"
 #include "program/commands.h"
 
 namespace raytube {

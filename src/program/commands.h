@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "random_result.h"
+#include "scene/random_result.h"
 
 namespace raytube {
 

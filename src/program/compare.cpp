@@ -5,11 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "csv_reader.h"
-#include "error.h"
-#include "output/comparison.h"
-#include "output/comparison_plot.h"
-#include "output/comparison_report.h"
+#include "core/csv_reader.h"
+#include "core/error.h"
+#include "output/compare/comparison.h"
+#include "output/compare/comparison_report.h"
+#include "output/plots/comparison_plot.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 #include "program/results.h"

@@ -7,17 +7,17 @@
 #include <numeric>
 
 #include "case/target.h"
-#include "csv_reader.h"
-#include "decimal.h"
-#include "error.h"
-#include "output/convergence_report.h"
+#include "core/csv_reader.h"
+#include "core/decimal.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "core/threads.h"
+#include "output/compare/convergence_report.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 #include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
-#include "text.h"
-#include "threads.h"
 
 namespace raytube {
 

@@ -4,11 +4,11 @@
 
 #include <chrono>
 
-#include "output/image_csv.h"
-#include "output/image_plot.h"
-#include "output/vtu.h"
+#include "output/plots/image_plot.h"
+#include "output/tables/image_csv.h"
+#include "output/tables/vtu.h"
 #include "program/interrupt.h"
-#include "solve_image.h"
+#include "solve/image.h"
 
 namespace raytube {
 

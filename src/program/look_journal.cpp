@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "error.h"
+#include "core/error.h"
 #include "program/results.h"
 
 namespace raytube {

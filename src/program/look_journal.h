@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "output/journal.h"
-#include "solve.h"
+#include "output/files/journal.h"
+#include "solve/solve.h"
 
 namespace raytube {
 

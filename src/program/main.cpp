@@ -12,8 +12,8 @@
 #include <string>
 #include <system_error>
 
-#include "error.h"
-#include "instruction_set.h"
+#include "core/error.h"
+#include "core/instruction_set.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 

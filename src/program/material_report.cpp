@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "case/materials.h"
-#include "decimal.h"
-#include "mesh/overlaps.h"
-#include "text.h"
+#include "core/decimal.h"
+#include "core/text.h"
+#include "mesh/features/overlaps.h"
 
 namespace raytube {
 

@@ -11,11 +11,11 @@
 #include <limits>
 #include <optional>
 
-#include "csv_reader.h"
-#include "decimal.h"
-#include "error.h"
-#include "solve_image.h"
-#include "solve_memory.h"
+#include "core/csv_reader.h"
+#include "core/decimal.h"
+#include "core/error.h"
+#include "solve/image.h"
+#include "solve/memory.h"
 
 namespace raytube {
 

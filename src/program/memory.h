@@ -4,7 +4,7 @@
 #include <string>
 
 #include "case/case.h"
-#include "random_result.h"
+#include "scene/random_result.h"
 
 namespace raytube {
 

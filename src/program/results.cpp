@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "error.h"
-#include "output/earlier_results.h"
-#include "output/sync.h"
+#include "core/error.h"
+#include "output/files/earlier_results.h"
+#include "output/files/sync.h"
 #include "program/interrupt.h"
 
 namespace raytube {

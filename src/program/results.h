@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "output/files.h"
+#include "output/files/files.h"
 
 namespace raytube {
 

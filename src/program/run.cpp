@@ -9,13 +9,14 @@
 #include <set>
 
 #include "case/target.h"
-#include "instruction_set.h"
-#include "output/csv.h"
-#include "output/earlier_results.h"
-#include "output/files.h"
-#include "output/manifest.h"
-#include "output/plot.h"
-#include "output/random_report.h"
+#include "core/instruction_set.h"
+#include "core/threads.h"
+#include "output/compare/random_report.h"
+#include "output/files/earlier_results.h"
+#include "output/files/files.h"
+#include "output/files/manifest.h"
+#include "output/plots/plot.h"
+#include "output/tables/csv.h"
 #include "program/commands.h"
 #include "program/images.h"
 #include "program/interrupt.h"
@@ -25,8 +26,7 @@
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "program/solvable.h"
-#include "threads.h"
-#include "yardstick.h"
+#include "solve/random.h"
 
 namespace raytube {
 
@@ -57,7 +57,7 @@ Solved solve_with_progress(const Target& target, const Case& c, const Request& r
     return !InterruptFlag::raised();
   };
   if (request.random) {
-    RandomResult random = solve_by_chance(target, c.sweep, options, *request.random);
+    RandomResult random = solve_with_random_tubes(target, c.sweep, options, *request.random);
     return {random.mean, std::move(random)};
   }
   options.kept = journal.looks();
@@ -180,10 +180,10 @@ void print_summary(const SweepResult& result, const Case& c, const Manifest& man
   if (manifest.looks_resumed)
     fmt::print("resumed     {} looks were computed before, and are not in that time\n", manifest.looks_resumed);
   fmt::print("lost rays   {}\n", s.lost_rays);
-  if (paths && s.tubes_cut) fmt::print("cut search  in {} looks: too many sequences of mirrors\n", s.tubes_cut);
-  if (!paths && s.tubes_cut)
+  if (paths && s.tubes_truncated) fmt::print("cut search  in {} looks: too many sequences of mirrors\n", s.tubes_truncated);
+  if (!paths && s.tubes_truncated)
     fmt::print(
-        "cut tubes   {} still bounced after tubes.max_bounces, or grew too wide or too many; the error {}\n", s.tubes_cut,
+        "cut tubes   {} still bounced after tubes.max_bounces, or grew too wide or too many; the error {}\n", s.tubes_truncated,
         c.sweep.materials.empty() ? "does not know of them" : "has what they may bring: more of tubes.max_bounces makes it less");
   for (const Skipped& skipped : s.skipped) fmt::print("skipped     {} ({}): {}\n", skipped.what, skipped.count, skipped.why);
   fmt::print("peak sigma  {:.2f} dBsm\n", peak_sigma_dbsm(result));
@@ -302,7 +302,7 @@ class Run {
 };
 
 // What random tubes cannot be asked for.
-void refuse_by_chance(const Case& c) {
+void refuse_random_tubes(const Case& c) {
   if (!c.image_looks.empty())
     throw InputError(
         c.file.string() +
@@ -320,7 +320,7 @@ void run_command(const Request& request) {
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   check_output(destination, names_of_results(request, c), input_files(c));
   if (!request.resume) LookJournal::refuse_leftover(destination);
-  if (request.random) refuse_by_chance(c);
+  if (request.random) refuse_random_tubes(c);
   const LoadedMesh loaded = load_target(c);
   if (const auto count = loaded.report.free_forms_read)
     warn(fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",

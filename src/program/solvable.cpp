@@ -1,7 +1,7 @@
 #include "program/solvable.h"
 
 #include "program/images.h"
-#include "solve_parts.h"
+#include "solve/parts.h"
 
 namespace raytube {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "case/case.h"
-#include "error.h"
+#include "core/error.h"
 
 namespace raytube {
 

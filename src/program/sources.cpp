@@ -8,16 +8,16 @@
 #include <map>
 
 #include "case/source_case.h"
-#include "decimal.h"
-#include "error.h"
-#include "output/sources_files.h"
+#include "core/decimal.h"
+#include "core/error.h"
+#include "core/threads.h"
+#include "output/tables/sources_files.h"
+#include "point_source/launch_limit.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 #include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
-#include "sbr/launch_limit.h"
-#include "threads.h"
 
 namespace raytube {
 
@@ -83,7 +83,7 @@ class Study {
   void solve(const std::function<bool(double)>& progress) {
     progress_ = progress;
     for (std::size_t position = 0; position < case_.points.size(); ++position) {
-      const std::vector<SeenPiece> seen = seen_from({site(position).source, {}});
+      const std::vector<VisiblePiece> seen = seen_from({site(position).source, {}});
       for (const LaunchModel model : case_.models) run_model(position, model, seen);
     }
   }
@@ -132,16 +132,16 @@ class Study {
     }
   }
 
-  std::vector<SeenPiece> seen_from(const Eye& eye) const {
-    return exact() ? seen_pieces(joined_.mesh, eye) : std::vector<SeenPiece>();
+  std::vector<VisiblePiece> seen_from(const Eye& eye) const {
+    return exact() ? visible_pieces(joined_.mesh, eye) : std::vector<VisiblePiece>();
   }
 
-  const std::vector<SeenPiece>& seen_by_plane_wave(const Eye& eye) {
+  const std::vector<VisiblePiece>& seen_by_plane_wave(const Eye& eye) {
     if (!plane_wave_sees_) plane_wave_sees_ = seen_from(eye);
     return *plane_wave_sees_;
   }
 
-  void run_model(std::size_t position, LaunchModel model, const std::vector<SeenPiece>& seen) {
+  void run_model(std::size_t position, LaunchModel model, const std::vector<VisiblePiece>& seen) {
     const bool shown = position == 0;
     if (shown) study_.views.push_back({model, 0, 0, {}, {}});
     for (const std::uint64_t asked : case_.rays) {
@@ -174,9 +174,9 @@ class Study {
     return {case_.max_reflections, case_.counted, keep, threads_, overall};
   }
 
-  void add_exact(const Launch& rays, const std::vector<SeenPiece>& seen, SourceRun& run) {
+  void add_exact(const Launch& rays, const std::vector<VisiblePiece>& seen, SourceRun& run) {
     const double tolerance = cut_tolerance(joined_.mesh, rays.eye());
-    const std::vector<SeenPiece>& lit = rays.eye().direction ? seen_by_plane_wave(rays.eye()) : seen;
+    const std::vector<VisiblePiece>& lit = rays.eye().direction ? seen_by_plane_wave(rays.eye()) : seen;
     const auto limits = launch_limits(rays, lit, joined_.triangle_part, run.parts.size(), tolerance);
     for (std::size_t part = 0; part < limits.size(); ++part) {
       PartHits& hits = run.parts[part];
@@ -186,7 +186,7 @@ class Study {
       hits.exact = 0.0;
     }
     const dvec3 source = site(run.position).source;
-    for (const SeenPiece& piece : seen)
+    for (const VisiblePiece& piece : seen)
       run.parts[joined_.triangle_part[piece.triangle]].exact += solid_angle(piece.outline, source) / (4.0 * pi);
   }
 
@@ -211,7 +211,7 @@ class Study {
   std::vector<RaySurface> surfaces_;
   std::function<bool(double)> progress_;
   std::size_t finished_ = 0;
-  std::optional<std::vector<SeenPiece>> plane_wave_sees_;
+  std::optional<std::vector<VisiblePiece>> plane_wave_sees_;
   SourceStudy study_;
 };
 

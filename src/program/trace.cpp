@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "case/target.h"
-#include "decimal.h"
-#include "error.h"
+#include "core/decimal.h"
+#include "core/error.h"
 #include "program/commands.h"
 #include "program/solvable.h"
 

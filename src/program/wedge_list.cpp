@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <fstream>
 
-#include "decimal.h"
-#include "error.h"
-#include "output/files.h"
-#include "utd/incidence.h"
-#include "utd/visibility.h"
+#include "core/decimal.h"
+#include "core/error.h"
+#include "output/files/files.h"
+#include "utd/shadow/edge_visibility.h"
+#include "utd/wedge/incidence.h"
 
 namespace raytube {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <span>
 
-#include "mesh/wedges.h"
-#include "sweep.h"
+#include "mesh/features/wedges.h"
+#include "scene/sweep.h"
 
 namespace raytube {
 

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <optional>
 
-#include "random.h"
-#include "sbr/cut_tubes.h"
-#include "sbr/sight.h"
+#include "core/random.h"
+#include "sbr/beams/truncated_tubes.h"
+#include "sbr/visible/line_of_sight.h"
 
 namespace raytube {
 
@@ -29,7 +29,7 @@ struct Scene {
   SphericalBasis transmit, receive;
   std::vector<double> wavenumbers;
   std::span<const Material> materials;
-  std::optional<SheetsInSight> sheets;
+  std::optional<LineOfSightSheets> sheets;
   double to_mesh_origin;  // [m], moves the phase reference there from the centre of the mesh
   double area_of_tube;
 };
@@ -41,7 +41,7 @@ class Block {
         beams_(scene.tracer.mesh(), {scene.materials, scene.wavenumbers}, scene.receive,
                incident_beam(scene.rectangle, scene.transmit, dvec2(0.0))) {
     sums_.scattering.resize(scene.wavenumbers.size());
-    if (scene.sheets) sight_.emplace(*scene.sheets, scene.tracer);
+    if (scene.sheets) line_of_sight_.emplace(*scene.sheets, scene.tracer);
   }
 
   void launch(const dvec2& random) {
@@ -53,7 +53,7 @@ class Block {
 
   RandomSums run(int max_bounces) {
     for (int bounce = 0; bounce < max_bounces && !rays_.empty(); ++bounce) advance();
-    sums_.tubes_cut += trace();
+    sums_.tubes_truncated += trace();
     return std::move(sums_);
   }
 
@@ -88,10 +88,10 @@ class Block {
       samples_[i].beam = beams_.child(samples_[i].beam, patch, samples_[i].place);
       rays_[i] = {point, beams_.beam(samples_[i].beam).direction, patch};
       add(beams_.footprint(samples_[i].beam), samples_[i].place);
-      if (sight_) sight_->add(static_cast<std::uint32_t>(i), samples_[i].beam, point, patch);
+      if (line_of_sight_) line_of_sight_->add(static_cast<std::uint32_t>(i), samples_[i].beam, point, patch);
     }
-    if (sight_)
-      sums_.rays += sight_->through_sheets(
+    if (line_of_sight_)
+      sums_.rays += line_of_sight_->through_sheets(
           beams_, [&](std::uint32_t i, std::uint32_t node) { add(beams_.footprint(node), samples_[i].place); });
     send_on(alive);
   }
@@ -119,7 +119,7 @@ class Block {
     std::iota(kept.begin(), kept.end(), std::size_t{0});
     raytube::end_weakest(
         kept, most_tubes, [&](std::size_t i) { return beams_.amplitude(samples_[i].beam); },
-        [&](std::size_t) { ++sums_.tubes_cut; });
+        [&](std::size_t) { ++sums_.tubes_truncated; });
     for (std::size_t i = 0; i < kept.size(); ++i) samples_[i] = samples_[kept[i]], rays_[i] = rays_[kept[i]];
     samples_.resize(kept.size());
     rays_.resize(kept.size());
@@ -142,7 +142,7 @@ class Block {
 
   const Scene& scene_;
   BeamTree beams_;
-  std::optional<RaySight> sight_;
+  std::optional<RayLineOfSight> line_of_sight_;
   std::vector<Sample> samples_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
@@ -175,7 +175,7 @@ RandomSums& RandomSums::operator+=(const RandomSums& other) {
   for (std::size_t i = 0; i < scattering.size(); ++i) scattering[i] += other.scattering[i];
   if (hits.size() < other.hits.size()) hits.resize(other.hits.size());
   for (std::size_t i = 0; i < other.hits.size(); ++i) hits[i] += other.hits[i];
-  rays += other.rays, lost_rays += other.lost_rays, tubes_cut += other.tubes_cut;
+  rays += other.rays, lost_rays += other.lost_rays, tubes_truncated += other.tubes_truncated;
   return *this;
 }
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "mesh/tracer.h"
+#include "mesh/trace/tracer.h"
 #include "sbr/sbr.h"
-#include "sweep.h"
+#include "scene/sweep.h"
 
 namespace raytube {
 
@@ -21,7 +21,7 @@ struct RandomLaunch {
 struct RandomSums {
   std::vector<ScatteringMatrix> scattering;  // [frequency], phase reference at the origin of the mesh's coordinates [m]
   std::vector<std::uint64_t> hits;           // [bounce]
-  std::uint64_t rays = 0, lost_rays = 0, tubes_cut = 0;  // as of Statistics
+  std::uint64_t rays = 0, lost_rays = 0, tubes_truncated = 0;  // as of Statistics
 
   RandomSums& operator+=(const RandomSums& other);
 };

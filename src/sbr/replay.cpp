@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "error.h"
-#include "sbr/footprint.h"
-#include "sbr/launch.h"
+#include "core/error.h"
+#include "sbr/beams/footprint.h"
+#include "sbr/beams/spherical_look.h"
+#include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
-#include "sbr/spherical_look.h"
 
 namespace raytube {
 

@@ -5,14 +5,14 @@
 
 #include <algorithm>
 
-#include "sbr/adaptive.h"
-#include "sbr/curved_cells.h"
-#include "sbr/curved_tubes.h"
-#include "sbr/cut_tubes.h"
-#include "sbr/estimate.h"
-#include "sbr/launch.h"
-#include "sbr/tile.h"
-#include "threads.h"
+#include "core/threads.h"
+#include "sbr/beams/estimate.h"
+#include "sbr/beams/truncated_tubes.h"
+#include "sbr/curved/curved_cells.h"
+#include "sbr/curved/curved_tubes.h"
+#include "sbr/flat/adaptive.h"
+#include "sbr/flat/tile.h"
+#include "sbr/launch/launch.h"
 
 namespace raytube {
 
@@ -202,7 +202,7 @@ class LookTracer {
   TubeSums once(double share, CurrentMap* map) const {
     Part part{options_.mode == TubeMode::adaptive ? trace_faces_or_cells : trace_uniform, first_density(options_)};
     retrace(part, share, map);
-    return with_cut_tubes(std::move(part.sums));
+    return with_truncated_tubes(std::move(part.sums));
   }
 
   /// Each part is sampled more finely until the whole is within the tolerance.
@@ -216,13 +216,13 @@ class LookTracer {
     while (excess(sums, sums.error, tolerance_) > 1.0 && refine(parts, sums)) sums = total(parts);
     if (map)
       for (Part& part : parts) retrace(part, 0.0, map);
-    return with_cut_tubes(std::move(sums));
+    return with_truncated_tubes(std::move(sums));
   }
 
  private:
   // Of conductors alone the number of bounces belongs to the model.
-  TubeSums with_cut_tubes(TubeSums sums) const {
-    if (!materials_.empty()) add_cut_tubes(sums);
+  TubeSums with_truncated_tubes(TubeSums sums) const {
+    if (!materials_.empty()) add_truncated_tubes(sums);
     return sums;
   }
 
@@ -297,7 +297,7 @@ class LookTracer {
   std::vector<double> wavenumbers_;
   std::span<const Material> materials_;
   std::optional<AntennaPair> antennas_;
-  std::optional<SheetsInSight> sheets_;
+  std::optional<LineOfSightSheets> sheets_;
 };
 
 }  // namespace

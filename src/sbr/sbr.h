@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "field.h"
-#include "mesh/convexity.h"
-#include "mesh/face_tree.h"
-#include "mesh/smooth.h"
-#include "mesh/tracer.h"
-#include "progress.h"
-#include "sbr/tube_sums.h"
-#include "sweep.h"
+#include "core/field.h"
+#include "core/progress.h"
+#include "mesh/features/convexity.h"
+#include "mesh/features/smooth.h"
+#include "mesh/model/face_tree.h"
+#include "mesh/trace/tracer.h"
+#include "sbr/beams/tube_sums.h"
+#include "scene/sweep.h"
 
 namespace raytube {
 

@@ -11,18 +11,19 @@ namespace {
 
 EdgeLookResult edges_of_look(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer, const Look& look,
                              std::span<const double> frequencies, int order, bool receiver_shadow, TransitionTier tier,
-                             bool mirror_at_folds, const Radar& radar, const dvec3& center) {
+                             bool continue_by_images, const Radar& radar, const dvec3& center) {
   if (!look.far())
     return fringe_scattering_near(wedges, outlines, tracer, AntennaPair(look, radar, center), frequencies, order, receiver_shadow,
-                                  tier, mirror_at_folds);
+                                  tier, continue_by_images);
   if (order == 1) return fringe_scattering(wedges, tracer, look, frequencies, receiver_shadow);
-  return fringe_scattering(wedges, outlines, tracer, look, frequencies, order, receiver_shadow, tier, mirror_at_folds);
+  return fringe_scattering(wedges, outlines, tracer, look, frequencies, order, receiver_shadow, tier, continue_by_images);
 }
 
 }  // namespace
 
 EdgeSets::EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines,
-                   std::span<const Rim> rims, double min_wedge_angle, std::span<const double> frequencies, bool skip_enclosed)
+                   std::span<const ThinPlateEdge> rims, double min_wedge_angle, std::span<const double> frequencies,
+                   bool skip_enclosed)
     : frequency_count_(frequencies.size()) {
   for (std::size_t place = 0; place < frequencies.size(); ++place) {
     const std::size_t thin = thin_rims(rims, frequencies[place]);
@@ -34,15 +35,15 @@ EdgeSets::EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, c
   std::ranges::sort(sets_, {}, &Set::thin_rims);
   for (Set& set : sets_) {
     const bool sharp = set.thin_rims == 0;
-    set.wedges = sharp ? wedges : merge_thin_rims(wedges, rims, thin_limit(set.frequencies.front()));
+    set.wedges = sharp ? wedges : merge_thin_plate_edges(wedges, rims, thin_limit(set.frequencies.front()));
     set.outlines = sharp ? outlines : Outlines(mesh, set.wedges, min_wedge_angle);
     if (skip_enclosed) continue;
-    for (Wedge& wedge : set.wedges) wedge.silent = !wedge.conducting();
+    for (Wedge& wedge : set.wedges) wedge.enclosed = false;
   }
 }
 
 bool EdgeSets::radiate() const {
-  const auto one_does = [](const Wedge& wedge) { return wedge.radiates() && !wedge.silent; };
+  const auto one_does = [](const Wedge& wedge) { return wedge.radiates(); };
   return std::ranges::any_of(sets_, [&](const Set& set) { return std::ranges::any_of(set.wedges, one_does); });
 }
 
@@ -50,10 +51,10 @@ EdgeLookResult EdgeSets::scattering(const Tracer& tracer, const Look& look, int 
                                     const Radar& radar) const {
   const auto part = [&](const Set& set) {
     if (sheets_)
-      return veiled_fringe_scattering(set.wedges, set.outlines, *sheets_, look, set.frequencies, set.places, order,
-                                      receiver_shadow, tier);
+      return screened_fringe_scattering(set.wedges, set.outlines, *sheets_, look, set.frequencies, set.places, order,
+                                        receiver_shadow, tier);
     return edges_of_look(set.wedges, set.outlines, tracer, look, set.frequencies, order, receiver_shadow, tier,
-                         !set.between.empty(), radar, tracer.mesh().center);
+                         !set.interaction.empty(), radar, tracer.mesh().center);
   };
   if (sets_.size() == 1) return part(sets_.front());
   EdgeLookResult all;
@@ -71,22 +72,22 @@ std::vector<ImageEdge> EdgeSets::pieces(const Tracer& tracer, const Look& look, 
     if (place == set.places.end()) continue;
     const auto index = static_cast<std::size_t>(place - set.places.begin());
     if (sheets_)
-      return veiled_fringe_pieces(set.wedges, set.outlines, *sheets_, look, set.frequencies, index, frequency, order,
-                                  receiver_shadow, tier, lattice);
+      return screened_fringe_pieces(set.wedges, set.outlines, *sheets_, look, set.frequencies, index, frequency, order,
+                                    receiver_shadow, tier, lattice);
     return fringe_pieces(set.wedges, set.outlines, tracer, look, set.frequencies, index, order, receiver_shadow, tier,
-                         !set.between.empty(), lattice);
+                         !set.interaction.empty(), lattice);
   }
   return {};
 }
 
-std::vector<ImageEdge> EdgeSets::between_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look,
-                                                std::size_t frequency, const BetweenOptions& options) const {
+std::vector<ImageEdge> EdgeSets::interaction_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look,
+                                                    std::size_t frequency, const InteractionOptions& options) const {
   for (const Set& set : sets_)
-    for (const BetweenGroup& group : set.between)
+    for (const InteractionGroup& group : set.interaction)
       for (std::size_t i = 0; i < group.places.size(); ++i) {
         if (set.places[group.places[i]] != frequency) continue;
-        const BetweenScene scene{tree, tracer, set.wedges, set.outlines, group.axes, group.corners, group.large};
-        return raytube::between_pieces(scene, look, group.frequencies, i, options);
+        const InteractionScene scene{tree, tracer, set.wedges, set.outlines, group.axes, group.corners, group.large};
+        return raytube::interaction_pieces(scene, look, group.frequencies, i, options);
       }
   return {};
 }
@@ -102,12 +103,12 @@ void EdgeSets::Set::keep(const std::vector<bool>& wanted) {
 }
 
 // Currents run on over folds where what comes from there is painted, and only there: such frequencies are a set of their own.
-void EdgeSets::prepare_between(const TriangleMesh& mesh, const std::vector<bool>& crowded) {
+void EdgeSets::prepare_interaction(const TriangleMesh& mesh, const std::vector<bool>& above_limit) {
   std::vector<Set> without;
   for (Set& set : sets_) {
-    std::vector<bool> crowded_here, painted(set.places.size());
-    for (const std::size_t place : set.places) crowded_here.push_back(crowded[place]);
-    for (const BetweenGroup& group : between_groups(mesh, set.wedges, set.frequencies, crowded_here))
+    std::vector<bool> above_limit_here, painted(set.places.size());
+    for (const std::size_t place : set.places) above_limit_here.push_back(above_limit[place]);
+    for (const InteractionGroup& group : interaction_groups(mesh, set.wedges, set.frequencies, above_limit_here))
       for (const std::size_t place : group.places) painted[place] = true;
     if (std::ranges::find(painted, true) == painted.end()) continue;
     if (std::ranges::find(painted, false) != painted.end()) {
@@ -116,19 +117,19 @@ void EdgeSets::prepare_between(const TriangleMesh& mesh, const std::vector<bool>
       painted.flip();
       without.back().keep(painted);
     }
-    set.between = between_groups(mesh, set.wedges, set.frequencies, std::vector<bool>(set.places.size()));
+    set.interaction = interaction_groups(mesh, set.wedges, set.frequencies, std::vector<bool>(set.places.size()));
   }
   std::ranges::move(without, std::back_inserter(sets_));
   std::ranges::sort(sets_, std::ranges::greater{}, [](const Set& set) { return std::ranges::max(set.frequencies); });
 }
 
-BetweenResult EdgeSets::between(const FaceTree& tree, const Tracer& tracer, const Look& look,
-                                const BetweenOptions& options) const {
-  BetweenResult all;
+InteractionResult EdgeSets::interaction(const FaceTree& tree, const Tracer& tracer, const Look& look,
+                                        const InteractionOptions& options) const {
+  InteractionResult all;
   for (const Set& set : sets_)
-    for (const BetweenGroup& group : set.between) {
-      const BetweenScene scene{tree, tracer, set.wedges, set.outlines, group.axes, group.corners, group.large};
-      const BetweenResult part = between_scattering(scene, look, group.frequencies, options);
+    for (const InteractionGroup& group : set.interaction) {
+      const InteractionScene scene{tree, tracer, set.wedges, set.outlines, group.axes, group.corners, group.large};
+      const InteractionResult part = interaction_scattering(scene, look, group.frequencies, options);
       if (part.scattering.empty()) continue;
       all.scattering.resize(frequency_count_);
       all.error.resize(frequency_count_);

@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "mesh/thin_sheets.h"
-#include "utd/between.h"
-#include "utd/between_groups.h"
-#include "utd/edges.h"
-#include "utd/veils.h"
+#include "mesh/features/thin_plates.h"
+#include "utd/fringe/edges.h"
+#include "utd/fringe/screened_edges.h"
+#include "utd/interaction/edge_face_interaction.h"
+#include "utd/interaction/interaction_groups.h"
 
 namespace raytube {
 
@@ -16,8 +16,8 @@ class EdgeSets {
   /// `wedges` and `outlines` are those of sharp edges; rims thin at a frequency become half planes there. Frequencies that see
   /// the same rims as thin share a set, and no set depends on the others.
   /// Without `skip_enclosed` even edges that no light reaches are asked whether they are lit.
-  EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines, std::span<const Rim> rims,
-           double min_wedge_angle, std::span<const double> frequencies, bool skip_enclosed);
+  EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines,
+           std::span<const ThinPlateEdge> rims, double min_wedge_angle, std::span<const double> frequencies, bool skip_enclosed);
   EdgeSets(const EdgeSets&) = delete;
 
   /// From now on edges behind sheets of these materials count, too. Both arguments are kept by reference.
@@ -35,13 +35,14 @@ class EdgeSets {
                                 TransitionTier tier, const ImageLattice& lattice) const;
 
   /// Finds the edges that may light other surfaces than their own, at the frequencies that are not `crowded`.
-  void prepare_between(const TriangleMesh& mesh, const std::vector<bool>& crowded);
+  void prepare_interaction(const TriangleMesh& mesh, const std::vector<bool>& above_limit);
 
   /// What the waves of edges do on other surfaces in one look at all frequencies; nothing unless prepared.
-  BetweenResult between(const FaceTree& tree, const Tracer& tracer, const Look& look, const BetweenOptions& options) const;
+  InteractionResult interaction(const FaceTree& tree, const Tracer& tracer, const Look& look,
+                                const InteractionOptions& options) const;
   /// The same at one of the frequencies, by the lit pieces of edges these waves come from.
-  std::vector<ImageEdge> between_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look, std::size_t frequency,
-                                        const BetweenOptions& options) const;
+  std::vector<ImageEdge> interaction_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look, std::size_t frequency,
+                                            const InteractionOptions& options) const;
 
  private:
   struct Set {
@@ -50,7 +51,7 @@ class EdgeSets {
     std::vector<double> frequencies;
     std::vector<Wedge> wedges;
     Outlines outlines;
-    std::vector<BetweenGroup> between;  // its places are those of the set's frequencies
+    std::vector<InteractionGroup> interaction;  // its places are those of the set's frequencies
 
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);
@@ -59,7 +60,7 @@ class EdgeSets {
 
   std::vector<Set> sets_;  // highest frequency first
   std::size_t frequency_count_;
-  std::optional<SheetsApart> sheets_;
+  std::optional<OpaqueAndScreens> sheets_;
 };
 
 }  // namespace raytube

@@ -2,7 +2,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "csv_reader.h"
+#include "core/csv_reader.h"
 #include "program.h"
 
 namespace raytube {

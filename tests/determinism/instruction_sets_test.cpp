@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include "instruction_set.h"
-#include "lanes.h"
+#include "core/instruction_set.h"
+#include "math/lanes.h"
 #include "run.h"
 #include "shapes.h"
 

@@ -5,10 +5,10 @@
 #include <cstring>
 #include <map>
 
-#include "error.h"
+#include "core/error.h"
 #include "run.h"
 #include "shapes.h"
-#include "solve_look.h"
+#include "solve/look_result.h"
 
 namespace raytube {
 namespace {
@@ -48,15 +48,15 @@ void expect_same(const SweepResult& one, const SweepResult& other) {
   for (std::size_t b = 0; b < one.bounces.size(); ++b) EXPECT_TRUE(same_bytes(one.bounces[b], other.bounces[b]));
   EXPECT_TRUE(same_bytes(one.edges_first, other.edges_first));
   EXPECT_TRUE(same_bytes(one.edges_higher, other.edges_higher));
-  EXPECT_TRUE(same_bytes(one.between, other.between));
+  EXPECT_TRUE(same_bytes(one.interaction, other.interaction));
   const Statistics &a = one.statistics, &b = other.statistics;
   EXPECT_EQ(a.tubes, b.tubes);
   EXPECT_EQ(a.rays, b.rays);
   EXPECT_EQ(a.hits, b.hits);
-  EXPECT_EQ(a.tubes_cut, b.tubes_cut);
+  EXPECT_EQ(a.tubes_truncated, b.tubes_truncated);
   EXPECT_EQ(a.sliver_area, b.sliver_area);
   EXPECT_EQ(a.wedges_lit, b.wedges_lit);
-  EXPECT_EQ(a.painted_pieces, b.painted_pieces);
+  EXPECT_EQ(a.illuminating_pieces, b.illuminating_pieces);
   EXPECT_EQ(a.windowed_rows, b.windowed_rows);
   ASSERT_EQ(a.skipped.size(), b.skipped.size());
   for (std::size_t i = 0; i < a.skipped.size(); ++i) EXPECT_EQ(a.skipped[i].count, b.skipped[i].count) << a.skipped[i].what;

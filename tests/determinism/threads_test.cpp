@@ -7,8 +7,8 @@
 #include "run.h"
 #include "scratch.h"
 #include "shapes.h"
-#include "solve_image.h"
-#include "yardstick.h"
+#include "solve/image.h"
+#include "solve/random.h"
 
 namespace raytube {
 namespace {
@@ -82,7 +82,7 @@ TEST(Threads, DiffractionBetweenSurfacesGivesTheSameBits) {
   o.tubes.mode = TubeMode::adaptive;
   o.threads = 1;
   const SweepResult one = solve_soup(shapes::dihedral(0.1, 0.12), sweep, o);
-  EXPECT_GT(one.statistics.painted_pieces, 0u);
+  EXPECT_GT(one.statistics.illuminating_pieces, 0u);
   for (const int threads : thread_counts) {
     o.threads = threads;
     const SweepResult many = solve_soup(shapes::dihedral(0.1, 0.12), sweep, o);
@@ -98,11 +98,11 @@ TEST(Threads, RandomTubesGiveTheSameBits) {
   SolveOptions o = options(EdgeMethod::none);
   const Target target(loaded.mesh, o.edges);
   o.threads = 1;
-  const RandomResult one = solve_by_chance(target, sweep, o, {10000, 1, 3});
+  const RandomResult one = solve_with_random_tubes(target, sweep, o, {10000, 1, 3});
   EXPECT_GT(one.mean.error[0][0][0], 0.0);
   for (const int threads : thread_counts) {
     o.threads = threads;
-    const RandomResult many = solve_by_chance(target, sweep, o, {10000, 1, 3});
+    const RandomResult many = solve_with_random_tubes(target, sweep, o, {10000, 1, 3});
     EXPECT_TRUE(same_bytes(one.mean.total, many.mean.total)) << threads << " threads";
     EXPECT_EQ(one.mean.error, many.mean.error) << threads << " threads";
     EXPECT_EQ(one.mean.statistics.rays, many.mean.statistics.rays) << threads << " threads";

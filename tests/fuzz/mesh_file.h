@@ -1,8 +1,8 @@
 // The bytes of a mesh file, read by the parser of one format and, if not too much comes of them, built.
 #pragma once
 
-#include "error.h"
-#include "mesh/formats.h"
+#include "core/error.h"
+#include "mesh/read/formats.h"
 #include "target.h"
 
 namespace raytube::fuzz {

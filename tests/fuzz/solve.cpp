@@ -1,10 +1,10 @@
 // A few vertices, triangles, looks and options from the bytes, solved: whatever comes in, finite amplitudes come out.
-#include "solve.h"
+#include "solve/solve.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "error.h"
+#include "core/error.h"
 #include "target.h"
 
 namespace {
@@ -93,10 +93,10 @@ SolveOptions options(Choices& choices) {
   if (choices.flag()) o.tubes.up = dvec3(coordinate(choices), coordinate(choices), 1.0);
   o.edges.method = static_cast<EdgeMethod>(choices.below(3));
   o.edges.order = static_cast<int>(1 + choices.below(3));
-  o.edges.between = choices.flag();
+  o.edges.interaction = choices.flag();
   o.edges.receiver_shadow = choices.flag();
   o.edges.transition = static_cast<TransitionTier>(choices.below(3));
-  o.edges.thin_sheets = choices.flag();
+  o.edges.thin_plates = choices.flag();
   o.edges.min_wedge_angle = 15.0 * choices.below(4) * degree;
   return o;
 }

@@ -3,7 +3,7 @@
 
 #include "case/looks.h"
 #include "case/radar.h"
-#include "output/comparison.h"
+#include "output/compare/comparison.h"
 #include "scratch.h"
 #include "target.h"
 

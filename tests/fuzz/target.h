@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "error.h"
+#include "core/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

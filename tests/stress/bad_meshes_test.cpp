@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "error.h"
+#include "core/error.h"
 #include "run.h"
 #include "stress/stability.h"
 #include "stress/warts.h"
@@ -65,7 +65,7 @@ TEST(BadMeshes, EveryFacetIsAccountedForAndResultsAreFinite) {
     o.tubes.mode = seed % 2 ? TubeMode::uniform : TubeMode::adaptive;
     o.tubes.max_bounces = 5;
     o.edges.order = 1 + seed % 3;
-    o.edges.between = seed % 6 == 5;
+    o.edges.interaction = seed % 6 == 5;
     const Target target(loaded.mesh, o.edges);
     for (const bool bistatic : {false, true}) {
       const Direction a{1.2, 0.4 + seed}, b{90 * degree, 0.0}, c{0.0, 0.0};
@@ -97,7 +97,7 @@ TEST(BadMeshes, TurnedInsideOutIsTheSame) {
     PolygonSoup soup = Warts(static_cast<std::uint64_t>(1000 + seed)).next(3, 0.0);
     SolveOptions o = options(EdgeMethod::fringe, 5.0);
     o.tubes.mode = TubeMode::adaptive;
-    o.edges.between = false;
+    o.edges.interaction = false;
     const Sweep sweep = monostatic({{1.2, 0.4 + seed}, {0.5, 2.0}}, 3e9);
     const SweepResult one = solve_soup(soup, sweep, o);
     for (auto& polygon : soup.polygons) std::ranges::reverse(polygon);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "between_bodies.h"
-#include "random.h"
+#include "core/random.h"
 #include "run.h"
 #include "shapes.h"
 #include "stress/stability.h"
@@ -80,7 +80,7 @@ inline NamedOptions tubes_and_edges(TubeMode mode, int order, bool between) {
   o.tubes.mode = mode;
   o.tubes.up = dvec3(0.2, 0.1, 1.0);
   o.edges.order = std::max(order, 1);
-  o.edges.between = between;
+  o.edges.interaction = between;
   const std::string edges = order == 0 ? "no edges" : "order " + std::to_string(order) + (between ? " and between" : "");
   return {(mode == TubeMode::uniform ? "uniform, " : "adaptive, ") + edges, o};
 }

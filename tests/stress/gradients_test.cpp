@@ -5,16 +5,16 @@
 
 #include <algorithm>
 
+#include "math/erfc_ray.h"
+#include "math/filon.h"
+#include "math/triangle_moments.h"
 #include "run.h"
-#include "sbr/curved_piece.h"
-#include "sbr/polygon_integral.h"
-#include "sbr/triangle_moments.h"
+#include "sbr/beams/polygon_integral.h"
+#include "sbr/curved/curved_piece.h"
 #include "stress/fine_quadrature.h"
 #include "stress/stability.h"
-#include "utd/edge_currents.h"
-#include "utd/edge_wave_integral.h"
-#include "utd/erfc_ray.h"
-#include "utd/filon.h"
+#include "utd/wedge/edge_currents.h"
+#include "utd/wedge/edge_wave_integral.h"
 
 namespace raytube::testing {
 namespace {
@@ -207,8 +207,8 @@ FineKernels fine_kernels(double n, double source, bool lit, Fine half_cosine) {
 
 TEST(Gradients, FringeKernels) {
   // The observer passes the pole g = phi', the ends of the series at |g -+ phi'| = 0.02, and g = 0, behind which g is imaginary.
-  // A- and A+ add up to nothing as g -> 0, down to 6e-6 (glance_at); at phi' = 0.02, where the series ends, they are differences
-  // of cotangents of 100, whose roundings 1.4e-14 over 2 sin(6e-6) are 2.4e-9 of G_h.
+  // A- and A+ add up to nothing as g -> 0, down to 6e-6 (grazing_ray_at); at phi' = 0.02, where the series ends, they are
+  // differences of cotangents of 100, whose roundings 1.4e-14 over 2 sin(6e-6) are 2.4e-9 of G_h.
   Worst worst;
   for (const double n : {1.02, 1.25, 1.5, 1.99, 2.0})
     for (const double source : {1e-6, 0.02, 0.7, 1.57, 2.4, 3.1, 3.3, 5.0}) {
@@ -222,7 +222,7 @@ TEST(Gradients, FringeKernels) {
         for (const double step : {0.0, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 0.3})
           for (const double h : {centre - step, centre + step}) {
             if (h < 1e-4) continue;
-            const FringeKernels found = fringe_kernels(n, incidence, glance_at(h));
+            const FringeKernels found = fringe_kernels(n, incidence, grazing_ray_at(h));
             // At g = 0 the quotient of the reference is 0/0; it is even in g, so 1e-5 beside it differs by 1e-10.
             const Fine safe = std::abs(h - 1) < 1e-11 ? 1 - 1e-11L : Fine(h);
             const FineKernels wanted = fine_kernels(n, source, incidence.lit, safe);

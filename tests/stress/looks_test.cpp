@@ -29,7 +29,7 @@ Direction degrees(double theta, double phi) { return {theta * degree, phi * degr
           {"trihedral", shapes::trihedral(2 * lambda), axes}};
 }
 
-constexpr int waves_between = 4;  // in the place of an order: 3, with waves between surfaces
+constexpr int interaction_waves = 4;  // in the place of an order: 3, with waves between surfaces
 
 /// Orders of edge currents: 0 is physical optics alone.
 SolveOptions setting(TubeMode mode, int order) {
@@ -37,7 +37,7 @@ SolveOptions setting(TubeMode mode, int order) {
   o.tubes.mode = mode;
   o.tubes.skip = false;  // every look for itself
   o.edges.order = std::clamp(order, 1, 3);
-  o.edges.between = order == waves_between;
+  o.edges.interaction = order == interaction_waves;
   return o;
 }
 
@@ -207,7 +207,7 @@ TEST(Looks, EdgesMonostatic) {
   };
   const Changes plate = largest(orders, TubeMode::adaptive, nullptr, of_plate);
   const Changes others = largest(orders, TubeMode::adaptive, nullptr, of_others);
-  const Changes waves = largest({waves_between}, TubeMode::adaptive, nullptr, of_others);
+  const Changes waves = largest({interaction_waves}, TubeMode::adaptive, nullptr, of_others);
   const std::string bodies = "cube, dihedral, trihedral";
   expect_stable({fmt::format("{}: change beyond slope times step, over the peak", around), "plate; edges, monostatic",
                  plate.at_look, 1e-5, "continuous; quadrature of strips that end at a corner"});
@@ -230,7 +230,7 @@ TEST(Looks, EdgesBistatic) {
   for (const Direction& receiver : {degrees(60, 20), degrees(90, 180), degrees(180, 0)}) {
     if (size_of_run(true, false) && receiver.theta == pi) continue;
     edges.include(largest(orders, TubeMode::adaptive, &receiver, some));
-    if (size_of_run(false, true)) waves.include(largest({waves_between}, TubeMode::adaptive, &receiver, some));
+    if (size_of_run(false, true)) waves.include(largest({interaction_waves}, TubeMode::adaptive, &receiver, some));
   }
   expect_stable({fmt::format("{}: change beyond slope times step, over the peak", around),
                  fmt::format("{}; bistatic, forward scatter among them, edges off and on", targets),

@@ -1,7 +1,7 @@
 // Triangles and vertices in another order, facets wound the other way round.
 #include <numeric>
 
-#include "mesh/triangulate.h"
+#include "mesh/repair/triangulate.h"
 #include "stress/description.h"
 #include "stress/stability.h"
 

@@ -1,6 +1,6 @@
 // Flat faces cut into other triangles: many, thin, with vertices that hang on the edges of others.
 
-#include "mesh/triangulate.h"
+#include "mesh/repair/triangulate.h"
 #include "stress/description.h"
 #include "stress/stability.h"
 

@@ -1,13 +1,13 @@
 // The transition function and the wedge's coefficients where they are hardest: no argument, grazing, boundaries of shadow and of
 // reflection.
-#include "utd/transition.h"
+#include "utd/wedge/transition.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "run.h"
 #include "stress/stability.h"
-#include "utd/wedge_coefficients.h"
+#include "utd/wedge/wedge_coefficients.h"
 
 namespace raytube::testing {
 namespace {

@@ -5,8 +5,8 @@
 #include "run.h"
 #include "shapes.h"
 #include "stress/stability.h"
-#include "utd/edge_currents.h"
-#include "utd/strip_kernels.h"
+#include "utd/multiple/strip_kernels.h"
+#include "utd/wedge/edge_currents.h"
 
 namespace raytube::testing {
 namespace {
@@ -125,12 +125,12 @@ struct Change {
   double infinite = 0.0, jump = 0.0;  // amplitudes that are no numbers; largest change over the peak
 };
 
-Change change_of_prism(double angle, bool thin_sheets) {
+Change change_of_prism(double angle, bool thin_plates) {
   const double frequency = 10e9;
   SolveOptions o = options(EdgeMethod::fringe);
   o.tubes.mode = TubeMode::adaptive;
-  o.edges.between = false;
-  o.edges.thin_sheets = thin_sheets;
+  o.edges.interaction = false;
+  o.edges.thin_plates = thin_plates;
   const auto solved = [&](double degrees) {
     const PolygonSoup soup = prism_with_wedge(degrees * degree, wavelength(frequency));
     return solve_soup(soup, monostatic({{1.3, 0.2}, {1.1, 1.0}, {1.5, 2.3}, {0.6, -0.4}}, frequency), o).total;

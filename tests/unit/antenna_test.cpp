@@ -1,5 +1,5 @@
 // Antennas at a finite distance: spherical waves, polarisation, patterns.
-#include "antenna.h"
+#include "scene/antenna.h"
 
 #include <gtest/gtest.h>
 

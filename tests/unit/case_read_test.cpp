@@ -50,7 +50,7 @@ TEST(CaseRead, EveryKeyIsTaken) {
   EXPECT_EQ(*c.tubes.up, dvec3(0, 0, 2));
   EXPECT_EQ(c.edges.method, EdgeMethod::none);
   EXPECT_EQ(c.edges.order, 3);
-  EXPECT_FALSE(c.edges.thin_sheets);
+  EXPECT_FALSE(c.edges.thin_plates);
   EXPECT_EQ(c.edges.min_wedge_angle, 20.0 * degree);
   EXPECT_FALSE(c.plots);
 }

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "case/source_case.h"
-#include "error.h"
+#include "core/error.h"
 #include "scratch.h"
 
 namespace raytube {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "case/case.h"
-#include "error.h"
+#include "core/error.h"
 #include "scratch.h"
 
 namespace raytube::testing {

@@ -1,5 +1,5 @@
 // Many wavenumbers from a few: how exact, and where it is left alone.
-#include "chebyshev.h"
+#include "math/chebyshev.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Tables from anywhere: separators, comments, places of mistakes.
-#include "csv_reader.h"
+#include "core/csv_reader.h"
 
 #include <gmock/gmock.h>
 
-#include "error.h"
+#include "core/error.h"
 #include "scratch.h"
 
 namespace raytube {

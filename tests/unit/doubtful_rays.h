@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "mesh/tracer.h"
+#include "mesh/trace/tracer.h"
 
 namespace raytube {
 

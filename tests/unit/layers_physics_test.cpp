@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "layers.h"
-#include "material.h"
+#include "scene/layers.h"
+#include "scene/material.h"
 
 namespace raytube {
 namespace {

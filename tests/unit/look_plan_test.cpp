@@ -1,5 +1,5 @@
 // Looks that follow from others.
-#include "look_plan.h"
+#include "scene/look_plan.h"
 
 #include <gmock/gmock.h>
 

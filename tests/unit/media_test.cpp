@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "error.h"
+#include "core/error.h"
 
 namespace raytube {
 namespace {

@@ -1,5 +1,5 @@
 // What stands in front of a face, and what does not.
-#include "mesh/convexity.h"
+#include "mesh/features/convexity.h"
 #include "mesh_shapes.h"
 
 namespace raytube {

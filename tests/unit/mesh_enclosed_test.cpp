@@ -1,7 +1,7 @@
 // What lies inside a closed body, and what only seems to.
 #include <gmock/gmock.h>
 
-#include "mesh/enclosed.h"
+#include "mesh/features/enclosed.h"
 #include "mesh_shapes.h"
 
 namespace raytube {

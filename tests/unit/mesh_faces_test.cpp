@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "mesh/face_tree.h"
+#include "mesh/model/face_tree.h"
 #include "shapes.h"
 
 namespace raytube {

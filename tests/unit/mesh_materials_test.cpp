@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 
-#include "mesh/enclosed.h"
-#include "mesh/join.h"
-#include "mesh/mirror.h"
-#include "mesh/overlaps.h"
-#include "mesh/smooth.h"
+#include "mesh/features/enclosed.h"
+#include "mesh/features/overlaps.h"
+#include "mesh/features/smooth.h"
+#include "mesh/features/symmetry.h"
+#include "mesh/model/join.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mesh/mirror.h"
+#include "mesh/features/symmetry.h"
 #include "mesh_shapes.h"
 
 namespace raytube {

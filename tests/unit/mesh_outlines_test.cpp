@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "mesh/features/outlines.h"
 #include "mesh/load.h"
-#include "mesh/outlines.h"
 
 namespace raytube {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "mesh/geometry.h"
-#include "mesh/patches.h"
+#include "mesh/model/geometry.h"
+#include "mesh/repair/patches.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <limits>
 
-#include "error.h"
+#include "core/error.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "error.h"
+#include "core/error.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {

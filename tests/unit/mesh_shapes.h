@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
+#include "mesh/features/wedges.h"
 #include "mesh/load.h"
-#include "mesh/wedges.h"
 
 namespace raytube::shapes {
 
@@ -155,7 +155,7 @@ inline LoadedMesh build(const PolygonSoup& soup, double metres_per_unit = 1.0) {
   return loaded;
 }
 
-/// The frames obey the conventions of mesh/wedges.h; tolerances are a few roundings of unit vectors.
+/// The frames obey the conventions of mesh/features/wedges.h; tolerances are a few roundings of unit vectors.
 inline void expect_proper(const Wedge& wedge) {
   const dvec3 tangent = glm::normalize(wedge.end - wedge.start);
   for (int i = 0; i < 2; ++i) {

@@ -1,9 +1,9 @@
 // Which facets stand for a curved surface, and how well the surface found there is the one they were made from.
 #include <gtest/gtest.h>
 
+#include "mesh/features/smooth.h"
 #include "mesh/load.h"
-#include "mesh/smooth.h"
-#include "mesh/tracer.h"
+#include "mesh/trace/tracer.h"
 #include "run.h"
 #include "shapes.h"
 

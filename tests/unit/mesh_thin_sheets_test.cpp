@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "mesh/outlines.h"
-#include "mesh/thin_sheets.h"
+#include "mesh/features/outlines.h"
+#include "mesh/features/thin_plates.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {
@@ -26,7 +26,7 @@ PolygonSoup bent_sheet(double lean, double taper) {
 
 std::vector<Wedge> merged(const LoadedMesh& loaded, double widest = limit) {
   const std::vector<Wedge> wedges = wedges_of(loaded);
-  return merge_thin_rims(wedges, find_rims(loaded.mesh, wedges), widest);
+  return merge_thin_plate_edges(wedges, find_thin_plate_edges(loaded.mesh, wedges), widest);
 }
 
 std::vector<Wedge> half_planes_of(const std::vector<Wedge>& wedges) {
@@ -38,7 +38,7 @@ std::vector<Wedge> half_planes_of(const std::vector<Wedge>& wedges) {
 }
 
 std::size_t radiating(const std::vector<Wedge>& wedges) {
-  return static_cast<std::size_t>(std::ranges::count_if(wedges, [](const Wedge& w) { return w.radiates(); }));
+  return static_cast<std::size_t>(std::ranges::count_if(wedges, [](const Wedge& w) { return w.stands_alone(); }));
 }
 
 TEST(MeshThinSheets, BoxPlateHasFourHalfPlanes) {
@@ -47,7 +47,7 @@ TEST(MeshThinSheets, BoxPlateHasFourHalfPlanes) {
   const std::vector<Wedge> sheets = half_planes_of(wedges);
   ASSERT_EQ(sheets.size(), 4u);
   EXPECT_EQ(radiating(wedges), 4u);
-  EXPECT_EQ(rim_corners(wedges), 4u);
+  EXPECT_EQ(thin_plate_corners(wedges), 4u);
   EXPECT_NEAR(total_length(sheets), 10.0, 1e-14);
   for (const Wedge& edge : sheets) {
     EXPECT_NEAR(edge.n, 2.0, 1e-15);
@@ -70,14 +70,14 @@ TEST(MeshThinSheets, ThickPlatesAndOtherBodiesStayAsTheyAre) {
     ASSERT_EQ(after.size(), before.size());
     for (std::size_t i = 0; i < before.size(); ++i) {
       EXPECT_EQ(after[i].start, before[i].start);
-      EXPECT_TRUE(after[i].radiates());
+      EXPECT_TRUE(after[i].stands_alone());
     }
   }
 }
 
 TEST(MeshThinSheets, OpenSheetsHaveNoRims) {
   const LoadedMesh loaded = build(plate(dvec3(0.0), dvec3(3, 0, 0), dvec3(0, 2, 0)));
-  EXPECT_TRUE(find_rims(loaded.mesh, wedges_of(loaded)).empty());
+  EXPECT_TRUE(find_thin_plate_edges(loaded.mesh, wedges_of(loaded)).empty());
 }
 
 TEST(MeshThinSheets, RotationChangesNothing) {
@@ -174,10 +174,10 @@ TEST(MeshThinSheets, ARimThatEndsHalfWayLeavesTheRestOfTheEdge) {
   const std::vector<Wedge> sheets = half_planes_of(wedges);
   ASSERT_EQ(sheets.size(), 4u);
   EXPECT_NEAR(total_length(sheets), 3.0 + 2.0 + 2.0 + 1.0, 1e-14);
-  EXPECT_EQ(rim_corners(wedges), 3u);
+  EXPECT_EQ(thin_plate_corners(wedges), 3u);
   double rest = 0.0;  // of the two upper edges above the block
   for (const Wedge& wedge : wedges)
-    if (wedge.radiates() && wedge.start.z > 0.5 && wedge.end.z > 0.5 && wedge.thickness() == 0.0) rest += wedge.length();
+    if (wedge.stands_alone() && wedge.start.z > 0.5 && wedge.end.z > 0.5 && wedge.thickness() == 0.0) rest += wedge.length();
   EXPECT_NEAR(rest, 2.0, 1e-14);
   // The outlines stay closed: each corner is the start of one edge.
   const Outlines outlines(loaded.mesh, wedges, 15.0 * degree);
@@ -190,7 +190,7 @@ TEST(MeshThinSheets, ARimThatEndsHalfWayLeavesTheRestOfTheEdge) {
 
 TEST(MeshThinSheets, ThinAtOneFrequencyAndNotAtAnother) {
   const LoadedMesh loaded = build(sheet());
-  const std::vector<Rim> rims = find_rims(loaded.mesh, wedges_of(loaded));
+  const std::vector<ThinPlateEdge> rims = find_thin_plate_edges(loaded.mesh, wedges_of(loaded));
   EXPECT_EQ(rims.size(), 4u);
   EXPECT_EQ(thin_rims(rims, speed_of_light), 4u);
   EXPECT_EQ(thin_rims(rims, 2.1 * speed_of_light), 0u);

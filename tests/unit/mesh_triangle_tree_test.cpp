@@ -6,8 +6,8 @@
 #include <set>
 
 #include "doubtful_rays.h"
-#include "mesh/exact_hit.h"
-#include "mesh/triangle_tree.h"
+#include "mesh/model/triangle_tree.h"
+#include "mesh/trace/exact_hit.h"
 #include "shapes.h"
 
 namespace raytube {
@@ -21,9 +21,9 @@ std::uint64_t pairs_looked_at(const TriangleMesh& mesh) {
   return count;
 }
 
-std::uint64_t touching_listed(const TriangleMesh& mesh) {
+std::uint64_t near_coincident_listed(const TriangleMesh& mesh) {
   const TriangleRows at_vertex = triangle_rows(mesh.vertices.size(), mesh.triangles, std::identity());
-  const Touching touching(mesh, TriangleTree(mesh), at_vertex, 2e-6 * mesh.radius, 0.25);
+  const NearCoincident touching(mesh, TriangleTree(mesh), at_vertex, 2e-6 * mesh.radius, 0.25);
   std::uint64_t count = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) count += touching[t].size();
   return count;
@@ -80,8 +80,8 @@ TEST(TriangleTree, WorkGrowsWithTheNumberOfFacetsAtATip) {
   EXPECT_LT(looked_at(4000), 2.5 * 2.0 * looked_at(1000));  // four times as many facets: n log n, not n^2
 }
 
-TEST(Touching, FacetsRoundATipAreNotOverOneAnother) {
-  EXPECT_EQ(touching_listed(mesh_of(shapes::cone(1.0, 0.7, 2000, false))), 0u);
+TEST(NearCoincident, FacetsRoundATipAreNotOverOneAnother) {
+  EXPECT_EQ(near_coincident_listed(mesh_of(shapes::cone(1.0, 0.7, 2000, false))), 0u);
 }
 
 // Two triangles with one common corner; the second has its side at `low` to `high` [rad] as seen from there, turned up by `tilt`.
@@ -90,10 +90,10 @@ std::uint64_t listed(double low, double high, double tilt) {
     return dvec3(std::cos(phi) * std::cos(up), std::sin(phi) * std::cos(up), std::sin(up));
   };
   PolygonSoup soup{{{0, 0, 0}, at(-0.4, 0.0), at(0.4, 0.0), at(low, tilt), at(high, tilt)}, {{0, 1, 2}, {0, 3, 4}}};
-  return touching_listed(mesh_of(std::move(soup)));
+  return near_coincident_listed(mesh_of(std::move(soup)));
 }
 
-TEST(Touching, AtACornerOnlyWhatLiesOverATriangleNarrowly) {
+TEST(NearCoincident, AtACornerOnlyWhatLiesOverATriangleNarrowly) {
   EXPECT_EQ(listed(-0.3, 0.3, 0.05), 2u);    // over it
   EXPECT_EQ(listed(-0.01, 0.01, 0.05), 2u);  // over its middle
   EXPECT_EQ(listed(-0.3, 0.3, 0.5), 0u);     // over it, but wide open

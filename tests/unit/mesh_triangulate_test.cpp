@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <random>
 
-#include "field.h"
-#include "mesh/ears.h"
-#include "mesh/triangulate.h"
+#include "core/field.h"
+#include "mesh/repair/ears.h"
+#include "mesh/repair/triangulate.h"
 
 namespace raytube {
 namespace {

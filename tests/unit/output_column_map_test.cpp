@@ -1,10 +1,10 @@
 // Tables of other programs: columns of other names and units, magnitude and phase, a row for each transmit polarisation.
 #include <gmock/gmock.h>
 
-#include "error.h"
-#include "output/column_map.h"
-#include "output/comparison_report.h"
-#include "output/csv.h"
+#include "core/error.h"
+#include "output/compare/comparison_report.h"
+#include "output/tables/column_map.h"
+#include "output/tables/csv.h"
 #include "scratch.h"
 
 namespace raytube {

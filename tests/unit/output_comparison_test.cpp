@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "error.h"
-#include "output/comparison.h"
-#include "output/comparison_plot.h"
-#include "output/comparison_report.h"
-#include "output/csv.h"
+#include "core/error.h"
+#include "output/compare/comparison.h"
+#include "output/compare/comparison_report.h"
+#include "output/plots/comparison_plot.h"
+#include "output/tables/csv.h"
 #include "run.h"
 #include "scratch.h"
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "output/convergence.h"
-#include "output/convergence_report.h"
-#include "output/error_measures.h"
+#include "output/compare/convergence.h"
+#include "output/compare/convergence_report.h"
+#include "output/compare/error_measures.h"
 #include "run.h"
 #include "scratch.h"
 

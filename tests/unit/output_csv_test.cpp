@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "output/csv.h"
+#include "output/tables/csv.h"
 #include "run.h"
 #include "scratch.h"
 
@@ -31,7 +31,7 @@ SweepResult small_result(const Sweep& sweep) {
   result.bounces = {result.total, std::vector<ScatteringMatrix>(sweep.rows())};
   result.edges_first.resize(sweep.rows());
   result.edges_higher.resize(sweep.rows());
-  result.between.resize(sweep.rows());
+  result.interaction.resize(sweep.rows());
   return result;
 }
 
@@ -137,10 +137,10 @@ TEST(OutputCsv, PartsAddUpToTheTotal) {
   SweepResult result = small_result(sweep);
   result.edges_first[3] = matrix(0.125);
   result.edges_higher[3] = matrix(0.5);
-  result.between[2] = matrix(0.25);
+  result.interaction[2] = matrix(0.25);
   result.total[3] += result.edges_first[3];
   result.total[3] += result.edges_higher[3];
-  result.total[2] += result.between[2];
+  result.total[2] += result.interaction[2];
   write_parts_csv(scratch / "parts.csv", sweep, result);
   const Table table((scratch / "parts.csv").string());
   ASSERT_EQ(table.rows(), 4u);
@@ -161,7 +161,7 @@ TEST(OutputCsv, PartsStateTheConventionsAndKeepTheirColumnsWhereNothingIsHit) {
   nothing.error.resize(sweep.rows());
   nothing.edges_first.resize(sweep.rows());
   nothing.edges_higher.resize(sweep.rows());
-  nothing.between.resize(sweep.rows());
+  nothing.interaction.resize(sweep.rows());
   write_parts_csv(scratch / "parts.csv", sweep, nothing);
   write_rcs_csv(scratch / "rcs.csv", sweep, nothing);
   const std::string parts = text_of(scratch / "parts.csv"), rcs = text_of(scratch / "rcs.csv");

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <limits>
 
-#include "decimal.h"
-#include "field.h"
+#include "core/decimal.h"
+#include "core/field.h"
 
 namespace raytube {
 namespace {

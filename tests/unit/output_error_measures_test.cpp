@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "output/csv.h"
-#include "output/curve_lag.h"
-#include "output/error_measures.h"
+#include "output/compare/curve_lag.h"
+#include "output/compare/error_measures.h"
+#include "output/tables/csv.h"
 
 namespace raytube {
 namespace {

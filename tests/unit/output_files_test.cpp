@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "error.h"
-#include "output/earlier_results.h"
-#include "output/files.h"
-#include "output/manifest.h"
+#include "core/error.h"
+#include "output/files/earlier_results.h"
+#include "output/files/files.h"
+#include "output/files/manifest.h"
 #include "scratch.h"
 
 namespace raytube {

@@ -4,9 +4,9 @@
 #include <regex>
 #include <sstream>
 
-#include "output/image_csv.h"
-#include "output/image_window.h"
-#include "output/vtu.h"
+#include "output/plots/image_window.h"
+#include "output/tables/image_csv.h"
+#include "output/tables/vtu.h"
 #include "run.h"
 #include "scratch.h"
 

@@ -5,9 +5,9 @@
 #include <csignal>
 #include <system_error>
 
-#include "error.h"
-#include "output/files.h"
-#include "output/journal.h"
+#include "core/error.h"
+#include "output/files/files.h"
+#include "output/files/journal.h"
 #include "scratch.h"
 
 namespace raytube {

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "output/cuts.h"
-#include "output/plot.h"
+#include "output/plots/plot.h"
+#include "output/tables/cuts.h"
 #include "scratch.h"
 
 namespace raytube {

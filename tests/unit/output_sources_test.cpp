@@ -1,7 +1,7 @@
 // The table and the points that `raytube sources` writes, and what its pictures are made of.
 #include <gmock/gmock.h>
 
-#include "output/sources_files.h"
+#include "output/tables/sources_files.h"
 #include "scratch.h"
 
 namespace raytube {

@@ -1,5 +1,5 @@
 // The counter-based generator: its authors' answers, evenness, and independence of streams.
-#include "random.h"
+#include "core/random.h"
 
 #include <gtest/gtest.h>
 

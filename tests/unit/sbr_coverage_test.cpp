@@ -1,7 +1,7 @@
 // Cells that no ray can use.
 #include <gtest/gtest.h>
 
-#include "sbr/coverage.h"
+#include "sbr/flat/coverage.h"
 #include "shapes.h"
 
 namespace raytube {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "run.h"
-#include "sbr/curved_beam.h"
-#include "sbr/curved_piece.h"
+#include "sbr/curved/curved_beam.h"
+#include "sbr/curved/curved_piece.h"
 
 namespace raytube {
 namespace {

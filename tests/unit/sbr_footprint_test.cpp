@@ -1,8 +1,8 @@
 // A bundle of tubes on a plane: area, current, phase, and the beam that leaves.
 #include <gtest/gtest.h>
 
-#include "material.h"
-#include "sbr/footprint.h"
+#include "sbr/beams/footprint.h"
+#include "scene/material.h"
 
 namespace raytube {
 namespace {

@@ -1,7 +1,7 @@
 // The six launch models: counts, directions, weights.
 #include <gmock/gmock.h>
 
-#include "error.h"
+#include "core/error.h"
 #include "shapes.h"
 #include "source_scene.h"
 

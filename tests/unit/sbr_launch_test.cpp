@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "error.h"
-#include "sbr/launch.h"
+#include "core/error.h"
+#include "sbr/launch/launch.h"
 
 namespace raytube {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "sbr/lattice.h"
-#include "sbr/polygon_integral.h"
+#include "sbr/beams/polygon_integral.h"
+#include "sbr/launch/lattice.h"
 
 namespace raytube {
 namespace {

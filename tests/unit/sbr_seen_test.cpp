@@ -74,7 +74,7 @@ TEST(Seen, ParallelRaysSeeProjectedAreas) {
       {sheet_across_x(2, {0, 0}, {1, 1}), sheet_across_x(1, {0.5, -1}, {2, 2}), sheet_across_x(-1, {-5, -5}, {5, 5})});
   const dvec3 start = dvec3(0, 0, 0) - scene.joined.mesh.center;
   std::vector<double> areas(3, 0.0);
-  for (const SeenPiece& piece : seen_pieces(scene.joined.mesh, {start, dvec3(1, 0, 0)}))
+  for (const VisiblePiece& piece : visible_pieces(scene.joined.mesh, {start, dvec3(1, 0, 0)}))
     areas[scene.joined.triangle_part[piece.triangle]] += area(piece.outline);
   EXPECT_NEAR(areas[0], 0.5, rounding);
   EXPECT_NEAR(areas[1], 4.5, rounding);
@@ -85,7 +85,7 @@ TEST(Seen, BordersOfASquareAreItsFourSides) {
   // The diagonal between its two triangles is none.
   const SourceScene scene({sheet_across_x(1, {-1, -1}, {1, 1})});
   double length = 0.0;
-  for (const SeenPiece& piece : seen_pieces(scene.joined.mesh, {dvec3(-3, 0, 0), {}}))
+  for (const VisiblePiece& piece : visible_pieces(scene.joined.mesh, {dvec3(-3, 0, 0), {}}))
     for (const Segment& border : piece.border) length += glm::length(border.to - border.from);
   EXPECT_NEAR(length, 8.0, 1e-9);
 }
@@ -99,7 +99,8 @@ TEST(Seen, AngleAreaAgainstClosedForms) {
   const SourceScene room({shapes::cube(2.0)});
   for (const dvec3& source : {dvec3(0, 0, 0), dvec3(0.31, -0.72, 0.9)}) {
     double sum = 0.0;
-    for (const SeenPiece& piece : seen_pieces(room.joined.mesh, {source, {}})) sum += angle_area(piece.outline, source, 1e-12);
+    for (const VisiblePiece& piece : visible_pieces(room.joined.mesh, {source, {}}))
+      sum += angle_area(piece.outline, source, 1e-12);
     EXPECT_NEAR(sum, 2 * pi * pi, 1e-9);  // the tolerance of the integrals times their number
   }
 }

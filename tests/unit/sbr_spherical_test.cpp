@@ -3,10 +3,10 @@
 
 #include <random>
 
-#include "gauss.h"
-#include "sbr/polygon_integral.h"
-#include "sbr/spherical_look.h"
-#include "sbr/triangle_moments.h"
+#include "math/gauss.h"
+#include "math/triangle_moments.h"
+#include "sbr/beams/polygon_integral.h"
+#include "sbr/beams/spherical_look.h"
 
 namespace raytube {
 namespace {

@@ -1,7 +1,7 @@
 // One tube replayed: its bounces, its path, why it ended.
 #include <gtest/gtest.h>
 
-#include "error.h"
+#include "core/error.h"
 #include "sbr/sbr.h"
 #include "shapes.h"
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <random>
 
-#include "sbr/footprint.h"
-#include "sbr/visible.h"
+#include "sbr/beams/footprint.h"
+#include "sbr/visible/beam_visibility.h"
 #include "shapes.h"
 
 namespace raytube {

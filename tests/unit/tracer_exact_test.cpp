@@ -4,9 +4,9 @@
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
+#include "core/instruction_set.h"
 #include "doubtful_rays.h"
-#include "instruction_set.h"
-#include "mesh/exact_hit.h"
+#include "mesh/trace/exact_hit.h"
 #include "shapes.h"
 
 namespace raytube {
@@ -18,7 +18,7 @@ std::uint32_t by_trying_all(const TriangleMesh& mesh, const ExactHit& exact, con
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (exact.patch(t) == ray.source_patch || !exact.ahead(ray, t) || !exact.contains(ray, t)) continue;
     const double depth = exact.depth(ray, t);
-    if (depth >= -exact.doubt() && (!best || depth < best.distance)) best = {t, depth};
+    if (depth >= -exact.sampling_variance() && (!best || depth < best.distance)) best = {t, depth};
   }
   return best ? exact.front_of(ray, best, nothing_ignored).triangle : no_index;
 }
@@ -73,7 +73,7 @@ TEST(ExactHits, LengthOfListsIsNothingButSpeed) {
     for (int i = 0; i < 300; ++i) {
       const Ray ray = rays.next();
       for (std::uint32_t t = static_cast<std::uint32_t>(i) % 7; t < mesh.triangles.size(); t += 7) {
-        expect_same([&](const ExactHit& exact) { return exact.nearest_touching(ray, t, nothing_ignored); });
+        expect_same([&](const ExactHit& exact) { return exact.nearest_near_coincident(ray, t, nothing_ignored); });
         expect_same([&](const ExactHit& exact) { return exact.nearest_around(ray, t, nothing_ignored); });
         const Hit hit{t, never.distance(ray, t)};
         expect_same([&](const ExactHit& exact) { return exact.front_of(ray, hit, nothing_ignored); });

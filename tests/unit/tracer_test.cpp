@@ -1,11 +1,11 @@
 // Which surface a ray meets first, where single precision cannot tell.
-#include "mesh/tracer.h"
+#include "mesh/trace/tracer.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "material.h"
+#include "scene/material.h"
 #include "shapes.h"
 
 namespace raytube {

@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "error.h"
-#include "utd/diffracted_field.h"
-#include "utd/wedge_coefficients.h"
+#include "core/error.h"
+#include "utd/wedge/diffracted_field.h"
+#include "utd/wedge/wedge_coefficients.h"
 
 namespace raytube {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh_shapes.h"
-#include "utd/edge_axes.h"
+#include "utd/interaction/edge_axes.h"
 
 namespace raytube {
 namespace {

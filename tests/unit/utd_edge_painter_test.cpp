@@ -1,10 +1,10 @@
 // What an edge paints on other faces against quadrature over these faces, point by point.
 #include <gtest/gtest.h>
 
-#include "gauss.h"
+#include "math/erfc_ray.h"
+#include "math/gauss.h"
 #include "run.h"
-#include "utd/edge_painter.h"
-#include "utd/erfc_ray.h"
+#include "utd/interaction/edge_illumination.h"
 #include "utd_scene.h"
 
 namespace raytube {
@@ -129,7 +129,7 @@ class Setting {
     const FaceTree tree(scene_.mesh);
     const double wavenumbers[] = {k};
     const std::vector<bool> all(scene_.mesh.patches.size(), true);
-    EdgePainter painter(tree, all, look, wavenumbers, light, reflections);
+    EdgeIllumination illumination(tree, all, look, wavenumbers, light, reflections);
     const std::vector<double> cuts = this->cuts();
     std::vector<ScatteringMatrix> density;
     ScatteringMatrix sum;
@@ -138,7 +138,7 @@ class Setting {
       const int parts = 1 + static_cast<int>(width / 0.05);
       for (int part = 0; part < parts; ++part)
         for (const GaussPoint& point : gauss_rule(24)) {
-          painter.at(cuts[i - 1] + width * (part + point.place) / parts, density);
+          illumination.at(cuts[i - 1] + width * (part + point.place) / parts, density);
           sum += density[0] *= point.weight * width / parts;
         }
     }
@@ -248,7 +248,7 @@ double relative(const ScatteringMatrix& found, const PointSum& wanted) {
 
 // Eight points for every run of distances up to a ratio of eight leave below 1e-4 of a wave; ends 60 wavelengths away count for
 // less.
-TEST(EdgePainter, OneFaceOfALongEdge) {
+TEST(EdgeIllumination, OneFaceOfALongEdge) {
   for (const Panel& face : {above, oblique}) {
     const Setting setting(60.0, {face});
     for (const Look& look : looks) {
@@ -260,7 +260,7 @@ TEST(EdgePainter, OneFaceOfALongEdge) {
   }
 }
 
-TEST(EdgePainter, OneReflectionAfterTheEdge) {
+TEST(EdgeIllumination, OneReflectionAfterTheEdge) {
   const Setting setting(60.0, {above, right});
   for (const Look& look : looks) {
     const LookVectors vectors = look_vectors(look);
@@ -273,7 +273,7 @@ TEST(EdgePainter, OneReflectionAfterTheEdge) {
   }
 }
 
-TEST(EdgePainter, WavesGoOnBeyondTheEndsOfTheEdge) {
+TEST(EdgeIllumination, WavesGoOnBeyondTheEndsOfTheEdge) {
   const Setting setting(0.8, {above});
   for (const Look& look : looks) {
     const LookVectors vectors = look_vectors(look);

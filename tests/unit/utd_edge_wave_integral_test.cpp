@@ -1,10 +1,10 @@
 // Integrals of edge waves over rows of rays against many Gauss points.
 #include <gtest/gtest.h>
 
-#include "gauss.h"
+#include "math/erfc_ray.h"
+#include "math/gauss.h"
 #include "run.h"
-#include "utd/edge_wave_integral.h"
-#include "utd/erfc_ray.h"
+#include "utd/wedge/edge_wave_integral.h"
 
 namespace raytube {
 namespace {

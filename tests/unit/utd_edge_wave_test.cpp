@@ -1,8 +1,8 @@
 // The waves of a lit edge: slopes, and what they are on either side of a boundary.
 #include <gtest/gtest.h>
 
-#include "utd/edge_wave.h"
-#include "utd/erfc_ray.h"
+#include "math/erfc_ray.h"
+#include "utd/wedge/edge_wave.h"
 #include "wedge_fields.h"
 
 namespace raytube {

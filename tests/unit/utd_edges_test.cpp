@@ -6,7 +6,7 @@
 
 #include "strip_2d.h"
 #include "unit/utd_scene.h"
-#include "utd/edges.h"
+#include "utd/fringe/edges.h"
 
 namespace raytube {
 namespace {
@@ -183,7 +183,7 @@ TEST(Edges, StripHasTheFirstOrderAmplitudeOfItsTwoEdges) {
   for (double elevation = degree; elevation < pi / 2; elevation += degree)
     for (const bool hard : {false, true}) {
       const auto amplitude = [&](int order) { return testing::strip_amplitude(width, elevation, elevation, order, hard); };
-      const Complex fringe = amplitude(testing::endless_strips) - amplitude(testing::physical_optics);
+      const Complex fringe = amplitude(testing::untruncated_strips) - amplitude(testing::physical_optics);
       const Complex found = scattering(strip, tracer, monostatic(pi / 2, elevation)).at(hard, hard);
       EXPECT_LE(std::abs(found - Complex(0, (hard ? -1 : 1) / pi) * fringe), 1e-12)
           << elevation / degree;  // the same sum, some 1e3 roundings

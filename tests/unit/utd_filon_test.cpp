@@ -1,8 +1,8 @@
 // Quadrature of a smooth function times a fast phase.
 #include <gtest/gtest.h>
 
-#include "gauss.h"
-#include "utd/filon.h"
+#include "math/filon.h"
+#include "math/gauss.h"
 
 namespace raytube {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "unit/quadrature.h"
-#include "utd/edge_currents.h"
+#include "utd/wedge/edge_currents.h"
 
 namespace raytube {
 namespace {
@@ -14,7 +14,7 @@ FaceIncidence incidence_at(double source_angle, double cone = pi / 2) {
 }
 
 /// The observer for any complex mu with Im mu > 0, where the half-line integrals converge.
-Glance glance_of(Complex mu) {
+GrazingRay grazing_ray_of(Complex mu) {
   const Complex g = pi - std::acos(mu);
   return {g, std::sin(g), -mu};
 }
@@ -65,7 +65,7 @@ TEST(FringeKernels, PlusPhysicalOpticsIsTheIntegralOfTheExactCurrent) {
     for (const double share : {0.2, 0.55, 0.9})
       for (const Complex mu : {Complex(0.3, 0.5), Complex(-0.8, 0.5), Complex(-1.6, 0.5), Complex(-5, 0.5), Complex(0.99, 0.5)}) {
         const FaceIncidence incidence = incidence_at(share * n * pi);
-        const FringeKernels fringe = fringe_kernels(n, incidence, glance_of(mu)), po = physical_optics(incidence, mu);
+        const FringeKernels fringe = fringe_kernels(n, incidence, grazing_ray_of(mu)), po = physical_optics(incidence, mu);
         const auto [soft, hard] = exact.soft_and_hard(incidence.source_angle, mu);
         EXPECT_LE(std::abs(fringe.soft + po.soft - soft), 1e-12 * std::max(1.0, std::abs(soft)))
             << n << ' ' << share << ' ' << mu;
@@ -169,7 +169,7 @@ const Row rows[] = {
 TEST(FringeKernels, AgreeWithEightyDigitValues) {
   // 2e-12 relative to the larger of the kernel and 1e-3; at half_cosine = 1 the limit sin g -> 0 is taken exactly.
   for (const Row& row : rows) {
-    const FringeKernels kernels = fringe_kernels(row.n, incidence_at(row.source_angle), glance_at(row.half_cosine));
+    const FringeKernels kernels = fringe_kernels(row.n, incidence_at(row.source_angle), grazing_ray_at(row.half_cosine));
     const auto tolerance = [](double reference) { return 2e-12 * std::max(std::abs(reference), 1e-3); };
     EXPECT_LE(std::abs(kernels.soft - row.soft), tolerance(row.soft))
         << row.n << ' ' << row.source_angle << ' ' << row.half_cosine;
@@ -186,7 +186,7 @@ TEST(FringeKernels, SplitFormAddsUpToTheWhole) {
     for (const double source : {2.5, 3.1, 3.2, 3.9})
       for (const double half_cosine : {0.01, 0.1, 0.3}) {
         const SplitKernels split = split_kernels(n, incidence_at(source), half_cosine);
-        const FringeKernels whole = fringe_kernels(n, incidence_at(source), glance_at(half_cosine));
+        const FringeKernels whole = fringe_kernels(n, incidence_at(source), grazing_ray_at(half_cosine));
         if (!split.active) continue;
         const double pole = 1 / std::tan(split.angle / 2);
         const double scale = std::abs(pole * split.pole.hard);
@@ -201,10 +201,10 @@ TEST(FringeKernels, HardKernelIsSmoothWhereTheObserverPassesTheConeBackwards) {
   // 1e-9 of the slope; 1e-9 also covers the digits lost beside the switch to the limit form.
   for (const double n : {2.0, 1.5, 1.1})
     for (const double source : {0.4, 2.9, 3.2}) {
-      const Complex limit = fringe_kernels(n, incidence_at(source), glance_at(1.0)).hard;
+      const Complex limit = fringe_kernels(n, incidence_at(source), grazing_ray_at(1.0)).hard;
       for (const double step : {1e-9, 1e-10, 1e-11, 1e-12, 1e-13}) {
-        EXPECT_LE(std::abs(fringe_kernels(n, incidence_at(source), glance_at(1 - step)).hard - limit), 4 * step + 1e-10);
-        EXPECT_LE(std::abs(fringe_kernels(n, incidence_at(source), glance_at(1 + step)).hard - limit), 4 * step + 1e-10);
+        EXPECT_LE(std::abs(fringe_kernels(n, incidence_at(source), grazing_ray_at(1 - step)).hard - limit), 4 * step + 1e-10);
+        EXPECT_LE(std::abs(fringe_kernels(n, incidence_at(source), grazing_ray_at(1 + step)).hard - limit), 4 * step + 1e-10);
       }
     }
 }

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "mesh_shapes.h"
-#include "utd/edge_axes.h"
-#include "utd/reflected_light.h"
+#include "utd/interaction/edge_axes.h"
+#include "utd/interaction/reflected_light.h"
 
 namespace raytube {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "mesh/tracer.h"
-#include "mesh/wedges.h"
+#include "mesh/features/wedges.h"
+#include "mesh/trace/tracer.h"
 
 namespace raytube::test {
 

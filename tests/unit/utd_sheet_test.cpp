@@ -4,7 +4,7 @@
 #include <random>
 
 #include "mesh_shapes.h"
-#include "utd/sheet.h"
+#include "utd/interaction/ray_fan.h"
 
 namespace raytube {
 namespace {
@@ -36,15 +36,15 @@ PolygonSoup cube_beside_plate() {
 }
 
 /// The hit at a place, if any.
-const SheetHit* hit_at(const std::vector<SheetHit>& hits, double place) {
-  for (const SheetHit& hit : hits)
+const FanHit* hit_at(const std::vector<FanHit>& hits, double place) {
+  for (const FanHit& hit : hits)
     if (hit.from <= place && place <= hit.to) return &hit;
   return nullptr;
 }
 
 /// Whether a place is so close to where something begins or ends that one ray of single precision may differ.
-bool at_an_end(const std::vector<SheetHit>& hits, double place) {
-  for (const SheetHit& hit : hits)
+bool at_an_end(const std::vector<FanHit>& hits, double place) {
+  for (const FanHit& hit : hits)
     if (std::abs(hit.from - place) < 1e-6 || std::abs(hit.to - place) < 1e-6) return true;
   return false;
 }
@@ -73,26 +73,26 @@ void expect_single_rays(const PolygonSoup& soup, int sheets, bool ignore) {
   const TriangleMesh& mesh = loaded.mesh;
   const Tracer tracer(mesh);
   const FaceTree tree(mesh);
-  SheetTracer sheet_tracer(tree);
+  RayFanTracer sheet_tracer(tree);
   Random random;
-  std::vector<SheetHit> hits;
+  std::vector<FanHit> hits;
   int found = 0;
   for (int i = 0; i < sheets; ++i) {
-    const Sheet sheet{2.0 * random.vector(), random.direction(), random.direction(), -1.5, 1.5};
+    const RayFan fan{2.0 * random.vector(), random.direction(), random.direction(), -1.5, 1.5};
     const IgnoredPatches ignored{ignore ? static_cast<std::uint32_t>(i % mesh.patches.size()) : no_index, no_index, no_index};
-    sheet_tracer.trace(sheet, ignored, hits);
-    for (const SheetHit& hit : hits) EXPECT_LT(hit.from, hit.to);
+    sheet_tracer.trace(fan, ignored, hits);
+    for (const FanHit& hit : hits) EXPECT_LT(hit.from, hit.to);
     for (std::size_t h = 1; h < hits.size(); ++h) EXPECT_LE(hits[h - 1].to, hits[h].from);
     for (int ray = 0; ray < 25; ++ray) {
       const double place = 1.49 * random.number();
       if (at_an_end(hits, place)) continue;
-      const SheetHit* in_sheet = hit_at(hits, place);
-      const Hit single = first_hit(tracer, sheet.base + place * sheet.step, sheet.direction, ignored);
-      ASSERT_EQ(in_sheet != nullptr, bool(single)) << "sheet " << i << ", place " << place;
+      const FanHit* in_sheet = hit_at(hits, place);
+      const Hit single = first_hit(tracer, fan.base + place * fan.step, fan.direction, ignored);
+      ASSERT_EQ(in_sheet != nullptr, bool(single)) << "fan " << i << ", place " << place;
       if (!single) continue;
       ++found;
       const std::uint32_t patch = tree.faces()[in_sheet->face].patch;
-      EXPECT_EQ(patch, mesh.triangle_patch[single.triangle]) << "sheet " << i << ", place " << place;
+      EXPECT_EQ(patch, mesh.triangle_patch[single.triangle]) << "fan " << i << ", place " << place;
       // Rounding over the cosine of grazing rays.
       EXPECT_NEAR(in_sheet->length + place * in_sheet->growth, single.distance, 1e-10);
     }
@@ -100,7 +100,7 @@ void expect_single_rays(const PolygonSoup& soup, int sheets, bool ignore) {
   EXPECT_GT(found, sheets / 4);
 }
 
-TEST(Sheet, MeetsWhatItsRaysMeet) {
+TEST(RayFan, MeetsWhatItsRaysMeet) {
   for (const bool ignore : {false, true}) {
     expect_single_rays(dihedral(), 200, ignore);
     expect_single_rays(trihedral(), 200, ignore);
@@ -110,28 +110,28 @@ TEST(Sheet, MeetsWhatItsRaysMeet) {
   }
 }
 
-TEST(Sheet, ReflectedRaysGoOnAsSingleOnes) {
+TEST(RayFan, ReflectedRaysGoOnAsSingleOnes) {
   const LoadedMesh loaded = shapes::build(trihedral());
   const FaceTree tree(loaded.mesh);
-  SheetTracer tracer(tree);
+  RayFanTracer tracer(tree);
   Random random;
-  std::vector<SheetHit> hits;
+  std::vector<FanHit> hits;
   int checked = 0;
   for (int i = 0; i < 100; ++i) {
-    const Sheet sheet{random.vector(), random.direction(), random.direction(), -1.0, 1.0};
-    tracer.trace(sheet, {no_index, no_index, no_index}, hits);
-    for (const SheetHit& hit : hits) {
+    const RayFan fan{random.vector(), random.direction(), random.direction(), -1.0, 1.0};
+    tracer.trace(fan, {no_index, no_index, no_index}, hits);
+    for (const FanHit& hit : hits) {
       const Patch& plane = loaded.mesh.patches[tree.faces()[hit.face].patch];
-      const Sheet next = reflected(sheet, hit, plane.normal);
+      const RayFan next = reflected(fan, hit, plane.normal);
       EXPECT_EQ(next.from, hit.from);
       EXPECT_EQ(next.to, hit.to);
-      EXPECT_NEAR(glm::dot(next.direction, plane.normal), -glm::dot(sheet.direction, plane.normal), 1e-15);
+      EXPECT_NEAR(glm::dot(next.direction, plane.normal), -glm::dot(fan.direction, plane.normal), 1e-15);
       for (const double place : {hit.from, 0.3 * hit.from + 0.7 * hit.to}) {
         const dvec3 start = next.base + place * next.step;
         // On the plane and on the ray: rounding over the cosine of grazing rays.
         EXPECT_NEAR(glm::dot(start, plane.normal), plane.offset, 1e-12);
-        const dvec3 ray = start - sheet.base - place * sheet.step;
-        EXPECT_NEAR(glm::length(glm::cross(ray, sheet.direction)), 0.0, 1e-12);
+        const dvec3 ray = start - fan.base - place * fan.step;
+        EXPECT_NEAR(glm::length(glm::cross(ray, fan.direction)), 0.0, 1e-12);
         ++checked;
       }
     }

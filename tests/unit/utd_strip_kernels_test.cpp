@@ -1,11 +1,11 @@
 // Closed forms for one strip of a face against exact references.
 #include <gtest/gtest.h>
 
+#include "math/erfc_ray.h"
 #include "run.h"
 #include "strip_2d.h"
 #include "unit/quadrature.h"
-#include "utd/erfc_ray.h"
-#include "utd/strip_kernels.h"
+#include "utd/multiple/strip_kernels.h"
 
 namespace raytube {
 namespace {
@@ -240,7 +240,7 @@ TEST(StripKernels, EndlessStripsAreTheFirstOrderKernels) {
       for (const double h : {0.05, 0.3, 0.9, 1.5, 10.0}) {
         if (source > n * pi) continue;
         const FringeKernels found = kernels_at(Strip(n, incidence_at(source), h), infinity).current;
-        const FringeKernels exact = fringe_kernels(n, incidence_at(source), glance_at(h));
+        const FringeKernels exact = fringe_kernels(n, incidence_at(source), grazing_ray_at(h));
         const double scale = 1 + std::abs(exact.hard);
         EXPECT_LE(std::abs(found.hard - exact.hard), 1e-12 * scale) << n << ' ' << source << ' ' << h;
         EXPECT_LE(std::abs(found.soft - exact.soft), 1e-12 * scale) << n << ' ' << source << ' ' << h;

@@ -1,10 +1,10 @@
 // What the thickness of a sheet changes in the currents of a half plane: finite and continuous everywhere, nothing when thin.
 #include <gtest/gtest.h>
 
-#include "mesh/thin_sheets.h"
+#include "mesh/features/thin_plates.h"
 #include "shapes.h"
-#include "utd/thin_edge.h"
-#include "utd/visibility.h"
+#include "utd/multiple/thin_edge.h"
+#include "utd/shadow/edge_visibility.h"
 
 namespace raytube {
 namespace {
@@ -22,12 +22,12 @@ Wedge sheet_edge(double thickness) {
 ScatteringMatrix change(const Wedge& wedge, const Look& look) {
   const LookVectors vectors = look_vectors(look);
   const WedgeIncidence incidence = incidence_on(wedge, vectors.incident);
-  ScatteringMatrix sum = rim_amplitude(wedge, incidence, vectors, k);
+  ScatteringMatrix sum = thin_edge_face_amplitude(wedge, incidence, vectors, k);
   for (int side = 0; side < 2; ++side) {
     const WedgeFace& face = wedge.faces[side];
     const FaceIncidence& arriving = incidence.faces[side];
-    const ThinEdge thin(wedge, side, arriving, glance_half_cosine(face, arriving, vectors.scattered), vectors.scattered, true);
-    sum += face_amplitude(thin.endless(k), face, arriving, vectors);
+    const ThinEdge thin(wedge, side, arriving, grazing_half_cosine(face, arriving, vectors.scattered), vectors.scattered, true);
+    sum += face_amplitude(thin.untruncated(k), face, arriving, vectors);
   }
   return sum;
 }
@@ -87,7 +87,7 @@ TEST(ThinEdge, IsTheSameSeenFromEitherSide) {
 TEST(ThinEdge, IsSeenFromBothSidesOfTheSheet) {
   const LoadedMesh loaded = build_mesh(shapes::box({3, 2, 0.05}), 1.0);
   const std::vector<Wedge> sharp = find_wedges(loaded.mesh, 15.0 * degree);
-  const std::vector<Wedge> wedges = merge_thin_rims(sharp, find_rims(loaded.mesh, sharp), 0.1);
+  const std::vector<Wedge> wedges = merge_thin_plate_edges(sharp, find_thin_plate_edges(loaded.mesh, sharp), 0.1);
   const Tracer tracer(loaded.mesh);
   for (const double elevation : {-1.2, -0.01, -1e-5, 1e-5, 0.01, 1.2})
     for (const double azimuth : {0.3, 2.0}) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "run.h"
-#include "utd/transition.h"
+#include "utd/wedge/transition.h"
 
 namespace raytube {
 namespace {

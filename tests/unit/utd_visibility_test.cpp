@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "unit/utd_scene.h"
-#include "utd/incidence.h"
-#include "utd/visibility.h"
+#include "utd/shadow/edge_visibility.h"
+#include "utd/wedge/incidence.h"
 
 namespace raytube {
 namespace {

@@ -1,7 +1,7 @@
 // Both faces of a wedge together: the field they radiate against the classical diffraction coefficients.
 #include <gtest/gtest.h>
 
-#include "utd/edge_currents.h"
+#include "utd/wedge/edge_currents.h"
 
 namespace raytube {
 namespace {
@@ -72,7 +72,7 @@ ScatteringMatrix physical_optics(const Wedge& wedge, const LookVectors& look) {
     const FaceIncidence incidence = incidence_on(wedge, look.incident).faces[side];
     if (!incidence.lit) continue;
     const WedgeFace& face = wedge.faces[side];
-    const double half = glance_half_cosine(face, incidence, look.scattered), mu = 1 - 2 * half * half;
+    const double half = grazing_half_cosine(face, incidence, look.scattered), mu = 1 - 2 * half * half;
     const double hard = 1 / (std::cos(incidence.source_angle) + mu);
     const FringeKernels kernels{std::sin(incidence.source_angle) * hard, hard, -1.0 + mu * hard};
     for (int q = 0; q < 2; ++q) {

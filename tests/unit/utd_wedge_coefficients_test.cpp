@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "utd/transition.h"
-#include "utd/wedge_coefficients.h"
+#include "utd/wedge/transition.h"
+#include "utd/wedge/wedge_coefficients.h"
 
 namespace raytube {
 namespace {

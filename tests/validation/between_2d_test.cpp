@@ -64,7 +64,7 @@ void expect_errors(const Errors& found, const Printed& printed, const std::strin
   if (printed.db) expect_printed(found.db, printed.db, what + " [dB]");
 }
 
-Complex fringe(const Dihedral2d& target, double from, double to, int reflections, FringeEnd end = FringeEnd::endless) {
+Complex fringe(const Dihedral2d& target, double from, double to, int reflections, FringeEnd end = FringeEnd::untruncated) {
   Complex sum = 0.0;
   for (const auto& light : target.edge_lights(from, reflections)) sum += target.fringe(light, to, end);
   return sum;
@@ -131,7 +131,7 @@ constexpr int none = -1;
 /// waves are followed over one reflection after the edge.
 struct Model {
   int painted, fringe;
-  FringeEnd end = FringeEnd::endless;
+  FringeEnd end = FringeEnd::untruncated;
   bool exact_slope = true;
   bool reflect_after = false;
 
@@ -275,10 +275,10 @@ Errors sector_errors(double opening, double w, bool hard, const Model& model) {
 
 TEST(Between2d, SoftFringeNeedsTheMirrorToo) {
   for (const double w : {3, 4, 5, 8}) {
-    const double endless = sector_errors(90, w, false, {1, 1}).relative;
+    const double untruncated = sector_errors(90, w, false, {1, 1}).relative;
     const double mirrored = sector_errors(90, w, false, {1, 1, FringeEnd::mirrored}).relative;
     const double with_rays = sector_errors(90, w, false, {1, 1, FringeEnd::mirrored, false}).relative;
-    std::printf("measured: %g wavelengths, soft: %.4f endless, %.4f mirrored, %.4f with H of the ray\n", w, endless, mirrored,
+    std::printf("measured: %g wavelengths, soft: %.4f endless, %.4f mirrored, %.4f with H of the ray\n", w, untruncated, mirrored,
                 with_rays);
     EXPECT_LE(mirrored, 0.004);       // the reference itself is good to 0.002
     EXPECT_LE(with_rays, 0.042 / w);  // a ray's H lacks what falls with k times its length, here 0.8 / (k w)
@@ -286,8 +286,8 @@ TEST(Between2d, SoftFringeNeedsTheMirrorToo) {
 }
 
 TEST(Between2d, SoftFringeNeedsTheMirrorForReciprocityToo) {
-  const Model endless{1, 1}, mirrored{1, 1, FringeEnd::mirrored}, with_rays{1, 1, FringeEnd::mirrored, false};
-  const double before = reciprocity_defect(endless, false), after = reciprocity_defect(mirrored, false);
+  const Model untruncated{1, 1}, mirrored{1, 1, FringeEnd::mirrored}, with_rays{1, 1, FringeEnd::mirrored, false};
+  const double before = reciprocity_defect(untruncated, false), after = reciprocity_defect(mirrored, false);
   measured("defect, soft, endless", before, "");
   measured("defect, soft, mirrored", after, "");
   measured("defect, soft, mirrored, with H of the ray", reciprocity_defect(with_rays, false), "");
@@ -295,7 +295,7 @@ TEST(Between2d, SoftFringeNeedsTheMirrorForReciprocityToo) {
   const Dihedral2d target(pi / 2, 3, false);
   for (const auto& [first, last] : {std::pair(2, 88), {95, 175}, {185, 265}, {275, 355}}) {
     const Cut cut = read_cut("bistatic", 90, 3, false, first, last);
-    const double open = errors(cut, [&](double from, double to) { return endless(target, from, to); }).relative;
+    const double open = errors(cut, [&](double from, double to) { return untruncated(target, from, to); }).relative;
     const double closed = errors(cut, [&](double from, double to) { return mirrored(target, from, to); }).relative;
     std::printf("measured: %d to %d deg, soft: relative error %.4f endless, %.4f mirrored\n", first, last, open, closed);
     EXPECT_LE(closed, 0.95 * open);  // in every sector, behind the plates and in their shadow, too

@@ -1,5 +1,5 @@
 // The study of cases/convergence: orders that the geometry of tubes and edges asks for, errors that are what they are said to be.
-#include "output/convergence.h"
+#include "output/compare/convergence.h"
 
 #include <gtest/gtest.h>
 

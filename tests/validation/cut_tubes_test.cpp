@@ -1,9 +1,8 @@
 // Tubes that go to and fro between sheets: what the estimate says of those that are cut, and many frequencies of them.
-#include "sbr/cut_tubes.h"
-
 #include <gtest/gtest.h>
 
 #include "material_scene.h"
+#include "sbr/beams/truncated_tubes.h"
 
 namespace raytube {
 

@@ -1,12 +1,12 @@
 // The edge pass on whole targets: bounded and continuous in every direction, silent where there is no edge, clipped by blocks.
-#include "utd/edges.h"
+#include "utd/fringe/edges.h"
 
 #include <gtest/gtest.h>
 
 #include "run.h"
 #include "shapes.h"
-#include "utd/strips.h"
-#include "utd/visibility.h"
+#include "utd/multiple/strip_walk.h"
+#include "utd/shadow/edge_visibility.h"
 
 namespace raytube {
 namespace {

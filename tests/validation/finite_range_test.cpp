@@ -7,7 +7,7 @@
 #include "mesh/load.h"
 #include "run.h"
 #include "shapes.h"
-#include "solve.h"
+#include "solve/solve.h"
 
 namespace raytube {
 namespace {

@@ -4,7 +4,7 @@
 #include "dihedral_2d.h"
 #include "run.h"
 #include "shapes.h"
-#include "utd/strips.h"
+#include "utd/multiple/strip_walk.h"
 
 namespace raytube {
 namespace {
@@ -24,16 +24,16 @@ class FoldScene {
         target_(loaded_.mesh, options(EdgeMethod::fringe).edges) {}
 
   /// Strips of the free edges of the face where x, and with `quadrant` y, are positive.
-  ScatteringMatrix strips(const LookVectors& look, int order, bool mirror_at_folds) const {
-    ScatteringMatrix result = strips_at(frequencies, look, order, mirror_at_folds)[0];
+  ScatteringMatrix strips(const LookVectors& look, int order, bool continue_by_images) const {
+    ScatteringMatrix result = strips_at(frequencies, look, order, continue_by_images)[0];
     return result *= std::polar(1.0, 2 * pi * glm::dot(look.scattered - look.incident, loaded_.mesh.center));
   }
 
   /// The same at several frequencies; phase reference: centre of the mesh.
   std::vector<ScatteringMatrix> strips_at(std::span<const double> at, const LookVectors& look, int order,
-                                          bool mirror_at_folds = true) const {
+                                          bool continue_by_images = true) const {
     const dvec3& center = loaded_.mesh.center;
-    StripWalk walk(target_.wedges, target_.outlines, look, at, order, TransitionTier::exact, mirror_at_folds);
+    StripWalk walk(target_.wedges, target_.outlines, look, at, order, TransitionTier::exact, continue_by_images);
     for (std::uint32_t i = 0; i < target_.wedges.size(); ++i) {
       const Wedge& wedge = target_.wedges[i];
       const dvec3 start = wedge.start + center, end = wedge.end + center;
@@ -73,7 +73,7 @@ const Look looks[] = {{{0.9, 0.4}, {1.3, 2.1}}, {{0.7, -0.6}, {0.7, -0.6}}, {{1.
 /// Largest difference between two scenes in the sum over the mirrors of S(s) with a receiver mirrored like s, each mirror with
 /// the sign -1; and the largest sum.
 std::pair<double, double> compare(const FoldScene& fold, const FoldScene& plate, std::span<const dvec3> mirrors,
-                                  bool mirror_at_folds = true) {
+                                  bool continue_by_images = true) {
   double worst = 0.0, size = 0.0;
   for (const Look& look : looks)
     for (const int order : {1, 2, 3}) {
@@ -81,8 +81,8 @@ std::pair<double, double> compare(const FoldScene& fold, const FoldScene& plate,
       for (const dvec3& mirror : mirrors) {
         const LookVectors there = turned(look_vectors(look), mirror);
         const double sign = mirror.x * mirror.y;
-        wall += fold.strips(there, order, mirror_at_folds) *= sign;
-        image += plate.strips(there, order, mirror_at_folds) *= sign;
+        wall += fold.strips(there, order, continue_by_images) *= sign;
+        image += plate.strips(there, order, continue_by_images) *= sign;
       }
       worst = std::max(worst, largest_amplitude(wall - image));
       size = std::max(size, largest_amplitude(image));

@@ -1,9 +1,10 @@
 // Images of looks: what they add up to, and where things are in them.
+#include "solve/image.h"
+
 #include <gtest/gtest.h>
 
 #include "run.h"
 #include "shapes.h"
-#include "solve_image.h"
 
 namespace raytube {
 namespace {

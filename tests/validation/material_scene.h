@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shapes.h"
-#include "solve.h"
+#include "solve/solve.h"
 
 namespace raytube::material_scene {
 

@@ -204,7 +204,7 @@ TEST(Materials, EdgesByHeuristicAreThoseOfAConductorWhereItIsOne) {
     for (const Direction& receive : {deg(70.0, 33.0), deg(40.0, 81.0)}) {
       SolveOptions options{{}, {}, 1, false, {}};
       options.edges.order = 1;
-      options.edges.between = false;
+      options.edges.interaction = false;
       options.edges.materials = MaterialEdgeMethod::luebbers;
       const auto solved = [&](const std::vector<Material>& materials) {
         const LoadedMesh loaded = build_mesh(soup, 1.0, "test", materials);

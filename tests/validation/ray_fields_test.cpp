@@ -5,7 +5,7 @@
 
 #include "run.h"
 #include "shapes.h"
-#include "utd/diffracted_field.h"
+#include "utd/wedge/diffracted_field.h"
 
 namespace raytube {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "run.h"
 #include "shapes.h"
-#include "utd/edges.h"
-#include "utd/lit_edges.h"
+#include "utd/fringe/edges.h"
+#include "utd/shadow/lit_edges.h"
 
 namespace raytube {
 namespace {

@@ -48,7 +48,7 @@ ScatteringMatrix through(ScatteringMatrix s, double from, double to, int sheets 
 }
 
 // Off its specular direction. Tubes end at the plate, so that nothing goes to and fro. Rounding of k r = 4000.
-TEST(Sight, APlateFarBehindASheetIsSeenThroughItInItsSideLobes) {
+TEST(LineOfSight, APlateFarBehindASheetIsSeenThroughItInItsSideLobes) {
   const PolygonSoup plate = shapes::plate(10.0 * lambda);
   const PolygonSoup near = rectangle(dvec2(-50.0 * lambda), dvec2(50.0 * lambda), 66.0 * lambda);
   PolygonSoup two = near;
@@ -66,7 +66,7 @@ TEST(Sight, APlateFarBehindASheetIsSeenThroughItInItsSideLobes) {
 }
 
 // Cells at 10 a wavelength end in stairs along the plate: 0.3 of a wavelength's square in 100, of that the share in its lobe.
-TEST(Sight, UniformTubesSeeTheSame) {
+TEST(LineOfSight, UniformTubesSeeTheSame) {
   const PolygonSoup plate = shapes::plate(10.0 * lambda),
                     sheet = rectangle(dvec2(-50.0 * lambda), dvec2(50.0 * lambda), 66.0 * lambda);
   const Direction look = deg(8.0, 0.0);  // close to the top of the second side lobe
@@ -77,7 +77,7 @@ TEST(Sight, UniformTubesSeeTheSame) {
 }
 
 // Half of the plate stands behind the sheet, for both antennas: its edge lies above the middle of the plate along both lines.
-TEST(Sight, TheEdgeOfASheetCutsWhatIsSeenThroughIt) {
+TEST(LineOfSight, TheEdgeOfASheetCutsWhatIsSeenThroughIt) {
   const double h = 5.0 * lambda, height = 40.0 * lambda, theta = 24.0, middle = height * std::tan(theta * degree);
   const PolygonSoup sheet = rectangle({middle, -30.0 * lambda}, {middle + 60.0 * lambda, 30.0 * lambda}, height);
   const Direction look = deg(theta, 0.0);
@@ -95,7 +95,7 @@ TEST(Sight, TheEdgeOfASheetCutsWhatIsSeenThroughIt) {
 
 // Only the receiver has the sheet before it, in the mirror direction of the plate, where none of the shadow's lobe arrives; and
 // the other way round only the transmitter.
-TEST(Sight, ASheetBeforeOneOfTheAntennasCountsOnce) {
+TEST(LineOfSight, ASheetBeforeOneOfTheAntennasCountsOnce) {
   const PolygonSoup plate = shapes::plate(10.0 * lambda),
                     sheet = rectangle({10.0 * lambda, -40.0 * lambda}, {90.0 * lambda, 40.0 * lambda}, 40.0 * lambda);
   const Direction open = deg(45.0, 180.0), covered = deg(45.0, 0.0);
@@ -112,7 +112,7 @@ TEST(Sight, ASheetBeforeOneOfTheAntennasCountsOnce) {
 }
 
 // Behind both the sheet and the plate nothing is left of the incident wave: (T - 1) - T = -1.
-TEST(Sight, TheShadowBehindASheetIsWhole) {
+TEST(LineOfSight, TheShadowBehindASheetIsWhole) {
   const PolygonSoup plate = shapes::plate(10.0 * lambda);
   PolygonSoup both = rectangle(dvec2(-5.0 * lambda), dvec2(5.0 * lambda), 6.0 * lambda);
   both.materials.assign(2, 0);
@@ -122,7 +122,7 @@ TEST(Sight, TheShadowBehindASheetIsWhole) {
 }
 
 // The receiver in the plane of the plate: what is seen does not jump there.
-TEST(Sight, EdgeOnIsTheLimitOfAlmostEdgeOn) {
+TEST(LineOfSight, EdgeOnIsTheLimitOfAlmostEdgeOn) {
   const PolygonSoup plate = shapes::plate(10.0 * lambda);
   PolygonSoup sheet{{{40.0 * lambda, -60.0 * lambda, -30.0 * lambda},
                      {40.0 * lambda, 60.0 * lambda, -30.0 * lambda},

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "case/source_case.h"
-#include "random.h"
+#include "core/random.h"
 #include "source_scene.h"
 
 namespace raytube {

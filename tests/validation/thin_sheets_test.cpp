@@ -3,7 +3,7 @@
 
 #include "run.h"
 #include "shapes.h"
-#include "utd/edge_currents.h"
+#include "utd/wedge/edge_currents.h"
 
 namespace raytube {
 namespace {
@@ -35,13 +35,13 @@ ScatteringMatrix physical_optics(const dvec3& sides, const Look& look) {
 
 struct EdgeSettings {
   int order;
-  bool thin_sheets;
+  bool thin_plates;
 };
 
 SweepResult solve_edges(const PolygonSoup& soup, const Sweep& sweep, const EdgeSettings& settings) {
   SolveOptions o = options(EdgeMethod::fringe, 1.0);
   o.edges.order = settings.order;
-  o.edges.thin_sheets = settings.thin_sheets;
+  o.edges.thin_plates = settings.thin_plates;
   return solve_soup(soup, sweep, o);
 }
 
@@ -100,7 +100,7 @@ StripErrors strip_errors(double thickness, double cone, const EdgeSettings& sett
 }
 
 void report(double thickness, const EdgeSettings& settings, const StripErrors& errors) {
-  const std::string name = std::string(settings.thin_sheets ? "half planes" : "two rims") + ", order " +
+  const std::string name = std::string(settings.thin_plates ? "half planes" : "two rims") + ", order " +
                            std::to_string(settings.order) + ", thickness " + std::to_string(thickness);
   measured((name + ", soft, rms |P - P_exact|").c_str(), errors.soft, "");
   measured((name + ", hard, rms |P - P_exact|").c_str(), errors.hard, "");
@@ -161,7 +161,7 @@ TEST(ThinSheets, WithTubesToo) {
   }
   EXPECT_LE(rms(soft), 0.03);
   EXPECT_LE(rms(hard), 0.03);
-  EXPECT_EQ(result.statistics.thin_rims_lowest, 4u);
+  EXPECT_EQ(result.statistics.thin_plate_edges_lowest, 4u);
 }
 
 /// The largest difference of any channel over all rows.
@@ -223,8 +223,8 @@ TEST(ThinSheets, SweepAcrossTheThresholdEqualsSingleFrequencies) {
         both.looks.push_back({{theta, 0.3}, bistatic ? Direction{1.0, 2.0} : Direction{theta, 0.3}});
       const PolygonSoup soup = shapes::box({3, 2, 0.05});
       const SweepResult together = solve_edges(soup, both, {order, true});
-      EXPECT_EQ(together.statistics.thin_rims_lowest, 4u);
-      EXPECT_EQ(together.statistics.thin_rims_highest, 0u);
+      EXPECT_EQ(together.statistics.thin_plate_edges_lowest, 4u);
+      EXPECT_EQ(together.statistics.thin_plate_edges_highest, 0u);
       for (std::size_t f = 0; f < 2; ++f) {
         Sweep one = both;
         one.frequencies = {frequencies[f]};

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "material_scene.h"
-#include "solve_image.h"
+#include "solve/image.h"
 
 namespace raytube {
 
@@ -33,7 +33,7 @@ ScatteringMatrix edges_of(const PolygonSoup& soup, const std::vector<Material>& 
     SolveOptions options{{}, {}, 1, false, {}};
     options.edges.method = method;
     options.edges.order = order;
-    options.edges.between = false;
+    options.edges.interaction = false;
     const LoadedMesh loaded = build_mesh(soup, 1.0, "test", materials);
     const bool bistatic = !(from == to);
     return solve(Target(loaded.mesh, options.edges), {{frequency}, {{from, to}}, bistatic, {}, materials}, options).total.front();
@@ -42,7 +42,7 @@ ScatteringMatrix edges_of(const PolygonSoup& soup, const std::vector<Material>& 
 }
 
 // Cut along the lines at which sheets begin and end, currents of edges add up to those of whole edges.
-TEST(VeiledEdges, ASheetOfVacuumChangesNothing) {
+TEST(ScreenedEdges, ASheetOfVacuumChangesNothing) {
   const Direction from = deg(20.0, 15.0), to = deg(35.0, 70.0);
   for (const PolygonSoup& body :
        {shapes::plate(5.0 * lambda), shapes::cube(3.0 * lambda), shapes::dihedral(4.0 * lambda, 3.0 * lambda)})
@@ -57,7 +57,7 @@ TEST(VeiledEdges, ASheetOfVacuumChangesNothing) {
 }
 
 // In the plane phi = 0 V is TM and H is TE. The sheet lies before both antennas.
-TEST(VeiledEdges, EdgesAreSeenThroughASheetTwice) {
+TEST(ScreenedEdges, EdgesAreSeenThroughASheetTwice) {
   const PolygonSoup plate = shapes::plate(5.0 * lambda);
   const double from = 20.0, to = 50.0;
   const SurfaceResponse in = response(laminate, 0, k, std::cos(from * degree), false),
@@ -70,7 +70,7 @@ TEST(VeiledEdges, EdgesAreSeenThroughASheetTwice) {
 }
 
 // Of a plate half of which stands behind the sheet, open + T^2 covered: the same two parts for any sheet.
-TEST(VeiledEdges, OnlyWhatASheetCoversIsChangedByIt) {
+TEST(ScreenedEdges, OnlyWhatASheetCoversIsChangedByIt) {
   const PolygonSoup plate = shapes::plate(5.0 * lambda);
   const double theta = 20.0;
   const Direction look = deg(theta, 0.0);
@@ -90,13 +90,13 @@ TEST(VeiledEdges, OnlyWhatASheetCoversIsChangedByIt) {
 }
 
 // A slab whose rims are half planes at one frequency and boxes at the other: two sets of edges.
-TEST(VeiledEdges, EveryFrequencyHasItsOwnRims) {
+TEST(ScreenedEdges, EveryFrequencyHasItsOwnRims) {
   const PolygonSoup slab = shapes::box({5.0 * lambda, 5.0 * lambda, 0.05 * lambda});
   const Direction look = deg(25.0, 15.0);
   for (const int order : {1, 3}) {
     SolveOptions options{{}, {}, 1, false, {}};
     options.edges.order = order;
-    options.edges.between = false;
+    options.edges.interaction = false;
     const auto solved = [&](const PolygonSoup& soup, const std::vector<Material>& materials) {
       std::vector<Material> at_both = materials;
       for (Material& material : at_both) material.layers.push_back(material.layers.front());
@@ -105,13 +105,13 @@ TEST(VeiledEdges, EveryFrequencyHasItsOwnRims) {
                    options)
           .total;
     };
-    const auto bare = solved(slab, {}), veiled = solved(under_sheet(slab, -30.0 * lambda), {nothing});
-    for (const std::size_t f : {0, 1}) EXPECT_LT(difference(veiled[f], bare[f]), 1e-9) << order << f;
+    const auto bare = solved(slab, {}), screened = solved(under_sheet(slab, -30.0 * lambda), {nothing});
+    for (const std::size_t f : {0, 1}) EXPECT_LT(difference(screened[f], bare[f]), 1e-9) << order << f;
   }
 }
 
 // Images divide what is seen through sheets, too, and leave nothing out: rounding of some thousand parts.
-TEST(VeiledEdges, ImagesAddUpBehindSheets) {
+TEST(ScreenedEdges, ImagesAddUpBehindSheets) {
   const std::vector<Material> materials{laminate};
   const LoadedMesh loaded = build_mesh(under_sheet(shapes::cube(3.0 * lambda), 0.5 * lambda), 1.0, "test", materials);
   const Direction look = deg(20.0, 15.0);

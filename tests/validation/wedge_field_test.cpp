@@ -15,7 +15,7 @@ using namespace wedge_fields;
 constexpr double k = 2 * pi;
 const dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
-StraightEdge endless(double n) { return {dvec3(0.0), x, y, n}; }
+StraightEdge untruncated(double n) { return {dvec3(0.0), x, y, n}; }
 
 dvec3 outwards(double angle) { return {std::cos(angle), std::sin(angle), 0.0}; }
 
@@ -59,7 +59,7 @@ std::vector<double> observers(double n, double source) {
 /// Of the total field of a unit plane wave.
 Errors plane_wave_errors(double n, double k_rho) {
   const Series exact = Series::plane(n, k_rho);
-  const StraightEdge edge = endless(n);
+  const StraightEdge edge = untruncated(n);
   Errors worst;
   for (const double share : {0.03, 0.13, 0.31, 0.5, 0.67})
     for (const double observer : observers(n, share * n * pi)) {
@@ -119,7 +119,7 @@ DiffractedWave line_optics(const StraightEdge& edge, const RaySource& line, cons
 /// In units of the incident wave at the edge. Within 1/k of the source no ray is worth a comparison.
 Errors line_source_errors(double n, double k_rho_source, double k_rho) {
   const Series exact = Series::line(n, k_rho, k_rho_source);
-  const StraightEdge edge = endless(n);
+  const StraightEdge edge = untruncated(n);
   const Complex far_hankel = std::polar(std::sqrt(2 / (pi * k)), pi / 4);  // of e^{-jk rho} / sqrt(rho)
   Errors worst;
   for (const double share : {0.13, 0.31, 0.6})
@@ -152,7 +152,7 @@ TEST(WedgeField, LineSource) {
 /// In units of the incident wave at the diffraction point; the rays of geometrical optics are exact and left out on both sides.
 Errors point_source_errors(double n, double rho, double rho_source, double along) {
   const PointDiffraction exact(n, k, rho, rho_source, along);
-  const StraightEdge edge = endless(n);
+  const StraightEdge edge = untruncated(n);
   Errors worst;
   for (const double share : {0.3, 0.62})
     for (int i = 0; i <= 300; ++i) {
@@ -199,9 +199,9 @@ double oblique_error(const Series& exact, double n, double cone, std::mt19937_64
   RaySource wave{Spreading::plane, dvec3(0.0), std::cos(cone) * z - std::sin(cone) * outwards(source), {}};
   wave.moment = across({vector(), vector()}, wave.direction);
   const dvec3 point = 50.0 / (k * std::sin(cone)) * outwards(observer) + 20.0 * entry(random) * z;
-  const EdgeRay ray = edge_ray(endless(n), wave, point);
-  const ComplexVector field = diffracted_field(endless(n), ray, wave.moment, k);
-  const DiffractedWave scalar = exact_diffraction(exact, endless(n), source, observer);
+  const EdgeRay ray = edge_ray(untruncated(n), wave, point);
+  const ComplexVector field = diffracted_field(untruncated(n), ray, wave.moment, k);
+  const DiffractedWave scalar = exact_diffraction(exact, untruncated(n), source, observer);
   const Complex phase = std::polar(1.0, -k * std::cos(cone) * point.z);
   const Complex electric = phase * dot(wave.moment, z) * scalar.soft;
   const Complex magnetic = phase * dot(wave.moment, glm::cross(z, wave.direction)) * scalar.hard;
@@ -229,7 +229,7 @@ ComplexVector total_field(const StraightEdge& edge, const RaySource& source, con
 TEST(WedgeField, VectorFieldOfAPointSourceIsContinuousOverEveryBoundary) {
   const RaySource source{Spreading::point, 3.0 * outwards(0.8) - 2.0 * z, z, {{0.3, -1.2, 0.7}, {0.9, 0.4, -0.5}}};
   for (const double n : {2.0, 1.5, 1.1, 0.75}) {
-    const StraightEdge edge = endless(n);
+    const StraightEdge edge = untruncated(n);
     for (const double boundary : {pi + 0.8, pi - 0.8, 2 * n * pi - pi - 0.8}) {
       if (boundary <= 0.01 || boundary >= n * pi - 0.01) continue;
       const auto at = [&](double angle) { return total_field(edge, source, 5.0 * outwards(angle) + 4.0 * z); };

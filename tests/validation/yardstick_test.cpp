@@ -1,12 +1,11 @@
 // Random tubes: unbiased, spread as Monte Carlo theory has it, edges taken over. Seeds are fixed: nothing here fails by chance.
-#include "yardstick.h"
-
 #include <gtest/gtest.h>
 
 #include "closed_forms.h"
-#include "error.h"
+#include "core/error.h"
 #include "run.h"
 #include "shapes.h"
+#include "solve/random.h"
 
 namespace raytube {
 namespace {
@@ -21,7 +20,7 @@ RandomResult by_chance(PolygonSoup soup, const Sweep& sweep, const RandomOptions
   o.tubes.mode = TubeMode::adaptive;
   o.tubes.per_wavelength = 40.0;
   const LoadedMesh loaded = build_mesh(std::move(soup), 1.0);
-  return solve_by_chance(Target(loaded.mesh, o.edges), sweep, o, random);
+  return solve_with_random_tubes(Target(loaded.mesh, o.edges), sweep, o, random);
 }
 
 // 4 standard errors of the mean, which are known to 1 / sqrt(2 * 2 * 99) = 5 %: a deviation so large comes by chance once in
@@ -86,10 +85,10 @@ TEST(Yardstick, TheLaunchRectangleFollowsUp) {
   SolveOptions o = options(EdgeMethod::none);
   const Target target(loaded.mesh, o.edges);
   const Sweep sweep = monostatic({{0.0, 0.0}}, frequency);
-  const double beside = solve_by_chance(target, sweep, o, {100, 3, 10}).spread[0][0][0].amplitude;
+  const double beside = solve_with_random_tubes(target, sweep, o, {100, 3, 10}).spread[0][0][0].amplitude;
   o.tubes.up = dvec3(-std::sin(turn), std::cos(turn), 0.0);
   EXPECT_GT(beside, 1e-2 * lambda);
-  EXPECT_LE(solve_by_chance(target, sweep, o, {100, 3, 10}).spread[0][0][0].amplitude, 1e-9 * lambda);
+  EXPECT_LE(solve_with_random_tubes(target, sweep, o, {100, 3, 10}).spread[0][0][0].amplitude, 1e-9 * lambda);
 }
 
 // One look at many frequencies is one set of rays: each row is what its frequency alone would give.

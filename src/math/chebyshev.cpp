@@ -1,0 +1,62 @@
+#include "math/chebyshev.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+// e^{jzx} on |x| <= 1 is the sum of 2 j^n J_n(z) T_n(x) (DLMF 10.12), and |J_n(z)| <= (z/2)^n / n! (DLMF 10.14.4). `count` nodes
+// leave an error of four times the terms from n = count on. Coefficients of an amplitude fall by `rate` each; those of a product
+// by the larger of the two. Rounded up to a multiple of four, so that few different sets are needed.
+std::size_t nodes_needed(double z, double rate, std::size_t limit) {
+  double bound = 1.0;
+  std::size_t count = 0;
+  while (bound > 1e-13 && count <= limit) bound *= std::max(0.5 * z / static_cast<double>(++count), rate);
+  return std::max<std::size_t>(4, (count + 3) / 4 * 4);
+}
+
+// Barycentric formula (Berrut & Trefethen, SIAM Review 46, 2004, eq. 4.2) with the weights of the first kind (eq. 5.3).
+ChebyshevNodes make_nodes(std::size_t count, double middle, double half_width, std::span<const double> wavenumbers) {
+  ChebyshevNodes nodes;
+  std::vector<double> barycentric(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    const double angle = (2.0 * static_cast<double>(n) + 1.0) * pi / (2.0 * static_cast<double>(count));
+    nodes.at.push_back(middle + half_width * std::cos(angle));
+    barycentric[n] = (n % 2 == 0 ? 1.0 : -1.0) * std::sin(angle);
+  }
+  for (const double k : wavenumbers) {
+    std::vector<double> row(count);
+    if (const auto met = std::ranges::find(nodes.at, k); met != nodes.at.end())
+      row[static_cast<std::size_t>(met - nodes.at.begin())] = 1.0;
+    else
+      for (std::size_t n = 0; n < count; ++n) row[n] = barycentric[n] / (k - nodes.at[n]);
+    double sum = 0.0;
+    for (const double weight : row) sum += weight;
+    for (const double weight : row) nodes.weights.push_back(weight / sum);
+  }
+  return nodes;
+}
+
+}  // namespace
+
+Band::Band(std::span<const double> wavenumbers) : wavenumbers_(wavenumbers.begin(), wavenumbers.end()) {
+  if (wavenumbers_.empty()) return;
+  const auto [low, high] = std::ranges::minmax(wavenumbers_);
+  middle_ = 0.5 * (low + high);
+  half_width_ = 0.5 * (high - low);
+  // One over the sum of the half axes of the ellipse with its foci at the ends of the band that runs through k = 0 (Trefethen,
+  // Approximation Theory and Approximation Practice, 2013, theorem 8.1).
+  rate_ = half_width_ / (middle_ + std::sqrt(low * high));
+}
+
+const ChebyshevNodes* Band::nodes(double half_span, double rate) {
+  const std::size_t most = wavenumbers_.size() / 2, count = nodes_needed(half_width_ * half_span, rate, most);
+  if (count > most) return nullptr;
+  const auto [entry, is_new] = nodes_.try_emplace(count);
+  if (is_new) entry->second = make_nodes(count, middle_, half_width_, wavenumbers_);
+  return &entry->second;
+}
+
+}  // namespace raytube

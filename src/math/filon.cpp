@@ -1,0 +1,80 @@
+#include "math/filon.h"
+
+#include <cmath>
+
+#include "math/gauss.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr int count = lanes;
+// Below it the Gauss rule itself is exact to rounding.
+constexpr double slow = 0.3;
+
+// j_0 .. j_7: upwards where that is stable, else downwards from where they vanish (Miller), scaled by the larger of j_0 and j_1.
+std::array<double, lanes> spherical_bessel(double x) {
+  std::array<double, lanes> j;
+  j[0] = std::sin(x) / x;
+  j[1] = (j[0] - std::cos(x)) / x;
+  if (std::abs(x) >= count) {
+    for (int n = 1; n + 1 < count; ++n) j[n + 1] = (2 * n + 1) / x * j[n] - j[n - 1];
+    return j;
+  }
+  std::array<double, lanes> shape;
+  double above = 0.0, here = 1e-60;
+  for (int n = 30; n >= 0; --n) {
+    if (n < count) shape[n] = here;
+    const double below = (2 * n + 1) / x * here - above;
+    above = here;
+    here = below;
+  }
+  const double scale = std::abs(j[0]) > std::abs(j[1]) ? j[0] / shape[0] : j[1] / shape[1];
+  for (int n = 0; n < count; ++n) j[n] = scale * shape[n];
+  return j;
+}
+
+}  // namespace
+
+const FilonRule& FilonRule::get() {
+  static const FilonRule rule;
+  return rule;
+}
+
+FilonRule::FilonRule() {
+  const std::span<const GaussPoint> rule = gauss_rule(lanes);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    at[i] = 2 * rule[i].place - 1;
+    gauss_[i] = 2 * rule[i].weight;
+    double before = 0.0, value = 1.0;
+    for (int n = 0; n < count; ++n) {
+      legendre_[n][i] = (n % 4 < 2 ? 1 : -1) * gauss_[i] * (2 * n + 1) * value;
+      const double next = ((2 * n + 1) * at[i] * value - n * before) / (n + 1);
+      before = value;
+      value = next;
+    }
+  }
+}
+
+Complexes FilonRule::weights(double theta) const {
+  if (std::abs(theta) <= slow) {
+    Reals angle;
+    for (std::size_t i = 0; i < lanes; ++i) angle[i] = theta * at[i];
+    Complexes result = unit_phasors(angle);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      result.re[i] *= gauss_[i];
+      result.im[i] *= gauss_[i];
+    }
+    return result;
+  }
+  Complexes result{};
+  const std::array<double, lanes> bessel = spherical_bessel(theta);
+  for (int n = 0; n < count; n += 2)
+    for (std::size_t i = 0; i < lanes; ++i) {
+      result.re[i] += bessel[n] * legendre_[n][i];
+      result.im[i] += bessel[n + 1] * legendre_[n + 1][i];
+    }
+  return result;
+}
+
+}  // namespace raytube

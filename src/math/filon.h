@@ -1,0 +1,25 @@
+// Integrals of a smooth function times a fast, linear phase (Filon 1928).
+#pragma once
+
+#include <array>
+
+#include "math/lanes.h"
+
+namespace raytube {
+
+/// The rule of eight Gauss points on [-1, 1]: sum of weights(theta)[i] f(at[i]) is the integral of f(x) e^{j theta x}, exact for
+/// polynomials f of a degree below eight at any theta (Bakhvalov & Vasil'eva 1968: Legendre series, whose terms have spherical
+/// Bessel functions for moments).
+class FilonRule {
+ public:
+  static const FilonRule& get();
+  Reals at;
+  Complexes weights(double theta) const;
+
+ private:
+  FilonRule();
+  Reals gauss_;
+  std::array<Reals, lanes> legendre_;  // [n][i]: weight of point i times (2n + 1) P_n there, the sign of j^n with it
+};
+
+}  // namespace raytube

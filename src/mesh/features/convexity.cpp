@@ -1,0 +1,103 @@
+#include "mesh/features/convexity.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "mesh/model/edge_table.h"
+
+namespace raytube {
+
+namespace {
+
+// Bounds the time that corners shared by very many facets could take.
+constexpr std::uint64_t most_comparisons = 100'000'000;
+
+// What rises less above a plane is not met by a ray that leaves it: see ExactHit::ahead.
+double rounding(const TriangleMesh& mesh) { return 8.0 * std::numeric_limits<double>::epsilon() * mesh.radius; }
+
+double height(const Patch& plane, const dvec3& at) { return glm::dot(plane.normal, at) - plane.offset; }
+
+bool lies_in_one_plane(const TriangleMesh& mesh) {
+  return std::ranges::all_of(mesh.vertices,
+                             [&](const dvec3& v) { return std::abs(height(mesh.patches[0], v)) <= rounding(mesh); });
+}
+
+// A closed connected surface is the boundary of a convex body if it is convex about each of its points (van Heijenoort 1952);
+// about those inside facets it always is, about those inside edges if it is so about their ends.
+class ConvexBody {
+ public:
+  explicit ConvexBody(const TriangleMesh& mesh) : mesh_(mesh), rounding_(rounding(mesh)), first_(mesh.vertices.size() + 1) {
+    for (const auto& triangle : mesh.triangles)
+      for (const std::uint32_t v : triangle) ++first_[v + 1];
+    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    around_.resize(3 * mesh.triangles.size());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+      for (const std::uint32_t v : mesh.triangles[t]) around_[next[v]++] = t;
+  }
+
+  bool found() {
+    if (mesh_.components.size() != 1 || !mesh_.components[0].closed) return false;
+    const EdgeTable edges(mesh_.triangles, mesh_.vertices.size());
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (edges[e].sides.size() != 2) return false;
+    for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v)
+      if (!neighbours_lie_behind(v) || !winds_once(v)) return false;
+    return true;
+  }
+
+ private:
+  std::span<const std::uint32_t> around(std::uint32_t v) const {
+    return std::span(around_).subspan(first_[v], first_[v + 1] - first_[v]);
+  }
+
+  // The planes that meet at a vertex hold it, and have none of its neighbours in front.
+  bool neighbours_lie_behind(std::uint32_t v) {
+    planes_.clear();
+    for (const std::uint32_t t : around(v)) planes_.push_back(mesh_.triangle_patch[t]);
+    std::ranges::sort(planes_);
+    planes_.erase(std::unique(planes_.begin(), planes_.end()), planes_.end());
+    comparisons_ += 3 * planes_.size() * around(v).size();
+    return comparisons_ <= most_comparisons && std::ranges::all_of(planes_, [&](std::uint32_t p) {
+             const Patch& plane = mesh_.patches[p];
+             if (std::abs(height(plane, mesh_.vertices[v])) > rounding_) return false;
+             return std::ranges::all_of(around(v), [&](std::uint32_t t) {
+               const auto& [a, b, c] = mesh_.triangles[t];
+               return std::max({height(plane, mesh_.vertices[a]), height(plane, mesh_.vertices[b]),
+                                height(plane, mesh_.vertices[c])}) <= rounding_;
+             });
+           });
+  }
+
+  // Seen from outside, the facets at a vertex go round it once: neither do they overlap nor do two tips touch there.
+  bool winds_once(std::uint32_t v) const {
+    dvec3 axis(0.0);
+    for (const std::uint32_t t : around(v)) axis += mesh_.patches[mesh_.triangle_patch[t]].normal;
+    double angle = 0.0;
+    for (const std::uint32_t t : around(v)) {
+      const auto& triangle = mesh_.triangles[t];
+      const auto corner = std::ranges::find(triangle, v) - triangle.begin();
+      const dvec3 a = mesh_.vertices[triangle[(corner + 1) % 3]] - mesh_.vertices[v],
+                  b = mesh_.vertices[triangle[(corner + 2) % 3]] - mesh_.vertices[v];
+      // In the plane across the axis.
+      angle += std::atan2(glm::length(axis) * glm::dot(axis, glm::cross(a, b)),
+                          glm::dot(axis, axis) * glm::dot(a, b) - glm::dot(axis, a) * glm::dot(axis, b));
+    }
+    return std::abs(angle / (2.0 * pi) - 1.0) < 0.1;  // else it is another whole number
+  }
+
+  const TriangleMesh& mesh_;
+  double rounding_;
+  std::vector<std::uint32_t> first_, around_;  // triangles around each vertex
+  std::vector<std::uint32_t> planes_;
+  std::uint64_t comparisons_ = 0;
+};
+
+}  // namespace
+
+Convexity find_convexity(const TriangleMesh& mesh) {
+  if (ConvexBody(mesh).found()) return {true, true};
+  return {lies_in_one_plane(mesh), false};
+}
+
+}  // namespace raytube

@@ -1,0 +1,16 @@
+// Whether the surfaces of a target can light or shadow one another at all.
+#pragma once
+
+#include "mesh/model/triangle_mesh.h"
+
+namespace raytube {
+
+struct Convexity {
+  bool no_reflection = false;  // light reflected by one face meets no other: a convex body, or a plate
+  bool no_shadow = false;      // every face turned to the light is lit as a whole: a convex body
+};
+
+/// Tells a single convex body, or faces that all lie in one plane, by their corners, to rounding. Everything else has neither.
+Convexity find_convexity(const TriangleMesh& mesh);
+
+}  // namespace raytube

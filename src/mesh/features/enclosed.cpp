@@ -1,0 +1,116 @@
+#include "mesh/features/enclosed.h"
+
+#include <algorithm>
+
+namespace raytube {
+
+namespace {
+
+// Terms of winding numbers, about a second's worth; bodies that may enclose others, the largest of a mesh.
+constexpr std::uint64_t most_terms = 50'000'000;
+constexpr std::size_t most_bodies = 16;
+
+// Of a triangle seen from the origin; positive if it runs counter-clockwise there (van Oosterom & Strackee 1983) [sr].
+double solid_angle(const dvec3& a, const dvec3& b, const dvec3& c) {
+  const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+  const double below = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+  return 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)), below);
+}
+
+class EnclosedComponents {
+ public:
+  explicit EnclosedComponents(const FaceTree& tree)
+      : tree_(tree), mesh_(tree.mesh()), boxes_(mesh_.components.size()), triangles_(mesh_.components.size()) {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const std::uint32_t component = mesh_.triangle_component[t];
+      triangles_[component].push_back(t);
+      for (const std::uint32_t v : mesh_.triangles[t]) boxes_[component].add(mesh_.vertices[v]);
+    }
+  }
+
+  std::vector<bool> run() {
+    std::vector<bool> enclosed(boxes_.size(), false);
+    const std::vector<std::uint32_t> bodies = largest_bodies();
+    for (std::uint32_t c = 0; c < boxes_.size(); ++c)
+      enclosed[c] = std::ranges::any_of(bodies, [&](std::uint32_t body) { return encloses(body, c); });
+    return enclosed;
+  }
+
+ private:
+  std::vector<std::uint32_t> largest_bodies() const {
+    std::vector<std::uint32_t> bodies;
+    for (std::uint32_t c = 0; c < boxes_.size(); ++c)
+      if (mesh_.components[c].closed) bodies.push_back(c);
+    std::ranges::stable_sort(bodies, std::ranges::greater(), [&](std::uint32_t c) { return boxes_[c].diagonal(); });
+    bodies.resize(std::min(bodies.size(), most_bodies));
+    return bodies;
+  }
+
+  // A surface that does not cross the body's has one winding number, that of any of its points.
+  bool encloses(std::uint32_t body, std::uint32_t component) {
+    const Box &outer = boxes_[body], &inner = boxes_[component];
+    if (!glm::all(glm::lessThan(outer.low, inner.low)) || !glm::all(glm::lessThan(inner.high, outer.high))) return false;
+    terms_ += triangles_[body].size();
+    return terms_ <= most_terms && winds_about(body, mesh_.vertices[mesh_.triangles[triangles_[component][0]][0]]) &&
+           std::ranges::none_of(triangles_[component], [&](std::uint32_t t) { return may_touch(body, t); });
+  }
+
+  bool winds_about(std::uint32_t body, const dvec3& point) const {
+    double sum = 0.0;
+    for (const std::uint32_t t : triangles_[body]) {
+      const auto& [a, b, c] = mesh_.triangles[t];
+      sum += solid_angle(mesh_.vertices[a] - point, mesh_.vertices[b] - point, mesh_.vertices[c] - point);
+    }
+    return std::abs(sum / (4.0 * pi) - 1.0) < 0.1;  // else it is another whole number
+  }
+
+  // Two triangles are apart if one lies clear of the other's plane; some others are, too.
+  bool may_touch(std::uint32_t body, std::uint32_t triangle) {
+    Box box;
+    for (const std::uint32_t v : mesh_.triangles[triangle]) box.add(mesh_.vertices[v]);
+    const Patch bottom{dvec3(0, 0, 1), box.low.z};
+    tree_.collect(
+        {dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0), bottom.normal, dvec2(box.low), dvec2(box.high), box.high.z, &bottom},
+        found_);
+    for (const std::uint32_t face : found_)
+      for (const std::uint32_t other : tree_.triangles(face))
+        if (mesh_.triangle_component[other] == body && !clear_of_plane(triangle, other) && !clear_of_plane(other, triangle))
+          return true;
+    return false;
+  }
+
+  bool clear_of_plane(std::uint32_t triangle, std::uint32_t plane) const {
+    const std::uint32_t a = mesh_.triangles[plane][0];
+    const dvec3 normal = glm::normalize(area_vector(mesh_.vertices, mesh_.triangles[plane]));
+    const auto above = [&](std::uint32_t v) { return glm::dot(normal, mesh_.vertices[v] - mesh_.vertices[a]); };
+    const auto [low, high] = std::ranges::minmax(mesh_.triangles[triangle], {}, above);
+    return above(low) > margin_ || above(high) < -margin_;
+  }
+
+  const FaceTree& tree_;
+  const TriangleMesh& mesh_;
+  std::vector<Box> boxes_;                             // of the components
+  std::vector<std::vector<std::uint32_t>> triangles_;  // of the components
+  std::uint64_t terms_ = 0;
+  double margin_ = flat_fraction * 2.0 * mesh_.radius;
+  std::vector<std::uint32_t> found_;
+};
+
+}  // namespace
+
+std::vector<bool> find_enclosed_components(const FaceTree& tree) { return EnclosedComponents(tree).run(); }
+
+std::uint64_t mark_enclosed(const TriangleMesh& mesh, const std::vector<bool>& components, std::vector<Wedge>& wedges) {
+  std::vector<bool> patches(mesh.patches.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (components[mesh.triangle_component[t]]) patches[mesh.triangle_patch[t]] = true;
+  std::uint64_t marked = 0;
+  for (Wedge& wedge : wedges) {
+    if (std::ranges::none_of(wedge.faces, [&](const WedgeFace& face) { return patches[face.patch]; })) continue;
+    if (wedge.conducting() && !wedge.enclosed) ++marked;
+    wedge.enclosed = true;
+  }
+  return marked;
+}
+
+}  // namespace raytube

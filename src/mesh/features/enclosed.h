@@ -1,0 +1,18 @@
+// Parts of a target that nothing from outside can reach.
+#pragma once
+
+#include <vector>
+
+#include "mesh/features/wedges.h"
+#include "mesh/model/face_tree.h"
+
+namespace raytube {
+
+/// For each component of the mesh, whether it lies inside a closed one without touching it: light from outside never gets there,
+/// straight or reflected. Parts that come near the skin of the body, or that would take long to tell, count as reachable.
+std::vector<bool> find_enclosed_components(const FaceTree& tree);
+
+/// Marks the wedges of these components. Returns how many they are.
+std::uint64_t mark_enclosed(const TriangleMesh& mesh, const std::vector<bool>& components, std::vector<Wedge>& wedges);
+
+}  // namespace raytube

@@ -1,0 +1,105 @@
+#include "mesh/features/outlines.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesh/features/edge_sectors.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double parallel = 1e-9;        // of the direction's component across an edge: the line never reaches it
+constexpr double behind = 1e-12;         // of the edge's length: a line that starts on an edge has crossed it
+constexpr double vertex_overlap = 1e-7;  // of the edge's length: neighbours overlap, so that no line slips through a vertex
+
+std::size_t side_index(std::uint32_t patch, bool back) { return 2 * std::size_t{patch} + (back ? 1 : 0); }
+
+/// Distance along the line to the edge, or infinity if it does not cross the edge outwards.
+double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direction) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const double inwards = glm::dot(direction, edge.into_face);
+  if (inwards > -parallel) return never;
+  const dvec3 offset = point - edge.start;
+  const double distance = -glm::dot(offset, edge.into_face) / inwards;
+  if (distance < -behind * edge.length) return never;
+  const double share = glm::dot(offset + distance * direction, edge.share);
+  return share < -vertex_overlap || share > 1.0 + vertex_overlap ? never : std::max(distance, 0.0);
+}
+
+}  // namespace
+
+Outlines::Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle)
+    : edges_(2 * mesh.patches.size()), wanted_(2 * mesh.patches.size(), false) {
+  for (const Wedge& wedge : wedges)
+    if (wedge.stands_alone() && wedge.conducting())
+      for (const WedgeFace& face : wedge.faces) wanted_[side_index(face.patch, face.back)] = true;
+  add_wedges(wedges);
+  add_creases(mesh, min_wedge_angle);
+}
+
+void Outlines::add(std::size_t side, const OutlineEdge& edge) {
+  if (!wanted_[side]) return;
+  OutlineEdge& added = edges_[side].emplace_back(edge);
+  if (edge.wedge_face == 1) std::swap(added.start, added.end);
+  const dvec3 along = added.end - added.start;
+  added.share = along / glm::dot(along, along);
+  added.length = glm::length(along);
+}
+
+/// Currents end beside other materials than perfect conductors: as far as they know there is no wedge. An edge of a thin rim
+/// stays where it is in the outlines; what stands there is the half plane, and nothing on the rim's own side.
+void Outlines::add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int face) {
+  const Wedge& w = wedges[wedge];
+  const std::size_t side = side_index(w.faces[face].patch, w.faces[face].back);
+  add(side, {w.start, w.end, w.faces[face].into_face, w.conducting() ? wedge : no_index, face, false});
+  if (w.half_plane == no_index || !wanted_[side]) return;
+  OutlineEdge& edge = edges_[side].back();
+  edge.wedge = no_index;
+  for (int i = 0; i < 2; ++i) {
+    const WedgeFace& own = wedges[w.half_plane].faces[i];
+    if (side_index(own.patch, own.back) != side) continue;
+    edge.wedge = w.half_plane;
+    edge.wedge_face = i;
+  }
+}
+
+void Outlines::add_wedges(std::span<const Wedge> wedges) {
+  for (std::uint32_t w = 0; w < wedges.size(); ++w)
+    for (int i = 0; i < 2; ++i)
+      if (wedges[w].thickness() == 0.0) add_wedge(wedges, w, i);
+}
+
+/// What is left of the outlines once the wedges are taken: flat creases, and faces that touch with no space between them.
+void Outlines::add_creases(const TriangleMesh& mesh, double min_wedge_angle) {
+  const EdgeTable table(mesh.triangles, mesh.vertices.size());
+  std::vector<EdgePiece> pieces = exposed_sectors(mesh, table);
+  std::erase_if(pieces, [&](const EdgePiece& piece) {
+    const auto wanted = [&](const PatchSide& side) { return wanted_[side_index(side.patch, side.back)]; };
+    return piece.faces[0] == piece.faces[1] || is_wedge(mesh, piece, min_wedge_angle) ||
+           (!wanted(piece.faces[0]) && !wanted(piece.faces[1]));
+  });
+  const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();
+  for (const EdgePiece& run : join_straight(mesh.vertices, std::move(pieces), distance)) {
+    const dvec3 start = mesh.vertices[run.start], end = mesh.vertices[run.end], tangent = glm::normalize(end - start);
+    for (int i = 0; i < 2; ++i) {
+      const dvec3 into_face = face_frame(mesh, run.faces[i], tangent, i).into_face;
+      add(side_index(run.faces[i].patch, run.faces[i].back), {start, end, into_face, no_index, i, has_opening(run)});
+    }
+  }
+}
+
+std::span<const OutlineEdge> Outlines::around(const WedgeFace& face) const { return edges_[side_index(face.patch, face.back)]; }
+
+FaceExit Outlines::exit(const WedgeFace& face, std::uint32_t own, const dvec3& point, const dvec3& direction) const {
+  FaceExit nearest{nullptr, std::numeric_limits<double>::infinity()};
+  for (const OutlineEdge& edge : around(face)) {
+    if (edge.wedge == own) continue;
+    const double distance = crossing(edge, point, direction);
+    if (distance < nearest.distance) nearest = {&edge, distance};
+  }
+  return nearest;
+}
+
+}  // namespace raytube

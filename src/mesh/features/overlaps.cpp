@@ -1,0 +1,37 @@
+#include "mesh/features/overlaps.h"
+
+#include "mesh/model/geometry.h"
+#include "mesh/trace/near_coincident.h"
+
+namespace raytube {
+
+namespace {
+
+std::array<dvec3, 3> corners(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+}
+
+const Patch& patch(const TriangleMesh& mesh, std::uint32_t triangle) { return mesh.patches[mesh.triangle_patch[triangle]]; }
+
+// Where two closed bodies touch no wave gets between them.
+bool have_a_side_in_common(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  return !mesh.closed(a) || !mesh.closed(b) || glm::dot(patch(mesh, a).normal, patch(mesh, b).normal) > 0.0;
+}
+
+}  // namespace
+
+Overlaps overlaps_of_materials(const Tracer& tracer) {
+  const TriangleMesh& mesh = tracer.mesh();
+  const double in_one_plane = flat_fraction * bounding_box(mesh.vertices).diagonal();
+  Overlaps overlaps;
+  for (std::uint32_t a = 0; a < mesh.triangles.size(); ++a)
+    for (const std::uint32_t b : tracer.near_coincident(a)) {
+      if (b < a || patch(mesh, a).material == patch(mesh, b).material || !have_a_side_in_common(mesh, a, b)) continue;
+      if (!lie_upon_one_another(corners(mesh, a), corners(mesh, b), in_one_plane)) continue;
+      if (overlaps.pairs++ == 0) overlaps.example = {a, b};
+    }
+  return overlaps;
+}
+
+}  // namespace raytube

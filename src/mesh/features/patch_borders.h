@@ -1,0 +1,23 @@
+// The vertices on the rim of each patch.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/model/edge_table.h"
+#include "mesh/model/triangle_mesh.h"
+
+namespace raytube {
+
+class PatchBorders {
+ public:
+  PatchBorders(const TriangleMesh& mesh, const EdgeTable& edges);
+
+  /// Each once, in ascending order; the patch's extent in any direction is theirs.
+  std::span<const std::uint32_t> operator[](std::uint32_t patch) const { return rims_[patch]; }
+
+ private:
+  std::vector<std::vector<std::uint32_t>> rims_;
+};
+
+}  // namespace raytube

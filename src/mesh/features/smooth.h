@@ -1,0 +1,90 @@
+// Curved surfaces behind a tessellation: which facets stand for one, and what it looks like near a point.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/model/triangle_mesh.h"
+
+namespace raytube {
+
+/// A surface to second order about `point`: normal . X = X . curvature X / 2, X = r - point. The entry of `curvature` along the
+/// normal is free at this order; it is the stronger principal curvature, which makes spheres and round cylinders exact.
+struct LocalSurface {
+  dvec3 point;           // recentred coordinates [m]
+  dvec3 normal;          // unit, against the ray that asked
+  glm::dmat3 curvature;  // symmetric [1/m]; negative where the surface bends away from the normal
+};
+
+/// A point of a curved surface, by the facet's point it lies over.
+struct SurfacePoint {
+  dvec3 point, normal;  // normal on the side the facet's points to
+  double stretch;       // area of the surface per area of the facet
+};
+
+/// A triangle whose sides bend: r = sum l_i x_i - l0 l1 b0 - l1 l2 b1 - l2 l0 b2, l0 = 1 - l1 - l2 (Nagata 2005, Simple local
+/// interpolation of surfaces using normal vectors, eq. 20, with the sides' bends along their mean normals).
+class BentFacet {
+ public:
+  BentFacet(const std::array<dvec3, 3>& corners, const std::array<dvec3, 3>& bends) : x_(corners), b_(bends) {}
+
+  const std::array<dvec3, 3>& corners() const { return x_; }
+  dvec3 place(const dvec2& l) const {
+    const double l0 = 1.0 - l.x - l.y;
+    return l0 * x_[0] + l.x * x_[1] + l.y * x_[2] - l0 * l.x * b_[0] - l.x * l.y * b_[1] - l.y * l0 * b_[2];
+  }
+  dvec3 along_1(const dvec2& l) const { return x_[1] - x_[0] - (1.0 - 2.0 * l.x - l.y) * b_[0] - l.y * (b_[1] - b_[2]); }
+  dvec3 along_2(const dvec2& l) const { return x_[2] - x_[0] - (1.0 - l.x - 2.0 * l.y) * b_[2] - l.x * (b_[1] - b_[0]); }
+  const dvec3& bend(int side) const { return b_[static_cast<std::size_t>(side)]; }
+
+  /// Over a point of the facet's plane.
+  SurfacePoint over(const dvec3& r) const;
+
+ private:
+  std::array<dvec3, 3> x_, b_;
+};
+
+/// Facets joined by creases flatter than wedges are one surface with averaged normals. Facets stay flat where that is truer:
+/// alone in their plane, or much wider than their neighbours across a crease (a panel that runs into a fillet), or where the
+/// surface would rise from the facet by more than `max_rise`: so coarse a mesh does not say what it stands for. Materials change
+/// nothing about the shape, but surfaces end where they meet.
+class SmoothSurfaces {
+ public:
+  /// Creases below `max_crease` [rad] are tessellation; `max_rise` in metres.
+  SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise);
+
+  bool any() const { return facets_ > 0; }
+  std::size_t facets() const { return facets_; }
+
+  /// The most by which a surface rises from its facets [m]: so far the outline of the facets lies within its limb.
+  double rise() const { return rise_; }
+
+  /// The surface a triangle is part of; no_index: it is flat.
+  std::uint32_t region(std::uint32_t triangle) const { return region_[triangle]; }
+
+  /// Whether the side from `corner` of a triangle to the next one bounds its surface.
+  bool on_boundary(std::uint32_t triangle, int corner) const { return boundary_[3 * std::size_t{triangle} + corner]; }
+
+  /// How far the surface bends off that side: the point at fraction x of the side lies at its chord minus x (1 - x) times this.
+  dvec3 bend(std::uint32_t triangle, int corner) const;
+
+  /// The surface over a triangle with a region.
+  BentFacet facet(std::uint32_t triangle) const;
+
+  /// The surface where the line of a ray (unit direction) meets it, over a triangle with a region. Flat with the facet's plane
+  /// where the surface turns away from the ray although the facet does not.
+  LocalSurface at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const;
+
+ private:
+  const TriangleMesh& mesh_;
+  std::vector<std::uint32_t> region_;
+  std::vector<bool> boundary_;
+  std::vector<std::uint32_t> corner_normal_;  // in normals_, three a triangle
+  std::vector<dvec3> normals_;
+  std::size_t facets_ = 0;
+  double rise_ = 0.0;
+};
+
+}  // namespace raytube

@@ -1,0 +1,171 @@
+#include "mesh/features/symmetry.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "mesh/model/edge_table.h"
+#include "mesh/model/point_tree.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double same_angle = 1e-9;  // of planes and wedges that outlines have made images of one another
+
+// Coordinates were moved by the centre, whose own rounding counts as well.
+double mirror_rounding(const TriangleMesh& mesh) {
+  return 16.0 * std::numeric_limits<double>::epsilon() * (mesh.radius + glm::length(mesh.center));
+}
+
+dvec3 image(dvec3 at, int axis) {
+  at[axis] = -at[axis];
+  return at;
+}
+
+void find_near(const PointTree& tree, const dvec3& at, double distance, std::vector<std::uint32_t>& found) {
+  const dvec3 hair{distance, 0.0, 0.0};  // a segment has a length
+  tree.near_segment(at - hair, at + hair, distance, found);
+}
+
+// Where patches end: edges at which anything but two triangles of one patch meet. Or, with `facets`, all edges.
+class Outline {
+ public:
+  Outline(const TriangleMesh& mesh, bool facets) : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()) {
+    std::vector<bool> used(mesh.vertices.size());
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const EdgeTable::Edge edge = edges_[e];
+      if (!facets && edge.sides.size() == 2 && patch(edge.sides[0]) == patch(edge.sides[1])) continue;
+      ends_.push_back(e);
+      used[edge.low] = used[edge.high] = true;
+    }
+    for (std::uint32_t v = 0; v < used.size(); ++v)
+      if (used[v]) corners_.push_back(v);
+  }
+
+  const TriangleMesh& mesh() const { return mesh_; }
+  const EdgeTable& edges() const { return edges_; }
+  const std::vector<std::size_t>& ends() const { return ends_; }          // places in edges()
+  const std::vector<std::uint32_t>& corners() const { return corners_; }  // their vertices
+  std::uint32_t patch(const EdgeTable::Side& side) const { return mesh_.triangle_patch[side.triangle]; }
+
+ private:
+  const TriangleMesh& mesh_;
+  EdgeTable edges_;
+  std::vector<std::size_t> ends_;
+  std::vector<std::uint32_t> corners_;
+};
+
+// The target against its image across one plane. If every outline edge has an image, with the images of its patches, and patches
+// are one another's images in pairs, then every patch has the image of its plane and of all its borders.
+class Mirror {
+ public:
+  Mirror(const Outline& outline, const PointTree& corners, int axis)
+      : outline_(outline),
+        mesh_(outline.mesh()),
+        tree_(corners),
+        axis_(axis),
+        rounding_(mirror_rounding(mesh_)),
+        image_of_vertex_(mesh_.vertices.size(), no_index),
+        image_of_patch_(mesh_.patches.size(), no_index) {}
+
+  bool is_symmetry() {
+    return std::ranges::all_of(outline_.corners(), [&](std::uint32_t v) { return find_image(v); }) &&
+           std::ranges::all_of(outline_.ends(), [&](std::size_t e) { return has_image(outline_.edges()[e]); }) &&
+           std::ranges::all_of(image_of_patch_, [&](std::uint32_t& q) { return image_of_patch_[q] == &q - &image_of_patch_[0]; });
+  }
+
+ private:
+  bool find_image(std::uint32_t vertex) {
+    found_.clear();
+    find_near(tree_, image(mesh_.vertices[vertex], axis_), rounding_, found_);
+    if (found_.size() != 1) return false;
+    image_of_vertex_[vertex] = found_[0];
+    return true;
+  }
+
+  bool has_image(const EdgeTable::Edge& edge) {
+    const auto [low, high] = std::minmax(image_of_vertex_[edge.low], image_of_vertex_[edge.high]);
+    const std::size_t found = outline_.edges().find(low, high);
+    if (found == outline_.edges().size()) return false;
+    const auto others = outline_.edges()[found].sides;
+    return others.size() == edge.sides.size() && std::ranges::all_of(edge.sides, [&](const EdgeTable::Side& side) {
+             return std::ranges::any_of(others, [&](const auto& other) { return is_image(side, other, edge); });
+           });
+  }
+
+  bool is_image(const EdgeTable::Side& side, const EdgeTable::Side& other, const EdgeTable::Edge& edge) {
+    const std::uint32_t p = outline_.patch(side), q = outline_.patch(other);
+    if (image_of_patch_[p] != no_index) return image_of_patch_[p] == q;
+    const bool closed = mesh_.closed(side.triangle);
+    if (closed != mesh_.closed(other.triangle) || !is_image(mesh_.patches[p], mesh_.patches[q], closed, edge)) return false;
+    image_of_patch_[p] = q;
+    return true;
+  }
+
+  // A sheet that conducts has two sides alike, so its normal may point either way. Of others the layers count from its side.
+  bool is_image(const Patch& plane, const Patch& other, bool closed, const EdgeTable::Edge& edge) const {
+    const double along = glm::dot(image(plane.normal, axis_), other.normal), sign = along > 0.0 ? 1.0 : -1.0;
+    const bool sided = closed || plane.material != no_index;
+    if (plane.material != other.material || std::abs(along) < 1.0 - same_angle || (sided && sign < 0.0)) return false;
+    return std::ranges::all_of(std::array{edge.low, edge.high}, [&](std::uint32_t v) {
+      const double height = glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset,
+                   image_height = glm::dot(other.normal, mesh_.vertices[image_of_vertex_[v]]) - other.offset;
+      return std::abs(height - sign * image_height) <= rounding_;
+    });
+  }
+
+  const Outline& outline_;
+  const TriangleMesh& mesh_;
+  const PointTree& tree_;
+  int axis_;
+  double rounding_;
+  std::vector<std::uint32_t> image_of_vertex_, image_of_patch_, found_;
+};
+
+// The wedges, found by their middles.
+class WedgeMirror {
+ public:
+  WedgeMirror(const TriangleMesh& mesh, std::span<const Wedge> wedges) : wedges_(wedges), rounding_(mirror_rounding(mesh)) {
+    std::vector<std::uint32_t> all;
+    for (const Wedge& wedge : wedges) {
+      all.push_back(static_cast<std::uint32_t>(middles_.size()));
+      middles_.push_back(0.5 * (wedge.start + wedge.end));
+    }
+    tree_.emplace(middles_, std::move(all));
+  }
+
+  bool is_symmetry(int axis) {
+    return std::ranges::all_of(wedges_, [&](const Wedge& wedge) {
+      found_.clear();
+      find_near(*tree_, image(0.5 * (wedge.start + wedge.end), axis), rounding_, found_);
+      return std::ranges::any_of(found_, [&](std::uint32_t other) { return is_image(wedge, wedges_[other], axis); });
+    });
+  }
+
+ private:
+  bool is_image(const Wedge& wedge, const Wedge& other, int axis) const {
+    const dvec3 start = image(wedge.start, axis);
+    const double apart = std::min(glm::distance(start, other.start), glm::distance(start, other.end));
+    return apart <= rounding_ && std::abs(wedge.n - other.n) <= same_angle;
+  }
+
+  std::span<const Wedge> wedges_;
+  double rounding_;
+  std::vector<dvec3> middles_;
+  std::optional<PointTree> tree_;
+  std::vector<std::uint32_t> found_;
+};
+
+}  // namespace
+
+std::array<bool, 3> find_mirror_planes(const TriangleMesh& mesh, std::span<const Wedge> wedges, bool facets) {
+  const Outline outline(mesh, facets);
+  const PointTree corners(mesh.vertices, outline.corners());
+  WedgeMirror edges(mesh, wedges);
+  std::array<bool, 3> planes;
+  for (int axis = 0; axis < 3; ++axis) planes[axis] = Mirror(outline, corners, axis).is_symmetry() && edges.is_symmetry(axis);
+  return planes;
+}
+
+}  // namespace raytube

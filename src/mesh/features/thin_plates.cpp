@@ -1,0 +1,258 @@
+#include "mesh/features/thin_plates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "mesh/features/edge_sectors.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double taper = 3.0 * degree;      // between the sides of a sheet, and between the edges of its rim
+constexpr double slant = 20.0 * degree;     // between the rim and the upright on the sides
+constexpr double least_side = 2.0;          // breadth of the sides over the width of the rim
+constexpr double least_facing = 0.5;        // of the shorter edge
+constexpr double corner_tolerance = 0.05;   // of the rim's width, by which a corner's edge may be longer
+constexpr double overlap_tolerance = 1e-6;  // of an edge's length: neighbouring rims touch
+
+/// An edge and which of its faces may be a rim.
+struct BorderEdge {
+  std::uint32_t wedge;
+  int face;
+};
+
+/// Where a line parallel to the rim, or nearly so, has gone the distance `along` in the direction of the rim.
+struct Line {
+  dvec3 origin, direction;  // direction . along = 1
+
+  Line(const Wedge& wedge, const dvec3& start, const dvec3& along) {
+    const dvec3 edge = wedge.end - wedge.start;
+    direction = edge / glm::dot(edge, along);
+    origin = wedge.start - glm::dot(wedge.start - start, along) * direction;
+  }
+  dvec3 at(double distance) const { return origin + distance * direction; }
+};
+
+struct Span {
+  double begin, end;
+};
+
+Span span_of(const Wedge& wedge, const dvec3& start, const dvec3& along) {
+  const auto [begin, end] = std::minmax({glm::dot(wedge.start - start, along), glm::dot(wedge.end - start, along)});
+  return {begin, end};
+}
+
+bool could_be_rim(const WedgeFace& rim, const WedgeFace& side, const WedgeFace& other_rim, const WedgeFace& other_side) {
+  const auto conducts = [](const WedgeFace* face) { return face->material == no_index; };
+  return std::ranges::all_of(std::array{&rim, &side, &other_rim, &other_side}, conducts) &&
+         glm::dot(rim.into_face, other_rim.into_face) < -std::cos(taper) &&
+         glm::dot(side.into_face, other_side.into_face) > std::cos(taper) &&
+         std::abs(glm::dot(rim.into_face, side.into_face)) < std::sin(slant) &&
+         std::abs(glm::dot(other_rim.into_face, other_side.into_face)) < std::sin(slant);
+}
+
+double length(const Span& span) { return span.end - span.begin; }
+
+Span overlap(const Span& a, const Span& b) { return {std::max(a.begin, b.begin), std::min(a.end, b.end)}; }
+
+/// Ends that are no farther apart than the rim is wide are one end of the rim: the farther one, so that the outlines stay closed.
+Span common_span(const Span& a, const Span& b, double width) {
+  return {std::abs(a.begin - b.begin) <= width ? std::min(a.begin, b.begin) : std::max(a.begin, b.begin),
+          std::abs(a.end - b.end) <= width ? std::max(a.end, b.end) : std::min(a.end, b.end)};
+}
+
+class ThinPlateEdgeFinder {
+ public:
+  ThinPlateEdgeFinder(const TriangleMesh& mesh, std::span<const Wedge> wedges)
+      : wedges_(wedges), closed_(mesh.patches.size()), area_(mesh.patches.size()) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      closed_[mesh.triangle_patch[t]] = mesh.closed(t);
+      area_[mesh.triangle_patch[t]] += glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
+    }
+  }
+
+  std::vector<ThinPlateEdge> find() const {
+    std::vector<ThinPlateEdge> rims;
+    for (const auto& [patch, edges] : edges_by_patch())
+      for (std::size_t i = 0; i < edges.size(); ++i)
+        for (std::size_t j = i + 1; j < edges.size(); ++j)
+          if (const std::optional<ThinPlateEdge> rim = rim_between(edges[i], edges[j])) rims.push_back(*rim);
+    std::ranges::sort(rims, {}, [](const ThinPlateEdge& rim) { return std::tuple(rim.width, rim.edges, rim.patch); });
+    return rims;
+  }
+
+ private:
+  /// Convex edges of closed bodies, by the patches of their faces.
+  std::map<std::uint32_t, std::vector<BorderEdge>> edges_by_patch() const {
+    std::map<std::uint32_t, std::vector<BorderEdge>> result;
+    for (std::uint32_t w = 0; w < wedges_.size(); ++w)
+      for (int face = 0; face < 2; ++face)
+        if (wedges_[w].convex() && closed_[wedges_[w].faces[face].patch])
+          result[wedges_[w].faces[face].patch].push_back({w, face});
+    return result;
+  }
+
+  /// Of the two extents of a side, away from the rim and along it, the smaller.
+  double breadth(const WedgeFace& side) const { return std::min(side.width, area_[side.patch] / side.width); }
+
+  std::optional<ThinPlateEdge> rim_between(const BorderEdge& a, const BorderEdge& b) const {
+    const Wedge &first = wedges_[a.wedge], &second = wedges_[b.wedge];
+    const WedgeFace &rim = first.faces[a.face], &other_rim = second.faces[b.face];
+    const WedgeFace &side = first.faces[1 - a.face], &other_side = second.faces[1 - b.face];
+    if (!could_be_rim(rim, side, other_rim, other_side)) return {};
+    const dvec3 along = glm::cross(side.into_face, side.normal);
+    const Span own = span_of(first, first.start, along), other = span_of(second, first.start, along),
+               facing = overlap(own, other);
+    if (length(facing) < least_facing * std::min(length(own), length(other))) return {};
+    const Line line(first, first.start, along), other_line(second, first.start, along);
+    const double middle = (facing.begin + facing.end) / 2;
+    const dvec3 across = other_line.at(middle) - line.at(middle);
+    const double width = std::abs(glm::dot(across, side.normal));
+    if (glm::dot(across, rim.into_face) <= 0.0 || least_side * width > std::min(breadth(side), breadth(other_side))) return {};
+    const Span common = common_span(own, other, width);
+    const auto amid = [&](double place) { return (line.at(place) + other_line.at(place)) / 2.0; };
+    return ThinPlateEdge{{a.wedge, b.wedge}, {side, other_side}, rim.patch, across, width, amid(common.begin), amid(common.end)};
+  }
+
+  std::span<const Wedge> wedges_;
+  std::vector<bool> closed_;
+  std::vector<double> area_;
+};
+
+/// The half plane of a rim, with its sides' frames turned about its own tangent, from which those of tapered edges differ a
+/// little.
+Wedge half_plane(const ThinPlateEdge& rim, double n) {
+  Wedge wedge{rim.start, rim.end, n, rim.sides, rim.across, rim.patch};
+  const dvec3 tangent = glm::normalize(rim.end - rim.start);
+  std::array<FaceFrame, 2> frames;
+  for (int i = 0; i < 2; ++i) {
+    WedgeFace& face = wedge.faces[i];
+    face.normal = glm::normalize(face.normal - glm::dot(face.normal, tangent) * tangent);
+    face.into_face = i == 0 ? glm::cross(face.normal, tangent) : glm::cross(tangent, face.normal);
+    frames[i] = {face.into_face, face.normal};
+  }
+  wedge.n = refined_n(frames[0], frames[1], n);
+  return wedge;
+}
+
+/// Puts half planes in the place of rims. Until the end they are numbered by themselves.
+class Merger {
+ public:
+  explicit Merger(std::span<const Wedge> wedges) : wedges_(wedges), parts_(wedges.size()) {}
+
+  /// Of two rims that claim the same part of an edge the first one, the narrower, has it.
+  void add(const ThinPlateEdge& rim) {
+    std::array<Span, 2> spans;
+    for (int i = 0; i < 2; ++i) spans[i] = span_on(rim.edges[i], rim);
+    if (taken(rim.edges[0], spans[0]) || taken(rim.edges[1], spans[1])) return;
+    const auto number = static_cast<std::uint32_t>(half_planes_.size());
+    for (int i = 0; i < 2; ++i) parts_[rim.edges[i]].push_back({spans[i], number});
+    rims_.try_emplace(rim.patch, number);
+    const double n = wedges_[rim.edges[0]].n + wedges_[rim.edges[1]].n - 1;
+    half_planes_.push_back(half_plane(rim, n));
+  }
+
+  std::vector<Wedge> take() {
+    std::vector<Wedge> result;
+    for (std::uint32_t w = 0; w < wedges_.size(); ++w) add_parts(w, result);
+    const auto first = static_cast<std::uint32_t>(result.size());
+    for (Wedge& wedge : result)
+      if (wedge.half_plane != no_index) wedge.half_plane += first;
+    result.insert(result.end(), half_planes_.begin(), half_planes_.end());
+    return result;
+  }
+
+ private:
+  struct Part {
+    Span span;  // fractions of the edge's length
+    std::uint32_t half_plane;
+  };
+
+  /// What the rim takes of an edge; a rest shorter than the rim is wide goes with it.
+  Span span_on(std::uint32_t edge, const ThinPlateEdge& rim) const {
+    const Wedge& wedge = wedges_[edge];
+    const dvec3 along = wedge.end - wedge.start;
+    const double squared = glm::dot(along, along), rest = rim.width / std::sqrt(squared);
+    const double from = glm::dot(rim.start - wedge.start, along) / squared, to = glm::dot(rim.end - wedge.start, along) / squared;
+    const auto [begin, end] = std::minmax(from, to);
+    return {begin <= rest ? 0.0 : begin, end >= 1.0 - rest ? 1.0 : end};
+  }
+
+  bool taken(std::uint32_t edge, const Span& span) const {
+    return std::ranges::any_of(parts_[edge], [&](const Part& part) {
+      return std::min(part.span.end, span.end) - std::max(part.span.begin, span.begin) > overlap_tolerance;
+    });
+  }
+
+  void add_parts(std::uint32_t edge, std::vector<Wedge>& result) {
+    std::vector<Part>& parts = parts_[edge];
+    std::ranges::sort(parts, {}, [](const Part& part) { return part.span.begin; });
+    const Wedge& wedge = wedges_[edge];
+    const auto add = [&](double begin, double end, std::uint32_t half_plane) {
+      if (!(end > begin)) return;
+      result.push_back(wedge);
+      if (begin > 0.0) result.back().start = glm::mix(wedge.start, wedge.end, begin);
+      if (end < 1.0) result.back().end = glm::mix(wedge.start, wedge.end, end);
+      result.back().half_plane = half_plane;
+    };
+    double reached = 0.0;
+    for (const Part& part : parts) {
+      const double begin = part.span.begin - reached < overlap_tolerance ? reached : part.span.begin;
+      add(reached, begin, no_index);
+      add(begin, part.span.end, part.half_plane);
+      reached = part.span.end;
+    }
+    add(reached, 1.0, parts.empty() ? corner_of(wedge) : no_index);
+  }
+
+  /// The half plane whose rim this edge stands on as one of its corners.
+  std::uint32_t corner_of(const Wedge& wedge) const {
+    if (!wedge.convex()) return no_index;
+    for (const WedgeFace& face : wedge.faces) {
+      const auto rim = rims_.find(face.patch);
+      if (rim == rims_.end()) continue;
+      if (wedge.length() <= (1 + corner_tolerance) * half_planes_[rim->second].thickness()) return rim->second;
+    }
+    return no_index;
+  }
+
+  std::span<const Wedge> wedges_;
+  std::vector<std::vector<Part>> parts_;
+  std::vector<Wedge> half_planes_;
+  std::map<std::uint32_t, std::uint32_t> rims_;  // by patch
+};
+
+}  // namespace
+
+std::vector<ThinPlateEdge> find_thin_plate_edges(const TriangleMesh& mesh, std::span<const Wedge> wedges) {
+  return ThinPlateEdgeFinder(mesh, wedges).find();
+}
+
+std::size_t thin_rims(std::span<const ThinPlateEdge> rims, double frequency) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(rims, [&](const ThinPlateEdge& rim) { return rim.width < thin_limit(frequency); }));
+}
+
+std::vector<Wedge> merge_thin_plate_edges(std::span<const Wedge> wedges, std::span<const ThinPlateEdge> rims, double limit) {
+  Merger merger(wedges);
+  for (const ThinPlateEdge& rim : rims)
+    if (rim.width < limit) merger.add(rim);
+  return merger.take();
+}
+
+std::size_t thin_plate_corners(std::span<const Wedge> merged) {
+  const auto on_side = [&](const Wedge& wedge, const WedgeFace& side) {
+    return wedge.faces[0].patch == side.patch || wedge.faces[1].patch == side.patch;
+  };
+  const auto corner = [&](const Wedge& wedge) {
+    return wedge.half_plane != no_index &&
+           std::ranges::none_of(merged[wedge.half_plane].faces, [&](const WedgeFace& side) { return on_side(wedge, side); });
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(merged, corner));
+}
+
+}  // namespace raytube

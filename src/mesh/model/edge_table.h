@@ -1,0 +1,65 @@
+// Which triangles meet at which edge.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/model/geometry.h"
+
+namespace raytube {
+
+/// The undirected edges of a triangle list, ordered by (lower, higher) vertex, each with its sides in order of triangles.
+class EdgeTable {
+ public:
+  /// An edge as one triangle's side: from corner `corner` to the next one.
+  struct Side {
+    std::uint32_t triangle;
+    std::uint32_t corner;
+  };
+  struct Edge {
+    std::uint32_t low, high;  // vertices
+    std::span<const Side> sides;
+  };
+
+  EdgeTable(std::span<const Triangle> triangles, std::size_t vertex_count);
+
+  std::size_t size() const { return ends_.size(); }
+  Edge operator[](std::size_t edge) const;
+
+  /// The edge from `corner` of `triangle` to its next corner.
+  std::uint32_t edge_of(std::uint32_t triangle, int corner) const { return edge_of_side_[3 * std::size_t{triangle} + corner]; }
+
+  /// The edge between two vertices, the lower one first; size() if there is none.
+  std::size_t find(std::uint32_t low, std::uint32_t high) const;
+
+ private:
+  struct Ends {
+    std::uint32_t low, high;
+    std::uint32_t first_side;
+  };
+
+  std::vector<Side> sides_;
+  std::vector<Ends> ends_;
+  std::vector<std::uint32_t> edge_of_side_;
+};
+
+/// Disjoint sets, each a tree: the root of `i`, with path halving.
+std::uint32_t find_root(std::vector<std::uint32_t>& parents, std::uint32_t i);
+/// The set of each member, numbered in order of the sets' first members.
+std::vector<std::uint32_t> number_sets(std::vector<std::uint32_t> parents);
+
+/// Groups of triangles that hang together through the edges for which `crossable(edge)` holds: a number for each triangle.
+template <class Crossable>
+std::vector<std::uint32_t> connected_groups(const EdgeTable& edges, std::size_t triangle_count, Crossable crossable) {
+  std::vector<std::uint32_t> parents(triangle_count);
+  for (std::uint32_t i = 0; i < triangle_count; ++i) parents[i] = i;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const EdgeTable::Edge edge = edges[e];
+    if (!crossable(edge)) continue;
+    for (const EdgeTable::Side& side : edge.sides)
+      parents[find_root(parents, side.triangle)] = find_root(parents, edge.sides[0].triangle);
+  }
+  return number_sets(std::move(parents));
+}
+
+}  // namespace raytube

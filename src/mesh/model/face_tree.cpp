@@ -1,0 +1,172 @@
+#include "mesh/model/face_tree.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+namespace raytube {
+
+namespace {
+
+std::vector<Box> boxes_of(const TriangleMesh& mesh, const Faces& faces) {
+  std::vector<Box> boxes(faces.faces.size());
+  for (std::size_t f = 0; f < boxes.size(); ++f)
+    for (const std::uint32_t corner : faces.corners_of(faces.faces[f])) boxes[f].add(mesh.vertices[corner]);
+  return boxes;
+}
+
+Faces in_order(const Faces& faces, std::span<const std::uint32_t> order) {
+  Faces sorted;
+  sorted.corners.reserve(faces.corners.size());
+  for (const std::uint32_t f : order) {
+    Face face = faces.faces[f];
+    const auto corners = faces.corners_of(face);
+    face.first_corner = static_cast<std::uint32_t>(sorted.corners.size());
+    sorted.corners.insert(sorted.corners.end(), corners.begin(), corners.end());
+    sorted.faces.push_back(face);
+  }
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  for (const std::uint32_t f : faces.face_of_triangle) sorted.face_of_triangle.push_back(place[f]);
+  return sorted;
+}
+
+Box box_of(std::span<const Box> boxes, std::span<const std::uint32_t> order) {
+  Box box;
+  for (const std::uint32_t f : order) box.add(boxes[f].low), box.add(boxes[f].high);
+  return box;
+}
+
+// Halves along the longest side of the box, again and again; every part but the last one has `full` faces. Ties go by index.
+void divide(std::span<const Box> boxes, std::span<std::uint32_t> order, std::size_t full,
+            std::span<std::span<std::uint32_t>> parts) {
+  if (parts.size() == 1) {
+    parts[0] = order;
+    return;
+  }
+  const Box box = box_of(boxes, order);
+  const dvec3 size = box.high - box.low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const auto key = [&](std::uint32_t f) { return std::pair(boxes[f].low[axis] + boxes[f].high[axis], f); };
+  const std::size_t middle = parts.size() / 2, half = middle * full;
+  std::ranges::nth_element(order, order.begin() + static_cast<std::ptrdiff_t>(half), {}, key);
+  divide(boxes, order.first(half), full, parts.first(middle));
+  divide(boxes, order.subspan(half), full, parts.subspan(middle));
+}
+
+}  // namespace
+
+FaceTree::FaceTree(const TriangleMesh& mesh)
+    : mesh_(mesh),
+      faces_(find_faces(mesh)),
+      // A dozen roundings of numbers up to the radius, in the box and in the prism.
+      sampling_variance_(16.0 * std::numeric_limits<float>::epsilon() * mesh.radius) {
+  const std::vector<Box> boxes = boxes_of(mesh, faces_);
+  std::vector<std::uint32_t> order(boxes.size());
+  std::iota(order.begin(), order.end(), 0u);
+  if (!boxes.empty()) build(boxes, order, 0);
+  faces_ = in_order(faces_, order);
+  for (const std::uint32_t corner : faces_.corners) points_.push_back(mesh.vertices[corner]);
+  list_triangles();
+}
+
+void FaceTree::list_triangles() {
+  first_triangle_.assign(faces_.faces.size() + 1, 0);
+  for (const std::uint32_t face : faces_.face_of_triangle) ++first_triangle_[face + 1];
+  std::partial_sum(first_triangle_.begin(), first_triangle_.end(), first_triangle_.begin());
+  triangles_.resize(faces_.face_of_triangle.size());
+  std::vector<std::uint32_t> next = first_triangle_;
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) triangles_[next[faces_.face_of_triangle[t]]++] = t;
+}
+
+// All nodes but the last of each level are full, so that few are looked at; the root may not be.
+std::uint32_t FaceTree::build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin) {
+  const auto node = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  std::size_t full = 1;
+  while (full * lanes < order.size()) full *= lanes;
+  std::array<std::span<std::uint32_t>, lanes> parts;
+  divide(boxes, order, full, std::span(parts).first((order.size() + full - 1) / full));
+  for (int lane = 0; lane < lanes; ++lane) {
+    const std::span<std::uint32_t> part = parts[lane];
+    const auto first = part.empty() ? begin : begin + static_cast<std::uint32_t>(part.data() - order.data());
+    const std::uint32_t child = part.size() > 1 ? build(boxes, part, first) : 0;
+    set_lane(node, lane, box_of(boxes, part), first, first + static_cast<std::uint32_t>(part.size()), child);
+  }
+  return node;
+}
+
+void FaceTree::set_lane(std::uint32_t node, int lane, const Box& box, std::uint32_t begin, std::uint32_t end,
+                        std::uint32_t child) {
+  const bool used = begin < end;
+  const dvec3 middle = used ? box.middle() : dvec3(0.0),
+              half = used ? 0.5 * (box.high - box.low) + sampling_variance_ : dvec3(-std::numeric_limits<double>::infinity());
+  Node& n = nodes_[node];
+  n.x[lane] = static_cast<float>(middle.x), n.half_x[lane] = static_cast<float>(half.x);
+  n.y[lane] = static_cast<float>(middle.y), n.half_y[lane] = static_cast<float>(half.y);
+  n.z[lane] = static_cast<float>(middle.z), n.half_z[lane] = static_cast<float>(half.z);
+  n.begin[lane] = begin, n.end[lane] = end, n.child[lane] = child;
+}
+
+// A prism as slabs: directions, how much of each a box's sides cover, and the bounds along them.
+struct FaceTree::Query {
+  struct Slab {
+    glm::vec3 axis, cover;
+    float low, high;
+    auto touched(const Node& n) const {
+      const Lanes at = axis.x * n.x + axis.y * n.y + axis.z * n.z;
+      const Lanes reach = cover.x * n.half_x + cover.y * n.half_y + cover.z * n.half_z;
+      return (at + reach >= low) & (at - reach <= high);
+    }
+  };
+
+  explicit Query(const Prism& p) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto slab = [&](int i, const dvec3& axis, double low, double high) {
+      const double base = glm::dot(axis, p.base);
+      slabs[i] = {axis, glm::abs(axis), static_cast<float>(low + base), static_cast<float>(high + base)};
+    };
+    slab(0, p.u_hat, p.low.x, p.high.x);
+    slab(1, p.v_hat, p.low.y, p.high.y);
+    slab(2, p.direction, -infinity, p.farthest);
+    if (!p.floor) return;
+    const double sign = p.floor_facing > 0.0 ? 1.0 : -1.0;
+    slabs[3] = {sign * p.floor->normal, glm::abs(p.floor->normal), static_cast<float>(sign * p.floor->offset),
+                std::numeric_limits<float>::infinity()};
+    count = 4;
+  }
+
+  // Bit l: the box of lane l reaches into all slabs.
+  unsigned touched(const Node& n) const {
+    auto inside = slabs[0].touched(n);
+    for (int i = 1; i < count; ++i) inside &= slabs[i].touched(n);
+    unsigned bits = 0;
+    for (int l = 0; l < lanes; ++l) bits |= (inside[l] ? 1u : 0u) << l;
+    return bits;
+  }
+
+  std::array<Slab, 4> slabs;
+  int count = 3;
+};
+
+void FaceTree::collect(const Prism& prism, std::vector<std::uint32_t>& found, std::size_t most) const {
+  found.clear();
+  if (nodes_.empty()) return;
+  const Query query(prism);
+  std::array<std::uint32_t, 7 * 12> pending;  // seven for each of the at most 11 levels of 2^32 faces
+  std::size_t count = 0;
+  pending[count++] = 0;
+  while (count && found.size() <= most) {
+    const Node& node = nodes_[pending[--count]];
+    for (unsigned bits = query.touched(node); bits; bits &= bits - 1) {
+      const int lane = std::countr_zero(bits);
+      if (node.child[lane])
+        pending[count++] = node.child[lane];
+      else
+        for (std::uint32_t f = node.begin[lane]; f < node.end[lane]; ++f) found.push_back(f);
+    }
+  }
+}
+
+}  // namespace raytube

@@ -1,0 +1,73 @@
+// Which faces a bundle of parallel tubes may meet.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "mesh/model/faces.h"
+#include "mesh/model/geometry.h"
+
+namespace raytube {
+
+/// A bundle of parallel lines, bounded by a rectangle across them and by depths along them. Coordinates count from `base`.
+struct Prism {
+  dvec3 base;
+  dvec3 u_hat, v_hat, direction;  // orthonormal
+  dvec2 low, high;                // bounds along u_hat and v_hat
+  double farthest = std::numeric_limits<double>::infinity();
+  const Patch* floor = nullptr;  // the plane the lines start from: only what reaches above it counts
+  double floor_facing = 0.0;     // above zero: the lines rise on the side its normal points to
+};
+
+/// The faces of a mesh in a tree of boxes, eight to a node. Boxes are in single precision, enlarged by what that may cost.
+class FaceTree {
+ public:
+  explicit FaceTree(const TriangleMesh& mesh);
+
+  /// In the order of the tree: neighbours in space are neighbours in number.
+  std::span<const Face> faces() const { return faces_.faces; }
+  std::span<const std::uint32_t> corners(std::uint32_t face) const { return faces_.corners_of(faces_.faces[face]); }
+  /// The same as points.
+  std::span<const dvec3> points(std::uint32_t face) const {
+    return std::span(points_).subspan(faces_.faces[face].first_corner, corners(face).size());
+  }
+  /// The triangles of a face.
+  std::span<const std::uint32_t> triangles(std::uint32_t face) const {
+    return std::span(triangles_).subspan(first_triangle_[face], first_triangle_[face + 1] - first_triangle_[face]);
+  }
+  std::uint32_t face_of(std::uint32_t triangle) const { return faces_.face_of_triangle[triangle]; }
+  const TriangleMesh& mesh() const { return mesh_; }
+
+  /// Fills `found` with every face whose box reaches into the prism, in an order fixed by the tree. Gives up soon after the
+  /// first `most` of them.
+  void collect(const Prism& prism, std::vector<std::uint32_t>& found,
+               std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+
+ private:
+  static constexpr int lanes = 8;
+  // Boxes side by side, so that a prism is held against all of them at once. Unused ones are inside out.
+  using Lanes [[gnu::vector_size(lanes * sizeof(float))]] = float;
+  // Aligned as vector instructions want it whoever includes this: without them, GCC takes less.
+  struct alignas(lanes * sizeof(float)) Node {
+    Lanes x, y, z;                                // middles
+    Lanes half_x, half_y, half_z;                 // half the sides
+    std::array<std::uint32_t, lanes> begin, end;  // faces
+    std::array<std::uint32_t, lanes> child;       // 0: a leaf
+  };
+  struct Query;
+
+  void list_triangles();
+  std::uint32_t build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin);
+  void set_lane(std::uint32_t node, int lane, const Box& box, std::uint32_t begin, std::uint32_t end, std::uint32_t child);
+
+  const TriangleMesh& mesh_;
+  Faces faces_;
+  std::vector<dvec3> points_;                              // of all corners: side by side for neighbours
+  std::vector<std::uint32_t> first_triangle_, triangles_;  // of each face, compressed rows
+  double sampling_variance_;                               // [m] what single precision may cost in placing a box
+  std::vector<Node> nodes_;
+};
+
+}  // namespace raytube

@@ -1,0 +1,209 @@
+#include "mesh/model/faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mesh/model/edge_table.h"
+#include "mesh/model/geometry.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double rounding = 1e-13;        // of the radius
+constexpr double same_area = 1e-9;        // relative
+constexpr std::size_t most_corners = 34;  // of two faces to be joined: bounds the work of every cut
+
+class FaceFinder {
+ public:
+  explicit FaceFinder(const TriangleMesh& mesh)
+      : mesh_(mesh),
+        edges_(mesh.triangles, mesh.vertices.size()),
+        parents_(mesh.triangles.size()),
+        loops_(mesh.triangles.size()) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      parents_[t] = t;
+      loops_[t].assign(mesh.triangles[t].begin(), mesh.triangles[t].end());
+    }
+  }
+
+  Faces run() {
+    const std::vector<bool> flat = flat_patches();
+    std::vector<std::size_t> left = inner_edges();
+    std::erase_if(left, [&](std::size_t e) { return !flat[mesh_.triangle_patch[edges_[e].sides[0].triangle]]; });
+    join_convex_patches(flat);
+    // A union that is not convex now may be so once its neighbours have joined.
+    while (std::erase_if(left, [&](std::size_t e) { return join_across(edges_[e]); })) continue;
+    return collected();
+  }
+
+ private:
+  std::vector<bool> flat_patches() const {
+    std::vector<bool> flat(mesh_.patches.size(), true);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const Patch& plane = mesh_.patches[mesh_.triangle_patch[t]];
+      for (const std::uint32_t v : mesh_.triangles[t])
+        if (std::abs(glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset) > rounding * mesh_.radius)
+          flat[mesh_.triangle_patch[t]] = false;
+    }
+    return flat;
+  }
+
+  // A patch whose outline is one convex loop is one face, however it is cut into triangles: no joining by twos finds that where
+  // vertices lie inside.
+  void join_convex_patches(const std::vector<bool>& flat) {
+    std::vector<std::vector<std::uint32_t>> members(mesh_.patches.size());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) members[mesh_.triangle_patch[t]].push_back(t);
+    for (std::uint32_t patch = 0; patch < members.size(); ++patch) {
+      if (!flat[patch] || members[patch].size() < 3) continue;
+      std::vector<std::uint32_t> outline = convex_outline(members[patch], mesh_.patches[patch].normal);
+      if (outline.empty()) continue;
+      for (const std::uint32_t t : members[patch]) {
+        parents_[t] = members[patch][0];
+        loops_[t].clear();
+      }
+      loops_[members[patch][0]] = std::move(outline);
+    }
+  }
+
+  // The corners of these triangles' outline; none if it is not one convex loop around all of their area.
+  std::vector<std::uint32_t> convex_outline(std::span<const std::uint32_t> triangles, const dvec3& normal) const {
+    const std::vector<std::uint32_t> loop = outline_loop(triangles);
+    if (loop.size() < 3) return {};
+    const std::vector<std::uint32_t> corners = true_corners(loop, normal);
+    if (corners.size() < 3 || corners.size() > most_corners) return {};
+    dvec3 inside(0.0), covered(0.0);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::uint32_t before = corners[(i + corners.size() - 1) % corners.size()], after = corners[(i + 1) % corners.size()];
+      if (turn(before, corners[i], after, normal) != Turn::left) return {};
+      inside += area_vector(mesh_.vertices, {corners[0], corners[i], after});
+    }
+    for (const std::uint32_t t : triangles) covered += area_vector(mesh_.vertices, mesh_.triangles[t]);
+    return glm::distance(inside, covered) <= same_area * glm::length(inside) ? corners : std::vector<std::uint32_t>();
+  }
+
+  // Sides of triangles across which the patch does not go on, one after the other; none if they are not one loop.
+  std::vector<std::uint32_t> outline_loop(std::span<const std::uint32_t> triangles) const {
+    std::map<std::uint32_t, std::uint32_t> next;
+    for (const std::uint32_t t : triangles)
+      for (int k = 0; k < 3; ++k)
+        if (!goes_on(edges_[edges_.edge_of(t, k)]) &&
+            !next.emplace(mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]).second)
+          return {};
+    if (next.empty()) return {};
+    std::vector<std::uint32_t> loop{next.begin()->first};
+    for (auto at = next.find(next.begin()->second); at != next.end() && at->first != loop[0]; at = next.find(at->second)) {
+      if (loop.size() == next.size()) return {};
+      loop.push_back(at->first);
+    }
+    return loop.size() == next.size() ? loop : std::vector<std::uint32_t>();
+  }
+
+  double length(const EdgeTable::Edge& edge) const { return glm::distance(mesh_.vertices[edge.low], mesh_.vertices[edge.high]); }
+
+  // Between two triangles of one patch that run along this edge in opposite senses.
+  bool goes_on(const EdgeTable::Edge& edge) const {
+    const auto& sides = edge.sides;
+    if (sides.size() != 2 || mesh_.triangle_patch[sides[0].triangle] != mesh_.triangle_patch[sides[1].triangle]) return false;
+    const auto starts_at = [&](int s) { return mesh_.triangles[sides[s].triangle][sides[s].corner]; };
+    return starts_at(0) != starts_at(1);
+  }
+
+  // Edges inside patches, longest first.
+  std::vector<std::size_t> inner_edges() const {
+    std::vector<std::pair<double, std::size_t>> found;
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      if (goes_on(edges_[e])) found.emplace_back(-length(edges_[e]), e);
+    std::ranges::sort(found);
+    std::vector<std::size_t> order;
+    for (const auto& entry : found) order.push_back(entry.second);
+    return order;
+  }
+
+  bool join_across(const EdgeTable::Edge& edge) {
+    const std::uint32_t a = find_root(parents_, edge.sides[0].triangle), b = find_root(parents_, edge.sides[1].triangle);
+    if (a == b || loops_[a].size() + loops_[b].size() > most_corners) return false;
+    const std::uint32_t start = mesh_.triangles[edge.sides[0].triangle][edge.sides[0].corner];
+    std::vector<std::uint32_t> one = turned_to_end_at(loops_[a], start),
+                               other = turned_to_end_at(loops_[b], edge.low + edge.high - start);
+    drop_shared_chain(one, other);
+    const dvec3& normal = mesh_.patches[mesh_.triangle_patch[edge.sides[0].triangle]].normal;
+    if (turn(one[one.size() - 2], one.back(), other[1], normal) == Turn::right) return false;
+    if (turn(other[other.size() - 2], other.back(), one[1], normal) == Turn::right) return false;
+    one.pop_back();
+    one.insert(one.end(), other.begin(), other.end() - 1);
+    loops_[std::min(a, b)] = std::move(one);
+    loops_[std::max(a, b)].clear();
+    parents_[std::max(a, b)] = std::min(a, b);
+    return true;
+  }
+
+  static std::vector<std::uint32_t> turned_to_end_at(std::vector<std::uint32_t> loop, std::uint32_t vertex) {
+    std::rotate(loop.begin(), std::ranges::find(loop, vertex) + 1, loop.end());
+    return loop;
+  }
+
+  // `one` runs from the end of the shared edge to its start, `other` from its start to its end. Where they go on side by side,
+  // the shared edge is longer than one mesh edge.
+  static void drop_shared_chain(std::vector<std::uint32_t>& one, std::vector<std::uint32_t>& other) {
+    while (one.size() > 2 && other.size() > 2 && one[1] == other[other.size() - 2]) {
+      one.erase(one.begin());
+      other.pop_back();
+    }
+    while (one.size() > 2 && other.size() > 2 && other[1] == one[one.size() - 2]) {
+      other.erase(other.begin());
+      one.pop_back();
+    }
+  }
+
+  enum class Turn { left, straight, right };
+
+  Turn turn(std::uint32_t from, std::uint32_t at, std::uint32_t to, const dvec3& normal) const {
+    const dvec3 in = mesh_.vertices[at] - mesh_.vertices[from], out = mesh_.vertices[to] - mesh_.vertices[at];
+    const double sine = glm::dot(glm::cross(in, out), normal);
+    const double sampling_variance = rounding * mesh_.radius * std::min(glm::length(in), glm::length(out));
+    if (std::abs(sine) > sampling_variance) return sine > 0.0 ? Turn::left : Turn::right;
+    return glm::dot(in, out) > 0.0 ? Turn::straight : Turn::right;
+  }
+
+  // The loop without the corners at which it runs straight on.
+  std::vector<std::uint32_t> true_corners(const std::vector<std::uint32_t>& loop, const dvec3& normal) const {
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t before = loop[(i + loop.size() - 1) % loop.size()], after = loop[(i + 1) % loop.size()];
+      if (turn(before, loop[i], after, normal) != Turn::straight) kept.push_back(loop[i]);
+    }
+    return kept;
+  }
+
+  Faces collected() {
+    Faces result;
+    result.face_of_triangle.resize(loops_.size());
+    for (std::uint32_t t = 0; t < loops_.size(); ++t) {
+      if (loops_[t].empty()) continue;
+      const std::uint32_t patch = mesh_.triangle_patch[t];
+      const bool joined = loops_[t].size() > 3;
+      const std::vector<std::uint32_t> corners = joined ? true_corners(loops_[t], mesh_.patches[patch].normal) : loops_[t];
+      result.faces.push_back(
+          {patch, t, static_cast<std::uint32_t>(result.corners.size()), static_cast<std::uint32_t>(corners.size())});
+      result.corners.insert(result.corners.end(), corners.begin(), corners.end());
+    }
+    for (const Face& face : result.faces)
+      result.face_of_triangle[face.triangle] = static_cast<std::uint32_t>(&face - &result.faces[0]);
+    for (std::uint32_t t = 0; t < loops_.size(); ++t)
+      result.face_of_triangle[t] = result.face_of_triangle[find_root(parents_, t)];
+    return result;
+  }
+
+  const TriangleMesh& mesh_;
+  EdgeTable edges_;
+  std::vector<std::uint32_t> parents_;             // faces joined so far, by their lowest triangle
+  std::vector<std::vector<std::uint32_t>> loops_;  // corners of the face of that triangle; empty if it was joined to another
+};
+
+}  // namespace
+
+Faces find_faces(const TriangleMesh& mesh) { return FaceFinder(mesh).run(); }
+
+}  // namespace raytube

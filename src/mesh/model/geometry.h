@@ -1,0 +1,64 @@
+// Small geometry and the two tolerances of the mesh room.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "core/field.h"
+
+namespace raytube {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Vertices closer than this fraction of the bounding box's diagonal are one: a few roundings of a single-precision file.
+inline constexpr double weld_fraction = 1e-7;
+/// Vertices this fraction of the diagonal beside a plane or a line lie on it.
+inline constexpr double flat_fraction = 2e-7;
+
+struct Box {
+  dvec3 low{std::numeric_limits<double>::infinity()};
+  dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void add(const dvec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  dvec3 middle() const { return 0.5 * low + 0.5 * high; }
+  double diagonal() const { return glm::length(high - low); }
+};
+
+inline Box bounding_box(std::span<const dvec3> points) {
+  Box box;
+  for (const dvec3& p : points) box.add(p);
+  return box;
+}
+
+/// Twice the area times the unit normal.
+inline dvec3 area_vector(const dvec3& a, const dvec3& b, const dvec3& c) { return glm::cross(b - a, c - a); }
+
+inline dvec3 area_vector(std::span<const dvec3> vertices, const Triangle& t) {
+  return area_vector(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+}
+
+/// The corner after which the longest edge starts; ties go to the lowest.
+inline int longest_edge(std::span<const dvec3> vertices, const Triangle& t) {
+  int longest = 0;
+  double length = -1.0;
+  for (int k = 0; k < 3; ++k) {
+    const double here = glm::length(vertices[t[(k + 1) % 3]] - vertices[t[k]]);
+    if (here > length) longest = k;
+    length = std::max(length, here);
+  }
+  return longest;
+}
+
+/// Distance of the longest edge from the corner opposite to it.
+inline double height(std::span<const dvec3> vertices, const Triangle& t) {
+  const int k = longest_edge(vertices, t);
+  const double base = glm::length(vertices[t[(k + 1) % 3]] - vertices[t[k]]);
+  return base > 0.0 ? glm::length(area_vector(vertices, t)) / base : 0.0;
+}
+
+}  // namespace raytube

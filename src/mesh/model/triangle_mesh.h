@@ -1,0 +1,89 @@
+// The target as the solver sees it: welded, oriented triangles grouped in planar patches and connected components.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/field.h"
+
+namespace raytube {
+
+inline constexpr std::uint32_t no_index = 0xffffffffu;
+
+/// Connected coplanar triangles of one material; the plane is normal . r = offset, in recentred coordinates [m].
+struct Patch {
+  dvec3 normal;  // unit; outward on closed components
+  double offset;
+  std::uint32_t material = no_index;  // among those of the sweep; no_index: a perfect conductor
+};
+
+/// Triangles connected through shared edges after welding.
+struct Component {
+  bool closed = false;  // bounds a volume that waves do not enter: only the outer side is exposed
+  std::uint32_t triangles = 0;
+  bool penetrable = false;  // bounds a volume, but waves enter it: both sides are exposed
+};
+
+/// Vertices are in metres relative to `center`, the middle of the target's bounding box in the mesh's own coordinates.
+/// Winding is counter-clockwise seen from outside for closed components, and for those that bound a volume which waves enter;
+/// consistent within open ones.
+struct TriangleMesh {
+  std::vector<dvec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> triangle_patch;
+  std::vector<std::uint32_t> triangle_component;
+  std::vector<Patch> patches;
+  std::vector<Component> components;
+  dvec3 center{0.0};
+  double radius = 0.0;  // largest distance of a vertex from `center`
+
+  bool closed(std::uint32_t triangle) const { return components[triangle_component[triangle]].closed; }
+};
+
+/// One line of the mesh report: what was found or mended, and how many facets, vertices or edges it concerned.
+struct MeshNote {
+  std::string what;
+  std::uint64_t count = 0;
+};
+
+/// Every facet read is traced or listed here:
+/// triangles_read + triangles_added = triangles_traced + triangles_degenerate + triangles_duplicate + triangles_internal.
+struct MeshReport {
+  std::uint64_t facets_read = 0;  // polygons in the file
+  std::uint64_t vertices_read = 0;
+  std::uint64_t facets_unusable = 0;  // polygons with fewer than three distinct corners
+  std::uint64_t free_forms_read = 0;  // curves and surfaces given by formulas: left out
+  std::uint64_t triangles_read = 0;   // after splitting polygons into triangles
+  std::uint64_t vertices_welded = 0;  // merged into another vertex
+
+  // As they stand in the file, vertices welded but nothing mended; facets without area not counted.
+  std::uint64_t open_edges_read = 0;
+  std::uint64_t non_manifold_edges_read = 0;  // more than two facets meet
+  std::uint64_t badly_wound_edges_read = 0;   // its two facets run along it in the same sense
+
+  std::uint64_t triangles_degenerate = 0;          // dropped: no area
+  std::uint64_t triangles_duplicate = 0;           // dropped: same corners as another one
+  std::uint64_t duplicates_of_other_material = 0;  // of these: made of something else than the one that stays
+  std::uint64_t triangles_internal = 0;            // dropped: coincident opposite facets where two closed bodies touch
+  std::uint64_t t_junctions_split = 0;             // vertices on the inside of an edge, those of flat facets too
+  std::uint64_t triangles_added = 0;               // by these splits
+  std::uint64_t triangles_flipped = 0;             // winding reversed for consistent, outward orientation
+
+  // As traced.
+  std::uint64_t triangles_traced = 0;
+  std::uint64_t open_edges = 0;
+  std::uint64_t non_manifold_edges = 0;
+  std::uint64_t components = 0;
+  std::uint64_t components_closed = 0;
+  std::uint64_t components_penetrable = 0;     // closed, but waves go through part of them: not among components_closed
+  std::uint64_t components_nearly_closed = 0;  // open, but for a gap small against their area
+  std::uint64_t patches = 0;
+  double weld_distance = 0.0;  // [m]
+
+  /// Readable lines, only those with something to say.
+  std::vector<MeshNote> notes() const;
+};
+
+}  // namespace raytube

@@ -1,0 +1,54 @@
+// The triangles of a mesh in a tree of boxes, each turned as its triangles lie.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "mesh/model/triangle_mesh.h"
+
+namespace raytube {
+
+/// Boxes along the axes would do for compact triangles. Long ones in a fan or round the tip of a cone fill theirs so little
+/// that each would seem to meet each.
+class TriangleTree {
+ public:
+  /// Keeps a reference to the mesh.
+  explicit TriangleTree(const TriangleMesh& mesh);
+
+  /// Calls `visit` with each two triangles of different patches, without a common corner, that may be as near as `distance`.
+  void close_pairs(double distance, const std::function<void(std::uint32_t, std::uint32_t)>& visit) const;
+
+  /// Fills `found` with all triangles that the line meets, in an order fixed by the tree, and some that it passes by.
+  void near_line(const dvec3& origin, const dvec3& direction, std::vector<std::uint32_t>& found) const;
+
+ private:
+  struct TurnedBox {
+    dvec3 middle{0.0};
+    std::array<dvec3, 3> axes{dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)};
+    dvec3 half{0.0};  // sides, along the axes
+  };
+  struct Node {
+    TurnedBox box;
+    std::uint32_t begin, end;             // members
+    std::uint32_t right = 0;              // second child, the first one follows its parent; 0 in leaves
+    std::uint32_t patch;                  // of all members, or no_index
+    std::array<std::uint32_t, 3> common;  // vertices that all members share; no_index fills the rest
+  };
+  class Join;
+
+  static TurnedBox box_round(std::span<const dvec3> points);
+  static bool are_apart(const TurnedBox& a, const TurnedBox& b, double distance);
+  void build(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points);
+  dvec3 sum_of_corners(std::uint32_t triangle) const;
+  dvec3 spread(const Node& node) const;
+  Node node_of(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points) const;
+
+  const TriangleMesh& mesh_;
+  std::vector<std::uint32_t> members_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace raytube

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "core/error.h"
+#include "mesh/read/formats.h"
+
+namespace raytube {
+
+void MeshFile::reject(const std::string& sentence) const { throw InputError(fmt::format("mesh file '{}': {}", name, sentence)); }
+
+namespace {
+
+std::uintmax_t installed_memory() {
+  return static_cast<std::uintmax_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uintmax_t>(sysconf(_SC_PAGE_SIZE));
+}
+
+MeshFile read_bytes(const std::filesystem::path& path) {
+  MeshFile file{path.string(), {}};
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) file.reject("not found; check the path, which is relative to the case file");
+  if (std::filesystem::is_directory(path, error)) file.reject("is a folder; name the mesh file in it");
+  if (!std::filesystem::is_regular_file(path, error)) file.reject("is a pipe or a device; copy the mesh into a file");
+  if (std::filesystem::file_size(path, error) > installed_memory())
+    file.reject("is larger than this machine's memory; take a larger machine, or divide the mesh");
+  std::ifstream stream(path, std::ios::binary);
+  file.bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  if (!stream) file.reject("cannot be read; check its permissions");
+  if (file.bytes.empty()) file.reject("is empty; export the mesh again");
+  return file;
+}
+
+MeshParser parser_of(const MeshFile& file, std::string ending) {
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == ".stl") return parse_stl;
+  if (ending == ".obj") return parse_obj;
+  if (ending == ".ply") return parse_ply;
+  if (ending == ".off") return parse_off;
+  file.reject(fmt::format("the ending '{}' is not a known mesh format; use .stl, .obj, .ply or .off", ending));
+}
+
+bool is_finite(const dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+/// What every format must satisfy, said with numbers that count from 1.
+void check(const MeshFile& file, const PolygonSoup& soup) {
+  if (soup.polygons.empty()) file.reject("holds no facets; export the surface as triangles or polygons");
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+    if (!is_finite(soup.points[i]))
+      file.reject(fmt::format("vertex {} has a coordinate that is not finite; correct it or export the mesh again", i + 1));
+  for (std::size_t i = 0; i < soup.polygons.size(); ++i)
+    for (const std::uint32_t corner : soup.polygons[i])
+      if (corner >= soup.points.size())
+        file.reject(
+            fmt::format("facet {} names vertex {} (counted from 0) but there are {}; the file is damaged, export it again", i + 1,
+                        corner, soup.points.size()));
+}
+
+}  // namespace
+
+PolygonSoup read_polygon_soup(const MeshFile& file, MeshParser parse) {
+  PolygonSoup soup = parse(file);
+  check(file, soup);
+  return soup;
+}
+
+PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
+  const MeshFile file = read_bytes(path);
+  return read_polygon_soup(file, parser_of(file, path.extension().string()));
+}
+
+LoadedMesh load_mesh(const std::filesystem::path& file, double metres_per_unit) {
+  return build_mesh(read_polygon_soup(file), metres_per_unit, file.string());
+}
+
+}  // namespace raytube

@@ -1,0 +1,221 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+#include "core/text.h"
+#include "mesh/read/formats.h"
+#include "mesh/read/text_scanner.h"
+
+namespace raytube {
+
+namespace {
+
+enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class Encoding { ascii, little_endian, big_endian };
+
+struct Property {
+  std::string name;
+  Scalar type;
+  std::optional<Scalar> count_type;  // of a list
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+
+  std::optional<std::size_t> find(std::string_view property, bool list) const {
+    for (std::size_t i = 0; i < properties.size(); ++i)
+      if (properties[i].name == property && properties[i].count_type.has_value() == list) return i;
+    return std::nullopt;
+  }
+};
+
+struct Header {
+  std::optional<Encoding> encoding;
+  std::vector<Element> elements;
+};
+
+Scalar scalar_type(const TextScanner& scanner, std::string_view word) {
+  static constexpr std::pair<std::string_view, Scalar> names[] = {
+      {"char", Scalar::int8},     {"int8", Scalar::int8},       {"uchar", Scalar::uint8},    {"uint8", Scalar::uint8},
+      {"short", Scalar::int16},   {"int16", Scalar::int16},     {"ushort", Scalar::uint16},  {"uint16", Scalar::uint16},
+      {"int", Scalar::int32},     {"int32", Scalar::int32},     {"uint", Scalar::uint32},    {"uint32", Scalar::uint32},
+      {"float", Scalar::float32}, {"float32", Scalar::float32}, {"double", Scalar::float64}, {"float64", Scalar::float64}};
+  for (const auto& [name, type] : names)
+    if (name == word) return type;
+  scanner.reject(fmt::format("'{}' is not a PLY number type; correct the header or export the mesh again", quotable(word)));
+}
+
+Encoding encoding_of(const TextScanner& scanner, std::string_view word) {
+  if (word == "ascii") return Encoding::ascii;
+  if (word == "binary_little_endian") return Encoding::little_endian;
+  if (word == "binary_big_endian") return Encoding::big_endian;
+  scanner.reject(fmt::format("'{}' is not a PLY format; export the mesh as ascii or binary PLY", quotable(word)));
+}
+
+Property read_property(TextScanner& scanner) {
+  Property property;
+  std::string_view word = scanner.word();
+  if (word == "list") {
+    property.count_type = scalar_type(scanner, scanner.word());
+    word = scanner.word();
+  }
+  property.type = scalar_type(scanner, word);
+  property.name = scanner.word();
+  return property;
+}
+
+Element read_element(TextScanner& scanner) {
+  Element element;
+  element.name = scanner.word();
+  element.count = scanner.count(scanner.word());
+  return element;
+}
+
+/// Reads up to and including the line `end_header`.
+Header read_header(TextScanner& scanner) {
+  if (!scanner.next_line() || scanner.word() != "ply")
+    scanner.reject("a PLY file starts with the word 'ply'; export the mesh again");
+  Header header;
+  while (scanner.next_line()) {
+    const std::string_view keyword = scanner.word();
+    if (keyword == "format") header.encoding = encoding_of(scanner, scanner.word());
+    if (keyword == "element") header.elements.push_back(read_element(scanner));
+    if (keyword == "property") {
+      if (header.elements.empty()) scanner.reject("a property stands before the first element; export the mesh again");
+      header.elements.back().properties.push_back(read_property(scanner));
+    }
+    if (keyword == "end_header") {
+      if (!header.encoding) scanner.reject("the header names no format; export the mesh again");
+      scanner.skip_line();
+      return header;
+    }
+  }
+  scanner.reject("the header has no 'end_header'; the file is cut short, export it again");
+}
+
+/// The numbers after the header, one by one. Every PLY number type fits a double exactly.
+class Body {
+ public:
+  Body(const MeshFile& file, TextScanner& scanner, Encoding encoding)
+      : file_(file), scanner_(scanner), encoding_(encoding), position_(scanner.position()) {}
+
+  double next(Scalar type) {
+    if (encoding_ == Encoding::ascii) return scanner_.number(scanner_.word_of_any_line());
+    switch (type) {
+      case Scalar::int8:
+        return binary<std::int8_t>();
+      case Scalar::uint8:
+        return binary<std::uint8_t>();
+      case Scalar::int16:
+        return binary<std::int16_t>();
+      case Scalar::uint16:
+        return binary<std::uint16_t>();
+      case Scalar::int32:
+        return binary<std::int32_t>();
+      case Scalar::uint32:
+        return binary<std::uint32_t>();
+      case Scalar::float32:
+        return binary<float>();
+      case Scalar::float64:
+        return binary<double>();
+    }
+    return 0.0;
+  }
+
+  /// Numbers beyond the last one announced would be lost in silence. Blanks and zeros that pad a file are none.
+  void require_end() {
+    const bool over = encoding_ == Encoding::ascii ? scanner_.word_of_any_line().empty()
+                                                   : file_.bytes.find_first_not_of(padding, position_) == std::string::npos;
+    if (!over) file_.reject("goes on after the last item its header announces; correct the counts there, or export it again");
+  }
+
+ private:
+  static constexpr std::string_view padding{"\0 \t\r\n", 5};
+
+  template <class Number>
+  Number binary() {
+    std::array<char, sizeof(Number)> bytes;
+    if (file_.bytes.size() - position_ < bytes.size())
+      file_.reject("ends before its last number; it is cut short, export it again");
+    std::memcpy(bytes.data(), file_.bytes.data() + position_, bytes.size());
+    position_ += bytes.size();
+    if (encoding_ == Encoding::big_endian) std::reverse(bytes.begin(), bytes.end());
+    Number number;
+    std::memcpy(&number, bytes.data(), sizeof number);
+    return number;
+  }
+
+  const MeshFile& file_;
+  TextScanner& scanner_;
+  Encoding encoding_;
+  std::size_t position_;
+};
+
+std::uint32_t whole(const MeshFile& file, double number, const char* what) {
+  if (!(number >= 0.0 && number < no_index) || number != static_cast<std::uint32_t>(number))
+    file.reject(fmt::format("{} is not {}; the file is damaged, export it again", number, what));
+  return static_cast<std::uint32_t>(number);
+}
+
+/// One vertex, face or other thing: a list of numbers for each property, of length one if the property is no list.
+void read_item(const MeshFile& file, Body& body, const Element& element, std::vector<std::vector<double>>& values) {
+  values.resize(element.properties.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Property& property = element.properties[i];
+    const std::uint32_t count = property.count_type ? whole(file, body.next(*property.count_type), "the length of a list") : 1;
+    values[i].clear();
+    for (std::uint32_t k = 0; k < count; ++k) values[i].push_back(body.next(property.type));
+  }
+}
+
+void read_vertices(const MeshFile& file, Body& body, const Element& element, PolygonSoup& soup) {
+  const auto x = element.find("x", false), y = element.find("y", false), z = element.find("z", false);
+  if (!x || !y || !z) file.reject("its vertices lack x, y or z; export the mesh again");
+  std::vector<std::vector<double>> values;
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    read_item(file, body, element, values);
+    soup.points.push_back({values[*x][0], values[*y][0], values[*z][0]});
+  }
+}
+
+void read_faces(const MeshFile& file, Body& body, const Element& element, PolygonSoup& soup) {
+  auto corners = element.find("vertex_indices", true);
+  if (!corners) corners = element.find("vertex_index", true);
+  if (!corners) file.reject("its faces lack the list vertex_indices; export the mesh again");
+  std::vector<std::vector<double>> values;
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    read_item(file, body, element, values);
+    std::vector<std::uint32_t>& polygon = soup.polygons.emplace_back();
+    for (const double corner : values[*corners]) polygon.push_back(whole(file, corner, "a vertex number"));
+  }
+}
+
+void skip_items(const MeshFile& file, Body& body, const Element& element) {
+  std::vector<std::vector<double>> values;
+  for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) read_item(file, body, element, values);
+}
+
+}  // namespace
+
+PolygonSoup parse_ply(const MeshFile& file) {
+  TextScanner scanner(file);
+  const Header header = read_header(scanner);
+  Body body(file, scanner, *header.encoding);
+  PolygonSoup soup;
+  for (const Element& element : header.elements) {
+    if (element.name == "vertex")
+      read_vertices(file, body, element, soup);
+    else if (element.name == "face")
+      read_faces(file, body, element, soup);
+    else
+      skip_items(file, body, element);
+  }
+  body.require_end();
+  return soup;
+}
+
+}  // namespace raytube

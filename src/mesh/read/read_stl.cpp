@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "core/text.h"
+#include "mesh/read/formats.h"
+#include "mesh/read/text_scanner.h"
+
+static_assert(std::endian::native == std::endian::little, "binary STL and PLY are read in the machine's own byte order");
+
+namespace raytube {
+
+namespace {
+
+constexpr std::size_t header_bytes = 84;  // 80 free ones, then the number of facets
+constexpr std::size_t facet_bytes = 50;   // normal and three corners in single precision, two bytes of attributes
+
+struct PointHash {
+  std::size_t operator()(const dvec3& p) const {
+    std::size_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis) hash = (hash ^ std::bit_cast<std::uint64_t>(p[axis])) * 0x9E3779B97F4A7C15u;
+    return hash ^ (hash >> 32);
+  }
+};
+
+/// STL repeats a corner in each facet that has it; corners with the same coordinates become one vertex.
+class SoupBuilder {
+ public:
+  void add_corner(const dvec3& point) {
+    const dvec3 key = point + 0.0;  // -0 becomes 0
+    const auto [place, is_new] = index_.try_emplace(key, static_cast<std::uint32_t>(soup_.points.size()));
+    if (is_new) soup_.points.push_back(key);
+    corners_.push_back(place->second);
+  }
+  void end_facet() {
+    if (!names_) names_ = soup_.names.list({name_});
+    soup_.names.give(soup_.polygons.size(), *names_);
+    soup_.polygons.push_back(std::exchange(corners_, {}));
+  }
+  /// Of the facets that follow.
+  void set_name(std::string_view name) {
+    name_ = name;
+    names_.reset();
+  }
+  std::size_t facets() const { return soup_.polygons.size(); }
+  PolygonSoup take() { return std::move(soup_); }
+
+ private:
+  PolygonSoup soup_;
+  std::vector<std::uint32_t> corners_;
+  std::string name_;
+  std::optional<std::uint32_t> names_;
+  std::unordered_map<dvec3, std::uint32_t, PointHash> index_;
+};
+
+std::uint64_t announced_facets(const MeshFile& file) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, file.bytes.data() + header_bytes - sizeof count, sizeof count);
+  return count;
+}
+
+PolygonSoup parse_binary(const MeshFile& file) {
+  if (file.bytes.size() < header_bytes) file.reject("is too short for an STL file; export it again");
+  const std::uint64_t facets = announced_facets(file);
+  const std::uint64_t present = (file.bytes.size() - header_bytes) / facet_bytes;
+  if (present > facets)
+    file.reject(fmt::format("holds {} facets but announces {}; the count is damaged, export the mesh again", present, facets));
+  if (present < facets)
+    file.reject(fmt::format("holds {} of the {} facets it announces; it is cut short, export it again", present, facets));
+  SoupBuilder soup;
+  for (std::uint64_t facet = 0; facet < facets; ++facet) {
+    std::array<float, 12> numbers;
+    std::memcpy(numbers.data(), file.bytes.data() + header_bytes + facet * facet_bytes, sizeof numbers);
+    if (!std::all_of(numbers.begin() + 3, numbers.end(), [](float x) { return std::isfinite(x); }))
+      file.reject(fmt::format("facet {} has a coordinate that is not finite; correct it or export the mesh again", facet + 1));
+    for (std::size_t i = 3; i < 12; i += 3) soup.add_corner({numbers[i], numbers[i + 1], numbers[i + 2]});
+    soup.end_facet();
+  }
+  return soup.take();
+}
+
+std::string lower(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+PolygonSoup parse_text(const MeshFile& file) {
+  TextScanner scanner(file);
+  SoupBuilder soup;
+  std::string last;
+  int corners = 0;
+  for (std::string word = lower(scanner.word_of_any_line()); !word.empty(); word = lower(scanner.word_of_any_line())) {
+    last = word;
+    if (word == "solid") {
+      soup.set_name(scanner.rest_of_line());  // may be any text
+    } else if (word == "endsolid") {
+      scanner.skip_line();  // the name again
+      soup.set_name({});
+    } else if (word == "normal") {
+      for (int i = 0; i < 3; ++i) scanner.word_of_any_line();  // not used, and often NaN for slivers
+    } else if (word == "vertex") {
+      dvec3 point;
+      for (int axis = 0; axis < 3; ++axis) point[axis] = scanner.coordinate(scanner.word_of_any_line());
+      soup.add_corner(point);
+      ++corners;
+    } else if (word == "endfacet") {
+      if (corners < 3) scanner.reject("a facet needs three vertices; the file is damaged, export it again");
+      soup.end_facet();
+      corners = 0;
+    } else if (word != "facet" && word != "outer" && word != "loop" && word != "endloop") {
+      scanner.reject(
+          fmt::format("'{}' is not a word of the STL format; correct the line or export the mesh again", quotable(word)));
+    }
+  }
+  if (last != "endsolid") scanner.reject("the file ends without 'endsolid'; it is cut short, export it again");
+  return soup.take();
+}
+
+/// Binary headers may start with "solid" as well; but then the size matches the facet count, or a zero byte appears early.
+bool is_text(const MeshFile& file) {
+  const std::size_t size = file.bytes.size();
+  if (size >= header_bytes && size == header_bytes + facet_bytes * announced_facets(file)) return false;
+  if (is_utf16(file.bytes)) return true;  // and refused as such
+  if (file.bytes.find('\0') < 2 * header_bytes) return false;
+  TextScanner scanner(file);
+  return lower(scanner.word_of_any_line()) == "solid";
+}
+
+}  // namespace
+
+PolygonSoup parse_stl(const MeshFile& file) { return is_text(file) ? parse_text(file) : parse_binary(file); }
+
+}  // namespace raytube

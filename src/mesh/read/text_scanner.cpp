@@ -1,0 +1,125 @@
+#include "mesh/read/text_scanner.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/text.h"
+
+namespace raytube {
+
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+
+}  // namespace
+
+TextScanner::TextScanner(const MeshFile& file, bool backslash_joins_lines)
+    : file_(file), backslash_joins_lines_(backslash_joins_lines) {
+  if (is_utf16(file_.bytes)) file_.reject("is text in UTF-16; save it as UTF-8 or ASCII");
+  if (file_.bytes.starts_with(byte_order_mark)) position_ = byte_order_mark.size();
+}
+
+bool TextScanner::at_line_end() const {
+  return position_ >= file_.bytes.size() || file_.bytes[position_] == '\n' || file_.bytes[position_] == '\r';
+}
+
+bool TextScanner::at_joined_line() const {
+  if (!backslash_joins_lines_ || file_.bytes[position_] != '\\' || position_ + 1 >= file_.bytes.size()) return false;
+  const char next = file_.bytes[position_ + 1];
+  return next == '\n' || next == '\r';
+}
+
+void TextScanner::pass_line_end() {
+  if (file_.bytes.compare(position_, 2, "\r\n") == 0) ++position_;
+  ++position_;
+  ++line_;
+}
+
+void TextScanner::skip_blanks() {
+  while (!at_line_end()) {
+    if (at_joined_line()) {
+      ++position_;
+      pass_line_end();
+    } else if (is_blank(file_.bytes[position_])) {
+      ++position_;
+    } else {
+      break;
+    }
+  }
+  if (!at_line_end() && file_.bytes[position_] == '#')
+    while (!at_line_end()) ++position_;
+}
+
+void TextScanner::skip_line() {
+  while (!at_line_end()) ++position_;
+  if (position_ < file_.bytes.size()) pass_line_end();
+}
+
+std::string_view TextScanner::rest_of_line() {
+  const std::size_t begin = position_;
+  while (!at_line_end()) ++position_;
+  std::string_view rest = std::string_view(file_.bytes).substr(begin, position_ - begin);
+  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+  while (!rest.empty() && is_blank(rest.back())) rest.remove_suffix(1);
+  return rest;
+}
+
+bool TextScanner::next_line() {
+  if (on_a_line_) skip_line();
+  on_a_line_ = true;
+  for (skip_blanks(); at_line_end(); skip_blanks()) {
+    if (position_ >= file_.bytes.size()) return false;
+    pass_line_end();
+  }
+  return true;
+}
+
+std::string_view TextScanner::word() {
+  skip_blanks();
+  const std::size_t begin = position_;
+  while (!at_line_end() && !is_blank(file_.bytes[position_]) && !at_joined_line()) ++position_;
+  return std::string_view(file_.bytes).substr(begin, position_ - begin);
+}
+
+std::string_view TextScanner::word_of_any_line() {
+  std::string_view found = word();
+  while (found.empty() && position_ < file_.bytes.size()) {
+    pass_line_end();
+    found = word();
+  }
+  return found;
+}
+
+double TextScanner::number(std::string_view word) const {
+  if (word.empty()) reject("a number is missing; the file is cut short or damaged, export it again");
+  const char* first = word.data() + (word.front() == '+' ? 1 : 0);
+  const char* last = word.data() + word.size();
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (end != last || error == std::errc::invalid_argument)
+    reject(fmt::format("'{}' is not a number; correct the line", quotable(word)));
+  // Below the smallest double strtod returns what is nearest, above the largest infinity.
+  return error == std::errc::result_out_of_range ? std::strtod(std::string(word).c_str(), nullptr) : value;
+}
+
+double TextScanner::coordinate(std::string_view word) const {
+  const double value = number(word);
+  if (!std::isfinite(value))
+    reject(fmt::format("the coordinate '{}' is not finite; correct it or export the mesh again", quotable(word)));
+  return value;
+}
+
+std::uint64_t TextScanner::count(std::string_view word) const {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (word.empty() || end != word.data() + word.size() || error != std::errc())
+    reject(fmt::format("a count was expected instead of '{}'; the file is damaged, export it again", quotable(word)));
+  return value;
+}
+
+void TextScanner::reject(const std::string& sentence) const { file_.reject(fmt::format("line {}: {}", line_, sentence)); }
+
+}  // namespace raytube

@@ -1,0 +1,48 @@
+#include "mesh/repair/conform.h"
+
+#include <algorithm>
+
+namespace raytube {
+
+namespace {
+
+void split(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
+  for (const EdgeSplit& s : splits) report.t_junctions_split += s.vertices.size();
+  const SplitCount count = apply_splits(splits, facets);
+  report.triangles_added += count.added;
+  report.triangles_degenerate += count.vanished;
+}
+
+bool remove_slivers(std::span<const dvec3> vertices, const EdgeTable& edges, Facets& facets, double distance,
+                    MeshReport& report) {
+  SliverRemoval removal = find_slivers(vertices, facets.triangles, edges, distance);
+  if (removal.triangles.empty()) return false;
+  report.triangles_degenerate += facets.drop_if([&](std::size_t i) { return std::ranges::binary_search(removal.triangles, i); });
+  split(std::move(removal.splits), facets, report);
+  return true;
+}
+
+bool split_t_junctions(std::span<const dvec3> vertices, const EdgeTable& edges, Facets& facets, double distance,
+                       MeshReport& report) {
+  std::vector<EdgeSplit> splits = find_t_junctions(vertices, facets.triangles, edges, distance);
+  if (splits.empty()) return false;
+  split(std::move(splits), facets, report);
+  return true;
+}
+
+/// A few rounds settle every mesh seen so far; the cap is there because nothing proves it.
+constexpr int max_rounds = 64;
+
+}  // namespace
+
+void make_conforming(std::span<const dvec3> vertices, Facets& facets, double distance, MeshReport& report) {
+  for (int round = 0; round < max_rounds; ++round) {
+    const EdgeTable edges(facets.triangles, vertices.size());
+    // Slivers first: on their long edges lie the vertices of others, which would all be taken for T-junctions.
+    if (remove_slivers(vertices, edges, facets, distance, report)) continue;
+    if (!split_t_junctions(vertices, edges, facets, distance, report)) break;
+  }
+  report.triangles_degenerate += facets.drop_if([&](std::size_t i) { return height(vertices, facets.triangles[i]) == 0.0; });
+}
+
+}  // namespace raytube

@@ -1,0 +1,171 @@
+#include "mesh/repair/ears.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+namespace raytube {
+
+namespace {
+
+constexpr std::uint32_t no_corner = 0xffffffffu;
+
+/// The corners that are left of a polygon, in a tree of boxes in its plane.
+class CornersLeft {
+ public:
+  CornersLeft(const PlanarRing& plane, const Ring& ring) : plane_(plane), members_(ring) {
+    for (const std::uint32_t p : ring) {
+      ++times_[p];
+      size_ = std::max({size_, std::abs(plane.at(p).x), std::abs(plane.at(p).y)});
+    }
+    std::ranges::sort(members_);
+    members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
+    build(0, static_cast<std::uint32_t>(members_.size()));
+    for (std::uint32_t i = 0; i < members_.size(); ++i) place_[members_[i]] = i;
+  }
+
+  /// True if the ring does not pass this corner any more.
+  bool drop(std::uint32_t p) {
+    if (--times_[p] > 0) return false;
+    const std::uint32_t place = place_[p];
+    for (std::uint32_t at = 0;;) {
+      Node& node = nodes_[at];
+      --node.left;
+      if (node.right == 0) return true;
+      at = place < nodes_[node.right].begin ? at + 1 : node.right;
+    }
+  }
+
+  /// A corner in the triangle that is none of its own; no_corner if there is none.
+  std::uint32_t one_in(const Triangle& t) const { return one_in(t, 0); }
+
+ private:
+  struct Node {
+    dvec2 low, high;
+    std::uint32_t begin, end, left;  // members, and how many of them are left
+    std::uint32_t right = 0;         // second child, the first one follows its parent; 0 in leaves
+  };
+
+  void build(std::uint32_t begin, std::uint32_t end) {
+    const std::size_t at = nodes_.size();
+    Node node{plane_.at(members_[begin]), plane_.at(members_[begin]), begin, end, end - begin};
+    for (std::uint32_t i = begin; i < end; ++i) {
+      node.low = glm::min(node.low, plane_.at(members_[i]));
+      node.high = glm::max(node.high, plane_.at(members_[i]));
+    }
+    nodes_.push_back(node);
+    if (end - begin <= 8) return;
+    const int axis = node.high.x - node.low.x >= node.high.y - node.low.y ? 0 : 1;
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    std::ranges::nth_element(members_.begin() + begin, members_.begin() + middle, members_.begin() + end, {},
+                             [&](std::uint32_t p) { return std::pair(plane_.at(p)[axis], p); });
+    build(begin, middle);
+    nodes_[at].right = static_cast<std::uint32_t>(nodes_.size());
+    build(middle, end);
+  }
+
+  std::uint32_t one_in(const Triangle& t, std::uint32_t at) const {
+    const Node& node = nodes_[at];
+    if (node.left == 0 || is_outside(node, t)) return no_corner;
+    if (node.right != 0) {
+      const std::uint32_t found = one_in(t, at + 1);
+      return found != no_corner ? found : one_in(t, node.right);
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      const std::uint32_t p = members_[i];
+      if (times_.at(p) > 0 && std::ranges::find(t, p) == t.end() && plane_.holds(t, p)) return p;
+    }
+    return no_corner;
+  }
+
+  // All of the box lies beyond one side, by more than rounding.
+  bool is_outside(const Node& node, const Triangle& t) const {
+    for (int k = 0; k < 3; ++k) {
+      const dvec2 from = plane_.at(t[k]), along = plane_.at(t[(k + 1) % 3]) - from;
+      const dvec2 nearest(along.y > 0.0 ? node.low.x : node.high.x, along.x > 0.0 ? node.high.y : node.low.y);
+      const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * size_ * (std::abs(along.x) + std::abs(along.y));
+      if (along.x * (nearest.y - from.y) - along.y * (nearest.x - from.x) < -rounding) return true;
+    }
+    return false;
+  }
+
+  const PlanarRing& plane_;
+  Ring members_;  // each once
+  double size_ = 0.0;
+  std::unordered_map<std::uint32_t, std::uint32_t> times_, place_;  // that the ring passes a corner; among the members
+  std::vector<Node> nodes_;
+};
+
+/// A place of the ring that turned out to be no ear is asked again only when a neighbour has gone, or what was in its way.
+class EarCutter {
+ public:
+  EarCutter(const PlanarRing& plane, const Ring& ring) : plane_(plane), ring_(ring), corners_(plane, ring) {
+    const auto size = static_cast<std::uint32_t>(ring.size());
+    for (std::uint32_t place = 0; place < size; ++place) {
+      before_.push_back((place + size - 1) % size);
+      after_.push_back((place + 1) % size);
+      possible_.insert(possible_.end(), place);
+    }
+  }
+
+  std::vector<Triangle> run() {
+    std::vector<Triangle> triangles;
+    std::uint32_t start = 0;
+    for (std::size_t left = ring_.size(); left > 3; --left) {
+      const std::uint32_t place = next_ear(start);
+      triangles.push_back(triangle_at(place));
+      start = after_[after_[place]];
+      cut(place);
+    }
+    const auto first = static_cast<std::uint32_t>(std::ranges::find(gone_, false) - gone_.begin());
+    triangles.push_back({ring_[first], ring_[after_[first]], ring_[before_[first]]});
+    return triangles;
+  }
+
+ private:
+  Triangle triangle_at(std::uint32_t place) const { return {ring_[before_[place]], ring_[place], ring_[after_[place]]}; }
+
+  // From `start` on, round the ring; `start` itself if there is none.
+  std::uint32_t next_ear(std::uint32_t start) {
+    for (auto at = possible_.lower_bound(start); !possible_.empty();) {
+      if (at == possible_.end()) at = possible_.begin();
+      if (is_ear(*at)) return *at;
+      at = possible_.erase(at);
+    }
+    return start;
+  }
+
+  bool is_ear(std::uint32_t place) {
+    const Triangle ear = triangle_at(place);
+    if (!(plane_.turn(ear[0], ear[1], ear[2]) > 0.0)) return false;
+    const std::uint32_t in_the_way = corners_.one_in(ear);
+    if (in_the_way != no_corner) waiting_[in_the_way].push_back(place);
+    return in_the_way == no_corner;
+  }
+
+  void cut(std::uint32_t place) {
+    gone_[place] = true;
+    possible_.erase(place);
+    after_[before_[place]] = after_[place];
+    before_[after_[place]] = before_[place];
+    possible_.insert({before_[place], after_[place]});
+    if (!corners_.drop(ring_[place])) return;
+    for (const std::uint32_t other : waiting_[ring_[place]])
+      if (!gone_[other]) possible_.insert(other);
+    waiting_.erase(ring_[place]);
+  }
+
+  const PlanarRing& plane_;
+  const Ring& ring_;
+  CornersLeft corners_;
+  std::vector<std::uint32_t> before_, after_;  // places
+  std::vector<bool> gone_ = std::vector<bool>(ring_.size(), false);
+  std::set<std::uint32_t> possible_;                                       // places
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> waiting_;  // of places, by the corner in their way
+};
+
+}  // namespace
+
+std::vector<Triangle> cut_ears(const PlanarRing& plane, const Ring& ring) { return EarCutter(plane, ring).run(); }
+
+}  // namespace raytube

@@ -1,0 +1,251 @@
+#include "mesh/repair/patches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "mesh/model/edge_table.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double normal_tolerance = 3e-3;   // [rad]
+constexpr double far_nearer = 1e-3;         // times the distance: such a difference says where a sliver belongs
+constexpr double sliver_uncertainty = 0.1;  // of the normal [rad], from which on a triangle's normal says nothing
+
+/// Compensated summation: a plain sum over a million triangles would tilt the plane by 1e-13.
+template <class Vector>
+class Sum {
+ public:
+  void add(const Vector& term) {
+    const Vector corrected = term - lost_;
+    const Vector total = value_ + corrected;
+    lost_ = (total - value_) - corrected;
+    value_ = total;
+  }
+  const Vector& value() const { return value_; }
+
+ private:
+  Vector value_{0.0};
+  Vector lost_{0.0};
+};
+
+/// A plane through many triangles: normal and centroid weighted by area, so that the more it holds the better it is known.
+class GrowingPlane {
+ public:
+  void add(const dvec3& a, const dvec3& b, const dvec3& c) {
+    const dvec3 area = area_vector(a, b, c);
+    area_.add(area);
+    moment_.add(glm::length(area) * glm::dvec4((a + b + c) / 3.0, 1.0));
+  }
+
+  Patch plane() const {
+    const dvec3 normal = glm::normalize(area_.value());
+    return {normal, glm::dot(normal, dvec3(moment_.value())) / moment_.value().w};
+  }
+
+ private:
+  Sum<dvec3> area_;
+  Sum<glm::dvec4> moment_;  // weight times centroid, weight
+};
+
+/// Of two points that are not the same the first one, by their coordinates.
+bool before(const dvec3& a, const dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
+/// A triangle with its corners in an order of their own.
+struct Seed {
+  std::uint32_t triangle;
+  double area;
+  std::array<dvec3, 3> corners;
+};
+
+/// A plane across a side of a triangle.
+struct Beside {
+  std::uint32_t patch;
+  double distance;  // of the triangle from it
+  double length;    // of the side
+  std::array<dvec3, 2> ends;
+};
+
+class PatchFinder {
+ public:
+  PatchFinder(TriangleMesh& mesh, double distance)
+      : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()), distance_(distance) {}
+
+  void run() {
+    mesh_.patches.clear();
+    mesh_.triangle_patch.assign(mesh_.triangles.size(), no_index);
+    const std::vector<std::uint32_t> seeds = largest_first();
+    for (const std::uint32_t seed : seeds)
+      if (mesh_.triangle_patch[seed] == no_index && !is_sliver(seed)) grow(seed);
+    for (const std::uint32_t seed : seeds)
+      if (mesh_.triangle_patch[seed] == no_index && !join_nearest(seed)) grow(seed);
+  }
+
+  /// Cuts the patches where materials meet. The piece with a patch's first triangle takes its number, the others follow behind.
+  void cut(std::span<const std::uint32_t> materials) {
+    const std::vector<std::uint32_t> pieces = connected_pieces(materials);
+    std::vector<std::uint32_t> patch_of_piece(mesh_.triangles.size(), no_index);
+    std::vector<bool> taken(mesh_.patches.size(), false);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      std::uint32_t& patch = patch_of_piece[pieces[t]];
+      if (patch == no_index) {
+        patch = mesh_.triangle_patch[t];
+        if (taken[patch]) patch = copy_of(patch);
+        taken[patch] = true;
+        mesh_.patches[patch].material = materials[t];
+      }
+      mesh_.triangle_patch[t] = patch;
+    }
+  }
+
+ private:
+  /// A number for each triangle, in common with those of its patch that it reaches across edges without leaving its material.
+  std::vector<std::uint32_t> connected_pieces(std::span<const std::uint32_t> materials) const {
+    std::vector<std::uint32_t> parents(mesh_.triangles.size());
+    std::iota(parents.begin(), parents.end(), 0u);
+    for (std::uint32_t t = 0; t < parents.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t next = neighbour(t, k);
+        if (next == no_index || mesh_.triangle_patch[next] != mesh_.triangle_patch[t] || materials[next] != materials[t])
+          continue;
+        parents[find_root(parents, next)] = find_root(parents, t);
+      }
+    return number_sets(std::move(parents));
+  }
+
+  std::uint32_t copy_of(std::uint32_t patch) {
+    mesh_.patches.push_back(Patch(mesh_.patches[patch]));
+    return static_cast<std::uint32_t>(mesh_.patches.size() - 1);
+  }
+
+  /// Of equal ones by place: in which order a file lists triangles and their corners must not decide where a sliver belongs.
+  std::vector<std::uint32_t> largest_first() const {
+    std::vector<Seed> seeds;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) seeds.push_back(seed(t));
+    std::ranges::sort(seeds, [](const Seed& a, const Seed& b) {
+      if (a.area != b.area) return a.area > b.area;
+      return std::ranges::lexicographical_compare(a.corners, b.corners, before);
+    });
+    std::vector<std::uint32_t> order;
+    for (const Seed& seed : seeds) order.push_back(seed.triangle);
+    return order;
+  }
+
+  Seed seed(std::uint32_t triangle) const {
+    std::array<dvec3, 3> corners;
+    for (int k = 0; k < 3; ++k) corners[k] = mesh_.vertices[mesh_.triangles[triangle][k]];
+    std::ranges::sort(corners, before);
+    return {triangle, glm::length(area_vector(corners[0], corners[1], corners[2])), corners};
+  }
+
+  void grow(std::uint32_t seed) {
+    const auto patch = static_cast<std::uint32_t>(mesh_.patches.size());
+    GrowingPlane growing;
+    std::vector<std::uint32_t> queue;
+    const auto take = [&](std::uint32_t triangle) {
+      const auto& [a, b, c] = mesh_.triangles[triangle];
+      growing.add(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
+      mesh_.triangle_patch[triangle] = patch;
+      queue.push_back(triangle);
+    };
+    take(seed);
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t next = neighbour(queue[i], k);
+        if (next != no_index && mesh_.triangle_patch[next] == no_index && fits(growing.plane(), next)) take(next);
+      }
+    mesh_.patches.push_back(growing.plane());
+  }
+
+  /// The one other triangle of the same component at this side; no_index if there are more or none.
+  std::uint32_t neighbour(std::uint32_t triangle, int corner) const {
+    std::uint32_t found = no_index;
+    for (const auto& side : edges_[edges_.edge_of(triangle, corner)].sides) {
+      if (side.triangle == triangle || mesh_.triangle_component[side.triangle] != mesh_.triangle_component[triangle]) continue;
+      if (found != no_index) return no_index;
+      found = side.triangle;
+    }
+    return found;
+  }
+
+  /// Near the plane with all corners, and facing the same way. A triangle's own normal is known no better than the distance
+  /// over its height, and that of a sliver may even point backwards; no way to tell it from a fold, and no need to.
+  bool fits(const Patch& plane, std::uint32_t triangle) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    const double farthest = distance_from(plane, t);
+    if (farthest > distance_) return false;
+    if (is_sliver(triangle)) return farthest <= far_nearer * distance_ || !fits_elsewhere(triangle, farthest);
+    const dvec3 area = area_vector(mesh_.vertices, t);
+    const double angle = std::atan2(glm::length(glm::cross(area, plane.normal)), glm::dot(area, plane.normal));
+    return angle <= normal_tolerance + distance_ / height(mesh_.vertices, t);
+  }
+
+  bool is_sliver(std::uint32_t triangle) const {
+    return distance_ > sliver_uncertainty * height(mesh_.vertices, mesh_.triangles[triangle]);
+  }
+
+  /// What no plane has reached belongs to the nearest one beside it, of those as near as coordinates can tell to the one across
+  /// its longest side; false if none is near enough.
+  bool join_nearest(std::uint32_t triangle) {
+    std::vector<Beside> beside;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t next = neighbour(triangle, k), patch = next == no_index ? no_index : mesh_.triangle_patch[next];
+      if (patch == no_index) continue;
+      const double distance = distance_from(mesh_.patches[patch], mesh_.triangles[triangle]);
+      if (distance <= distance_) beside.push_back(neighbour_across(triangle, k, patch, distance));
+    }
+    if (beside.empty()) return false;
+    const double nearest = std::ranges::min(beside, {}, &Beside::distance).distance + far_nearer * distance_;
+    std::erase_if(beside, [&](const Beside& b) { return b.distance > nearest; });
+    mesh_.triangle_patch[triangle] = std::ranges::min_element(beside, [](const Beside& a, const Beside& b) {
+                                       if (a.length != b.length) return a.length > b.length;
+                                       return std::ranges::lexicographical_compare(a.ends, b.ends, before);
+                                     })->patch;
+    return true;
+  }
+
+  Beside neighbour_across(std::uint32_t triangle, int corner, std::uint32_t patch, double distance) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    std::array<dvec3, 2> ends{mesh_.vertices[t[corner]], mesh_.vertices[t[(corner + 1) % 3]]};
+    std::ranges::sort(ends, before);
+    return {patch, distance, glm::distance(ends[0], ends[1]), ends};
+  }
+
+  double distance_from(const Patch& plane, const Triangle& t) const {
+    double farthest = 0.0;
+    for (const std::uint32_t v : t)
+      farthest = std::max(farthest, std::abs(glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset));
+    return farthest;
+  }
+
+  /// A sliver along the edge of two planes lies in the one it is far nearer to, if coordinates are as good as to tell.
+  bool fits_elsewhere(std::uint32_t triangle, double farthest) const {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t next = neighbour(triangle, k);
+      if (next == no_index || is_sliver(next)) continue;
+      GrowingPlane other;
+      const auto& [a, b, c] = mesh_.triangles[next];
+      other.add(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
+      if (distance_from(other.plane(), mesh_.triangles[triangle]) < far_nearer * farthest) return true;
+    }
+    return false;
+  }
+
+  TriangleMesh& mesh_;
+  EdgeTable edges_;
+  double distance_;
+};
+
+}  // namespace
+
+void find_patches(TriangleMesh& mesh, double distance, std::span<const std::uint32_t> materials) {
+  PatchFinder finder(mesh, distance);
+  finder.run();
+  if (!materials.empty()) finder.cut(materials);
+}
+
+}  // namespace raytube

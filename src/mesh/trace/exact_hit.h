@@ -1,0 +1,95 @@
+// Double-precision decisions about one ray and one triangle, and the neighbours a ray near an edge may have met instead.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "mesh/model/triangle_rows.h"
+#include "mesh/model/triangle_tree.h"
+#include "mesh/trace/near_coincident.h"
+#include "mesh/trace/tracer.h"
+
+namespace raytube {
+
+class ExactHit {
+ public:
+  /// Of lists longer than `longest_list` those that a ray comes near are found in a tree: the same decisions, at bounded cost.
+  explicit ExactHit(const TriangleMesh& mesh, std::size_t longest_list = 256);
+
+  std::uint32_t patch(std::uint32_t triangle) const { return mesh_.triangle_patch[triangle]; }
+
+  /// Distance along the ray to the plane of the triangle's patch.
+  double distance(const Ray& ray, std::uint32_t triangle) const {
+    const Patch& plane = mesh_.patches[patch(triangle)];
+    return (plane.offset - glm::dot(plane.normal, ray.origin)) / glm::dot(plane.normal, ray.direction);
+  }
+
+  /// Which of two triangles that contain the ray is the nearer one: the same, but the distance to the triangle itself where the
+  /// ray grazes it.
+  double depth(const Ray& ray, std::uint32_t triangle) const;
+
+  /// True if that plane lies ahead of the ray's start by more than the rounding of the two.
+  bool ahead(const Ray& ray, std::uint32_t triangle) const {
+    const Patch& plane = mesh_.patches[patch(triangle)];
+    const double height = plane.offset - glm::dot(plane.normal, ray.origin);
+    return std::abs(height) > rounding_ && height * glm::dot(plane.normal, ray.direction) > 0.0;
+  }
+
+  /// True if the ray's line runs through the triangle, rim included; without rounding, so no line slips between two triangles of
+  /// an edge, or through where several meet in a corner.
+  bool contains(const Ray& ray, std::uint32_t triangle) const;
+
+  /// True if the ray passes well inside all three edges: single precision cannot have mistaken this hit but for one with a
+  /// surface that touches the triangle.
+  bool is_inside(const Ray& ray, std::uint32_t triangle) const;
+
+  /// The triangles of other patches that touch it, in ascending order.
+  std::span<const std::uint32_t> near_coincident(std::uint32_t triangle) const { return near_coincident_[triangle]; }
+
+  /// True if no other surface touches the triangle.
+  bool is_alone(std::uint32_t triangle) const { return near_coincident_[triangle].empty(); }
+
+  /// The nearest triangle that contains the ray, among `triangle`, those touching it, and all of a patch of these which the ray
+  /// runs along, but not on the patch the ray leaves or an ignored one; ties to the lower index.
+  Hit nearest_near_coincident(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
+
+  /// A ray this far inside all three edges meets the triangle in single precision too [m].
+  double sampling_variance() const { return sampling_variance_; }
+
+  /// The nearest triangle that contains the ray, among `triangle`, those sharing a corner with it, those touching it, and all of
+  /// a patch there which the ray grazes, but not on the patch the ray leaves or an ignored one; ties to the lower index.
+  Hit nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
+
+  /// A ray that touches a ridge of a closed body meets both faces there, and rounding says which is the nearer one. If that is
+  /// the one turned away, the other one in its place.
+  Hit front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const;
+
+ private:
+  std::array<double, 3> edge_sides(const Ray& ray, std::uint32_t triangle) const;
+  double depth(const Ray& ray, std::uint32_t triangle, const std::array<double, 3>& sides) const;
+  void keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const;
+  bool from_behind(const Ray& ray, std::uint32_t triangle) const;
+  bool grazes(const Ray& ray, std::uint32_t patch) const;
+  bool is_long(std::span<const std::uint32_t> list) const { return list.size() > longest_list_; }
+  bool has_long_corner(std::uint32_t triangle) const;
+  bool shares_corner(std::uint32_t triangle, std::uint32_t other) const;
+  bool has_corner_on(std::uint32_t triangle, std::uint32_t patch) const;
+  void keep_nearer_of_patch(const Ray& ray, std::uint32_t grazed, const IgnoredPatches& ignored_patches, Hit& nearest) const;
+  template <class Accept>
+  void keep_nearer_of_all(const Ray& ray, const IgnoredPatches& ignored_patches, Hit& nearest, Accept accept) const;
+
+  const TriangleMesh& mesh_;
+  std::size_t longest_list_;
+  double rounding_;
+  double sampling_variance_;
+  TriangleTree tree_;
+  TriangleRows at_vertex_, of_patch_;
+  NearCoincident near_coincident_;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> patches_at_;  // vertices with long lists; in ascending order
+};
+
+}  // namespace raytube

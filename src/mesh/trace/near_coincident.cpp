@@ -1,0 +1,225 @@
+#include "mesh/trace/near_coincident.h"
+
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mesh/model/edge_table.h"
+#include "mesh/model/geometry.h"
+
+namespace raytube {
+
+namespace {
+
+using ArcBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+using Corners = std::array<dvec3, 3>;
+
+// The gap between two triangles along an axis, above zero if they are apart; an axis without length tells nothing.
+double gap_along(const Corners& a, const Corners& b, const dvec3& axis) {
+  const double length = glm::length(axis);
+  if (!(length > 0.0)) return 0.0;
+  const auto range = [&](const Corners& corners) {
+    return std::minmax({glm::dot(corners[0], axis), glm::dot(corners[1], axis), glm::dot(corners[2], axis)});
+  };
+  const auto [low_a, high_a] = range(a);
+  const auto [low_b, high_b] = range(b);
+  return std::max(low_a - high_b, low_b - high_a) / length;
+}
+
+// Whether a plane with a gap of this width on it separates the two (Gottschalk, Lin and Manocha 1996: for convex polyhedra it is
+// enough to try the normals of both and the products of their edges; for flat ones also the normals of edges in their planes).
+bool are_apart(const Corners& a, const Corners& b, double distance) {
+  const dvec3 normals[2] = {area_vector(a[0], a[1], a[2]), area_vector(b[0], b[1], b[2])};
+  for (const dvec3& normal : normals)
+    if (gap_along(a, b, normal) > distance) return true;
+  for (int i = 0; i < 3; ++i) {
+    const dvec3 edge_a = a[(i + 1) % 3] - a[i], edge_b = b[(i + 1) % 3] - b[i];
+    if (gap_along(a, b, glm::cross(normals[0], edge_a)) > distance) return true;
+    if (gap_along(a, b, glm::cross(normals[1], edge_b)) > distance) return true;
+    for (int j = 0; j < 3; ++j)
+      if (gap_along(a, b, glm::cross(edge_a, b[(j + 1) % 3] - b[j])) > distance) return true;
+  }
+  return false;
+}
+
+// A triangle seen from one of its corners; shorter than half a circle, about the origin.
+struct Arc {
+  dvec3 from, to, axis;
+  double angle;
+  Arc(const dvec3& first, const dvec3& second)
+      : from(glm::normalize(first)),
+        to(glm::normalize(second)),
+        axis(glm::normalize(glm::cross(first, second))),
+        angle(std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to))) {}
+
+  dvec3 middle() const { return glm::normalize(from + to); }
+
+  // The point `p` lies over the arc, between its ends.
+  bool beside(const dvec3& p) const {
+    return glm::dot(glm::cross(axis, from), p) >= 0.0 && glm::dot(glm::cross(to, axis), p) >= 0.0;
+  }
+
+  // Chord from a unit vector to the nearest point of the arc.
+  double distance(const dvec3& p) const {
+    if (beside(p)) return std::abs(glm::dot(axis, p));
+    return std::min(glm::distance(p, from), glm::distance(p, to));
+  }
+
+  // To the nearer end from where `p` lies over the arc.
+  double angle_to_end(const dvec3& p) const {
+    const double from_first = std::atan2(glm::dot(glm::cross(axis, from), p), glm::dot(from, p));
+    return std::min(from_first, angle - from_first);
+  }
+
+  bool crosses(const Arc& other) const {
+    const double a = glm::dot(other.axis, from), b = glm::dot(other.axis, to);
+    const double c = glm::dot(axis, other.from), d = glm::dot(axis, other.to);
+    return a * b < 0.0 && c * d < 0.0 && a * c < 0.0;
+  }
+};
+
+// Whether triangles that share corners open at a narrow angle.
+class Corner {
+ public:
+  explicit Corner(double narrow) : narrow_(narrow) {}
+
+  // True if somewhere on one of the arcs the other one is nearer than `narrow` times the way to the end: from there outwards the
+  // triangles are nearer to one another than that times the way to their edges. Arcs that follow one another are not. The
+  // distance is least over the middle of an arc or beside an end of the other one: between these, it is concave.
+  bool is_narrow(const Arc& a, const Arc& b) const { return a.crosses(b) || comes_near(a, b) || comes_near(b, a); }
+
+  // Meets all arcs that come near this one, or that it comes near to: within half the narrow angle times its own, and a little.
+  ArcBox box(const Arc& arc, std::uint32_t index) const {
+    const double margin = 0.6 * narrow_ * arc.angle;
+    dvec3 low = glm::min(arc.from, arc.to), high = glm::max(arc.from, arc.to);
+    // An arc rises above its chord by less than 1 - cos of half its angle.
+    const double rise = 1.0 - std::cos(0.5 * arc.angle);
+    low -= margin + rise;
+    high += margin + rise;
+    return {CGAL::Bbox_3(low.x, low.y, low.z, high.x, high.y, high.z), index};
+  }
+
+  // The same of triangles on a common edge: folded together.
+  bool is_fold(const dvec3& inwards_a, const dvec3& inwards_b) const { return glm::distance(inwards_a, inwards_b) < narrow_; }
+
+ private:
+  bool comes_near(const Arc& arc, const Arc& other) const {
+    if (other.distance(arc.middle()) < 0.5 * narrow_ * arc.angle) return true;
+    return std::ranges::any_of(std::array{other.from, other.to}, [&](const dvec3& end) {
+      return arc.beside(end) && std::abs(glm::dot(arc.axis, end)) < narrow_ * arc.angle_to_end(end);
+    });
+  }
+
+  double narrow_;
+};
+
+class PairFinder {
+ public:
+  PairFinder(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance, double narrow)
+      : mesh_(mesh), distance_(distance), corner_(narrow) {
+    tree.close_pairs(distance, [&](std::uint32_t a, std::uint32_t b) {
+      if (!are_apart(corners(a), corners(b), distance_)) add(a, b);
+    });
+    for (std::uint32_t vertex = 0; vertex < at_vertex.size(); ++vertex) look_round(vertex, at_vertex[vertex]);
+    const EdgeTable edges(mesh.triangles, mesh.vertices.size());
+    for (std::size_t e = 0; e < edges.size(); ++e) look_along(edges[e]);
+  }
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+
+ private:
+  void add(std::uint32_t a, std::uint32_t b) { pairs.insert(pairs.end(), {{a, b}, {b, a}}); }
+
+  Corners corners(std::uint32_t triangle) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
+  }
+
+  bool share_one_corner(std::uint32_t a, std::uint32_t b) const {
+    const Triangle& with = mesh_.triangles[b];
+    return std::ranges::count_if(mesh_.triangles[a], [&](auto v) { return std::ranges::find(with, v) != with.end(); }) == 1;
+  }
+
+  Arc arc(std::uint32_t triangle, std::uint32_t vertex) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    const auto corner = std::ranges::find(t, vertex) - t.begin();
+    const dvec3& tip = mesh_.vertices[vertex];
+    return {mesh_.vertices[t[(corner + 1) % 3]] - tip, mesh_.vertices[t[(corner + 2) % 3]] - tip};
+  }
+
+  void look_round(std::uint32_t vertex, std::span<const std::uint32_t> triangles) {
+    const auto patch = [&](std::uint32_t i) { return mesh_.triangle_patch[triangles[i]]; };
+    std::vector<Arc> arcs;
+    std::vector<ArcBox> boxes;
+    for (const std::uint32_t triangle : triangles) {
+      arcs.push_back(arc(triangle, vertex));
+      boxes.push_back(corner_.box(arcs.back(), static_cast<std::uint32_t>(boxes.size())));
+    }
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const ArcBox& a, const ArcBox& b) {
+      const std::uint32_t i = a.info(), j = b.info();
+      if (patch(i) == patch(j) || !share_one_corner(triangles[i], triangles[j])) return;
+      if (corner_.is_narrow(arcs[i], arcs[j])) add(triangles[i], triangles[j]);
+    });
+  }
+
+  void look_along(const EdgeTable::Edge& edge) {
+    for (std::size_t i = 0; i < edge.sides.size(); ++i)
+      for (std::size_t j = i + 1; j < edge.sides.size(); ++j) {
+        const std::uint32_t a = edge.sides[i].triangle, b = edge.sides[j].triangle;
+        if (mesh_.triangle_patch[a] != mesh_.triangle_patch[b] && corner_.is_fold(inwards(edge.sides[i]), inwards(edge.sides[j])))
+          add(a, b);
+      }
+  }
+
+  dvec3 inwards(const EdgeTable::Side& side) const {
+    const Triangle& t = mesh_.triangles[side.triangle];
+    const dvec3 from = mesh_.vertices[t[side.corner]], edge = glm::normalize(mesh_.vertices[t[(side.corner + 1) % 3]] - from);
+    const dvec3 to = mesh_.vertices[t[(side.corner + 2) % 3]] - from;
+    return glm::normalize(to - glm::dot(to, edge) * edge);
+  }
+
+  const TriangleMesh& mesh_;
+  double distance_;
+  Corner corner_;
+};
+
+}  // namespace
+
+bool lie_upon_one_another(const Corners& a, const Corners& b, double distance) {
+  const dvec3 normal_a = area_vector(a[0], a[1], a[2]), normal_b = area_vector(b[0], b[1], b[2]);
+  // The larger one knows the plane better.
+  const dvec3 normal = glm::normalize(glm::length(normal_a) > glm::length(normal_b) ? normal_a : normal_b);
+  const auto is_beside = [&](const dvec3& p) { return std::abs(glm::dot(p - a[0], normal)) > distance; };
+  if (std::ranges::any_of(a, is_beside) || std::ranges::any_of(b, is_beside)) return false;
+  for (int i = 0; i < 3; ++i)
+    for (const Corners& corners : {a, b})
+      if (gap_along(a, b, glm::cross(normal, corners[(i + 1) % 3] - corners[i])) > -distance) return false;
+  return true;
+}
+
+NearCoincident::NearCoincident(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance,
+                               double narrow)
+    : first_(mesh.triangles.size() + 1, 0) {
+  auto pairs = std::move(PairFinder(mesh, tree, at_vertex, distance, narrow).pairs);
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (const auto& [triangle, other] : pairs) ++first_[triangle + 1], others_.push_back(other);
+  for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];
+  find_patches(mesh);
+}
+
+void NearCoincident::find_patches(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> found;
+  first_patch_.push_back(0);
+  for (std::uint32_t triangle = 0; triangle + 1 < first_.size(); ++triangle) {
+    found.clear();
+    for (const std::uint32_t other : (*this)[triangle]) found.push_back(mesh.triangle_patch[other]);
+    std::ranges::sort(found);
+    patches_.insert(patches_.end(), found.begin(), std::unique(found.begin(), found.end()));
+    first_patch_.push_back(patches_.size());
+  }
+}
+
+}  // namespace raytube

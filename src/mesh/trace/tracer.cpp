@@ -1,0 +1,352 @@
+#include "mesh/trace/tracer.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/instruction_set.h"
+#include "mesh/model/geometry.h"
+#include "mesh/trace/exact_hit.h"
+#include "mesh/trace/proxy_triangles.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr std::size_t packet_width = 16;  // of what is loaded and decided together; Embree may be given less at a time
+
+// Embree works on a copy of the mesh scaled to about unit size, so its absolute thresholds mean the same for every target.
+// A ray that leaves a surface starts this far behind it (about 30 float roundings); what lies in between is refused in double.
+constexpr double start_behind = 4e-6;
+// A ray from afar starts this far from the middle of the mesh, so that single precision places it as well as the others.
+constexpr double start_from = 2.0;
+// Of the guards (ProxyTriangles): twenty times what single precision can mistake a place by.
+constexpr double proxy_margin = 2e-5;
+
+// Embree calls it unknown when a thread or an allocation of its own fails.
+[[noreturn]] void fail(RTCError error) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY || error == RTC_ERROR_UNKNOWN) throw std::bad_alloc();
+  throw std::runtime_error(fmt::format("Embree reports error {}; install Embree 3.13 as Debian has it", static_cast<int>(error)));
+}
+
+void check_device(RTCDevice device) {
+  if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) fail(error);
+}
+
+struct QueryContext;
+struct Packet;
+
+// One of Embree's triangles, and how far along the ray it found it [m].
+struct Proposal {
+  std::uint32_t primitive = no_index;
+  double distance = 0.0;
+  explicit operator bool() const { return primitive != no_index; }
+};
+}  // namespace
+
+struct Tracer::Scene {
+  Scene(const TriangleMesh& triangles, int rays_at_a_time);
+  ~Scene() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  void closest(std::span<const Ray> rays, const IgnoredPatches& ignored, bool from_behind, std::span<std::uint32_t> found) const;
+  Proposal propose_beyond(const Ray& ray, const IgnoredPatches& ignored, std::span<const std::uint32_t> refused) const;
+  std::uint32_t decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const;
+  bool is_inside(const Ray& ray, const Packet& packet, std::size_t lane) const;
+
+  const TriangleMesh& mesh;
+  ExactHit exact;
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  double scale = 1.0;
+  int width;                          // rays that Embree is given at a time
+  std::vector<std::uint32_t> source;  // of each of Embree's triangles, that of the mesh
+  std::vector<float> safe_sides;  // of each triangle of the mesh: smallest_side() of hits that single precision cannot mistake
+
+ private:
+  void add_geometry(const ProxyTriangles& proxies);
+  float safe_side(const ProxyTriangles& proxies, std::uint32_t triangle) const;
+};
+
+namespace {
+
+// What the filter needs to know about the rays of a packet; Embree passes it back through the context.
+struct QueryContext : RTCIntersectContext {
+  const ExactHit* exact;
+  std::size_t own;  // of Embree's triangles the first ones are the mesh's
+  const Ray* rays;
+  IgnoredPatches refused_patches;
+  std::span<const std::uint32_t> refused_primitives;
+
+  bool refuses(const Ray& ray, std::uint32_t primitive) const {
+    if (std::ranges::find(refused_primitives, primitive) != refused_primitives.end()) return true;
+    if (primitive >= own) return false;  // a guard stands for its neighbours too
+    const std::uint32_t patch = exact->patch(primitive);
+    return patch == ray.source_patch || std::ranges::find(refused_patches, patch) != refused_patches.end() ||
+           !exact->ahead(ray, primitive);
+  }
+};
+
+// The lanes whose flag is set (all ones), as bits. Of a whole packet the compiler takes them at once.
+unsigned lanes_set(const int* flags, unsigned count) {
+  unsigned bits = 0;
+  if (count == packet_width)
+    for (unsigned lane = 0; lane < packet_width; ++lane) bits |= static_cast<unsigned>(flags[lane]) & 1u << lane;
+  else
+    for (unsigned lane = 0; lane < count; ++lane) bits |= static_cast<unsigned>(flags[lane]) & 1u << lane;
+  return bits;
+}
+
+// Keeps only hits that lie ahead of the ray's true start in double precision and are not on a refused surface.
+void refuse(const RTCFilterFunctionNArguments* arguments) {
+  const auto& query = *static_cast<const QueryContext*>(arguments->context);
+  for (unsigned left = lanes_set(arguments->valid, arguments->N); left != 0; left &= left - 1) {
+    const auto lane = static_cast<unsigned>(std::countr_zero(left));
+    const Ray& ray = query.rays[RTCRayN_id(arguments->ray, arguments->N, lane)];
+    if (query.refuses(ray, RTCHitN_primID(arguments->hit, arguments->N, lane))) arguments->valid[lane] = 0;
+  }
+}
+
+// Sixteen rays with what Embree finds of them. Lanes beyond the last ray are inactive and repeat it: Embree computes with them
+// all the same and asks its filter about them, and what was in memory may be subnormal numbers, a hundred times as slow.
+struct alignas(64) Packet {
+  RTCRayHit16 rays;
+  std::array<int, packet_width> valid;
+  std::array<double, packet_width> start;  // along each ray [Embree's units]
+};
+
+// Where along it a ray begins for Embree.
+double start_of(const Ray& ray, double scale, bool from_behind) {
+  const double towards = -scale * glm::dot(ray.origin, ray.direction) - start_from;
+  return towards > 0.0 ? towards : from_behind || ray.source_patch != no_index ? -start_behind : 0.0;
+}
+
+void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_behind) {
+  RTCRay16& to = packet.rays.ray;
+  for (std::size_t lane = 0; lane < packet_width; ++lane) {
+    const std::size_t index = std::min(lane, rays.size() - 1);
+    const Ray& ray = rays[index];
+    const double start = packet.start[lane] = start_of(ray, scale, from_behind);
+    to.org_x[lane] = static_cast<float>(ray.origin.x * scale + start * ray.direction.x);
+    to.org_y[lane] = static_cast<float>(ray.origin.y * scale + start * ray.direction.y);
+    to.org_z[lane] = static_cast<float>(ray.origin.z * scale + start * ray.direction.z);
+    to.dir_x[lane] = static_cast<float>(ray.direction.x);
+    to.dir_y[lane] = static_cast<float>(ray.direction.y);
+    to.dir_z[lane] = static_cast<float>(ray.direction.z);
+    to.id[lane] = static_cast<unsigned>(index);
+  }
+  for (std::size_t lane = 0; lane < packet_width; ++lane) {
+    packet.valid[lane] = lane < rays.size() ? -1 : 0;
+    to.tnear[lane] = to.time[lane] = 0.0f;
+    to.tfar[lane] = std::numeric_limits<float>::infinity();
+    to.mask[lane] = 0xffffffffu;
+    to.flags[lane] = 0;
+    packet.rays.hit.geomID[lane] = packet.rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+  }
+}
+
+bool is_hit(const Packet& packet, std::size_t lane) { return packet.rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
+
+// The smallest of the three edge functions of a hit - twice the area of the triangle, as the ray sees it, times a barycentric
+// coordinate - in Embree's units and precision.
+float smallest_side(const Packet& packet, std::size_t lane) {
+  const RTCHit16& hit = packet.rays.hit;
+  const RTCRay16& ray = packet.rays.ray;
+  const float along = hit.Ng_x[lane] * ray.dir_x[lane] + hit.Ng_y[lane] * ray.dir_y[lane] + hit.Ng_z[lane] * ray.dir_z[lane];
+  return std::min({hit.u[lane], hit.v[lane], 1.0f - hit.u[lane] - hit.v[lane]}) * std::abs(along);
+}
+
+void intersect_singly(RTCScene scene, RTCIntersectContext& context, Packet& packet) {
+  auto* rays = reinterpret_cast<RTCRayHitN*>(&packet.rays);
+  for (unsigned lane = 0; lane < packet_width; ++lane) {
+    if (!packet.valid[lane]) continue;
+    RTCRayHit single = rtcGetRayHitFromRayHitN(rays, packet_width, lane);
+    rtcIntersect1(scene, &context, &single);
+    rtcCopyHitToHitN(RTCRayHitN_HitN(rays, packet_width), &single.hit, packet_width, lane);
+    packet.rays.ray.tfar[lane] = single.ray.tfar;
+  }
+}
+
+RTCRayHit single_ray(const Ray& ray, double scale, double start) {
+  RTCRayHit query{};
+  const dvec3 origin = ray.origin * scale + start * ray.direction;
+  query.ray.org_x = static_cast<float>(origin.x);
+  query.ray.org_y = static_cast<float>(origin.y);
+  query.ray.org_z = static_cast<float>(origin.z);
+  query.ray.dir_x = static_cast<float>(ray.direction.x);
+  query.ray.dir_y = static_cast<float>(ray.direction.y);
+  query.ray.dir_z = static_cast<float>(ray.direction.z);
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.mask = 0xffffffffu;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  return query;
+}
+
+void intersect(RTCScene scene, RTCIntersectContext& context, int width, Packet& packet) {
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  if (width == 1)
+    intersect_singly(scene, context, packet);
+  else
+    rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
+}
+
+QueryContext make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredPatches& ignored) {
+  QueryContext context;
+  rtcInitIntersectContext(&context);
+  context.exact = &scene.exact;
+  context.own = scene.safe_sides.size();
+  context.rays = rays;
+  context.refused_patches = ignored;
+  return context;
+}
+
+}  // namespace
+
+Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time)
+    : mesh(triangles), exact(triangles), width(rays_at_a_time) {
+  // As many user threads as there are threads leave none to Embree, and one builds: the order of equal leaves then never depends
+  // on the machine's load.
+  device = rtcNewDevice(fmt::format("isa={},user_threads=1000000", name_of(allowed_instruction_set())).c_str());
+  if (!device) fail(rtcGetDeviceError(nullptr));
+  scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+  if (mesh.radius > 0.0) scale = std::exp2(-std::ceil(std::log2(mesh.radius)));
+  ProxyTriangles proxies = proxy_triangles(mesh, proxy_margin / scale);
+  add_geometry(proxies);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) safe_sides.push_back(safe_side(proxies, t));
+  source = std::move(proxies.source);
+  rtcJoinCommitScene(scene);
+  check_device(device);
+}
+
+void Tracer::Scene::add_geometry(const ProxyTriangles& proxies) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), proxies.vertices.size()));
+  auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                 3 * sizeof(unsigned), proxies.triangles.size()));
+  check_device(device);
+  for (const dvec3& vertex : proxies.vertices)
+    for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(vertex[axis] * scale);
+  for (const auto& triangle : proxies.triangles) indices = std::ranges::copy(triangle, indices).out;
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+// Edge functions fall by how far a corner was moved times the edge when the corner is put back.
+float Tracer::Scene::safe_side(const ProxyTriangles& proxies, std::uint32_t triangle) const {
+  const Triangle& corners = proxies.triangles[triangle];
+  const int k = longest_edge(proxies.vertices, corners);
+  const double edge = glm::distance(proxies.vertices[corners[k]], proxies.vertices[corners[(k + 1) % 3]]);
+  return static_cast<float>(scale * scale * edge * (2.0 * exact.sampling_variance() + proxies.moved[triangle]));
+}
+
+bool Tracer::Scene::is_inside(const Ray& ray, const Packet& packet, std::size_t lane) const {
+  const std::uint32_t primitive = packet.rays.hit.primID[lane];
+  if (primitive >= safe_sides.size()) return false;
+  return smallest_side(packet, lane) > safe_sides[primitive] || exact.is_inside(ray, primitive);
+}
+
+// What Embree says in single precision for one packet, and the final word on the rays it can be wrong about.
+void Tracer::Scene::closest(std::span<const Ray> rays, const IgnoredPatches& ignored, bool from_behind,
+                            std::span<std::uint32_t> found) const {
+  const bool leaves_surface = std::ranges::any_of(rays, [](const Ray& ray) { return ray.source_patch != no_index; });
+  QueryContext context = make_context(*this, rays.data(), ignored);
+  if (leaves_surface || from_behind) context.filter = refuse;
+  Packet packet;
+  load(packet, rays, scale, from_behind);
+  intersect(scene, context, width, packet);
+  for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+    found[lane] = is_hit(packet, lane) ? packet.rays.hit.primID[lane] : no_index;
+    if (!is_hit(packet, lane)) continue;
+    if (!is_inside(rays[lane], packet, lane))
+      found[lane] = decide(rays[lane], ignored, {found[lane], (packet.start[lane] + packet.rays.ray.tfar[lane]) / scale});
+    else if (!exact.is_alone(found[lane]))
+      found[lane] = exact.nearest_near_coincident(rays[lane], found[lane], ignored).triangle;
+  }
+}
+
+// The nearest of Embree's triangles other than the refused ones.
+Proposal Tracer::Scene::propose_beyond(const Ray& ray, const IgnoredPatches& ignored,
+                                       std::span<const std::uint32_t> refused) const {
+  QueryContext context = make_context(*this, &ray, ignored);
+  context.filter = refuse;
+  context.refused_primitives = refused;
+  const double start = start_of(ray, scale, true);
+  RTCRayHit query = single_ray(ray, scale, start);
+  rtcIntersect1(scene, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {query.hit.primID, (start + query.ray.tfar) / scale};
+}
+
+// Full double-precision decision for a ray that passes close to an edge or meets surfaces that touch: the nearest triangle that
+// truly contains it, among what Embree proposes and its neighbours. Each proposal is refused in turn, until one holds where
+// it was proposed - what
+// single precision can confuse with it are its neighbours - or what is left lies behind the best one.
+std::uint32_t Tracer::Scene::decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const {
+  Hit best;
+  std::vector<std::uint32_t> refused;
+  for (Proposal next = proposal; next; next = propose_beyond(ray, ignored, refused)) {
+    if (best && next.distance > best.distance + exact.sampling_variance()) break;
+    const Hit hit = exact.nearest_around(ray, source[next.primitive], ignored);
+    if (hit && (!best || std::pair(hit.distance, hit.triangle) < std::pair(best.distance, best.triangle))) best = hit;
+    if (best.triangle == next.primitive && best.distance <= next.distance + exact.sampling_variance()) break;
+    refused.push_back(next.primitive);
+  }
+  return best ? exact.front_of(ray, best, ignored).triangle : no_index;
+}
+
+Tracer::Tracer(const TriangleMesh& mesh, int packet) : scene_(std::make_unique<Scene>(mesh, packet)) {}
+Tracer::~Tracer() = default;
+Tracer::Tracer(Tracer&&) noexcept = default;
+
+const TriangleMesh& Tracer::mesh() const { return scene_->mesh; }
+
+std::span<const std::uint32_t> Tracer::near_coincident(std::uint32_t triangle) const {
+  return scene_->exact.near_coincident(triangle);
+}
+
+void Tracer::closest_triangles(std::span<const Ray> rays, std::span<std::uint32_t> found) const {
+  for (std::size_t first = 0; first < rays.size(); first += packet_width) {
+    const std::size_t count = std::min(packet_width, rays.size() - first);
+    scene_->closest(rays.subspan(first, count), nothing_ignored, false, found.subspan(first, count));
+  }
+}
+
+void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
+  std::vector<std::uint32_t> found(rays.size());
+  closest_triangles(rays, found);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    hits[i] = {found[i], found[i] == no_index ? 0.0 : scene_->exact.distance(rays[i], found[i])};
+}
+
+std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction, const IgnoredPatches& ignored_patches) const {
+  const Ray ray{origin, direction};
+  const Proposal first = scene_->propose_beyond(ray, ignored_patches, {});
+  return first ? scene_->decide(ray, ignored_patches, first) : no_index;
+}
+
+void Tracer::blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches, std::span<std::uint32_t> found) const {
+  for (std::size_t first = 0; first < rays.size(); first += packet_width) {
+    const std::size_t count = std::min(packet_width, rays.size() - first);
+    scene_->closest(rays.subspan(first, count), ignored_patches, true, found.subspan(first, count));
+  }
+}
+
+bool Tracer::meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
+                          const IgnoredPatches& ignored_patches) const {
+  return static_cast<bool>(scene_->exact.nearest_around({origin, direction}, triangle, ignored_patches));
+}
+
+}  // namespace raytube

@@ -1,0 +1,172 @@
+#include "output/compare/comparison_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/decimal.h"
+#include "output/files/files.h"
+#include "output/tables/csv.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr std::array<const char*, RowPlaces::quantities> lag_units = {"phi_deg",      "theta_deg", "rx_phi_deg",
+                                                                      "rx_theta_deg", "freq_ghz",  ""};
+
+std::string names(const std::array<bool, ResultTable::keys>& chosen) {
+  std::string text;
+  for (int k = 0; k < ResultTable::keys; ++k)
+    if (chosen[k]) text += (text.empty() ? "" : ", ") + std::string(key_names[k]);
+  return text;
+}
+
+std::string file_line(const char* what, const ResultTable& table) {
+  return fmt::format("{:<12}{}, {} rows\n", what, table.file.string(), table.rows.size());
+}
+
+std::string scale_text(const Comparison& c) {
+  if (!c.scale) return {};
+  const double db = 20.0 * std::log10(std::abs(c.scale->factor)), turn = std::arg(c.scale->factor) / degree;
+  const std::string phase = c.scale->phase ? fmt::format(", {:+.4g} degrees", turn) : "";
+  return fmt::format("{:<12}the result by {:+.4g} dB{}, fitted (--free-scale)\n", "scaled", db, phase);
+}
+
+std::string rows_text(const Comparison& c) {
+  std::string text = file_line("result", c.result) + file_line("reference", c.reference);
+  text += fmt::format("{:<12}{} rows, equal in {} (to {:g} degree, {:g} of the frequency)\n", "compared", c.rows(),
+                      names(c.match.by), angle_tolerance_deg, frequency_tolerance);
+  text += fmt::format("{:<12}{} rows of the result, {} of the reference\n", "left out", c.result.rows.size() - c.rows(),
+                      c.reference.rows.size() - c.rows());
+  return text + scale_text(c);
+}
+
+std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
+
+// One line of the table: a name and a value for every channel with signal.
+std::string line(const Comparison& c, const std::string& name, const std::function<std::string(int)>& value) {
+  std::string text = fmt::format("  {:<48}", name);
+  for (int channel = 0; channel < 4; ++channel)
+    if (c.signal[channel]) text += fmt::format("{:>12}", value(channel));
+  return text + '\n';
+}
+
+std::string line(const Comparison& c, const std::string& name, double ErrorMeasures::*measure) {
+  return line(c, name, [&](int channel) { return cell(c.errors[channel].*measure); });
+}
+
+std::string near_peak_text(const Comparison& c) {
+  std::string text =
+      fmt::format("dB error, result minus reference, where the reference is within {:g} dB of its peak\n", c.within_db);
+  text += line(c, "rows", [&](int channel) { return std::to_string(c.errors[channel].within); });
+  text += line(c, "rms", &ErrorMeasures::rms_db) + line(c, "mean |error|", &ErrorMeasures::mean_abs_db) +
+          line(c, "median |error|", &ErrorMeasures::median_abs_db) +
+          line(c, "95th percentile of |error|", &ErrorMeasures::p95_abs_db) +
+          line(c, "largest |error|", &ErrorMeasures::largest_abs_db) + line(c, "bias (mean error)", &ErrorMeasures::bias_db) +
+          line(c, "error at the reference's peak", &ErrorMeasures::at_peak_db);
+  return text;
+}
+
+std::string all_rows_text(const Comparison& c) {
+  std::string text = fmt::format("over all {} rows\n", c.rows());
+  text += line(c, "relative error of complex S", &ErrorMeasures::relative_error);
+  text += line(c, fmt::format("Austin measure, dB, floor {:g} dB below the peak", dynamic_range_db), &ErrorMeasures::austin_db);
+  text += line(c, "correlation of the dB curves, same floor", &ErrorMeasures::correlation);
+  if (c.cuts.quantity != RowPlaces::look_number)
+    text += line(c, fmt::format("lag of the result, {}", lag_units[c.cuts.quantity]),
+                 [&](int channel) { return cell(c.lag[channel]); });
+  return text;
+}
+
+std::string largest_text(const Comparison& c, int channel) {
+  const ErrorMeasures& errors = c.errors[channel];
+  const std::size_t row = errors.largest_row;
+  return fmt::format("largest in {}: {}, {:.4g} against {:.4g} dBsm\n", channel_names[channel], place_text(c.places, row),
+                     c.pairs[channel].result_dbsm[row], c.pairs[channel].reference_dbsm[row]);
+}
+
+// Nothing is left out in silence.
+std::string left_out_text(const Comparison& c, int channel) {
+  const bool in_result = c.result.has_channel[channel], in_reference = c.reference.has_channel[channel];
+  if (c.compared[channel])
+    return fmt::format(
+        "{}: no signal in the reference (peak {:.4g} dBsm, more than {:g} dB below the highest); the result's peak is {:.4g} "
+        "dBsm{}\n",
+        channel_names[channel], c.errors[channel].reference_peak_dbsm, dynamic_range_db, c.errors[channel].result_peak_dbsm,
+        c.unexpected[channel] ? ", above any tolerance" : "");
+  if (!in_result && !in_reference) return "";
+  return fmt::format("{}: in the {} alone\n", channel_names[channel], in_result ? "result" : "reference");
+}
+
+std::string csv_comments(const Comparison& c) {
+  std::string text = fmt::format("# result: {}, {} rows; reference: {}, {} rows\n", c.result.file.string(), c.result.rows.size(),
+                                 c.reference.file.string(), c.reference.rows.size());
+  for (char& character : text)
+    if (static_cast<unsigned char>(character) < ' ') character = ' ';
+  text.back() = '\n';
+  text += fmt::format("# {} rows compared, equal in {}\n", c.rows(), names(c.match.by));
+  if (c.scale) text += "# " + scale_text(c);
+  text += fmt::format(
+      "# Columns rows_within to at_peak_db: result minus reference where the reference is within {:g} dB of its peak.\n",
+      c.within_db);
+  text +=
+      fmt::format("# The others: all rows; austin_db and correlation with levels raised to {:g} dB below the reference's peak.\n",
+                  dynamic_range_db);
+  return text + "# A channel whose reference has no signal has nan throughout.\n";
+}
+
+std::string csv_header() {
+  std::string header =
+      "channel,result_peak_dbsm,reference_peak_dbsm,rows,rows_within,rms_db,mean_abs_db,median_abs_db,p95_abs_db,largest_abs_db,"
+      "bias_db,at_peak_db,relative_error,austin_db,correlation,lag,lag_unit";
+  for (const char* key : key_names) header += fmt::format(",largest_{}", key);
+  return header + '\n';
+}
+
+std::string csv_row(const Comparison& c, int channel) {
+  const ErrorMeasures& e = c.errors[channel];
+  std::string text = channel_names[channel];
+  for (const double value : {e.result_peak_dbsm, e.reference_peak_dbsm}) text += ',' + number_text(value);
+  text += fmt::format(",{},{}", c.rows(), e.within);
+  for (const double value : {e.rms_db, e.mean_abs_db, e.median_abs_db, e.p95_abs_db, e.largest_abs_db, e.bias_db, e.at_peak_db,
+                             e.relative_error, e.austin_db, e.correlation, c.lag[channel]})
+    text += ',' + number_text(value);
+  text += std::string(",") + lag_units[c.cuts.quantity];
+  for (int k = 0; k < ResultTable::keys; ++k)
+    text += ',' + number_text(c.has_key[k] && c.signal[channel] ? c.keys[e.largest_row][k] : ErrorMeasures::undefined);
+  return text + '\n';
+}
+
+}  // namespace
+
+std::string comparison_text(const Comparison& c) {
+  std::string text = rows_text(c) + '\n';
+  text += line(c, "", [](int channel) { return std::string(channel_names[channel]); });
+  text += line(c, "peak of the result, dBsm", &ErrorMeasures::result_peak_dbsm);
+  text += line(c, "peak of the reference, dBsm", &ErrorMeasures::reference_peak_dbsm);
+  text += near_peak_text(c) + all_rows_text(c) + '\n';
+  for (int channel = 0; channel < 4; ++channel) text += c.signal[channel] ? largest_text(c, channel) : left_out_text(c, channel);
+  return text;
+}
+
+void write_compare_csv(const std::filesystem::path& file, const Comparison& c) {
+  OutputFile out(file);
+  out.write(csv_comments(c) + csv_header());
+  for (int channel = 0; channel < 4; ++channel)
+    if (c.compared[channel]) out.write(csv_row(c, channel));
+  out.commit();
+}
+
+std::string above_tolerance(const Comparison& c, double tolerance_db) {
+  std::string text;
+  for (int channel = 0; channel < 4; ++channel) {
+    const double rms = c.unexpected[channel] ? std::numeric_limits<double>::infinity() : c.errors[channel].rms_db;
+    if (rms > tolerance_db) text += fmt::format("{}{} {:.4g} dB", text.empty() ? "" : ", ", channel_names[channel], rms);
+  }
+  return text;
+}
+
+}  // namespace raytube

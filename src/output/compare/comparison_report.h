@@ -1,0 +1,21 @@
+// A comparison in words and numbers.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "output/compare/comparison.h"
+
+namespace raytube {
+
+/// For the screen: what was compared, one column a channel, one line a measure.
+std::string comparison_text(const Comparison& comparison);
+
+/// compare.csv: one row a channel; lines that begin with '#' say what was compared and how.
+void write_compare_csv(const std::filesystem::path& file, const Comparison& comparison);
+
+/// The channels whose rms error exceeds the tolerance, or that have a strong signal in the result alone: "vv 0.31 dB, vh inf dB".
+/// Empty if there is none.
+std::string above_tolerance(const Comparison& comparison, double tolerance_db);
+
+}  // namespace raytube

@@ -1,0 +1,21 @@
+// The calibration that a table lacks: one factor for all its amplitudes.
+#pragma once
+
+#include "output/compare/match_rows.h"
+
+namespace raytube {
+
+struct FreeScale {
+  Complex factor;
+  bool phase;  // of a complex factor; without it, where no phases are to be had, it is positive
+};
+
+/// The factor of all of the result's amplitudes that brings it nearest to the reference: sum conj(a) b / sum |a|^2 over the
+/// common rows and the channels that both tables have, by least squares; of the magnitudes alone where one of these channels has
+/// no phase in one of the tables. Throws InputError where that is not a number greater than 0.
+FreeScale fit_scale(const ResultTable& result, const ResultTable& reference, const RowMatch& match);
+
+/// Multiplies all amplitudes of a table.
+void apply_scale(ResultTable& table, Complex factor);
+
+}  // namespace raytube

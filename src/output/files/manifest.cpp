@@ -1,0 +1,89 @@
+#include "output/files/manifest.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "output/files/files.h"
+
+namespace raytube {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Counts are whole; only lengths carry a fraction.
+Json count_or_length(double value) {
+  return value == std::floor(value) && value < 1e15 ? Json(static_cast<std::uint64_t>(value)) : Json(value);
+}
+
+Json counts_json(const Statistics& statistics) {
+  Json json;
+  json["rays"] = statistics.rays;
+  json["tubes"] = statistics.tubes;
+  json["hits_per_bounce"] = statistics.hits;
+  json["lost_rays"] = statistics.lost_rays;
+  json["tubes_cut_at_max_bounces"] = statistics.tubes_truncated;
+  json["sliver_area_m2"] = statistics.sliver_area;
+  json["wedges"] = statistics.wedges;
+  json["wedges_lit"] = statistics.wedges_lit;
+  json["painted_pieces"] = statistics.illuminating_pieces;
+  json["thin_rims"] = {{"lowest_frequency", statistics.thin_plate_edges_lowest},
+                       {"highest_frequency", statistics.thin_plate_edges_highest}};
+  json["windowed_rows"] = statistics.windowed_rows;
+  if (statistics.ray_range > 0.0) json["utd_range_m"] = statistics.ray_range;
+  json["skipped"] = Json::array();
+  for (const Skipped& skipped : statistics.skipped)
+    json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});
+  return json;
+}
+
+Json mesh_json(const Manifest& manifest) {
+  const std::vector<std::string>& hashes = manifest.mesh_sha256;
+  Json json = {{"sha256", hashes.size() == 1 ? Json(hashes.front()) : Json(hashes)}};
+  for (const auto& [name, value] : manifest.mesh_report) json[name] = count_or_length(value);
+  json["notes"] = Json::array();
+  for (const auto& [what, count] : manifest.mesh_notes)
+    json["notes"].push_back({{"what", what}, {"count", count_or_length(count)}});
+  return json;
+}
+
+Json launch_json(const RandomRuns& random) {
+  return {{"kind", "random"},
+          {"generator", "Philox4x32-10"},
+          {"samples", random.options.samples},
+          {"seed", random.options.seed},
+          {"repeat", random.options.runs},
+          {"run_s", random.run_s},
+          {"deterministic_s", random.deterministic_s}};
+}
+
+Json time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) {
+  Json json = {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
+  if (looks_resumed > 0) json["looks_resumed"] = looks_resumed;
+  return json;
+}
+
+}  // namespace
+
+void write_manifest(const std::filesystem::path& file, const Manifest& manifest) {
+  Json json;
+  json["program"] = "raytube";
+  json["version"] = manifest.program_version;
+  json["case_file"] = manifest.case_file;
+  json["case"] = Json::parse(manifest.case_json);
+  if (!manifest.looks_csv_sha256.empty()) json["looks_csv_sha256"] = manifest.looks_csv_sha256;
+  for (const auto& [name, sha256] : manifest.table_csv_sha256) json["table_csv_sha256"][name] = sha256;
+  json["mesh"] = mesh_json(manifest);
+  json["instruction_sets"] = {{"embree", manifest.embree_instruction_set}, {"raytube", manifest.own_instruction_set}};
+  json["threads"] = manifest.threads;
+  if (manifest.random) json["launch"] = launch_json(*manifest.random);
+  json["counts"] = counts_json(manifest.statistics);
+  json["time"] = time_json(manifest.time, manifest.statistics.solve_s, manifest.looks_resumed);
+  json["peak_rss_bytes"] = manifest.peak_rss_bytes;
+  json["rcs_csv_sha256"] = manifest.rcs_csv_sha256;
+  OutputFile out(file);
+  out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  out.commit();
+}
+
+}  // namespace raytube

@@ -1,0 +1,47 @@
+// run.json: what was computed, with what, and what happened.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/random_result.h"
+
+namespace raytube {
+
+struct Timing {
+  double read_s = 0.0;   // case and mesh file -> welded, oriented mesh
+  double build_s = 0.0;  // ray-tracing structure and wedges
+  double total_s = 0.0;  // from the start of the command to the last table; no plots
+};
+
+/// What random tubes were asked for, and the time of one run of them and of the deterministic solution.
+struct RandomRuns {
+  RandomOptions options;
+  double run_s, deterministic_s;
+};
+
+struct Manifest {
+  std::string case_file;  // absolute; file names in the resolved case are relative to its folder
+  std::string case_json;  // the resolved case
+  std::string program_version;
+  std::vector<std::string> mesh_sha256;                               // of each mesh file
+  std::string looks_csv_sha256;                                       // empty: no look list
+  std::vector<std::pair<std::string, std::string>> table_csv_sha256;  // of each table of a medium: its name first
+  std::string embree_instruction_set, own_instruction_set;
+  int threads = 1;
+  std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written
+  std::vector<std::pair<std::string, double>> mesh_notes;   // sentence and count
+  std::optional<RandomRuns> random;                         // with --launch random
+  Statistics statistics;
+  Timing time;
+  std::uint64_t looks_resumed = 0;  // computed by earlier runs, whose time is not in solve_s
+  std::uint64_t peak_rss_bytes = 0;
+  std::string rcs_csv_sha256;
+};
+
+void write_manifest(const std::filesystem::path& file, const Manifest& manifest);
+
+}  // namespace raytube

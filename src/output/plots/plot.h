@@ -1,0 +1,20 @@
+// sigma of the four channels as a picture.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scene/sweep.h"
+
+namespace raytube {
+
+/// Draws rcs.png and rcs.svg in `folder`, which holds neither, with gnuplot. Returns an empty text, or why there is no picture: a
+/// plot is a convenience, so its absence is not an error.
+std::string plot_rcs(const std::filesystem::path& folder, const std::string& title, const Sweep& sweep,
+                     const SweepResult& result);
+
+/// The gnuplot commands and data that draw `file`; `terminal` is "pngcairo" or "svg".
+std::string rcs_plot_script(const std::string& terminal, const std::string& file, const std::string& title, const Sweep& sweep,
+                            const SweepResult& result);
+
+}  // namespace raytube

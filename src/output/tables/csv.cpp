@@ -1,0 +1,168 @@
+#include "output/tables/csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/decimal.h"
+#include "output/files/files.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr const char* wave_conventions =
+    "# Time factor exp(+j omega t); a wave travels as exp(-j k r). Phase reference: the origin of the mesh's coordinates.\n"
+    "# Scattering amplitude S_pq [m], p receive, q transmit: E_p(scattered) = S_pq E_q(incident) exp(-j k r) / r.\n"
+    "# sigma_pq = 4 pi |S_pq|^2; dBsm is 10 log10(sigma / 1 m^2). vh is receive V, transmit H.\n"
+    "# err_pq_db = 20 log10(1 + error / max(|S_pq|, S_max / 100)): estimated numerical error of |S_pq|; S_max is the row's "
+    "largest.\n"
+    "# Directions point from the target: theta from +z, phi from +x towards +y; theta_deg, phi_deg to the "
+    "transmitter, rx_ to the receiver.\n"
+    "# V is theta-hat and H is phi-hat of each one's own direction, for the transmitter and for the receiver.\n";
+
+std::string antenna_note(const Sweep& sweep) {
+  if (sweep.looks.front().far()) return {};
+  return "# Antennas at a finite distance: S is the apparent amplitude, that of something at the origin that would make the same "
+         "signal.\n"
+         "# range_m: from the origin of the mesh's coordinates to the transmitter, rx_range_m to the receiver. Off their lines "
+         "to the "
+         "origin V and H are turned with the ray (Ludwig's third definition).\n";
+}
+
+std::string range_text(const Look& look) {
+  return look.far() ? "" : ',' + number_text(look.transmit_range) + ',' + number_text(look.receive_range);
+}
+
+std::string range_note(const SweepResult& result) {
+  if (!(result.statistics.ray_range > 0.0)) return {};
+  return fmt::format("# edges.method = \"utd\": S is the apparent amplitude for transmitter and receiver {} m from the origin.\n",
+                     number_text(result.statistics.ray_range));
+}
+
+std::array<Complex, 4> channels(const ScatteringMatrix& s) { return {s.vv(), s.vh(), s.hv(), s.hh()}; }
+
+std::string direction_text(const Direction& direction) {
+  return number_text(decimal_degrees(direction.theta)) + ',' + number_text(decimal_degrees(direction.phi));
+}
+
+std::string complex_text(Complex value) { return number_text(value.real()) + ',' + number_text(value.imag()); }
+
+// Calls visit(row, frequency text, look) for every row in the order of the files.
+template <typename Visit>
+void for_each_row(const Sweep& sweep, Visit visit) {
+  for (std::size_t i = 0; i < sweep.looks.size(); ++i)
+    for (std::size_t k = 0; k < sweep.frequencies.size(); ++k)
+      visit(sweep.row(i, k), number_text(sweep.frequencies[k]), sweep.looks[i]);
+}
+
+std::string complex_columns(const std::string& suffix) {
+  std::string names;
+  for (const char* channel : channel_names) names += fmt::format(",re_{0}{1},im_{0}{1}", channel, suffix);
+  return names;
+}
+
+std::string rcs_header(const Sweep& sweep) {
+  std::string header = key_columns + complex_columns("");
+  for (const char* channel : channel_names) header += fmt::format(",sigma_{}_dbsm", channel);
+  for (const char* channel : channel_names) header += fmt::format(",err_{}_db", channel);
+  if (!sweep.looks.front().far()) header += ",range_m,rx_range_m";
+  return header + '\n';
+}
+
+std::string complex_values(const ScatteringMatrix& s) {
+  std::string text;
+  for (const Complex value : channels(s)) text += ',' + complex_text(value);
+  return text;
+}
+
+std::string polar_text(Complex value) {
+  const double magnitude = std::sqrt(4.0 * pi) * std::hypot(value.real(), value.imag());
+  const double phase = std::atan2(value.imag() + 0.0, value.real() + 0.0);  // + 0.0: a negative zero must not turn pi into -pi
+  return number_text(magnitude) + ',' + number_text(phase);
+}
+
+}  // namespace
+
+std::string conventions(const SweepResult& result) { return wave_conventions + range_note(result); }
+
+std::string key_text(const std::string& frequency, const Look& look) {
+  return frequency + ',' + direction_text(look.transmit) + ',' + direction_text(look.receive);
+}
+
+double sigma_dbsm(Complex s) { return 20.0 * std::log10(std::hypot(s.real(), s.imag())) + 10.0 * std::log10(4.0 * pi); }
+
+std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelErrors& errors) {
+  const std::array<Complex, 4> values = channels(s);
+  const std::array<double, 4> error{errors[0][0], errors[0][1], errors[1][0], errors[1][1]};
+  std::array<double, 4> levels{};
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    if (error[i] > 0.0)
+      levels[i] = 20.0 / std::log(10.0) * std::log1p(error[i] / std::max(std::abs(values[i]), 0.01 * largest_amplitude(s)));
+  return levels;
+}
+
+void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result, const std::string& note) {
+  OutputFile out(file);
+  out.write(conventions(result) + antenna_note(sweep) + note + rcs_header(sweep));
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+    const ScatteringMatrix& s = result.total[row];
+    std::string line = key_text(frequency, look) + complex_values(s);
+    for (const Complex value : channels(s)) line += ',' + number_text(sigma_dbsm(value));
+    for (const double level : error_levels_db(s, result.error[row])) line += ',' + number_text(level);
+    out.write(line + range_text(look) + '\n');
+  });
+  out.commit();
+}
+
+void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  OutputFile out(file);
+  out.write("freq_hz,theta_deg,phi_deg,tx_pol,v_magnitude,v_phase_rad,h_magnitude,h_phase_rad");
+  out.write(sweep.bistatic ? ",rx_theta_deg,rx_phi_deg\n" : "\n");
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+    const ScatteringMatrix& s = result.total[row];
+    for (const int transmit : {0, 1}) {
+      std::string line = frequency + ',' + direction_text(look.transmit) + (transmit == 0 ? ",v," : ",h,") +
+                         polar_text(s.at(0, transmit)) + ',' + polar_text(s.at(1, transmit));
+      if (sweep.bistatic) line += ',' + direction_text(look.receive);
+      out.write(line + '\n');
+    }
+  });
+  out.commit();
+}
+
+void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  OutputFile out(file);
+  out.write(
+      "# Power that roughness takes from reflected waves, scattered by Lambert's law: to be added to sigma as power, without a\n"
+      "# phase. By transmit polarisation, both receive polarisations together; sigma in dBsm, 10 log10(sigma / 1 m^2).\n");
+  out.write(std::string(key_columns) + ",sigma_incoherent_v_dbsm,sigma_incoherent_h_dbsm\n");
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+    std::string line = key_text(frequency, look);
+    for (const double sigma : result.incoherent[row]) line += ',' + number_text(10.0 * std::log10(sigma));
+    out.write(line + '\n');
+  });
+  out.commit();
+}
+
+void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  OutputFile out(file);
+  const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
+  std::string header = conventions(result) + antenna_note(sweep) + key_columns;
+  for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
+  out.write(header + complex_columns("_edges_first_order") + complex_columns("_edges_second_order") +
+            complex_columns("_between") + '\n');
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+    std::string line = key_text(frequency, look);
+    for (std::size_t m = 0; m < bounces; ++m)
+      line += complex_values(m < result.bounces.size() ? result.bounces[m][row] : ScatteringMatrix{});
+    out.write(line + complex_values(result.edges_first[row]) + complex_values(result.edges_higher[row]) +
+              complex_values(result.interaction[row]) + '\n');
+  });
+  out.commit();
+}
+
+}  // namespace raytube

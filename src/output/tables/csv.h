@@ -1,0 +1,45 @@
+// The results as tables: one row per look and frequency, looks slowest, frequency fastest.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "scene/sweep.h"
+
+namespace raytube {
+
+/// Receive polarisation first, as in the names of columns; the order of channels in every output.
+inline constexpr std::array<const char*, 4> channel_names = {"vv", "vh", "hv", "hh"};
+
+/// sigma of one amplitude [dBsm]; -inf for zero. Does not underflow where |S|^2 would.
+double sigma_dbsm(Complex s);
+
+/// err_pq_db of a row, in the order of channel_names: 20 log10(1 + error / max(|S_pq|, S_max / 100)), S_max the largest
+/// amplitude.
+std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelErrors& errors);
+
+/// The columns that tell rows apart, and the comment lines at the head of every table.
+inline constexpr const char* key_columns = "freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg";
+std::string conventions(const SweepResult& result);
+
+/// A row's values under key_columns; the frequency as number_text() has it.
+std::string key_text(const std::string& frequency, const Look& look);
+
+/// rcs.csv: complex S and sigma of the four channels. `note` is a further comment line at its head, or empty.
+void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result,
+                   const std::string& note = "");
+
+/// channels.csv: magnitude sqrt(sigma) [m] and phase [rad] received in V and H, one row per transmit polarisation.
+void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
+
+/// incoherent.csv: sigma of what rough surfaces scatter incoherently, per transmit polarisation, both receive polarisations
+/// together. Needs a result with it.
+void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
+
+/// parts.csv: complex S of bounce 1, 2, ..., of the edges at first order, of all their higher orders together, and of what
+/// their waves paint on other surfaces, side by side; they add up to rcs.csv. Bounce 1 has its columns even where nothing was
+/// hit. Needs a result with parts.
+void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
+
+}  // namespace raytube

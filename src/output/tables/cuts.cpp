@@ -1,0 +1,122 @@
+#include "output/tables/cuts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/decimal.h"
+#include "output/tables/csv.h"
+
+namespace raytube {
+
+namespace {
+
+using Quantity = RowPlaces::Quantity;
+using Values = std::array<double, RowPlaces::quantities>;
+
+constexpr std::array<const char*, RowPlaces::quantities> axis_labels = {"azimuth φ (degrees)",
+                                                                        "polar angle θ (degrees)",
+                                                                        "receiver azimuth φ (degrees)",
+                                                                        "receiver polar angle θ (degrees)",
+                                                                        "frequency (GHz)",
+                                                                        "look number"};
+
+// Rows grouped by everything but the axis, the groups in the order of their first row.
+std::vector<std::vector<std::size_t>> groups_along(Quantity axis, const std::vector<Values>& rows) {
+  std::map<Values, std::size_t> index_of;
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    Values key = rows[row];
+    key[axis] = key[RowPlaces::look_number] = 0.0;
+    if (axis == RowPlaces::look_number) key = Values{0.0, 0.0, 0.0, 0.0, key[RowPlaces::frequency], 0.0};
+    const auto [entry, added] = index_of.try_emplace(key, groups.size());
+    if (added) groups.emplace_back();
+    groups[entry->second].push_back(row);
+  }
+  return groups;
+}
+
+std::string fixed_values(Quantity axis, const Values& row, const std::array<bool, RowPlaces::quantities>& told) {
+  std::string text;
+  const auto add = [&](Quantity quantity, const char* name, const char* unit) {
+    if (axis != quantity && told[quantity])
+      text += fmt::format("{}{}{:.8g}{}", text.empty() ? "" : ", ", name, row[quantity], unit);
+  };
+  add(RowPlaces::frequency, "", " GHz");
+  if (axis == RowPlaces::look_number) return text;
+  add(RowPlaces::theta, "θ = ", "°");
+  add(RowPlaces::phi, "φ = ", "°");
+  add(RowPlaces::rx_theta, "receiver θ = ", "°");
+  add(RowPlaces::rx_phi, "receiver φ = ", "°");
+  return text;
+}
+
+CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowPlaces& places) {
+  std::stable_sort(group.begin(), group.end(),
+                   [&](std::size_t a, std::size_t b) { return places.rows[a][axis] < places.rows[b][axis]; });
+  CutRows cut{fixed_values(axis, places.rows[group.front()], places.told), std::move(group), {}};
+  for (const std::size_t row : cut.rows) cut.x.push_back(places.rows[row][axis]);
+  return cut;
+}
+
+Cut curves_of(const CutRows& rows, const SweepResult& result) {
+  Cut cut{rows.fixed, rows.x, {}};
+  for (const std::size_t row : rows.rows) {
+    const ScatteringMatrix& s = result.total[row];
+    for (int channel = 0; channel < 4; ++channel) cut.sigma_dbsm[channel].push_back(sigma_dbsm(s.at(channel / 2, channel % 2)));
+  }
+  return cut;
+}
+
+}  // namespace
+
+RowPlaces places_of_rows(const Sweep& sweep) {
+  const bool bistatic = sweep.bistatic;
+  RowPlaces places{{}, {true, true, bistatic, bistatic, true, false}};
+  places.rows.reserve(sweep.rows());
+  for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
+    const Direction &transmit = sweep.looks[i].transmit, &receive = sweep.looks[i].receive;
+    Values row{decimal_degrees(transmit.phi), decimal_degrees(transmit.theta)};
+    if (bistatic)
+      row[RowPlaces::rx_phi] = decimal_degrees(receive.phi), row[RowPlaces::rx_theta] = decimal_degrees(receive.theta);
+    row[RowPlaces::look_number] = static_cast<double>(i);
+    for (const double hertz : sweep.frequencies) {
+      row[RowPlaces::frequency] = hertz / 1e9;
+      places.rows.push_back(row);
+    }
+  }
+  return places;
+}
+
+CutPlan plan_cuts(const RowPlaces& places) {
+  const std::vector<Values>& rows = places.rows;
+  Quantity axis = RowPlaces::phi;
+  auto groups = groups_along(axis, rows);
+  for (const Quantity other : {RowPlaces::theta, RowPlaces::rx_phi, RowPlaces::rx_theta, RowPlaces::frequency})
+    if (auto grouped = groups_along(other, rows); grouped.size() < groups.size()) axis = other, groups = std::move(grouped);
+  if (rows.size() > 1 && 2 * groups.size() > rows.size()) groups = groups_along(axis = RowPlaces::look_number, rows);
+  CutPlan plan{axis, axis_labels[axis], {}};
+  for (auto& group : groups) plan.cuts.push_back(cut_rows(std::move(group), axis, places));
+  return plan;
+}
+
+std::string place_text(const RowPlaces& places, std::size_t row) {
+  return fixed_values(RowPlaces::quantities, places.rows[row], places.told);
+}
+
+std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most) {
+  const std::size_t chosen = std::min(most, count);
+  std::vector<std::size_t> choice;
+  for (std::size_t i = 0; i < chosen; ++i) choice.push_back(chosen == 1 ? 0 : i * (count - 1) / (chosen - 1));
+  return choice;
+}
+
+Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most_cuts) {
+  const CutPlan plan = plan_cuts(places_of_rows(sweep));
+  Cuts chosen{plan.axis, {}, plan.cuts.size()};
+  for (const std::size_t i : spread_choice(plan.cuts.size(), most_cuts)) chosen.cuts.push_back(curves_of(plan.cuts[i], result));
+  return chosen;
+}
+
+}  // namespace raytube

@@ -1,0 +1,59 @@
+// Which curves a sweep is drawn as: rows that differ in one quantity only form a cut.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/sweep.h"
+
+namespace raytube {
+
+/// Where the rows of a result lie. Quantities in the order in which they are preferred as the axis of a curve.
+struct RowPlaces {
+  enum Quantity { phi, theta, rx_phi, rx_theta, frequency, look_number, quantities };
+  std::vector<std::array<double, quantities>> rows;  // [degrees, GHz]; look_number counts the direction pairs
+  std::array<bool, quantities> told{};               // which ones are told of a row; the receiver's only when it differs
+};
+
+RowPlaces places_of_rows(const Sweep& sweep);
+
+/// Rows that differ in one quantity only, ordered by it.
+struct CutRows {
+  std::string fixed;  // the others: "10 GHz, θ = 90°"
+  std::vector<std::size_t> rows;
+  std::vector<double> x;
+};
+
+struct CutPlan {
+  RowPlaces::Quantity quantity = RowPlaces::phi;
+  std::string axis;  // label with unit
+  std::vector<CutRows> cuts;
+};
+
+/// Takes the quantity that leaves the fewest cuts as the axis, or the look's number if no quantity orders the looks.
+CutPlan plan_cuts(const RowPlaces& places);
+
+/// Where a row lies: "10 GHz, θ = 90°, φ = 12°".
+std::string place_text(const RowPlaces& places, std::size_t row);
+
+/// At most `most` of `count` cuts, evenly spread from the first to the last.
+std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most);
+
+/// Curves over one quantity, the others held fixed.
+struct Cut {
+  std::string fixed;  // "10 GHz, θ = 90°"
+  std::vector<double> x;
+  std::array<std::vector<double>, 4> sigma_dbsm;  // VV, VH, HV, HH
+};
+
+struct Cuts {
+  std::string axis;  // label with unit
+  std::vector<Cut> cuts;
+  std::size_t total = 0;  // cuts of the sweep; `cuts` holds a few of them, evenly spread, if there are too many to draw
+};
+
+/// The curves of plan_cuts, or the few of them that spread_choice takes.
+Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most_cuts);
+
+}  // namespace raytube

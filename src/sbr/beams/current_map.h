@@ -1,0 +1,105 @@
+// Where the currents of a look are: on which triangles, and in which cell of the launch rectangle their tubes set out.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "mesh/model/face_tree.h"
+#include "sbr/beams/footprint.h"
+#include "sbr/launch/convex_polygon.h"
+#include "sbr/launch/launch.h"
+#include "scene/image.h"
+
+namespace raytube {
+
+/// Takes the far field of every current at one frequency. Whatever is wider than a cell of the lattice is cut along its lines in
+/// the launch plane, where the phase is still linear: the parts add up to the whole to rounding. One thread at a time.
+class CurrentMap {
+ public:
+  /// The lattice's coordinates are those of a LaunchGrid; `frequency` is the place of `wavenumber` among those of the look.
+  CurrentMap(const FaceTree& tree, const ImageLattice& lattice, std::size_t frequency, double wavenumber);
+
+  std::size_t frequency() const { return frequency_; }
+  const double& wavenumber() const { return wavenumber_; }
+  const ImageLattice& lattice() const { return lattice_; }
+
+  /// A tube that meets this part of a face.
+  void add(const Footprint& footprint, const ConvexPolygon& outline, std::uint32_t face);
+  /// A rectangular tube that meets a triangle.
+  void add(const Footprint& footprint, const Bounds& tube, std::uint32_t triangle);
+  /// One too narrow to be cut.
+  void add(const dvec2& place, std::uint32_t triangle, const ScatteringMatrix& s);
+
+  /// The triangle of a face that a tube's middle meets.
+  std::uint32_t triangle_under(const Footprint& footprint, std::uint32_t face, const dvec2& place) const;
+
+  /// Calls visit(part) for what the lines of the lattice leave of a polygon or a box.
+  template <class Visit>
+  void cut_up(const ConvexPolygon& polygon, Visit visit);
+  template <class Visit>
+  void cut_up(const Bounds& box, Visit visit) const;
+
+  std::vector<ScatteringMatrix> take_cells() { return std::move(cells_); }
+  std::vector<ScatteringMatrix> take_triangles() { return std::move(triangles_); }
+
+ private:
+  struct Slices {
+    ConvexPolygon slice, left, beyond;
+  };
+  // The line before the i-th column (axis 0) or row (axis 1).
+  Affine line(int axis, std::uint32_t i) const {
+    return {-(lattice_.corner[axis] + i * lattice_.cell[axis]), axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0};
+  }
+  template <class Visit>
+  void slice(const ConvexPolygon& polygon, int axis, Slices& slices, Visit visit);
+  std::array<dvec2, 3> corners(const Footprint& footprint, std::uint32_t triangle) const;
+  bool clip_to(const std::array<dvec2, 3>& corners, const ConvexPolygon& outline);
+
+  const FaceTree& tree_;
+  ImageLattice lattice_;
+  std::size_t frequency_;
+  double wavenumber_;
+  std::vector<ScatteringMatrix> cells_, triangles_;
+  ConvexPolygon triangle_, clipped_, inside_, outside_;
+  Slices rows_, columns_;
+};
+
+/// The cells of a launch grid.
+ImageLattice image_lattice(const LaunchGrid& grid);
+
+template <class Visit>
+void CurrentMap::cut_up(const ConvexPolygon& polygon, Visit visit) {
+  slice(polygon, 1, rows_, [&](const ConvexPolygon& row) { slice(row, 0, columns_, visit); });
+}
+
+template <class Visit>
+void CurrentMap::slice(const ConvexPolygon& polygon, int axis, Slices& slices, Visit visit) {
+  const Bounds box = bounds(polygon);
+  const std::uint32_t last = lattice_.at(box.high)[axis];
+  slices.left = polygon;
+  for (std::uint32_t i = lattice_.at(box.low)[axis]; i < last && !slices.left.empty(); ++i) {
+    cut(slices.left, line(axis, i + 1), 0.0, slices.beyond, slices.slice);
+    std::swap(slices.left, slices.beyond);
+    if (!slices.slice.empty()) visit(std::as_const(slices.slice));
+  }
+  if (!slices.left.empty()) visit(std::as_const(slices.left));
+}
+
+template <class Visit>
+void CurrentMap::cut_up(const Bounds& box, Visit visit) const {
+  const glm::uvec2 first = lattice_.at(box.low), last = lattice_.at(box.high);
+  for (std::uint32_t row = first.y; row <= last.y; ++row)
+    for (std::uint32_t column = first.x; column <= last.x; ++column) {
+      Bounds part = box;
+      const dvec2 low = lattice_.corner + dvec2(column, row) * lattice_.cell;
+      const dvec2 high = lattice_.corner + dvec2(column + 1, row + 1) * lattice_.cell;
+      if (column > first.x) part.low.x = low.x;
+      if (row > first.y) part.low.y = low.y;
+      if (column < last.x) part.high.x = high.x;
+      if (row < last.y) part.high.y = high.y;
+      visit(std::as_const(part));
+    }
+}
+
+}  // namespace raytube

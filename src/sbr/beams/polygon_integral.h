@@ -1,0 +1,16 @@
+// Phase integrals over convex polygons of the launch plane, in closed form.
+#pragma once
+
+#include "sbr/beams/footprint.h"
+#include "sbr/launch/convex_polygon.h"
+
+namespace raytube {
+
+/// Mean of e^{jx} over a triangle on which x is linear, from x at its corners: twice the second divided difference of -e^{jx}
+/// (Hermite-Genocchi). Error below 1e-14 for any corners, equal ones too.
+Complex triangle_phase_mean(double x1, double x2, double x3);
+
+/// Integral of the footprint's e^{jk (...)} over a polygon of the launch plane [m^2].
+Complex phase_integral(const Footprint& f, double k, const ConvexPolygon& polygon);
+
+}  // namespace raytube

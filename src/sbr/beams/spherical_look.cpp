@@ -1,0 +1,180 @@
+#include "sbr/beams/spherical_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/triangle_moments.h"
+#include "scene/material.h"
+
+namespace raytube {
+
+namespace {
+
+// k times the longest side of a triangle that is not halved any more: a twelfth of the wavelength.
+constexpr double shortest = 0.5;
+
+struct Components {
+  double u, v, d;
+};
+
+Components components(const Beam& beam, const dvec3& vector) {
+  return {glm::dot(beam.u_hat, vector), glm::dot(beam.v_hat, vector), glm::dot(beam.direction, vector)};
+}
+
+dvec3 vector_of(const Beam& beam, const Components& c) { return c.u * beam.u_hat + c.v * beam.v_hat + c.d * beam.direction; }
+
+double area(const dvec3& a, const dvec3& b, const dvec3& c) { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
+
+using Weight = std::array<std::array<double, 2>, 2>;
+
+double inner(const Weight& a, const Weight& b) {
+  return a[0][0] * b[0][0] + a[0][1] * b[0][1] + a[1][0] * b[1][0] + a[1][1] * b[1][1];
+}
+
+}  // namespace
+
+SphericalLook::SphericalLook(const AntennaPair& antennas, const Beam& incident, std::span<const double> wavenumbers,
+                             double tolerance)
+    : antennas_(antennas),
+      incident_(incident),
+      wavenumbers_(wavenumbers),
+      highest_(std::ranges::max(wavenumbers)),
+      // An amplitude whose middle of a side lies off the mean of its ends by x is left with an error of x^2 / 15 by a parabola:
+      // 0.3 per cent of the tolerance, as side lobes are held to it as well.
+      roughness_(std::sqrt(0.05 * tolerance)) {}
+
+// Folded back the place is one in the transmitter's own wave; each perfect conductor turns the mirrored field over.
+AntennaRay SphericalLook::wave(const Beam& beam, const dvec3& r) const {
+  AntennaRay ray = antennas_.transmit.ray_to(vector_of(incident_, components(beam, r - beam.base)));
+  const auto mirrored = [&](const dvec3& vector) { return vector_of(beam, components(incident_, vector)); };
+  const bool odd = glm::dot(glm::cross(beam.u_hat, beam.v_hat), beam.direction) > 0.0;
+  ray.direction = mirrored(ray.direction);
+  for (dvec3& field : ray.field) field = (odd ? -1.0 : 1.0) * mirrored(field);
+  return ray;
+}
+
+SphericalLook::Current SphericalLook::current(const Beam& outgoing, const Patch& plane, const dvec3& r) const {
+  const AntennaRay leaving = wave(outgoing, r), received = antennas_.receive.ray_to(r);
+  const dvec3 n = glm::dot(plane.normal, leaving.direction) > 0.0 ? plane.normal : -plane.normal;
+  Current c{r, leaving.path + received.path, -leaving.direction - received.direction, {}};
+  for (int q = 0; q < 2; ++q) {
+    // The tangential H of the wave that leaves is that of the one that comes.
+    const dvec3 eta_j = surface_current_pec(leaving.direction, leaving.field[q], n);
+    for (int p = 0; p < 2; ++p) c.weight[p][q] = glm::dot(received.field[p], eta_j);
+  }
+  return c;
+}
+
+// The transmitter's own wave; nothing where the surface turns away from it.
+SphericalLook::Current SphericalLook::current(const BentFacet& facet, const dvec3& r) const {
+  const SurfacePoint at = facet.over(r);
+  const AntennaRay arriving = antennas_.transmit.ray_to(at.point), received = antennas_.receive.ray_to(at.point);
+  Current c{r, arriving.path + received.path, -arriving.direction - received.direction, {}};
+  if (glm::dot(at.normal, arriving.direction) >= 0.0) return c;
+  for (int q = 0; q < 2; ++q) {
+    const dvec3 eta_j = surface_current_pec(arriving.direction, arriving.field[q], at.normal);
+    for (int p = 0; p < 2; ++p) c.weight[p][q] = at.stretch * glm::dot(received.field[p], eta_j);
+  }
+  return c;
+}
+
+// A plane in the places of a beam: r - base = w (at, depth), and the widening w changes along it, too.
+Footprint SphericalLook::footprint(const Beam& outgoing, const Patch& plane, const dvec2& at) const {
+  const Affine depth = depth_of(outgoing, plane);
+  const double t = depth(at), w = widening_at(outgoing, t);
+  const dvec3 r = point_at(outgoing, at, t), run = outgoing.curvature * w * (r - outgoing.base);
+  const Current c = current(outgoing, plane, r);
+  const dvec3 along_u = w * (outgoing.u_hat + depth.u * outgoing.direction) + depth.u * run,
+              along_v = w * (outgoing.v_hat + depth.v * outgoing.direction) + depth.v * run;
+  Footprint f{outgoing, c.weight, glm::length(glm::cross(along_u, along_v)), -c.path, 0.0, 0.0};
+  f.outgoing.anchor = at;
+  f.phase_u = glm::dot(c.change, along_u);
+  f.phase_v = glm::dot(c.change, along_v);
+  return f;
+}
+
+SphericalLook::Sums SphericalLook::sums_of(TubeSums& sums, int bounce) const {
+  std::vector<ScatteringMatrix>& scattering = sums.at(bounce, wavenumbers_.size());
+  sums.quadrature.resize(wavenumbers_.size());
+  return {scattering, sums.quadrature};
+}
+
+void SphericalLook::add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane,
+                        const ConvexPolygon& polygon) const {
+  const Affine depth = depth_of(outgoing, plane);
+  const auto at = [&](const dvec3& r) { return current(outgoing, plane, r); };
+  const auto corner = [&](std::size_t i) { return at(point_at(outgoing, polygon[i].at, depth(polygon[i].at))); };
+  const Sums to = sums_of(sums, bounce);
+  const Current first = corner(0);
+  Current before = corner(1);
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Current next = corner(i);
+    add(to, Triangle{first, before, next}, at);
+    before = next;
+  }
+}
+
+bool SphericalLook::add(TubeSums& sums, const BentFacet& facet) const {
+  const auto at = [&](const dvec3& r) { return current(facet, r); };
+  const Triangle corners{at(facet.corners()[0]), at(facet.corners()[1]), at(facet.corners()[2])};
+  if (std::ranges::all_of(corners, [](const Current& c) { return inner(c.weight, c.weight) == 0.0; })) return false;
+  add(sums_of(sums, 0), corners, at);
+  return true;
+}
+
+// Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border
+// of light is never smooth.
+template <class At>
+void SphericalLook::add(const Sums& sums, const Triangle& triangle, At at) const {
+  const auto& [a, b, c] = triangle;
+  const auto middle = [&](const Current& p, const Current& q) { return at(0.5 * (p.place + q.place)); };
+  const Triangle middles{middle(a, b), middle(b, c), middle(c, a)};
+  const std::array<double, 3> sides{glm::distance(a.place, b.place), glm::distance(b.place, c.place),
+                                    glm::distance(c.place, a.place)};
+  const auto i = static_cast<std::size_t>(std::ranges::max_element(sides) - sides.begin());
+  const double bend = roughness(triangle, middles);
+  if (bend <= roughness_) return add_smooth(sums, triangle, middles, roughness_ * roughness_ / 15.0);
+  if (highest_ * sides[i] < shortest) return add_smooth(sums, triangle, middles, std::min(bend, 1.0) / 3.0);
+  const Current &start = triangle[i], &end = triangle[(i + 1) % 3], &tip = triangle[(i + 2) % 3];
+  add(sums, Triangle{start, middles[i], tip}, at);
+  add(sums, Triangle{middles[i], end, tip}, at);
+}
+
+// The largest distance of a side's middle from the mean of its ends, over the largest amplitude at the corners.
+double SphericalLook::roughness(const Triangle& corners, const Triangle& middles) const {
+  double largest = 0.0, bend = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Current &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
+    const double ends = 0.25 * (inner(a.weight, a.weight) + 2.0 * inner(a.weight, b.weight) + inner(b.weight, b.weight));
+    const double across = 0.5 * (inner(a.weight, m.weight) + inner(b.weight, m.weight));
+    const double turn = std::cos(highest_ * (m.path - 0.5 * (a.path + b.path)));
+    bend = std::max(bend, ends + inner(m.weight, m.weight) - 2.0 * turn * across);
+    largest = std::max(largest, inner(a.weight, a.weight));
+  }
+  if (bend <= 0.0) return 0.0;
+  return largest > 0.0 ? std::sqrt(bend / largest) : 1.0;
+}
+
+// Amplitude times the phase off the linear one as the parabola through its values at the corners and the middles of the sides.
+// What that leaves is known but for its phase: parts are taken as independent.
+void SphericalLook::add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles, double left) const {
+  const double size = area(corners[0].place, corners[1].place, corners[2].place), path = corners[0].path;
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+    const double k = wavenumbers_[f], scale = k / (4.0 * pi) * size;
+    const auto moments = triangle_moments({0.0, -k * (corners[1].path - path), -k * (corners[2].path - path)});
+    const Complex factor = Complex(0.0, -scale) * std::polar(1.0, -k * path);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const Current &a = corners[i], &b = corners[j], &m = middles[i];
+      const Complex bent = 4.0 * std::polar(1.0, -k * (m.path - 0.5 * (a.path + b.path)));
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) {
+          sums.scattering[f].at(p, q) +=
+              factor * (a.weight[p][q] * moments[i] + (m.weight[p][q] * bent - a.weight[p][q] - b.weight[p][q]) * moments[3 + i]);
+          sums.errors[f].squares[p][q] += std::pow(scale * left * m.weight[p][q], 2) / 3.0;
+        }
+    }
+  }
+}
+
+}  // namespace raytube

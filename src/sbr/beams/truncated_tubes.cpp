@@ -1,0 +1,18 @@
+#include "sbr/beams/truncated_tubes.h"
+
+namespace raytube {
+
+void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, Ray ray, Hit hit, double area,
+                     double amplitude) {
+  ++sums.tubes_truncated;
+  while (hit && amplitude > least_amplitude) {
+    const std::uint32_t patch = tracer.mesh().triangle_patch[hit.triangle];
+    const auto [reflected, transmitted] = surfaces.strongest(tracer.mesh().patches[patch], ray.direction);
+    sums.leave_out(area, amplitude * reflected);
+    amplitude *= transmitted;
+    ray = {ray.origin + hit.distance * ray.direction, ray.direction, patch};
+    tracer.closest_hits({&ray, 1}, {&hit, 1});
+  }
+}
+
+}  // namespace raytube

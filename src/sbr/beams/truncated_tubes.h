@@ -1,0 +1,47 @@
+// Tubes that end before their time: at the last bounce, or because there are too many of them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "mesh/trace/tracer.h"
+#include "sbr/beams/spectrum.h"
+#include "sbr/beams/tube_sums.h"
+
+namespace raytube {
+
+/// Between sheets tubes double at every meeting. With more than this under way in a tile the weakest end: counted as cut.
+inline constexpr std::size_t most_tubes = 32768;
+
+/// Ends all but so many tubes, those of the largest weight(tube), the first ones where these are equal; tells end(tube) of the
+/// others.
+template <class Tube, class Weight, class End>
+void end_weakest(std::vector<Tube>& tubes, std::size_t most, Weight weight, End end) {
+  if (tubes.size() <= most) return;
+  std::vector<double> weights;
+  for (const Tube& tube : tubes) weights.push_back(weight(tube));
+  const auto kept = weights.begin() + static_cast<std::ptrdiff_t>(most);
+  std::ranges::nth_element(weights, kept, std::greater());
+  const double limit = *kept;
+  auto as_weak = std::count(weights.begin(), kept, limit);
+  std::erase_if(tubes, [&](const Tube& tube) {
+    const double w = weight(tube);
+    if (w > limit || (w == limit && as_weak-- > 0)) return false;
+    end(tube);
+    return true;
+  });
+}
+
+/// Counts a tube of this area and amplitude that was cut.
+inline void count_truncated(TubeSums& sums, double area, double amplitude) {
+  ++sums.tubes_truncated;
+  sums.leave_out(area, amplitude);
+}
+
+/// The same of one whose ray would have met `hit`: what a sheet there reflects, what the next one behind it does, and so on.
+void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, Ray ray, Hit hit, double area,
+                     double amplitude);
+
+}  // namespace raytube

@@ -1,0 +1,99 @@
+#include "sbr/beams/tube_sums.h"
+
+namespace raytube {
+
+namespace {
+
+template <class Values>
+void add_at(Values& sum, std::size_t index, const typename Values::value_type& value) {
+  if (sum.size() <= index) sum.resize(index + 1);
+  sum[index] += value;
+}
+
+}  // namespace
+
+void ErrorSum::add(const ScatteringMatrix& error) {
+  coherent += error;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) squares[p][q] += std::norm(error.at(p, q));
+}
+
+ErrorSum& ErrorSum::operator+=(const ErrorSum& other) {
+  coherent += other.coherent;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) squares[p][q] += other.squares[p][q];
+  return *this;
+}
+
+std::vector<ScatteringMatrix>& TubeSums::at(int bounce, std::size_t frequencies) {
+  const auto b = static_cast<std::size_t>(bounce);
+  while (bounces.size() <= b) bounces.emplace_back(frequencies);
+  if (hits.size() <= b) hits.resize(b + 1);
+  return bounces[b];
+}
+
+void TubeSums::meet(int bounce, double area, double amplitude) {
+  add_at(met, static_cast<std::size_t>(bounce), area * amplitude * amplitude);
+}
+
+void TubeSums::add_incoherent(const Spectrum& spectrum, double area) {
+  incoherent.resize(std::max(incoherent.size(), spectrum.size()));
+  for (std::size_t f = 0; f < spectrum.size(); ++f)
+    for (std::size_t q = 0; q < 2; ++q) incoherent[f][q] += area * spectrum[f].incoherent[q];
+}
+
+void TubeSums::compare_with(const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums) {
+  coarse.assign(coarse_sums[0].size(), {});
+  for (std::size_t f = 0; f < coarse.size(); ++f) {
+    ScatteringMatrix fine;
+    for (const std::vector<ScatteringMatrix>& bounce : bounces) fine += bounce[f];
+    for (int grid = 0; grid < coarse_grids; ++grid) coarse[f][grid].add(fine - coarse_sums[grid][f]);
+  }
+}
+
+void TubeSums::add(const TubeSums& other) {
+  for (std::size_t b = 0; b < other.bounces.size(); ++b) {
+    if (bounces.size() <= b) bounces.emplace_back(other.bounces[b].size());
+    for (std::size_t f = 0; f < other.bounces[b].size(); ++f) bounces[b][f] += other.bounces[b][f];
+    add_at(hits, b, other.hits[b]);
+  }
+  coarse.resize(std::max(coarse.size(), other.coarse.size()));
+  for (std::size_t f = 0; f < other.coarse.size(); ++f)
+    for (int grid = 0; grid < coarse_grids; ++grid) coarse[f][grid] += other.coarse[f][grid];
+  for (std::size_t f = 0; f < other.pieces.size(); ++f) add_at(pieces, f, other.pieces[f]);
+  for (std::size_t f = 0; f < other.quadrature.size(); ++f) add_at(quadrature, f, other.quadrature[f]);
+  incoherent.resize(std::max(incoherent.size(), other.incoherent.size()));
+  for (std::size_t f = 0; f < other.incoherent.size(); ++f)
+    for (std::size_t q = 0; q < 2; ++q) incoherent[f][q] += other.incoherent[f][q];
+  for (std::size_t b = 0; b < other.met.size(); ++b) add_at(met, b, other.met[b]);
+  left_out += other.left_out;
+  tubes += other.tubes;
+  rays += other.rays;
+  lost_rays += other.lost_rays;
+  tubes_truncated += other.tubes_truncated;
+  empty_cells += other.empty_cells;
+  faces_away += other.faces_away;
+  sliver_area += other.sliver_area;
+}
+
+void TubeSums::append(TubeSums further) {
+  const std::size_t before = bounces.empty() ? 0 : bounces[0].size(),
+                    more = further.bounces.empty() ? 0 : further.bounces[0].size();
+  bounces.resize(std::max(bounces.size(), further.bounces.size()), std::vector<ScatteringMatrix>(before));
+  further.bounces.resize(bounces.size(), std::vector<ScatteringMatrix>(more));
+  for (std::size_t b = 0; b < bounces.size(); ++b)
+    bounces[b].insert(bounces[b].end(), further.bounces[b].begin(), further.bounces[b].end());
+  const auto join = [&](auto& values, const auto& others) {
+    if (values.empty() && others.empty()) return;
+    values.resize(before);
+    values.insert(values.end(), others.begin(), others.end());
+    values.resize(before + more);
+  };
+  join(coarse, further.coarse), join(pieces, further.pieces), join(quadrature, further.quadrature);
+  join(incoherent, further.incoherent);
+  rays += further.rays;
+  tubes_truncated = std::max(tubes_truncated, further.tubes_truncated);
+  left_out = std::max(left_out, further.left_out);
+}
+
+}  // namespace raytube

@@ -1,0 +1,64 @@
+// What a bundle of tubes adds up to.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/field.h"
+#include "sbr/beams/spectrum.h"
+
+namespace raytube {
+
+/// Errors of parts, added up as if they knew of one another and as if they did not.
+struct ErrorSum {
+  ScatteringMatrix coherent;  // sum of the errors [m]
+  ChannelErrors squares{};    // sum of their squared magnitudes [m^2]
+
+  /// One more part.
+  void add(const ScatteringMatrix& error);
+  ErrorSum& operator+=(const ErrorSum& other);
+  /// The larger of the two sums' magnitudes [m].
+  double size(int p, int q) const { return std::max(std::abs(coherent.at(p, q)), std::sqrt(squares[p][q])); }
+};
+
+/// The cells of a look in groups of three by three, each of them one cell whose ray is its middle one's: counted from the grid's
+/// corner, and from one cell beside it. An edge along the grid may by chance lie between the groups of one of them.
+inline constexpr int coarse_grids = 2;
+
+/// Sums and counts of a tile, or of several added up in order.
+struct TubeSums {
+  std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
+  /// [frequency][grid], all bounces together: fine minus coarse, summed over tiles; empty: nothing was sampled.
+  std::vector<std::array<ErrorSum, coarse_grids>> coarse;
+  std::vector<ErrorSum> pieces;                   // [frequency], of single tubes whose error is known; empty: there are none
+  std::vector<ErrorSum> quadrature;               // [frequency], of spherical waves: no grid changes it; empty: there are none
+  std::vector<std::array<double, 2>> incoherent;  // [frequency][transmit] sigma of rough surfaces [m^2]; empty: there are none
+  std::vector<ChannelErrors> error;               // [frequency], estimate for the whole look [m]; empty in its parts
+  std::vector<std::uint64_t> hits;                // [bounce]
+  std::vector<double> met;                        // [bounce] area times squared amplitude of the waves that met surfaces [m^2]
+  std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_truncated = 0;
+  double left_out = 0.0;                          // the same of tubes that were cut
+  std::uint64_t empty_cells = 0, faces_away = 0;  // not traced: see SkipCounts
+  double sliver_area = 0.0;                       // [m^2] of the launch plane, left out by adaptive tubes
+
+  /// The sums of a bounce, counted from 0; they and their counter of hits come into being when first asked for.
+  std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);
+
+  /// A tube of this area across its wave, of this amplitude of unit incident ones, met a surface; or was cut before it did.
+  void meet(int bounce, double area, double amplitude);
+  void leave_out(double area, double amplitude) { left_out += area * amplitude * amplitude; }
+
+  /// What the currents of this wave scatter incoherently from so much area across it.
+  void add_incoherent(const Spectrum& spectrum, double area);
+
+  /// Sets `coarse` from what the coarse grids, [grid][frequency], give for all that has been added up so far.
+  void compare_with(const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums);
+
+  void add(const TubeSums& other);
+
+  /// The same tubes at further frequencies. Counts stay those of the first ones: weak waves end by what is left of them at any
+  /// frequency traced together.
+  void append(TubeSums further);
+};
+
+}  // namespace raytube

@@ -1,0 +1,48 @@
+// A narrow tube with a curved wavefront: a ray, and how it changes across the launch plane.
+#pragma once
+
+#include "mesh/features/smooth.h"
+#include "sbr/beams/footprint.h"
+
+namespace raytube {
+
+/// A ray and its derivatives with respect to the launch coordinates (ray differentials, Igehy 1999, eqs. 9-16, with the normal's
+/// derivative from the surface's curvature). Geometrical optics carries the field: its magnitude follows the tube's
+/// cross-section, and each caustic on the way adds a quarter turn, e^{+j pi/2} (Kouyoumjian & Pathak 1974, below eq. 8).
+struct CurvedBeam {
+  dvec3 base;                  // where the tube's middle left the last surface [m]
+  dvec3 direction;             // unit
+  dvec3 along_u, along_v;      // d base / du, dv
+  dvec3 bend_u, bend_v;        // d direction / du, dv [1/m]
+  double path = 0.0;           // phase e^{-jk (d.r + path)} at the tube's middle [m]
+  std::array<dvec3, 2> field;  // of unit incident V and H, at unit amplitude
+  Spectrum spectrum{};         // instead, once the tube has met other than perfect conductors
+  int caustics = 0;            // passed so far
+};
+
+/// The tube about the launch point `at`, as launched.
+CurvedBeam launched_beam(const LaunchGrid& grid, const SphericalBasis& transmit, const dvec2& at);
+
+/// The currents of a tube on a surface: a quadratic phase over the launch coordinates counted from the tube's middle.
+struct CurvedFootprint {
+  // [receive][transmit] p . eta J times `strength`; not used where the outgoing beam has a spectrum.
+  std::array<std::array<Complex, 2>, 2> weight;
+  Complex strength;    // amplitude times the surface per launch area
+  double phase = 0.0;  // exponent / k
+  dvec2 slope{0.0};
+  glm::dmat2 curvature{0.0};
+  CurvedBeam outgoing;
+};
+
+/// Where a tube meets a perfect conductor that its middle ray meets at `surface.point`.
+CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive);
+
+/// The same for a surface of any opaque material, that of `patch`.
+CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive,
+                                 const SpectralSurfaces& surfaces, const Patch& patch);
+
+/// Adds the far field of the footprint over a launch rectangle of this size about the tube's middle; `frequency` is the place of
+/// `k` in its spectrum.
+void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t frequency, double k, const dvec2& size);
+
+}  // namespace raytube

@@ -1,0 +1,334 @@
+#include "sbr/curved/curved_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sbr/curved/curved_piece.h"
+#include "sbr/visible/beam_visibility.h"
+
+namespace raytube {
+
+namespace {
+
+// A cell with more faces than this is split unseen; one with no more than `few` is not worth splitting.
+constexpr std::size_t many = 160, few = 24;
+// Phase [rad] by which the integrand may vary over a cell.
+constexpr double most_phase = 60.0;
+// Share of a cell's far field that its quadrature and the limb of a tessellation may miss: some times what spheres show.
+constexpr double integration_error = 2e-3;
+// Smallest cell in wavelengths, and in rises of the surface over its facets: what a limb has beyond the facets' outline is found
+// from the cells that this outline crosses.
+constexpr double smallest_cell = 1.0 / 32.0, least_rises = 16.0;
+
+ConvexPolygon rectangle(const Bounds& box) {
+  ConvexPolygon polygon;
+  set_corners(polygon, std::array{box.low, dvec2(box.high.x, box.low.y), box.high, dvec2(box.low.x, box.high.y)});
+  return polygon;
+}
+
+// The part [low, high] of the way from `a` to `b` that lies in the box; low > high: none.
+Range part_within(const Bounds& box, const dvec2& a, const dvec2& b) {
+  Range part{0.0, 1.0};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double way = b[axis] - a[axis];
+    if (way == 0.0) {
+      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return {1.0, 0.0};
+      continue;
+    }
+    const double to_low = (box.low[axis] - a[axis]) / way, to_high = (box.high[axis] - a[axis]) / way;
+    part = {std::max(part.low, std::min(to_low, to_high)), std::min(part.high, std::max(to_low, to_high))};
+  }
+  return part;
+}
+
+}  // namespace
+
+Bounds FacingTriangle::bounds() const {
+  return {glm::min(glm::min(at[0], at[1]), at[2]), glm::max(glm::max(at[0], at[1]), at[2])};
+}
+
+// Neither the box's sides nor the triangle's separate them.
+bool FacingTriangle::reaches(const Bounds& box) const {
+  if (!bounds().overlaps(box, 0.0)) return false;
+  const dvec2 middle = 0.5 * (box.low + box.high), half = 0.5 * (box.high - box.low);
+  const dvec2 s = at[1] - at[0], t = at[2] - at[0];
+  const double sense = s.x * t.y - s.y * t.x > 0.0 ? 1.0 : -1.0;
+  for (int c = 0; c < 3; ++c) {
+    const dvec2 side = sense * (at[(c + 1) % 3] - at[c]), to = middle - at[c];
+    if (side.x * to.y - side.y * to.x + std::abs(side.x) * half.y + std::abs(side.y) * half.x < 0.0) return false;
+  }
+  return true;
+}
+
+bool FacingTriangle::contains(const dvec2& p) const {
+  int positive = 0, negative = 0;
+  for (int c = 0; c < 3; ++c) {
+    const dvec2 side = at[(c + 1) % 3] - at[c], to = p - at[c];
+    const double turn = side.x * to.y - side.y * to.x;
+    positive += turn > 0.0;
+    negative += turn < 0.0;
+  }
+  return positive == 0 || negative == 0;
+}
+
+namespace {
+
+class CellTrace {
+ public:
+  CellTrace(const AdaptiveLook& look, std::span<const FacingTriangle> facing)
+      : look_(look),
+        facing_(facing),
+        incident_(incident_beam(look.grid, look.transmit, dvec2(0.0))),
+        light_{look.grid, look.transmit, look.receive, look.surfaces},
+        map_light_(light_),
+        highest_(std::ranges::max(look.wavenumbers)),
+        smallest_(std::max(smallest_cell * 2.0 * pi / highest_, least_rises * look.smooth->rise())),
+        visible_(look.tree, look.tracer) {
+    if (!look.map) return;
+    map_materials_ = at_frequency({look.surfaces.materials.begin(), look.surfaces.materials.end()}, look.map->frequency());
+    map_light_.surfaces = {map_materials_, std::span(&look.map->wavenumber(), 1)};
+  }
+
+  TubeSums run(const Bounds& block, std::span<const std::uint32_t> triangles) {
+    cell(block, triangles);
+    sums_.tubes = sums_.rays = sums_.hits.empty() ? 0 : sums_.hits[0];
+    return std::move(sums_);
+  }
+
+ private:
+  enum class Verdict { one_piece, bent, above_limit };
+
+  // `triangles` in facing_ are all that reach into the cell.
+  void cell(const Bounds& box, std::span<const std::uint32_t> triangles) {
+    if (std::ranges::none_of(triangles, [&](std::uint32_t t) { return facing_[t].region != no_index; })) return;
+    const bool smallest = glm::length(box.high - box.low) < smallest_;
+    if (triangles.size() > many && !smallest) return split(box, triangles);
+    const std::optional<CurvedPiece> piece = piece_in(box, triangles);
+    if (!piece) return;
+    const Verdict verdict = judge(*piece, box, triangles);
+    const bool as_one_piece = verdict == Verdict::one_piece || (smallest && verdict == Verdict::bent);
+    if (as_one_piece) {
+      const auto triangle_at = [&](const dvec2& at) { return surface_at(at, triangles); };
+      return add(*piece, box, triangle_at);
+    }
+    if (smallest || (verdict == Verdict::above_limit && triangles.size() <= few)) return facets(box);
+    split(box, triangles);
+  }
+
+  void split(const Bounds& box, std::span<const std::uint32_t> triangles) {
+    const dvec2 middle = 0.5 * (box.low + box.high);
+    std::vector<std::uint32_t> inside;
+    for (const Bounds& quarter : {Bounds{box.low, middle}, Bounds{dvec2(middle.x, box.low.y), dvec2(box.high.x, middle.y)},
+                                  Bounds{dvec2(box.low.x, middle.y), dvec2(middle.x, box.high.y)}, Bounds{middle, box.high}}) {
+      inside.clear();
+      std::ranges::copy_if(triangles, std::back_inserter(inside), [&](std::uint32_t t) { return facing_[t].reaches(quarter); });
+      cell(quarter, inside);
+    }
+  }
+
+  std::uint32_t region(std::uint32_t face) const { return look_.smooth->region(look_.tree.faces()[face].triangle); }
+
+  dvec3 above(const dvec2& at) const { return look_.grid.plane_origin + at.x * look_.grid.u_hat + at.y * look_.grid.v_hat; }
+
+  // The quadric about the cell's middle; where that misses the surface, about the largest part of a facet in the cell.
+  std::optional<CurvedPiece> piece_in(const Bounds& box, std::span<const std::uint32_t> triangles) {
+    dvec2 at = 0.5 * (box.low + box.high);
+    const FacingTriangle* base = nullptr;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t t : triangles) {
+      const FacingTriangle& f = facing_[t];
+      if (f.region == no_index || !f.contains(at)) continue;
+      const double depth = facet_depth(f)(at);
+      if (depth < nearest) base = &f, nearest = depth;
+    }
+    if (!base) {
+      double largest = 0.0;
+      for (const std::uint32_t t : triangles) {
+        const FacingTriangle& f = facing_[t];
+        if (f.region == no_index || area(common(f.bounds(), box)) <= largest || !clip(f, box)) continue;
+        if (const double size = area(clipped_); size > largest) base = &f, largest = size, at = middle(clipped_);
+      }
+    }
+    if (!base) return {};
+    base_ = base;
+    return piece_over(at, base->triangle);
+  }
+
+  // The surface that the facet stands for, about where the ray from this place meets it.
+  CurvedPiece piece_over(const dvec2& at, std::uint32_t triangle) const {
+    const TriangleMesh& mesh = look_.tree.mesh();
+    const Patch& patch = mesh.patches[mesh.triangle_patch[triangle]];
+    return {look_.grid, look_.smooth->at(above(at), look_.grid.direction, triangle), patch.material,
+            glm::dot(patch.normal, look_.grid.direction) > 0.0};
+  }
+
+  Affine facet_depth(const FacingTriangle& f) const {
+    const TriangleMesh& mesh = look_.tree.mesh();
+    return depth_of(incident_, mesh.patches[mesh.triangle_patch[f.triangle]]);
+  }
+
+  // Fills clipped_ with the part of the triangle in the box.
+  bool clip(const FacingTriangle& f, const Bounds& box) {
+    set_corners(clipped_, f.at);
+    for (const Affine& side : {Affine{-box.low.x, 1.0, 0.0}, Affine{box.high.x, -1.0, 0.0}, Affine{-box.low.y, 0.0, 1.0},
+                               Affine{box.high.y, 0.0, -1.0}}) {
+      cut(clipped_, side, 0.0, inside_, outside_);
+      std::swap(clipped_, inside_);
+      if (clipped_.empty()) return false;
+    }
+    return true;
+  }
+
+  Verdict judge(const CurvedPiece& piece, const Bounds& box, std::span<const std::uint32_t> triangles) {
+    if (highest_ * path_range(light_, piece, box) > most_phase) return Verdict::bent;
+    const double farthest = farthest_depth(piece, box);
+    phase_off_ = 0.0;
+    for (const std::uint32_t t : triangles)
+      if (facing_[t].region != base_->region && reaches_before(facing_[t], box, farthest)) return Verdict::above_limit;
+    for (const std::uint32_t t : triangles) {
+      const FacingTriangle& f = facing_[t];
+      if (f.region != base_->region) continue;
+      if (const Verdict verdict = judge_sides(f, piece, box); verdict != Verdict::one_piece) return verdict;
+    }
+    return Verdict::one_piece;
+  }
+
+  double farthest_depth(const CurvedPiece& piece, const Bounds& box) const {
+    double farthest = 0.0;
+    for (const dvec2& at : {box.low, box.high, dvec2(box.low.x, box.high.y), dvec2(box.high.x, box.low.y)})
+      farthest = std::max(farthest, piece.depth(at - piece.anchor()).depth);
+    return farthest + glm::dot(piece.surface().point - look_.grid.plane_origin, look_.grid.direction);
+  }
+
+  bool reaches_before(const FacingTriangle& f, const Bounds& box, double farthest) {
+    const Affine depth = facet_depth(f);
+    return range(common(f.bounds(), box), depth).low < farthest && clip(f, box) && range(clipped_, depth).low < farthest;
+  }
+
+  // The surface's sides within the box must lie on the piece, and none may be where the surface ends.
+  Verdict judge_sides(const FacingTriangle& f, const CurvedPiece& piece, const Bounds& box) {
+    const TriangleMesh& mesh = look_.tree.mesh();
+    double most_bend = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      const dvec3 bend = look_.smooth->bend(f.triangle, c);
+      most_bend = std::max(most_bend, glm::length(bend));
+      const Range part = part_within(box, f.at[c], f.at[(c + 1) % 3]);
+      if (part.low > part.high) continue;
+      if (look_.smooth->on_boundary(f.triangle, c)) return Verdict::above_limit;
+      const dvec3 start = mesh.vertices[mesh.triangles[f.triangle][c]],
+                  along = mesh.vertices[mesh.triangles[f.triangle][(c + 1) % 3]] - start;
+      for (const double x : {part.low, part.high})
+        phase_off_ = std::max(phase_off_, 2.0 * highest_ * piece.distance(start + x * along - x * (1.0 - x) * bend));
+    }
+    // A facet wider than the cell has no side in it. It may rise from its plane by half of its strongest bend.
+    const dvec2 middle = 0.5 * (box.low + box.high);
+    const bool on_piece = !f.contains(middle) || piece.distance(above(middle) + facet_depth(f)(middle) * look_.grid.direction) <
+                                                     0.5 * most_bend + look_.phase_tolerance / (2.0 * highest_);
+    return on_piece && phase_off_ < look_.phase_tolerance ? Verdict::one_piece : Verdict::bent;
+  }
+
+  // The facet of the piece's own surface at a place of the cell.
+  std::uint32_t surface_at(const dvec2& at, std::span<const std::uint32_t> triangles) const {
+    const auto holds = [&](std::uint32_t t) { return facing_[t].region == base_->region && facing_[t].contains(at); };
+    const auto found = std::ranges::find_if(triangles, holds);
+    return found == triangles.end() ? base_->triangle : facing_[*found].triangle;
+  }
+
+  // The part of a piece within a box or a polygon.
+  template <class Shape, class TriangleAt>
+  void add(const CurvedPiece& piece, const Shape& shape, TriangleAt triangle_at) {
+    const std::vector<ScatteringMatrix> part = curved_far_field(light_, piece, shape, &sums_);
+    add(part);
+    if (look_.map) report(piece, shape, part[look_.map->frequency()], triangle_at);
+  }
+
+  // Quadrature over the cells of the map differs from that over the whole by its error: the strongest cell takes that.
+  template <class Shape, class TriangleAt>
+  void report(const CurvedPiece& piece, const Shape& shape, const ScatteringMatrix& whole, TriangleAt triangle_at) {
+    ScatteringMatrix rest = whole;
+    double most = -1.0;
+    dvec2 strongest(0.0);
+    look_.map->cut_up(shape, [&](const Shape& cell) {
+      const dvec2 at = middle(cell);
+      const ScatteringMatrix s = curved_far_field(map_light_, piece, cell).front();
+      look_.map->add(at, triangle_at(at), s);
+      rest = rest - s;
+      if (const double size = largest_amplitude(s); size > most) most = size, strongest = at;
+    });
+    look_.map->add(strongest, triangle_at(strongest), rest);
+  }
+
+  // A piece that lies off the surface by some phase is wrong by as large a share of its far field. Twice: sides are only looked
+  // at where they enter and leave the cell.
+  void add(const std::vector<ScatteringMatrix>& part) {
+    std::vector<ScatteringMatrix>& sums = sums_.at(0, part.size());
+    ++sums_.hits[0];
+    sums_.pieces.resize(part.size());
+    for (std::size_t f = 0; f < part.size(); ++f) {
+      sums[f] += part[f];
+      ScatteringMatrix error = part[f];
+      sums_.pieces[f].add(error *= 2.0 * phase_off_ + integration_error);
+    }
+  }
+
+  void facets(const Bounds& box) {
+    parts_.clear();
+    phase_off_ = 0.0;
+    visible_.within(incident_, rectangle(box), parts_);
+    for (const VisiblePart& part : parts_) {
+      if (region(part.face) == no_index) continue;
+      const std::uint32_t facet = look_.tree.faces()[part.face].triangle;
+      add(piece_over(middle(part.outline), facet), part.outline, [&](const dvec2&) { return facet; });
+    }
+  }
+
+  const AdaptiveLook& look_;
+  std::span<const FacingTriangle> facing_;
+  Beam incident_;
+  Illumination light_, map_light_;
+  std::vector<Material> map_materials_;  // at the map's frequency
+  double highest_, smallest_;            // wavenumber [rad/m], cell [m]
+  VisibleSurfaces visible_;
+  const FacingTriangle* base_ = nullptr;
+  double phase_off_ = 0.0;  // of the facets' sides from the piece in question [rad], at the highest frequency
+  ConvexPolygon clipped_, inside_, outside_;
+  std::vector<VisiblePart> parts_;
+  TubeSums sums_;
+};
+
+}  // namespace
+
+CurvedLook::CurvedLook(const AdaptiveLook& look) : look_(look) {
+  const TriangleMesh& mesh = look.tree.mesh();
+  std::vector<dvec2> places;
+  for (const dvec3& r : mesh.vertices) places.emplace_back(glm::dot(r, look.grid.u_hat), glm::dot(r, look.grid.v_hat));
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double towards = glm::dot(mesh.patches[mesh.triangle_patch[t]].normal, look.grid.direction);
+    if (towards > -edge_on && (towards < edge_on || mesh.closed(t))) continue;
+    const Triangle& corners = mesh.triangles[t];
+    facing_.push_back({t, look.smooth->region(t), {places[corners[0]], places[corners[1]], places[corners[2]]}});
+  }
+  fill_blocks();
+}
+
+void CurvedLook::fill_blocks() {
+  const dvec2 low(look_.grid.u_begin, look_.grid.v_begin);
+  const dvec2 size = dvec2(look_.grid.columns * look_.grid.du, look_.grid.rows * look_.grid.dv) / static_cast<double>(across);
+  for (int row = 0; row < across; ++row)
+    for (int column = 0; column < across; ++column)
+      blocks_.push_back({{low + dvec2(column, row) * size, low + dvec2(column + 1, row + 1) * size}, {}});
+  for (std::uint32_t t = 0; t < facing_.size(); ++t) {
+    const Bounds box = facing_[t].bounds();
+    const glm::ivec2 first = glm::max(glm::ivec2(glm::floor((box.low - low) / size - 1e-9)), 0),
+                     last = glm::min(glm::ivec2((box.high - low) / size + 1e-9), across - 1);
+    for (int row = first.y; row <= last.y; ++row)
+      for (int column = first.x; column <= last.x; ++column) blocks_[row * across + column].triangles.push_back(t);
+  }
+}
+
+TubeSums CurvedLook::trace(std::size_t block) const {
+  return CellTrace(look_, facing_).run(blocks_[block].box, blocks_[block].triangles);
+}
+
+}  // namespace raytube

@@ -1,0 +1,50 @@
+// Tubes on curved surfaces: cells of the launch plane as large as one quadric describes what they meet.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sbr/flat/adaptive.h"
+#include "sbr/launch/convex_polygon.h"
+
+namespace raytube {
+
+/// A triangle turned to the radar, in launch coordinates.
+struct FacingTriangle {
+  std::uint32_t triangle;
+  std::uint32_t region;  // the curved surface it is part of; no_index: it is flat
+  std::array<dvec2, 3> at;
+
+  Bounds bounds() const;
+  bool reaches(const Bounds& box) const;
+  bool contains(const dvec2& p) const;
+};
+
+/// The first-bounce currents of the curved surfaces (look.smooth) of a look, block by block of the launch plane. A cell that one
+/// quadric describes to within a fraction of a radian, whole or up to the surface's own limb, is one tube. Others are split;
+/// where few facets are left, or the cell is small against the wavelength, exactly the visible part of each facet is a tube.
+/// Every triangle over a cell takes part in that decision, so nothing is missed for its size.
+class CurvedLook {
+ public:
+  static constexpr int across = 8;  // blocks along each side
+  static constexpr std::size_t blocks = std::size_t{across} * across;
+
+  /// Keeps a reference to `look`.
+  explicit CurvedLook(const AdaptiveLook& look);
+
+  /// Integrates one block. Thread-safe.
+  TubeSums trace(std::size_t block) const;
+
+ private:
+  struct Block {
+    Bounds box;
+    std::vector<std::uint32_t> triangles;  // in facing_
+  };
+  void fill_blocks();
+
+  const AdaptiveLook& look_;
+  std::vector<FacingTriangle> facing_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace raytube

@@ -1,0 +1,281 @@
+#include "sbr/flat/adaptive.h"
+
+#include <cmath>
+#include <optional>
+
+#include "sbr/beams/polygon_integral.h"
+#include "sbr/beams/truncated_tubes.h"
+#include "sbr/flat/cell_tubes.h"
+#include "sbr/launch/lattice.h"
+#include "sbr/visible/beam_visibility.h"
+
+namespace raytube {
+
+namespace {
+
+// A tube of polygonal cross-section and the beam it travels in, just reflected by a patch.
+struct PolygonTube {
+  std::uint32_t beam, patch;
+  ConvexPolygon outline;
+};
+
+// A polygon that holds no more cells than this costs more than their rays.
+constexpr std::uint64_t few_cells = 16;
+// With more tubes than this under way, or more faces to meet, tubes smaller than a cell are no longer worth their number.
+constexpr std::size_t many_tubes = 256, many_faces = 2048;
+
+class FaceTrace {
+ public:
+  explicit FaceTrace(const AdaptiveLook& look)
+      : look_(look),
+        beams_(look.tree.mesh(), look.surfaces, look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
+        visible_(look.tree, look.tracer),
+        cell_tubes_(look.tracer, look.grid, look.spherical, look.wavenumbers, beams_, sums_) {
+    if (look.sheets) line_of_sight_.emplace(*look.sheets, look.tree, look.tracer, visible_, beams_);
+    cell_tubes_.look_through(look.sheets);
+    cell_tubes_.report_to(look.map);
+  }
+
+  TubeSums run(std::uint32_t begin, std::uint32_t end) {
+    std::vector<std::uint32_t> faces;
+    for (std::uint32_t face = begin; face < end; ++face)
+      if (!look_.smooth || look_.smooth->region(look_.tree.faces()[face].triangle) == no_index) faces.push_back(face);
+    const Beam& incident = beams_.beam(BeamTree::root);
+    look_.known.no_shadow ? visible_.of_whole_faces(incident, faces, parts_) : visible_.of_faces(incident, faces, parts_);
+    reflect(BeamTree::root, 0);
+    sums_.rays = sums_.tubes = sums_.hits.empty() ? 0 : sums_.hits[0];
+    count_faces_away(begin, end);
+    for (int bounce = 1; !look_.known.no_reflection && !(reflected_.empty() && cell_tubes_.empty()); ++bounce) {
+      beams_.next_bounce();
+      if (bounce < look_.max_bounces) thin_randomly();
+      if (beams_.spectral()) end_weakest();
+      cell_tubes_.advance(bounce, look_.max_bounces);
+      std::swap(tubes_, reflected_);
+      reflected_.clear();
+      send_middle_rays();
+      for (std::size_t i = 0; i < tubes_.size(); ++i) follow(tubes_[i], in_middle_[i], bounce);
+      sums_.rays += tubes_.size();
+    }
+    count_thinned();
+    sums_.sliver_area = visible_.sliver_area();
+    return std::move(sums_);
+  }
+
+ private:
+  void count_faces_away(std::uint32_t begin, std::uint32_t end) {
+    const TriangleMesh& mesh = look_.tree.mesh();
+    for (const Face& face : look_.tree.faces().subspan(begin, end - begin))
+      if (mesh.closed(face.triangle) && facing(beams_.beam(BeamTree::root), mesh.patches[face.patch]) >= 0.0) ++sums_.faces_away;
+  }
+
+  void send_middle_rays() {
+    rays_.clear();
+    for (const PolygonTube& tube : tubes_) rays_.push_back(visible_.middle_ray(beams_.beam(tube.beam), tube.patch, tube.outline));
+    in_middle_.resize(rays_.size());
+    look_.tracer.closest_hits(rays_, in_middle_);
+  }
+
+  // Of tubes that end by their number of bounces nobody asks more than whether their middle would go on; where there are sheets,
+  // what they would meet.
+  void follow(const PolygonTube& tube, const Hit& in_middle, int bounce) {
+    if (bounce == look_.max_bounces) {
+      if (line_of_sight_)
+        cut(tube, in_middle);
+      else if (in_middle)
+        count_truncated(sums_, area(tube.outline), beams_.amplitude(tube.beam));
+      return;
+    }
+    visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, parts_);
+    reflect(tube.beam, bounce);
+  }
+
+  void cut(const PolygonTube& tube, const Hit& in_middle) {
+    const double before = sums_.left_out;
+    leave_out(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, beams_.amplitude(tube.beam));
+    if (sums_.left_out > before) ++sums_.tubes_truncated;
+  }
+
+  // What sheets reflect of a tube, and what it meets behind them.
+  void leave_out(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& outline, const Hit& in_middle,
+                 double amplitude) {
+    std::vector<VisiblePart> parts;
+    visible_.from_surface(beam, source_patch, outline, in_middle, parts);
+    for (const VisiblePart& part : parts) {
+      const std::uint32_t patch = look_.tree.faces()[part.face].patch;
+      const auto [reflected, transmitted] = look_.surfaces.strongest(look_.tree.mesh().patches[patch], beam.direction);
+      sums_.leave_out(area(part.outline), amplitude * reflected);
+      if (amplitude * transmitted > least_amplitude) leave_out(beam, patch, part.outline, {}, amplitude * transmitted);
+    }
+  }
+
+  // Turns the parts that a beam has met into currents and reflected tubes.
+  void reflect(std::uint32_t beam, int bounce) {
+    for (VisiblePart& part : parts_) {
+      if (!look_.clip) cells_under(look_.grid, part.outline, blocks_);
+      if (!look_.clip && blocks_.empty()) continue;
+      const std::uint32_t patch = look_.tree.faces()[part.face].patch;
+      const std::uint32_t node = beams_.child(beam, patch, middle(part.outline));
+      sums_.meet(bounce, area(part.outline), beams_.amplitude(beam));
+      integrate(node, part, bounce);
+      if (const std::uint32_t through = beams_.through(node); through != no_index) send_on(through, patch, part.outline);
+      if (beams_.is_lit(node)) send_on(node, patch, std::move(part.outline));
+    }
+    parts_.clear();
+  }
+
+  void send_on(std::uint32_t beam, std::uint32_t patch, ConvexPolygon outline) {
+    if (look_.clip || cells_in_blocks() > few_cells)
+      reflected_.push_back({beam, patch, std::move(outline)});
+    else
+      follow_by_rays(beam, patch);
+  }
+
+  // Where tubes grow too many, those smaller than a cell go on as the uniform grid would have them: as a whole cell if its ray is
+  // theirs, else not at all. So there are never many more tubes than the uniform grid has.
+  void thin_randomly() {
+    if (!look_.clip || !too_many()) return;
+    const double cell = look_.grid.du * look_.grid.dv;
+    std::erase_if(reflected_, [&](const PolygonTube& tube) {
+      const double size = area(tube.outline);
+      if (size >= cell) return false;
+      thinned_ += size * (cell - size);
+      cells_under(look_.grid, tube.outline, blocks_);
+      follow_by_rays(tube.beam, tube.patch, 1.0 - size / cell);
+      return true;
+    });
+  }
+
+  void end_weakest() {
+    const auto weight = [&](const PolygonTube& tube) { return area(tube.outline) * beams_.amplitude(tube.beam); };
+    raytube::end_weakest(reflected_, most_tubes, weight, [&](const PolygonTube& tube) {
+      count_truncated(sums_, area(tube.outline), beams_.amplitude(tube.beam));
+    });
+  }
+
+  bool too_many() const {
+    if (look_.tree.faces().size() > many_faces) return true;
+    if (reflected_.size() <= many_tubes) return false;
+    double covered = 0.0;
+    for (const PolygonTube& tube : reflected_) covered += area(tube.outline);
+    return static_cast<double>(reflected_.size()) * look_.grid.du * look_.grid.dv > covered;
+  }
+
+  // A tube becomes a cell with the probability of their areas' ratio, p: variance (1 - p) / p of the square of what it would
+  // radiate, or (1 - p) of that of the cell for each one that did (Horvitz & Thompson 1952). Where none did, one cell's with the
+  // k / 2 pi that a perfect conductor radiates at most, but no more than (area) (cell - area) of each.
+  void count_thinned() {
+    if (thinned_ == 0.0) return;
+    const double cell = look_.grid.du * look_.grid.dv;
+    ChannelErrors variance = cell_tubes_.variance();
+    if (variance == ChannelErrors{})
+      for (auto& row : variance) row.fill(std::min(thinned_, cell * cell) / std::pow(2.0 * pi, 2));
+    sums_.pieces.resize(look_.wavenumbers.size());
+    for (std::size_t f = 0; f < sums_.pieces.size(); ++f)
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) sums_.pieces[f].squares[p][q] += std::pow(look_.wavenumbers[f], 2) * variance[p][q];
+  }
+
+  void follow_by_rays(std::uint32_t beam, std::uint32_t patch, double sampling_variance = 0.0) {
+    for (const CellBlock& block : blocks_)
+      for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
+        for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
+          cell_tubes_.add(column, row, beam, patch, sampling_variance);
+  }
+
+  double cell_area() const { return static_cast<double>(cells_in_blocks()) * look_.grid.du * look_.grid.dv; }
+
+  std::uint64_t cells_in_blocks() const {
+    std::uint64_t cells = 0;
+    for (const CellBlock& block : blocks_) cells += block.cells();
+    return cells;
+  }
+
+  void integrate(std::uint32_t node, const VisiblePart& part, int bounce) {
+    const ConvexPolygon& outline = part.outline;
+    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
+    ++sums_.hits[static_cast<std::size_t>(bounce)];
+    if (look_.spherical) return look_.spherical->add(sums_, bounce, beams_.beam(node), beams_.patch(node), outline);
+    radiate(beams_.footprint(node), part, blocks_, sums);
+    if (line_of_sight_) radiate_through_sheets(node, part, sums);
+    const Footprint& footprint = beams_.footprint(node);
+    if (!look_.clip) count_staircase(footprint, outline);
+    if (footprint.outgoing.spectrum && look_.surfaces.any_rough())
+      sums_.add_incoherent(*footprint.outgoing.spectrum, look_.clip ? area(outline) : cell_area());
+  }
+
+  void radiate(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks,
+               std::vector<ScatteringMatrix>& sums) {
+    for (std::size_t f = 0; f < sums.size(); ++f) {
+      const double k = look_.wavenumbers[f];
+      add_far_field(sums[f], footprint, f, k,
+                    look_.clip ? phase_integral(footprint, k, part.outline) : over_cells(footprint, k, blocks));
+    }
+    if (look_.map) report(footprint, part, blocks);
+  }
+
+  void radiate_through_sheets(std::uint32_t node, const VisiblePart& part, std::vector<ScatteringMatrix>& sums) {
+    for (ScreenedPart& seen : line_of_sight_->through_sheets(node, part.outline)) {
+      if (!look_.clip) cells_under(look_.grid, seen.outline, seen_blocks_);
+      radiate(beams_.footprint(seen.node), {part.face, std::move(seen.outline)}, seen_blocks_, sums);
+    }
+  }
+
+  void report(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks) {
+    CurrentMap& map = *look_.map;
+    if (look_.clip) return map.add(footprint, part.outline, part.face);
+    for (const CellBlock& block : blocks)
+      for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
+        for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
+          map.add(footprint, cell_bounds(look_.grid, column, row),
+                  map.triangle_under(footprint, part.face, look_.grid.ray_place(column, row)));
+  }
+
+  // Cells stand for the polygon but for their stairs along its sides: each step is off by up to half a cell, h / sqrt(12) in the
+  // rms. The steps of a side along the grid are all alike, those of one across it independent.
+  void count_staircase(const Footprint& footprint, const ConvexPolygon& outline) {
+    const double step = std::max(look_.grid.du, look_.grid.dv);
+    sums_.pieces.resize(look_.wavenumbers.size());
+    for (std::size_t f = 0; f < sums_.pieces.size(); ++f) {
+      const double k = look_.wavenumbers[f], per_area = k / (4.0 * pi) * footprint.area;
+      double square = 0.0;  // of the launch area that is wrong [m^4]
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        const dvec2 side = outline[(i + 1) % outline.size()].at - outline[i].at;
+        const double alike = sinc(0.5 * k * glm::dot(dvec2(footprint.phase_u, footprint.phase_v), side)) * glm::length(side);
+        square += step * step / 12.0 * (alike * alike + step * glm::length(side));
+      }
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q)
+          sums_.pieces[f].squares[p][q] += std::pow(per_area * largest_weight(footprint, p, q), 2) * square;
+    }
+  }
+
+  Complex over_cells(const Footprint& footprint, double k, std::span<const CellBlock> blocks) const {
+    Complex sum = 0.0;
+    for (const CellBlock& block : blocks) {
+      const LaunchGrid& grid = look_.grid;
+      const dvec2 size{(block.column_end - block.column_begin) * grid.du, (block.row_end - block.row_begin) * grid.dv};
+      const dvec2 low{grid.u_begin + block.column_begin * grid.du, grid.v_begin + block.row_begin * grid.dv};
+      sum += phase_integral(footprint, k, low + 0.5 * size, size.x, size.y);
+    }
+    return sum;
+  }
+
+  const AdaptiveLook& look_;
+  BeamTree beams_;
+  VisibleSurfaces visible_;
+  std::optional<PolygonLineOfSight> line_of_sight_;  // where there are sheets
+  std::vector<VisiblePart> parts_;
+  std::vector<PolygonTube> tubes_, reflected_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> in_middle_;
+  std::vector<CellBlock> blocks_, seen_blocks_;
+  double thinned_ = 0.0;  // of tubes that became cells or nothing, (area) (cell - area) [m^4]
+  TubeSums sums_;
+  CellTubes cell_tubes_;
+};
+
+}  // namespace
+
+TubeSums trace_faces(const AdaptiveLook& look, std::uint32_t begin, std::uint32_t end) { return FaceTrace(look).run(begin, end); }
+
+}  // namespace raytube

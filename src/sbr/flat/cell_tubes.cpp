@@ -1,0 +1,223 @@
+#include "sbr/flat/cell_tubes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+// Cells of a coarse grid along one side of the launch plane.
+constexpr std::uint32_t coarseness = 3;
+
+struct Group {
+  std::uint32_t begin, end;
+  bool empty() const { return begin == end; }
+};
+
+// The group that a cell stands for among [begin, end), in the coarse grid moved by so many cells; begin is divisible by three.
+Group group_of(std::uint32_t index, std::uint32_t moved, std::uint32_t begin, std::uint32_t end) {
+  const std::uint32_t place = (index + moved) % coarseness;
+  if (place != 1 && !(place == 0 && index + 1 == end)) return {};
+  return {index - std::min(place, index - begin), std::min(index - place + coarseness, end)};
+}
+
+}  // namespace
+
+void CellTubes::launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end) {
+  std::size_t next = tubes_.size();
+  tubes_.resize(next + column_end - column_begin);
+  rays_.resize(tubes_.size());
+  for (std::uint32_t column = column_begin; column < column_end; ++column, ++next) {
+    tubes_[next] = {column, row, BeamTree::root, 0.0f};
+    rays_[next] = grid_.ray(column, row);
+  }
+}
+
+void CellTubes::add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch, double sampling_variance) {
+  tubes_.push_back({column, row, beam, static_cast<float>(sampling_variance)});
+  rays_.push_back(reflected_ray(column, row, beam, patch));
+}
+
+Ray CellTubes::reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const {
+  return tube_ray(beams_.beam(beam), grid_.ray_place(column, row), &tracer_.mesh().patches[patch], patch);
+}
+
+void CellTubes::advance(int bounce, int max_bounces) {
+  sums_.rays += rays_.size();
+  if (bounce == max_bounces) return cut();
+  found_.resize(rays_.size());
+  tracer_.closest_triangles(rays_, found_);
+  reflect(bounce);
+  integrate(bounce);
+  send_on();
+  end_weakest();
+}
+
+void CellTubes::cut() {
+  std::vector<Hit> hits(rays_.size());
+  tracer_.closest_hits(rays_, hits);
+  for (std::size_t i = 0; i < tubes_.size(); ++i)
+    if (hits[i])
+      count_truncated(sums_, tracer_, beams_.surfaces(), rays_[i], hits[i], grid_.du * grid_.dv,
+                      beams_.amplitude(tubes_[i].beam));
+  clear();
+}
+
+void CellTubes::end_weakest() {
+  if (!beams_.spectral() || tubes_.size() <= most_tubes) return;
+  const auto amplitude = [&](const Tube& tube) { return beams_.amplitude(tube.beam); };
+  raytube::end_weakest(tubes_, most_tubes, amplitude,
+                       [&](const Tube& tube) { count_truncated(sums_, grid_.du * grid_.dv, amplitude(tube)); });
+  rays_.clear();
+  for (const Tube& tube : tubes_) rays_.push_back(reflected_ray(tube.column, tube.row, tube.beam, beams_.patch_index(tube.beam)));
+}
+
+// Replaces the tubes by those that met a surface, sent on their way from there.
+void CellTubes::reflect(int bounce) {
+  const TriangleMesh& mesh = tracer_.mesh();
+  std::size_t alive = 0;
+  for (std::size_t i = 0; i < tubes_.size(); ++i) {
+    const std::uint32_t triangle = found_[i];
+    if (triangle == no_index) continue;
+    const auto [column, row, beam, sampling_variance] = tubes_[i];
+    if (smooth_ && beam == BeamTree::root && smooth_->region(triangle) != no_index) continue;
+    const std::uint32_t patch = mesh.triangle_patch[triangle],
+                        node = beams_.child(beam, patch, {grid_.u_center(column), grid_.v_center(row)});
+    // Only a ray that slipped through an edge meets a closed body from inside.
+    if (beams_.from_behind(node) && mesh.closed(triangle)) {
+      ++sums_.lost_rays;
+      continue;
+    }
+    sums_.meet(bounce, grid_.du * grid_.dv, beams_.amplitude(beam));
+    tubes_[alive] = {column, row, node, sampling_variance};
+    found_[alive] = triangle;
+    rays_[alive] = reflected_ray(column, row, node, patch);
+    ++alive;
+  }
+  tubes_.resize(alive);
+  rays_.resize(alive);
+}
+
+// Ends the tubes of which nothing was reflected and adds those that go on behind a sheet.
+void CellTubes::send_on() {
+  if (!beams_.spectral()) return;
+  const std::size_t count = tubes_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [column, row, node, sampling_variance] = tubes_[i];
+    const std::uint32_t through = beams_.through(node);
+    if (through == no_index) continue;
+    tubes_.push_back({column, row, through, sampling_variance});
+    rays_.push_back(reflected_ray(column, row, through, beams_.patch_index(through)));
+  }
+  std::size_t alive = 0;
+  for (std::size_t i = 0; i < tubes_.size(); ++i) {
+    if (!beams_.is_lit(tubes_[i].beam)) continue;
+    tubes_[alive] = tubes_[i];
+    rays_[alive++] = rays_[i];
+  }
+  tubes_.resize(alive);
+  rays_.resize(alive);
+}
+
+void CellTubes::find_line_of_sight_sheets() {
+  seen_.clear();
+  if (!line_of_sight_) return;
+  for (std::uint32_t i = 0; i < tubes_.size(); ++i)
+    line_of_sight_->add(i, tubes_[i].beam, rays_[i].origin, rays_[i].source_patch);
+  sums_.rays += line_of_sight_->through_sheets(beams_, [&](std::uint32_t i, std::uint32_t node) {
+    const Tube& tube = tubes_[i];
+    seen_.push_back({tube.column, tube.row, node, tube.sampling_variance});
+    if (map_) report(seen_.back(), found_[i]);
+  });
+}
+
+void CellTubes::find_runs(std::span<const Tube> tubes) {
+  runs_.clear();
+  for (const auto& [column, row, node, sampling_variance] : tubes)
+    extend({node, {column, column + 1, row, row + 1}, grid_.ray_place(column, row)});
+}
+
+void CellTubes::find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid) {
+  const CellBlock& block = coarse_block_;
+  runs_.clear();
+  for (const auto& [column, row, node, sampling_variance] : tubes) {
+    const Group down = group_of(row, grid, block.row_begin, block.row_end);
+    if (down.empty()) continue;
+    const Group across = group_of(column, grid, block.column_begin, block.column_end);
+    if (across.empty()) continue;
+    extend({node, {across.begin, across.end, down.begin, down.end}, grid_.ray_place(column, row)});
+  }
+}
+
+void CellTubes::extend(const Run& next) {
+  if (!runs_.empty() && !spherical_) {
+    auto& [node, cells, ray_place] = runs_.back();
+    if (node == next.node && cells.row_begin == next.cells.row_begin && cells.column_end == next.cells.column_begin) {
+      cells.column_end = next.cells.column_end;
+      return;
+    }
+  }
+  runs_.push_back(next);
+}
+
+void CellTubes::integrate(int bounce) {
+  if (tubes_.empty()) return;
+  std::vector<ScatteringMatrix>& sums = sums_.at(bounce, frequencies_);
+  sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
+  find_line_of_sight_sheets();
+  add_variance();
+  add_incoherent();
+  for (std::size_t i = 0; map_ && i < tubes_.size(); ++i) report(tubes_[i], found_[i]);
+  for (const std::span<const Tube> tubes : {std::span<const Tube>(tubes_), std::span<const Tube>(seen_)}) {
+    if (tubes.empty()) continue;
+    find_runs(tubes);
+    integrate_runs(sums);
+    for (std::uint32_t grid = 0; grid < coarse_grids; ++grid) {
+      if (coarse_sums_[grid].empty()) continue;
+      find_coarse_runs(tubes, grid);
+      integrate_runs(coarse_sums_[grid]);
+    }
+  }
+}
+
+void CellTubes::add_incoherent() {
+  if (!beams_.spectral() || !beams_.surfaces().any_rough()) return;
+  for (const Tube& tube : tubes_)
+    if (const Spectrum* spectrum = beams_.beam(tube.beam).spectrum) sums_.add_incoherent(*spectrum, grid_.du * grid_.dv);
+}
+
+void CellTubes::report(const Tube& tube, std::uint32_t triangle) {
+  map_->add(beams_.footprint(tube.beam), cell_bounds(grid_, tube.column, tube.row), triangle);
+}
+
+// S = -(jk / 4 pi) p_hat . eta J * integral: see add_far_field.
+void CellTubes::add_variance() {
+  const double cell = grid_.du * grid_.dv / (4.0 * pi);
+  for (const Tube& tube : tubes_) {
+    if (tube.sampling_variance == 0.0f) continue;
+    const Footprint f = spherical_ ? spherical_->footprint(beams_.beam(tube.beam), beams_.patch(tube.beam),
+                                                           grid_.ray_place(tube.column, tube.row))
+                                   : beams_.footprint(tube.beam);
+    const double square = tube.sampling_variance * std::pow(f.area * cell, 2);
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) variance_[p][q] += square * std::pow(largest_weight(f, p, q), 2);
+  }
+}
+
+// Current and phase gradient of a spherical wave are those where the ray met the surface: from the middle of its cells none may
+// lead there, at grazing not even to the plane.
+void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) {
+  for (const auto& [node, cells, ray_place] : runs_) {
+    const dvec2 size{(cells.column_end - cells.column_begin) * grid_.du, (cells.row_end - cells.row_begin) * grid_.dv};
+    const dvec2 low{grid_.u_begin + cells.column_begin * grid_.du, grid_.v_begin + cells.row_begin * grid_.dv};
+    const dvec2 center = low + 0.5 * size;
+    if (spherical_)
+      far_fields_.add(spherical_->footprint(beams_.beam(node), beams_.patch(node), ray_place), center, size);
+    else
+      far_fields_.add(beams_.footprint(node), center, size);
+  }
+  far_fields_.add_up(sums);
+}
+
+}  // namespace raytube

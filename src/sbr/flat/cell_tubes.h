@@ -1,0 +1,122 @@
+// Tubes of one cell of the launch grid each, followed by single rays.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/features/smooth.h"
+#include "mesh/trace/tracer.h"
+#include "sbr/beams/beam_tree.h"
+#include "sbr/beams/current_map.h"
+#include "sbr/beams/far_fields.h"
+#include "sbr/beams/spherical_look.h"
+#include "sbr/beams/truncated_tubes.h"
+#include "sbr/beams/tube_sums.h"
+#include "sbr/launch/lattice.h"
+#include "sbr/visible/line_of_sight.h"
+
+namespace raytube {
+
+/// Tubes under way, all after the same number of bounces. Beams and sums are their owner's.
+class CellTubes {
+ public:
+  /// `spherical` is null for plane waves.
+  CellTubes(const Tracer& tracer, const LaunchGrid& grid, const SphericalLook* spherical, std::span<const double> wavenumbers,
+            BeamTree& beams, TubeSums& sums)
+      : tracer_(tracer),
+        grid_(grid),
+        spherical_(spherical),
+        frequencies_(wavenumbers.size()),
+        far_fields_(wavenumbers),
+        beams_(beams),
+        sums_(sums) {}
+
+  bool empty() const { return tubes_.empty(); }
+  void clear() {
+    tubes_.clear();
+    rays_.clear();
+  }
+
+  /// Tubes that meet a curved surface first are someone else's.
+  void leave_out(const SmoothSurfaces* smooth) { smooth_ = smooth; }
+
+  /// Currents may stand behind sheets; null: there are none.
+  void look_through(const LineOfSightSheets* sheets) {
+    if (sheets) line_of_sight_.emplace(*sheets, tracer_);
+  }
+
+  /// Currents are told to it, too.
+  void report_to(CurrentMap* map) { map_ = map; }
+
+  /// Tubes as launched, of the cells [column_begin, column_end) of a row.
+  void launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end);
+  /// A tube that travels in `beam`, just reflected by `patch`. `doubt`: it stands for others with this variance, over its own
+  /// square.
+  void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch, double sampling_variance = 0.0);
+
+  /// Sends every tube to the next surface and integrates the currents there as those of bounce `bounce`, counted from 0. Tubes
+  /// that meet none end; all do if the next one would be bounce `max_bounces`.
+  void advance(int bounce, int max_bounces);
+
+  /// From here on the cells of `block` are also taken in the groups of the coarse grids. A group that the block cuts has the
+  /// middle cell's ray, or its only one's. Wants all tubes of the block, rows one after the other.
+  void sample_coarse_grids(const CellBlock& block) {
+    coarse_block_ = block;
+    for (std::vector<ScatteringMatrix>& sums : coarse_sums_) sums.assign(frequencies_, {});
+  }
+  /// Sums over all bounces so far; [grid][frequency].
+  const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums() const { return coarse_sums_; }
+
+  /// Over all tubes and bounces so far the squares of what their currents radiate at most, times their doubt, over the square of
+  /// the wavenumber.
+  const ChannelErrors& variance() const { return variance_; }
+
+ private:
+  struct Tube {
+    std::uint32_t column, row, beam;
+    float sampling_variance;
+  };
+  // Neighbouring cells of a row whose tubes share a footprint: together one wider tube, integrated in one closed form.
+  struct Run {
+    std::uint32_t node;
+    CellBlock cells;
+    dvec2 ray_place;  // of its first tube
+  };
+
+  Ray reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const;
+  void reflect(int bounce);
+  void find_line_of_sight_sheets();
+  void find_runs(std::span<const Tube> tubes);
+  void find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid);
+  void send_on();
+  void end_weakest();
+  void cut();
+  void extend(const Run& next);
+  void integrate(int bounce);
+  void integrate_runs(std::vector<ScatteringMatrix>& sums);
+  void report(const Tube& tube, std::uint32_t triangle);
+  void add_variance();
+  void add_incoherent();
+
+  const Tracer& tracer_;
+  const LaunchGrid& grid_;
+  const SphericalLook* spherical_;
+  std::size_t frequencies_;
+  FarFields far_fields_;
+  BeamTree& beams_;
+  TubeSums& sums_;
+  const SmoothSurfaces* smooth_ = nullptr;
+  CurrentMap* map_ = nullptr;
+  std::optional<RayLineOfSight> line_of_sight_;
+  std::vector<Tube> tubes_;
+  std::vector<Tube> seen_;  // their currents again, for every sheet before them
+  std::vector<Ray> rays_;
+  std::vector<std::uint32_t> found_;  // triangles met: by each ray, then by each tube
+  std::vector<Run> runs_;
+  CellBlock coarse_block_{};
+  std::array<std::vector<ScatteringMatrix>, coarse_grids> coarse_sums_;
+  ChannelErrors variance_{};
+};
+
+}  // namespace raytube

@@ -1,0 +1,118 @@
+#include "sbr/launch/convex_polygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+Affine normalized(const Affine& f) {
+  const double scale = 1.0 / std::sqrt(f.u * f.u + f.v * f.v);
+  return {scale * f.c, scale * f.u, scale * f.v};
+}
+
+double area(const ConvexPolygon& polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const dvec2 a = polygon[i - 1].at - polygon[0].at, b = polygon[i].at - polygon[0].at;
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return 0.5 * twice;
+}
+
+dvec2 middle(const ConvexPolygon& polygon) {
+  dvec2 sum(0.0);
+  for (const Corner& corner : polygon) sum += corner.at;
+  return sum / static_cast<double>(polygon.size());
+}
+
+Bounds bounds(const ConvexPolygon& polygon) {
+  Bounds b{polygon[0].at, polygon[0].at};
+  for (const Corner& corner : polygon) {
+    b.low = glm::min(b.low, corner.at);
+    b.high = glm::max(b.high, corner.at);
+  }
+  return b;
+}
+
+AffineMap inverse(const AffineMap& map) {
+  const double scale = 1.0 / stretch(map);
+  const dvec2 u = scale * dvec2(map.v.y, -map.u.y), v = scale * dvec2(-map.v.x, map.u.x);
+  return {-(map.c.x * u + map.c.y * v), u, v};
+}
+
+ConvexPolygon image(const ConvexPolygon& polygon, const AffineMap& there, const AffineMap& back) {
+  const auto line = [&](const Affine& f) {
+    return normalized({f(back.c), f.u * back.u.x + f.v * back.u.y, f.u * back.v.x + f.v * back.v.y});
+  };
+  ConvexPolygon result;
+  for (const Corner& corner : polygon) result.push_back({there(corner.at), line(corner.edge)});
+  if (stretch(there) > 0.0) return result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) result[i].edge = line(polygon[(i + polygon.size() - 1) % polygon.size()].edge);
+  std::ranges::reverse(result);
+  return result;
+}
+
+Range range(const Bounds& box, const Affine& f) {
+  const double across_u = f.u * (box.high.x - box.low.x), across_v = f.v * (box.high.y - box.low.y), corner = f(box.low);
+  return {corner + std::min(across_u, 0.0) + std::min(across_v, 0.0), corner + std::max(across_u, 0.0) + std::max(across_v, 0.0)};
+}
+
+namespace {
+
+// Distance to the line from `a` to `b`, positive on its left.
+Affine left_of(const dvec2& a, const dvec2& b) {
+  const dvec2 along = b - a;
+  const double length = glm::length(along);
+  if (length == 0.0) return {1.0, 0.0, 0.0};
+  const dvec2 normal(-along.y / length, along.x / length);
+  return {-glm::dot(normal, a), normal.x, normal.y};
+}
+
+int side(double value, double tolerance) { return value > tolerance ? 1 : value < -tolerance ? -1 : 0; }
+
+// Always from the positive end: the two polygons at an edge then find the same point.
+dvec2 zero_between(const dvec2& p, double positive, const dvec2& q, double negative) {
+  return p + (positive / (positive - negative)) * (q - p);
+}
+
+}  // namespace
+
+void set_corners(ConvexPolygon& polygon, std::span<const dvec2> corners) {
+  polygon.resize(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) polygon[i].at = corners[i];
+  if (area(polygon) < 0.0) std::ranges::reverse(polygon);
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    polygon[i].edge = left_of(polygon[i].at, polygon[i + 1 < polygon.size() ? i + 1 : 0].at);
+}
+
+void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive, ConvexPolygon& negative) {
+  positive.clear();
+  negative.clear();
+  const Affine inward = normalized(f), outward{-inward.c, -inward.u, -inward.v};
+  bool any_positive = false, any_negative = false;
+  double value = f(polygon[0].at);
+  int here = side(value, tolerance);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner& corner = polygon[i];
+    const Corner& next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    const double value_next = f(next.at);
+    const int there = side(value_next, tolerance);
+    // Where a part leaves the polygon's rim, it goes on along the cut.
+    if (here >= 0) positive.push_back({corner.at, here == 0 && there < 0 ? inward : corner.edge});
+    if (here <= 0) negative.push_back({corner.at, here == 0 && there > 0 ? outward : corner.edge});
+    if (here * there < 0) {
+      const dvec2 crossing =
+          here > 0 ? zero_between(corner.at, value, next.at, value_next) : zero_between(next.at, value_next, corner.at, value);
+      positive.push_back({crossing, here > 0 ? inward : corner.edge});
+      negative.push_back({crossing, here > 0 ? corner.edge : outward});
+    }
+    any_positive |= here > 0;
+    any_negative |= here < 0;
+    value = value_next;
+    here = there;
+  }
+  if (!any_positive) positive.clear();
+  if (!any_negative) negative.clear();
+}
+
+}  // namespace raytube

@@ -1,0 +1,237 @@
+#include "sbr/visible/beam_visibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+// Up to so many faces are compared each with each; beyond, groups of neighbours ask the tree who stands in front of them.
+constexpr std::size_t few = 32, group = 16;
+// Times the area of its members' boxes, from which on a group's box is mostly empty.
+constexpr double scattered = 2.0;
+// A face with more than this in front of it is halved first, until so many times in a row nothing came of it.
+constexpr std::size_t many = 48;
+constexpr int patience = 1;
+
+// All that an incident wave lights.
+BeamView view_of(const Beam& incident) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {incident, no_index, nullptr, {}, 1.0, nullptr, {dvec2(-infinity), dvec2(infinity)}};
+}
+
+}  // namespace
+
+VisibleSurfaces::VisibleSurfaces(const FaceTree& tree, const Tracer& tracer)
+    : tree_(tree), tracer_(tracer), projector_(tree), depth_margin_(1e-9 * tree.mesh().radius) {}
+
+void VisibleSurfaces::of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
+  const BeamView view = view_of(incident);
+  gather(view, faces, in_view_);
+  if (faces.size() == tree_.faces().size() && in_view_.count <= few) return uncover(in_view_, in_view_, parts);
+  waiting_.clear();
+  for (const ProjectedFace& c : in_view_.used()) waiting_.push_back(&c);
+  drop_hidden(view);
+  see_in_groups(view, parts);
+}
+
+void VisibleSurfaces::of_whole_faces(const Beam& incident, std::span<const std::uint32_t> faces,
+                                     std::vector<VisiblePart>& parts) {
+  const BeamView view = view_of(incident);
+  for (const std::uint32_t face : faces)
+    if (projector_.project(view, face, first_)) emit(first_, first_.outline, parts);
+}
+
+// Most hidden faces lie behind a single one, and a ray through their middle finds it.
+void VisibleSurfaces::drop_hidden(const BeamView& view) {
+  rays_.clear();
+  for (const ProjectedFace* c : waiting_) rays_.push_back(middle_ray(view.beam, view.source_patch, c->outline));
+  hits_.resize(rays_.size());
+  tracer_.closest_hits(rays_, hits_);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const ProjectedFace& c = *waiting_[i];
+    const std::uint32_t first = hits_[i] ? tree_.face_of(hits_[i].triangle) : c.face;
+    if (first == c.face || !projector_.project(view, first, first_) || !hides_all(first_, c, c.outline)) waiting_[kept++] = &c;
+  }
+  waiting_.resize(kept);
+}
+
+Ray VisibleSurfaces::middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region) const {
+  const Patch* source = source_patch == no_index ? nullptr : &tree_.mesh().patches[source_patch];
+  return tube_ray(beam, middle(region), source, source_patch);
+}
+
+void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region,
+                                   const Hit& in_middle, std::vector<VisiblePart>& parts) {
+  const Patch& source = tree_.mesh().patches[source_patch];
+  const double tilt = std::abs(facing(beam, source));
+  const BeamView view{beam, source_patch, &source, depth_of(beam, source), tilt, &region, bounds(region)};
+  double farthest = std::numeric_limits<double>::infinity();
+  if (in_middle && projector_.project(view, tree_.face_of(in_middle.triangle), first_) && projector_.fills(first_, region))
+    farthest = first_.depths.high + depth_margin_;
+  meet(view, farthest, parts);
+}
+
+void VisibleSurfaces::within(const Beam& incident, const ConvexPolygon& region, std::vector<VisiblePart>& parts) {
+  meet({incident, no_index, nullptr, {}, 1.0, &region, bounds(region)}, std::numeric_limits<double>::infinity(), parts);
+}
+
+void VisibleSurfaces::meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts) {
+  tree_.collect(prism_of(view.beam, view.source, view.box, farthest, tree_.mesh().radius), found_);
+  if (found_.empty()) return;
+  gather_nearest_first(view, farthest);
+  if (in_view_.count <= few) return uncover(in_view_, in_view_, parts);
+  waiting_.clear();
+  for (const ProjectedFace& c : in_view_.used()) waiting_.push_back(&c);
+  see_in_groups(view, parts);
+}
+
+// The faces among `found_`, in the order in which their planes begin within the region. One that fills the region ends the
+// search at its own depth.
+void VisibleSurfaces::gather_nearest_first(const BeamView& view, double farthest) {
+  by_depth_.clear();
+  for (const std::uint32_t face : found_) {
+    if (!projector_.faces_beam(view, face)) continue;
+    const Patch& plane = tree_.mesh().patches[tree_.faces()[face].patch];
+    by_depth_.emplace_back(range(view.box, depth_of(view.beam, plane)).low, face);
+  }
+  std::ranges::sort(by_depth_);
+  const double filled = (1.0 - 1e-9) * area(*view.region);
+  in_view_.count = 0;
+  for (const auto& [nearest, face] : by_depth_) {
+    if (nearest > farthest) return;
+    if (!projector_.project(view, face, in_view_.next())) continue;
+    const ProjectedFace& c = in_view_.items[in_view_.count++];
+    if (c.depths.high + depth_margin_ < farthest && area(c.outline) >= filled && projector_.fills(c, *view.region))
+      farthest = c.depths.high + depth_margin_;
+  }
+}
+
+void VisibleSurfaces::see_in_groups(const BeamView& view, std::vector<VisiblePart>& parts) {
+  const std::span<const ProjectedFace* const> all = waiting_;
+  for (std::size_t first = 0; first < all.size(); first += group)
+    see(view, all.subspan(first, std::min(group, all.size() - first)), parts);
+}
+
+// Asks the tree who stands in front of these faces. Neighbours ask together unless they lie too scattered for that.
+void VisibleSurfaces::see(const BeamView& view, std::span<const ProjectedFace* const> faces, std::vector<VisiblePart>& parts) {
+  Bounds box = faces[0]->box;
+  double farthest = faces[0]->depths.high, sum_of_areas = 0.0;
+  for (const ProjectedFace* c : faces) {
+    box = {glm::min(box.low, c->box.low), glm::max(box.high, c->box.high)};
+    farthest = std::max(farthest, c->depths.high);
+    sum_of_areas += area(c->box);
+  }
+  if (faces.size() > 1 && area(box) > scattered * sum_of_areas) {
+    see(view, faces.first(faces.size() / 2), parts);
+    return see(view, faces.subspan(faces.size() / 2), parts);
+  }
+  tree_.collect(prism_of(view.beam, view.source, box, farthest + depth_margin_, tree_.mesh().radius), found_in_front_);
+  BeamView narrowed = view;
+  narrowed.box = box;
+  gather(narrowed, found_in_front_, in_front_);
+  others_.clear();
+  for (const ProjectedFace& other : in_front_.used()) others_.push_back(&other);
+  const std::size_t all = others_.size();
+  for (const ProjectedFace* c : faces) uncover(*c, c->outline, 0, all, patience, parts);
+}
+
+void VisibleSurfaces::uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts) {
+  others_.clear();
+  for (const ProjectedFace& other : others.used()) others_.push_back(&other);
+  const std::size_t all = others_.size();
+  for (const ProjectedFace& c : candidates.used()) uncover(c, c.outline, 0, all, patience, parts);
+}
+
+void VisibleSurfaces::gather(const BeamView& view, std::span<const std::uint32_t> faces, Pool& pool) {
+  pool.count = 0;
+  for (const std::uint32_t face : faces)
+    if (projector_.project(view, face, pool.next())) ++pool.count;
+}
+
+// What is left of `outline`, a part of `c`, once those of others_[begin, end) that stand in front have hidden theirs.
+void VisibleSurfaces::uncover(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
+                              std::vector<VisiblePart>& parts) {
+  const Bounds box = bounds(outline);
+  const std::size_t first = others_.size();
+  for (std::size_t i = begin; i < end; ++i)
+    if (others_[i]->box.overlaps(box, projector_.length_rounding()) && may_hide(*others_[i], c, box))
+      others_.push_back(others_[i]);
+  const std::size_t last = others_.size();
+  if (last - first > many && tries > 0) {
+    halve(c, outline, first, last, last - first < end - begin ? patience : tries - 1, parts);
+  } else {
+    pieces_.assign(1, outline);
+    for (std::size_t i = first; i < last && !pieces_.empty(); ++i) subtract(*others_[i], c);
+    for (const ConvexPolygon& piece : pieces_) emit(c, piece, parts);
+  }
+  others_.resize(first);
+}
+
+void VisibleSurfaces::halve(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
+                            std::vector<VisiblePart>& parts) {
+  for (std::size_t i = begin; i < end; ++i)
+    if (hides_all(*others_[i], c, outline)) return;
+  const Bounds box = bounds(outline);
+  const dvec2 size = box.high - box.low, half = 0.5 * (box.low + box.high);
+  ConvexPolygon low, high;
+  cut(outline, size.x > size.y ? Affine{-half.x, 1.0, 0.0} : Affine{-half.y, 0.0, 1.0}, projector_.length_rounding(), high, low);
+  if (!low.empty()) uncover(c, low, begin, end, tries, parts);
+  if (!high.empty()) uncover(c, high, begin, end, tries, parts);
+}
+
+bool VisibleSurfaces::may_hide(const ProjectedFace& front, const ProjectedFace& c, const Bounds& box) const {
+  if (front.face == c.face || front.depths.low > c.depths.high) return false;
+  if (projector_.separates(front.outline, c.outline) || projector_.separates(c.outline, front.outline)) return false;
+  return range(common(front.box, box), projector_.behind(front, c)).high > 0.0;
+}
+
+bool VisibleSurfaces::hides_all(const ProjectedFace& front, const ProjectedFace& c, const ConvexPolygon& outline) const {
+  return range(outline, projector_.behind(front, c)).low >= 0.0 && projector_.fills(front, outline);
+}
+
+void VisibleSurfaces::subtract(const ProjectedFace& front, const ProjectedFace& c) {
+  const Affine order = projector_.behind(front, c);
+  remaining_.clear();
+  for (ConvexPolygon& piece : pieces_)
+    if (!subtract(front, order, piece)) remaining_.push_back(std::move(piece));
+  std::swap(pieces_, remaining_);
+}
+
+// Puts what `front` leaves of the piece in `remaining_`; false if it leaves all of it.
+bool VisibleSurfaces::subtract(const ProjectedFace& front, const Affine& order, const ConvexPolygon& piece) {
+  if (!front.box.overlaps(bounds(piece), projector_.length_rounding()) || range(piece, order).high <= 0.0) return false;
+  if (projector_.separates(piece, front.outline) || projector_.separates(front.outline, piece)) return false;
+  const std::size_t before = remaining_.size();
+  const auto leaves_all = [&] {
+    remaining_.resize(before);
+    return false;
+  };
+  rest_ = piece;
+  for (const Affine& edge : front.edges) {
+    cut(rest_, edge, projector_.length_rounding(), inside_, outside_);
+    if (inside_.empty()) return leaves_all();
+    if (outside_.empty()) continue;
+    remaining_.push_back(outside_);
+    std::swap(rest_, inside_);
+  }
+  const Range r = range(rest_, order);
+  if (r.high <= 0.0) return leaves_all();
+  if (r.low >= 0.0) return true;
+  cut(rest_, order, 0.0, inside_, outside_);
+  if (projector_.is_sliver(inside_)) return leaves_all();
+  if (outside_.empty()) return true;
+  remaining_.push_back(outside_);
+  return true;
+}
+
+void VisibleSurfaces::emit(const ProjectedFace& c, const ConvexPolygon& piece, std::vector<VisiblePart>& parts) {
+  if (projector_.is_sliver(piece))
+    sliver_area_ += std::max(area(piece), 0.0);
+  else
+    parts.push_back({c.face, piece});
+}
+
+}  // namespace raytube

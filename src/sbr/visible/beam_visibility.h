@@ -1,0 +1,89 @@
+// Which surfaces a beam meets first, and where: exact hidden-surface removal in the launch plane.
+#pragma once
+
+#include "mesh/model/face_tree.h"
+#include "mesh/trace/tracer.h"
+#include "sbr/visible/projected_face.h"
+
+namespace raytube {
+
+/// A part of a face that the beam reaches before anything else.
+struct VisiblePart {
+  std::uint32_t face;
+  ConvexPolygon outline;  // in launch coordinates
+};
+
+/// Under planar reflections the launch plane maps affinely onto every surface a beam meets, so each face is a convex polygon
+/// there, its depth along the beam is affine, and what the other faces leave of it is a set of convex polygons. The nearest
+/// surface counts, the lower triangle where two coincide. The patch a beam leaves, and what does not rise above its plane, is not
+/// met. Closed bodies are met from outside only. Keeps buffers between calls: one object a thread.
+class VisibleSurfaces {
+ public:
+  VisibleSurfaces(const FaceTree& tree, const Tracer& tracer);
+
+  /// Appends what an incident wave sees of these faces.
+  void of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
+
+  /// The same where no face shadows another: each is seen whole.
+  void of_whole_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
+
+  /// Appends what the part `region` of a beam that leaves `source_patch` meets. `in_middle` is what its middle_ray meets: a
+  /// help, never the answer.
+  void from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region, const Hit& in_middle,
+                    std::vector<VisiblePart>& parts);
+
+  /// Appends what an incident wave sees within `region`.
+  void within(const Beam& incident, const ConvexPolygon& region, std::vector<VisiblePart>& parts);
+
+  Ray middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region) const;
+
+  /// Area of pieces too thin to be more than rounding, left out so far [m^2].
+  double sliver_area() const { return sliver_area_; }
+
+ private:
+  // Projected faces, kept with their memory.
+  struct Pool {
+    std::vector<ProjectedFace> items;
+    std::size_t count = 0;
+    ProjectedFace& next() {
+      if (count == items.size()) items.emplace_back();
+      return items[count];
+    }
+    std::span<const ProjectedFace> used() const { return {items.data(), count}; }
+  };
+
+  void meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts);
+  void drop_hidden(const BeamView& view);
+  void see_in_groups(const BeamView& view, std::vector<VisiblePart>& parts);
+  void see(const BeamView& view, std::span<const ProjectedFace* const> faces, std::vector<VisiblePart>& parts);
+  void gather(const BeamView& view, std::span<const std::uint32_t> faces, Pool& pool);
+  void gather_nearest_first(const BeamView& view, double farthest);
+  void uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts);
+  void uncover(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
+               std::vector<VisiblePart>& parts);
+  void halve(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
+             std::vector<VisiblePart>& parts);
+  bool may_hide(const ProjectedFace& front, const ProjectedFace& c, const Bounds& box) const;
+  bool hides_all(const ProjectedFace& front, const ProjectedFace& c, const ConvexPolygon& outline) const;
+  void subtract(const ProjectedFace& front, const ProjectedFace& c);
+  bool subtract(const ProjectedFace& front, const Affine& order, const ConvexPolygon& piece);
+  void emit(const ProjectedFace& c, const ConvexPolygon& piece, std::vector<VisiblePart>& parts);
+
+  const FaceTree& tree_;
+  const Tracer& tracer_;
+  FaceProjector projector_;
+  double depth_margin_;  // so that no surface coincident with the one in question is missed
+  double sliver_area_ = 0.0;
+  Pool in_view_, in_front_;
+  ProjectedFace first_;
+  std::vector<const ProjectedFace*> waiting_;
+  std::vector<Ray> rays_;
+  std::vector<Hit> hits_;
+  std::vector<std::uint32_t> found_, found_in_front_;
+  std::vector<const ProjectedFace*> others_;  // who may hide what, one list after the other
+  std::vector<ConvexPolygon> pieces_, remaining_;
+  std::vector<std::pair<double, std::uint32_t>> by_depth_;
+  ConvexPolygon inside_, outside_, rest_;
+};
+
+}  // namespace raytube

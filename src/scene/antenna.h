@@ -1,0 +1,84 @@
+// Antennas at a finite distance: what one radiates to a point, and by reciprocity what it receives from there.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "core/field.h"
+
+namespace raytube {
+
+/// Level against the angle off the axis in one plane.
+struct PatternCut {
+  std::vector<double> angles{};  // ascending [rad]; empty: 0 dB all round
+  std::vector<double> levels{};  // [dB], relative to the axis
+
+  double level(double angle) const;  // linear in between, the last value beyond the ends
+  bool reaches(double angle) const;  // true if the cut says something there
+};
+
+/// How an antenna's amplitude falls off its axis: Gaussian beam times the two cuts. Angles: azimuth along phi_hat, elevation
+/// along -theta_hat, together the angle off the axis split by its bearing.
+struct AntennaPattern {
+  double azimuth_beamwidth = std::numeric_limits<double>::infinity();    // half power, full width [rad]
+  double elevation_beamwidth = std::numeric_limits<double>::infinity();  // infinite: isotropic
+  PatternCut azimuth{}, elevation{};
+
+  /// Field relative to the axis: at half a beamwidth off it the power is 1/2.
+  double amplitude(double azimuth_angle, double elevation_angle) const;
+};
+
+/// What the antennas of a radar have in common.
+struct Radar {
+  AntennaPattern pattern{};
+  dvec3 aim{0.0};  // the point on their axes, in the mesh's own coordinates [m]
+};
+
+/// The least turn that carries the direction `from` into `to`, applied to a vector across `from`.
+inline dvec3 carried(const dvec3& vector, const dvec3& from, const dvec3& to) {
+  return vector - glm::dot(vector, to) / (1.0 + glm::dot(from, to)) * (from + to);
+}
+
+/// Where an antenna stands.
+struct AntennaPlace {
+  Direction direction;  // from the origin of the mesh's own coordinates to the antenna
+  double range;         // [m]
+};
+
+/// A spherical wave as a point meets it.
+struct AntennaRay {
+  double path;                 // distance from the antenna less that of the reference point [m]
+  dvec3 direction;             // of propagation, unit
+  std::array<dvec3, 2> field;  // E of transmit V and H, without the phase e^{-jk path}
+};
+
+/// An antenna in its far zone, calibrated: without its pattern V and H are unit fields of phase zero at the reference point, with
+/// theta_hat and phi_hat of its direction; off that line they are turned with the ray, Ludwig's third definition (Ludwig 1973,
+/// IEEE Trans. AP-21, 116), and all amplitudes fall as 1/distance. Valid beyond some wavelengths from the antenna.
+class Antenna {
+ public:
+  /// `reference` is the origin of the mesh's own coordinates and `aim` the point on the axis, both in the coordinates that points
+  /// are given in. Keeps a reference to `pattern`.
+  Antenna(const AntennaPlace& place, const dvec3& reference, const dvec3& aim, const AntennaPattern& pattern);
+
+  /// No digits are lost at long range.
+  AntennaRay ray_to(const dvec3& point) const;
+
+  dvec3 position() const { return reference_ + range_ * basis_.radial; }
+  const dvec3& radial() const { return basis_.radial; }  // from the reference to the antenna
+  const dvec3& reference() const { return reference_; }
+  const dvec3& axis() const { return axis_; }
+  double range() const { return range_; }
+  /// Angles off the axis, along phi_hat and along -theta_hat [rad].
+  dvec2 off_axis(const dvec3& direction) const;
+
+ private:
+  dvec3 reference_;
+  SphericalBasis basis_;
+  double range_;
+  dvec3 axis_, azimuth_hat_, elevation_hat_;
+  const AntennaPattern& pattern_;
+};
+
+}  // namespace raytube

@@ -1,0 +1,129 @@
+#include "scene/look_plan.h"
+
+#include <bit>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+
+namespace raytube {
+
+namespace {
+
+// Angles of equal directions may differ in their last bits; on this lattice [degrees] those that people write have one place.
+constexpr double lattice = 1e-10;
+constexpr double rounding = 1e-14;  // of unit vectors from angles of up to a turn, with their conversion from degrees
+
+constexpr long long turn = 3'600'000'000'000;  // in steps of the lattice
+
+// theta, phi of the transmitter, then of the receiver, in steps of the lattice, 0 to a turn.
+using Key = std::array<long long, 4>;
+
+struct KeyHash {
+  std::size_t operator()(const Key& key) const {
+    std::uint64_t hash = 0;
+    for (const long long place : key)
+      hash = (hash ^ static_cast<std::uint64_t>(place)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
+    return hash ^ (hash >> 32);
+  }
+};
+
+long long within_turn(long long place) { return ((place % turn) + turn) % turn; }
+
+long long place(double angle) { return within_turn(std::llround(std::remainder(angle, 2.0 * pi) / degree / lattice)); }
+
+Key key_of(const Look& look) {
+  return {place(look.transmit.theta), place(look.transmit.phi), place(look.receive.theta), place(look.receive.phi)};
+}
+
+// Bit a of `mirrors`: across the plane on which coordinate a is 0.
+Key image(Key key, unsigned mirrors) {
+  for (const int theta : {0, 2}) {
+    const int phi = theta + 1;
+    if (mirrors & 1) key[phi] = turn / 2 - key[phi];
+    if (mirrors & 2) key[phi] = -key[phi];
+    if (mirrors & 4) key[theta] = turn / 2 - key[theta];
+    key[phi] = within_turn(key[phi]), key[theta] = within_turn(key[theta]);
+  }
+  return key;
+}
+
+// Axes, not angles alone: at the poles they say how the polarisations lie.
+bool same_to_rounding(const Direction& a, const Direction& b) {
+  const SphericalBasis x = spherical_basis(a), y = spherical_basis(b);
+  const auto same = [](const dvec3& p, const dvec3& q) { return glm::length(p - q) <= rounding; };
+  return same(x.radial, y.radial) && same(x.theta_hat, y.theta_hat) && same(x.phi_hat, y.phi_hat);
+}
+
+Direction image(Direction d, unsigned mirrors) {
+  if (mirrors & 1) d.phi = pi - d.phi;
+  if (mirrors & 2) d.phi = -d.phi;
+  if (mirrors & 4) d.theta = pi - d.theta;
+  return d;
+}
+
+Look image(const Look& look, unsigned mirrors) { return {image(look.transmit, mirrors), image(look.receive, mirrors)}; }
+
+class Planner {
+ public:
+  Planner(std::span<const Look> looks, unsigned mirrors) : looks_(looks), mirrors_(mirrors) {}
+
+  LookPlan run() {
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
+      const Key key = key_of(looks_[i]);
+      if (!follows(looks_[i], key)) add(i, key);
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  // No mirror comes first.
+  bool follows(const Look& look, const Key& key) {
+    for (unsigned mirrors = 0; mirrors < 8; ++mirrors) {
+      if (mirrors & ~mirrors_) continue;
+      const auto found = known_.find(image(key, mirrors));
+      if (found == known_.end()) continue;
+      const Look wanted = image(look, mirrors);
+      const Look& known = looks_[plan_.computed[found->second]];
+      if (!same_to_rounding(wanted.transmit, known.transmit) || !same_to_rounding(wanted.receive, known.receive)) continue;
+      plan_.sources.push_back({found->second, std::popcount(mirrors) % 2 == 1});
+      ++(mirrors ? plan_.mirrored : plan_.repeated);
+      return true;
+    }
+    return false;
+  }
+
+  void add(std::size_t look, const Key& key) {
+    known_.emplace(key, plan_.computed.size());
+    plan_.sources.push_back({plan_.computed.size()});
+    plan_.computed.push_back(look);
+  }
+
+  std::span<const Look> looks_;
+  unsigned mirrors_;
+  std::unordered_map<Key, std::size_t, KeyHash> known_;  // places in the plan
+  LookPlan plan_;
+};
+
+}  // namespace
+
+LookPlan plan_all(std::size_t looks) {
+  LookPlan plan;
+  plan.computed.resize(looks);
+  std::iota(plan.computed.begin(), plan.computed.end(), std::size_t{0});
+  for (const std::size_t look : plan.computed) plan.sources.push_back({look});
+  return plan;
+}
+
+LookPlan plan_looks(std::span<const Look> looks, const std::array<bool, 3>& mirror_planes) {
+  const unsigned mirrors = (mirror_planes[0] ? 1u : 0u) | (mirror_planes[1] ? 2u : 0u) | (mirror_planes[2] ? 4u : 0u);
+  return Planner(looks, mirrors).run();
+}
+
+ScatteringMatrix from_source(ScatteringMatrix s, const LookSource& source) {
+  if (!source.mirrored) return s;
+  s.at(0, 1) = -s.at(0, 1);
+  s.at(1, 0) = -s.at(1, 0);
+  return s;
+}
+
+}  // namespace raytube

@@ -1,0 +1,78 @@
+#include "solve/memory.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "core/threads.h"
+#include "sbr/curved/curved_cells.h"
+#include "sbr/launch/launch.h"
+#include "solve/parts.h"
+
+namespace raytube {
+
+namespace {
+
+// A look, its directions, its place in the plan and in the collector, and the plan's key of it in a hash table.
+constexpr double bytes_per_look = sizeof(Look) + sizeof(LookSource) + 4 * sizeof(std::size_t) + 80;
+constexpr double edge_parts = 3;             // first order, higher, between
+constexpr double outlines_per_wedges = 1.0;  // the outlines of the faces beside them take about as much as the wedges
+
+int most_bounces(const Target& target, const TubeOptions& tubes) {
+  return target.convexity.no_reflection ? 1 : tubes.max_bounces;
+}
+
+double bytes_per_row(int bounces, bool keep_parts) {
+  const double parts = keep_parts ? bounces + edge_parts : 0.0;
+  return sizeof(ChannelErrors) + (1.0 + parts) * sizeof(ScatteringMatrix);
+}
+
+double edge_set_bytes(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
+  if (edges.method != EdgeMethod::fringe) return 0.0;
+  std::set<std::size_t> sets;
+  for (const double frequency : sweep.frequencies) sets.insert(thin_rims(target.rims, frequency));
+  return static_cast<double>(sets.size() * target.wedges.size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
+}
+
+// In which the launch grid has the most cells, by the box round the target: quicker than by all of its vertices. From nearby the
+// box looks larger.
+const Look& widest_look(const TriangleMesh& mesh, const Sweep& sweep, const TubeOptions& tubes) {
+  TriangleMesh box;
+  box.center = mesh.center, box.radius = mesh.radius;
+  const Box bounds = bounding_box(mesh.vertices);
+  for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7})
+    box.vertices.push_back({(corner & 1 ? bounds.high : bounds.low).x, (corner & 2 ? bounds.high : bounds.low).y,
+                            (corner & 4 ? bounds.high : bounds.low).z});
+  const auto area = [&](const Look& look) {
+    const LaunchGrid grid = launch_grid(box, look.transmit, mesh.radius, 1000.0, tubes.up);
+    const double range = look.far() ? look.transmit_range
+                                    : glm::distance(look.transmit_range * spherical_basis(look.transmit).radial, mesh.center);
+    const double nearest = std::max(0.05, 1.0 - mesh.radius / range);
+    return static_cast<double>(grid.cells()) * grid.du * grid.dv / (nearest * nearest);
+  };
+  return *std::ranges::max_element(sweep.looks, {}, area);
+}
+
+// Groups of sums that a look may have at a time.
+std::size_t most_tiles(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
+  if (tubes.mode == TubeMode::uniform)
+    return tiles_of_look(target.tracer, target.faces, widest_look(target.mesh, sweep, tubes), sweep.frequencies, tubes);
+  const std::size_t flat = tiles_of_look(target.tracer, target.faces, sweep.looks.front(), sweep.frequencies, tubes);
+  if (!smooth_surfaces(target, sweep, tubes)) return flat;
+  return target.convexity.no_reflection ? std::max(flat, CurvedLook::blocks) : std::numeric_limits<std::size_t>::max();
+}
+
+}  // namespace
+
+MemoryEstimate estimate_memory(const Target& target, const Sweep& sweep, const SolveOptions& options) {
+  const int bounces = most_bounces(target, options.tubes);
+  const auto rows = static_cast<double>(sweep.rows()), looks = static_cast<double>(sweep.looks.size());
+  const auto under_way = std::min<std::size_t>(options.threads > 0 ? options.threads : all_threads(), sweep.looks.size());
+  const std::size_t tiles = options.edges.method == EdgeMethod::utd ? 1 : most_tiles(target, sweep, options.tubes);
+  const double edge_sums = edge_parts * static_cast<double>(sweep.frequencies.size()) * sizeof(ScatteringMatrix);
+  return {rows * bytes_per_row(bounces, options.keep_parts) + looks * bytes_per_look,
+          static_cast<double>(under_way) * (look_sum_bytes(tiles, bounces, sweep.frequencies.size()) + edge_sums),
+          edge_set_bytes(target, sweep, options.edges)};
+}
+
+}  // namespace raytube

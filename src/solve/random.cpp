@@ -1,0 +1,134 @@
+#include "solve/random.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "sbr/random_tubes.h"
+#include "solve/parts.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double solution_share = 0.5;  // of the progress; the random runs have the rest
+
+using Rows = std::vector<ScatteringMatrix>;
+
+// S of what random tubes do not replace.
+Rows fixed_part(const SweepResult& solution) {
+  Rows rows(solution.total.size());
+  for (const Rows* part : {&solution.edges_first, &solution.edges_higher, &solution.interaction})
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] += (*part)[i];
+  return rows;
+}
+
+// Every look of every run; runs vary slowest.
+std::vector<RandomSums> draw(const Target& target, const Sweep& sweep, const SolveOptions& options, const RandomOptions& random) {
+  const std::size_t looks = sweep.looks.size(), runs = static_cast<std::size_t>(random.runs);
+  std::vector<RandomSums> drawn(runs * looks);
+  const double share = (1.0 - solution_share) / static_cast<double>(drawn.size());
+  Progress progress(options.progress ? [&](double done) { return options.progress(solution_share + done); }
+                                     : std::function<bool(double)>());
+  tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
+    // A look's stream depends on nothing but its place and the run.
+    const std::uint64_t stream = std::uint64_t{i / looks} << 32 | i % looks;
+    drawn[i] = random_tubes(target.tracer, sweep.looks[i % looks], sweep.frequencies, options.tubes,
+                            {random.samples, random.seed, stream}, sweep.materials);
+    progress.add(share);
+  });
+  return drawn;
+}
+
+// Rows of one run; monostatic ones are made reciprocal as solve() does.
+Rows rows_of_run(const Sweep& sweep, const Rows& fixed, const RandomSums* looks) {
+  Rows rows = fixed;
+  for (std::size_t i = 0; i < sweep.looks.size(); ++i)
+    for (std::size_t f = 0; f < sweep.frequencies.size(); ++f) {
+      ScatteringMatrix tubes = looks[i].scattering[f];
+      if (!sweep.bistatic) make_reciprocal(std::span(&tubes, 1));
+      rows[sweep.row(i, f)] += tubes;
+    }
+  return rows;
+}
+
+double decibels(Complex s) { return 20.0 * std::log10(std::abs(s)); }
+
+struct Moments {
+  double mean, deviation;
+};
+
+Moments moments(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  double sum = 0.0, squares = 0.0;
+  for (const double value : values) sum += value;
+  for (const double value : values) squares += (value - sum / count) * (value - sum / count);
+  return {sum / count, std::sqrt(squares / (count - 1.0))};
+}
+
+// Adds the statistics of one channel of one row over the runs to the result.
+void describe(RandomResult& result, const std::vector<Rows>& runs, std::size_t row, int p, int q) {
+  std::vector<double> re, im, levels;
+  for (const Rows& run : runs) {
+    const Complex s = run[row].at(p, q);
+    re.push_back(s.real()), im.push_back(s.imag()), levels.push_back(decibels(s));
+  }
+  const Moments x = moments(re), y = moments(im), level = moments(levels);
+  const double spread = std::hypot(x.deviation, y.deviation);
+  result.mean.total[row].at(p, q) = {x.mean, y.mean};
+  result.mean.error[row][p][q] = spread / std::sqrt(static_cast<double>(runs.size()));
+  result.spread[row][p][q] = {spread, level.deviation, level.mean - decibels(result.deterministic.total[row].at(p, q))};
+}
+
+Statistics statistics_of(const Target& target, const Sweep& sweep, const EdgeOptions& edges, const Statistics& solution,
+                         const std::vector<RandomSums>& drawn, const RandomOptions& random) {
+  RandomSums sum;
+  for (const RandomSums& look : drawn) sum += look;
+  Statistics s = solution;  // of wedges
+  s.tubes = random.samples * drawn.size();
+  s.rays = sum.rays, s.hits = sum.hits, s.lost_rays = sum.lost_rays, s.tubes_truncated = sum.tubes_truncated;
+  s.sliver_area = 0.0;
+  s.skipped.clear();
+  for (const Skipped& left_out : skipped_wedges(target.wedges, target.rims, edges, sweep.frequencies))
+    if (left_out.count) s.skipped.push_back(left_out);
+  return s;
+}
+
+void check(const Sweep& sweep, const EdgeOptions& edges, const RandomOptions& random) {
+  if (!all_far(sweep)) throw InputError("random tubes are parts of a plane wave; remove [radar]");
+  if (edges.method == EdgeMethod::utd) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
+  if (random.samples < 1) throw InputError("random tubes: a look needs at least 1");
+  if (random.runs < 2) throw InputError("random tubes: a spread needs at least 2 runs");
+}
+
+}  // namespace
+
+RandomResult solve_with_random_tubes(const Target& target, const Sweep& sweep, const SolveOptions& options,
+                                     const RandomOptions& random) {
+  check(sweep, options.edges, random);
+  SolveOptions whole = options;
+  whole.keep_parts = true;
+  if (options.progress) whole.progress = [&](double done) { return options.progress(solution_share * done); };
+  RandomResult result{random, {}, solve(target, sweep, whole), {}, 0.0};
+
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<RandomSums> drawn;
+  run_on_threads(options.threads, [&] { drawn = draw(target, sweep, options, random); });
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+
+  const Rows fixed = fixed_part(result.deterministic);
+  std::vector<Rows> runs;
+  for (std::size_t run = 0; run < static_cast<std::size_t>(random.runs); ++run)
+    runs.push_back(rows_of_run(sweep, fixed, &drawn[run * sweep.looks.size()]));
+  result.mean.total.resize(sweep.rows()), result.mean.error.resize(sweep.rows()), result.spread.resize(sweep.rows());
+  for (std::size_t row = 0; row < sweep.rows(); ++row)
+    for (const int channel : {0, 1, 2, 3}) describe(result, runs, row, channel / 2, channel % 2);
+  result.mean.statistics = statistics_of(target, sweep, options.edges, result.deterministic.statistics, drawn, random);
+  result.mean.statistics.solve_s = result.deterministic.statistics.solve_s + elapsed.count();
+  result.run_s = elapsed.count() / random.runs;
+  return result;
+}
+
+}  // namespace raytube

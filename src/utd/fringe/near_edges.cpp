@@ -1,0 +1,166 @@
+// The edges of a look from antennas at a finite distance.
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "utd/fringe/edge_pass.h"
+#include "utd/shadow/lit_edges.h"
+
+namespace raytube {
+
+namespace {
+
+/// A piece of an edge [begin, end] in the waves of two antennas, both plane along it.
+struct NearPiece {
+  double begin, end;  // fractions of the edge
+  LookVectors look;   // fields with their amplitudes
+  double path;        // added to the phase that the plane waves of `look` have [m]
+};
+
+/// Both ways from antenna to antenna over a point, less the ranges.
+double path_over(const AntennaPair& antennas, const dvec3& point) {
+  return antennas.transmit.ray_to(point).path + antennas.receive.ray_to(point).path;
+}
+
+/// A phase over the target that is not told from none [rad].
+constexpr double least_phase = 0.01;
+
+/// The waves of antennas where they meet an edge. What edges send on is not continuous where it runs exactly along another one:
+/// rays that a whole target sees as parallel are taken so, that the limit of a long range is the far field.
+class NearLook {
+ public:
+  NearLook(const AntennaPair& antennas, double wavenumber, double radius)
+      : antennas_(antennas),
+        parallel_in_(is_parallel(antennas.transmit, wavenumber, radius)),
+        parallel_out_(is_parallel(antennas.receive, wavenumber, radius)) {}
+
+  LookVectors at(const dvec3& point) const {
+    const AntennaRay in = antennas_.transmit.ray_to(point), out = antennas_.receive.ray_to(point);
+    LookVectors look{in.direction, -out.direction, in.field, {}, out.field};
+    if (parallel_in_) look.incident = -antennas_.transmit.radial();
+    if (parallel_out_) look.scattered = antennas_.receive.radial();
+    for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(look.incident, in.field[q]);
+    return look;
+  }
+
+ private:
+  static bool is_parallel(const Antenna& antenna, double wavenumber, double radius) {
+    const double reach = glm::length(antenna.reference()) + radius;
+    return wavenumber * reach * reach < least_phase * antenna.range();
+  }
+
+  const AntennaPair& antennas_;
+  bool parallel_in_, parallel_out_;
+};
+
+/// What is left of phase off the linear one at the ends of a piece [rad], and the turn of the directions along it [rad].
+constexpr double most_bend = 0.1, most_turn = 0.02;
+
+/// Halves an edge until its pieces are short enough.
+void cut(const Wedge& wedge, const AntennaPair& antennas, const NearLook& near, double wavenumber, double begin, double end,
+         std::vector<NearPiece>& pieces) {
+  const auto point = [&](double fraction) { return glm::mix(wedge.start, wedge.end, fraction); };
+  const double middle = 0.5 * (begin + end);
+  const dvec3 at = point(middle);
+  const double path = path_over(antennas, at),
+               bend = 0.5 * (path_over(antennas, point(begin)) + path_over(antennas, point(end))) - path;
+  const double half = 0.5 * (end - begin) * wedge.length();
+  const double nearest =
+      std::min(glm::distance(antennas.transmit.position(), at), glm::distance(antennas.receive.position(), at));
+  if (wavenumber * std::abs(bend) > most_bend || half > most_turn * nearest) {
+    cut(wedge, antennas, near, wavenumber, begin, middle, pieces);
+    return cut(wedge, antennas, near, wavenumber, middle, end, pieces);
+  }
+  const LookVectors look = near.at(at);
+  // The mean of a phase that bends as a parabola is a third of what its ends have.
+  pieces.push_back({begin, end, look, path + bend / 3.0 + glm::dot(look.scattered - look.incident, at)});
+}
+
+/// One look from a finite distance: adds edge after edge, piece after piece.
+class NearSum {
+ public:
+  NearSum(const AntennaPair& antennas, std::span<const double> frequencies, double radius, bool higher)
+      : antennas_(antennas),
+        frequencies_(frequencies),
+        highest_(wavenumber(std::ranges::max(frequencies))),
+        near_(antennas, highest_, radius) {
+    sum_.scattering.resize(frequencies.size());
+    if (higher) sum_.higher.resize(frequencies.size());
+    sum_.windowed.resize(frequencies.size());
+  }
+
+  template <class PassOf>
+  void add(std::span<const Wedge> wedges, std::uint32_t index, LitEdges& edges, PassOf pass_of) {
+    const Wedge& wedge = wedges[index];
+    if (!wedge.radiates()) return;
+    pieces_.clear();
+    cut(wedge, antennas_, near_, highest_, 0.0, 1.0, pieces_);
+    bool searched = false, lit = false;
+    for (const NearPiece& piece : pieces_) {
+      auto pass = pass_of(piece.look);
+      const auto meeting = pass.meeting(index);
+      if (!meeting) continue;
+      if (!searched && !edges.find(index, meeting->incidence)) break;
+      searched = true;
+      if (!clip_to(piece, edges.lit())) continue;
+      pass.add(index, *meeting, inside_);
+      const EdgeLookResult part = pass.take();
+      add(part, piece.path);
+      sum_.lit = sum_.lit || part.lit;
+      lit = lit || part.wedges_lit > 0;
+    }
+    if (lit) ++sum_.wedges_lit;
+  }
+
+  EdgeLookResult take() { return std::move(sum_); }
+
+ private:
+  bool clip_to(const NearPiece& piece, std::span<const LitInterval> lit) {
+    inside_.clear();
+    for (const LitInterval& part : lit) {
+      const double begin = std::max(part.begin, piece.begin), end = std::min(part.end, piece.end);
+      if (begin < end) inside_.push_back({begin, end});
+    }
+    return !inside_.empty();
+  }
+
+  void add(const EdgeLookResult& part, double path) {
+    for (std::size_t i = 0; i < frequencies_.size(); ++i) {
+      const Complex factor = std::polar(1.0, -wavenumber(frequencies_[i]) * path);
+      add_product(sum_.scattering[i], part.scattering[i], factor);
+      if (!part.higher.empty()) add_product(sum_.higher[i], part.higher[i], factor);
+      if (part.windowed[i]) sum_.windowed[i] = true;
+    }
+  }
+
+  const AntennaPair& antennas_;
+  std::span<const double> frequencies_;
+  double highest_;
+  NearLook near_;
+  std::vector<NearPiece> pieces_;
+  std::vector<LitInterval> inside_;
+  EdgeLookResult sum_;
+};
+
+}  // namespace
+
+EdgeLookResult fringe_scattering_near(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
+                                      const AntennaPair& antennas, std::span<const double> frequencies, int order,
+                                      bool receiver_shadow, TransitionTier tier, bool continue_by_images) {
+  assert(!frequencies.empty() && order >= 1);
+  std::optional<Viewpoint> receiver;
+  if (receiver_shadow) receiver = Viewpoint::at(antennas.receive.position());
+  LitEdges edges(wedges, tracer, Viewpoint::at(antennas.transmit.position()), receiver, shortest_wavelength(frequencies));
+  NearSum sum(antennas, frequencies, tracer.mesh().radius, order > 1);
+  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
+    if (order == 1)
+      sum.add(wedges, index, edges, [&](const LookVectors& look) { return FirstOrderEdges(wedges, look, frequencies); });
+    else
+      sum.add(wedges, index, edges, [&](const LookVectors& look) {
+        return StripPass(wedges, outlines, look, frequencies, order, tier, continue_by_images);
+      });
+  }
+  return sum.take();
+}
+
+}  // namespace raytube

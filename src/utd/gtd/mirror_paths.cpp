@@ -1,0 +1,157 @@
+#include "utd/gtd/mirror_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scene/material.h"
+
+namespace raytube {
+
+namespace {
+
+// Above a mirror, in units of the distance: closer to grazing physical optics has no light either.
+constexpr double least_height = 1e-7;
+
+// Over a right-angled fold the way there and back runs through the fold itself, whichever face comes first, and all orders of the
+// faces are one wave. Ways of several mirrors are therefore looked for to a place a hair beside their end, in units of the
+// target's radius: one order is found. Their length is that to the end itself.
+const dvec3 beside(5.4e-8, 7.2e-8, 4.4e-8);
+
+double height(const Patch& plane, const dvec3& point) { return glm::dot(plane.normal, point) - plane.offset; }
+
+dvec3 mirrored(const Patch& plane, const dvec3& point) { return point - 2.0 * height(plane, point) * plane.normal; }
+
+}  // namespace
+
+bool sees(const Tracer& tracer, const dvec3& point, const dvec3& outside, const IgnoredPatches& ignored) {
+  return tracer.blocker(point, glm::normalize(outside - point), ignored) == no_index;
+}
+
+bool stands_between(const Tracer& tracer, const dvec3& from, const dvec3& to) {
+  const dvec3 direction = glm::normalize(to - from), nearest = from - glm::dot(from, direction) * direction;
+  const double radius = tracer.mesh().radius;
+  const bool between = glm::dot(from, direction) < 0.0 && glm::dot(to, direction) > 0.0;
+  if (!between || glm::length(nearest) > radius) return false;
+  return tracer.blocker(nearest - 2.0 * radius * direction, direction, {no_index, no_index, no_index}) != no_index;
+}
+
+// One look's search, level by level.
+class MirrorPaths::Search {
+ public:
+  Search(const MirrorPaths& scene, const dvec3& from, const dvec3& to, std::span<const std::uint32_t> on_rim)
+      : scene_(scene), mesh_(scene.tracer_.mesh()), from_(from), to_(to), on_rim_(on_rim) {}
+
+  MirrorPathList run(int most) {
+    std::size_t begin = 0, end = 0;
+    grow({from_, no_index, -1}, -1);
+    for (int level = 1; level < most && !found_.cut; ++level) {
+      begin = std::exchange(end, stages_.size());
+      for (std::size_t i = begin; i < end && !found_.cut; ++i) grow(stages_[i], static_cast<std::ptrdiff_t>(i));
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // All sequences with one mirror more. `last` is a copy: stages move as they become more.
+  void grow(const Stage last, std::ptrdiff_t place) {
+    for (std::uint32_t patch = 0; patch < mesh_.patches.size(); ++patch) {
+      if (++tests_ > most_tests) found_.cut = true;
+      if (found_.cut) return;
+      const Patch& plane = mesh_.patches[patch];
+      if (patch == last.patch || !lights(last.image, patch) || !in_beam(last, patch)) continue;
+      stages_.push_back({mirrored(plane, last.image), patch, place});
+      try_path(stages_.back());
+    }
+  }
+
+  bool lights(const dvec3& source, std::uint32_t patch) const {
+    const double above = height(mesh_.patches[patch], source), least = least_height * glm::length(source);
+    return above > least || (scene_.balls_[patch].two_sided && above < -least);
+  }
+
+  // Conservative: what the ball around the last mirror reflects, spreading as it does from the image of the source.
+  bool in_beam(const Stage& last, std::uint32_t patch) const {
+    if (last.patch == no_index) return true;
+    const Ball &from = scene_.balls_[last.patch], &to = scene_.balls_[patch];
+    const dvec3 axis = from.middle - last.image, way = to.middle - from.middle;
+    const double distance = glm::length(axis), along = glm::dot(way, axis) / distance, reach = from.radius + to.radius;
+    if (along < -reach) return false;
+    const double wide = reach + from.radius * std::max(along, 0.0) / std::max(distance - from.radius, 1e-3 * distance);
+    if (glm::dot(way, way) - along * along > wide * wide) return false;
+    const Patch& mirror = mesh_.patches[last.patch];
+    const double side = height(mirror, last.image) < 0.0 ? 1.0 : -1.0;  // the image lies behind the mirror
+    return side * height(mirror, to.middle) > -to.radius;
+  }
+
+  void try_path(const Stage& last) {
+    places_.clear();
+    patches_.clear();
+    const bool single = last.before < 0, forced = single && std::ranges::find(on_rim_, last.patch) != on_rim_.end();
+    const dvec3 goal = single ? to_ : to_ + mesh_.radius * beside;
+    dvec3 point = goal;
+    for (const Stage* stage = &last; stage; stage = stage->before < 0 ? nullptr : &stages_[stage->before]) {
+      const Patch& plane = mesh_.patches[stage->patch];
+      const double above = height(plane, point), below = height(plane, stage->image);
+      if (!(above * below < 0.0)) return;
+      point += above / (above - below) * (stage->image - point);
+      const Ball& ball = scene_.balls_[stage->patch];
+      if (!forced && glm::length(point - ball.middle) > ball.radius * (1 + 1e-9)) return;
+      places_.push_back(point);
+      patches_.push_back(stage->patch);
+    }
+    std::ranges::reverse(places_);
+    std::ranges::reverse(patches_);
+    if (forced || clear(goal)) found_.paths.push_back({patches_, glm::length(to_ - last.image)});
+  }
+
+  // Every leg ends on the patch it is meant for: from outside the target to the first, from one to the next, and out again.
+  bool clear(const dvec3& goal) {
+    const dvec3 arriving = glm::normalize(places_.front() - from_);
+    if (!meets({places_.front() - 4.0 * mesh_.radius * arriving, arriving, no_index}, patches_.front())) return false;
+    for (std::size_t i = 0; i + 1 < places_.size(); ++i)
+      if (!meets({places_[i], glm::normalize(places_[i + 1] - places_[i]), patches_[i]}, patches_[i + 1])) return false;
+    ++found_.rays;
+    return sees(scene_.tracer_, places_.back(), goal, {patches_.back(), no_index, no_index});
+  }
+
+  bool meets(const Ray& ray, std::uint32_t patch) {
+    Hit hit;
+    scene_.tracer_.closest_hits({&ray, 1}, {&hit, 1});
+    ++found_.rays;
+    return hit && mesh_.triangle_patch[hit.triangle] == patch;
+  }
+
+  const MirrorPaths& scene_;
+  const TriangleMesh& mesh_;
+  dvec3 from_, to_;
+  std::span<const std::uint32_t> on_rim_;
+  std::vector<Stage> stages_;
+  std::vector<dvec3> places_;
+  std::vector<std::uint32_t> patches_;
+  MirrorPathList found_;
+  std::uint64_t tests_ = 0;
+};
+
+MirrorPaths::MirrorPaths(const Tracer& tracer) : tracer_(tracer), balls_(tracer.mesh().patches.size()) {
+  const TriangleMesh& mesh = tracer.mesh();
+  std::vector<std::array<dvec3, 2>> boxes(balls_.size(), {dvec3(INFINITY), dvec3(-INFINITY)});
+  const auto for_corners = [&](auto visit) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+      for (const std::uint32_t v : mesh.triangles[t]) visit(t, mesh.triangle_patch[t], mesh.vertices[v]);
+  };
+  for_corners([&](std::uint32_t triangle, std::uint32_t patch, const dvec3& corner) {
+    boxes[patch] = {glm::min(boxes[patch][0], corner), glm::max(boxes[patch][1], corner)};
+    balls_[patch].middle = 0.5 * (boxes[patch][0] + boxes[patch][1]);
+    balls_[patch].two_sided = !mesh.closed(triangle);
+  });
+  for_corners([&](std::uint32_t, std::uint32_t patch, const dvec3& corner) {
+    balls_[patch].radius = std::max(balls_[patch].radius, glm::length(corner - balls_[patch].middle));
+  });
+}
+
+MirrorPathList MirrorPaths::find(const dvec3& from, const dvec3& to, int most, std::span<const std::uint32_t> on_rim) const {
+  return Search(*this, from, to, on_rim).run(most);
+}
+
+}  // namespace raytube

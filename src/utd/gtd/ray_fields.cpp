@@ -1,0 +1,177 @@
+#include "utd/gtd/ray_fields.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "scene/material.h"
+#include "utd/wedge/diffracted_field.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double on_boundary = 1e-12;  // [rad] as in edge_wave_terms: there the edge's wave counts nothing
+constexpr double grazing = 1e-7;       // [rad]
+constexpr double inset = 1e-6;         // of an edge's length: its ends belong to other faces too
+
+// The place of the edge where its rays are tested for obstacles.
+dvec3 nearest_place(const StraightEdge& edge, const EdgeRay& ray) {
+  const double margin = inset * (edge.end - edge.begin);
+  return edge.origin + std::clamp(ray.place, edge.begin + margin, edge.end - margin) * edge.tangent();
+}
+
+// The mean of both sides of a face that the ray runs along exactly.
+double side_weight(double n, double angle) {
+  if (angle > grazing && angle < n * pi - grazing) return 1.0;
+  return n == 2.0 ? 0.0 : 0.5;
+}
+
+// Of the target from the origin of the mesh's own coordinates, or a little more [m].
+double reach(const TriangleMesh& mesh) { return glm::length(mesh.center) + mesh.radius; }
+
+bool on_half_turn(double angle) { return std::abs(angle - pi) < on_boundary; }
+
+}  // namespace
+
+// One look: what arrives, times range^2 e^{2jk range}.
+class RayFields::Sum {
+ public:
+  Sum(const RayFields& scene, const Look& look, std::span<const double> frequencies) : scene_(scene), frequencies_(frequencies) {
+    const SphericalBasis transmit = spherical_basis(look.transmit), receive = spherical_basis(look.receive);
+    const dvec3 center = scene.tracer_.mesh().center;
+    transmitter_ = scene.range_ * transmit.radial - center;
+    receiver_ = scene.range_ * receive.radial - center;
+    same_place_ = transmit.radial == receive.radial;
+    moments_ = {transmit.theta_hat, transmit.phi_hat};
+    receive_ = {receive.theta_hat, receive.phi_hat};
+    to_center_ = -glm::dot(transmit.radial + receive.radial, center);
+    result_.edges.resize(frequencies.size());
+    for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
+  }
+
+  RayLookResult run() {
+    for (const Wedge& wedge : scene_.wedges_)
+      if (wedge.convex() && !wedge.enclosed && wedge.conducting()) add_edge(wedge);
+    add_shadow();
+    const MirrorPathList list = scene_.mirrors_.find(transmitter_, receiver_, scene_.most_bounces_, on_rim_);
+    for (const MirrorPath& path : list.paths) add_mirrors(path);
+    result_.rays += list.rays;
+    result_.cut = list.cut;
+    return std::move(result_);
+  }
+
+ private:
+  RaySource source(int polarisation) const { return {Spreading::point, transmitter_, {}, {moments_[polarisation], dvec3(0.0)}}; }
+
+  Complex reference(double k) const { return std::polar(1.0, k * to_center_); }
+
+  void add_edge(const Wedge& wedge) {
+    const StraightEdge edge = straight_edge(wedge);
+    if (!has_edge_ray(edge, source(0), receiver_)) return;
+    EdgeRay ray = edge_ray(edge, source(0), receiver_);
+    const double weight = weight_of(edge, ray);
+    if (weight == 0.0 || !is_clear(wedge, nearest_place(edge, ray))) return;
+    note_boundaries(wedge, edge, ray);
+    ++result_.edge_rays;
+    ray.path -= 2 * scene_.range_;
+    ray.spread *= weight * scene_.range_ * scene_.range_;
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+      for (const int transmit : {0, 1}) {
+        const ComplexVector field = diffracted_field(edge, ray, source(transmit).moment, wavenumbers_[f]);
+        for (const int receive : {0, 1})
+          result_.edges[f].at(receive, transmit) += reference(wavenumbers_[f]) * dot(field, receive_[receive]);
+      }
+  }
+
+  double weight_of(const StraightEdge& edge, const EdgeRay& ray) const {
+    const double source = side_weight(edge.n, ray.source_angle), observer = side_weight(edge.n, ray.observation_angle);
+    return same_place_ ? std::min(source, observer) : source * observer;
+  }
+
+  bool is_clear(const Wedge& wedge, const dvec3& place) {
+    result_.rays += 2;
+    const IgnoredPatches own{wedge.faces[0].patch, wedge.faces[1].patch, no_index};
+    return sees(scene_.tracer_, place, transmitter_, own) && sees(scene_.tracer_, place, receiver_, own);
+  }
+
+  // Whose light ends in this ray.
+  void note_boundaries(const Wedge& wedge, const StraightEdge& edge, const EdgeRay& ray) {
+    const double room = on_boundary * scene_.range_;
+    if (ray.place < edge.begin - room || ray.place > edge.end + room) return;
+    if (on_half_turn(std::abs(ray.observation_angle - ray.source_angle))) ++edges_in_direct_ray_;
+    const double sum = ray.observation_angle + ray.source_angle;
+    if (on_half_turn(sum)) on_rim_.push_back(wedge.faces[0].patch);
+    if (on_half_turn(2 * edge.n * pi - sum)) on_rim_.push_back(wedge.faces[1].patch);
+  }
+
+  // The direct ray less itself.
+  void add_shadow() {
+    if (same_place_) return;
+    if (edges_in_direct_ray_ == 0 && !stands_between(scene_.tracer_, transmitter_, receiver_)) return;
+    add_ray(0, glm::length(receiver_ - transmitter_), transmitter_, moments_, -std::ldexp(1.0, -edges_in_direct_ray_));
+  }
+
+  void add_mirrors(const MirrorPath& path) {
+    dvec3 image = transmitter_;
+    std::array<dvec3, 2> moments = moments_;
+    for (const std::uint32_t patch : path.patches) {
+      const Patch& plane = scene_.tracer_.mesh().patches[patch];
+      image -= 2.0 * (glm::dot(plane.normal, image) - plane.offset) * plane.normal;
+      for (dvec3& moment : moments) moment = reflected_field_pec(moment, plane.normal);
+    }
+    const std::size_t bounce = path.patches.size() - 1;
+    const auto edges = bounce == 0 ? std::ranges::count(on_rim_, path.patches[0]) : 0;
+    if (result_.paths.size() <= bounce) result_.paths.resize(bounce + 1);
+    ++result_.paths[bounce];
+    add_ray(bounce, path.length, image, moments, std::ldexp(1.0, -static_cast<int>(edges)));
+  }
+
+  void add_ray(std::size_t bounce, double length, const dvec3& from, const std::array<dvec3, 2>& moments, double weight) {
+    if (result_.bounces.size() <= bounce) result_.bounces.resize(bounce + 1, std::vector<ScatteringMatrix>(frequencies_.size()));
+    const dvec3 direction = (receiver_ - from) / length;
+    const double spread = weight * scene_.range_ * scene_.range_ / length;
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+      const Complex phase = std::polar(spread, -wavenumbers_[f] * (length - 2 * scene_.range_)) * reference(wavenumbers_[f]);
+      for (const int transmit : {0, 1}) {
+        const dvec3 field = moments[transmit] - glm::dot(moments[transmit], direction) * direction;
+        for (const int receive : {0, 1})
+          result_.bounces[bounce][f].at(receive, transmit) += phase * glm::dot(field, receive_[receive]);
+      }
+    }
+  }
+
+  const RayFields& scene_;
+  std::span<const double> frequencies_;
+  std::vector<double> wavenumbers_;
+  dvec3 transmitter_, receiver_;
+  std::array<dvec3, 2> moments_, receive_;  // V, H
+  bool same_place_ = false;
+  double to_center_ = 0.0;
+  int edges_in_direct_ray_ = 0;
+  std::vector<std::uint32_t> on_rim_;  // patches whose reflected light ends in the ray, once for each edge
+  RayLookResult result_;
+};
+
+RayFields::RayFields(const Tracer& tracer, std::span<const Wedge> wedges, double range, int most_bounces)
+    : tracer_(tracer), wedges_(wedges), mirrors_(tracer), range_(range), most_bounces_(most_bounces) {}
+
+RayLookResult RayFields::look(const Look& look, std::span<const double> frequencies) const {
+  return Sum(*this, look, frequencies).run();
+}
+
+double default_ray_range(const TriangleMesh& mesh, double highest_frequency) {
+  const double diameter = 2 * mesh.radius;
+  return 10 * std::max(2 * diameter * diameter / wavelength(highest_frequency), reach(mesh));
+}
+
+void check_ray_range(const TriangleMesh& mesh, double range) {
+  if (range > reach(mesh)) return;
+  throw InputError(fmt::format(
+      "edges.utd_range_m is {:.6g} m, but the target reaches {:.6g} m from the origin of its coordinates; give more than that",
+      range, reach(mesh)));
+}
+
+}  // namespace raytube

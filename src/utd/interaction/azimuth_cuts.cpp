@@ -1,0 +1,99 @@
+#include "utd/interaction/azimuth_cuts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+constexpr std::size_t most_images = 200;
+constexpr double never = 1e-9;         // as in RayFanTracer
+constexpr double touching = 1e-13;     // a cone that misses a plane by so little of its width touches it, along one ray
+constexpr double same_azimuth = 1e-6;  // [rad] cuts that are one: those of such a ray, up to the root of twice `touching` apart
+constexpr double widest_panel = 0.4;   // [rad]
+
+class CutFinder {
+ public:
+  CutFinder(const TriangleMesh& mesh, std::span<const dvec3> corners, const EdgeLight& light)
+      : mesh_(mesh), corners_(corners), light_(light) {
+    const Wedge& wedge = *light.edge->wedge;
+    end_ = wedge.n * pi;
+    cuts_ = {0.0, end_};
+  }
+
+  std::vector<double> find() {
+    add_boundaries();
+    add_corners();
+    std::ranges::sort(cuts_);
+    std::vector<double> kept{0.0};
+    for (const double cut : cuts_)
+      if (cut - kept.back() > same_azimuth && end_ - cut > same_azimuth) subdivide(kept, cut);
+    subdivide(kept, end_);
+    return kept;
+  }
+
+ private:
+  static void subdivide(std::vector<double>& cuts, double to) {
+    const double from = cuts.back();
+    const int parts = static_cast<int>(std::ceil((to - from) / widest_panel));
+    for (int i = 1; i < parts; ++i) cuts.push_back(from + (to - from) * i / parts);
+    cuts.push_back(to);
+  }
+
+  // Shadow and reflection boundaries: the diffracted waves jump there.
+  void add_boundaries() {
+    const double source = light_.incidence.source_angle, n = light_.edge->wedge->n;
+    for (const double azimuth : {source + pi, source - pi, pi - source, (2 * n - 1) * pi - source})
+      if (azimuth > 0.0 && azimuth < end_) cuts_.push_back(azimuth);
+  }
+
+  void add_corners() {
+    for (const dvec3& corner : corners_) add(corner);
+    if (corners_.size() * mesh_.patches.size() > most_images) return;
+    for (const Patch& plane : mesh_.patches) {
+      add_grazing(plane.normal);
+      for (const Patch& mirror : mesh_.patches)
+        add_grazing(plane.normal - 2 * glm::dot(plane.normal, mirror.normal) * mirror.normal);
+    }
+    for (const Patch& plane : mesh_.patches)
+      for (const dvec3& corner : corners_) add(corner - 2 * (glm::dot(plane.normal, corner) - plane.offset) * plane.normal);
+  }
+
+  // Where rays run along a plane: A cos(azimuth - a) = B of the components of its normal.
+  void add_grazing(const dvec3& normal) {
+    const WedgeFace& face = light_.edge->wedge->faces[0];
+    const double x = glm::dot(normal, face.into_face), y = glm::dot(normal, face.normal);
+    const double along = -glm::dot(normal, light_.edge->tangent) * light_.incidence.cos_cone;
+    const double across = light_.incidence.sin_cone * std::hypot(x, y);
+    if (across < never || std::abs(along) > across * (1.0 + touching)) return;  // `never`, or at every azimuth: an upright plane
+    const double middle = std::atan2(y, x), aside = std::acos(std::clamp(along / across, -1.0, 1.0));
+    for (double azimuth : {middle - aside, middle + aside}) {
+      azimuth -= 2 * pi * std::floor(azimuth / (2 * pi));
+      if (azimuth < end_) cuts_.push_back(azimuth);
+    }
+  }
+
+  void add(const dvec3& point) {
+    const WedgeFace& face = light_.edge->wedge->faces[0];
+    const dvec3 from_edge = point - light_.edge->origin;
+    const double x = glm::dot(from_edge, face.into_face), y = glm::dot(from_edge, face.normal);
+    if (std::hypot(x, y) < flat_fraction * mesh_.radius) return;
+    const double azimuth = std::atan2(y, x);
+    cuts_.push_back(std::clamp(azimuth < 0.0 ? azimuth + 2 * pi : azimuth, 0.0, end_));
+  }
+
+  const TriangleMesh& mesh_;
+  std::span<const dvec3> corners_;
+  const EdgeLight& light_;
+  double end_;
+  std::vector<double> cuts_;
+};
+
+}  // namespace
+
+std::vector<double> azimuth_cuts(const TriangleMesh& mesh, std::span<const dvec3> corners, const EdgeLight& light) {
+  return CutFinder(mesh, corners, light).find();
+}
+
+}  // namespace raytube

@@ -1,0 +1,15 @@
+// Where the waves round an edge may jump or bend.
+#pragma once
+
+#include <vector>
+
+#include "utd/interaction/edge_illumination.h"
+
+namespace raytube {
+
+/// Ascending azimuths from one face of the edge to the other, both included: shadow and reflection boundaries, corners, and where
+/// there are few corners and patches the corners' mirror images and where rays run along a patch; between them more, so that no
+/// two lie far apart.
+std::vector<double> azimuth_cuts(const TriangleMesh& mesh, std::span<const dvec3> corners, const EdgeLight& light);
+
+}  // namespace raytube

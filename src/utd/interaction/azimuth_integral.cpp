@@ -1,0 +1,147 @@
+#include "utd/interaction/azimuth_integral.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "math/gauss.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr std::array counts = {6, 8, 12, 16, 24, 32, 48};
+// Panels are not halved further: what is left is a jump, and its error is as small as the panel.
+constexpr int most_halvings = 8;
+// Bends inside a panel leave more than smooth functions do.
+constexpr double kinked = 4.0;
+// [points] Keeps the first rule the same on bodies of whole wavelengths, whatever the rounding.
+constexpr double slack = 1e-6;
+
+/// A rule, and what its points say of the last two terms of the Legendre series they resolve.
+struct Rule {
+  std::span<const GaussPoint> points;
+  std::array<std::vector<double>, 2> tail;  // weight of each point
+
+  explicit Rule(int count) : points(gauss_rule(count)) {
+    for (std::vector<double>& term : tail) term.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double x = 2 * points[i].place - 1;
+      double before = 1.0, value = x;
+      for (int n = 2; n < count; ++n) {
+        const double next = ((2 * n - 1) * x * value - (n - 1) * before) / n;
+        before = value;
+        value = next;
+      }
+      tail[0][i] = points[i].weight * (2 * count - 3) * before;
+      tail[1][i] = points[i].weight * (2 * count - 1) * value;
+    }
+  }
+};
+
+const std::vector<Rule>& rules() {
+  static const std::vector<Rule> all(counts.begin(), counts.end());
+  return all;
+}
+
+class Integrator {
+ public:
+  Integrator(const AzimuthDensity& density, std::size_t frequencies) : density_(density), frequencies_(frequencies) {
+    result_.value.resize(frequencies);
+    result_.error.resize(frequencies);
+  }
+
+  void add(double from, double to, double tolerance, int halvings) {
+    const std::optional<std::size_t> first = first_rule(from, to);
+    if (!first) return;
+    for (std::size_t rule = *first; rule < counts.size(); ++rule) {
+      sample(rules()[rule], from, to);
+      if (!estimate(rules()[rule], to - from, tolerance) && !(halvings == most_halvings && rule + 1 == counts.size())) continue;
+      return accept();
+    }
+    const double middle = (from + to) / 2;
+    add(from, middle, tolerance / 2, halvings + 1);
+    add(middle, to, tolerance / 2, halvings + 1);
+  }
+
+  AzimuthIntegral take() { return std::move(result_); }
+
+ private:
+  // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. Much of the way round an edge there is
+  // nothing to see.
+  std::optional<std::size_t> first_rule(double from, double to) const {
+    std::optional<PhaseRange> before;
+    double turned = 0.0;
+    bool any = false;
+    for (const double place : {0.03, 0.5, 0.97}) {
+      const std::optional<PhaseRange> here = density_.survey(from + place * (to - from));
+      if (here && before) turned += std::max(std::abs(here->low - before->low), std::abs(here->high - before->high));
+      any = any || here;
+      before = here;
+    }
+    if (!any) return {};
+    const auto enough = std::ranges::lower_bound(counts, 5.0 + turned / 2 - slack);
+    return std::min<std::size_t>(enough - counts.begin(), counts.size() - 1);
+  }
+
+  void sample(const Rule& rule, double from, double to) {
+    samples_.resize(rule.points.size());
+    for (std::size_t i = 0; i < samples_.size(); ++i) density_.at(from + rule.points[i].place * (to - from), samples_[i]);
+  }
+
+  // The series goes on after the terms the rule resolves about as it ends, and of what follows a Gauss rule of n points misses
+  // the terms from 2n on: about the square of the last ones. All channels decide together, so that it is not the polarisation
+  // basis that does.
+  bool estimate(const Rule& rule, double width, double tolerance) {
+    sum_.assign(frequencies_, {});
+    error_.assign(frequencies_, {});
+    bool good = true;
+    for (std::size_t f = 0; f < frequencies_; ++f) {
+      std::array<ScatteringMatrix, 2> tail;
+      double size = 0.0;
+      for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const ScatteringMatrix& sample = samples_[i][f];
+        sum_[f] += ScatteringMatrix(sample) *= width * rule.points[i].weight;
+        for (int term = 0; term < 2; ++term) tail[term] += ScatteringMatrix(sample) *= rule.tail[term][i];
+        size = std::max(size, frobenius_norm(sample));
+      }
+      const double left = std::max(frobenius_norm(tail[0]), frobenius_norm(tail[1])),
+                   share = size > 0.0 ? std::min(1.0, kinked * left / size) : 0.0;
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q)
+          error_[f][p][q] = width * share * std::max(std::abs(tail[0].at(p, q)), std::abs(tail[1].at(p, q)));
+      good = good && width * share * left <= tolerance;
+    }
+    return good;
+  }
+
+  void accept() {
+    for (std::size_t f = 0; f < frequencies_; ++f) {
+      result_.value[f] += sum_[f];
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) result_.error[f][p][q] += error_[f][p][q];
+    }
+  }
+
+  const AzimuthDensity& density_;
+  std::size_t frequencies_;
+  std::vector<std::vector<ScatteringMatrix>> samples_;
+  std::vector<ScatteringMatrix> sum_;
+  std::vector<ChannelErrors> error_;
+  AzimuthIntegral result_;
+};
+
+}  // namespace
+
+AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequencies, const std::vector<double>& cuts,
+                                       double tolerance) {
+  Integrator integrator(density, frequencies);
+  const double range = cuts.back() - cuts.front();
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const double width = cuts[i] - cuts[i - 1];
+    integrator.add(cuts[i - 1], cuts[i], tolerance * width / range, 0);
+  }
+  return integrator.take();
+}
+
+}  // namespace raytube

@@ -1,0 +1,34 @@
+// Integrals over the azimuth about an edge, of everything an observer sees at all frequencies.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/field.h"
+
+namespace raytube {
+
+/// Phases that the integrand has at an azimuth, at the highest wavenumber.
+struct PhaseRange {
+  double low, high;  // [rad]
+};
+
+/// An integrand.
+struct AzimuthDensity {
+  std::function<void(double azimuth, std::vector<ScatteringMatrix>& density)> at;  // sets it, per frequency
+  std::function<std::optional<PhaseRange>(double azimuth)> survey;                 // none where it vanishes
+};
+
+struct AzimuthIntegral {
+  std::vector<ScatteringMatrix> value;  // per frequency
+  std::vector<ChannelErrors> error;     // estimated, per frequency
+};
+
+/// Integral over panels between ascending `cuts`. A Gauss rule of as many points as the phases of the integrand ask for, then of
+/// more, then half the panel, until the estimated error is below the panel's share of `tolerance`. A panel with nothing at its
+/// middle and close to its ends is passed over.
+AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequencies, const std::vector<double>& cuts,
+                                       double tolerance);
+
+}  // namespace raytube

@@ -1,0 +1,77 @@
+#include "utd/interaction/edge_axes.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace raytube {
+
+namespace {
+
+// Ends of concave wedges by position. Corners that are one have the same coordinates to the bit.
+using Folds = std::multimap<std::tuple<double, double, double>, const Wedge*>;
+
+std::tuple<double, double, double> key(const dvec3& point) { return {point.x, point.y, point.z}; }
+
+Folds ends_of_folds(std::span<const Wedge> wedges) {
+  Folds folds;
+  for (const Wedge& wedge : wedges) {
+    if (wedge.convex()) continue;
+    folds.emplace(key(wedge.start), &wedge);
+    folds.emplace(key(wedge.end), &wedge);
+  }
+  return folds;
+}
+
+// Whether something of the mesh rises above one of the wedge's faces.
+bool sees_anything(const TriangleMesh& mesh, const Wedge& wedge) {
+  const double flat = flat_fraction * 2 * mesh.radius;
+  return std::ranges::any_of(mesh.vertices, [&](const dvec3& vertex) {
+    return glm::dot(vertex - wedge.start, wedge.faces[0].normal) > flat ||
+           glm::dot(vertex - wedge.start, wedge.faces[1].normal) > flat;
+  });
+}
+
+// The faces of the wedge that meet a further surface in a fold at this end, beyond which the edge would run behind it.
+std::vector<int> stops_at(const Folds& folds, const Wedge& wedge, const dvec3& end, const dvec3& outwards) {
+  std::vector<int> stops;
+  const auto [first, last] = folds.equal_range(key(end));
+  for (auto fold = first; fold != last; ++fold)
+    for (int own = 0; own < 2; ++own)
+      for (int shared = 0; shared < 2; ++shared) {
+        const WedgeFace& face = fold->second->faces[shared];
+        const bool same = face.patch == wedge.faces[own].patch && face.back == wedge.faces[own].back;
+        if (same && glm::dot(fold->second->faces[1 - shared].normal, outwards) < 0.0) stops.push_back(own);
+      }
+  return stops;
+}
+
+EdgeAxis axis_of(const Wedge& wedge, const Folds& folds) {
+  EdgeAxis axis{&wedge, wedge.start, glm::cross(wedge.faces[0].into_face, wedge.faces[0].normal), wedge.length()};
+  const bool reversed = glm::dot(wedge.end - wedge.start, axis.tangent) < 0.0;
+  if (reversed) axis.origin = wedge.end;
+  axis.stops[0] = stops_at(folds, wedge, axis.origin, -axis.tangent);
+  axis.stops[1] = stops_at(folds, wedge, reversed ? wedge.start : wedge.end, axis.tangent);
+  return axis;
+}
+
+}  // namespace
+
+double light_weight(const Wedge& wedge, const WedgeIncidence& incidence) {
+  constexpr double least_sine = 1e-4;
+  const FaceIncidence& face = incidence.faces[0];
+  if (face.sin_cone < least_sine) return 0.0;
+  if (wedge.n != 2.0) return incidence.weight;
+  const double share = std::min({face.source_angle, 2 * pi - face.source_angle, degree}) / degree;
+  return incidence.weight * share * share * (3 - 2 * share);
+}
+
+std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges) {
+  const Folds folds = ends_of_folds(wedges);
+  std::vector<EdgeAxis> axes;
+  for (const Wedge& wedge : wedges)
+    if (wedge.radiates() && sees_anything(mesh, wedge)) axes.push_back(axis_of(wedge, folds));
+  return axes;
+}
+
+}  // namespace raytube

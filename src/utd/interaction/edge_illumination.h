@@ -1,0 +1,96 @@
+// What the waves of a lit edge do on other surfaces: they are painted there as physical-optics currents, and radiate.
+// Derived in docs/between.md.
+#pragma once
+
+#include <vector>
+
+#include "utd/interaction/azimuth_integral.h"
+#include "utd/interaction/ray_fan.h"
+#include "utd/wedge/edge_currents.h"
+#include "utd/wedge/edge_wave_integral.h"
+
+namespace raytube {
+
+/// E e^{-jk (d.r + path)}: the incident wave, or what surfaces have made of it. Fields of unit transmit V and H.
+struct PlaneWave {
+  dvec3 direction;
+  std::array<dvec3, 2> electric;
+  double path = 0.0;  // [m]
+};
+
+/// A wedge with its own coordinates: places along the tangent of its first face, from `origin`, 0 <= place <= length [m].
+struct EdgeAxis {
+  const Wedge* wedge = nullptr;
+  dvec3 origin, tangent;
+  double length = 0.0;
+  // At either end: the faces of the wedge that meet another surface there in a fold, which carries on their waves as a mirror.
+  std::array<std::vector<int>, 2> stops{};
+
+  /// Whether places count from the wedge's end.
+  bool reversed() const { return origin != wedge->start; }
+};
+
+/// A piece of an edge lit by a plane wave.
+struct EdgeLight {
+  const EdgeAxis* edge;
+  const PlaneWave* wave;
+  FaceIncidence incidence;  // on the first face
+  double from, to;          // places
+  double weight = 1.0;      // of the light
+};
+
+/// Adds up, azimuth by azimuth about the edge, the far field of the currents that the waves of one lit piece paint on all they
+/// meet: on the first surface, and after up to `reflections` reflections on further ones. Patches that are not `large` are
+/// neither painted nor mirrors. The edge's own two faces are not met on the way out. Beyond an end of the piece the wave fades
+/// (corner factor); beyond one in a fold its mirror image takes over.
+class EdgeIllumination {
+ public:
+  EdgeIllumination(const FaceTree& tree, const std::vector<bool>& large, const LookVectors& look,
+                   std::span<const double> wavenumbers, const EdgeLight& light, int reflections);
+
+  /// dS / d(azimuth) [m] per wavenumber; `azimuth` is phi of the diffracted rays, measured as phi'.
+  void at(double azimuth, std::vector<ScatteringMatrix>& density);
+  /// Between which phases it lies there; none if the rays meet nothing.
+  std::optional<PhaseRange> survey(double azimuth);
+
+ private:
+  /// Components of H that the waves of an edge have along them: that of a ray, of a soft and of a hard wave, and what their
+  /// slopes add.
+  enum Component { soft, hard, outwards, around, components };
+  /// Diffracted rays of one azimuth on their way.
+  struct Rays {
+    RayFan fan;
+    double path = 0.0, path_rate = 0.0;      // way from the edge to where the fan begins [m]
+    std::array<dvec3, components> magnetic;  // directions
+  };
+  /// Where they meet a face.
+  struct Footprint {
+    RayRow row;
+    double area;                                         // of the face per place, azimuth and length of the ray
+    std::array<std::array<double, components>, 2> seen;  // [receive]: p_hat . eta J per unit eta H along each direction
+  };
+
+  double margin(double way) const;
+  Rays leaving(double azimuth) const;
+  EdgeWaveIntegral waves(const dvec3& direction) const;
+  bool closed(int end, const dvec3& direction) const;
+  template <class Visit>
+  void follow(Rays rays, Visit visit);
+  template <class Visit>
+  void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, Visit visit);
+  Footprint footprint(const Rays& rays, const FanHit& hit, const Patch& plane) const;
+  void paint(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const;
+
+  const FaceTree& tree_;
+  const std::vector<bool>& large_;
+  const LookVectors& look_;
+  std::span<const double> wavenumbers_;
+  const EdgeLight& light_;
+  int reflections_;
+  RayFanTracer tracer_;
+  std::array<std::vector<FanHit>, 3> hits_;        // by reflections left
+  std::array<std::array<double, 2>, 2> arriving_;  // [transmit][soft, hard]: components of E at the edge
+  EdgeWaveTerms terms_;                            // of the azimuth at hand
+};
+
+}  // namespace raytube

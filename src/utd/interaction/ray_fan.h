@@ -1,0 +1,47 @@
+// Rays that leave a line side by side, all in one plane: what they meet, exactly.
+#pragma once
+
+#include "mesh/model/face_tree.h"
+#include "mesh/trace/tracer.h"
+
+namespace raytube {
+
+/// Parallel rays: the one at place z leaves base + z step, from <= z <= to [m].
+struct RayFan {
+  dvec3 base, step;
+  dvec3 direction;  // unit, not along `step`
+  double from, to;
+};
+
+/// Neighbouring rays that meet the same face first.
+struct FanHit {
+  std::uint32_t face;
+  double from, to;        // places
+  double length, growth;  // the ray at place z meets the face after length + growth z [m]
+};
+
+/// The rays between two places after the reflection by the plane they have met.
+RayFan reflected(const RayFan& fan, const FanHit& hit, const dvec3& normal);
+
+/// Finds first hits. Keeps buffers between calls: one object a thread.
+class RayFanTracer {
+ public:
+  explicit RayFanTracer(const FaceTree& tree) : tree_(tree) {}
+
+  /// Fills `hits`, in the order of places, with what the rays meet first, but for faces of some patches. Closed bodies are met
+  /// from outside only. The planes of faces that run through one another are told apart at the middle of what both cover.
+  void trace(const RayFan& fan, const IgnoredPatches& ignored_patches, std::vector<FanHit>& hits);
+
+ private:
+  void gather(const RayFan& fan, const IgnoredPatches& ignored_patches);
+  void cross(const RayFan& fan, std::uint32_t face);
+  void cut();
+  const FanHit* first_at(double place) const;
+
+  const FaceTree& tree_;
+  std::vector<std::uint32_t> near_;
+  std::vector<FanHit> crossed_;  // each face by itself
+  std::vector<double> cuts_;
+};
+
+}  // namespace raytube

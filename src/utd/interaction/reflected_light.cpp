@@ -1,0 +1,182 @@
+#include "utd/interaction/reflected_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "utd/interaction/edge_axes.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double border_share = 0.04;  // of an edge's length: within it a beam's border fades
+constexpr double shortest = 1e-3;      // [wavelengths] pieces of an edge that count, and gaps between them
+constexpr std::size_t most_pairs = 20000;
+constexpr double grazing = 1e-9;        // cosine between wave and normal of a mirror
+constexpr double along_surface = 1e-7;  // sine below which light runs along a surface
+
+bool reflects(const Patch& plane, bool closed, const dvec3& direction) {
+  const double facing = glm::dot(plane.normal, direction);
+  return std::abs(facing) > grazing && !(closed && facing > 0.0);
+}
+
+}  // namespace
+
+PlaneWave reflected(const PlaneWave& wave, const Patch& plane) {
+  const double facing = glm::dot(wave.direction, plane.normal);
+  PlaneWave result{glm::reflect(wave.direction, plane.normal), {}, wave.path + 2 * facing * plane.offset};
+  for (int q = 0; q < 2; ++q) result.electric[q] = 2 * glm::dot(plane.normal, wave.electric[q]) * plane.normal - wave.electric[q];
+  return result;
+}
+
+void ReflectedLight::find_mirrors() {
+  const TriangleMesh& mesh = tree_.mesh();
+  std::vector<bool> closed(mesh.patches.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) closed[mesh.triangle_patch[t]] = mesh.closed(t);
+  for (std::uint32_t patch = 0; patch < mesh.patches.size(); ++patch)
+    if (large_[patch]) mirrors_.push_back({patch, closed[patch]});
+}
+
+std::deque<ReflectedWave> ReflectedLight::waves(int most) {
+  find_mirrors();
+  std::vector<ReflectedWave> last{{incident_, {}, {}}}, next;
+  std::deque<ReflectedWave> all;
+  for (int reflection = 0; reflection < most; ++reflection) {
+    if (axes_.size() * last.size() * mirrors_.size() > most_pairs) break;
+    next.clear();
+    for (const ReflectedWave& before : last)
+      for (const Mirror& mirror : mirrors_) {
+        const Patch& plane = tree_.mesh().patches[mirror.patch];
+        const bool again = !before.patches.empty() && before.patches.back() == mirror.patch;
+        if (again || !reflects(plane, mirror.closed, before.wave.direction)) continue;
+        ReflectedWave wave{reflected(before.wave, plane), before.patches, {}};
+        wave.patches.push_back(mirror.patch);
+        next.push_back(wave);
+        all.push_back(std::move(wave));
+        light(all.back());
+        if (all.back().lights.empty()) all.pop_back();
+      }
+    std::swap(last, next);
+  }
+  return all;
+}
+
+void ReflectedLight::light(ReflectedWave& wave) {
+  for (const EdgeAxis& axis : axes_) {
+    const Wedge& wedge = *axis.wedge;
+    if (wedge.faces[0].patch == wave.patches.back() || wedge.faces[1].patch == wave.patches.back()) continue;
+    const WedgeIncidence incidence = incidence_on(wedge, wave.wave.direction);
+    const double weight = light_weight(wedge, incidence);
+    if (weight == 0.0) continue;
+    const double aside = border_share * axis.length;
+    find_pieces(wave, axis, aside);
+    const std::vector<LitPiece> over = pieces_;
+    find_pieces(wave, axis, -aside);
+    const std::vector<LitPiece> under = pieces_;
+    for (const LitPiece& piece : blended(wave, axis, over, under))
+      wave.lights.push_back({&axis, &wave.wave, incidence.faces[0], piece.from, piece.to, weight * piece.weight});
+  }
+}
+
+// What is lit on both sides is lit; what is lit on one counts by where the border lies between them.
+std::vector<ReflectedLight::LitPiece> ReflectedLight::blended(const ReflectedWave& wave, const EdgeAxis& axis,
+                                                              std::span<const LitPiece> over, std::span<const LitPiece> under) {
+  std::vector<double> ends;
+  for (const std::span<const LitPiece> side : {over, under})
+    for (const LitPiece& piece : side) ends.insert(ends.end(), {piece.from, piece.to});
+  std::ranges::sort(ends);
+  std::vector<LitPiece> result;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double from = ends[i - 1], to = ends[i], middle = (from + to) / 2;
+    if (to - from < shortest * wavelength_) continue;
+    const auto covers = [&](const LitPiece& piece) { return piece.from <= middle && middle <= piece.to; };
+    const bool lit_over = std::ranges::any_of(over, covers), lit_under = std::ranges::any_of(under, covers);
+    if (!lit_over && !lit_under) continue;
+    const double weight = lit_over && lit_under ? 1.0 : share_of_light(wave, axis, middle, lit_over ? 1.0 : -1.0);
+    if (!result.empty() && result.back().weight == 1.0 && weight == 1.0 && from - result.back().to < shortest * wavelength_)
+      result.back().to = to;
+    else
+      result.push_back({from, to, weight});
+  }
+  return result;
+}
+
+// The border of the beam at this place, searched between the two sides; `lit` is the sign of the one that is lit.
+double ReflectedLight::share_of_light(const ReflectedWave& wave, const EdgeAxis& axis, double place, double lit) {
+  const double aside = border_share * axis.length;
+  double bright = 1.0, dark = -1.0;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = (bright + dark) / 2;
+    (reaches(wave, axis, place, lit * middle * aside) ? bright : dark) = middle;
+  }
+  const double share = (1.0 - bright) / 2;
+  return share * share * (3 - 2 * share);
+}
+
+// Beams end at the corners of edges more often than close to them.
+void ReflectedLight::snap_to_ends(const EdgeAxis& axis) {
+  for (LitPiece& piece : pieces_) {
+    if (piece.from < shortest * wavelength_) piece.from = 0.0;
+    if (axis.length - piece.to < shortest * wavelength_) piece.to = axis.length;
+  }
+}
+
+// Sideways is along the surface, the same for both faces of the wedge; across the light where that runs along the surface itself,
+// so that the two sides of the edge are on different sides of a beam that ends there.
+RayFan ReflectedLight::fan_beside(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) const {
+  const Wedge& wedge = *axis.wedge;
+  const dvec3 over = wedge.faces[0].into_face - wedge.faces[1].into_face;
+  const dvec3 across = glm::normalize(glm::cross(axis.tangent, wave.wave.direction));
+  dvec3 side = wedge.n == 2.0 ? wedge.faces[0].into_face : glm::normalize(over);
+  if (std::abs(glm::dot(side, across)) < along_surface) side = across;
+  return {axis.origin + sideways * side, axis.tangent, -wave.wave.direction, 0.0, axis.length};
+}
+
+void ReflectedLight::find_pieces(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) {
+  const Wedge& wedge = *axis.wedge;
+  pieces_.clear();
+  trace_back(fan_beside(wave, axis, sideways), {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, wave.patches);
+  snap_to_ends(axis);
+}
+
+bool ReflectedLight::reaches(const ReflectedWave& wave, const EdgeAxis& axis, double place, double sideways) {
+  const Wedge& wedge = *axis.wedge;
+  RayFan narrow = fan_beside(wave, axis, sideways);
+  narrow.from = place - shortest * wavelength_;
+  narrow.to = place + shortest * wavelength_;
+  pieces_.clear();
+  trace_back(narrow, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, wave.patches);
+  return !pieces_.empty();
+}
+
+void ReflectedLight::trace_back(const RayFan& fan, const IgnoredPatches& ignored, std::span<const std::uint32_t> mirrors) {
+  if (mirrors.empty()) return keep_clear(fan, ignored);
+  const std::uint32_t mirror = mirrors.back();
+  std::vector<FanHit> hits;
+  tracer_.trace(fan, ignored, hits);
+  for (const FanHit& hit : hits)
+    if (tree_.faces()[hit.face].patch == mirror)
+      trace_back(reflected(fan, hit, tree_.mesh().patches[mirror].normal), {mirror, no_index, no_index},
+                 mirrors.first(mirrors.size() - 1));
+}
+
+// The pieces between what is met; neighbours are one.
+void ReflectedLight::keep_clear(const RayFan& fan, const IgnoredPatches& ignored) {
+  std::vector<FanHit> hits;
+  tracer_.trace(fan, ignored, hits);
+  double from = fan.from;
+  const auto keep = [&](double to) {
+    if (to - from < shortest * wavelength_) return;
+    if (!pieces_.empty() && from - pieces_.back().to < shortest * wavelength_)
+      pieces_.back().to = to;
+    else
+      pieces_.push_back({from, to});
+  };
+  for (const FanHit& hit : hits) {
+    keep(hit.from);
+    from = hit.to;
+  }
+  keep(fan.to);
+}
+
+}  // namespace raytube

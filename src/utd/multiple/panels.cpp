@@ -1,0 +1,57 @@
+#include "utd/multiple/panels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+// Of a panel's width: strips that vanish so little beyond its end have their root there, as far as a rule can tell. Two cuts may
+// lie this close: where a strip ends almost in a corner.
+constexpr double beside_root = 0.05;
+
+}  // namespace
+
+void PanelPlacer::place(const WaveTree& tree, std::span<const LitInterval> lit, double length) {
+  points_.clear();
+  panels_.clear();
+  rows_.clear();
+  for (const LitInterval& piece : lit) fill(tree, piece.begin * length, piece.end * length);
+  for (const StripBundle& bundle : tree.bundles()) rows_.push_back({first_beyond(bundle.from), first_beyond(bundle.to)});
+}
+
+void PanelPlacer::fill(const WaveTree& tree, double begin, double end) {
+  cuts_.clear();
+  for (const StripBundle& bundle : tree.bundles())
+    if (bundle.from >= begin && bundle.to <= end) cuts_.push_back(bundle.to);
+  std::ranges::sort(cuts_);
+  double from = begin;
+  for (const double cut : cuts_) {
+    if (cut - from < tree.rounding() || (cut < end && end - cut < tree.rounding())) continue;
+    panels_.push_back({(from + cut) / 2, static_cast<std::uint32_t>(points_.size())});
+    add_points(panel(tree, from, cut), wavelength_, points_);
+    from = cut;
+  }
+}
+
+Panel PanelPlacer::panel(const WaveTree& tree, double from, double to) const {
+  Panel result{from, to};
+  const double middle = (from + to) / 2, rounding = tree.rounding(), beside = rounding + beside_root * (to - from);
+  for (const StripBundle& bundle : tree.bundles()) {
+    if (bundle.from > middle || bundle.to < middle) continue;
+    result.path_rate = std::max({result.path_rate, std::abs(bundle.start_rate), std::abs(bundle.end_rate)});
+    result.sweep = std::max(result.sweep, std::abs(bundle.growth));
+    const auto vanishes = [&](double place) { return bundle.edge && std::abs(bundle.length_at(place)) < rounding; };
+    if (from - bundle.from < beside && vanishes(bundle.from)) result.root[0] = true;
+    if (bundle.to - to < beside && vanishes(bundle.to)) result.root[1] = true;
+  }
+  return result;
+}
+
+std::uint32_t PanelPlacer::first_beyond(double place) const {
+  const auto panel = std::ranges::partition_point(panels_, [=](const Placed& placed) { return placed.middle < place; });
+  return panel == panels_.end() ? static_cast<std::uint32_t>(points_.size()) : panel->first;
+}
+
+}  // namespace raytube

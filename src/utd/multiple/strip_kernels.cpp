@@ -1,0 +1,256 @@
+#include "utd/multiple/strip_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/erfc_ray.h"
+
+namespace raytube {
+
+namespace {
+
+// Observer along the strip itself: the kernels have a removable 0/0 there. At this distance the digits lost to it (1e-16/h) and
+// the change of the kernels (h) are both small; the moment is then parallel to s and radiates no more than h itself.
+constexpr double half_cosine_floor = 2e-5;
+// Source in the plane of the face: phi' keeps to its own side of pi by at least the lit threshold.
+constexpr double closest_to_plane = lit_threshold;
+// The soft current is singular at its edge, as 1/r; a strip without length starts and ends there.
+constexpr double shortest_root = 1e-9;
+
+void add_scaled(Complexes& sum, double factor, const Complexes& values) {
+  for (std::size_t i = 0; i < lanes; ++i) {
+    sum.re[i] += factor * values.re[i];
+    sum.im[i] += factor * values.im[i];
+  }
+}
+
+// W'(x) = 2jxW - 2 e^{j pi/4} / sqrt(pi)
+Complexes slope_of_erfc(const Reals& x, const Complexes& value) {
+  constexpr double side = std::numbers::sqrt2 * std::numbers::inv_sqrtpi;
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    result.re[i] = -2 * x[i] * value.im[i] - side;
+    result.im[i] = 2 * x[i] * value.re[i] - side;
+  }
+  return result;
+}
+
+}  // namespace
+
+void KernelBatch::make_room(std::size_t size) {
+  for (ComplexColumn* column : {&soft, &hard, &axial, &end, &soft_end}) column->make_room(size);
+}
+
+void KernelBatch::set(std::size_t i, const StripKernels& kernels) {
+  soft.set(i, kernels.current.soft);
+  hard.set(i, kernels.current.hard);
+  axial.set(i, kernels.current.axial);
+  end.set(i, kernels.end);
+  soft_end.set(i, kernels.soft_end);
+}
+
+void KernelBatch::subtract_currents(const KernelBatch& shorter, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    soft.set(i, soft[i] - shorter.soft[i]);
+    hard.set(i, hard[i] - shorter.hard[i]);
+    axial.set(i, axial[i] - shorter.axial[i]);
+  }
+}
+
+// Kouyoumjian and Pathak (1974) with the observer on the face, phi = 0: N is the nearest integer to (phi' +- pi) / (2 pi n).
+Strip::Term Strip::term(double n, double source, int sign) {
+  const double beta = 2 * pi * n * std::round((sign * pi + source) / (2 * pi * n)) - source;
+  const double eps = pi - sign * beta;    // signed angular distance to the boundary
+  const double sine = std::sin(eps / 2);  // cos(beta/2), while sin(beta/2) = +-cos(eps/2)
+  return {-std::abs(sine) / (2 * n * std::tan(eps / (2 * n))), std::abs(sine),
+          sign * std::cos(eps / 2) * std::copysign(0.5, sine)};
+}
+
+Strip::Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTier tier)
+    : half_cosine_(std::max(half_cosine, half_cosine_floor)),
+      scaled_erfc_(scaled_erfc_of(tier)),
+      exact_(tier == TransitionTier::exact) {
+  double& source = incidence.source_angle;
+  source = incidence.lit ? std::min(source, pi - closest_to_plane) : std::max(source, pi + closest_to_plane);
+  has_local_part_ = n != 2.0;
+  if (source == 0.0 || source == n * pi) {
+    graze(n, source == 0.0);
+    return;
+  }
+  terms_ = {term(n, source, +1), term(n, source, -1)};
+  if (has_local_part_) find_local_part(n, incidence);
+}
+
+// A wave that grazes this face or the other one: both terms are the same wave, eps = pi or (1 - n) pi, and it has no soft part.
+void Strip::graze(double n, bool own_face) {
+  const double tangent = std::tan(pi / (2 * n)), distance = own_face ? 1.0 : std::abs(std::sin((n - 1) * pi / 2));
+  terms_[0] = {own_face ? -1 / (n * tangent) : distance * tangent / n, distance, 0.0};
+  term_count_ = 1;
+  if (!has_local_part_) return;
+  const double exact = grazing_hard_kernel(n, own_face, grazing_ray_at(half_cosine_));
+  local_ = {0.0, exact - untruncated().current.hard.real(), local_step(n, own_face)};
+}
+
+double Strip::total_strength() const { return terms_[0].strength + (term_count_ == 2 ? terms_[1].strength : 0.0); }
+
+// The kernels of an endless strip, exact (Michaeli 1986) minus uniform; both are real.
+void Strip::find_local_part(double n, const FaceIncidence& incidence) {
+  const FringeKernels exact = fringe_kernels(n, incidence, grazing_ray_at(half_cosine_));
+  const FringeKernels uniform = untruncated().current;
+  local_ = {exact.soft.real() - uniform.soft.real(), exact.hard.real() - uniform.hard.real(), local_step(n, incidence.lit)};
+}
+
+double Strip::local_step(double n, bool lit) const { return (lit ? 1.0 : 0.0) - 1 / n + total_strength(); }
+
+StripKernels Strip::untruncated() const {
+  double soft = local_.soft, hard = local_.hard;
+  for (int i = 0; i < term_count_; ++i) {
+    const Term& t = terms_[i];
+    const double sum = t.distance + half_cosine_;
+    hard -= t.strength / (2 * half_cosine_ * sum);
+    soft -= 2 * t.strength * t.slope / sum;
+  }
+  const double mu = 1 - 2 * half_cosine_ * half_cosine_;
+  return {{soft, hard, mu * hard - total_strength() + local_.axial}, 0.0, 0.0};
+}
+
+struct Strip::Observer {
+  Reals root, x;
+  Complexes value, decay, ratio;
+};
+
+Strip::Observer Strip::observer(const Reals& length, ScaledErfc erfc) const {
+  Observer result;
+  Reals angle;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    result.root[i] = std::sqrt(2 * length[i]);
+    result.x[i] = half_cosine_ * result.root[i];
+    angle[i] = -2 * half_cosine_ * half_cosine_ * length[i];
+  }
+  result.value = erfc(result.x);
+  result.decay = unit_phasors(angle);
+  result.ratio = erf_over(result.x, result.value, result.decay);
+  return result;
+}
+
+/// G_s, G_h, G_x and, first T, then D T; the same of the soft current.
+struct Strip::Sums {
+  Complexes soft, hard, axial, end, soft_end;
+
+  Sums() {
+    for (Complexes* each : {&soft, &hard, &axial, &end, &soft_end}) *each = {};
+  }
+};
+
+// 2j D / r, for the end of the soft current.
+Complexes Strip::soft_phase(const Observer& at) {
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double scale = 2 / (at.root[i] > shortest_root ? at.root[i] : shortest_root);
+    result.re[i] = -scale * at.decay.im[i];
+    result.im[i] = scale * at.decay.re[i];
+  }
+  return result;
+}
+
+// One diffracted wave's share of G_h and G_s, and of T in sum.end, sum.soft_end.
+void Strip::add(const Term& t, const Observer& at, ScaledErfc erfc, Sums& sum) const {
+  Reals boundary;
+  for (std::size_t i = 0; i < lanes; ++i) boundary[i] = t.distance * at.root[i];
+  const Complexes there = erfc(boundary), quotient = divided_difference(boundary, at.x, there, at.value);
+  Complexes hard, difference{};
+  add_products(difference, at.decay, quotient);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    hard.re[i] = at.root[i] * (at.ratio.re[i] + difference.re[i]);
+    hard.im[i] = at.root[i] * (at.ratio.im[i] + difference.im[i]);
+  }
+  const double share = t.strength / (t.distance + half_cosine_);
+  add_scaled(sum.hard, -0.5 * share, hard);
+  add_scaled(sum.end, t.strength, there);
+  if (t.slope == 0.0) return;
+  Complexes soft;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    soft.re[i] = boundary[i] * difference.re[i] - at.x[i] * at.ratio.re[i];
+    soft.im[i] = boundary[i] * difference.im[i] - at.x[i] * at.ratio.im[i];
+  }
+  add_scaled(sum.soft, 2 * share * t.slope, soft);
+  add_scaled(sum.soft_end, t.strength * t.slope, slope_of_erfc(boundary, there));
+}
+
+// Of the local part, which lives within xi < 1 of the edge, what a strip of this length has.
+void Strip::add_local(const Reals& length, Sums& sum) const {
+  const Reals reached = one_minus_exp(length);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    sum.soft.re[i] += local_.soft * reached[i];
+    sum.hard.re[i] += local_.hard * reached[i];
+    sum.axial.re[i] += local_.axial * reached[i];
+  }
+}
+
+Strip::Sums Strip::sums(const Reals& length, ScaledErfc erfc) const {
+  const Observer at = observer(length, erfc);
+  Sums sum;
+  for (int i = 0; i < term_count_; ++i) add(terms_[i], at, erfc, sum);
+  Complexes end{}, soft_end{};
+  add_products(end, at.decay, sum.end);
+  if (term_count_ == 2) add_products(soft_end, soft_phase(at), sum.soft_end);
+  sum.soft_end = soft_end;
+  sum.end = sum.axial = end;
+  for (std::size_t i = 0; i < lanes; ++i) sum.axial.re[i] -= total_strength();
+  if (has_local_part_) add_local(length, sum);
+  add_scaled(sum.axial, 1 - 2 * half_cosine_ * half_cosine_, sum.hard);
+  return sum;
+}
+
+bool Strip::has_removable_quotient(double length) const {
+  const double root = std::sqrt(2 * length), x = half_cosine_ * root;
+  const auto close = [&](const Term& t) { return is_removable(t.distance * root, x); };
+  return is_removable(x) || std::any_of(terms_.begin(), terms_.begin() + term_count_, close);
+}
+
+// With a rough W the removable quotients are not finite, and their series only if all of a strip's terms have the exact W: the
+// parts of G_x cancel to 1/h^2 where the observer is far off the cone.
+void Strip::restore_removable(const Reals& length, Sums& sums_by_tier) const {
+  std::array<bool, lanes> restored;
+  for (std::size_t i = 0; i < lanes; ++i) restored[i] = has_removable_quotient(length[i]);
+  if (std::ranges::find(restored, true) == restored.end()) return;
+  const Sums exact = sums(length, scaled_erfc);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    if (!restored[i]) continue;
+    sums_by_tier.soft.set(i, exact.soft[i]);
+    sums_by_tier.hard.set(i, exact.hard[i]);
+    sums_by_tier.axial.set(i, exact.axial[i]);
+    sums_by_tier.end.set(i, exact.end[i]);
+    sums_by_tier.soft_end.set(i, exact.soft_end[i]);
+  }
+}
+
+// Lengths past the end and endless ones are 1 here, so that every lane stays finite.
+void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const {
+  for (std::size_t first = 0; first < lengths.size(); first += lanes) {
+    Reals block;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double length = first + i < lengths.size() ? lengths[first + i] : 1.0;
+      block[i] = std::isinf(length) ? 1.0 : length;
+    }
+    Sums found = sums(block, scaled_erfc_);
+    if (!exact_) restore_removable(block, found);
+    store(found.soft, batch.soft, first);
+    store(found.hard, batch.hard, first);
+    store(found.axial, batch.axial, first);
+    store(found.end, batch.end, first);
+    store(found.soft_end, batch.soft_end, first);
+  }
+}
+
+void Strip::at(std::span<const double> lengths, KernelBatch& batch) const {
+  const auto is_untruncated = [](double length) { return std::isinf(length); };
+  batch.make_room(lengths.size());
+  if (!std::ranges::all_of(lengths, is_untruncated)) finite_at(lengths, batch);
+  if (std::ranges::none_of(lengths, is_untruncated)) return;
+  const StripKernels without_end = untruncated();
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    if (is_untruncated(lengths[i])) batch.set(i, without_end);
+}
+
+}  // namespace raytube

@@ -1,0 +1,81 @@
+// Fringe current of one strip of a face, from the edge to the place where the face ends: integrals in closed form.
+// Derived in docs/edges.md. Exact on a half plane; on a wedge the current is the uniform (Kouyoumjian-Pathak) one for the
+// length of the strip, and what that lacks close to the edge is added as if the strip went on to infinity.
+// In formulas: xi = k sin(beta') x, x the distance across the face; X = xi at the end; h = cos(g/2) = |s - sigma|/(2 sin beta').
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "math/complex_columns.h"
+#include "utd/wedge/edge_currents.h"
+#include "utd/wedge/scaled_erfc.h"
+
+namespace raytube {
+
+/// One strip: integrals over the fringe current for unit E or eta H along the edge, as FringeKernels are for an endless one,
+/// and half the fringe current at the end, with the phase of what radiates from there: H_fr(X) e^{jX mu} / 2 of the hard current
+/// and, over cos(beta'), the part of the soft one that flows along the strip.
+struct StripKernels {
+  FringeKernels current;
+  Complex end, soft_end;
+};
+
+/// The kernels of many strips, as StripKernels are of one.
+struct KernelBatch {
+  ComplexColumn soft, hard, axial, end, soft_end;
+
+  void make_room(std::size_t size);
+  StripKernels operator[](std::size_t i) const { return {{soft[i], hard[i], axial[i]}, end[i], soft_end[i]}; }
+  void set(std::size_t i, const StripKernels& kernels);
+  /// Leaves of the first `count` currents what lies beyond shorter strips: for the part of a current that a fold has mirrored.
+  void subtract_currents(const KernelBatch& shorter, std::size_t count);
+};
+
+/// Everything about a strip but its electrical length.
+class Strip {
+ public:
+  Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTier tier = TransitionTier::exact);
+
+  /// Kernels for every length X; infinity gives those of the endless strip. What a length gives is independent of the others.
+  void at(std::span<const double> lengths, KernelBatch& batch) const;
+
+  StripKernels untruncated() const;
+
+ private:
+  /// A diffracted wave on the face: B e^{j xi cos(beta)} erfc(e^{j pi/4} sqrt(2 xi) c), c = |cos(beta/2)|.
+  struct Term {
+    double strength;  // B
+    double distance;  // c, 0 on the boundary of the incident or reflected wave
+    double slope;     // dc/dphi'
+  };
+  /// What all terms of a block share: r = sqrt(2X), x = rh, W(x), e^{-jx^2} and erf(e^{j pi/4} x) / x.
+  struct Observer;
+  struct Sums;
+  static Term term(double n, double source, int sign);
+  void graze(double n, bool own_face);
+  void find_local_part(double n, const FaceIncidence& incidence);
+  double local_step(double n, bool lit) const;
+  double total_strength() const;
+  Observer observer(const Reals& length, ScaledErfc erfc) const;
+  static Complexes soft_phase(const Observer& at);
+  void add(const Term& term, const Observer& at, ScaledErfc erfc, Sums& sum) const;
+  void add_local(const Reals& length, Sums& sum) const;
+  Sums sums(const Reals& length, ScaledErfc erfc) const;
+  bool has_removable_quotient(double length) const;
+  void restore_removable(const Reals& length, Sums& sums_by_tier) const;
+  void finite_at(std::span<const double> lengths, KernelBatch& batch) const;
+
+  std::array<Term, 2> terms_{};
+  int term_count_ = 2;
+  double half_cosine_;
+  ScaledErfc scaled_erfc_;
+  bool exact_;
+  bool has_local_part_ = false;
+  struct {
+    double soft = 0.0, hard = 0.0, axial = 0.0;
+  } local_;  // exact minus uniform current of the endless strip
+};
+
+}  // namespace raytube

@@ -1,0 +1,75 @@
+#include "utd/multiple/strip_waves.h"
+
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+constexpr double thinnest = 2.0 - 1e-9;  // n of a wedge that is not a sheet, met over both sides at once
+constexpr double flattest_link = 1.02;   // n of an edge that is next to no edge at all
+constexpr double right_angle = 1e-4;     // of n: a fold that is a right one but for the rounding of its vertices
+constexpr int most_mirrors = 2;          // at the corner of three faces; between parallel folds there is no end of them
+
+// The arriving strip as a wave that grazes one face of the next wedge: its own (phi' = 0) or the other one (phi' = n pi).
+FaceIncidence grazing_incidence(const Wedge& wedge, int face, bool own, const dvec3& direction, double sine) {
+  FaceIncidence result;
+  result.tangent = glm::cross(wedge.faces[face].into_face, wedge.faces[face].normal);
+  result.cos_cone = glm::dot(direction, result.tangent);
+  result.sin_cone = sine;
+  result.source_angle = own ? 0.0 : wedge.n * pi;
+  result.lit = own;
+  return result;
+}
+
+dvec3 strip_direction(const WedgeFace& face, const FaceIncidence& incidence) {
+  return incidence.sin_cone * face.into_face + incidence.cos_cone * incidence.tangent;
+}
+
+}  // namespace
+
+StripWave first_wave(std::span<const Wedge> wedges, std::uint32_t wedge, int face, const FaceIncidence& incidence,
+                     const dvec3& incident, int order) {
+  const WedgeFace& lit = wedges[wedge].faces[face];
+  const bool grazes = std::abs(glm::dot(incident, lit.normal)) <= lit_threshold;
+  return {wedge, face, incidence, 1.0, order, grazes, strip_direction(lit, incidence), lit.into_face, wedge, face};
+}
+
+const OutlineEdge* strip_end(const Outlines& outlines, const WedgeFace& face, const StripWave& wave, const dvec3& point) {
+  const OutlineEdge* edge = outlines.exit(face, wave.wedge, point, wave.direction).edge;
+  return edge && !edge->smooth ? edge : nullptr;
+}
+
+std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedges, const StripWave& wave,
+                                                     const OutlineEdge& edge) {
+  if (edge.wedge == no_index) return std::nullopt;
+  const Wedge& next = wedges[edge.wedge];
+  const bool anew = wave.lights_far_edges && next.n < thinnest;
+  const int left = anew ? wave.left : wave.left - 1;
+  if (left == 0) return std::nullopt;
+  const double sine = -glm::dot(wave.direction, edge.into_face);
+  if (next.n < flattest_link || sine < along_edge) return std::nullopt;
+  const auto beyond = [&](int face, bool own, double sign) {
+    const FaceIncidence incidence = grazing_incidence(next, face, own, wave.direction, sine);
+    const WedgeFace& lit = next.faces[face];
+    return StripWave{edge.wedge,    face,       incidence, sign, left, false, strip_direction(lit, incidence),
+                     lit.into_face, edge.wedge, face};
+  };
+  // t of the other face is opposite, and so is H along it.
+  return std::array{beyond(edge.wedge_face, true, -wave.sign), beyond(1 - edge.wedge_face, false, wave.sign)};
+}
+
+std::optional<StripWave> mirrored_wave(std::span<const Wedge> wedges, const StripWave& wave, const OutlineEdge& edge) {
+  if (edge.wedge == no_index || std::abs(wedges[edge.wedge].n - 0.5) > right_angle || wave.mirrors == most_mirrors)
+    return std::nullopt;
+  if (-glm::dot(wave.direction, edge.into_face) < along_edge) return std::nullopt;
+  StripWave result = wave;
+  for (dvec3* each : {&result.direction, &result.across, &result.incidence.tangent}) *each = glm::reflect(*each, edge.into_face);
+  result.wedge = edge.wedge;
+  result.face = edge.wedge_face;
+  result.sign = -wave.sign;
+  ++result.mirrors;
+  return result;
+}
+
+}  // namespace raytube

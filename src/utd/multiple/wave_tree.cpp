@@ -1,0 +1,121 @@
+#include "utd/multiple/wave_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+constexpr double same_place = 1e-9;  // of the edge's length
+
+}  // namespace
+
+void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
+  const Wedge& wedge = wedges_[wave.wedge];
+  const double length = wedge.length();
+  const dvec3 step = (wedge.end - wedge.start) / length;
+  rounding_ = same_place * length;
+  runs_along_edge_ = false;
+  waves_.clear();
+  bundles_.clear();
+  waves_.push_back({wave, {wedge.start, step}, glm::dot(scattered_ - incident_, step)});
+  waves_[0].direct = true;
+  for (std::size_t w = 0; w < waves_.size(); ++w) {
+    waves_[w].first_bundle = static_cast<std::uint32_t>(bundles_.size());
+    if (w == 0) {
+      for (const LitInterval& piece : lit) split(waves_[w], piece.begin * length, piece.end * length);
+    } else {
+      const StripBundle parent = bundles_[waves_[w].parent];
+      split(waves_[w], parent.from, parent.to);
+    }
+    waves_[w].end_bundle = static_cast<std::uint32_t>(bundles_.size());
+    if (continue_by_images_ || waves_[w].wave.goes_on()) go_on(w);
+  }
+}
+
+// Neighbours between projected corners that end at one edge are taken together.
+void WaveTree::split(const TreeWave& wave, double from, double to) {
+  const WedgeFace& face = wedges_[wave.wave.wedge].faces[wave.wave.face];
+  project_corners(wave, from, to);
+  double begin = from, last = from;
+  const OutlineEdge* edge = nullptr;
+  for (const double cut : cuts_) {
+    const OutlineEdge* here = strip_end(outlines_, face, wave.wave, wave.line.at((last + cut) / 2));
+    if (last > begin && here != edge) {
+      end(wave, begin, last, edge);
+      begin = last;
+    }
+    edge = here;
+    last = cut;
+  }
+  end(wave, begin, to, edge);
+}
+
+void WaveTree::end(const TreeWave& wave, double from, double to, const OutlineEdge* edge) {
+  StripBundle& bundle =
+      bundles_.emplace_back(StripBundle{.from = from, .to = to, .start_rate = wave.path_rate, .end_rate = wave.path_rate});
+  if (!edge) return;
+  const dvec3& direction = wave.wave.direction;
+  bundle.edge = edge;
+  bundle.length = edge->distance(wave.line.origin, direction);
+  bundle.growth = -glm::dot(wave.line.step, edge->into_face) / glm::dot(direction, edge->into_face);
+  bundle.end_rate += (glm::dot(scattered_, direction) - 1) * bundle.growth;
+}
+
+void WaveTree::go_on(std::size_t index) {
+  if (waves_[index].wave.left > 1 && meets_edge_alongside(waves_[index].wave)) runs_along_edge_ = true;
+  for (std::uint32_t b = waves_[index].first_bundle; b < waves_[index].end_bundle; ++b) {
+    const StripBundle& bundle = bundles_[b];
+    if (!bundle.edge) continue;
+    if (continue_by_images_) mirror(index, b);
+    const TreeWave& wave = waves_[index];  // until the next ones are added
+    const auto next = waves_beyond(wedges_, wave.wave, *bundle.edge);
+    if (!next) continue;
+    const dvec3 direction = wave.wave.direction;
+    const EdgeLine there{wave.line.origin + bundle.length * direction, wave.line.step + bundle.growth * direction};
+    for (const StripWave& beyond : *next) waves_.push_back({beyond, there, bundle.end_rate, b});
+  }
+}
+
+// The straight path from the image of the source in the fold is l (s . sigma - s . sigma') longer, l the way to the fold.
+void WaveTree::mirror(std::size_t index, std::uint32_t bundle) {
+  const TreeWave wave = waves_[index];
+  const StripBundle& before = bundles_[bundle];
+  const auto mirrored = mirrored_wave(wedges_, wave.wave, *before.edge);
+  if (!mirrored) return;
+  const dvec3 direction = wave.wave.direction;
+  const Linear way{wave.behind.value + before.length, wave.behind.growth + before.growth};
+  const double turn = glm::dot(scattered_, direction - mirrored->direction);
+  waves_.push_back({.wave = *mirrored,
+                    .line = {wave.line.origin + before.length * direction, wave.line.step + before.growth * direction},
+                    .path_rate = before.end_rate,
+                    .parent = bundle,
+                    .behind = way,
+                    .detour = {wave.detour.value + turn * way.value, wave.detour.growth + turn * way.growth},
+                    .direct = wave.direct});
+}
+
+// Corners ahead of the strips, projected back along them; and the end.
+void WaveTree::project_corners(const TreeWave& wave, double from, double to) {
+  const WedgeFace& face = wedges_[wave.wave.wedge].faces[wave.wave.face];
+  const dvec3& direction = wave.wave.direction;
+  const dvec3 across = glm::cross(face.normal, direction);
+  const double per_place = 1 / glm::dot(wave.line.step, across);
+  cuts_.clear();
+  for (const OutlineEdge& edge : outlines_.around(face)) {
+    const double place = glm::dot(edge.start - wave.line.origin, across) * per_place;
+    if (!(place > from + rounding_ && place < to - rounding_)) continue;
+    if (glm::dot(edge.start - wave.line.at(place), direction) > 0.0) cuts_.push_back(place);
+  }
+  std::ranges::sort(cuts_);
+  cuts_.push_back(to);
+}
+
+bool WaveTree::meets_edge_alongside(const StripWave& wave) const {
+  return std::ranges::any_of(outlines_.around(wedges_[wave.wedge].faces[wave.face]), [&](const OutlineEdge& edge) {
+    return edge.wedge != wave.wedge && std::abs(glm::dot(wave.direction, edge.into_face)) < along_edge;
+  });
+}
+
+}  // namespace raytube

@@ -1,0 +1,91 @@
+// The waves that one wave on a lit edge starts: over its face to the far edges, from there over the next faces, and so on.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "utd/multiple/strip_waves.h"
+#include "utd/shadow/edge_visibility.h"
+
+namespace raytube {
+
+/// Places on an edge as a function of the place s on the first edge: origin + s step.
+struct EdgeLine {
+  dvec3 origin, step;
+  dvec3 at(double place) const { return origin + place * step; }
+};
+
+/// Neighbouring strips of one wave that end at the same edge. Their length is linear in the place s on the first edge.
+struct StripBundle {
+  double from, to;                    // [m] on the first edge
+  const OutlineEdge* edge = nullptr;  // where they end; null if they run on for ever
+  double length = 0.0, growth = 0.0;  // the strip from s is length + growth s long [m]
+  double start_rate, end_rate;        // change of the phase at their starts and at their ends per metre of the first edge, over k
+
+  double length_at(double place) const { return length + growth * place; }
+};
+
+/// What depends on the place on the first edge and is linear in it.
+struct Linear {
+  double value = 0.0, growth = 0.0;
+  double at(double place) const { return value + place * growth; }
+};
+
+/// One wave of the tree.
+struct TreeWave {
+  StripWave wave;
+  EdgeLine line;                                   // where its strips start
+  double path_rate;                                // change of its phase there per metre of the first edge, over k
+  std::uint32_t parent = no_index;                 // the bundle whose strips end there; none for the first wave
+  std::uint32_t first_bundle = 0, end_bundle = 0;  // its own
+
+  // Of mirrored strips: how far their current has come, and how much the path over the image of its source, from which they run
+  // straight, exceeds that over the source itself [m].
+  Linear behind{}, detour{};
+  bool direct = false;  // the current is that of the first wave
+};
+
+/// Finds all waves and bundles, each wave after the one it comes from. Keeps its buffers from one tree to the next.
+class WaveTree {
+ public:
+  /// For a look with the directions s' and s.
+  WaveTree(std::span<const Wedge> wedges, const Outlines& outlines, const dvec3& incident, const dvec3& scattered,
+           bool continue_by_images)
+      : wedges_(wedges),
+        outlines_(outlines),
+        incident_(incident),
+        scattered_(scattered),
+        continue_by_images_(continue_by_images) {}
+
+  /// The tree of `wave`, started on the lit pieces of its edge.
+  void grow(const StripWave& wave, std::span<const LitInterval> lit);
+
+  std::span<const TreeWave> waves() const { return waves_; }
+  std::span<const StripBundle> bundles() const { return bundles_; }
+
+  /// [m] Places on the first edge that are nearer to one another are one.
+  double rounding() const { return rounding_; }
+
+  /// Whether one of the waves that go on to further edges runs exactly along an edge of its face.
+  bool runs_along_edge() const { return runs_along_edge_; }
+
+ private:
+  void split(const TreeWave& wave, double from, double to);
+  void end(const TreeWave& wave, double from, double to, const OutlineEdge* edge);
+  void go_on(std::size_t index);
+  void mirror(std::size_t index, std::uint32_t bundle);
+  void project_corners(const TreeWave& wave, double from, double to);
+  bool meets_edge_alongside(const StripWave& wave) const;
+
+  std::span<const Wedge> wedges_;
+  const Outlines& outlines_;
+  dvec3 incident_, scattered_;
+  bool continue_by_images_;
+  double rounding_ = 0.0;
+  std::vector<TreeWave> waves_;
+  std::vector<StripBundle> bundles_;
+  std::vector<double> cuts_;
+  bool runs_along_edge_ = false;
+};
+
+}  // namespace raytube

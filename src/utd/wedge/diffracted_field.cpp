@@ -1,0 +1,186 @@
+#include "utd/wedge/diffracted_field.h"
+
+#include <cmath>
+
+#include "core/error.h"
+#include "math/erfc_ray.h"
+#include "utd/wedge/edge_wave.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double angle_rounding = 1e-9;  // [rad] deeper in the metal than this is not rounding
+
+// A point relative to the edge: rho, z along it, and the angle from face 0, negative in the metal.
+struct Cylindrical {
+  double distance;
+  double along;
+  double angle;
+};
+
+double angle_from_face(const StraightEdge& edge, double x, double y) {
+  const double last = edge.n * pi, turned = std::atan2(y, x), angle = turned < 0.0 ? turned + 2 * pi : turned;
+  if (angle <= last) return angle;
+  if (angle - last < angle_rounding) return last;
+  return 2 * pi - angle < angle_rounding ? 0.0 : -1.0;
+}
+
+Cylindrical cylindrical(const StraightEdge& edge, const dvec3& offset) {
+  const double x = glm::dot(offset, edge.into_face), y = glm::dot(offset, edge.normal);
+  return {std::hypot(x, y), glm::dot(offset, edge.tangent()), angle_from_face(edge, x, y)};
+}
+
+// Of a plane wave, the direction towards its source.
+Cylindrical cylindrical(const StraightEdge& edge, const RaySource& source) {
+  return cylindrical(edge, source.spreading == Spreading::plane ? -source.direction : source.place - edge.origin);
+}
+
+void require(const Cylindrical& place, const char* what) {
+  if (!(place.distance > 0.0))
+    throw InputError(std::string("diffracted field: the ") + what + " lies on the edge's line; move it off the edge");
+  if (place.angle < 0.0)
+    throw InputError(std::string("diffracted field: the ") + what + " lies inside the wedge; move it into the free space");
+}
+
+void require(const StraightEdge& edge, const RaySource& source) {
+  if (!(edge.n > 0.0 && edge.n <= 2.0)) throw InputError("diffracted field: n must be greater than 0 and at most 2");
+  if (!(edge.begin < edge.end)) throw InputError("diffracted field: the edge must end after its beginning");
+  if (source.spreading == Spreading::line && glm::length(glm::cross(source.direction, edge.tangent())) > angle_rounding)
+    throw InputError("diffracted field: a line source must be parallel to the edge");
+}
+
+// The edge point in the plane where the ray is straight, and what follows from there.
+struct Unfolded {
+  double place;     // of Q
+  double cos_cone;  // of the angle between the edge and either ray
+  double sin_cone;
+  double path;  // [m]
+  double spread;
+  double parameter;  // L
+};
+
+Unfolded unfold_point(const Cylindrical& source, const Cylindrical& observer) {
+  const double across = source.distance + observer.distance, along = observer.along - source.along;
+  const double path = std::hypot(across, along), place = source.along + along * source.distance / across;
+  return {place, along / path, across / path, path, 1 / path, source.distance * observer.distance / path};
+}
+
+Unfolded unfold_line(const Cylindrical& source, const Cylindrical& observer) {
+  const double across = source.distance + observer.distance;
+  return {observer.along, 0.0, 1.0, across, 1 / std::sqrt(across), source.distance * observer.distance / across};
+}
+
+Unfolded unfold_plane(const StraightEdge& edge, const RaySource& wave, const Cylindrical& source, const Cylindrical& observer) {
+  const double cosine = -source.along, sine = source.distance, length = observer.distance / sine;
+  const double start = glm::dot(wave.direction, edge.origin - wave.place);
+  return {observer.along - length * cosine, cosine, sine, start + observer.along * cosine + observer.distance * sine, 1.0,
+          observer.distance * sine};
+}
+
+Unfolded unfold(const StraightEdge& edge, const RaySource& wave, const Cylindrical& source, const Cylindrical& observer) {
+  if (wave.spreading == Spreading::point) return unfold_point(source, observer);
+  if (wave.spreading == Spreading::line) return unfold_line(source, observer);
+  return unfold_plane(edge, wave, source, observer);
+}
+
+// sqrt(rho^2 + (u + step)^2) less its linear part in the step, which leaves out what the two halves of a ray over an edge have
+// with opposite signs: no difference of long ways is taken.
+double excess(double rho, double u, double step) {
+  const double length = std::hypot(rho, u), stepped = std::hypot(rho, u + step), sum = length + stepped;
+  return step * step * std::max(0.0, 1 - u / length * (2 * u + step) / sum) / sum;
+}
+
+double detour(const RaySource& wave, const Cylindrical& source, const Cylindrical& observer, double place, double end) {
+  const double step = end - place;
+  if (std::isinf(step)) return std::abs(step);
+  const double after = excess(observer.distance, place - observer.along, step);
+  return wave.spreading == Spreading::point ? after + excess(source.distance, place - source.along, step) : after;
+}
+
+// G / share of one end, and on which side of it the diffraction point lies.
+struct EndWave {
+  double squared;  // x^2
+  bool inside;
+  Complex wave;
+
+  Complex step(double term_squared) const {
+    const Complex part = std::isinf(squared) ? 0.0 : wave * (term_squared / (term_squared + squared));
+    return inside ? 1.0 - part : part;
+  }
+};
+
+EndWave end_wave(double squared, bool inside) {
+  if (std::isinf(squared)) return {squared, inside, 0.0};
+  return {squared, inside, 0.5 * std::polar(1.0, -squared) * scaled_erfc(std::sqrt(squared))};
+}
+
+}  // namespace
+
+StraightEdge straight_edge(const Wedge& wedge) {
+  const WedgeFace& face = wedge.faces[0];
+  StraightEdge edge{wedge.start, face.into_face, face.normal, wedge.n, 0.0, wedge.length()};
+  if (glm::dot(edge.tangent(), wedge.end - wedge.start) < 0.0) edge.origin = wedge.end;
+  return edge;
+}
+
+bool has_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer) {
+  const Cylindrical from = cylindrical(edge, source), to = cylindrical(edge, observer - edge.origin);
+  return from.distance > 0.0 && to.distance > 0.0 && from.angle >= 0.0 && to.angle >= 0.0;
+}
+
+EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer) {
+  const Cylindrical from = cylindrical(edge, source), to = cylindrical(edge, observer - edge.origin);
+  require(edge, source);
+  require(from, "source");
+  require(to, "observer");
+  const Unfolded u = unfold(edge, source, from, to);
+  EdgeRay ray;
+  ray.place = u.place;
+  ray.point = edge.origin + u.place * edge.tangent();
+  ray.path = u.path;
+  ray.spread = u.spread;
+  ray.source_angle = from.angle;
+  ray.observation_angle = to.angle;
+  ray.sin_cone = u.sin_cone;
+  ray.distance_parameter = u.parameter;
+  const auto outwards = [&](double angle) { return std::cos(angle) * edge.into_face + std::sin(angle) * edge.normal; };
+  ray.arriving = u.cos_cone * edge.tangent() - u.sin_cone * outwards(from.angle);
+  ray.leaving = u.cos_cone * edge.tangent() + u.sin_cone * outwards(to.angle);
+  ray.detours = {detour(source, from, to, u.place, edge.begin), detour(source, from, to, u.place, edge.end)};
+  return ray;
+}
+
+DiffractedWave diffracted_wave(const StraightEdge& edge, const EdgeRay& ray, double wavenumber) {
+  const EndWave first = end_wave(wavenumber * ray.detours[0], ray.place > edge.begin);
+  const EndWave last = end_wave(wavenumber * ray.detours[1], ray.place < edge.end);
+  const double distance = std::sqrt(wavenumber * ray.distance_parameter);
+  const EdgeWaveTerms terms = edge_wave_terms(edge.n, ray.source_angle, ray.observation_angle);
+  const auto sum = [&](const std::array<EdgeWaveTerm, 2>& waves) {
+    Complex total = 0.0;
+    for (int i = 0; i < terms.each; ++i) {
+      if (waves[i].strength == 0.0) continue;
+      const double z = waves[i].rate * distance;
+      total += waves[i].strength * scaled_erfc(z) * (first.step(z * z) + last.step(z * z) - 1.0);
+    }
+    return total;
+  };
+  const Complex incident = sum(terms.incident), reflected = sum(terms.reflected);
+  const Complex phase = std::polar(ray.spread, -wavenumber * ray.path);
+  return {phase * (incident - reflected), phase * (incident + reflected)};
+}
+
+ComplexVector diffracted_field(const StraightEdge& edge, const EdgeRay& ray, const ComplexVector& moment, double wavenumber) {
+  const DiffractedWave wave = diffracted_wave(edge, ray, wavenumber);
+  const dvec3 phi_source = -glm::cross(edge.tangent(), ray.arriving) / ray.sin_cone;
+  const dvec3 phi = glm::cross(edge.tangent(), ray.leaving) / ray.sin_cone;
+  const dvec3 cone_source = glm::cross(ray.arriving, phi_source), cone = glm::cross(ray.leaving, phi);
+  return (-wave.soft * dot(moment, cone_source)) * cone + (-wave.hard * dot(moment, phi_source)) * phi;
+}
+
+ComplexVector diffracted_field(const StraightEdge& edge, const RaySource& source, const dvec3& observer, double wavenumber) {
+  if (!(wavenumber > 0.0)) throw InputError("diffracted field: the wavenumber must be positive");
+  return diffracted_field(edge, edge_ray(edge, source, observer), source.moment, wavenumber);
+}
+
+}  // namespace raytube

@@ -1,0 +1,63 @@
+// Integrals of an edge's waves over a row of parallel rays where these meet a plane. Derived in docs/between.md.
+#pragma once
+
+#include "math/lanes.h"
+#include "utd/wedge/edge_wave.h"
+
+namespace raytube {
+
+/// Rays of one azimuth that meet one plane, by their places along the edge, from <= z <= to.
+struct RayRow {
+  double from = 0.0, to = 0.0;
+  double path = 0.0, path_rate = 0.0;    // the ray at place z is path + path_rate z long, from the edge on [m]
+  double phase = 0.0, phase_rate = 0.0;  // exponent / k there
+};
+
+/// Of waves u e^{-jk s}, s the length of a ray and rho = s sin(beta0): the integrals over z of s e^{jk phase} times u, and times
+/// rho du/d(rho) / sin(beta0) and du/d(azimuth) / sin(beta0), the slopes that a ray does without.
+struct WaveSums {
+  Complex value, outwards, around;
+
+  WaveSums& operator+=(const WaveSums& other) { return *this = *this + other; }
+  friend WaveSums operator+(const WaveSums& a, const WaveSums& b) {
+    return {a.value + b.value, a.outwards + b.outwards, a.around + b.around};
+  }
+  friend WaveSums operator-(const WaveSums& a, const WaveSums& b) {
+    return {a.value - b.value, a.outwards - b.outwards, a.around - b.around};
+  }
+};
+
+struct WaveIntegrals {
+  WaveSums incident, reflected;
+};
+
+/// The waves of one azimuth from the piece [from, to] of an edge.
+///
+/// Where the start of a ray passes an end of the piece its wave neither stops nor goes on: Fresnel's step of the detour over the
+/// end, 1 - D inside and D outside with D = e^{-jx^2} W(x) / 2, x^2 = k detour. It is divided between the two edges that meet
+/// there: z^2 / (z^2 + x^2) of it is this one's, z^2 the argument X of the wave's own transition. `corners` are the places of
+/// these ends, infinite where there is none; rays between `from` and `to` count whole.
+class EdgeWaveIntegral {
+ public:
+  EdgeWaveIntegral(const EdgeWaveTerms& terms, double cos_cone, double sin_cone, double from, double to,
+                   const std::array<double, 2>& corners)
+      : terms_(terms), cos_cone_(cos_cone), sin_cone_(sin_cone), from_(from), to_(to), corners_(corners) {}
+
+  WaveIntegrals over(const RayRow& row, double k) const;
+
+  /// How far from an end its wave is followed, for rays up to this long [m]; `cosine` is cos(beta0), towards greater places, and
+  /// its negative towards smaller ones.
+  static double reach(double path, double k, double cosine, double sin_cone);
+
+ private:
+  void add_piece(const RayRow& row, double k, double from, double to, WaveIntegrals& sum) const;
+  void add_corner(const RayRow& row, double k, double corner, double inwards, WaveIntegrals& sum) const;
+  void add_beside_corner(const RayRow& row, double k, double corner, double side, double from, double to,
+                         WaveIntegrals& sum) const;
+
+  const EdgeWaveTerms& terms_;
+  double cos_cone_, sin_cone_, from_, to_;
+  std::array<double, 2> corners_;
+};
+
+}  // namespace raytube

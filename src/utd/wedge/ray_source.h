@@ -1,0 +1,36 @@
+// Sources at any distance and the field they have in free space.
+#pragma once
+
+#include "core/complex_vector.h"
+
+namespace raytube {
+
+enum class Spreading { plane, line, point };
+
+/// Far from its place the free field of a source of moment p is (p - d (d.p)) spread e^{-jk path}, d the ray's direction:
+///   point  spread 1/r, path r: the waves of a short dipole, p in volts
+///   line   spread 1/sqrt(rho), path rho: the same across a straight line
+///   plane  spread 1, path d . (r - place)
+struct RaySource {
+  Spreading spreading = Spreading::point;
+  dvec3 place{0.0};          // of the source; of a plane wave, where its phase is zero [m]
+  dvec3 direction{0, 0, 1};  // unit: of travel of a plane wave, along a line; no meaning for a point
+  ComplexVector moment;
+};
+
+/// What a straight ray from the source brings to a point.
+struct Arrival {
+  dvec3 direction;  // d, unit
+  double path;      // [m]
+  double spread;
+};
+Arrival arrival(const RaySource& source, const dvec3& point);
+
+/// `moment` across the ray of this direction.
+inline ComplexVector across(const ComplexVector& moment, const dvec3& direction) {
+  return moment - dot(moment, direction) * direction;
+}
+
+ComplexVector free_field(const RaySource& source, const dvec3& point, double wavenumber);
+
+}  // namespace raytube

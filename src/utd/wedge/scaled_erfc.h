@@ -1,0 +1,14 @@
+// W(x) of erfc_ray.h by transition functions of different accuracy.
+#pragma once
+
+#include "math/lanes.h"
+#include "utd/wedge/transition.h"
+
+namespace raytube {
+
+using ScaledErfc = Complexes (*)(const Reals& x);
+
+/// W(x) = F(x^2) / (sqrt(pi) e^{j pi/4} x), x >= 0, with the F of this tier.
+ScaledErfc scaled_erfc_of(TransitionTier tier);
+
+}  // namespace raytube
