@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
 
   const Case c = read_case(file, {});
   const LoadedMesh loaded = load_target(c);
-  const Target target(loaded.mesh, c.edges);
+  const Target target(loaded.mesh, c.wedges);
   std::vector<double> times[std::size(ways)];
   for (int run = 0; run < repeat; ++run)
     for (std::size_t i = 0; i < std::size(ways); ++i) times[i].push_back(solve_time(target, c, ways[i], threads));

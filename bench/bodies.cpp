@@ -5,13 +5,6 @@
 
 namespace raytube::bench {
 
-EdgeOptions Body::no_edges() {
-  EdgeOptions edges;
-  edges.method = EdgeMethod::none;
-  edges.thin_plates = false;
-  return edges;
-}
-
 Sweep looks_from(std::vector<double> frequencies, std::initializer_list<std::pair<double, double>> degrees) {
   Sweep sweep{std::move(frequencies), {}, false};
   for (const auto& [theta, phi] : degrees) {
@@ -55,7 +48,8 @@ SolveOptions over_cells(TubeMode mode, double per_wavelength, int threads) {
 }
 
 SolveOptions clipped(double tolerance_db, int threads, bool curved, double most_per_wavelength) {
-  SolveOptions options = over_cells(TubeMode::adaptive, most_per_wavelength, threads);
+  SolveOptions options = over_cells(TubeMode::adaptive, 10.0, threads);
+  options.tubes.max_per_wavelength = most_per_wavelength;
   options.tubes.clip = true;
   options.tubes.curved = curved ? CurvedSurfaces::always : CurvedSurfaces::never;
   options.tubes.tolerance_db = tolerance_db;

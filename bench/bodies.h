@@ -11,15 +11,12 @@
 
 namespace raytube::bench {
 
-/// A target and the looks at it. It stays where it is made: `target` refers to `mesh`.
+/// A target and the looks at it.
 struct Body {
   Body(std::string title, LoadedMesh&& loaded, Sweep looks)
-      : name(std::move(title)), mesh(std::move(loaded.mesh)), sweep(std::move(looks)), target(mesh, no_edges()) {}
-  Body(const Body&) = delete;
-  static EdgeOptions no_edges();
+      : name(std::move(title)), sweep(std::move(looks)), target(std::move(loaded.mesh), {.thin_plates = false}) {}
 
   std::string name;
-  TriangleMesh mesh;
   Sweep sweep;
   Target target;
 };

@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
 
   const LoadedMesh loaded = build_mesh(box_field(boxes), 1.0);
-  const Target target(loaded.mesh, EdgeOptions{});
+  const Target target(loaded.mesh);
   Sweep sweep{{94e9}, {}, false};
   for (int i = 0; i < looks; ++i) sweep.looks.push_back({{pi / 3, i * pi / 360}, {pi / 3, i * pi / 360}});
   std::vector<double> tubes, orders[3];

@@ -18,7 +18,7 @@ using bench::median;
 void measure(const std::string& file, int threads, int repeat) {
   const Case c = read_case(file, {"tubes.mode=\"uniform\""});
   const LoadedMesh loaded = load_target(c);
-  const Target target(loaded.mesh, c.edges);
+  const Target target(loaded.mesh, c.wedges);
   SolveOptions options;
   options.tubes = c.tubes;
   options.edges.method = EdgeMethod::none;

@@ -181,7 +181,7 @@ Json study(const Body& body, const Truths& truths, const std::vector<double>& de
   const std::vector<Method> all = methods(body, truths.smooth.has_value(), densities, settings);
   const std::vector<std::vector<Outcome>> outcomes = outcomes_of(all, settings.repeats);
   Json json = {{"body", body.name},
-               {"triangles", body.mesh.triangles.size()},
+               {"triangles", body.target.mesh.triangles.size()},
                {"truth", truths.facets.from},
                {"check", truths.facets.check}};
   if (truths.smooth) json["smooth_truth"] = truths.smooth->from;

@@ -52,7 +52,7 @@ Json with_triangles(const Settings& settings) {
   for (const double triangles : sizes) {
     const Body body("vehicle, 3 GHz, 4 looks", build_mesh(vehicle(triangles), 1.0), looks_round(3e9, 4));
     std::vector<Place> places;
-    add_both_modes(places, static_cast<double>(body.mesh.triangles.size()), body, body.sweep, settings.threads);
+    add_both_modes(places, static_cast<double>(body.target.mesh.triangles.size()), body, body.sweep, settings.threads);
     const Json size = measured(body.name, "triangles", places, settings.repeats);
     if (json.is_null())
       json = size;

@@ -56,7 +56,7 @@ double solve_seconds(const Target& target, const Case& job, int threads) {
 Json job_row(const std::string& file, const Settings& settings) {
   const Case tubes = repository_case(file, "adaptive"), grid = repository_case(file, "uniform");
   const LoadedMesh loaded = load_target(grid);
-  const Target target(loaded.mesh, grid.edges);
+  const Target target(loaded.mesh);
   std::vector<double> adaptive, uniform, bare;
   on_threads(settings.threads, [&] {
     for (int i = 0; i < settings.repeats; ++i) {

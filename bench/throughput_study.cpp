@@ -24,7 +24,7 @@ Json measure(const Body& body, int threads, int repeats) {
       bare.push_back(last.seconds);
     }
   });
-  return {{"body", body.name},         {"triangles", body.mesh.triangles.size()},
+  return {{"body", body.name},         {"triangles", body.target.mesh.triangles.size()},
           {"threads", threads},        {"rays", rays},
           {"bare_rays", last.rays},    {"hit_share", static_cast<double>(last.hits) / static_cast<double>(last.rays)},
           {"solve_s", median(solver)}, {"bare_s", median(bare)}};

@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   const PolygonSoup soup{{{-1.5, -1.5, 0}, {1.5, -1.5, 0}, {1.5, 1.5, 0}, {-1.5, 1.5, 0}}, {{0, 1, 2, 3}}};
   const LoadedMesh loaded = build_mesh(soup, 1.0);
-  const Target plate(loaded.mesh, EdgeOptions{});
+  const Target plate(loaded.mesh);
   compare("F", "ns", 1e9, repeat, transition_series);
   compare("G_h of a strip", "ns", 1e9, repeat, kernel_series);
   compare("edge pass on a plate", "us", 1e6, repeat, [&](TransitionTier tier) { return plate_series(plate, tier); });

@@ -26,14 +26,13 @@ inline SolveOptions options(EdgeMethod edges, double per_wavelength = 10.0) {
   SolveOptions o;
   o.edges.method = edges;
   o.tubes.mode = TubeMode::uniform;
-  o.tubes.per_wavelength = per_wavelength;
+  o.tubes.per_wavelength = o.tubes.max_per_wavelength = per_wavelength;
   o.keep_parts = true;
   return o;
 }
 
-inline SweepResult solve_soup(PolygonSoup soup, const Sweep& sweep, const SolveOptions& o) {
-  const LoadedMesh loaded = build_mesh(std::move(soup), 1.0);
-  return solve(Target(loaded.mesh, o.edges), sweep, o);
+inline SweepResult solve_soup(PolygonSoup soup, const Sweep& sweep, const SolveOptions& o, const WedgeOptions& wedges = {}) {
+  return solve(Target(build_mesh(std::move(soup), 1.0).mesh, wedges), sweep, o);
 }
 
 /// Prints a measured figure among the test's output; docs/accuracy.md says how to collect them.

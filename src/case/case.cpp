@@ -58,9 +58,6 @@ dvec3 read_up(const CaseValue& value) {
   return vector;
 }
 
-// Adaptive tubes that no density is given for stop here.
-constexpr double most_per_wavelength = 40.0;
-
 CurvedSurfaces read_curved(const CaseValue& value) {
   const std::string text = read_text(value, "tubes.curved");
   for (const CurvedName& known : curved_names)
@@ -76,8 +73,6 @@ void read_tubes(const CaseValue& root, Case& c) {
       reject(*mode, fmt::format("tubes.mode \"{}\" is unknown; write \"uniform\" or \"adaptive\"", quotable(name)));
     c.tubes.mode = name == "adaptive" ? TubeMode::adaptive : TubeMode::uniform;
   }
-  if (const CaseValue* density = find(root, "tubes", "per_wavelength"))
-    c.tubes.per_wavelength = read_positive(*density, "tubes.per_wavelength");
   if (const CaseValue* bounces = find(root, "tubes", "max_bounces"))
     c.tubes.max_bounces = read_whole(*bounces, "tubes.max_bounces", 1, 1000);
   if (clip) {
@@ -85,7 +80,9 @@ void read_tubes(const CaseValue& root, Case& c) {
       reject(*clip, {mode}, "tubes.clip needs tubes.mode = \"adaptive\"; a uniform grid is never clipped, so remove it");
     c.tubes.clip = read_flag(*clip, "tubes.clip");
   }
-  const bool clipped = c.tubes.mode == TubeMode::adaptive && c.tubes.clip;
+  const bool clipped = c.tubes.refines();
+  if (const CaseValue* density = find(root, "tubes", "per_wavelength"))
+    (clipped ? c.tubes.max_per_wavelength : c.tubes.per_wavelength) = read_positive(*density, "tubes.per_wavelength");
   if (const CaseValue* curved = find(root, "tubes", "curved")) {
     if (!clipped)
       reject(*curved, {mode, clip}, "tubes.curved needs adaptive tubes with clip; the others see facets, so remove it");
@@ -97,7 +94,6 @@ void read_tubes(const CaseValue& root, Case& c) {
              "accuracy.tolerance_db needs adaptive tubes with clip; the others have the density given, so remove it");
     c.tubes.tolerance_db = read_positive(*tolerance, "accuracy.tolerance_db");
   }
-  if (clipped && !find(root, "tubes", "per_wavelength")) c.tubes.per_wavelength = most_per_wavelength;
   if (const CaseValue* skip = find(root, "tubes", "skip")) c.tubes.skip = read_flag(*skip, "tubes.skip");
   if (const CaseValue* up = find(root, "tubes", "up")) c.tubes.up = read_up(*up);
 }
@@ -143,12 +139,12 @@ void read_edges(const CaseValue& root, Case& c) {
   if (const CaseValue* transition = find(root, "edges", "transition")) c.edges.transition = read_transition(*transition);
   if (const CaseValue* materials = find(root, "edges", "materials"))
     c.edges.materials = read_material_edges(*materials, method, c);
-  if (const CaseValue* thin = find(root, "edges", "thin_sheets")) c.edges.thin_plates = read_flag(*thin, "edges.thin_sheets");
+  if (const CaseValue* thin = find(root, "edges", "thin_sheets")) c.wedges.thin_plates = read_flag(*thin, "edges.thin_sheets");
   if (const CaseValue* angle = find(root, "edges", "min_wedge_deg")) {
     const double degrees = read_number(*angle, "edges.min_wedge_deg");
     if (degrees < 0.0 || degrees >= 180.0)
       reject(*angle, fmt::format("edges.min_wedge_deg must be at least 0 and less than 180 (found {})", degrees));
-    c.edges.min_wedge_angle = degrees * degree;
+    c.wedges.min_wedge_angle = degrees * degree;
   }
 }
 

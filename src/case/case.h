@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "solve/solve.h"
+#include "scene/options.h"
+#include "scene/sweep.h"
 
 namespace raytube {
 
@@ -79,6 +80,7 @@ struct Case {
   RadarChoice radar;
   TubeOptions tubes;
   EdgeOptions edges;
+  WedgeOptions wedges;
   bool plots = true;
   bool incoherent = false;               // what rough surfaces scatter incoherently is written, too
   std::vector<std::size_t> image_looks;  // of which images are made

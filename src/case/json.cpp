@@ -20,8 +20,9 @@ Json frequency_json(const Sweep& sweep) {
 
 Json tubes_json(const TubeOptions& tubes) {
   const bool adaptive = tubes.mode == TubeMode::adaptive;
-  Json json = {
-      {"mode", adaptive ? "adaptive" : "uniform"}, {"per_wavelength", tubes.per_wavelength}, {"max_bounces", tubes.max_bounces}};
+  Json json = {{"mode", adaptive ? "adaptive" : "uniform"},
+               {"per_wavelength", tubes.refines() ? tubes.max_per_wavelength : tubes.per_wavelength},
+               {"max_bounces", tubes.max_bounces}};
   if (adaptive) json["clip"] = tubes.clip;
   if (adaptive && tubes.clip) json["curved"] = curved_name(tubes.curved);
   json["skip"] = tubes.skip;
@@ -29,14 +30,14 @@ Json tubes_json(const TubeOptions& tubes) {
   return json;
 }
 
-Json edges_json(const EdgeOptions& edges, bool has_materials) {
+Json edges_json(const EdgeOptions& edges, const WedgeOptions& wedges, bool has_materials) {
   Json json = {{"method", edge_method_name(edges.method)},
                {"order", edges.order},
                {"between", edges.interaction},
                {"receiver_shadow", edges.receiver_shadow},
                {"transition", transition_name(edges.transition)},
-               {"thin_sheets", edges.thin_plates},
-               {"min_wedge_deg", decimal_degrees(edges.min_wedge_angle)}};
+               {"thin_sheets", wedges.thin_plates},
+               {"min_wedge_deg", decimal_degrees(wedges.min_wedge_angle)}};
   if (has_materials) json["materials"] = material_edge_name(edges.materials);
   if (edges.utd_range > 0.0) json["utd_range_m"] = edges.utd_range;
   return json;
@@ -128,7 +129,7 @@ Json resolved_case(const Case& c) {
   if (!c.sweep.looks.front().far()) json["radar"] = radar_json(c);
   json["tubes"] = tubes_json(c.tubes);
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};
-  json["edges"] = edges_json(c.edges, !c.sweep.materials.empty());
+  json["edges"] = edges_json(c.edges, c.wedges, !c.sweep.materials.empty());
   json["output"] = {{"plots", c.plots}};
   if (c.incoherent) json["output"]["incoherent"] = true;
   if (!c.image_looks.empty()) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "solve/solve.h"
+#include "scene/options.h"
 
 namespace raytube {
 

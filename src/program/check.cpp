@@ -63,6 +63,8 @@ void print_antennas(const Case& c) {
     fmt::print("             {}{}{}\n", beam, beam.empty() || radar.pattern_csv.empty() ? "" : ", ", radar.pattern_csv);
 }
 
+double densest(const TubeOptions& tubes) { return tubes.refines() ? tubes.max_per_wavelength : tubes.per_wavelength; }
+
 void print_case(const Case& c) {
   std::vector<double> ghz;
   for (const double hertz : c.sweep.frequencies) ghz.push_back(hertz / 1e9);
@@ -76,14 +78,14 @@ void print_case(const Case& c) {
   if (c.edges.method == EdgeMethod::utd)
     fmt::print("tubes        none: rays in their place (edges.method \"utd\"), at most {} reflections\n", c.tubes.max_bounces);
   else
-    fmt::print("tubes        {}, {} per wavelength at {} GHz, at most {} bounces\n", mode_text(c.tubes), c.tubes.per_wavelength,
+    fmt::print("tubes        {}, {} per wavelength at {} GHz, at most {} bounces\n", mode_text(c.tubes), densest(c.tubes),
                number_text(highest_frequency(c.sweep) / 1e9), c.tubes.max_bounces);
   if (c.tubes.up) fmt::print("             grid rows follow ({}, {}, {})\n", c.tubes.up->x, c.tubes.up->y, c.tubes.up->z);
   if (c.edges.method == EdgeMethod::none)
     fmt::print("edges        none\n");
   else if (c.edges.method == EdgeMethod::fringe)
     fmt::print("edges        fringe currents, order {}, creases of {} deg and more{}\n", c.edges.order,
-               decimal_degrees(c.edges.min_wedge_angle), c.edges.interaction ? "; waves between surfaces" : "");
+               decimal_degrees(c.wedges.min_wedge_angle), c.edges.interaction ? "; waves between surfaces" : "");
   if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
     fmt::print("             transition function {}{}\n", transition_name(c.edges.transition),
                c.edges.order == 1 ? ", which plays no part at order 1" : "");
@@ -214,8 +216,6 @@ void print_skipped(const Case& c, const MeshReport& r, const Target& target, con
   for (const std::string& line : lines) fmt::print("  {}\n", line);
 }
 
-bool clipped(const TubeOptions& tubes) { return tubes.mode == TubeMode::adaptive && tubes.clip; }
-
 LaunchGrid grid_of(const Case& c, const TriangleMesh& mesh, std::size_t look) {
   return grid_of_look(mesh, c.sweep.looks[look], wavelength(highest_frequency(c.sweep)), c.tubes.per_wavelength, c.tubes.up);
 }
@@ -271,8 +271,8 @@ void print_memory(const Target& target, const Case& c) {
 void check_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   if (!request.wedges_csv.empty()) check_wedges_file(request.wedges_csv);
-  const LoadedMesh loaded = load_target(c);
-  const Target target(loaded.mesh, c.edges);
+  LoadedMesh loaded = load_target(c);
+  const Target target(std::move(loaded.mesh), c.wedges);
   check_solvable(target, c);
   const LookPlan plan = plan_of(target, c.sweep, c.tubes, c.edges.method);
   print_case(c);
@@ -284,14 +284,14 @@ void check_command(const Request& request) {
   print_skipped(c, loaded.report, target, plan);
   if (c.edges.method == EdgeMethod::utd)
     print_rays(c, target, plan);
-  else if (clipped(c.tubes))
-    print_clipped_cost(loaded.mesh, plan);
+  else if (c.tubes.refines())
+    print_clipped_cost(target.mesh, plan);
   else
-    print_cost(c, loaded.mesh, plan);
+    print_cost(c, target.mesh, plan);
   print_memory(target, c);
   if (!request.wedges_csv.empty()) {
     const std::vector<Wedge> used = merge_thin_plate_edges(target.wedges, target.rims, thin_limit(highest_frequency(c.sweep)));
-    write_wedges_csv(request.wedges_csv, loaded.mesh, used, c.sweep);
+    write_wedges_csv(request.wedges_csv, target.mesh, used, c.sweep);
   }
   check_memory(target, c, {c.tubes, c.edges, all_threads(), false, {}}, nullptr);  // as a run would
 }

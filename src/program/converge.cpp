@@ -178,10 +178,9 @@ void converge_command(const Request& request) {
         fmt::format("{}: edges.method \"utd\" has no tubes whose density could be studied; remove it", c.file.string()));
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   check_output(destination, names_of_results(c.plots), input_files(c));
-  const LoadedMesh loaded = load_target(c);
-  const Target target(loaded.mesh, c.edges);
-  check_antennas(loaded.mesh, c.sweep);
-  check_finest(densities.back(), request.densities, c, loaded.mesh);
+  const Target target(load_target(c).mesh, c.wedges);
+  check_antennas(target.mesh, c.sweep);
+  check_finest(densities.back(), request.densities, c, target.mesh);
   check_study_memory(target, c, request, densities);
   Study study(c, target, request, destination, densities);
   const InterruptFlag interrupt_flag([&study] { return study.last_words(); });

@@ -8,6 +8,7 @@
 #include "case/case.h"
 #include "program/commands.h"
 #include "program/results.h"
+#include "solve/solve.h"
 
 namespace raytube {
 

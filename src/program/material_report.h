@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/case.h"
+#include "solve/solve.h"
 
 namespace raytube {
 

@@ -5,6 +5,7 @@
 
 #include "case/case.h"
 #include "scene/random_result.h"
+#include "solve/solve.h"
 
 namespace raytube {
 

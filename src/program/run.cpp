@@ -321,13 +321,13 @@ void run_command(const Request& request) {
   check_output(destination, names_of_results(request, c), input_files(c));
   if (!request.resume) LookJournal::refuse_leftover(destination);
   if (request.random) refuse_random_tubes(c);
-  const LoadedMesh loaded = load_target(c);
+  LoadedMesh loaded = load_target(c);
   if (const auto count = loaded.report.free_forms_read)
     warn(fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
                      mesh_names(c), count));
   Manifest manifest = describe_input(c, loaded.report);
   manifest.time.read_s = total.seconds();
-  const Target target(loaded.mesh, c.edges);
+  const Target target(std::move(loaded.mesh), c.wedges);
   check_solvable(target, c);
   warn_of_materials(c, loaded.report, target, manifest);
   manifest.time.build_s = total.seconds() - manifest.time.read_s;

@@ -3,6 +3,7 @@
 
 #include "case/case.h"
 #include "core/error.h"
+#include "solve/solve.h"
 
 namespace raytube {
 

@@ -9,6 +9,8 @@
 #include "core/error.h"
 #include "program/commands.h"
 #include "program/solvable.h"
+#include "sbr/sbr.h"
+#include "solve/solve.h"
 
 namespace raytube {
 

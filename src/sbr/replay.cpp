@@ -104,7 +104,7 @@ TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz
     throw InputError("trace: antennas at a finite distance know perfect conductors only; remove [radar] or the materials");
   const TriangleMesh& mesh = tracer.mesh();
   const double k = wavenumber(frequency_hz);
-  const LaunchGrid grid = grid_of_look(mesh, look, wavelength(frequency_hz), options.per_wavelength, options.up);
+  const LaunchGrid grid = grid_of_look(mesh, look, wavelength(frequency_hz), first_density(options), options.up);
   TubeTrace trace = find_cell(grid, mesh.center, u, v);
   ReplayedWave wave(grid, look, radar, mesh, {materials, {&k, 1}}, {grid.u_center(trace.column), grid.v_center(trace.row)});
   Ray ray = grid.ray(trace.column, trace.row);

@@ -148,8 +148,8 @@ TubeSums trace_curved_bounces(const AdaptiveLook& look, Progress& progress, doub
       look, bounces.blocks(), [&](std::size_t i) { return bounces.trace(i); }, progress, share);
 }
 
-// Cells per wavelength to begin with, and the least and the most by which they grow.
-constexpr double first_per_wavelength = 10.0, least_growth = 1.5, most_growth = 4.0;
+// The least and the most by which cells per wavelength grow.
+constexpr double least_growth = 1.5, most_growth = 4.0;
 
 // Of the densest grid that can be launched, the share that is not exceeded for the tolerance's sake.
 constexpr double finest_grid = 0.9;
@@ -230,7 +230,7 @@ class LookTracer {
   bool refine(std::vector<Part>& parts, const TubeSums& sums) const {
     bool any = false;
     const double most =
-        std::min(options_.per_wavelength, finest_grid * densest_grid(tracer_.mesh(), look_, wavelength_, options_.up));
+        std::min(options_.max_per_wavelength, finest_grid * densest_grid(tracer_.mesh(), look_, wavelength_, options_.up));
     for (Part& part : parts) {
       const double too_large = excess(sums, part.sums.error, tolerance_) * static_cast<double>(parts.size());
       if (too_large <= 1.0 || !part.sampled() || part.per_wavelength >= most) continue;
@@ -303,8 +303,7 @@ class LookTracer {
 }  // namespace
 
 double first_density(const TubeOptions& options) {
-  const bool refined = options.mode == TubeMode::adaptive && options.clip;
-  return refined ? std::min(first_per_wavelength, options.per_wavelength) : options.per_wavelength;
+  return options.refines() ? std::min(options.per_wavelength, options.max_per_wavelength) : options.per_wavelength;
 }
 
 double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {

@@ -14,33 +14,10 @@
 #include "mesh/model/face_tree.h"
 #include "mesh/trace/tracer.h"
 #include "sbr/beams/tube_sums.h"
+#include "scene/options.h"
 #include "scene/sweep.h"
 
 namespace raytube {
-
-enum class TubeMode {
-  uniform,  // one tube a cell of the launch grid
-  adaptive  // tubes as wide as the surfaces they meet allow
-};
-
-/// Where facets that stand for a curved surface are taken as that surface.
-enum class CurvedSurfaces {
-  never,
-  convex,  // on convex targets: what a curved surface reflects has to be sampled, what facets reflect has not
-  always
-};
-
-struct TubeOptions {
-  TubeMode mode = TubeMode::adaptive;
-  /// Cells per wavelength along each side of the launch plane, at the highest frequency; adaptive with clip: the most.
-  double per_wavelength = 10.0;
-  double tolerance_db = 0.1;  // adaptive with clip: cells are made smaller until the estimated error is below this
-  bool clip = true;           // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
-  CurvedSurfaces curved = CurvedSurfaces::convex;  // adaptive with clip
-  int max_bounces = 8;
-  bool skip = true;         // false: also what adds nothing, or is known from another look, is computed
-  std::optional<dvec3> up;  // rows of the launch grid follow this vector's projection; default -theta_hat
-};
 
 /// Cells per wavelength of the first grid of a look; clipped adaptive tubes become finer where they have to.
 double first_density(const TubeOptions& options);

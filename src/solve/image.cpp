@@ -43,7 +43,7 @@ void add_cut_up(const ImageEdge& piece, const ImageLattice& lattice, std::vector
 std::vector<ImageEdge> edge_pieces(const Target& target, const Sweep& sweep, const SolveOptions& options, const Look& look,
                                    std::size_t frequency, const ImageLattice& lattice, const TubeSums& tubes) {
   if (options.edges.method != EdgeMethod::fringe) return {};
-  EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
+  EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.options.min_wedge_angle, sweep.frequencies,
                  options.tubes.skip);
   prepare_interaction(edges, target, sweep, options.edges);
   look_through_sheets(edges, target, sweep, options);

@@ -94,7 +94,7 @@ std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep&
   if (tubes.mode != TubeMode::adaptive || !tubes.clip || tubes.curved == CurvedSurfaces::never) return {};
   const bool convex_only = tubes.curved == CurvedSurfaces::convex || !all_far(sweep);
   if (convex_only && !target.convexity.no_reflection) return {};
-  SmoothSurfaces smooth(target.mesh, target.min_wedge_angle, most_rise * wavelength(std::ranges::max(sweep.frequencies)));
+  SmoothSurfaces smooth(target.mesh, target.options.min_wedge_angle, most_rise * wavelength(std::ranges::max(sweep.frequencies)));
   if (!smooth.any()) return {};
   return smooth;
 }

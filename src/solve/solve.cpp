@@ -118,16 +118,17 @@ std::optional<LookResult> kept_look(const KeptLooks& kept, std::size_t place, co
 
 }  // namespace
 
-Target::Target(const TriangleMesh& triangles, const EdgeOptions& edges)
-    : mesh(triangles),
-      tracer(triangles),
-      faces(triangles),
-      convexity(find_convexity(triangles)),
-      wedges(find_wedges(triangles, edges.min_wedge_angle)),
-      wedges_enclosed(mark_enclosed(triangles, find_enclosed_components(faces), wedges)),
-      outlines(triangles, wedges, edges.min_wedge_angle),
-      rims(edges.thin_plates ? find_thin_plate_edges(triangles, wedges) : std::vector<ThinPlateEdge>()),
-      min_wedge_angle(edges.min_wedge_angle) {}
+Target::Target(TriangleMesh triangles, const WedgeOptions& how)
+    : owned_(std::make_unique<const TriangleMesh>(std::move(triangles))),
+      mesh(*owned_),
+      options(how),
+      tracer(mesh),
+      faces(mesh),
+      convexity(find_convexity(mesh)),
+      wedges(find_wedges(mesh, how.min_wedge_angle)),
+      wedges_enclosed(mark_enclosed(mesh, find_enclosed_components(faces), wedges)),
+      outlines(mesh, wedges, how.min_wedge_angle),
+      rims(how.thin_plates ? find_thin_plate_edges(mesh, wedges) : std::vector<ThinPlateEdge>()) {}
 
 std::vector<Skipped> skipped_wedges(std::span<const Wedge> wedges, std::span<const ThinPlateEdge> rims, const EdgeOptions& edges,
                                     std::span<const double> frequencies) {
@@ -214,7 +215,7 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   const auto start = std::chrono::steady_clock::now();
   Progress progress(options.progress);
 
-  EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.min_wedge_angle, sweep.frequencies,
+  EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.options.min_wedge_angle, sweep.frequencies,
                  options.tubes.skip);
   prepare_interaction(edges, target, sweep, options.edges);
   look_through_sheets(edges, target, sweep, options);

@@ -1,7 +1,7 @@
 // The public API: a target, a sweep and options in; complex polarimetric amplitudes out.
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -13,54 +13,22 @@
 #include "mesh/trace/tracer.h"
 #include "sbr/sbr.h"
 #include "scene/look_plan.h"
+#include "scene/options.h"
 #include "scene/sweep.h"
-#include "utd/wedge/transition.h"
 
 namespace raytube {
 
-/// What edges add. utd: no currents at all, but rays of geometrical optics and rays that one edge diffracts
-/// (utd/gtd/ray_fields.h), a mode to compare with programs that trace paths.
-enum class EdgeMethod { none, fringe, utd };
-
-/// What edges add beside other materials than perfect conductors. luebbers: utd/fringe/material_edges.h.
-enum class MaterialEdgeMethod { none, luebbers };
-
-struct EdgeOptions {
-  EdgeMethod method = EdgeMethod::fringe;
-  int order = 3;                 // edges in a row that a current passes, 1 to 3; 1 takes every face as endless
-  bool interaction = true;       // edges light other surfaces: diffraction between surfaces
-  bool receiver_shadow = false;  // an edge hidden from the receiver does not count
-  TransitionTier transition = TransitionTier::exact;  // of the transition function; plays a part at order 2 and 3 only
-  MaterialEdgeMethod materials = MaterialEdgeMethod::none;
-  bool thin_plates = true;                 // the rim of a sheet thinner than wavelength / 10 is the edge of a half plane
-  double utd_range = 0.0;                  // of transmitter and receiver with method utd [m]; 0: default_ray_range
-  double min_wedge_angle = 15.0 * degree;  // a crease flatter than this is tessellation, not an edge [rad]
-};
-
-/// Finished looks in the hands of whoever calls, as bytes whose meaning is the solver's own (of the same program, target, sweep
-/// and options): a solve that was stopped goes on from them and gives the same bits as one that was not.
-struct KeptLooks {
-  std::function<void(std::size_t looks)> begin;                    // told first: how many are computed in all
-  std::function<std::string(std::size_t place)> find;              // those kept for one of them; empty: it has to be computed
-  std::function<void(std::size_t place, std::string bytes)> keep;  // of one just computed. Both from any thread
-};
-
-struct SolveOptions {
-  TubeOptions tubes;
-  EdgeOptions edges;
-  int threads = 0;          // 0: all cores
-  bool keep_parts = false;  // fill SweepResult::bounces and edges
-  /// Called now and then with the finished share of the work (0..1); return false to stop (solve then throws Interrupted).
-  std::function<bool(double)> progress;
-  KeptLooks kept{};
-};
-
-/// A mesh ready to be solved with these edge options: its ray-tracing structures, wedges, outlines of their faces, and
-/// the rims that may be thin (none without `thin_plates`). Keeps a reference to `mesh`.
+/// A mesh ready to be solved: its ray-tracing structures, wedges, outlines of their faces, and the narrow faces that may be edges
+/// of thin plates (none without `thin_plates`). Owns the mesh; can be moved, not copied.
 struct Target {
-  Target(const TriangleMesh& mesh, const EdgeOptions& edges);
-  Target(TriangleMesh&& mesh, const EdgeOptions& edges) = delete;
+  explicit Target(TriangleMesh mesh, const WedgeOptions& options = {});
+
+ private:
+  std::unique_ptr<const TriangleMesh> owned_;  // where it stays when the target is moved
+
+ public:
   const TriangleMesh& mesh;
+  WedgeOptions options;
   Tracer tracer;
   FaceTree faces;
   Convexity convexity;
@@ -68,7 +36,6 @@ struct Target {
   std::uint64_t wedges_enclosed;  // of these, marked so
   Outlines outlines;
   std::vector<ThinPlateEdge> rims;
-  double min_wedge_angle;
 };
 
 /// Which looks are computed, and which follow from these. Images of looks follow where tubes are cut exactly: the grid of uniform

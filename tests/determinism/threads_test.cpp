@@ -51,7 +51,7 @@ TEST(Threads, ImagesHaveTheSameBits) {
       SolveOptions o = options(EdgeMethod::fringe);
       o.tubes.mode = mode;
       o.threads = 1;
-      const Target target(loaded.mesh, o.edges);
+      const Target target(loaded.mesh);
       const LookImage one = image_of_look(target, sweep, o, 0, 10.0);
       for (const int threads : thread_counts) {
         o.threads = threads;
@@ -96,7 +96,7 @@ TEST(Threads, RandomTubesGiveTheSameBits) {
   const Sweep sweep{{9e9, 10e9}, {{{0.3, 0.2}, {0.3, 0.2}}, {{0.9, 0.7}, {0.9, 0.7}}}, false};
   const LoadedMesh loaded = build_mesh(shapes::trihedral(0.3), 1.0);
   SolveOptions o = options(EdgeMethod::none);
-  const Target target(loaded.mesh, o.edges);
+  const Target target(loaded.mesh);
   o.threads = 1;
   const RandomResult one = solve_with_random_tubes(target, sweep, o, {10000, 1, 3});
   EXPECT_GT(one.mean.error[0][0][0], 0.0);

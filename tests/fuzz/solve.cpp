@@ -86,7 +86,7 @@ SolveOptions options(Choices& choices) {
   const unsigned tubes = choices.below(4);
   o.tubes.mode = tubes == 0 ? TubeMode::uniform : TubeMode::adaptive;
   o.tubes.clip = tubes != 1;
-  o.tubes.per_wavelength = 0.5 + choices.below(8);
+  o.tubes.per_wavelength = o.tubes.max_per_wavelength = 0.5 + choices.below(8);
   o.tubes.curved = static_cast<CurvedSurfaces>(choices.below(3));
   o.tubes.max_bounces = static_cast<int>(1 + choices.below(6));
   o.tubes.skip = choices.flag();
@@ -96,9 +96,12 @@ SolveOptions options(Choices& choices) {
   o.edges.interaction = choices.flag();
   o.edges.receiver_shadow = choices.flag();
   o.edges.transition = static_cast<TransitionTier>(choices.below(3));
-  o.edges.thin_plates = choices.flag();
-  o.edges.min_wedge_angle = 15.0 * choices.below(4) * degree;
   return o;
+}
+
+WedgeOptions wedges(Choices& choices) {
+  const bool thin_plates = choices.flag();
+  return {15.0 * choices.below(4) * degree, thin_plates};
 }
 
 void expect_finite(const SweepResult& result) {
@@ -113,9 +116,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Choices choices(data, size);
   const Sweep asked = sweep(choices);
   const SolveOptions how = options(choices);
+  const WedgeOptions edges = wedges(choices);
   try {
     const LoadedMesh loaded = build_mesh(mesh(choices), 1.0);
-    expect_finite(solve(Target(loaded.mesh, how.edges), asked, how));
+    expect_finite(solve(Target(loaded.mesh, edges), asked, how));
   } catch (const InputError& error) {
     expect_sentence(error.what());
   }

@@ -66,7 +66,7 @@ TEST(BadMeshes, EveryFacetIsAccountedForAndResultsAreFinite) {
     o.tubes.max_bounces = 5;
     o.edges.order = 1 + seed % 3;
     o.edges.interaction = seed % 6 == 5;
-    const Target target(loaded.mesh, o.edges);
+    const Target target(loaded.mesh);
     for (const bool bistatic : {false, true}) {
       const Direction a{1.2, 0.4 + seed}, b{90 * degree, 0.0}, c{0.0, 0.0};
       Sweep sweep{{frequency}, {}, bistatic};

@@ -73,7 +73,7 @@ TEST(Cavity, EnergyAndCountsStayBounded) {
     for (const TubeMode mode : {TubeMode::adaptive, TubeMode::uniform}) {
       SolveOptions o = options(EdgeMethod::none, 20.0);
       o.tubes.mode = mode;
-      const Target target(loaded.mesh, o.edges);
+      const Target target(loaded.mesh);
       SweepResult before;
       for (const int bounces : {1, 2, 3, 10, 50, 200}) {
         o.tubes.max_bounces = bounces;

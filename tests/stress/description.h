@@ -27,7 +27,7 @@ struct Description {
 
 inline SweepResult solve(const Description& d) {
   const LoadedMesh loaded = build_mesh(d.soup, d.metres_per_unit);
-  return solve(Target(loaded.mesh, d.options.edges), d.sweep, d.options);
+  return solve(Target(loaded.mesh), d.sweep, d.options);
 }
 
 struct NamedSoup {

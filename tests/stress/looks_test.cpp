@@ -47,7 +47,7 @@ double or_infinite(double x) { return std::isfinite(x) ? x : std::numeric_limits
 class Neighbourhood {
  public:
   Neighbourhood(const PolygonSoup& soup, const SolveOptions& o)
-      : options_(o), loaded_(build_mesh(soup, 1.0)), target_(loaded_.mesh, options_.edges) {}
+      : options_(o), loaded_(build_mesh(soup, 1.0)), target_(loaded_.mesh) {}
 
   /// What a plate as large as the body sends back, the unit of all changes.
   double peak() const { return wavenumber(frequency) * extent() * extent() / (4 * pi); }

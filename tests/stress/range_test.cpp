@@ -96,7 +96,7 @@ TEST(Range, FarAwayRadars) {
       const LoadedMesh loaded = build_mesh(cube(), 1.0);
       const double a = loaded.mesh.radius;
       const SolveOptions o = setting(mode, edges);
-      const Target target(loaded.mesh, o.edges);
+      const Target target(loaded.mesh);
       const auto at = [&](double range) {
         Sweep sweep = monostatic(looks, frequency);
         for (Look& look : sweep.looks) look.transmit_range = look.receive_range = range;

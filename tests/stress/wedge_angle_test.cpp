@@ -130,10 +130,11 @@ Change change_of_prism(double angle, bool thin_plates) {
   SolveOptions o = options(EdgeMethod::fringe);
   o.tubes.mode = TubeMode::adaptive;
   o.edges.interaction = false;
-  o.edges.thin_plates = thin_plates;
   const auto solved = [&](double degrees) {
     const PolygonSoup soup = prism_with_wedge(degrees * degree, wavelength(frequency));
-    return solve_soup(soup, monostatic({{1.3, 0.2}, {1.1, 1.0}, {1.5, 2.3}, {0.6, -0.4}}, frequency), o).total;
+    return solve_soup(soup, monostatic({{1.3, 0.2}, {1.1, 1.0}, {1.5, 2.3}, {0.6, -0.4}}, frequency), o,
+                      {.thin_plates = thin_plates})
+        .total;
   };
   const std::vector<ScatteringMatrix> here = solved(angle), beside = solved(angle * (1 + 1e-10));
   double peak = 0.0;

@@ -18,12 +18,12 @@ TEST(CaseRead, SmallestCaseGetsEveryDefault) {
   EXPECT_TRUE(c.tubes.skip);
   EXPECT_EQ(c.tubes.curved, CurvedSurfaces::convex);
   EXPECT_EQ(c.tubes.tolerance_db, 0.1);
-  EXPECT_EQ(c.tubes.per_wavelength, 40.0);
+  EXPECT_EQ(c.tubes.max_per_wavelength, 40.0);
   EXPECT_EQ(c.tubes.max_bounces, 8);
   EXPECT_FALSE(c.tubes.up);
   EXPECT_EQ(c.edges.method, EdgeMethod::fringe);
   EXPECT_EQ(c.edges.transition, TransitionTier::exact);
-  EXPECT_EQ(c.edges.min_wedge_angle, 15.0 * degree);
+  EXPECT_EQ(c.wedges.min_wedge_angle, 15.0 * degree);
   EXPECT_TRUE(c.plots);
   EXPECT_FALSE(c.sweep.bistatic);
 }
@@ -50,8 +50,8 @@ TEST(CaseRead, EveryKeyIsTaken) {
   EXPECT_EQ(*c.tubes.up, dvec3(0, 0, 2));
   EXPECT_EQ(c.edges.method, EdgeMethod::none);
   EXPECT_EQ(c.edges.order, 3);
-  EXPECT_FALSE(c.edges.thin_plates);
-  EXPECT_EQ(c.edges.min_wedge_angle, 20.0 * degree);
+  EXPECT_FALSE(c.wedges.thin_plates);
+  EXPECT_EQ(c.wedges.min_wedge_angle, 20.0 * degree);
   EXPECT_FALSE(c.plots);
 }
 

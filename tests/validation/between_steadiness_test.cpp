@@ -16,7 +16,7 @@ using namespace raytube::testing::between;
 class Prober {
  public:
   explicit Prober(PolygonSoup soup, bool between = true)
-      : loaded_(build_mesh(std::move(soup), 1.0)), options_(adaptive(between)), target_(loaded_.mesh, options_.edges) {
+      : loaded_(build_mesh(std::move(soup), 1.0)), options_(adaptive(between)), target_(loaded_.mesh) {
     options_.tubes.tolerance_db = 1e-4;
   }
   ScatteringMatrix operator()(const Look& look) const {

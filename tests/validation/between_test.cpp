@@ -33,7 +33,7 @@ Cut dihedral_azimuth(const SolveOptions& o) {
     cut.reference.push_back({{{{table.complex(i, "vv"), 0.0}, {0.0, table.complex(i, "hh")}}}});
   }
   const LoadedMesh loaded = load_mesh(folder + "dihedral3.stl", 1.0);
-  cut.computed = solve(Target(loaded.mesh, o.edges), sweep, o).total;
+  cut.computed = solve(Target(loaded.mesh), sweep, o).total;
   return cut;
 }
 

@@ -25,7 +25,7 @@ Studied study(const std::string& name, const std::vector<double>& densities) {
   Studied studied{read_case(RAYTUBE_SOURCE_DIR "/cases/convergence/" + name), {}, {}};
   const Case& c = studied.c;
   const LoadedMesh loaded = load_target(c);
-  const Target target(loaded.mesh, c.edges);
+  const Target target(loaded.mesh, c.wedges);
   SolveOptions options{c.tubes, c.edges, 0, false, {}};
   for (const double density : densities) {
     options.tubes.per_wavelength = density;

@@ -99,7 +99,7 @@ TEST(Curved, SphereAboveAPlateHasTwoDoubleBounces) {
     scene.points.emplace_back(40.0 * corner, 0.0);
   scene.polygons.push_back({base, base + 1, base + 2, base + 3});
   SolveOptions fine = curved();
-  fine.tubes.per_wavelength = 20.0;
+  fine.tubes.max_per_wavelength = 20.0;
   fine.tubes.tolerance_db = 0.01;
   for (const Direction& look : {Direction{45 * degree, 0.0}, Direction{45 * degree, 17 * degree}, Direction{50 * degree, 0.0}}) {
     const SweepResult result = solve_soup(scene, monostatic({look}, frequency), fine);

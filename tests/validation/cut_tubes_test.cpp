@@ -17,7 +17,7 @@ SweepResult solved(const PolygonSoup& soup, const Material& material, const std:
   const LoadedMesh loaded = build_mesh(soup, 1.0, "test", std::span(&material, 1));
   SolveOptions options{tubes, {}, 1, false, {}};
   options.edges.method = EdgeMethod::none;
-  return solve(Target(loaded.mesh, options.edges), {frequencies, looks, false, {}, {material}}, options);
+  return solve(Target(loaded.mesh), {frequencies, looks, false, {}, {material}}, options);
 }
 
 PolygonSoup hollow_box() {

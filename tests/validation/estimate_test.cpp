@@ -92,7 +92,7 @@ TEST(Estimate, CoversTheErrorOfThinnedTubes) {
   const SweepResult truth = solve_soup(soup, sweep, o);
   Honesty honesty;
   for (const double per_wavelength : {5.0, 8.0}) {
-    o.tubes.per_wavelength = per_wavelength;
+    o.tubes.max_per_wavelength = per_wavelength;
     const SweepResult result = solve_soup(soup, sweep, o);
     EXPECT_LT(result.statistics.tubes, sweep.rows() * 20000) << "polygons, not cells";
     compare(result, truth, honesty);
@@ -110,7 +110,7 @@ TEST(Estimate, ToleranceIsMet) {
   SolveOptions o = options(EdgeMethod::none);
   o.tubes.mode = TubeMode::adaptive;
   o.tubes.curved = CurvedSurfaces::never;
-  o.tubes.per_wavelength = 80.0;
+  o.tubes.max_per_wavelength = 80.0;
   const Sweep sweep = looks(1.0, 6);
   for (const double tolerance_db : {0.5, 0.1}) {
     o.tubes.tolerance_db = tolerance_db;

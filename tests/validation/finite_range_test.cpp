@@ -21,7 +21,7 @@ Look near_look(const Direction& direction, double range) { return near_look(dire
 
 struct Scene {
   explicit Scene(PolygonSoup soup, EdgeMethod method = EdgeMethod::none)
-      : loaded(build_mesh(std::move(soup), 1.0)), options(testing::options(method)), target(loaded.mesh, options.edges) {
+      : loaded(build_mesh(std::move(soup), 1.0)), options(testing::options(method)), target(loaded.mesh) {
     options.tubes = {};
   }
 

@@ -34,7 +34,7 @@ std::vector<Row> solve_cut(const std::string& body, const std::string& cut, doub
   const LoadedMesh loaded = load_mesh(folder + body + ".stl", 1.0);
   SolveOptions o = options(method, per_wavelength);
   o.edges.order = order;
-  const SweepResult result = solve(Target(loaded.mesh, o.edges), sweep, o);
+  const SweepResult result = solve(Target(loaded.mesh), sweep, o);
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].computed = result.total[i];
   return rows;
 }

@@ -27,7 +27,7 @@ ScatteringMatrix sum_of(std::span<const ImageEdge> pieces) {
 
 struct Solved {
   Solved(PolygonSoup soup, const Sweep& sweep, const SolveOptions& o, std::size_t look, double per_wavelength = 10.0)
-      : loaded(build_mesh(std::move(soup), 1.0)), target(loaded.mesh, o.edges), result(solve(target, sweep, o)) {
+      : loaded(build_mesh(std::move(soup), 1.0)), target(loaded.mesh), result(solve(target, sweep, o)) {
     image = image_of_look(target, sweep, o, look, per_wavelength);
     row = result.total[sweep.row(look, image_frequency(sweep))];
   }
@@ -150,7 +150,7 @@ TEST(Image, FaceOnEveryCellIsAlike) {
 TEST(Image, DoubleBounceIsOnBothHalves) {
   const LoadedMesh loaded = build_mesh(shapes::dihedral(0.8, 1.0), 1.0);
   SolveOptions o = adaptive(EdgeMethod::none);
-  const Target target(loaded.mesh, o.edges);
+  const Target target(loaded.mesh);
   const Sweep sweep = one_look({90.0 * degree, 45.0 * degree});
   const LookImage both = image_of_look(target, sweep, o, 0, 5.0);
   o.tubes.max_bounces = 1;
@@ -167,7 +167,7 @@ TEST(Image, DoubleBounceIsOnBothHalves) {
 TEST(Image, EdgesAreWhereTheyStand) {
   const LoadedMesh loaded = build_mesh(shapes::cube(0.4), 1.0);
   SolveOptions o = adaptive(EdgeMethod::fringe, 1);
-  const Target target(loaded.mesh, o.edges);
+  const Target target(loaded.mesh);
   const Sweep sweep = one_look({90.0 * degree, 0.0});
   const LookImage with = image_of_look(target, sweep, o, 0, 10.0);
   o.edges.method = EdgeMethod::none;

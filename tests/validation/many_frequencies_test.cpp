@@ -94,7 +94,7 @@ TEST(ManyFrequencies, OfTheEdgePassAreWhatEachOneGives) {
   for (const auto& [low, high] : {std::pair{9.8e9, 10e9}, std::pair{5e9, 10e9}})
     for (const PolygonSoup& soup : {shapes::cube(0.2), shapes::dihedral(0.3, 0.2), shapes::plate(0.2, 0.3)}) {
       const LoadedMesh loaded = build_mesh(PolygonSoup(soup), 1.0);
-      const Target target(loaded.mesh, o.edges);
+      const Target target(loaded.mesh);
       const std::vector<double> frequencies = evenly(low, high, 101);
       const Look look{{1.2, 0.4}, {1.1, 0.7}};
       const SweepResult all = solve(target, {frequencies, {look}, true}, o);

@@ -33,7 +33,7 @@ struct Scene {
     const LoadedMesh loaded = build_mesh(made, 1.0, "test", materials);
     SolveOptions options{tubes, {}, 1, false, {}};
     options.edges.method = EdgeMethod::none;
-    const Target target(loaded.mesh, options.edges);
+    const Target target(loaded.mesh);
     return solve(target, {{frequency}, std::move(looks), bistatic, {}, materials}, options).total;
   }
   ScatteringMatrix seen(const Direction& look) const { return solved({{look, look}}, false).front(); }

@@ -116,9 +116,7 @@ TEST(Materials, ADihedralMultipliesItsFresnelDyads) {
     options.edges.method = EdgeMethod::none;
     options.keep_parts = true;
     const Direction look = deg(90.0, azimuth);
-    return solve(Target(loaded.mesh, options.edges), {{frequency}, {{look, look}}, false, {}, scene.materials}, options)
-        .bounces[1]
-        .front();
+    return solve(Target(loaded.mesh), {{frequency}, {{look, look}}, false, {}, scene.materials}, options).bounces[1].front();
   };
   const ScatteringMatrix s = double_bounce(dihedral), perfect = double_bounce(conductor);
   // To y = 0 at 30 degrees from its normal, to x = 0 at 60. V lies along the fold: TE on both faces.
@@ -209,7 +207,7 @@ TEST(Materials, EdgesByHeuristicAreThoseOfAConductorWhereItIsOne) {
       const auto solved = [&](const std::vector<Material>& materials) {
         const LoadedMesh loaded = build_mesh(soup, 1.0, "test", materials);
         const Look look{deg(70.0, 33.0), receive};
-        return solve(Target(loaded.mesh, options.edges), {{frequency}, {look}, true, {}, materials}, options).total.front();
+        return solve(Target(loaded.mesh), {{frequency}, {look}, true, {}, materials}, options).total.front();
       };
       const ScatteringMatrix expected = solved({});
       soup.materials.assign(soup.polygons.size(), 0);
@@ -224,7 +222,7 @@ ScatteringMatrix with_edges(const Material& material, MaterialEdgeMethod method,
   const LoadedMesh loaded = build_mesh(soup, 1.0, "test", std::span(&material, 1));
   SolveOptions options{{}, {}, 1, false, {}};
   options.edges.materials = method;
-  return solve(Target(loaded.mesh, options.edges), {{frequency}, {{from, to}}, true, {}, {material}}, options).total.front();
+  return solve(Target(loaded.mesh), {{frequency}, {{from, to}}, true, {}, {material}}, options).total.front();
 }
 
 // A sheet that is hardly there has no edges either: all that it scatters is of the order of k d (eps - 1) = 4e-6.
@@ -264,8 +262,7 @@ TEST(Materials, RoughnessTurnsReflectedPowerIntoIncoherentPower) {
     SolveOptions options{scene.tubes, {}, 1, false, {}};
     options.edges.method = EdgeMethod::none;
     const Look mirror{{theta, 0.0}, {theta, pi}};
-    const SweepResult result =
-        solve(Target(loaded.mesh, options.edges), {{frequency}, {mirror}, true, {}, scene.materials}, options);
+    const SweepResult result = solve(Target(loaded.mesh), {{frequency}, {mirror}, true, {}, scene.materials}, options);
     const double coherent = std::exp(-2.0 * std::pow(k * rough.roughness * std::cos(theta), 2));
     const Scene reference{scene.soup, {smooth}, scene.tubes};
     EXPECT_NEAR(std::abs(result.total[0].vv() / reference.seen(mirror.transmit, mirror.receive).vv()), coherent, 1e-12);
@@ -289,7 +286,7 @@ TEST(Materials, EveryFrequencyHasItsOwnCoefficients) {
   SolveOptions options{{}, {}, 1, false, {}};
   options.edges.method = EdgeMethod::none;
   const LoadedMesh loaded = build_mesh(soup, 1.0, "test", std::span(&glass, 1));
-  const Target target(loaded.mesh, options.edges);
+  const Target target(loaded.mesh);
   const Look look{deg(80.0, 37.0), deg(80.0, 37.0)};
   for (const TubeMode mode : {TubeMode::adaptive, TubeMode::uniform}) {
     options.tubes.mode = mode;

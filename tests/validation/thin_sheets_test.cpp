@@ -41,8 +41,7 @@ struct EdgeSettings {
 SweepResult solve_edges(const PolygonSoup& soup, const Sweep& sweep, const EdgeSettings& settings) {
   SolveOptions o = options(EdgeMethod::fringe, 1.0);
   o.edges.order = settings.order;
-  o.edges.thin_plates = settings.thin_plates;
-  return solve_soup(soup, sweep, o);
+  return solve_soup(soup, sweep, o, {.thin_plates = settings.thin_plates});
 }
 
 ScatteringMatrix edges_of(const SweepResult& result, std::size_t row) {

@@ -36,7 +36,7 @@ ScatteringMatrix edges_of(const PolygonSoup& soup, const std::vector<Material>& 
     options.edges.interaction = false;
     const LoadedMesh loaded = build_mesh(soup, 1.0, "test", materials);
     const bool bistatic = !(from == to);
-    return solve(Target(loaded.mesh, options.edges), {{frequency}, {{from, to}}, bistatic, {}, materials}, options).total.front();
+    return solve(Target(loaded.mesh), {{frequency}, {{from, to}}, bistatic, {}, materials}, options).total.front();
   };
   return solved(EdgeMethod::fringe) - solved(EdgeMethod::none);
 }
@@ -101,9 +101,7 @@ TEST(ScreenedEdges, EveryFrequencyHasItsOwnRims) {
       std::vector<Material> at_both = materials;
       for (Material& material : at_both) material.layers.push_back(material.layers.front());
       const LoadedMesh loaded = build_mesh(soup, 1.0, "test", at_both);
-      return solve(Target(loaded.mesh, options.edges), {{frequency, 3.0 * frequency}, {{look, look}}, false, {}, at_both},
-                   options)
-          .total;
+      return solve(Target(loaded.mesh), {{frequency, 3.0 * frequency}, {{look, look}}, false, {}, at_both}, options).total;
     };
     const auto bare = solved(slab, {}), screened = solved(under_sheet(slab, -30.0 * lambda), {nothing});
     for (const std::size_t f : {0, 1}) EXPECT_LT(difference(screened[f], bare[f]), 1e-9) << order << f;
@@ -116,7 +114,7 @@ TEST(ScreenedEdges, ImagesAddUpBehindSheets) {
   const LoadedMesh loaded = build_mesh(under_sheet(shapes::cube(3.0 * lambda), 0.5 * lambda), 1.0, "test", materials);
   const Direction look = deg(20.0, 15.0);
   const SolveOptions options{{}, {}, 1, false, {}};
-  const Target target(loaded.mesh, options.edges);
+  const Target target(loaded.mesh);
   const Sweep sweep{{frequency}, {{look, look}}, false, {}, materials};
   ScatteringMatrix sum;
   for (const ScatteringMatrix& cell : image_of_look(target, sweep, options, 0, 5.0).cells) sum += cell;

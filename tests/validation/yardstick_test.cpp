@@ -18,9 +18,9 @@ const double k = wavenumber(frequency), lambda = wavelength(frequency);
 RandomResult by_chance(PolygonSoup soup, const Sweep& sweep, const RandomOptions& random, EdgeMethod edges = EdgeMethod::none) {
   SolveOptions o = options(edges);
   o.tubes.mode = TubeMode::adaptive;
-  o.tubes.per_wavelength = 40.0;
+  o.tubes.max_per_wavelength = 40.0;
   const LoadedMesh loaded = build_mesh(std::move(soup), 1.0);
-  return solve_with_random_tubes(Target(loaded.mesh, o.edges), sweep, o, random);
+  return solve_with_random_tubes(Target(loaded.mesh), sweep, o, random);
 }
 
 // 4 standard errors of the mean, which are known to 1 / sqrt(2 * 2 * 99) = 5 %: a deviation so large comes by chance once in
@@ -83,7 +83,7 @@ TEST(Yardstick, TheLaunchRectangleFollowsUp) {
   const double turn = 33.0 * degree;
   const LoadedMesh loaded = build_mesh(shapes::plate(5.0 * lambda, turn), 1.0);
   SolveOptions o = options(EdgeMethod::none);
-  const Target target(loaded.mesh, o.edges);
+  const Target target(loaded.mesh);
   const Sweep sweep = monostatic({{0.0, 0.0}}, frequency);
   const double beside = solve_with_random_tubes(target, sweep, o, {100, 3, 10}).spread[0][0][0].amplitude;
   o.tubes.up = dvec3(-std::sin(turn), std::cos(turn), 0.0);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "math/lanes.h"
-#include "utd/wedge/transition.h"
+#include "scene/options.h"
 
 namespace raytube {
 

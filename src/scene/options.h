@@ -1,0 +1,90 @@
+// How a solve is done: tubes, edges, threads. Plain data with the defaults of the library, which are those of the program.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/field.h"
+
+namespace raytube {
+
+enum class TubeMode {
+  uniform,  // one tube a cell of the launch grid
+  adaptive  // tubes as wide as the surfaces they meet allow
+};
+
+/// Where facets that stand for a curved surface are taken as that surface.
+enum class CurvedSurfaces {
+  never,
+  convex,  // on convex targets: what a curved surface reflects has to be sampled, what facets reflect has not
+  always
+};
+
+/// Cells are counted per wavelength along each side of the launch plane, at the highest frequency.
+struct TubeOptions {
+  TubeMode mode = TubeMode::adaptive;
+  double per_wavelength = 10.0;      // density of the grid; where it is refined, of the first one
+  double max_per_wavelength = 40.0;  // cap of the density where it is refined (refines())
+  double tolerance_db = 0.1;         // refined until the estimated error of the strongest channel is below this
+  bool clip = true;                  // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
+  CurvedSurfaces curved = CurvedSurfaces::convex;  // adaptive with clip
+  int max_bounces = 8;
+  bool skip = true;         // false: also what adds nothing, or is known from another look, is computed
+  std::optional<dvec3> up;  // rows of the launch grid follow this vector's projection; default -theta_hat
+
+  /// Grids are refined to a tolerance only where tubes are cut exactly at edges.
+  bool refines() const { return mode == TubeMode::adaptive && clip; }
+};
+
+/// How the transition function of diffraction is evaluated: to rounding, or as it was when tables were printed, to study what
+/// that costs.
+enum class TransitionTier {
+  exact,
+  kouyoumjian_pathak,  // (1974): small-argument form, linear table of eight nodes from 0.3 to 5.5, large-argument series
+  as_printed           // the same with the small-argument form as misprinted in secondary sources
+};
+
+/// What edges add. utd: no currents at all, but rays of geometrical optics and rays that one edge diffracts
+/// (utd/gtd/ray_fields.h), a mode to compare with programs that trace paths.
+enum class EdgeMethod { none, fringe, utd };
+
+/// What edges add beside other materials than perfect conductors. luebbers: utd/fringe/material_edges.h.
+enum class MaterialEdgeMethod { none, luebbers };
+
+struct EdgeOptions {
+  EdgeMethod method = EdgeMethod::fringe;
+  int order = 3;                 // edges in a row that a current passes, 1 to 3; 1 takes every face as semi-infinite
+  bool interaction = true;       // edges light other surfaces: diffraction between surfaces
+  bool receiver_shadow = false;  // an edge hidden from the receiver does not count
+  TransitionTier transition = TransitionTier::exact;  // plays a part at order 2 and 3 only
+  MaterialEdgeMethod materials = MaterialEdgeMethod::none;
+  double utd_range = 0.0;  // of transmitter and receiver with method utd [m]; 0: default_ray_range
+};
+
+/// Which creases of a mesh are edges: what a Target is made with.
+struct WedgeOptions {
+  double min_wedge_angle = 15.0 * degree;  // a crease flatter than this is tessellation, not an edge [rad]
+  bool thin_plates = true;                 // the narrow face of a plate thinner than wavelength / 10 is the edge of a half plane
+};
+
+/// Finished looks in the hands of whoever calls, as bytes whose meaning is the solver's own (of the same program, target, sweep
+/// and options): a solve that was stopped goes on from them and gives the same bits as one that was not.
+struct KeptLooks {
+  std::function<void(std::size_t looks)> begin;                    // told first: how many are computed in all
+  std::function<std::string(std::size_t index)> find;              // those kept for one of them; empty: it has to be computed
+  std::function<void(std::size_t index, std::string bytes)> keep;  // of one just computed. Both from any thread
+};
+
+struct SolveOptions {
+  TubeOptions tubes{};
+  EdgeOptions edges{};
+  int threads = 0;          // 0: all cores
+  bool keep_parts = false;  // fill SweepResult::bounces and edges
+  /// Called now and then with the finished share of the work (0..1); return false to stop (solve then throws Interrupted).
+  std::function<bool(double)> progress{};
+  KeptLooks kept{};
+};
+
+}  // namespace raytube
