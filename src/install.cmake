@@ -10,7 +10,7 @@ set(public_headers
     mesh/trace/tracer.h
     sbr/sbr.h sbr/beams/spectrum.h sbr/beams/tube_sums.h sbr/launch/launch.h
     utd/wedge/diffracted_field.h utd/wedge/ray_source.h utd/wedge/transition.h
-    solve/image.h solve/random.h solve/solve.h)
+    scene/options.h scene/skipped.h solve/image.h solve/plan.h solve/random.h solve/solve.h solve/target.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/${room})

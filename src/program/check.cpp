@@ -16,6 +16,7 @@
 #include "program/solvable.h"
 #include "program/wedge_list.h"
 #include "sbr/launch/launch.h"
+#include "sbr/sbr.h"
 #include "scene/skipped.h"
 #include "solve/image.h"
 
@@ -45,7 +46,7 @@ std::string looks_text(const Case& c) {
   return transmit + fmt::format("; receive theta {} deg, phi {} deg", values_text(l.rx_theta_deg), values_text(l.rx_phi_deg));
 }
 
-double highest_frequency(const Sweep& sweep) { return *std::max_element(sweep.frequencies.begin(), sweep.frequencies.end()); }
+double highest_frequency(const Sweep& sweep) { return std::ranges::max(sweep.frequencies); }
 
 const char* mode_text(const TubeOptions& tubes) {
   if (tubes.mode == TubeMode::uniform) return "uniform";
@@ -177,93 +178,95 @@ void print_thin_plate_edges(const Case& c, std::span<const ThinPlateEdge> rims) 
 }
 
 // What only the run itself can count.
-std::vector<std::string> skipped_as_found(const Case& c, const Target& target) {
+std::vector<std::string> skipped_as_found(const SolvePlan& plan) {
+  const Target& target = plan.target;
+  if (plan.mechanisms.rays) return {"all currents: edges.method is \"utd\", geometrical optics and diffracted rays alone"};
   std::vector<std::string> lines;
-  if (c.edges.method == EdgeMethod::utd) {
-    lines.push_back("all currents: edges.method is \"utd\", geometrical optics and diffracted rays alone");
-    return lines;
-  }
-  if (c.tubes.mode == TubeMode::adaptive && std::ranges::any_of(target.mesh.components, &Component::closed))
-    lines.push_back("in every look: faces of closed bodies turned away from the transmitter");
-  if (!c.tubes.skip) return lines;
-  if (c.tubes.mode == TubeMode::uniform) lines.push_back("in every look: empty cells of the grid");
+  if (plan.tubes.mode == TubeMode::adaptive && std::ranges::any_of(target.mesh.components, &Component::closed))
+    lines.emplace_back("in every look: faces of closed bodies turned away from the transmitter");
+  if (!plan.tubes.skip) return lines;
+  if (plan.tubes.mode == TubeMode::uniform) lines.emplace_back("in every look: empty cells of the grid");
   if (target.convexity.no_reflection) lines.push_back(fmt::format("all reflected tubes: {}", nothing_in_front));
-  if (c.edges.method == EdgeMethod::fringe && std::ranges::any_of(target.wedges, &Wedge::radiates))
-    lines.push_back("in every look: edges that are not lit");
+  if (plan.mechanisms.fringe && std::ranges::any_of(target.wedges, &Wedge::stands_alone))
+    lines.emplace_back("in every look: edges that are not lit");
   return lines;
 }
 
-void print_skipped(const Case& c, const MeshReport& r, const Target& target, const LookPlan& plan) {
+void print_skipped(const MeshReport& r, const SolvePlan& plan) {
   std::vector<Skipped> skipped = {{"curves and surfaces", "of free form: only polygons are read", r.free_forms_read},
                                   {"facets", "fewer than three distinct corners", r.facets_unusable},
                                   {"triangles", "no area", r.triangles_degenerate},
                                   {"triangles", "same corners as another one", r.triangles_duplicate},
                                   {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};
-  for (const Skipped& wedge : skipped_wedges(target.wedges, target.rims, c.edges, c.sweep.frequencies)) skipped.push_back(wedge);
-  SkipCounts counts{.repeated_looks = plan.repeated, .mirrored_looks = plan.mirrored};
-  if (c.tubes.skip && c.edges.method != EdgeMethod::none) counts.enclosed_wedges = target.wedges_enclosed;
-  const std::vector<bool> above_limit = above_interaction_limit(target, c.sweep, c.edges);
-  counts.frequencies_above_interaction_limit = static_cast<std::uint64_t>(std::ranges::count(above_limit, true));
-  counts.near_looks = looks_too_near_for_interaction(target, c.sweep, c.edges);
-  counts.material_looks = looks_without_interaction_for_materials(target, c.sweep, c.edges);
-  for (const Skipped& item : skipped_items(counts)) skipped.push_back(item);
+  std::ranges::copy(plan.skipped_wedges, std::back_inserter(skipped));
+  std::ranges::copy(skipped_items(plan.skips), std::back_inserter(skipped));
   std::vector<std::string> lines;
   for (const Skipped& s : skipped)
     if (s.count) lines.push_back(fmt::format("{} {}: {}", s.count, s.what, s.why));
-  for (const std::string& line : skipped_as_found(c, target)) lines.push_back(line);
+  std::ranges::copy(skipped_as_found(plan), std::back_inserter(lines));
   if (lines.empty()) lines.emplace_back("nothing");
   fmt::print("\nskipped\n");
   for (const std::string& line : lines) fmt::print("  {}\n", line);
 }
 
-LaunchGrid grid_of(const Case& c, const TriangleMesh& mesh, std::size_t look) {
-  return grid_of_look(mesh, c.sweep.looks[look], wavelength(highest_frequency(c.sweep)), c.tubes.per_wavelength, c.tubes.up);
+LaunchGrid grid_of(const SolvePlan& plan, std::size_t look) {
+  return grid_of_look(plan.target.mesh, plan.sweep.looks[look], plan.shortest_wavelength(), plan.tubes.per_wavelength,
+                      plan.tubes.up);
 }
 
-void print_clipped_cost(const TriangleMesh& mesh, const LookPlan& plan) {
+void print_clipped_cost(const SolvePlan& plan) {
   fmt::print(
       "\ncost\n  looks computed: {}\n  adaptive tubes, clipped: {} planar patches; the fewer, the quicker, at any frequency\n",
-      plan.computed.size(), mesh.patches.size());
+      plan.looks.computed.size(), plan.target.mesh.patches.size());
 }
 
-void print_rays(const Case& c, const Target& target, const LookPlan& plan) {
+void print_rays(const SolvePlan& plan) {
   fmt::print("\nrays in the place of currents (edges.method \"utd\")\n");
-  fmt::print("  transmitter and receiver {:.6g} m from the origin; amplitudes are apparent ones at that range\n",
-             ray_range(target, c.sweep, c.edges));
-  fmt::print("  looks computed: {}; {} planar patches as mirrors, {} wedges\n", plan.computed.size(), target.mesh.patches.size(),
-             target.wedges.size());
+  fmt::print("  transmitter and receiver {:.6g} m from the origin; amplitudes are apparent ones at that range\n", plan.ray_range);
+  fmt::print("  looks computed: {}; {} planar patches as mirrors, {} wedges\n", plan.looks.computed.size(),
+             plan.target.mesh.patches.size(), plan.target.wedges.size());
 }
 
 // Exact for few looks; a mean over evenly spread ones for many.
-double tubes_of_all_looks(const Case& c, const TriangleMesh& mesh, const LookPlan& plan) {
-  const std::size_t looks = plan.computed.size(), sampled = std::min(looks, most_sampled_looks);
+double tubes_of_all_looks(const SolvePlan& plan) {
+  const std::size_t looks = plan.looks.computed.size(), sampled = std::min(looks, most_sampled_looks);
   double tubes = 0.0;
   for (std::size_t i = 0; i < sampled; ++i)
-    tubes += static_cast<double>(grid_of(c, mesh, plan.computed[i * looks / sampled]).cells());
+    tubes += static_cast<double>(grid_of(plan, plan.looks.computed[i * looks / sampled]).cells());
   return tubes * static_cast<double>(looks) / static_cast<double>(sampled);
 }
 
-void print_cost(const Case& c, const TriangleMesh& mesh, const LookPlan& plan) {
-  const LaunchGrid first = grid_of(c, mesh, 0);
-  const double tubes = tubes_of_all_looks(c, mesh, plan);
-  const int threads = all_threads();
-  const double per_tube = seconds_per_tube + seconds_per_tube_and_frequency * static_cast<double>(c.sweep.frequencies.size());
+void print_grid_cost(const SolvePlan& plan) {
+  const LaunchGrid first = grid_of(plan, 0);
+  const double tubes = tubes_of_all_looks(plan);
+  const auto frequencies = static_cast<double>(plan.sweep.frequencies.size());
+  const double per_tube = seconds_per_tube + seconds_per_tube_and_frequency * frequencies;
   fmt::print("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm\n", first.columns, first.rows, first.du * 1e3,
              first.dv * 1e3);
   fmt::print("  looks computed: {}\n  all of them: {}{:.4g} tubes, very roughly {:.2g} s on {} thread{}{}\n",
-             plan.computed.size(), plan.computed.size() > most_sampled_looks ? "about " : "", tubes, tubes * per_tube / threads,
-             threads, threads == 1 ? "" : "s", c.tubes.mode == TubeMode::adaptive ? "; adaptive tubes are mostly far fewer" : "");
+             plan.looks.computed.size(), plan.looks.computed.size() > most_sampled_looks ? "about " : "", tubes,
+             tubes * per_tube / plan.threads, plan.threads, plan.threads == 1 ? "" : "s",
+             plan.tubes.mode == TubeMode::adaptive ? "; adaptive tubes are mostly far fewer" : "");
 }
 
-void print_memory(const Target& target, const Case& c) {
-  const auto bytes = [&](bool parts) {
-    return memory_text(memory_of_run(target, c, {c.tubes, c.edges, all_threads(), parts, {}}, nullptr));
-  };
-  fmt::print("\nmemory\n  at most about {}, {} with --parts, however dense the tubes are; {} are to be had\n", bytes(false),
-             bytes(true), memory_text(memory_to_be_had()));
+void print_cost(const SolvePlan& plan) {
+  if (plan.mechanisms.rays)
+    print_rays(plan);
+  else if (plan.tubes.refines())
+    print_clipped_cost(plan);
+  else
+    print_grid_cost(plan);
+}
+
+void print_memory(const SolvePlan& plan, const Case& c) {
+  SolvePlan with_parts = plan;
+  with_parts.keep_parts = true;
+  fmt::print("\nmemory\n  at most about {}, {} with --parts, however dense the tubes are; {} are to be had\n",
+             memory_text(memory_of_run(plan, c, nullptr)), memory_text(memory_of_run(with_parts, c, nullptr)),
+             memory_text(memory_to_be_had()));
   if (std::ranges::any_of(c.sweep.materials, &Material::transmits))
     fmt::print("  and about {} where sheets double as many tubes as may be; more where many stand in a row\n",
-               memory_text(all_threads() * tubes_between_sheets_bytes(c.sweep.frequencies.size())));
+               memory_text(plan.threads * tubes_between_sheets_bytes(c.sweep.frequencies.size())));
 }
 
 }  // namespace
@@ -273,27 +276,22 @@ void check_command(const Request& request) {
   if (!request.wedges_csv.empty()) check_wedges_file(request.wedges_csv);
   LoadedMesh loaded = load_target(c);
   const Target target(std::move(loaded.mesh), c.wedges);
-  check_solvable(target, c);
-  const LookPlan plan = plan_of(target, c.sweep, c.tubes, c.edges.method);
+  const SolvePlan plan = plan_of_case(target, c, all_threads(), false);
   print_case(c);
   print_mesh(loaded.report, target);
   fmt::print("{}", materials_text(c, target));
   print_wedges(target.wedges);
   print_material_edges(c.edges, target.wedges);
-  print_thin_plate_edges(c, target.rims);
-  print_skipped(c, loaded.report, target, plan);
-  if (c.edges.method == EdgeMethod::utd)
-    print_rays(c, target, plan);
-  else if (c.tubes.refines())
-    print_clipped_cost(target.mesh, plan);
-  else
-    print_cost(c, target.mesh, plan);
-  print_memory(target, c);
+  print_thin_plate_edges(c, target.thin_plate_edges);
+  print_skipped(loaded.report, plan);
+  print_cost(plan);
+  print_memory(plan, c);
   if (!request.wedges_csv.empty()) {
-    const std::vector<Wedge> used = merge_thin_plate_edges(target.wedges, target.rims, thin_limit(highest_frequency(c.sweep)));
+    const double highest = highest_frequency(c.sweep);
+    const std::vector<Wedge> used = merge_thin_plate_edges(target.wedges, target.thin_plate_edges, thin_limit(highest));
     write_wedges_csv(request.wedges_csv, target.mesh, used, c.sweep);
   }
-  check_memory(target, c, {c.tubes, c.edges, all_threads(), false, {}}, nullptr);  // as a run would
+  check_memory(plan, c, nullptr);  // as a run would
 }
 
 }  // namespace raytube

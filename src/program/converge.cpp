@@ -18,6 +18,8 @@
 #include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
+#include "solve/admissible.h"
+#include "solve/solve.h"
 
 namespace raytube {
 
@@ -77,10 +79,11 @@ SolveOptions options_of(const Case& c, const Request& request) {
 void check_study_memory(const Target& target, const Case& c, const Request& request, const std::vector<double>& densities) {
   SolveOptions finest = options_of(c, request);
   finest.tubes.per_wavelength = densities.back();
+  const SolvePlan plan(target, c.sweep, finest);
   const double kept = static_cast<double>(densities.size() * c.sweep.rows() * sizeof(ScatteringMatrix));
   Case study = c;
   study.image_looks.clear();
-  check_memory(target, study, finest, nullptr, kept);
+  check_memory(plan, study, nullptr, kept);
 }
 
 // Solves one density after the other and keeps what is finished on disk.

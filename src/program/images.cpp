@@ -16,12 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-SolveOptions solve_options(const Case& c, int threads) {
-  SolveOptions options{c.tubes, c.edges, threads, false, {}};
-  options.progress = [](double) { return !InterruptFlag::raised(); };
-  return options;
-}
-
 void write_tables(const fs::path& folder, const std::string& name, const Target& target, const Case& c, const LookImage& image) {
   write_image_csv(folder / (name + ".csv"), c.sweep, image);
   stop_if_interrupted();
@@ -45,8 +39,8 @@ double draw(const fs::path& folder, const std::string& name, const Case& c, Look
 
 }  // namespace
 
-void check_images(const Target& target, const Case& c) {
-  for (const std::size_t look : c.image_looks) image_cells(target, c.sweep, solve_options(c, 0), look, c.image_per_wavelength);
+void check_images(const SolvePlan& plan, const Case& c) {
+  for (const std::size_t look : c.image_looks) image_cells(plan, look, c.image_per_wavelength);
 }
 
 ResultNames image_names(const Case& c) {
@@ -59,12 +53,12 @@ ResultNames image_names(const Case& c) {
   return names;
 }
 
-double write_images(const fs::path& folder, const Target& target, const Case& c, int threads) {
+double write_images(const fs::path& folder, const SolvePlan& plan, const Case& c) {
   double drawing_s = 0.0;
   for (const std::size_t look : c.image_looks) {
     const std::string name = name_of_image(c, look);
-    LookImage image = image_of_look(target, c.sweep, solve_options(c, threads), look, c.image_per_wavelength);
-    write_tables(folder, name, target, c, image);
+    LookImage image = image_of_look(plan, look, c.image_per_wavelength, [](double) { return !InterruptFlag::raised(); });
+    write_tables(folder, name, plan.target, c, image);
     if (c.plots) drawing_s += draw(folder, name, c, std::move(image));
   }
   return drawing_s;

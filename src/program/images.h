@@ -8,17 +8,17 @@
 #include "case/case.h"
 #include "program/commands.h"
 #include "program/results.h"
-#include "solve/solve.h"
+#include "solve/plan.h"
 
 namespace raytube {
 
 /// Throws InputError if an image cannot be made: better now than after the computation.
-void check_images(const Target& target, const Case& c);
+void check_images(const SolvePlan& plan, const Case& c);
 
 /// The files they go to: image.* if there is one and image_<look>.* if there are several.
 ResultNames image_names(const Case& c);
 
 /// Computes and writes them into `folder`; returns the time of drawing [s].
-double write_images(const std::filesystem::path& folder, const Target& target, const Case& c, int threads);
+double write_images(const std::filesystem::path& folder, const SolvePlan& plan, const Case& c);
 
 }  // namespace raytube

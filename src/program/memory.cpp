@@ -86,10 +86,10 @@ double free_in_control_groups() {
   return least;
 }
 
-double image_bytes(const Target& target, const Case& c, const SolveOptions& options) {
+double image_bytes(const SolvePlan& plan, const Case& c) {
   double most = 0.0;
   for (const std::size_t look : c.image_looks) {
-    const ImageLattice cells = image_cells(target, c.sweep, options, look, c.image_per_wavelength);
+    const ImageLattice cells = image_cells(plan, look, c.image_per_wavelength);
     most = std::max(most, bytes_per_cell * static_cast<double>(cells.columns) * cells.rows);
   }
   return most;
@@ -106,20 +106,18 @@ struct Need {
   double total() const { return rows + image + sums + others; }
 };
 
-Need need_of(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random) {
-  SolveOptions wanted = options;
-  wanted.keep_parts = options.keep_parts || random;
-  const MemoryEstimate solve = estimate_memory(target, c.sweep, wanted);
+Need need_of(const SolvePlan& plan, const Case& c, const RandomOptions* random) {
+  const MemoryEstimate solve = estimate_memory(plan);
   const auto values = static_cast<double>(c.looks.theta_deg.size() + c.looks.phi_deg.size() + c.looks.rx_theta_deg.size() +
                                           c.looks.rx_phi_deg.size() + c.sweep.frequencies.size());
-  return {solve.rows + (random ? random_bytes(c, *random) : 0.0), image_bytes(target, c, options),
-          solve.sums + options.threads * bytes_per_thread,
+  return {solve.rows + (random ? random_bytes(c, *random) : 0.0), image_bytes(plan, c),
+          solve.sums + plan.threads * bytes_per_thread,
           held_now().resident + solve.edges + journal_bytes + values * bytes_per_angle};
 }
 
-std::string remedy(const Need& need, const Case& c, const SolveOptions& options, double available) {
-  if (need.sums > std::max(need.rows, need.image) && options.threads > 1) {
-    const double fit = std::floor(options.threads * (available - need.rows - need.image - need.others) / need.sums);
+std::string remedy(const Need& need, const Case& c, const SolvePlan& plan, double available) {
+  if (need.sums > std::max(need.rows, need.image) && plan.threads > 1) {
+    const double fit = std::floor(plan.threads * (available - need.rows - need.image - need.others) / need.sums);
     if (fit >= 1.0) return fmt::format("--threads {} would fit", fit);
   }
   if (need.image > need.rows) {
@@ -139,7 +137,7 @@ std::string remedy(const Need& need, const Case& c, const SolveOptions& options,
   const std::string split =
       fit < 1.0 ? "split the sweep"
                 : fmt::format("split the sweep: {:.0f} of its {} rows (looks times frequencies) would fit", fit, c.sweep.rows());
-  return split + (options.keep_parts ? ", more without --parts" : "");
+  return split + (plan.keep_parts ? ", more without --parts" : "");
 }
 
 }  // namespace
@@ -148,8 +146,8 @@ std::string memory_text(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
 }
 
-double memory_of_run(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random) {
-  return need_of(target, c, options, random).total();
+double memory_of_run(const SolvePlan& plan, const Case& c, const RandomOptions* random) {
+  return need_of(plan, c, random).total();
 }
 
 double memory_to_be_had() {
@@ -168,10 +166,10 @@ void require_memory(double bytes, const std::string& place, const std::string& w
                                  memory_text(available), remedy));
 }
 
-void check_memory(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random, double kept) {
-  Need need = need_of(target, c, options, random);
+void check_memory(const SolvePlan& plan, const Case& c, const RandomOptions* random, double kept) {
+  Need need = need_of(plan, c, random);
   need.rows += kept;
-  require_memory(need.total(), c.file.string(), "the run", remedy(need, c, options, memory_to_be_had()));
+  require_memory(need.total(), c.file.string(), "the run", remedy(need, c, plan, memory_to_be_had()));
 }
 
 }  // namespace raytube

@@ -5,12 +5,12 @@
 
 #include "case/case.h"
 #include "scene/random_result.h"
-#include "solve/solve.h"
+#include "solve/plan.h"
 
 namespace raytube {
 
 /// Bytes that a run of this case is going to take at most, with what the program holds now.
-double memory_of_run(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random);
+double memory_of_run(const SolvePlan& plan, const Case& c, const RandomOptions* random);
 
 /// Bytes the program may have in all: what it holds now and what is free, for it (control group, ulimit -v) and on the machine.
 double memory_to_be_had();
@@ -20,8 +20,7 @@ std::string memory_text(double bytes);
 
 /// Throws InputError with the estimate and what would fit if there is not so much memory; `kept` bytes beside what a run takes
 /// grow with its rows.
-void check_memory(const Target& target, const Case& c, const SolveOptions& options, const RandomOptions* random,
-                  double kept = 0.0);
+void check_memory(const SolvePlan& plan, const Case& c, const RandomOptions* random, double kept = 0.0);
 
 /// The same for something else, of which `what` and `remedy` tell: "the run", "split the sweep".
 void require_memory(double bytes, const std::string& place, const std::string& what, const std::string& remedy);

@@ -27,6 +27,7 @@
 #include "program/results.h"
 #include "program/solvable.h"
 #include "solve/random.h"
+#include "solve/solve.h"
 
 namespace raytube {
 
@@ -48,20 +49,16 @@ struct Solved {
   std::optional<RandomResult> by_chance = {};
 };
 
-Solved solve_with_progress(const Target& target, const Case& c, const Request& request, int threads, LookJournal& journal) {
+Solved solve_with_progress(const SolvePlan& plan, const Request& request, LookJournal& journal) {
   ProgressBar bar(!request.quiet && isatty(STDERR_FILENO) != 0);
-  SolveOptions options{c.tubes, c.edges, threads, request.parts, {}};
-  options.progress = [&](double share) {
+  const auto progress = [&](double share) {
     bar.show(share);
     journal.write_now_and_then();
     return !InterruptFlag::raised();
   };
-  if (request.random) {
-    RandomResult random = solve_with_random_tubes(target, c.sweep, options, *request.random);
-    return {random.mean, std::move(random)};
-  }
-  options.kept = journal.looks();
-  return {solve(target, c.sweep, options)};
+  if (!request.random) return {solve(plan, progress, journal.looks())};
+  RandomResult random = solve_with_random_tubes(plan, *request.random, progress);
+  return {random.mean, std::move(random)};
 }
 
 void write_tables(const fs::path& folder, const Case& c, const Solved& solved, bool parts) {
@@ -166,8 +163,7 @@ void print_errors(const SweepResult& result, const TubeOptions& tubes) {
     above += level > tubes.tolerance_db ? 1 : 0;
   }
   fmt::print("error       {:.2g} dB at most, by the estimate", largest);
-  const bool refined = tubes.mode == TubeMode::adaptive && tubes.clip;
-  if (refined && above > 0) fmt::print("; {} of {} rows above accuracy.tolerance_db", above, result.total.size());
+  if (tubes.refines() && above > 0) fmt::print("; {} of {} rows above accuracy.tolerance_db", above, result.total.size());
   fmt::print("\n");
 }
 
@@ -213,10 +209,10 @@ std::vector<std::string> names_of_earlier_results(const fs::path& folder) {
 // A run from the computation on, into its folder.
 class Run {
  public:
-  Run(const Request& request, const Case& c, const Target& target, const fs::path& destination, Manifest& manifest)
+  Run(const Request& request, const Case& c, const SolvePlan& plan, const fs::path& destination, Manifest& manifest)
       : request_(request),
         case_(c),
-        target_(target),
+        plan_(plan),
         manifest_(manifest),
         folder_(destination),
         journal_(
@@ -231,7 +227,7 @@ class Run {
   void run(const Stopwatch& total) {
     const InterruptFlag interrupt_flag([this] { return last_words(); });
     try {
-      const Solved solved = solve_with_progress(target_, case_, request_, manifest_.threads, journal_);
+      const Solved solved = solve_with_progress(plan_, request_, journal_);
       journal_.keep_all();
       write(solved, total);
       if (!request_.quiet) print(solved);
@@ -264,7 +260,7 @@ class Run {
     make_again_if_gone(folder_);
     NewResults results(folder_.path());
     write_tables(results.folder(), case_, solved, request_.parts);
-    const double drawing_s = write_images(results.folder(), target_, case_, manifest_.threads);
+    const double drawing_s = write_images(results.folder(), plan_, case_);
     manifest_.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
     manifest_.peak_rss_bytes = peak_rss_bytes();
     manifest_.time.total_s = total.seconds() - drawing_s;
@@ -294,7 +290,7 @@ class Run {
 
   const Request& request_;
   const Case& case_;
-  const Target& target_;
+  const SolvePlan& plan_;
   Manifest& manifest_;
   OutputFolder folder_;
   LookJournal journal_;
@@ -328,14 +324,14 @@ void run_command(const Request& request) {
   Manifest manifest = describe_input(c, loaded.report);
   manifest.time.read_s = total.seconds();
   const Target target(std::move(loaded.mesh), c.wedges);
-  check_solvable(target, c);
+  manifest.threads = request.threads > 0 ? request.threads : all_threads();
+  const SolvePlan plan = plan_of_case(target, c, manifest.threads, request.parts || request.random.has_value());
   warn_of_materials(c, loaded.report, target, manifest);
   manifest.time.build_s = total.seconds() - manifest.time.read_s;
   manifest.embree_instruction_set = name_of(allowed_instruction_set());
   manifest.own_instruction_set = name_of(std::max(allowed_instruction_set(), InstructionSet::avx2));
-  manifest.threads = request.threads > 0 ? request.threads : all_threads();
-  check_memory(target, c, {c.tubes, c.edges, manifest.threads, request.parts, {}}, request.random ? &*request.random : nullptr);
-  Run(request, c, target, destination, manifest).run(total);
+  check_memory(plan, c, request.random ? &*request.random : nullptr);
+  Run(request, c, plan, destination, manifest).run(total);
 }
 
 }  // namespace raytube

@@ -1,14 +1,15 @@
-// Whether a case can be solved once its mesh is read: the same answer for whoever asks.
+// Whether a case can be solved once its mesh is read, and how: the same answer for whoever asks.
 #pragma once
 
 #include "case/case.h"
 #include "core/error.h"
-#include "solve/solve.h"
+#include "solve/plan.h"
 
 namespace raytube {
 
-/// Throws InputError, with the case file, for whatever a run of the case would be refused for, but for want of memory.
-void check_solvable(const Target& target, const Case& c);
+/// The plan of the case. Throws InputError, with the case file, for whatever a run of it would be refused for, images included,
+/// but for want of memory. Refers to `target` and to the case.
+SolvePlan plan_of_case(const Target& target, const Case& c, int threads, bool keep_parts);
 
 /// Does what it is told; what the solver says knows no files, so an InputError gets the case file.
 template <class Action>

@@ -10,7 +10,7 @@
 #include "program/commands.h"
 #include "program/solvable.h"
 #include "sbr/sbr.h"
-#include "solve/solve.h"
+#include "solve/admissible.h"
 
 namespace raytube {
 

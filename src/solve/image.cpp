@@ -7,8 +7,11 @@
 
 #include "core/decimal.h"
 #include "core/error.h"
+#include "core/threads.h"
 #include "sbr/beams/current_map.h"
-#include "solve/parts.h"
+#include "solve/admissible.h"
+#include "solve/look_solver.h"
+#include "solve/phase_reference.h"
 
 namespace raytube {
 
@@ -40,53 +43,49 @@ void add_cut_up(const ImageEdge& piece, const ImageLattice& lattice, std::vector
   }
 }
 
-std::vector<ImageEdge> edge_pieces(const Target& target, const Sweep& sweep, const SolveOptions& options, const Look& look,
-                                   std::size_t frequency, const ImageLattice& lattice, const TubeSums& tubes) {
-  if (options.edges.method != EdgeMethod::fringe) return {};
-  EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.options.min_wedge_angle, sweep.frequencies,
-                 options.tubes.skip);
-  prepare_interaction(edges, target, sweep, options.edges);
-  look_through_sheets(edges, target, sweep, options);
+std::vector<ImageEdge> edge_pieces(const SolvePlan& plan, const LookSolver& solver, const Look& look, std::size_t frequency_index,
+                                   const ImageLattice& lattice, const TubeSums& tubes) {
+  if (!plan.mechanisms.fringe) return {};
+  const Target& target = plan.target;
   std::vector<ImageEdge> pieces;
-  if (edges_count(edges, options))
-    pieces = edges.pieces(target.tracer, look, frequency, options.edges.order, options.edges.receiver_shadow,
-                          options.edges.transition, lattice);
+  if (solver.edges_count())
+    pieces = solver.edges().pieces(target.tracer, look, frequency_index, plan.edges.order, plan.edges.receiver_shadow,
+                                   plan.edges.transition, lattice);
   for (const ImageEdge& piece :
-       edges.interaction_pieces(target.faces, target.tracer, look, frequency, interaction_options(tubes, options)))
+       solver.edges().interaction_pieces(target.faces, target.tracer, look, frequency_index, solver.interaction_options(tubes)))
     add_cut_up(piece, lattice, pieces);
   return pieces;
 }
 
 // To the phase reference and the coordinates of the mesh, with the symmetry of a monostatic look.
-void finish(LookImage& image, const Target& target, const Sweep& sweep) {
-  const Complex factor = to_mesh_origin(target.mesh, sweep.looks[image.look], image.frequency);
+void finish(LookImage& image, const SolvePlan& plan) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  const Complex factor = to_mesh_origin(mesh, plan.sweep.looks[image.look], image.frequency);
   for (ImageEdge& piece : image.edges) {
-    piece.begin += target.mesh.center;
-    piece.end += target.mesh.center;
-    if (!sweep.bistatic) make_reciprocal(std::span(&piece.s, 1));
+    piece.begin += mesh.center;
+    piece.end += mesh.center;
+    if (!plan.sweep.bistatic) make_reciprocal(std::span(&piece.s, 1));
     piece.s *= factor;
   }
   for (std::vector<ScatteringMatrix>* parts : {&image.cells, &image.triangles}) {
-    if (!sweep.bistatic) make_reciprocal(*parts);
+    if (!plan.sweep.bistatic) make_reciprocal(*parts);
     for (ScatteringMatrix& s : *parts) s *= factor;
   }
 }
 
-LookImage image_of(const Target& target, const Sweep& sweep, const SolveOptions& options, std::size_t index,
-                   const ImageLattice& cells) {
-  const std::size_t f = image_frequency(sweep);
-  const ImageLattice lattice = recentred(cells, target.mesh);
-  CurrentMap map(target.faces, lattice, f, wavenumber(sweep.frequencies[f]));
-  const std::optional<SmoothSurfaces> smooth = smooth_surfaces(target, sweep, options.tubes);
-  Progress progress(options.progress);
-  const Look& look = sweep.looks[index];
-  const TubeSums tubes = sbr_scattering(target.tracer, target.faces, smooth ? &*smooth : nullptr, target.convexity, look,
-                                        sweep.frequencies, options.tubes, progress, 1.0, sweep.radar, sweep.materials, &map);
-  LookImage image{index, sweep.frequencies[f], cells, map.take_cells(), map.take_triangles(), {}};
-  image.edges = edge_pieces(target, sweep, options, look, f, lattice, tubes);
+LookImage image_of(const SolvePlan& plan, std::size_t index, const ImageLattice& cells, Progress& progress) {
+  const std::size_t frequency_index = image_frequency(plan.sweep);
+  const double frequency = plan.sweep.frequencies[frequency_index];
+  const ImageLattice lattice = recentred(cells, plan.target.mesh);
+  const Look& look = plan.sweep.looks[index];
+  const LookSolver solver(plan);
+  CurrentMap map(plan.target.faces, lattice, frequency_index, wavenumber(frequency));
+  const TubeSums tubes = solver.tubes(look, progress, 1.0, &map);
+  LookImage image{index, frequency, cells, map.take_cells(), map.take_triangles(), {}};
+  image.edges = edge_pieces(plan, solver, look, frequency_index, lattice, tubes);
   for (const ImageEdge& piece : image.edges)
     image.cells[lattice.index(lattice.at(lattice.place(0.5 * (piece.begin + piece.end))))] += piece.s;
-  finish(image, target, sweep);
+  finish(image, plan);
   return image;
 }
 
@@ -94,15 +93,15 @@ LookImage image_of(const Target& target, const Sweep& sweep, const SolveOptions&
 
 std::size_t image_frequency(const Sweep& sweep) { return sweep.frequencies.size() / 2; }
 
-ImageLattice image_cells(const Target& target, const Sweep& sweep, const SolveOptions& options, std::size_t look,
-                         double per_wavelength) {
+ImageLattice image_cells(const SolvePlan& plan, std::size_t look, double per_wavelength) {
+  const Sweep& sweep = plan.sweep;
   if (!all_far(sweep))
     throw InputError("output.image_look: images from a finite distance are not in this version; remove [radar]");
   const double length = wavelength(sweep.frequencies.at(image_frequency(sweep)));
-  const double across = 2.0 * target.mesh.radius;
+  const double across = 2.0 * plan.target.mesh.radius;
   const bool too_many = across * per_wavelength / length > most_across;
-  const LaunchGrid cells = launch_grid(target.mesh, sweep.looks.at(look).transmit, length,
-                                       too_many ? most_across * length / across : per_wavelength, options.tubes.up);
+  const LaunchGrid cells = launch_grid(plan.target.mesh, sweep.looks.at(look).transmit, length,
+                                       too_many ? most_across * length / across : per_wavelength, plan.tubes.up);
   if (cells.cells() == 0)
     throw InputError(fmt::format(
         "output.image_look: look {} sees no area of the target, so there is nothing to divide; choose another", look));
@@ -111,23 +110,27 @@ ImageLattice image_cells(const Target& target, const Sweep& sweep, const SolveOp
         "output.image_per_wavelength: {:.6g} cells per wavelength are more than {:.0f} in look {}; {} would fit", per_wavelength,
         most_cells, look, rounded_down_text(std::min(densest_image(cells, length), most_across * length / across))));
   ImageLattice lattice = image_lattice(cells);
-  lattice.corner += lattice.place(target.mesh.center);
+  lattice.corner += lattice.place(plan.target.mesh.center);
   return lattice;
+}
+
+LookImage image_of_look(const SolvePlan& plan, std::size_t look, double per_wavelength,
+                        const std::function<bool(double)>& callback) {
+  if (plan.mechanisms.rays)
+    throw InputError("output.image_look: edges.method \"utd\" adds up rays, not currents; write \"fringe\" or \"none\"");
+  if (plan.edges.materials != MaterialEdgeMethod::none)
+    throw InputError(
+        "output.image_look: the heuristic of edges.materials has no place in an image; write edges.materials = \"none\"");
+  const ImageLattice cells = image_cells(plan, look, per_wavelength);
+  Progress progress(callback);
+  LookImage image;
+  run_on_threads(plan.threads, [&] { image = image_of(plan, look, cells, progress); });
+  return image;
 }
 
 LookImage image_of_look(const Target& target, const Sweep& sweep, const SolveOptions& options, std::size_t look,
                         double per_wavelength) {
-  check(sweep, options);
-  if (options.edges.method == EdgeMethod::utd)
-    throw InputError("output.image_look: edges.method \"utd\" adds up rays, not currents; write \"fringe\" or \"none\"");
-  if (options.edges.materials != MaterialEdgeMethod::none)
-    throw InputError(
-        "output.image_look: the heuristic of edges.materials has no place in an image; write edges.materials = \"none\"");
-  check_materials(target.mesh, sweep);
-  const ImageLattice cells = image_cells(target, sweep, options, look, per_wavelength);
-  LookImage image;
-  run_on_threads(options.threads, [&] { image = image_of(target, sweep, options, look, cells); });
-  return image;
+  return image_of_look(SolvePlan(target, sweep, options), look, per_wavelength, options.progress);
 }
 
 }  // namespace raytube

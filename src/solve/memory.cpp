@@ -7,7 +7,7 @@
 #include "core/threads.h"
 #include "sbr/curved/curved_cells.h"
 #include "sbr/launch/launch.h"
-#include "solve/parts.h"
+#include "sbr/sbr.h"
 
 namespace raytube {
 
@@ -18,20 +18,16 @@ constexpr double bytes_per_look = sizeof(Look) + sizeof(LookSource) + 4 * sizeof
 constexpr double edge_parts = 3;             // first order, higher, between
 constexpr double outlines_per_wedges = 1.0;  // the outlines of the faces beside them take about as much as the wedges
 
-int most_bounces(const Target& target, const TubeOptions& tubes) {
-  return target.convexity.no_reflection ? 1 : tubes.max_bounces;
-}
-
 double bytes_per_row(int bounces, bool keep_parts) {
   const double parts = keep_parts ? bounces + edge_parts : 0.0;
   return sizeof(ChannelErrors) + (1.0 + parts) * sizeof(ScatteringMatrix);
 }
 
-double edge_set_bytes(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
-  if (edges.method != EdgeMethod::fringe) return 0.0;
+double edge_set_bytes(const SolvePlan& plan) {
+  if (!plan.mechanisms.fringe) return 0.0;
   std::set<std::size_t> sets;
-  for (const double frequency : sweep.frequencies) sets.insert(thin_rims(target.rims, frequency));
-  return static_cast<double>(sets.size() * target.wedges.size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
+  for (const double frequency : plan.sweep.frequencies) sets.insert(thin_rims(plan.target.thin_plate_edges, frequency));
+  return static_cast<double>(sets.size() * plan.target.wedges.size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
 }
 
 // In which the launch grid has the most cells, by the box round the target: quicker than by all of its vertices. From nearby the
@@ -54,25 +50,30 @@ const Look& widest_look(const TriangleMesh& mesh, const Sweep& sweep, const Tube
 }
 
 // Groups of sums that a look may have at a time.
-std::size_t most_tiles(const Target& target, const Sweep& sweep, const TubeOptions& tubes) {
-  if (tubes.mode == TubeMode::uniform)
-    return tiles_of_look(target.tracer, target.faces, widest_look(target.mesh, sweep, tubes), sweep.frequencies, tubes);
-  const std::size_t flat = tiles_of_look(target.tracer, target.faces, sweep.looks.front(), sweep.frequencies, tubes);
-  if (!smooth_surfaces(target, sweep, tubes)) return flat;
+std::size_t most_tiles(const SolvePlan& plan) {
+  if (plan.mechanisms.rays) return 1;
+  const Target& target = plan.target;
+  const Sweep& sweep = plan.sweep;
+  const auto tiles = [&](const Look& look) {
+    return tiles_of_look(target.tracer, target.faces, look, sweep.frequencies, plan.tubes);
+  };
+  if (plan.tubes.mode == TubeMode::uniform) return tiles(widest_look(target.mesh, sweep, plan.tubes));
+  const std::size_t flat = tiles(sweep.looks.front());
+  if (!plan.smooth) return flat;
   return target.convexity.no_reflection ? std::max(flat, CurvedLook::blocks) : std::numeric_limits<std::size_t>::max();
 }
 
 }  // namespace
 
-MemoryEstimate estimate_memory(const Target& target, const Sweep& sweep, const SolveOptions& options) {
-  const int bounces = most_bounces(target, options.tubes);
-  const auto rows = static_cast<double>(sweep.rows()), looks = static_cast<double>(sweep.looks.size());
-  const auto under_way = std::min<std::size_t>(options.threads > 0 ? options.threads : all_threads(), sweep.looks.size());
-  const std::size_t tiles = options.edges.method == EdgeMethod::utd ? 1 : most_tiles(target, sweep, options.tubes);
-  const double edge_sums = edge_parts * static_cast<double>(sweep.frequencies.size()) * sizeof(ScatteringMatrix);
-  return {rows * bytes_per_row(bounces, options.keep_parts) + looks * bytes_per_look,
-          static_cast<double>(under_way) * (look_sum_bytes(tiles, bounces, sweep.frequencies.size()) + edge_sums),
-          edge_set_bytes(target, sweep, options.edges)};
+MemoryEstimate estimate_memory(const SolvePlan& plan) {
+  const int bounces = plan.max_bounces();
+  const std::size_t frequencies = plan.sweep.frequencies.size();
+  const auto rows = static_cast<double>(plan.sweep.rows()), looks = static_cast<double>(plan.sweep.looks.size());
+  const auto under_way = std::min<std::size_t>(plan.threads > 0 ? plan.threads : all_threads(), plan.sweep.looks.size());
+  const double edge_sums = edge_parts * static_cast<double>(frequencies) * sizeof(ScatteringMatrix);
+  return {rows * bytes_per_row(bounces, plan.keep_parts) + looks * bytes_per_look,
+          static_cast<double>(under_way) * (look_sum_bytes(most_tiles(plan), bounces, frequencies) + edge_sums),
+          edge_set_bytes(plan)};
 }
 
 }  // namespace raytube

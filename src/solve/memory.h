@@ -1,7 +1,7 @@
 // How much memory a solve will take, before it begins.
 #pragma once
 
-#include "solve/solve.h"
+#include "solve/plan.h"
 
 namespace raytube {
 
@@ -15,6 +15,6 @@ struct MemoryEstimate {
 };
 
 /// Upper bound but for what threads and libraries take for themselves: a target may have fewer bounces than `max_bounces`.
-MemoryEstimate estimate_memory(const Target& target, const Sweep& sweep, const SolveOptions& options);
+MemoryEstimate estimate_memory(const SolvePlan& plan);
 
 }  // namespace raytube

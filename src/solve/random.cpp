@@ -3,11 +3,15 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 
+#include "core/threads.h"
 #include "sbr/random_tubes.h"
-#include "solve/parts.h"
+#include "solve/admissible.h"
+#include "solve/phase_reference.h"
+#include "solve/solve.h"
 
 namespace raytube {
 
@@ -26,16 +30,16 @@ Rows fixed_part(const SweepResult& solution) {
 }
 
 // Every look of every run; runs vary slowest.
-std::vector<RandomSums> draw(const Target& target, const Sweep& sweep, const SolveOptions& options, const RandomOptions& random) {
+std::vector<RandomSums> draw(const SolvePlan& plan, const RandomOptions& random, const std::function<bool(double)>& callback) {
+  const Sweep& sweep = plan.sweep;
   const std::size_t looks = sweep.looks.size(), runs = static_cast<std::size_t>(random.runs);
   std::vector<RandomSums> drawn(runs * looks);
   const double share = (1.0 - solution_share) / static_cast<double>(drawn.size());
-  Progress progress(options.progress ? [&](double done) { return options.progress(solution_share + done); }
-                                     : std::function<bool(double)>());
+  Progress progress(callback ? [&](double done) { return callback(solution_share + done); } : std::function<bool(double)>());
   tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
-    // A look's stream depends on nothing but its place and the run.
+    // A look's stream depends on nothing but its index and the run.
     const std::uint64_t stream = std::uint64_t{i / looks} << 32 | i % looks;
-    drawn[i] = random_tubes(target.tracer, sweep.looks[i % looks], sweep.frequencies, options.tubes,
+    drawn[i] = random_tubes(plan.target.tracer, sweep.looks[i % looks], sweep.frequencies, plan.tubes,
                             {random.samples, random.seed, stream}, sweep.materials);
     progress.add(share);
   });
@@ -82,42 +86,40 @@ void describe(RandomResult& result, const std::vector<Rows>& runs, std::size_t r
   result.spread[row][p][q] = {spread, level.deviation, level.mean - decibels(result.deterministic.total[row].at(p, q))};
 }
 
-Statistics statistics_of(const Target& target, const Sweep& sweep, const EdgeOptions& edges, const Statistics& solution,
-                         const std::vector<RandomSums>& drawn, const RandomOptions& random) {
+Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, const std::vector<RandomSums>& drawn,
+                         const RandomOptions& random) {
   RandomSums sum;
   for (const RandomSums& look : drawn) sum += look;
   Statistics s = solution;  // of wedges
   s.tubes = random.samples * drawn.size();
   s.rays = sum.rays, s.hits = sum.hits, s.lost_rays = sum.lost_rays, s.tubes_truncated = sum.tubes_truncated;
   s.sliver_area = 0.0;
-  s.skipped.clear();
-  for (const Skipped& left_out : skipped_wedges(target.wedges, target.rims, edges, sweep.frequencies))
-    if (left_out.count) s.skipped.push_back(left_out);
+  s.skipped = plan.skipped_wedges;
   return s;
 }
 
-void check(const Sweep& sweep, const EdgeOptions& edges, const RandomOptions& random) {
-  if (!all_far(sweep)) throw InputError("random tubes are parts of a plane wave; remove [radar]");
-  if (edges.method == EdgeMethod::utd) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
+void check(const SolvePlan& plan, const RandomOptions& random) {
+  if (!all_far(plan.sweep)) throw InputError("random tubes are parts of a plane wave; remove [radar]");
+  if (plan.mechanisms.rays) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
   if (random.samples < 1) throw InputError("random tubes: a look needs at least 1");
   if (random.runs < 2) throw InputError("random tubes: a spread needs at least 2 runs");
 }
 
 }  // namespace
 
-RandomResult solve_with_random_tubes(const Target& target, const Sweep& sweep, const SolveOptions& options,
-                                     const RandomOptions& random) {
-  check(sweep, options.edges, random);
-  SolveOptions whole = options;
-  whole.keep_parts = true;
-  if (options.progress) whole.progress = [&](double done) { return options.progress(solution_share * done); };
-  RandomResult result{random, {}, solve(target, sweep, whole), {}, 0.0};
+RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions& random,
+                                     const std::function<bool(double)>& callback) {
+  check(plan, random);
+  assert(plan.keep_parts);
+  const auto first_half = [&](double done) { return callback(solution_share * done); };
+  RandomResult result{random, {}, solve(plan, callback ? first_half : std::function<bool(double)>()), {}, 0.0};
 
   const auto start = std::chrono::steady_clock::now();
   std::vector<RandomSums> drawn;
-  run_on_threads(options.threads, [&] { drawn = draw(target, sweep, options, random); });
+  run_on_threads(plan.threads, [&] { drawn = draw(plan, random, callback); });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
+  const Sweep& sweep = plan.sweep;
   const Rows fixed = fixed_part(result.deterministic);
   std::vector<Rows> runs;
   for (std::size_t run = 0; run < static_cast<std::size_t>(random.runs); ++run)
@@ -125,10 +127,17 @@ RandomResult solve_with_random_tubes(const Target& target, const Sweep& sweep, c
   result.mean.total.resize(sweep.rows()), result.mean.error.resize(sweep.rows()), result.spread.resize(sweep.rows());
   for (std::size_t row = 0; row < sweep.rows(); ++row)
     for (const int channel : {0, 1, 2, 3}) describe(result, runs, row, channel / 2, channel % 2);
-  result.mean.statistics = statistics_of(target, sweep, options.edges, result.deterministic.statistics, drawn, random);
+  result.mean.statistics = statistics_of(plan, result.deterministic.statistics, drawn, random);
   result.mean.statistics.solve_s = result.deterministic.statistics.solve_s + elapsed.count();
   result.run_s = elapsed.count() / random.runs;
   return result;
+}
+
+RandomResult solve_with_random_tubes(const Target& target, const Sweep& sweep, const SolveOptions& options,
+                                     const RandomOptions& random) {
+  SolveOptions apart = options;
+  apart.keep_parts = true;
+  return solve_with_random_tubes(SolvePlan(target, sweep, apart), random, options.progress);
 }
 
 }  // namespace raytube

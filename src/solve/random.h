@@ -1,15 +1,19 @@
-// The stochastic yardstick: the same case by random tubes, several times over, beside its deterministic solution.
+// The Monte Carlo baseline: the same case by random tubes, several times over, beside its deterministic solution.
 #pragma once
 
 #include "scene/random_result.h"
-#include "solve/solve.h"
+#include "solve/plan.h"
 
 namespace raytube {
 
-/// Solves the sweep, then repeats it with random tubes (sbr/random_tubes.h) in the place of the solver's. Whatever edges add is
-/// taken over from the solution: the two differ by tubes alone. Random tubes see flat facets. Runs differ in their random
-/// numbers; the same bytes for any number of threads. Throws InputError for a sweep that solve() refuses, and for edges.method
-/// utd; Interrupted when `progress` says stop.
+/// Solves the plan, which keeps parts, then repeats it with random tubes (sbr/random_tubes.h) in the place of the solver's.
+/// Whatever edges add is taken over from the solution: the two differ by tubes alone. Random tubes see flat facets. Runs differ
+/// in their random numbers; the same bytes for any number of threads. Throws InputError for antennas at a finite distance and for
+/// rays in the place of currents; Interrupted when `progress` (as for solve()) says stop.
+RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions& random,
+                                     const std::function<bool(double)>& progress = {});
+
+/// Plans first; throws InputError as SolvePlan does, too.
 RandomResult solve_with_random_tubes(const Target& target, const Sweep& sweep, const SolveOptions& options,
                                      const RandomOptions& random);
 

@@ -5,37 +5,36 @@
 
 #include "scene/skipped.h"
 #include "solve/look_result.h"
-#include "solve/solve.h"
+#include "solve/plan.h"
 
 namespace raytube {
 
 /// Puts each look's result in its rows and in those of the looks that follow from it, and adds up the counts: as they come, so
-/// that no look is held longer than it takes. Keeps references to all it is given.
+/// that no look is held longer than it takes. Refers to the plan.
 class RowCollector {
  public:
-  RowCollector(const Target& target, const Sweep& sweep, const SolveOptions& options, const LookPlan& plan);
+  explicit RowCollector(const SolvePlan& plan);
 
-  /// The result of plan.computed[place]; each once, in any order, from any thread.
-  void add(std::size_t place, const LookResult& look);
+  /// The result of plan.looks.computed[index]; each once, in any order, from any thread.
+  void add(std::size_t index, const LookResult& look);
 
   /// All of them, once all were added. Sums do not depend on the order in which they were.
-  SweepResult finish(const std::vector<bool>& above_limit);
+  SweepResult finish();
 
  private:
-  void count(std::size_t place, const LookResult& look);
+  void count(std::size_t index, const LookResult& look);
   void add_rows(std::size_t look, const LookResult& part, const LookSource& source);
-  void add_row(std::size_t look, std::size_t f, const LookResult& part, const LookSource& source);
-  void add_interaction(std::size_t row, std::size_t f, const LookResult& part, const LookSource& source, Complex factor);
+  void add_row(std::size_t look, std::size_t frequency_index, const LookResult& part, const LookSource& source);
+  void add_interaction(std::size_t row, std::size_t frequency_index, const LookResult& part, const LookSource& source,
+                       Complex factor);
   void add_edges(std::size_t row, const ScatteringMatrix& edges, std::vector<ScatteringMatrix>& part);
-  void count_spared_by_shape();
   void count_thin_plate_edges();
 
-  const Target& target_;
+  const SolvePlan& plan_;
   const Sweep& sweep_;
-  const SolveOptions& options_;
-  const LookPlan& plan_;
-  std::vector<std::size_t> first_, following_;  // looks that follow from place i: following_[first_[i]...first_[i + 1] - 1]
-  std::vector<double> sliver_areas_;            // of each place: the one count whose sum depends on its order
+  std::vector<std::size_t> first_,
+      following_;                     // looks that follow from computed look i: following_[first_[i]...first_[i + 1] - 1]
+  std::vector<double> sliver_areas_;  // of each computed look: the one count whose sum depends on its order
   std::uint64_t looks_without_tubes_ = 0;
   SkipCounts skipped_;
   SweepResult result_;

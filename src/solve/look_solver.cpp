@@ -1,0 +1,108 @@
+#include "solve/look_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sbr/beams/estimate.h"
+#include "solve/phase_reference.h"
+#include "utd/fringe/material_edges.h"
+
+namespace raytube {
+
+namespace {
+
+// What the quadrature of edge-face interaction may leave of the tolerance, at the frequency where most comes back.
+constexpr double interaction_share = 0.1;
+
+double interaction_tolerance(const TubeSums& tubes, double tolerance_db) {
+  double strongest = 0.0;
+  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
+    ScatteringMatrix sum;
+    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
+    strongest = std::max(strongest, frobenius_norm(sum));
+  }
+  return interaction_share * relative_error(tolerance_db) * strongest;
+}
+
+void make_reciprocal(LookResult& look) {
+  for (std::vector<ScatteringMatrix>& bounce : look.tubes.bounces) make_reciprocal(bounce);
+  for (ChannelErrors& error : look.tubes.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);
+  make_reciprocal(look.edges.scattering);
+  make_reciprocal(look.edges.higher);
+  make_reciprocal(look.interaction.scattering);
+}
+
+}  // namespace
+
+LookSolver::LookSolver(const SolvePlan& plan)
+    : plan_(plan),
+      edges_(plan.target.mesh, plan.target.wedges, plan.target.outlines, plan.target.thin_plate_edges,
+             plan.target.options.min_wedge_angle, plan.sweep.frequencies, plan.tubes.skip) {
+  if (plan.mechanisms.interaction) edges_.prepare_interaction(plan.target.mesh, plan.interaction_above_limit);
+  edges_count_ = plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip);
+  if (edges_count_ && plan.mechanisms.screens) edges_.look_through_sheets(plan.target.mesh, plan.sweep.materials);
+  if (plan.mechanisms.rays) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
+}
+
+LookResult LookSolver::solve(std::size_t index, Progress& progress, double share) const {
+  const Look& look = plan_.sweep.looks[index];
+  if (!plan_.mechanisms.rays) return currents(look, progress, share);
+  LookResult result = rays(look);
+  progress.add(share);
+  return result;
+}
+
+LookResult LookSolver::currents(const Look& look, Progress& progress, double share) const {
+  LookResult result;
+  result.tubes = tubes(look, progress, share);
+  result.edges = edges_of(look);
+  result.interaction = interaction(look, result.tubes);
+  if (!plan_.sweep.bistatic) make_reciprocal(result);
+  return result;
+}
+
+TubeSums LookSolver::tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const {
+  const Target& target = plan_.target;
+  return sbr_scattering(target.tracer, target.faces, plan_.smooth.get(), target.convexity, look, plan_.sweep.frequencies,
+                        plan_.tubes, progress, share, plan_.sweep.radar, plan_.sweep.materials, map);
+}
+
+EdgeLookResult LookSolver::edges_of(const Look& look) const {
+  EdgeLookResult result;
+  if (edges_count_)
+    result = edges_.scattering(plan_.target.tracer, look, plan_.edges.order, plan_.edges.receiver_shadow, plan_.edges.transition,
+                               plan_.sweep.radar);
+  if (plan_.mechanisms.material_edges)
+    add_material_edges(result, plan_.target.wedges, plan_.sweep.materials, plan_.target.tracer, look, plan_.sweep.frequencies,
+                       plan_.edges.receiver_shadow);
+  return result;
+}
+
+InteractionResult LookSolver::interaction(const Look& look, const TubeSums& tubes) const {
+  InteractionResult result = edges_.interaction(plan_.target.faces, plan_.target.tracer, look, interaction_options(tubes));
+  for (std::size_t f = 0; !look.far() && f < result.scattering.size(); ++f)
+    result.scattering[f] *= from_plane_waves(plan_.target.mesh, look, plan_.sweep.radar, plan_.sweep.frequencies[f]);
+  return result;
+}
+
+InteractionOptions LookSolver::interaction_options(const TubeSums& tubes) const {
+  return {plan_.edges.order, plan_.edges.transition, interaction_tolerance(tubes, plan_.tubes.tolerance_db)};
+}
+
+// Rays in the place of currents; a path counts as a tube.
+LookResult LookSolver::rays(const Look& look) const {
+  RayLookResult found = ray_fields_->look(look, plan_.sweep.frequencies);
+  LookResult result;
+  result.tubes.bounces = std::move(found.bounces);
+  result.tubes.error.resize(plan_.sweep.frequencies.size());
+  result.tubes.tubes = std::accumulate(found.paths.begin(), found.paths.end(), found.edge_rays);
+  result.tubes.hits = std::move(found.paths);
+  result.tubes.rays = found.rays;
+  result.tubes.tubes_truncated = found.cut ? 1 : 0;
+  result.edges.wedges_lit = found.edge_rays;
+  result.edges.scattering = std::move(found.edges);
+  return result;
+}
+
+}  // namespace raytube

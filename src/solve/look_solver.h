@@ -1,0 +1,48 @@
+// The mechanisms of a look, one after the other.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/progress.h"
+#include "sbr/sbr.h"
+#include "solve/look_result.h"
+#include "solve/plan.h"
+#include "utd/edge_sets.h"
+#include "utd/gtd/ray_fields.h"
+
+namespace raytube {
+
+/// Computes the looks of a plan. What all looks share is made once. Refers to the plan. Thread-safe.
+class LookSolver {
+ public:
+  explicit LookSolver(const SolvePlan& plan);
+  LookSolver(const LookSolver&) = delete;
+
+  /// All mechanisms of look `index` of the sweep at every frequency, phase reference at the centre of the mesh (at a finite
+  /// distance: the origin of its coordinates). Adds `share` to `progress` by and by.
+  LookResult solve(std::size_t index, Progress& progress, double share) const;
+
+  /// The tubes alone; `map`, if any, is told where on the target the currents at one frequency are.
+  TubeSums tubes(const Look& look, Progress& progress, double share, CurrentMap* map = nullptr) const;
+
+  /// Whether edges are asked for their fringe currents.
+  bool edges_count() const { return edges_count_; }
+  const EdgeSets& edges() const { return edges_; }
+
+  /// How edge-face interaction is added up beside these tubes.
+  InteractionOptions interaction_options(const TubeSums& tubes) const;
+
+ private:
+  LookResult currents(const Look& look, Progress& progress, double share) const;
+  LookResult rays(const Look& look) const;
+  EdgeLookResult edges_of(const Look& look) const;
+  InteractionResult interaction(const Look& look, const TubeSums& tubes) const;
+
+  const SolvePlan& plan_;
+  EdgeSets edges_;
+  bool edges_count_ = false;
+  std::optional<RayFields> ray_fields_;
+};
+
+}  // namespace raytube

@@ -1,0 +1,138 @@
+#include "solve/plan.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ranges>
+
+#include "mesh/features/symmetry.h"
+#include "solve/admissible.h"
+#include "utd/gtd/ray_fields.h"
+#include "utd/interaction/interaction_groups.h"
+
+namespace raytube {
+
+namespace {
+
+// A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
+constexpr double most_rise = 1.0 / 32.0;
+
+// k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
+constexpr double most_phase = 0.5;
+
+Mechanisms mechanisms_of(const SolvePlan& plan) {
+  const bool fringe = plan.edges.method == EdgeMethod::fringe;
+  const bool plane_conductors = plan.sweep.materials.empty() && waves_are_plane(plan.target.mesh, plan.sweep);
+  return {.rays = plan.edges.method == EdgeMethod::utd,
+          .fringe = fringe,
+          .material_edges = fringe && plan.edges.materials == MaterialEdgeMethod::luebbers,
+          .screens = fringe && std::ranges::any_of(plan.sweep.materials, &Material::transmits),
+          .interaction = fringe && plan.edges.interaction && !plan.target.convexity.no_reflection && plane_conductors};
+}
+
+double ray_range_of(const SolvePlan& plan) {
+  if (!plan.mechanisms.rays) return 0.0;
+  const double highest = std::ranges::max(plan.sweep.frequencies);
+  const double range = plan.edges.utd_range > 0.0 ? plan.edges.utd_range : default_ray_range(plan.target.mesh, highest);
+  check_ray_range(plan.target.mesh, range);
+  return range;
+}
+
+std::shared_ptr<const SmoothSurfaces> smooth_surfaces(const SolvePlan& plan) {
+  const TubeOptions& tubes = plan.tubes;
+  if (plan.mechanisms.rays || !tubes.refines() || tubes.curved == CurvedSurfaces::never) return {};
+  const bool convex_only = tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
+  if (convex_only && !plan.target.convexity.no_reflection) return {};
+  auto smooth = std::make_shared<const SmoothSurfaces>(plan.target.mesh, plan.target.options.min_wedge_angle,
+                                                       most_rise * plan.shortest_wavelength());
+  if (!smooth->any()) return {};
+  return smooth;
+}
+
+// A radar on a circle about the origin is at the same point again where its directions repeat.
+LookPlan near_looks(const Sweep& sweep) {
+  const bool circle = std::ranges::all_of(sweep.looks, [&](const Look& look) {
+    return look.transmit_range == sweep.looks[0].transmit_range && look.receive_range == sweep.looks[0].receive_range;
+  });
+  return circle ? plan_looks(sweep.looks, {false, false, false}) : plan_all(sweep.looks.size());
+}
+
+// Images of looks follow where tubes are cut exactly: the grid of uniform tubes, and of those that curved surfaces reflect, is
+// not its own image; nor are rays that are searched for, or radars at a finite distance from the origin.
+LookPlan looks_of(const SolvePlan& plan) {
+  const Sweep& sweep = plan.sweep;
+  if (!plan.tubes.skip) return plan_all(sweep.looks.size());
+  if (!all_far(sweep)) return near_looks(sweep);
+  const bool exact = plan.tubes.refines() && (!plan.smooth || plan.target.convexity.no_reflection);
+  if (!exact || plan.mechanisms.rays) return plan_looks(sweep.looks, {false, false, false});
+  const LookPlan at_best = plan_looks(sweep.looks, {true, true, true});
+  if (at_best.mirrored == 0) return at_best;
+  return plan_looks(sweep.looks, find_mirror_planes(plan.target.mesh, plan.target.wedges, plan.smooth != nullptr));
+}
+
+SkipCounts skips_of(const SolvePlan& plan) {
+  const bool asked = plan.edges.interaction && plan.edges.method == EdgeMethod::fringe && !plan.target.convexity.no_reflection;
+  const std::uint64_t looks = plan.sweep.looks.size();
+  SkipCounts counts{.repeated_looks = plan.looks.repeated, .mirrored_looks = plan.looks.mirrored};
+  counts.frequencies_above_interaction_limit = std::ranges::count(plan.interaction_above_limit, true);
+  if (asked && !waves_are_plane(plan.target.mesh, plan.sweep)) counts.near_looks = looks;
+  if (asked && !plan.sweep.materials.empty()) counts.material_looks = looks;
+  if (plan.tubes.skip && plan.edges.method != EdgeMethod::none) counts.enclosed_wedges = plan.target.wedges_enclosed;
+  return counts;
+}
+
+std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
+  const std::vector<Wedge>& wedges = plan.target.wedges;
+  if (plan.edges.method == EdgeMethod::none) return {{"wedges", "edges.method is \"none\"", wedges.size()}};
+  const auto count = [&](auto left_out) { return static_cast<std::uint64_t>(std::ranges::count_if(wedges, left_out)); };
+  std::vector<Skipped> skipped{
+      {"wedges", "concave: multiple reflection stands for them", count([](const Wedge& w) { return !w.convex(); })}};
+  if (plan.mechanisms.rays) return skipped;
+  if (!plan.mechanisms.material_edges)
+    skipped.push_back({"wedges", "a face is no perfect conductor (edges.materials)",
+                       count([](const Wedge& w) { return w.convex() && !w.conducting(); })});
+  const std::vector<Wedge> merged =
+      merge_thin_plate_edges(wedges, plan.target.thin_plate_edges, thin_limit(std::ranges::min(plan.sweep.frequencies)));
+  skipped.push_back({"wedges", "across the rim of a thin sheet, no longer than it is thick", thin_plate_corners(merged)});
+  return skipped;
+}
+
+void check_all(const SolvePlan& plan) {
+  check_options(plan.sweep, plan.tubes, plan.edges);
+  check_materials(plan.target.mesh, plan.sweep);
+  check_antennas(plan.target.mesh, plan.sweep);
+  if (plan.edges.method != EdgeMethod::utd) check_density(plan.target.mesh, plan.sweep, plan.tubes);
+}
+
+}  // namespace
+
+SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& options)
+    : target(on),
+      sweep(asked),
+      tubes(options.tubes),
+      edges(options.edges),
+      threads(options.threads),
+      keep_parts(options.keep_parts) {
+  check_all(*this);
+  const auto start = std::chrono::steady_clock::now();
+  mechanisms = mechanisms_of(*this);
+  ray_range = ray_range_of(*this);
+  smooth = smooth_surfaces(*this);
+  looks = looks_of(*this);
+  if (mechanisms.interaction) interaction_above_limit = interaction_limit_exceeded(target.mesh, target.wedges, sweep.frequencies);
+  skips = skips_of(*this);
+  skipped_wedges = skipped_wedges_of(*this);
+  std::erase_if(skipped_wedges, [](const Skipped& item) { return item.count == 0; });
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double SolvePlan::shortest_wavelength() const { return wavelength(std::ranges::max(sweep.frequencies)); }
+
+bool waves_are_plane(const TriangleMesh& mesh, const Sweep& sweep) {
+  const double reach = glm::length(mesh.center) + mesh.radius;
+  const double phase = wavenumber(std::ranges::max(sweep.frequencies)) * reach * reach;
+  return std::ranges::all_of(sweep.looks, [&](const Look& look) {
+    return look.far() || phase < most_phase * std::min(look.transmit_range, look.receive_range);
+  });
+}
+
+}  // namespace raytube

@@ -1,0 +1,56 @@
+// What a solve will do, settled once before it begins: run, check, images, the random baseline and the memory estimate read it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mesh/features/smooth.h"
+#include "scene/look_plan.h"
+#include "scene/options.h"
+#include "scene/skipped.h"
+#include "scene/sweep.h"
+#include "solve/target.h"
+
+namespace raytube {
+
+/// Which mechanisms take part.
+struct Mechanisms {
+  bool rays = false;            // edges.method utd: rays of geometrical optics and diffraction in the place of currents
+  bool fringe = false;          // fringe currents of edges between perfect conductors
+  bool material_edges = false;  // edges of other materials, by a heuristic
+  bool screens = false;         // edges are lit, and radiate, through sheets that let waves through
+  bool interaction = false;     // edge-face interaction, at the frequencies not above its limit
+};
+
+/// Looks, frequencies and mechanisms of a solve, with the reasons for what is left out. Refers to `target` and `sweep`, which
+/// must outlive it.
+struct SolvePlan {
+  /// Throws InputError, naming the remedy, for whatever cannot be solved: an empty or non-physical sweep, options out of range or
+  /// that do not go together, antennas that do not have all of the target in front, grids too dense.
+  SolvePlan(const Target& target, const Sweep& sweep, const SolveOptions& options);
+
+  const Target& target;
+  const Sweep& sweep;
+  TubeOptions tubes;
+  EdgeOptions edges;
+  int threads;      // 0: all cores
+  bool keep_parts;  // the result keeps its mechanisms apart
+
+  Mechanisms mechanisms;
+  double ray_range = 0.0;                        // of transmitter and receiver where rays stand for currents [m], else 0
+  std::shared_ptr<const SmoothSurfaces> smooth;  // curved surfaces that tubes see as such; null: all are flat facets
+  LookPlan looks;                                // which are computed, and which follow from these
+  std::vector<bool> interaction_above_limit;  // [frequency] too many edges and faces; empty where there is no interaction at all
+  SkipCounts skips;                           // known beforehand
+  std::vector<Skipped> skipped_wedges;        // that carry no fringe current, and why; of thin plates at the lowest frequency
+  double seconds = 0.0;                       // that planning took
+
+  double shortest_wavelength() const;  // [m]
+  /// Bounces that tubes can have on this target.
+  int max_bounces() const { return target.convexity.no_reflection ? 1 : tubes.max_bounces; }
+};
+
+/// Whether the waves of every look are plane enough all over the target for edge-face interaction, which knows no others.
+bool waves_are_plane(const TriangleMesh& mesh, const Sweep& sweep);
+
+}  // namespace raytube

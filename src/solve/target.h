@@ -1,0 +1,38 @@
+// A mesh made ready: everything a solve needs of it that no look and no frequency changes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "mesh/features/convexity.h"
+#include "mesh/features/outlines.h"
+#include "mesh/features/thin_plates.h"
+#include "mesh/load.h"
+#include "mesh/model/face_tree.h"
+#include "mesh/trace/tracer.h"
+#include "scene/options.h"
+
+namespace raytube {
+
+/// Ray-tracing structures of a mesh, its wedges, the outlines of their faces, and the narrow faces that may be edges of thin
+/// plates (none without `thin_plates`). Owns the mesh; can be moved, not copied.
+struct Target {
+  explicit Target(TriangleMesh mesh, const WedgeOptions& options = {});
+
+ private:
+  std::unique_ptr<const TriangleMesh> owned_;  // stays where it is when the target is moved
+
+ public:
+  const TriangleMesh& mesh;
+  WedgeOptions options;  // it was made with
+  Tracer tracer;
+  FaceTree faces;
+  Convexity convexity;
+  std::vector<Wedge> wedges;
+  std::uint64_t wedges_enclosed;  // of these, inside a closed body
+  Outlines outlines;
+  std::vector<ThinPlateEdge> thin_plate_edges;
+};
+
+}  // namespace raytube
