@@ -6,6 +6,7 @@
 - every relative link leads to a file that exists, and to a heading of it (anchors by GitHub's rules);
 - every page of docs/ is reached by links from docs/README.md;
 - the files in src/, docs/ and tests/ and the tests (`Suite.Name`) that pages name exist;
+- the program on the library's page is that of examples/library;
 - README.md has at most 150 lines; no line outside tables and code is longer than 160 characters.
 """
 import re
@@ -123,6 +124,15 @@ def unreachable(root):
     return [p for p in sorted((root / "docs").rglob("*.md")) if p.resolve() not in reached]
 
 
+def example_faults(root):
+    """The program of the library's page is the one in examples/, which is built and run by a test."""
+    page, example = root / "docs/reference/library.md", root / "examples/library/main.cpp"
+    if page.exists() and example.exists():
+        code = "".join(f"    {line}" if line.strip() else line for line in example.read_text(encoding="utf-8").splitlines(True)[1:])
+        if code not in page.read_text(encoding="utf-8"):
+            yield f"docs/reference/library.md:1: its program is not {example.relative_to(root)}"
+
+
 def faults(root):
     known = test_names(root)
     for path in pages(root):
@@ -132,6 +142,7 @@ def faults(root):
     count = len((root / "README.md").read_text(encoding="utf-8").splitlines())
     if count > README_LINES:
         yield f"README.md:{count}: {count} lines; at most {README_LINES}"
+    yield from example_faults(root)
     for path in unreachable(root):
         yield f"{path.relative_to(root)}:1: not reached by links from docs/README.md"
 
