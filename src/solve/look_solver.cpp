@@ -47,13 +47,7 @@ LookSolver::LookSolver(const SolvePlan& plan)
 
 LookResult LookSolver::solve(std::size_t index, Progress& progress, double share) const {
   const Look& look = plan_.sweep.looks[index];
-  if (!plan_.mechanisms.rays) return currents(look, progress, share);
-  LookResult result = rays(look);
-  progress.add(share);
-  return result;
-}
-
-LookResult LookSolver::currents(const Look& look, Progress& progress, double share) const {
+  if (plan_.mechanisms.rays) return rays(look, progress, share);
   LookResult result;
   result.tubes = tubes(look, progress, share);
   result.edges = edges_of(look);
@@ -91,7 +85,7 @@ InteractionOptions LookSolver::interaction_options(const TubeSums& tubes) const 
 }
 
 // Rays in the place of currents; a path counts as a tube.
-LookResult LookSolver::rays(const Look& look) const {
+LookResult LookSolver::rays(const Look& look, Progress& progress, double share) const {
   RayLookResult found = ray_fields_->look(look, plan_.sweep.frequencies);
   LookResult result;
   result.tubes.bounces = std::move(found.bounces);
@@ -102,6 +96,7 @@ LookResult LookSolver::rays(const Look& look) const {
   result.tubes.tubes_truncated = found.cut ? 1 : 0;
   result.edges.wedges_lit = found.edge_rays;
   result.edges.scattering = std::move(found.edges);
+  progress.add(share);
   return result;
 }
 

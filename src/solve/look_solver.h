@@ -34,8 +34,7 @@ class LookSolver {
   InteractionOptions interaction_options(const TubeSums& tubes) const;
 
  private:
-  LookResult currents(const Look& look, Progress& progress, double share) const;
-  LookResult rays(const Look& look) const;
+  LookResult rays(const Look& look, Progress& progress, double share) const;
   EdgeLookResult edges_of(const Look& look) const;
   InteractionResult interaction(const Look& look, const TubeSums& tubes) const;
 
