@@ -30,7 +30,7 @@ double bytes_per_row(int bounces, bool keep_parts) {
 double edge_set_bytes(const Target& target, const Sweep& sweep, const EdgeOptions& edges) {
   if (edges.method != EdgeMethod::fringe) return 0.0;
   std::set<std::size_t> sets;
-  for (const double frequency : sweep.frequencies) sets.insert(thin_rims(target.rims, frequency));
+  for (const double frequency : sweep.frequencies) sets.insert(count_thin(target.rims, frequency));
   return static_cast<double>(sets.size() * target.wedges.size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
 }
 

@@ -21,10 +21,10 @@ RowCollector::RowCollector(const Target& target, const Sweep& sweep, const Solve
       first_(plan.computed.size() + 1),
       following_(sweep.looks.size()),
       sliver_areas_(plan.computed.size()) {
-  for (const LookSource& source : plan.sources) ++first_[source.place + 1];
+  for (const LookSource& source : plan.sources) ++first_[source.index + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   std::vector<std::size_t> next = first_;
-  for (std::size_t i = 0; i < following_.size(); ++i) following_[next[plan.sources[i].place]++] = i;
+  for (std::size_t i = 0; i < following_.size(); ++i) following_[next[plan.sources[i].index]++] = i;
   result_.total.resize(sweep.rows());
   result_.error.resize(sweep.rows());
   if (any_rough(sweep.materials)) result_.incoherent.resize(sweep.rows());
@@ -124,8 +124,8 @@ void RowCollector::count_spared_by_shape() {
 
 void RowCollector::count_thin_plate_edges() {
   const auto [lowest, highest] = std::ranges::minmax(sweep_.frequencies);
-  result_.statistics.thin_plate_edges_lowest = thin_rims(target_.rims, lowest);
-  result_.statistics.thin_plate_edges_highest = thin_rims(target_.rims, highest);
+  result_.statistics.thin_plate_edges_lowest = count_thin(target_.rims, lowest);
+  result_.statistics.thin_plate_edges_highest = count_thin(target_.rims, highest);
 }
 
 }  // namespace raytube

@@ -67,7 +67,7 @@ LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tu
   if (!exact) return plan_looks(sweep.looks, {false, false, false});
   const LookPlan at_best = plan_looks(sweep.looks, {true, true, true});
   if (at_best.mirrored == 0) return at_best;
-  return plan_looks(sweep.looks, find_mirror_planes(target.mesh, target.wedges, curved));
+  return plan_looks(sweep.looks, find_symmetry_planes(target.mesh, target.wedges, curved));
 }
 
 LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const EdgeSets& edges, const Sweep& sweep,

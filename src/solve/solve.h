@@ -14,6 +14,7 @@
 #include "sbr/sbr.h"
 #include "scene/look_plan.h"
 #include "scene/options.h"
+#include "scene/results.h"
 #include "scene/sweep.h"
 
 namespace raytube {
