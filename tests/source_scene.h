@@ -46,7 +46,7 @@ struct SourceScene {
                          cut_tolerance(joined.mesh, launch.eye()));
   }
 
-  /// The share of the full solid angle in which each part is seen.
+  /// The share of the full solid angle in which each part is visible.
   std::vector<double> exact(const dvec3& source) const {
     const dvec3 from = source - joined.mesh.center;
     std::vector<double> shares(surfaces.size(), 0.0);
@@ -61,7 +61,7 @@ struct SourceScene {
 };
 
 /// A rectangle in the plane x = `x`, y and z from `low` to `high`.
-inline PolygonSoup sheet_across_x(double x, const dvec2& low, const dvec2& high) {
+inline PolygonSoup plate_across_x(double x, const dvec2& low, const dvec2& high) {
   return {{{x, low.x, low.y}, {x, high.x, low.y}, {x, high.x, high.y}, {x, low.x, high.y}}, {{0, 1, 2}, {0, 2, 3}}};
 }
 

@@ -25,7 +25,7 @@ class Band {
   /// Nodes for a function of k that is a sum of A e^{jkx}, all |x| <= half_span [m]. What they give differs from it by less than
   /// 1e-12 of the sum of |A|. Null where the wavenumbers are so few that nodes would not pay.
   const ChebyshevNodes* nodes(double half_span) { return nodes(half_span, 0.0); }
-  /// The same with amplitudes that change slowly with k: analytic but for k = 0, as roots and Fresnel integrals are.
+  /// Nodes for such a sum with amplitudes that change slowly with k: analytic but for k = 0, as roots and Fresnel integrals are.
   const ChebyshevNodes* nodes_of_fresnel(double half_span) { return nodes(half_span, rate_); }
 
  private:

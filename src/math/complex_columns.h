@@ -20,7 +20,7 @@ struct ComplexColumn {
   }
 };
 
-/// A place in a column.
+/// A number of a column, and those that follow it.
 struct ColumnPlace {
   const double *re, *im;
   ColumnPlace(const ComplexColumn& column, std::size_t first) : re(column.re.data() + first), im(column.im.data() + first) {}

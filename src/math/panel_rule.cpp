@@ -13,7 +13,7 @@ namespace {
 constexpr double least_points = 4.0;
 constexpr double points_per_cycle = 1.6;
 constexpr double points_per_wavelength = 1.0;
-constexpr double steepest_slope = 1.5;  // of the place against the rule's variable, where both ends have a root
+constexpr double steepest_slope = 1.5;  // of the position against the rule's variable, where both ends have a root
 constexpr double slack = 1e-6;          // keeps a decision the same on bodies of whole wavelengths, whatever the rounding
 constexpr double root_part = 1.0;       // [wavelengths] on a long panel a root matters this far from its end
 
@@ -35,7 +35,7 @@ std::optional<double> place_to_cut(const Panel& panel, double wavelength) {
   return std::nullopt;
 }
 
-/// A place on [0, 1] as a polynomial of the rule's variable in which roots of the distance to the ends are smooth.
+/// A position on [0, 1] as a polynomial of the rule's variable in which roots of the distance to the ends are smooth.
 struct Mapped {
   double place, slope;
 };

@@ -29,7 +29,7 @@ double distance_to_segment(const dvec3& point, const dvec3& a, const dvec3& b) {
   return glm::length(point - a - t * along);
 }
 
-// The largest share of the sphere that a cell at this segment can have: dOmega / dA = height / distance^3, the nearest place of
+// The largest share of the sphere that a cell at this segment can have: dOmega / dA = height / distance^3, the nearest point of
 // the cell one diagonal closer than the segment.
 double largest_share(const LaunchFace& face, const dvec3& eye, const dvec3& a, const dvec3& b) {
   const double cells = static_cast<double>(face.cells());
@@ -146,7 +146,7 @@ std::optional<Segment> projected(const Eye& eye, const LaunchFace& face, const S
   return Segment{on_face(begin), on_face(end)};
 }
 
-// A face seen edge-on has no cone: there the rim of what is lit stands for the borders.
+// A face edge-on to the eye has no cone: there the outline of what is lit stands for the borders.
 void add_bounds(const Launch& launch, const LaunchFace& face, const VisiblePiece& piece, const SpatialPolygon& lit,
                 double tolerance, LaunchLimit& to) {
   const auto cone = shadow(launch.eye(), face.outline(), tolerance);
@@ -161,7 +161,7 @@ void add_bounds(const Launch& launch, const LaunchFace& face, const VisiblePiece
     if (!line) continue;
     const double crossed = cells_crossed(face, line->from, line->to);
     to.bound += crossed / static_cast<double>(launch.rays());
-    if (own) to.estimate_bound += crossed * largest_share(face, launch.eye().place, line->from, line->to);
+    if (own) to.estimate_bound += crossed * largest_share(face, launch.eye().position, line->from, line->to);
   }
 }
 
@@ -192,7 +192,7 @@ void add_faces(const Launch& launch, const VisiblePiece& piece, std::span<const 
 }
 
 void add_angles(const Launch& launch, const VisiblePiece& piece, double tolerance, LaunchLimit& to) {
-  const dvec3& from = launch.eye().place;
+  const dvec3& from = launch.eye().position;
   to.share += angle_area(piece.outline, from, tolerance) / (2.0 * pi * pi);
   for (const Segment& border : piece.border) {
     const auto [crossed, share] = angle_cells_crossed(border, from, launch.elevation_steps());
@@ -213,11 +213,11 @@ double angle_area(const SpatialPolygon& polygon, const dvec3& from, double toler
   return upper_area(above) + upper_area(below);
 }
 
-std::vector<LaunchLimit> launch_limits(const Launch& launch, std::span<const VisiblePiece> seen,
+std::vector<LaunchLimit> launch_limits(const Launch& launch, std::span<const VisiblePiece> visible,
                                        std::span<const std::uint32_t> triangle_part, std::size_t parts, double tolerance) {
   std::vector<LaunchLimit> limits(parts);
   const std::vector<double> shares = face_shares(launch);
-  for (const VisiblePiece& piece : seen) {
+  for (const VisiblePiece& piece : visible) {
     LaunchLimit& limit = limits[triangle_part[piece.triangle]];
     if (launch.model() == LaunchModel::angles)
       add_angles(launch, piece, tolerance, limit);

@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "sbr/launch/launch.h"
 
 namespace raytube {
 
@@ -92,12 +91,12 @@ std::uint64_t whole_root(std::uint64_t n) {
 
 // Strips parallel to the side opposite `corner` hold 1, 3, 5 ... small triangles, upright and inverted in turn.
 std::array<dvec3, 3> small_triangle(const LaunchFace& face, std::uint64_t index) {
-  const std::uint64_t strip = whole_root(index), place = index - strip * strip, column = place / 2;
+  const std::uint64_t strip = whole_root(index), within = index - strip * strip, column = within / 2;
   const auto point = [&](std::uint64_t row, std::uint64_t along) {
     const double m = face.columns;
     return face.corner + static_cast<double>(row - along) / m * face.side_u + static_cast<double>(along) / m * face.side_v;
   };
-  if (place % 2 == 0) return {point(strip, column), point(strip + 1, column), point(strip + 1, column + 1)};
+  if (within % 2 == 0) return {point(strip, column), point(strip + 1, column), point(strip + 1, column + 1)};
   return {point(strip, column), point(strip, column + 1), point(strip + 1, column + 1)};
 }
 
@@ -184,7 +183,7 @@ void Launch::use(std::vector<LaunchFace> faces) {
 
 double Launch::area() const { return area_before_.back() + faces_.back().area(); }
 
-// By area: the first random number chooses the face, and what is left of it the place along u.
+// By area: the first random number chooses the face, and what is left of it the position along u.
 dvec3 Launch::random_point(std::uint64_t index, std::uint32_t& face) const {
   const dvec2 drawn = raytube::random_point(seed_, 0, index);
   const double first = drawn.x, second = drawn.y;
@@ -214,11 +213,11 @@ dvec3 Launch::through(std::uint64_t index, std::uint32_t& face) const {
   if (model_ != LaunchModel::angles) {
     const Cell here = cell(index);
     face = here.face;
-    return here.place;
+    return here.through;
   }
   const AngleCell a = angle_cell(index, elevation_steps_);
   const double elevation = 0.5 * (a.low_elevation + a.high_elevation) + beside_v * a.step, out = std::cos(elevation);
-  return eye_.place + dvec3(out * std::cos(a.azimuth), out * std::sin(a.azimuth), std::sin(elevation));
+  return eye_.position + dvec3(out * std::cos(a.azimuth), out * std::sin(a.azimuth), std::sin(elevation));
 }
 
 LaunchedRay Launch::ray(std::uint64_t index) const {
@@ -226,15 +225,15 @@ LaunchedRay Launch::ray(std::uint64_t index) const {
   launched.index = index;
   launched.through = through(index, launched.face);
   if (!faces_.empty()) launched.aimed = faces_[launched.face].aimed;
-  launched.ray =
-      eye_.direction ? Ray{launched.through, *eye_.direction} : Ray{eye_.place, glm::normalize(launched.through - eye_.place)};
+  launched.ray = eye_.direction ? Ray{launched.through, *eye_.direction}
+                                : Ray{eye_.position, glm::normalize(launched.through - eye_.position)};
   return launched;
 }
 
 // dOmega = height dA / distance^3, for a share 1 / rays of the area.
 double Launch::random_weight(const LaunchedRay& launched) const {
   const LaunchFace& face = faces_[launched.face];
-  const dvec3 to = launched.through - eye_.place;
+  const dvec3 to = launched.through - eye_.position;
   const double distance = glm::length(to);
   const double height = std::abs(glm::dot(glm::cross(face.side_u, face.side_v), to)) / face.area();
   return height / (distance * distance * distance) * area() / (full_sphere * static_cast<double>(rays_));
@@ -248,8 +247,8 @@ double Launch::weight(const LaunchedRay& launched) const {
     return a.step * (std::sin(a.high_elevation) - std::sin(a.low_elevation)) / full_sphere;
   }
   const Cell here = cell(launched.index);
-  const dvec3 a = here.corners[0] - eye_.place, b = here.corners[1] - eye_.place, c = here.corners[2] - eye_.place;
-  const double half = faces_[here.face].is_triangle ? 0.0 : solid_angle(a, c, here.corners[3] - eye_.place);
+  const dvec3 a = here.corners[0] - eye_.position, b = here.corners[1] - eye_.position, c = here.corners[2] - eye_.position;
+  const double half = faces_[here.face].is_triangle ? 0.0 : solid_angle(a, c, here.corners[3] - eye_.position);
   return (solid_angle(a, b, c) + half) / full_sphere;
 }
 

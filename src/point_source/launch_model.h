@@ -10,8 +10,8 @@
 
 namespace raytube {
 
-/// A plane piece cut into equal cells, each with a ray through it, next to the middle: a rectangle of columns x rows, or a
-/// triangle of columns^2 small ones.
+/// A plane piece cut into equal cells, each with a ray through it, next to the middle (beside_u, beside_v): a rectangle of
+/// columns x rows, or a triangle of columns^2 small ones.
 struct LaunchFace {
   dvec3 corner, side_u, side_v;
   bool is_triangle = false;
@@ -23,7 +23,7 @@ struct LaunchFace {
   SpatialPolygon outline() const;
 };
 
-/// Where a launch takes place, in recentred coordinates.
+/// The surroundings of a launch, in recentred coordinates.
 struct LaunchSite {
   const TriangleMesh* mesh;
   Box box;           // encloses mesh and source
@@ -36,7 +36,7 @@ struct LaunchSite {
 struct LaunchedRay {
   std::uint64_t index;
   Ray ray;
-  dvec3 through;                   // what is drawn as its launch point
+  dvec3 through;                   // a point of it: what is drawn as its launch point
   std::uint32_t face = 0;          // of the launch, if it has faces
   std::uint32_t aimed = no_index;  // the triangle that its weight belongs to; no_index: whatever it meets
 };
@@ -63,7 +63,7 @@ class Launch {
   struct Cell {
     std::uint32_t face;
     std::array<dvec3, 4> corners;  // of a triangle the first three
-    dvec3 place;                   // where the ray goes through: beside the middle
+    dvec3 through;                 // a point of the ray: beside the middle
   };
 
   void use(std::vector<LaunchFace> faces);

@@ -105,11 +105,11 @@ class Batch {
     rays_.resize(kept);
   }
 
-  void keep(std::size_t i, std::size_t place, const Hit& hit, const dvec3& point) {
+  void keep(std::size_t i, std::size_t slot, const Hit& hit, const dvec3& point) {
     const std::uint32_t patch = tracer_.mesh().triangle_patch[hit.triangle];
     const dvec3 normal = tracer_.mesh().patches[patch].normal, direction = rays_[i].direction;
-    rays_[place] = {point, glm::normalize(direction - 2.0 * glm::dot(direction, normal) * normal), patch};
-    weights_[place] = weights_[i];
+    rays_[slot] = {point, glm::normalize(direction - 2.0 * glm::dot(direction, normal) * normal), patch};
+    weights_[slot] = weights_[i];
   }
 
   const Tracer& tracer_;

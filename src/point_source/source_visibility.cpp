@@ -26,7 +26,7 @@ SpatialPolygon ahead_of_start(const TriangleMesh& mesh, const Eye& eye, std::uin
   SpatialPolygon all = corners_of(mesh, triangle);
   if (!eye.direction) return all;
   SpatialPolygon ahead, behind;
-  cut(all, {*eye.direction, glm::dot(*eye.direction, eye.place)}, tolerance, ahead, behind);
+  cut(all, {*eye.direction, glm::dot(*eye.direction, eye.position)}, tolerance, ahead, behind);
   return ahead;
 }
 
@@ -35,9 +35,9 @@ HalfSpace beyond(const Patch& plane, const Eye& eye, const dvec3& on_plane) {
   return {sense * plane.normal, sense * plane.offset};
 }
 
-class Seeing {
+class SourceVisibility {
  public:
-  Seeing(const TriangleMesh& mesh, const Eye& eye) : mesh_(mesh), eye_(eye), tolerance_(cut_tolerance(mesh, eye)) {
+  SourceVisibility(const TriangleMesh& mesh, const Eye& eye) : mesh_(mesh), eye_(eye), tolerance_(cut_tolerance(mesh, eye)) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) add_blocker(t);
   }
 
@@ -141,18 +141,20 @@ SpatialPolygon clipped(SpatialPolygon polygon, const Shadow& shadow, double tole
   return polygon;
 }
 
-double cut_tolerance(const TriangleMesh& mesh, const Eye& eye) { return 1e-11 * std::max(mesh.radius, glm::length(eye.place)); }
+double cut_tolerance(const TriangleMesh& mesh, const Eye& eye) {
+  return 1e-11 * std::max(mesh.radius, glm::length(eye.position));
+}
 
 std::vector<VisiblePiece> visible_pieces(const TriangleMesh& mesh, const Eye& eye) {
-  const Seeing seeing(mesh, eye);
+  const SourceVisibility seeing(mesh, eye);
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   std::vector<std::vector<SpatialPolygon>> pieces(count);
   tbb::parallel_for(0u, count, [&](std::uint32_t triangle) { pieces[triangle] = seeing.pieces_of(triangle); });
-  std::vector<VisiblePiece> seen;
+  std::vector<VisiblePiece> visible;
   for (std::uint32_t triangle = 0; triangle < count; ++triangle)
-    for (SpatialPolygon& piece : pieces[triangle]) seen.push_back({triangle, std::move(piece), {}});
-  find_borders(mesh, 100.0 * cut_tolerance(mesh, eye), seen);
-  return seen;
+    for (SpatialPolygon& piece : pieces[triangle]) visible.push_back({triangle, std::move(piece), {}});
+  find_borders(mesh, 100.0 * cut_tolerance(mesh, eye), visible);
+  return visible;
 }
 
 }  // namespace raytube

@@ -1,4 +1,8 @@
-// What a point source, or a plane wave, reaches before anything else: exact, by cutting triangles with the shadows of all others.
+// Source visibility: what a point source, or a plane wave, reaches before anything else. Exact, by cutting triangles with the
+// shadows of all others.
+//
+// point_source/ studies ways to launch rays from a point: launch_model spreads them, ray_hits counts what they meet,
+// source_visibility and launch_limit say what these counts tend to. Recentred coordinates [m]; shares are of 1.
 #pragma once
 
 #include <optional>
@@ -8,20 +12,22 @@
 
 namespace raytube {
 
-/// Where rays come from: a point, or a plane from which they all leave along its normal.
+/// Where rays come from: a point, or a plane from which they all leave along its normal, `direction`.
 struct Eye {
-  dvec3 place;  // the point, or any point of the plane
+  dvec3 position;  // the point, or any point of the plane
   std::optional<dvec3> direction;
-  dvec3 ray_at(const dvec3& r) const { return direction ? *direction : r - place; }
+  /// The direction of the ray that reaches r, not of unit length where it comes from a point.
+  dvec3 ray_at(const dvec3& r) const { return direction ? *direction : r - position; }
 };
 
 /// The half spaces whose common part holds all rays of the eye through a convex polygon.
 struct Shadow {
   std::vector<HalfSpace> sides;
+  /// True if a convex polygon of these corners lies outside one of the sides, or within `tolerance` [m] of it.
   bool misses(std::span<const dvec3> corners, double tolerance) const;
 };
 
-/// Nothing if the eye sees the polygon edge-on.
+/// The shadow of a convex polygon; nothing if the eye sees it edge-on, to within `tolerance` [m].
 std::optional<Shadow> shadow(const Eye& eye, const SpatialPolygon& polygon, double tolerance);
 
 /// The part of a polygon inside a shadow, empty if there is none.
@@ -34,17 +40,17 @@ struct Segment {
 struct VisiblePiece {
   std::uint32_t triangle;
   SpatialPolygon outline;
-  std::vector<Segment> border;  // the edges of the outline, without what another piece of the same plane goes on from
+  std::vector<Segment> border;  // the edges of the outline, without what is an edge of another piece of the same plane too
 };
 
 /// What lies closer than this to a plane lies on it [m]: far above rounding, far below what a ray model resolves.
 double cut_tolerance(const TriangleMesh& mesh, const Eye& eye);
 
 /// Convex pieces of triangles that the eye sees, in the order of the triangles. Both sides of a triangle count; where two
-/// coincide, one is seen (here the lower one, by a ray either). The work grows with the square of the number of triangles.
+/// coincide, one is visible (here the lower one, to a ray either). The work grows with the square of the number of triangles.
 std::vector<VisiblePiece> visible_pieces(const TriangleMesh& mesh, const Eye& eye);
 
-/// Fills the borders of all pieces.
+/// Fills the borders of all pieces; edges closer than `tolerance` [m] lie on one another.
 void find_borders(const TriangleMesh& mesh, double tolerance, std::vector<VisiblePiece>& pieces);
 
 }  // namespace raytube

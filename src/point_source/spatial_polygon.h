@@ -18,7 +18,7 @@ struct HalfSpace {
   double operator()(const dvec3& r) const { return glm::dot(normal, r) - offset; }
 };
 
-double area(const SpatialPolygon& polygon);
+double area(const SpatialPolygon& polygon);   // [m^2]
 dvec3 middle(const SpatialPolygon& polygon);  // mean of the corners, which lies inside
 
 /// Cuts along the plane. A corner within the tolerance belongs to both parts; a part without a corner beyond that is left empty.

@@ -110,7 +110,7 @@ void print_components(const std::vector<Component>& components) {
 
 void print_shape(const Target& target) {
   if (target.convexity.no_reflection) fmt::print("  {}\n", target.convexity.no_shadow ? "convex body" : nothing_in_front);
-  const std::array<bool, 3> mirrors = find_mirror_planes(target.mesh, target.wedges);
+  const std::array<bool, 3> mirrors = find_symmetry_planes(target.mesh, target.wedges);
   for (int axis = 0; axis < 3; ++axis)
     if (mirrors[axis]) fmt::print("  its own mirror image across {} = {:.6g} m\n", "xyz"[axis], target.mesh.center[axis]);
 }
@@ -168,10 +168,10 @@ void print_wedges(const std::vector<Wedge>& wedges) {
 
 void print_thin_plate_edges(const Case& c, std::span<const ThinPlateEdge> rims) {
   const auto [lowest, highest] = std::ranges::minmax(c.sweep.frequencies);
-  if (c.edges.method != EdgeMethod::fringe || thin_rims(rims, lowest) == 0) return;
+  if (c.edges.method != EdgeMethod::fringe || count_thin(rims, lowest) == 0) return;
   const auto print = [&](double frequency) {
     fmt::print("  {} half planes at {} GHz: rims of sheets thinner than {:.4g} mm, a tenth of the wavelength\n",
-               thin_rims(rims, frequency), number_text(frequency / 1e9), thin_limit(frequency) * 1e3);
+               count_thin(rims, frequency), number_text(frequency / 1e9), thin_limit(frequency) * 1e3);
   };
   print(lowest);
   if (highest > lowest) print(highest);

@@ -74,7 +74,7 @@ void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mes
   std::uint32_t row = 0;
   for (std::uint32_t i = 0; i < wedges.size(); ++i) {
     const Wedge& w = wedges[i];
-    if (w.half_plane != no_index) continue;
+    if (w.replaced_by != no_index) continue;
     out.write(std::to_string(row++) + ',' + point_text(w.start + mesh.center) + ',' + point_text(w.end + mesh.center) + ',' +
               number_text(w.length()) + ',' + number_text(w.interior_angle() / degree) + ',' + number_text(w.n) + ',' +
               std::to_string(w.faces[0].patch) + ',' + std::to_string(w.faces[1].patch) + ',' + number_text(lit.of(i)) + ',' +

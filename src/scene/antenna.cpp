@@ -23,10 +23,10 @@ double AntennaPattern::amplitude(double azimuth_angle, double elevation_angle) c
   return std::exp(-2.0 * std::numbers::ln2 * (a * a + e * e)) * std::pow(10.0, level / 20.0);
 }
 
-Antenna::Antenna(const AntennaPlace& place, const dvec3& reference, const dvec3& aim, const AntennaPattern& pattern)
+Antenna::Antenna(const AntennaPosition& position, const dvec3& reference, const dvec3& aim, const AntennaPattern& pattern)
     : reference_(reference),
-      basis_(spherical_basis(place.direction)),
-      range_(place.range),
+      basis_(spherical_basis(position.direction)),
+      range_(position.range),
       // Towards `aim`, with both sides divided by the range.
       axis_(glm::normalize((aim - reference) / range_ - basis_.radial)),
       azimuth_hat_(carried(basis_.phi_hat, -basis_.radial, axis_)),

@@ -40,8 +40,8 @@ inline dvec3 carried(const dvec3& vector, const dvec3& from, const dvec3& to) {
   return vector - glm::dot(vector, to) / (1.0 + glm::dot(from, to)) * (from + to);
 }
 
-/// Where an antenna stands.
-struct AntennaPlace {
+/// The position of an antenna.
+struct AntennaPosition {
   Direction direction;  // from the origin of the mesh's own coordinates to the antenna
   double range;         // [m]
 };
@@ -60,7 +60,7 @@ class Antenna {
  public:
   /// `reference` is the origin of the mesh's own coordinates and `aim` the point on the axis, both in the coordinates that points
   /// are given in. Keeps a reference to `pattern`.
-  Antenna(const AntennaPlace& place, const dvec3& reference, const dvec3& aim, const AntennaPattern& pattern);
+  Antenna(const AntennaPosition& position, const dvec3& reference, const dvec3& aim, const AntennaPattern& pattern);
 
   /// No digits are lost at long range.
   AntennaRay ray_to(const dvec3& point) const;

@@ -6,8 +6,8 @@ namespace raytube {
 
 namespace {
 
-std::uint32_t cell_along(double place, double corner, double cell, std::uint32_t count) {
-  return static_cast<std::uint32_t>(std::clamp(std::floor((place - corner) / cell), 0.0, count - 1.0));
+std::uint32_t cell_along(double at, double corner, double cell, std::uint32_t count) {
+  return static_cast<std::uint32_t>(std::clamp(std::floor((at - corner) / cell), 0.0, count - 1.0));
 }
 
 // Appends where a way from `a` to `b` crosses the lines corner + i cell, 0 < i < count.
@@ -22,12 +22,12 @@ void add_crossings(double a, double b, double corner, double cell, std::uint32_t
 
 }  // namespace
 
-glm::uvec2 ImageLattice::at(const dvec2& place) const {
-  return {cell_along(place.x, corner.x, cell.x, columns), cell_along(place.y, corner.y, cell.y, rows)};
+glm::uvec2 ImageLattice::at(const dvec2& point) const {
+  return {cell_along(point.x, corner.x, cell.x, columns), cell_along(point.y, corner.y, cell.y, rows)};
 }
 
 std::vector<double> ImageLattice::crossings(const dvec3& begin, const dvec3& end) const {
-  const dvec2 a = place(begin), b = place(end);
+  const dvec2 a = project(begin), b = project(end);
   std::vector<double> shares{0.0, 1.0};
   add_crossings(a.x, b.x, corner.x, cell.x, columns, shares);
   add_crossings(a.y, b.y, corner.y, cell.y, rows, shares);

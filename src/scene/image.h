@@ -8,7 +8,7 @@
 
 namespace raytube {
 
-/// The launch rectangle of a look in equal cells, as seen from the radar: columns along u, rows along v.
+/// The launch rectangle of a look in equal cells, as the radar sees it: columns along u, rows along v.
 struct ImageLattice {
   dvec3 u_hat, v_hat;
   dvec2 corner{0.0}, cell{0.0};  // lower corner and sides of a cell [m]
@@ -16,11 +16,12 @@ struct ImageLattice {
 
   std::size_t cells() const { return std::size_t{columns} * rows; }
   std::size_t index(const glm::uvec2& at) const { return std::size_t{at.y} * columns + at.x; }
-  dvec2 place(const dvec3& r) const { return {glm::dot(r, u_hat), glm::dot(r, v_hat)}; }
+  /// Coordinates of a point along u and v [m].
+  dvec2 project(const dvec3& r) const { return {glm::dot(r, u_hat), glm::dot(r, v_hat)}; }
   dvec2 middle(const glm::uvec2& at) const { return corner + (dvec2(at) + 0.5) * cell; }
 
-  /// Column and row of a place. What rounding puts beside the rectangle belongs to the cell next to it.
-  glm::uvec2 at(const dvec2& place) const;
+  /// Column and row of a point, given along u and v. What rounding puts beside the rectangle belongs to the cell next to it.
+  glm::uvec2 at(const dvec2& point) const;
 
   /// The shares of the way from `begin` to `end` at which it goes from one cell into another, from 0 to 1, both included.
   std::vector<double> crossings(const dvec3& begin, const dvec3& end) const;
@@ -36,9 +37,9 @@ struct ImageEdge {
 /// as everywhere; the cells add up to S, and so do triangles and edges together.
 struct LookImage {
   std::size_t look = 0;
-  double frequency = 0.0;               // [Hz]
-  ImageLattice lattice;                 // in the mesh's own coordinates
-  std::vector<ScatteringMatrix> cells;  // row by row: of the tubes launched there at all their bounces, and of edges seen there
+  double frequency = 0.0;                   // [Hz]
+  ImageLattice lattice;                     // in the mesh's own coordinates
+  std::vector<ScatteringMatrix> cells;      // row by row: of tubes launched there at all bounces, and of edges seen there
   std::vector<ScatteringMatrix> triangles;  // of the mesh, of the currents of every bounce
   std::vector<ImageEdge> edges;             // each within one cell, in the mesh's own coordinates
 };

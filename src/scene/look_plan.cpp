@@ -9,7 +9,7 @@ namespace raytube {
 
 namespace {
 
-// Angles of equal directions may differ in their last bits; on this lattice [degrees] those that people write have one place.
+// Angles of equal directions may differ in their last bits; on this lattice [degrees] those that people write have one index.
 constexpr double lattice = 1e-10;
 constexpr double rounding = 1e-14;  // of unit vectors from angles of up to a turn, with their conversion from degrees
 
@@ -21,27 +21,27 @@ using Key = std::array<long long, 4>;
 struct KeyHash {
   std::size_t operator()(const Key& key) const {
     std::uint64_t hash = 0;
-    for (const long long place : key)
-      hash = (hash ^ static_cast<std::uint64_t>(place)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
+    for (const long long index : key)
+      hash = (hash ^ static_cast<std::uint64_t>(index)) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
     return hash ^ (hash >> 32);
   }
 };
 
-long long within_turn(long long place) { return ((place % turn) + turn) % turn; }
+long long within_turn(long long index) { return ((index % turn) + turn) % turn; }
 
-long long place(double angle) { return within_turn(std::llround(std::remainder(angle, 2.0 * pi) / degree / lattice)); }
+long long index_of(double angle) { return within_turn(std::llround(std::remainder(angle, 2.0 * pi) / degree / lattice)); }
 
 Key key_of(const Look& look) {
-  return {place(look.transmit.theta), place(look.transmit.phi), place(look.receive.theta), place(look.receive.phi)};
+  return {index_of(look.transmit.theta), index_of(look.transmit.phi), index_of(look.receive.theta), index_of(look.receive.phi)};
 }
 
-// Bit a of `mirrors`: across the plane on which coordinate a is 0.
-Key image(Key key, unsigned mirrors) {
+// Bit a of `planes`: across the plane on which coordinate a is 0.
+Key image(Key key, unsigned planes) {
   for (const int theta : {0, 2}) {
     const int phi = theta + 1;
-    if (mirrors & 1) key[phi] = turn / 2 - key[phi];
-    if (mirrors & 2) key[phi] = -key[phi];
-    if (mirrors & 4) key[theta] = turn / 2 - key[theta];
+    if (planes & 1) key[phi] = turn / 2 - key[phi];
+    if (planes & 2) key[phi] = -key[phi];
+    if (planes & 4) key[theta] = turn / 2 - key[theta];
     key[phi] = within_turn(key[phi]), key[theta] = within_turn(key[theta]);
   }
   return key;
@@ -54,18 +54,18 @@ bool same_to_rounding(const Direction& a, const Direction& b) {
   return same(x.radial, y.radial) && same(x.theta_hat, y.theta_hat) && same(x.phi_hat, y.phi_hat);
 }
 
-Direction image(Direction d, unsigned mirrors) {
-  if (mirrors & 1) d.phi = pi - d.phi;
-  if (mirrors & 2) d.phi = -d.phi;
-  if (mirrors & 4) d.theta = pi - d.theta;
+Direction image(Direction d, unsigned planes) {
+  if (planes & 1) d.phi = pi - d.phi;
+  if (planes & 2) d.phi = -d.phi;
+  if (planes & 4) d.theta = pi - d.theta;
   return d;
 }
 
-Look image(const Look& look, unsigned mirrors) { return {image(look.transmit, mirrors), image(look.receive, mirrors)}; }
+Look image(const Look& look, unsigned planes) { return {image(look.transmit, planes), image(look.receive, planes)}; }
 
 class Planner {
  public:
-  Planner(std::span<const Look> looks, unsigned mirrors) : looks_(looks), mirrors_(mirrors) {}
+  Planner(std::span<const Look> looks, unsigned planes) : looks_(looks), planes_(planes) {}
 
   LookPlan run() {
     for (std::size_t i = 0; i < looks_.size(); ++i) {
@@ -76,17 +76,17 @@ class Planner {
   }
 
  private:
-  // No mirror comes first.
+  // No reflection comes first.
   bool follows(const Look& look, const Key& key) {
-    for (unsigned mirrors = 0; mirrors < 8; ++mirrors) {
-      if (mirrors & ~mirrors_) continue;
-      const auto found = known_.find(image(key, mirrors));
+    for (unsigned planes = 0; planes < 8; ++planes) {
+      if (planes & ~planes_) continue;
+      const auto found = known_.find(image(key, planes));
       if (found == known_.end()) continue;
-      const Look wanted = image(look, mirrors);
+      const Look wanted = image(look, planes);
       const Look& known = looks_[plan_.computed[found->second]];
       if (!same_to_rounding(wanted.transmit, known.transmit) || !same_to_rounding(wanted.receive, known.receive)) continue;
-      plan_.sources.push_back({found->second, std::popcount(mirrors) % 2 == 1});
-      ++(mirrors ? plan_.mirrored : plan_.repeated);
+      plan_.sources.push_back({found->second, std::popcount(planes) % 2 == 1});
+      ++(planes ? plan_.mirrored : plan_.repeated);
       return true;
     }
     return false;
@@ -99,8 +99,8 @@ class Planner {
   }
 
   std::span<const Look> looks_;
-  unsigned mirrors_;
-  std::unordered_map<Key, std::size_t, KeyHash> known_;  // places in the plan
+  unsigned planes_;
+  std::unordered_map<Key, std::size_t, KeyHash> known_;  // indices in the plan
   LookPlan plan_;
 };
 
@@ -114,9 +114,9 @@ LookPlan plan_all(std::size_t looks) {
   return plan;
 }
 
-LookPlan plan_looks(std::span<const Look> looks, const std::array<bool, 3>& mirror_planes) {
-  const unsigned mirrors = (mirror_planes[0] ? 1u : 0u) | (mirror_planes[1] ? 2u : 0u) | (mirror_planes[2] ? 4u : 0u);
-  return Planner(looks, mirrors).run();
+LookPlan plan_looks(std::span<const Look> looks, const std::array<bool, 3>& symmetry_planes) {
+  const unsigned planes = (symmetry_planes[0] ? 1u : 0u) | (symmetry_planes[1] ? 2u : 0u) | (symmetry_planes[2] ? 4u : 0u);
+  return Planner(looks, planes).run();
 }
 
 ScatteringMatrix from_source(ScatteringMatrix s, const LookSource& source) {

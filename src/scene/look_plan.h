@@ -9,27 +9,27 @@
 
 namespace raytube {
 
-/// The computed look that a look is equal to: the same directions, or those of its image in mirrors of the target.
+/// The computed look that a look is equal to: equal directions, or those of its mirror image in symmetry planes of the target.
 struct LookSource {
-  std::size_t place;      // in LookPlan::computed
-  bool mirrored = false;  // in an odd number of mirrors: cross-polar amplitudes change sign
+  std::size_t index;      // in LookPlan::computed
+  bool mirrored = false;  // in an odd number of planes: cross-polar amplitudes change sign
 };
 
 struct LookPlan {
   std::vector<std::size_t> computed;  // looks, in the order of the sweep
   std::vector<LookSource> sources;    // of every look of the sweep
-  std::uint64_t repeated = 0;         // looks that are the same as an earlier one, phi counted modulo a turn
-  std::uint64_t mirrored = 0;         // looks that are the image of an earlier one
+  std::uint64_t repeated = 0;         // looks equal to an earlier one, phi counted modulo a turn
+  std::uint64_t mirrored = 0;         // looks that are the mirror image of an earlier one
 };
 
-/// Every look is computed.
+/// The plan of so many looks of which every one is computed.
 LookPlan plan_all(std::size_t looks);
 
-/// Each look is computed once, and only one of those that the target's mirror planes (x = 0, y = 0, z = 0 through its middle)
+/// Each look is computed once, and only one of those that the target's symmetry planes (x = 0, y = 0, z = 0 through its middle)
 /// carry into one another. With M the reflection and S referred to the middle, the field of the image is the image of the field:
 /// for x and y theta_hat' = M theta_hat and phi_hat' = -M phi_hat, for z both signs are opposite. So S_vv and S_hh stay, S_vh and
 /// S_hv change sign. Directions agree to rounding: a few 1e-15 rad.
-LookPlan plan_looks(std::span<const Look> looks, const std::array<bool, 3>& mirror_planes);
+LookPlan plan_looks(std::span<const Look> looks, const std::array<bool, 3>& symmetry_planes);
 
 /// The amplitudes of a look from those of its source.
 ScatteringMatrix from_source(ScatteringMatrix s, const LookSource& source);

@@ -45,13 +45,14 @@ struct Material {
   bool transmits() const { return kind == MaterialKind::sheet || kind == MaterialKind::thin_sheet; }
 };
 
+/// True if one of them is rough.
 bool any_rough(std::span<const Material> materials);
 
-/// The same at one of the frequencies only.
+/// The materials with the layers of one frequency only: frequency index 0 of what comes out is `frequency` of what is given.
 std::vector<Material> at_frequency(std::vector<Material> materials, std::size_t frequency);
 
-/// What it does to a plane wave at one of the frequencies, met from the side that normals point to, or `from_behind`. Roughness
-/// is not in it.
+/// What a smooth surface of this material does to a plane wave at one of the frequencies, met from the side that normals point
+/// to, or `from_behind`: roughness is not in it. `wavenumber` [rad/m], `cosine` of the angle of incidence, above 0.
 SurfaceResponse smooth_response(const Material& material, std::size_t frequency, double wavenumber, double cosine,
                                 bool from_behind);
 
@@ -59,7 +60,7 @@ SurfaceResponse smooth_response(const Material& material, std::size_t frequency,
 /// (Ament 1953, Proc. IRE 41, 142). Valid where the surface bends little over a wavelength and does not shade itself.
 double coherent_factor(const Material& material, double wavenumber, double cosine);
 
-/// Both together.
+/// smooth_response with its reflected part times coherent_factor: what the rough surface does to the mean field.
 SurfaceResponse response(const Material& material, std::size_t frequency, double wavenumber, double cosine, bool from_behind);
 
 /// A plane wave at a plane, amplitudes at the same point. `electric_current` is eta J, eta that of vacuum; both are what the
@@ -72,7 +73,7 @@ struct SurfaceWaves {
 /// `n` points to the side that the wave `e`, of direction `d`, comes from.
 SurfaceWaves waves_at_surface(const dvec3& d, const dvec3& n, const ComplexVector& e, const SurfaceResponse& response);
 
-/// Of each of two polarisations to each.
+/// Factors from each of two polarisations to each.
 using ChannelWeights = std::array<std::array<Complex, 2>, 2>;
 
 /// What the unit waves V and H of an antenna in the direction of this basis are behind a plane that lets waves through: [wave][V

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "scene/sweep.h"
+#include "scene/results.h"
 
 namespace raytube {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/sweep.h"
+#include "scene/results.h"
 
 namespace raytube {
 

@@ -27,17 +27,20 @@ inline constexpr std::array<std::string_view, 6> launch_model_names = {"random",
 
 constexpr std::string_view launch_model_name(LaunchModel model) { return launch_model_names[static_cast<std::size_t>(model)]; }
 
+/// The surface of a part: reflects every ray, or ends it.
+enum class RaySurface { pec, absorber };
+
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// What the rays of one launch found of one part of the scene. Shares are of 1.
 struct PartHits {
   std::uint64_t first_hits = 0;  // rays that meet it before anything else
-  std::uint64_t all_hits = 0;    // the same ray as often as it comes back
+  std::uint64_t all_hits = 0;    // a ray as often as it comes back
   double limit = not_known;      // what first_hits / rays tends to, exact: a property of the model
   double limit_bound = not_known;
   double estimate = not_known;  // of the share of the solid angle, each ray weighted by what it stands for
   double estimate_bound = not_known;
-  double response = not_known;  // hits per ray of a source that shines alike in all directions: all_hits weighted in the same way
+  double response = not_known;  // hits per ray of an isotropic source: all_hits weighted as the estimate is
   double exact = not_known;     // the share of the full solid angle in which the source sees the part
 };
 
@@ -52,7 +55,7 @@ struct SourceRun {
   std::vector<PartHits> parts;
 };
 
-/// A place where a ray met the counted part; bounce 0 is a direct hit.
+/// A point where a ray met the counted part; bounce 0 is a direct hit.
 struct CountedHit {
   dvec3 point;
   std::uint32_t bounce;

@@ -29,7 +29,7 @@ double densest_image(const LaunchGrid& grid, double wavelength) {
 
 // Coordinates of the solver count from the centre of the mesh.
 ImageLattice recentred(ImageLattice lattice, const TriangleMesh& mesh) {
-  lattice.corner -= lattice.place(mesh.center);
+  lattice.corner -= lattice.project(mesh.center);
   return lattice;
 }
 
@@ -84,7 +84,7 @@ LookImage image_of(const SolvePlan& plan, std::size_t index, const ImageLattice&
   LookImage image{index, frequency, cells, map.take_cells(), map.take_triangles(), {}};
   image.edges = edge_pieces(plan, solver, look, frequency_index, lattice, tubes);
   for (const ImageEdge& piece : image.edges)
-    image.cells[lattice.index(lattice.at(lattice.place(0.5 * (piece.begin + piece.end))))] += piece.s;
+    image.cells[lattice.index(lattice.at(lattice.project(0.5 * (piece.begin + piece.end))))] += piece.s;
   finish(image, plan);
   return image;
 }
@@ -110,7 +110,7 @@ ImageLattice image_cells(const SolvePlan& plan, std::size_t look, double per_wav
         "output.image_per_wavelength: {:.6g} cells per wavelength are more than {:.0f} in look {}; {} would fit", per_wavelength,
         most_cells, look, rounded_down_text(std::min(densest_image(cells, length), most_across * length / across))));
   ImageLattice lattice = image_lattice(cells);
-  lattice.corner += lattice.place(plan.target.mesh.center);
+  lattice.corner += lattice.project(plan.target.mesh.center);
   return lattice;
 }
 

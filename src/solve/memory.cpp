@@ -26,7 +26,7 @@ double bytes_per_row(int bounces, bool keep_parts) {
 double edge_set_bytes(const SolvePlan& plan) {
   if (!plan.mechanisms.fringe) return 0.0;
   std::set<std::size_t> sets;
-  for (const double frequency : plan.sweep.frequencies) sets.insert(thin_rims(plan.target.thin_plate_edges, frequency));
+  for (const double frequency : plan.sweep.frequencies) sets.insert(count_thin(plan.target.thin_plate_edges, frequency));
   return static_cast<double>(sets.size() * plan.target.wedges.size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
 }
 

@@ -66,7 +66,7 @@ LookPlan looks_of(const SolvePlan& plan) {
   if (!exact || plan.mechanisms.rays) return plan_looks(sweep.looks, {false, false, false});
   const LookPlan at_best = plan_looks(sweep.looks, {true, true, true});
   if (at_best.mirrored == 0) return at_best;
-  return plan_looks(sweep.looks, find_mirror_planes(plan.target.mesh, plan.target.wedges, plan.smooth != nullptr));
+  return plan_looks(sweep.looks, find_symmetry_planes(plan.target.mesh, plan.target.wedges, plan.smooth != nullptr));
 }
 
 SkipCounts skips_of(const SolvePlan& plan) {

@@ -20,10 +20,10 @@ RowCollector::RowCollector(const SolvePlan& plan)
       following_(sweep_.looks.size()),
       sliver_areas_(plan.looks.computed.size()),
       skipped_(plan.skips) {
-  for (const LookSource& source : plan.looks.sources) ++first_[source.place + 1];
+  for (const LookSource& source : plan.looks.sources) ++first_[source.index + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   std::vector<std::size_t> next = first_;
-  for (std::size_t i = 0; i < following_.size(); ++i) following_[next[plan.looks.sources[i].place]++] = i;
+  for (std::size_t i = 0; i < following_.size(); ++i) following_[next[plan.looks.sources[i].index]++] = i;
   result_.total.resize(sweep_.rows());
   result_.error.resize(sweep_.rows());
   if (any_rough(sweep_.materials)) result_.incoherent.resize(sweep_.rows());
@@ -113,8 +113,8 @@ SweepResult RowCollector::finish() {
 
 void RowCollector::count_thin_plate_edges() {
   const auto [lowest, highest] = std::ranges::minmax(sweep_.frequencies);
-  result_.statistics.thin_plate_edges_lowest = thin_rims(plan_.target.thin_plate_edges, lowest);
-  result_.statistics.thin_plate_edges_highest = thin_rims(plan_.target.thin_plate_edges, highest);
+  result_.statistics.thin_plate_edges_lowest = count_thin(plan_.target.thin_plate_edges, lowest);
+  result_.statistics.thin_plate_edges_highest = count_thin(plan_.target.thin_plate_edges, highest);
 }
 
 }  // namespace raytube

@@ -26,7 +26,7 @@ EdgeSets::EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, c
                    bool skip_enclosed)
     : frequency_count_(frequencies.size()) {
   for (std::size_t place = 0; place < frequencies.size(); ++place) {
-    const std::size_t thin = thin_rims(rims, frequencies[place]);
+    const std::size_t thin = count_thin(rims, frequencies[place]);
     auto set = std::ranges::find(sets_, thin, &Set::thin_rims);
     if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, {}, {}, {}, {}, {}});
     set->places.push_back(place);

@@ -13,7 +13,7 @@ using namespace raytube::testing;
 
 TEST(Sources, SameBitsForAnyThreads) {
   const SourceScene scene(
-      {moved(shapes::icosphere(2, 0.4), {1, 1, 0}), shapes::trihedral(3.0), sheet_across_x(2.5, {-1, -2}, {1, 2})},
+      {moved(shapes::icosphere(2, 0.4), {1, 1, 0}), shapes::trihedral(3.0), plate_across_x(2.5, {-1, -2}, {1, 2})},
       {RaySurface::pec, RaySurface::pec, RaySurface::absorber});
   for (const LaunchModel model : all_models) {
     const Launch launch = scene.launch(model, scene.site({2.0, 0.6, 0.7}), 30000);

@@ -17,7 +17,7 @@ Look monostatic(double theta_deg, double phi_deg) {
 
 std::vector<std::size_t> places(const LookPlan& plan) {
   std::vector<std::size_t> found;
-  for (const LookSource& source : plan.sources) found.push_back(source.place);
+  for (const LookSource& source : plan.sources) found.push_back(source.index);
   return found;
 }
 
@@ -53,7 +53,7 @@ TEST(LookPlan, BothDirectionsOfAPairAreMirrored) {
   EXPECT_EQ(plan.mirrored, 1u);
 }
 
-TEST(LookPlan, TwoMirrorsRestoreTheSignOfCrossPolarisation) {
+TEST(LookPlan, TwoPlanesRestoreTheSignOfCrossPolarisation) {
   const LookPlan plan = plan_looks(
       std::vector{monostatic(40, 25), monostatic(40, 155), monostatic(40, -25), monostatic(40, 205), monostatic(140, 205)},
       {true, true, true});
@@ -69,7 +69,7 @@ TEST(LookPlan, TwoMirrorsRestoreTheSignOfCrossPolarisation) {
 }
 
 // As case files make them: every second value meets its image in spite of the rounding of both.
-TEST(LookPlan, ASweepThroughTheMirrorHalves) {
+TEST(LookPlan, ASweepThroughThePlaneHalves) {
   std::vector<Look> looks;
   for (int i = -900; i <= 900; ++i) looks.push_back(monostatic(77.7, 0.1 * i));
   const LookPlan plan = plan_looks(looks, {false, true, false});

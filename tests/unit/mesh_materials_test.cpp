@@ -301,7 +301,7 @@ TEST(MeshMaterials, WhatLiesBehindSheetsIsNotEnclosed) {
 TEST(MeshMaterials, MirrorImagesAreOfTheSame) {
   const auto planes = [](const PolygonSoup& soup) {
     const LoadedMesh loaded = build_both(soup);
-    return find_mirror_planes(loaded.mesh, wedges_of(loaded));
+    return find_symmetry_planes(loaded.mesh, wedges_of(loaded));
   };
   // Faces at low z, high z, low y, high y, low x, high x.
   EXPECT_THAT(planes(with_materials(cube(), {metal, absorber, metal, metal, metal, metal})), ElementsAre(true, true, false));

@@ -18,7 +18,7 @@ PolygonSoup frame() {
 TEST(MeshOutlines, LinesOnAFaceEndAtItsHoleAndAtItsBorder) {
   const LoadedMesh loaded = build_mesh(frame(), 1.0);
   const std::vector<Wedge> wedges = find_wedges(loaded.mesh, 15.0 * degree);
-  ASSERT_EQ(wedges.size(), 8u);  // four rims outside, four round the hole
+  ASSERT_EQ(wedges.size(), 8u);  // four borders outside, four round the hole
   const Outlines outlines(loaded.mesh, wedges, 15.0 * degree);
   for (std::uint32_t i = 0; i < wedges.size(); ++i) {
     if (wedges[i].start.y != -2.0 || wedges[i].end.y != -2.0) continue;

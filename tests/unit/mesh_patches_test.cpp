@@ -38,8 +38,8 @@ TEST(MeshPatches, PlanesAreExactWhateverTheMesh) {
   EXPECT_NEAR(loaded.mesh.patches[0].offset, 0.0, 1e-16);
 }
 
-// Two planes at right angles, of each a largest triangle of area 1/2, and a sliver along their fold that is as near to one as to
-// the other. Whether it lies in the plane z = 0 may depend on where things are, not on how they are listed.
+// Two planes at right angles, of each a largest triangle of area 1/2, and a sliver along their crease that is as near to one as
+// to the other. Whether it lies in the plane z = 0 may depend on where things are, not on how they are listed.
 bool sliver_lies_in_the_ground(std::size_t first_triangle, int first_corner) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-4, 1e-4}, {0.5, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0.5, 0, 2}};

@@ -208,7 +208,7 @@ std::vector<std::string> names(const PolygonSoup& soup) {
   std::vector<std::string> result;
   for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
     std::string& all = result.emplace_back();
-    for (const std::uint32_t place : soup.names.of(i)) all += "<" + soup.names.all()[place] + ">";
+    for (const std::uint32_t index : soup.names.of(i)) all += "<" + soup.names.all()[index] + ">";
   }
   return result;
 }

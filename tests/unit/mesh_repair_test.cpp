@@ -47,12 +47,12 @@ TEST(MeshRepair, WindsAMixedCubeOutward) {
   for (const int i : {0, 3, 4}) std::reverse(soup.polygons[i].begin(), soup.polygons[i].end());
   const LoadedMesh loaded = build(soup);
   EXPECT_EQ(loaded.report.triangles_flipped, 6u);
-  EXPECT_EQ(loaded.report.badly_wound_edges_read, 6u);  // the rim of three faces around a corner
+  EXPECT_EQ(loaded.report.badly_wound_edges_read, 6u);  // the border of three faces around a corner
   EXPECT_NEAR(volume(loaded.mesh), 1.0, 1e-15);
   EXPECT_EQ(loaded.report.components_closed, 1u);
 }
 
-TEST(MeshRepair, OpenSheetsKeepTheWindingOfTheirMajority) {
+TEST(MeshRepair, OpenSurfacesKeepTheWindingOfTheirMajority) {
   PolygonSoup soup = remeshed(plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 4, 4);
   for (const int i : {0, 1, 2, 17}) std::reverse(soup.polygons[i].begin(), soup.polygons[i].end());
   const LoadedMesh loaded = build(soup);
@@ -60,7 +60,7 @@ TEST(MeshRepair, OpenSheetsKeepTheWindingOfTheirMajority) {
   EXPECT_EQ(loaded.mesh.patches[0].normal, dvec3(0, 0, 1));
 }
 
-TEST(MeshRepair, MoebiusStripIsOneOpenSheet) {
+TEST(MeshRepair, MoebiusStripIsOneOpenSurface) {
   PolygonSoup soup;
   const auto at = [](int i, double side) {
     const double phi = 2 * pi * i / 40, r = 1 + side * std::cos(phi / 2);
@@ -89,7 +89,7 @@ TEST(MeshRepair, KeepsOneOfTwoCubesInsideOneAnother) {
   EXPECT_EQ(loaded.report.components_closed, 1u);
 }
 
-TEST(MeshRepair, SheetDrawnFromBothSidesIsOneSheet) {
+TEST(MeshRepair, SurfaceDrawnFromBothSidesIsOne) {
   const PolygonSoup front{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const PolygonSoup back{front.points, {{0, 2, 1}, {0, 3, 2}}};
   const LoadedMesh loaded = build(joined(front, back));
@@ -121,7 +121,7 @@ TEST(MeshRepair, BoxUnderATubeIsClosed) {
   const LoadedMesh loaded = build(soup);
   EXPECT_EQ(loaded.report.components, 2u);
   EXPECT_EQ(loaded.report.components_closed, 1u);
-  // The foot outside and inside, the tube's corners likewise, its free rim.
+  // The foot outside and inside, the tube's corners likewise, its free border.
   EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{0.5, 4 + 4 + 4}, {1.5, 12 + 4}, {2.0, 4}}));
 }
 
@@ -136,7 +136,7 @@ TEST(MeshRepair, WallsWithDifferentDiagonalsDoNoHarm) {
   EXPECT_NEAR(total_length(wedges), 16.0, 1e-14);
 }
 
-/// The septum of an open tube has two walls around each rim edge as well, but it can be seen.
+/// The septum of an open tube has two walls around each border edge as well, but waves reach it.
 TEST(MeshRepair, KeepsADoubledSeptumInAnOpenTube) {
   PolygonSoup tube;
   for (const double x : {0.0, 1.0}) {
@@ -191,8 +191,8 @@ TEST(MeshRepair, CubeWithFacesSplitDifferentlyIsClosed) {
   }
 }
 
-/// The sheet's vertices lie on the box's edge, which is no border: the box is split all the same.
-TEST(MeshRepair, SheetOnASplitEdgeOfABoxIsJoined) {
+/// The fin's vertices lie on the box's edge, which is no border: the box is split all the same.
+TEST(MeshRepair, FinOnASplitEdgeOfABoxIsJoined) {
   const LoadedMesh loaded = build(joined(cube(), remeshed(plate({1, 0, 1}, {0, 1, 0}, {1, 0, 0}), 3, 1)));
   EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{0.5, 1}, {1.5, 11}, {2.0, 3}}));  // and one of n = 1 along the top
 }
@@ -278,7 +278,7 @@ TEST(MeshRepair, NotesNameOnlyWhatWasFound) {
   EXPECT_EQ(notes[1].count, 2u);
 }
 
-// A gap is told from the rim of a sheet by what its border can bound, not by how fine the mesh is.
+// A gap is told from the border of an open surface by what its border can bound, not by how fine the mesh is.
 TEST(MeshRepair, NamesBodiesWithASmallGap) {
   const auto nearly_closed = [](PolygonSoup soup) {
     soup.polygons.pop_back();

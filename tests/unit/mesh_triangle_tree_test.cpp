@@ -5,10 +5,10 @@
 #include <numeric>
 #include <set>
 
-#include "doubtful_rays.h"
 #include "mesh/model/triangle_tree.h"
 #include "mesh/trace/exact_hit.h"
 #include "shapes.h"
+#include "uncertain_rays.h"
 
 namespace raytube {
 namespace {
@@ -23,9 +23,9 @@ std::uint64_t pairs_looked_at(const TriangleMesh& mesh) {
 
 std::uint64_t near_coincident_listed(const TriangleMesh& mesh) {
   const TriangleRows at_vertex = triangle_rows(mesh.vertices.size(), mesh.triangles, std::identity());
-  const NearCoincident touching(mesh, TriangleTree(mesh), at_vertex, 2e-6 * mesh.radius, 0.25);
+  const NearCoincident near_coincident(mesh, TriangleTree(mesh), at_vertex, 2e-6 * mesh.radius, 0.25);
   std::uint64_t count = 0;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) count += touching[t].size();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) count += near_coincident[t].size();
   return count;
 }
 
@@ -36,7 +36,7 @@ TEST(TriangleTree, FindsAllThatALineMeets) {
        {mesh_of(shapes::icosphere(2)), mesh_of(shapes::cone(1.0, 0.7, 300, true)), mesh_of(shapes::sheet_on_plate(12))}) {
     const TriangleTree tree(mesh);
     const ExactHit exact(mesh);
-    DoubtfulRays rays(mesh);
+    UncertainRays rays(mesh);
     std::vector<std::uint32_t> found;
     for (int i = 0; i < 500; ++i) {
       const Ray ray = rays.next();
@@ -84,7 +84,8 @@ TEST(NearCoincident, FacetsRoundATipAreNotOverOneAnother) {
   EXPECT_EQ(near_coincident_listed(mesh_of(shapes::cone(1.0, 0.7, 2000, false))), 0u);
 }
 
-// Two triangles with one common corner; the second has its side at `low` to `high` [rad] as seen from there, turned up by `tilt`.
+// Two triangles with one common corner; the second has its side at `low` to `high` [rad] as that corner sees it, turned up by
+// `tilt`.
 std::uint64_t listed(double low, double high, double tilt) {
   const auto at = [](double phi, double up) {
     return dvec3(std::cos(phi) * std::cos(up), std::sin(phi) * std::cos(up), std::sin(up));

@@ -71,7 +71,7 @@ TEST_F(Ears, OfASpiral) {
   expect_same(points, all_of(points));
 }
 
-// Rings that cross themselves run out of ears; corners on a grid lie on one another's sides and in one place.
+// Rings that cross themselves run out of ears; corners on a grid lie on one another's sides and on one another.
 TEST_F(Ears, OfTangles) {
   for (int trial = 0; trial < 60; ++trial) {
     std::vector<dvec3> points;

@@ -83,13 +83,13 @@ TEST(MeshWedges, BorderRunsStartAtCorners) {
   EXPECT_EQ(wedges_of(build(soup)).size(), 4u);
 }
 
-TEST(MeshWedges, FoldInASheetIsAWedgeOnEachSide) {
-  const PolygonSoup fold = joined(plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), plate({0, 0, 0}, {0, 1, 0}, {0, 0, 1}));
-  const auto wedges = wedges_of(build(fold));
+TEST(MeshWedges, CreaseInAnOpenSurfaceIsAWedgeOnEachSide) {
+  const PolygonSoup crease = joined(plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), plate({0, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+  const auto wedges = wedges_of(build(crease));
   EXPECT_EQ(count_by_n(wedges), (Count{{0.5, 1}, {1.5, 1}, {2.0, 6}}));
 }
 
-TEST(MeshWedges, FoldsOfAnyAngle) {
+TEST(MeshWedges, CreasesOfAnyAngle) {
   for (const double angle : {20.0, 45.0, 100.0, 170.0}) {  // between the two leaves
     const dvec3 leaf{std::cos(angle * degree), 0, std::sin(angle * degree)};
     const auto wedges = wedges_of(build(joined(plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), plate({0, 0, 0}, {0, 1, 0}, leaf))), 5.0);
@@ -122,7 +122,7 @@ TEST(MeshWedges, TessellationOfACylinderIsSmooth) {
   EXPECT_EQ(count_by_n(wedges_of(build(cylinder(36)), 9.9)), (Count{{1.056, 36}, {1.5, 72}}));
 }
 
-TEST(MeshWedges, SheetsAroundOneEdge) {
+TEST(MeshWedges, OpenSurfacesAroundOneEdge) {
   PolygonSoup star;
   for (int i = 0; i < 3; ++i) append(star, plate({0, 0, 0}, {0, 0, 1}, {std::cos(2 * pi * i / 3), std::sin(2 * pi * i / 3), 0}));
   EXPECT_EQ(count_by_n(wedges_of(build(star))), (Count{{0.667, 3}, {2.0, 9}}));
@@ -141,11 +141,11 @@ TEST(MeshWedges, CubesTouchingAlongAnEdge) {
   EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{0.5, 2}, {1.5, 22}}));
 }
 
-TEST(MeshWedges, SheetFoldedFlatKeepsItsTwoLeaves) {
+TEST(MeshWedges, SurfaceFoldedFlatKeepsItsTwoLeaves) {
   const PolygonSoup soup{{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0.7, 0}}, {{0, 1, 2}, {1, 0, 3}}};
   const LoadedMesh loaded = build(soup);
   EXPECT_EQ(loaded.report.patches, 2u);
-  EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{2.0, 5}}));  // two borders of each leaf, and the outside of the fold
+  EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{2.0, 5}}));  // two borders of each leaf, and the outside of the crease
 }
 
 /// A step lower than the flatness of patches belongs to both levels; its own edges point out of their plane.

@@ -42,8 +42,8 @@ TEST(Random, PointsFillTheUnitSquareEvenly) {
   constexpr int side = 16, points = 1 << 16;
   std::array<int, side * side> counts{};
   for (std::uint64_t i = 0; i < points; ++i) {
-    const dvec2 place = static_cast<double>(side) * random_point(11, 3, i);
-    ++counts.at(static_cast<std::size_t>(place.x) * side + static_cast<std::size_t>(place.y));
+    const dvec2 point = static_cast<double>(side) * random_point(11, 3, i);
+    ++counts.at(static_cast<std::size_t>(point.x) * side + static_cast<std::size_t>(point.y));
   }
   constexpr double expected = static_cast<double>(points) / (side * side);
   double chi_square = 0.0;

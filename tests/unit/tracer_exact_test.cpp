@@ -5,9 +5,9 @@
 #include <random>
 
 #include "core/instruction_set.h"
-#include "doubtful_rays.h"
 #include "mesh/trace/exact_hit.h"
 #include "shapes.h"
+#include "uncertain_rays.h"
 
 namespace raytube {
 namespace {
@@ -45,8 +45,8 @@ void expect_exact(const TriangleMesh& mesh, const std::vector<Ray>& all) {
 void expect_exact(const PolygonSoup& soup, int rays) {
   const TriangleMesh mesh = build_mesh(PolygonSoup(soup), 1.0).mesh;
   std::vector<Ray> all;
-  DoubtfulRays doubtful(mesh);
-  for (int i = 0; i < rays; ++i) all.push_back(doubtful.next());
+  UncertainRays uncertain(mesh);
+  for (int i = 0; i < rays; ++i) all.push_back(uncertain.next());
   expect_exact(mesh, all);
 }
 
@@ -69,7 +69,7 @@ TEST(ExactHits, LengthOfListsIsNothingButSpeed) {
         EXPECT_EQ(query(*exact).distance, expected.distance);
       }
     };
-    DoubtfulRays rays(mesh);
+    UncertainRays rays(mesh);
     for (int i = 0; i < 300; ++i) {
       const Ray ray = rays.next();
       for (std::uint32_t t = static_cast<std::uint32_t>(i) % 7; t < mesh.triangles.size(); t += 7) {
@@ -96,15 +96,15 @@ std::vector<Ray> grazing_rays(const TriangleMesh& mesh, double largest_sine) {
   }
   return rays;
 }
-// A facet grazed at a sine of 1e-7 has no place along the ray in single precision, and something else may stand in front of it.
+// A facet grazed at a sine of 1e-7 has no depth along the ray in single precision, and something else may stand in front of it.
 TEST(ExactHits, GrazedFacetsAmongOthers) {
   std::mt19937_64 generator(11);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const auto place = [&] { return dvec3(uniform(generator), uniform(generator), uniform(generator)); };
+  const auto point = [&] { return dvec3(uniform(generator), uniform(generator), uniform(generator)); };
   PolygonSoup soup;
   for (std::uint32_t t = 0; t < 300; ++t) {
-    const dvec3 middle = place();
-    for (int k = 0; k < 3; ++k) soup.points.push_back(middle + 0.3 * place());
+    const dvec3 middle = point();
+    for (int k = 0; k < 3; ++k) soup.points.push_back(middle + 0.3 * point());
     soup.polygons.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
   const TriangleMesh mesh = build_mesh(std::move(soup), 1.0).mesh;
@@ -114,12 +114,12 @@ TEST(ExactHits, GrazedFacetsAmongOthers) {
 TEST(ExactHits, GrazedFacetsOfPatchesThatAreNotQuiteFlat) {
   std::mt19937_64 generator(13);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const auto place = [&] { return dvec3(uniform(generator), uniform(generator), uniform(generator)); };
+  const auto point = [&] { return dvec3(uniform(generator), uniform(generator), uniform(generator)); };
   PolygonSoup soup;
   for (std::uint32_t sheet = 0; sheet < 40; ++sheet) {
-    const dvec3 middle = place(), u = 0.3 * place(), v = 0.3 * place();
+    const dvec3 middle = point(), u = 0.3 * point(), v = 0.3 * point();
     const auto first = static_cast<std::uint32_t>(soup.points.size());
-    for (int i = 0; i < 9; ++i) soup.points.push_back(middle + (i / 3 - 1.0) * u + (i % 3 - 1.0) * v + 2e-7 * place());
+    for (int i = 0; i < 9; ++i) soup.points.push_back(middle + (i / 3 - 1.0) * u + (i % 3 - 1.0) * v + 2e-7 * point());
     for (const std::uint32_t p : {0u, 1u, 3u, 4u}) {
       soup.polygons.push_back({first + p, first + p + 1, first + p + 4});
       soup.polygons.push_back({first + p, first + p + 4, first + p + 3});
@@ -145,10 +145,10 @@ TEST(ExactHits, FloorOfManyTrianglesBeforeAWall) {
     std::vector<Ray> rays;
     for (const double sine : {1e-5, 1e-4, 3e-4, 2e-3, 5e-3, 2e-2, 0.1})
       for (int i = 0; i < 400; ++i) {
-        const dvec3 place(-1.5e-5 - (i % 2 ? 0.1 : 3.0) * beyond_line * uniform(generator), 1.6 * uniform(generator) - 0.8, 0.0);
+        const dvec3 point(-1.5e-5 - (i % 2 ? 0.1 : 3.0) * beyond_line * uniform(generator), 1.6 * uniform(generator) - 0.8, 0.0);
         const double azimuth = 0.6 * (uniform(generator) - 0.5) + (i % 4 > 1 ? pi : 0.0), level = std::sqrt(1.0 - sine * sine);
         const dvec3 direction = turn * dvec3(level * std::cos(azimuth), level * std::sin(azimuth), -sine);
-        rays.push_back({turn * place - mesh.center - (3.0 * mesh.radius) * direction, direction, no_index});
+        rays.push_back({turn * point - mesh.center - (3.0 * mesh.radius) * direction, direction, no_index});
       }
     expect_exact(mesh, rays);
   }

@@ -13,8 +13,8 @@ namespace {
 
 const glm::dmat3 tilt(glm::rotate(glm::dmat4(1.0), 0.83, glm::normalize(dvec3(1, 2, 3))));
 
-// Two unit sheets, the second `gap` below the first and shifted a little sideways; corners rounded to float if asked.
-TriangleMesh two_sheets(double gap, bool round_to_float) {
+// Two unit plates, the second `gap` below the first and shifted a little sideways; corners rounded to float if asked.
+TriangleMesh two_plates(double gap, bool round_to_float) {
   PolygonSoup soup;
   for (const dvec3& shift : {dvec3(0.0), dvec3(0.11, 0.07, -gap)})
     for (const dvec3& corner : {dvec3(0, 0, 0), dvec3(1, 0, 0), dvec3(1, 1, 0), dvec3(0, 1, 0)}) {
@@ -29,7 +29,7 @@ TriangleMesh two_sheets(double gap, bool round_to_float) {
   return build_mesh(soup, 1.0).mesh;
 }
 
-// Rays onto both sheets from above, one a cell of a 60 x 60 grid, at 20 degrees from the normal.
+// Rays onto both plates from above, one a cell of a 60 x 60 grid, at 20 degrees from the normal.
 std::vector<Ray> rays_from_above(const TriangleMesh& mesh) {
   std::vector<Ray> rays;
   const dvec3 direction = tilt * dvec3(std::sin(0.35), 0.0, -std::cos(0.35));
@@ -41,9 +41,9 @@ std::vector<Ray> rays_from_above(const TriangleMesh& mesh) {
   return rays;
 }
 
-TEST(Tracer, TheUpperOfTwoSheetsIsMetHoweverThinTheGap) {
-  for (const double gap : {1e-3, 1e-6, 3e-7, 1.6e-7}) {  // wider than the weld distance, or they are one sheet
-    const TriangleMesh mesh = two_sheets(gap, false);
+TEST(Tracer, TheUpperOfTwoPlatesIsMetHoweverThinTheGap) {
+  for (const double gap : {1e-3, 1e-6, 3e-7, 1.6e-7}) {  // wider than the weld distance, or they are one plate
+    const TriangleMesh mesh = two_plates(gap, false);
     ASSERT_EQ(mesh.patches.size(), 2u);
     const Tracer tracer(mesh);
     const std::vector<Ray> rays = rays_from_above(mesh);
@@ -51,18 +51,18 @@ TEST(Tracer, TheUpperOfTwoSheetsIsMetHoweverThinTheGap) {
     tracer.closest_hits(rays, hits);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       ASSERT_TRUE(hits[i]);
-      EXPECT_NEAR(hits[i].distance, 1.5, 1e-12) << gap;  // the upper sheet; rounding of coordinates of size 1
+      EXPECT_NEAR(hits[i].distance, 1.5, 1e-12) << gap;  // the upper plate; rounding of coordinates of size 1
     }
   }
 }
 
 TEST(Tracer, ARayLeavesASurfaceIntoTheThinnestGap) {
   for (const double gap : {1e-3, 1e-6, 1.6e-7, 1e-9, 1e-12}) {
-    const TriangleMesh mesh = two_sheets(gap, false);
+    const TriangleMesh mesh = two_plates(gap, false);
     const Tracer tracer(mesh);
     const std::uint32_t upper = mesh.triangle_patch[0];
     for (Ray ray : rays_from_above(mesh)) {
-      ray.origin += 1.5 * ray.direction;  // on the upper sheet, going down
+      ray.origin += 1.5 * ray.direction;  // on the upper plate, going down
       ray.source_patch = upper;
       Hit hit;
       tracer.closest_hits({&ray, 1}, {&hit, 1});
@@ -72,9 +72,9 @@ TEST(Tracer, ARayLeavesASurfaceIntoTheThinnestGap) {
   }
 }
 
-TEST(Tracer, CoincidentSheetsOfASinglePrecisionFileTrapNoRay) {
+TEST(Tracer, CoincidentPlatesOfASinglePrecisionFileTrapNoRay) {
   // Rounded to float the two planes cross each other here and there, 1e-8 apart; a reflected ray must get away all the same.
-  const TriangleMesh mesh = two_sheets(0.0, true);
+  const TriangleMesh mesh = two_plates(0.0, true);
   const Tracer tracer(mesh);
   std::vector<Ray> rays = rays_from_above(mesh);
   std::vector<Hit> hits(rays.size());

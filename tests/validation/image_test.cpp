@@ -118,7 +118,7 @@ TEST(Image, AddsUpForAnySweep) {
   expect_sums(cube, 1e-11, "cube, bistatic, 60 frequencies");
   const ImageLattice& lattice = cube.image.lattice;
   for (const dvec3& corner : soup.points) {
-    const dvec2 inside = (lattice.place(corner) - lattice.corner) / lattice.cell;
+    const dvec2 inside = (lattice.project(corner) - lattice.corner) / lattice.cell;
     EXPECT_GE(std::min(inside.x, inside.y), -1e-9);
     EXPECT_LE(std::max(inside.x - lattice.columns, inside.y - lattice.rows), 1e-9);
   }

@@ -6,8 +6,8 @@
 namespace raytube {
 
 struct Convexity {
-  bool no_reflection = false;  // light reflected by one face meets no other: a convex body, or a plate
-  bool no_shadow = false;      // every face turned to the light is lit as a whole: a convex body
+  bool no_reflection = false;  // what one face reflects meets no other: a convex body, or a plate
+  bool no_shadow = false;      // every face turned to the source is lit as a whole: a convex body
 };
 
 /// Tells a single convex body, or faces that all lie in one plane, by their corners, to rounding. Everything else has neither.

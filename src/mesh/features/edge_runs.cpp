@@ -8,43 +8,43 @@ namespace raytube {
 
 namespace {
 
-using Vertex = std::uint32_t EdgePiece::*;
+using Vertex = std::uint32_t EdgeSector::*;
 
-auto key(const EdgePiece& piece, Vertex vertex) { return std::tuple(piece.faces[0], piece.faces[1], piece.*vertex); }
+auto key(const EdgeSector& sector, Vertex vertex) { return std::tuple(sector.faces[0], sector.faces[1], sector.*vertex); }
 
 /// Pieces with the same faces, each followed by the one that starts where it ends, unless there are several.
 class Chains {
  public:
-  explicit Chains(std::span<const EdgePiece> pieces) : next_(pieces.size(), no_index), previous_(pieces.size(), no_index) {
-    std::vector<std::uint32_t> by_start = sorted(pieces, &EdgePiece::start), by_end = sorted(pieces, &EdgePiece::end);
+  explicit Chains(std::span<const EdgeSector> sectors) : next_(sectors.size(), no_index), previous_(sectors.size(), no_index) {
+    std::vector<std::uint32_t> by_start = sorted(sectors, &EdgeSector::start), by_end = sorted(sectors, &EdgeSector::end);
     std::size_t first = 0;
     for (std::size_t i = 0; i < by_end.size(); ++i) {
-      const auto here = key(pieces[by_end[i]], &EdgePiece::end);
-      while (first < by_start.size() && key(pieces[by_start[first]], &EdgePiece::start) < here) ++first;
-      if (alone(pieces, by_end, i, &EdgePiece::end) && first < by_start.size() &&
-          key(pieces[by_start[first]], &EdgePiece::start) == here && alone(pieces, by_start, first, &EdgePiece::start)) {
+      const auto here = key(sectors[by_end[i]], &EdgeSector::end);
+      while (first < by_start.size() && key(sectors[by_start[first]], &EdgeSector::start) < here) ++first;
+      if (alone(sectors, by_end, i, &EdgeSector::end) && first < by_start.size() &&
+          key(sectors[by_start[first]], &EdgeSector::start) == here && alone(sectors, by_start, first, &EdgeSector::start)) {
         next_[by_end[i]] = by_start[first];
         previous_[by_start[first]] = by_end[i];
       }
     }
   }
 
-  std::uint32_t next(std::uint32_t piece) const { return next_[piece]; }
-  std::uint32_t previous(std::uint32_t piece) const { return previous_[piece]; }
+  std::uint32_t next(std::uint32_t sector) const { return next_[sector]; }
+  std::uint32_t previous(std::uint32_t sector) const { return previous_[sector]; }
 
  private:
-  static std::vector<std::uint32_t> sorted(std::span<const EdgePiece> pieces, Vertex vertex) {
-    std::vector<std::uint32_t> order(pieces.size());
+  static std::vector<std::uint32_t> sorted(std::span<const EdgeSector> sectors, Vertex vertex) {
+    std::vector<std::uint32_t> order(sectors.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return key(pieces[a], vertex) < key(pieces[b], vertex); });
+                     [&](std::uint32_t a, std::uint32_t b) { return key(sectors[a], vertex) < key(sectors[b], vertex); });
     return order;
   }
 
-  static bool alone(std::span<const EdgePiece> pieces, std::span<const std::uint32_t> order, std::size_t i, Vertex vertex) {
-    const auto here = key(pieces[order[i]], vertex);
-    return (i == 0 || key(pieces[order[i - 1]], vertex) != here) &&
-           (i + 1 == order.size() || key(pieces[order[i + 1]], vertex) != here);
+  static bool alone(std::span<const EdgeSector> sectors, std::span<const std::uint32_t> order, std::size_t i, Vertex vertex) {
+    const auto here = key(sectors[order[i]], vertex);
+    return (i == 0 || key(sectors[order[i - 1]], vertex) != here) &&
+           (i + 1 == order.size() || key(sectors[order[i + 1]], vertex) != here);
   }
 
   std::vector<std::uint32_t> next_, previous_;
@@ -95,25 +95,25 @@ std::vector<std::uint32_t> from_a_corner(std::span<const dvec3> vertices, std::v
 
 }  // namespace
 
-std::vector<EdgePiece> join_straight(std::span<const dvec3> vertices, std::vector<EdgePiece> pieces, double distance) {
-  const Chains chains(pieces);
-  std::vector<bool> done(pieces.size(), false);
-  std::vector<EdgePiece> runs;
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+std::vector<EdgeSector> join_straight(std::span<const dvec3> vertices, std::vector<EdgeSector> sectors, double distance) {
+  const Chains chains(sectors);
+  std::vector<bool> done(sectors.size(), false);
+  std::vector<EdgeSector> runs;
+  for (std::uint32_t i = 0; i < sectors.size(); ++i) {
     if (done[i]) continue;
     std::uint32_t head = i;
     while (chains.previous(head) != no_index && chains.previous(head) != i) head = chains.previous(head);
     if (chains.previous(head) == i) head = i;  // a loop
 
-    std::vector<std::uint32_t> path{pieces[head].start};
+    std::vector<std::uint32_t> path{sectors[head].start};
     for (std::uint32_t p = head; p != no_index && !done[p]; p = chains.next(p)) {
       done[p] = true;
-      path.push_back(pieces[p].end);
+      path.push_back(sectors[p].end);
     }
     if (path.front() == path.back()) path = from_a_corner(vertices, std::move(path));
     for (std::size_t first = 0; first + 1 < path.size();) {
       const std::size_t last = straight_end(vertices, path, first, distance);
-      runs.push_back({pieces[head].faces, path[first], path[last], pieces[head].n});
+      runs.push_back({sectors[head].faces, path[first], path[last], sectors[head].n});
       first = last;
     }
   }

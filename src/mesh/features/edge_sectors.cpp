@@ -7,10 +7,10 @@ namespace raytube {
 
 namespace {
 
-/// Below this angle [rad] a sector is no space but the rounding between two faces that touch.
+/// Below this angle [rad] a sector is no space but the rounding between two faces that lie on one another.
 constexpr double no_opening = 1e-9;
 
-/// A triangle at an edge, seen along the edge from its lower vertex to its higher one.
+/// A triangle at an edge, as one looks along the edge from its lower vertex to its higher one.
 struct Leaf {
   std::uint32_t patch;
   std::uint32_t triangle;
@@ -50,12 +50,12 @@ std::vector<Leaf> sorted_leaves(const TriangleMesh& mesh, const EdgeTable::Edge&
 }
 
 /// One of the two ways to describe a sector, the same whatever the numbering of the vertices along a run.
-EdgePiece in_standard_order(EdgePiece piece) {
-  if (piece.faces[1] < piece.faces[0]) {
-    std::swap(piece.faces[0], piece.faces[1]);
-    std::swap(piece.start, piece.end);
+EdgeSector in_standard_order(EdgeSector sector) {
+  if (sector.faces[1] < sector.faces[0]) {
+    std::swap(sector.faces[0], sector.faces[1]);
+    std::swap(sector.start, sector.end);
   }
-  return piece;
+  return sector;
 }
 
 }  // namespace
@@ -76,17 +76,17 @@ double refined_n(const FaceFrame& first, const FaceFrame& second, double n) {
   return refined + 2.0 * std::round((n - refined) / 2.0);
 }
 
-bool has_opening(const EdgePiece& piece) { return piece.n * pi > no_opening; }
+bool has_opening(const EdgeSector& sector) { return sector.n * pi > no_opening; }
 
-bool is_wedge(const TriangleMesh& mesh, const EdgePiece& piece, double min_wedge_angle) {
-  const double bend = std::abs(piece.n - 1.0) * pi;
-  const Patch &first = mesh.patches[piece.faces[0].patch], &second = mesh.patches[piece.faces[1].patch];
+bool is_wedge(const TriangleMesh& mesh, const EdgeSector& sector, double min_wedge_angle) {
+  const double bend = std::abs(sector.n - 1.0) * pi;
+  const Patch &first = mesh.patches[sector.faces[0].patch], &second = mesh.patches[sector.faces[1].patch];
   const bool same_plane = first.normal == second.normal && first.offset == second.offset;  // one patch, or cut by materials
-  return !(same_plane && bend < no_opening) && has_opening(piece) && bend >= min_wedge_angle;
+  return !(same_plane && bend < no_opening) && has_opening(sector) && bend >= min_wedge_angle;
 }
 
-std::vector<EdgePiece> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges) {
-  std::vector<EdgePiece> pieces;
+std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges) {
+  std::vector<EdgeSector> sectors;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const std::vector<Leaf> leaves = sorted_leaves(mesh, edges[e]);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -95,10 +95,10 @@ std::vector<EdgePiece> exposed_sectors(const TriangleMesh& mesh, const EdgeTable
       const PatchSide first = from.counter_clockwise_side(), second = to.clockwise_side();
       if (!from.exposed(first) || !to.exposed(second)) continue;
       const double angle = to.angle - from.angle + (last ? 2.0 * pi : 0.0);
-      pieces.push_back(in_standard_order({{first, second}, edges[e].low, edges[e].high, angle / pi}));
+      sectors.push_back(in_standard_order({{first, second}, edges[e].low, edges[e].high, angle / pi}));
     }
   }
-  return pieces;
+  return sectors;
 }
 
 }  // namespace raytube

@@ -1,4 +1,4 @@
-// Free sectors around the mesh's edges, and their straight runs.
+// Sectors of free space around the edges of a mesh, and their straight runs.
 #pragma once
 
 #include <array>
@@ -19,38 +19,40 @@ struct PatchSide {
 
 /// A sector of free space at a mesh edge, or along a run of them: it opens counter-clockwise about start -> end, from faces[0]
 /// to faces[1].
-struct EdgePiece {
+struct EdgeSector {
   std::array<PatchSide, 2> faces;
   std::uint32_t start = 0, end = 0;  // vertices
   double n = 0.0;                    // angle / pi
 };
 
 /// The sectors between neighbouring triangles around each edge whose two sides are exposed: both sides of open components,
-/// the front of closed ones. Ordered by edge; faces[0] <= faces[1].
-std::vector<EdgePiece> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges);
+/// the front of closed ones. Ordered by edge; faces[0] <= faces[1]. `edges` are those of the mesh.
+std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges);
 
-/// False where two faces touch: what lies between them is rounding, no space.
-bool has_opening(const EdgePiece& piece);
+/// False where two faces lie on one another: what lies between them is rounding, no space.
+bool has_opening(const EdgeSector& sector);
 
-/// True if the piece's faces differ from a plane by at least `min_wedge_angle` [rad].
-bool is_wedge(const TriangleMesh& mesh, const EdgePiece& piece, double min_wedge_angle);
+/// True if the faces of the sector differ from a plane by at least `min_wedge_angle` [rad].
+bool is_wedge(const TriangleMesh& mesh, const EdgeSector& sector, double min_wedge_angle);
 
-/// Joins pieces with the same faces that follow one another on a straight line, within `distance`. A run takes the place of
-/// its first piece.
-std::vector<EdgePiece> join_straight(std::span<const dvec3> vertices, std::vector<EdgePiece> pieces, double distance);
+/// Joins sectors with the same faces that follow one another on a straight line, within `distance` [m]. A run stands where its
+/// first sector stood.
+std::vector<EdgeSector> join_straight(std::span<const dvec3> vertices, std::vector<EdgeSector> sectors, double distance);
 
-/// The face's normal, as seen from this side, turned perpendicular to the edge; and the direction into the face for
-/// faces[0] (`index` 0) or faces[1] of a sector about `tangent`.
+/// Unit vectors of a face at an edge: into the face, across the edge; and the normal out of this side, turned perpendicular to
+/// the edge.
 struct FaceFrame {
   dvec3 into_face;
   dvec3 normal;
 };
+
+/// The frame of faces[0] (`index` 0) or faces[1] of a sector about `tangent`, a unit vector.
 FaceFrame face_frame(const TriangleMesh& mesh, const PatchSide& side, const dvec3& tangent, int index);
 
-/// Angle from faces[0] to faces[1] counter-clockwise, 0 ... 2 pi.
+/// Angle from faces[0] to faces[1] counter-clockwise, 0 ... 2 pi [rad].
 double opening(const FaceFrame& first, const FaceFrame& second);
 
-/// The same over pi, when about `n` is known: angles just above 0 and just below 2 pi differ by rounding only.
+/// That angle over pi, when it is known to be about `n`: angles just above 0 and just below 2 pi differ by rounding only.
 double refined_n(const FaceFrame& first, const FaceFrame& second, double n);
 
 }  // namespace raytube

@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint64_t most_terms = 50'000'000;
 constexpr std::size_t most_bodies = 16;
 
-// Of a triangle seen from the origin; positive if it runs counter-clockwise there (van Oosterom & Strackee 1983) [sr].
+// Of a triangle as the origin sees it; positive if it runs counter-clockwise there (van Oosterom & Strackee 1983) [sr].
 double solid_angle(const dvec3& a, const dvec3& b, const dvec3& c) {
   const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
   const double below = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;

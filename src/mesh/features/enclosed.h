@@ -8,11 +8,12 @@
 
 namespace raytube {
 
-/// For each component of the mesh, whether it lies inside a closed one without touching it: light from outside never gets there,
-/// straight or reflected. Parts that come near the skin of the body, or that would take long to tell, count as reachable.
+/// For each component of the mesh, whether it lies inside a closed one without touching it: waves from outside never get there,
+/// straight or reflected. Parts that come near the surface of the body, or that would take long to tell, count as reachable.
 std::vector<bool> find_enclosed_components(const FaceTree& tree);
 
-/// Marks the wedges of these components. Returns how many they are.
+/// Marks the wedges of the components for which `components` holds (Wedge::enclosed). Returns how many of those that conduct it
+/// has newly marked.
 std::uint64_t mark_enclosed(const TriangleMesh& mesh, const std::vector<bool>& components, std::vector<Wedge>& wedges);
 
 }  // namespace raytube

@@ -48,19 +48,19 @@ void Outlines::add(std::size_t side, const OutlineEdge& edge) {
   added.length = glm::length(along);
 }
 
-/// Currents end beside other materials than perfect conductors: as far as they know there is no wedge. An edge of a thin rim
-/// stays where it is in the outlines; what stands there is the half plane, and nothing on the rim's own side.
+/// Currents end beside other materials than perfect conductors: as far as they know there is no wedge. An edge of a thin plate's
+/// border face stays where it is in the outlines; what stands there is the half plane, and nothing on the border face's side.
 void Outlines::add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int face) {
   const Wedge& w = wedges[wedge];
   const std::size_t side = side_index(w.faces[face].patch, w.faces[face].back);
   add(side, {w.start, w.end, w.faces[face].into_face, w.conducting() ? wedge : no_index, face, false});
-  if (w.half_plane == no_index || !wanted_[side]) return;
+  if (w.replaced_by == no_index || !wanted_[side]) return;
   OutlineEdge& edge = edges_[side].back();
   edge.wedge = no_index;
   for (int i = 0; i < 2; ++i) {
-    const WedgeFace& own = wedges[w.half_plane].faces[i];
+    const WedgeFace& own = wedges[w.replaced_by].faces[i];
     if (side_index(own.patch, own.back) != side) continue;
-    edge.wedge = w.half_plane;
+    edge.wedge = w.replaced_by;
     edge.wedge_face = i;
   }
 }
@@ -74,14 +74,14 @@ void Outlines::add_wedges(std::span<const Wedge> wedges) {
 /// What is left of the outlines once the wedges are taken: flat creases, and faces that touch with no space between them.
 void Outlines::add_creases(const TriangleMesh& mesh, double min_wedge_angle) {
   const EdgeTable table(mesh.triangles, mesh.vertices.size());
-  std::vector<EdgePiece> pieces = exposed_sectors(mesh, table);
-  std::erase_if(pieces, [&](const EdgePiece& piece) {
+  std::vector<EdgeSector> sectors = exposed_sectors(mesh, table);
+  std::erase_if(sectors, [&](const EdgeSector& sector) {
     const auto wanted = [&](const PatchSide& side) { return wanted_[side_index(side.patch, side.back)]; };
-    return piece.faces[0] == piece.faces[1] || is_wedge(mesh, piece, min_wedge_angle) ||
-           (!wanted(piece.faces[0]) && !wanted(piece.faces[1]));
+    return sector.faces[0] == sector.faces[1] || is_wedge(mesh, sector, min_wedge_angle) ||
+           (!wanted(sector.faces[0]) && !wanted(sector.faces[1]));
   });
   const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();
-  for (const EdgePiece& run : join_straight(mesh.vertices, std::move(pieces), distance)) {
+  for (const EdgeSector& run : join_straight(mesh.vertices, std::move(sectors), distance)) {
     const dvec3 start = mesh.vertices[run.start], end = mesh.vertices[run.end], tangent = glm::normalize(end - start);
     for (int i = 0; i < 2; ++i) {
       const dvec3 into_face = face_frame(mesh, run.faces[i], tangent, i).into_face;

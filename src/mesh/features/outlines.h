@@ -1,4 +1,4 @@
-// The straight edges that bound each planar face, so that a line drawn on a face can be followed to the place where it leaves it.
+// The straight edges that bound each planar face, so that a line drawn on a face can be followed to the point where it leaves it.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 namespace raytube {
 
 /// One straight edge of a face's outline. Outer borders and holes are alike: the face lies on the side of `into_face`, and every
-/// edge runs with the face on the same hand, so that each corner is the start of one edge.
+/// edge runs with the face on the left as it looks from its exposed side, so that each corner is the start of one edge.
 struct OutlineEdge {
   dvec3 start, end;                // recentred coordinates [m]
   dvec3 into_face;                 // unit, in the face, perpendicular to the edge
@@ -52,7 +52,7 @@ class Outlines {
   void add_creases(const TriangleMesh& mesh, double min_wedge_angle);
 
   std::vector<std::vector<OutlineEdge>> edges_;  // at 2 patch + back
-  std::vector<bool> wanted_;                     // the same
+  std::vector<bool> wanted_;                     // at 2 patch + back: has a convex wedge
 };
 
 }  // namespace raytube

@@ -12,7 +12,7 @@ struct Overlaps {
   std::array<std::uint32_t, 2> example{no_index, no_index};  // the triangles of the first pair
 };
 
-/// Those among what the tracer has found to touch.
+/// Those among the near-coincident facets of the tracer's mesh.
 Overlaps overlaps_of_materials(const Tracer& tracer);
 
 }  // namespace raytube

@@ -1,4 +1,4 @@
-// The vertices on the rim of each patch.
+// The vertices on the border of each patch.
 #pragma once
 
 #include <span>
@@ -14,10 +14,10 @@ class PatchBorders {
   PatchBorders(const TriangleMesh& mesh, const EdgeTable& edges);
 
   /// Each once, in ascending order; the patch's extent in any direction is theirs.
-  std::span<const std::uint32_t> operator[](std::uint32_t patch) const { return rims_[patch]; }
+  std::span<const std::uint32_t> operator[](std::uint32_t patch) const { return borders_[patch]; }
 
  private:
-  std::vector<std::vector<std::uint32_t>> rims_;
+  std::vector<std::vector<std::uint32_t>> borders_;
 };
 
 }  // namespace raytube

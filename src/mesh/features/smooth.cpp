@@ -45,7 +45,7 @@ std::vector<std::uint32_t> uncut_patches(const TriangleMesh& mesh, const EdgeTab
 class Tessellation {
  public:
   Tessellation(const TriangleMesh& mesh, double max_crease)
-      : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()), rims_(mesh, edges_), plane_(uncut_patches(mesh, edges_)) {
+      : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()), borders_(mesh, edges_), plane_(uncut_patches(mesh, edges_)) {
     patches_ = triangle_rows(mesh.patches.size(), plane_, [](std::uint32_t plane) { return std::array{plane}; });
     crossable_.resize(edges_.size());
     panel_.assign(mesh.patches.size(), true);
@@ -91,7 +91,8 @@ class Tessellation {
   bool reaches(std::uint32_t plane, const EdgeTable::Edge& edge, double width) const {
     const dvec3 start = mesh_.vertices[edge.low], along = glm::normalize(mesh_.vertices[edge.high] - start);
     const auto is_far = [&](std::uint32_t v) { return glm::length(glm::cross(mesh_.vertices[v] - start, along)) > width; };
-    return std::ranges::any_of(patches_[plane], [&](std::uint32_t patch) { return std::ranges::any_of(rims_[patch], is_far); });
+    return std::ranges::any_of(patches_[plane],
+                               [&](std::uint32_t patch) { return std::ranges::any_of(borders_[patch], is_far); });
   }
 
   double width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const {
@@ -108,7 +109,7 @@ class Tessellation {
 
   const TriangleMesh& mesh_;
   EdgeTable edges_;
-  PatchBorders rims_;
+  PatchBorders borders_;
   std::vector<std::uint32_t> plane_;  // of each patch: materials cut patches, but do not change what is a panel
   TriangleRows patches_;              // of each plane
   std::vector<bool> crossable_, panel_;
@@ -208,7 +209,7 @@ std::optional<dvec2> meet(const BentFacet& s, const dvec3& origin, const dvec3& 
   const double size = glm::distance(s.corners()[1], s.corners()[0]) + glm::distance(s.corners()[2], s.corners()[0]);
   for (int step = 0; step < 12; ++step) {
     // Solves off + dl1 a + dl2 b = (anything) direction.
-    const dvec3 off = s.place(l) - origin, a = s.along_1(l), b = s.along_2(l);
+    const dvec3 off = s.point(l) - origin, a = s.along_1(l), b = s.along_2(l);
     const double determinant = glm::dot(glm::cross(a, b), direction);
     if (std::abs(determinant) < 1e-12 * size * size) return {};
     const dvec2 change = -dvec2(glm::dot(glm::cross(off, b), direction), glm::dot(glm::cross(a, off), direction)) / determinant;
@@ -247,7 +248,7 @@ SurfacePoint BentFacet::over(const dvec3& r) const {
   const dvec2 l{glm::dot(glm::cross(step, e2), across) / square, glm::dot(glm::cross(e1, step), across) / square};
   const dvec3 normal = glm::cross(along_1(l), along_2(l));
   const double size = glm::length(normal);
-  return {place(l), normal / size, size / std::sqrt(square)};
+  return {point(l), normal / size, size / std::sqrt(square)};
 }
 
 BentFacet SmoothSurfaces::facet(std::uint32_t triangle) const {
@@ -266,7 +267,7 @@ LocalSurface SmoothSurfaces::at(const dvec3& origin, const dvec3& direction, std
   const bool from_front = glm::dot(patch.normal, direction) < 0.0;
   if ((glm::dot(n, direction) < 0.0) != from_front) return facet_plane(patch, origin, direction);
   if (!from_front) n = -n;
-  const dvec3 point = origin + glm::dot(s.place(*l) - origin, direction) * direction;
+  const dvec3 point = origin + glm::dot(s.point(*l) - origin, direction) * direction;
   return {point, n, curvature_of(a1, a2, n, 2.0 * s.bend(0), s.bend(0) - s.bend(1) + s.bend(2), 2.0 * s.bend(2))};
 }
 

@@ -31,7 +31,7 @@ class BentFacet {
   BentFacet(const std::array<dvec3, 3>& corners, const std::array<dvec3, 3>& bends) : x_(corners), b_(bends) {}
 
   const std::array<dvec3, 3>& corners() const { return x_; }
-  dvec3 place(const dvec2& l) const {
+  dvec3 point(const dvec2& l) const {
     const double l0 = 1.0 - l.x - l.y;
     return l0 * x_[0] + l.x * x_[1] + l.y * x_[2] - l0 * l.x * b_[0] - l.x * l.y * b_[1] - l.y * l0 * b_[2];
   }
@@ -58,7 +58,7 @@ class SmoothSurfaces {
   bool any() const { return facets_ > 0; }
   std::size_t facets() const { return facets_; }
 
-  /// The most by which a surface rises from its facets [m]: so far the outline of the facets lies within its limb.
+  /// The most by which a surface rises from its facets [m]: so far the outline of the facets lies within its shadow boundary.
   double rise() const { return rise_; }
 
   /// The surface a triangle is part of; no_index: it is flat.

@@ -14,7 +14,7 @@ namespace {
 constexpr double same_angle = 1e-9;  // of planes and wedges that outlines have made images of one another
 
 // Coordinates were moved by the centre, whose own rounding counts as well.
-double mirror_rounding(const TriangleMesh& mesh) {
+double symmetry_rounding(const TriangleMesh& mesh) {
   return 16.0 * std::numeric_limits<double>::epsilon() * (mesh.radius + glm::length(mesh.center));
 }
 
@@ -45,7 +45,7 @@ class Outline {
 
   const TriangleMesh& mesh() const { return mesh_; }
   const EdgeTable& edges() const { return edges_; }
-  const std::vector<std::size_t>& ends() const { return ends_; }          // places in edges()
+  const std::vector<std::size_t>& ends() const { return ends_; }          // indices in edges()
   const std::vector<std::uint32_t>& corners() const { return corners_; }  // their vertices
   std::uint32_t patch(const EdgeTable::Side& side) const { return mesh_.triangle_patch[side.triangle]; }
 
@@ -58,14 +58,14 @@ class Outline {
 
 // The target against its image across one plane. If every outline edge has an image, with the images of its patches, and patches
 // are one another's images in pairs, then every patch has the image of its plane and of all its borders.
-class Mirror {
+class PatchSymmetry {
  public:
-  Mirror(const Outline& outline, const PointTree& corners, int axis)
+  PatchSymmetry(const Outline& outline, const PointTree& corners, int axis)
       : outline_(outline),
         mesh_(outline.mesh()),
         tree_(corners),
         axis_(axis),
-        rounding_(mirror_rounding(mesh_)),
+        rounding_(symmetry_rounding(mesh_)),
         image_of_vertex_(mesh_.vertices.size(), no_index),
         image_of_patch_(mesh_.patches.size(), no_index) {}
 
@@ -103,7 +103,7 @@ class Mirror {
     return true;
   }
 
-  // A sheet that conducts has two sides alike, so its normal may point either way. Of others the layers count from its side.
+  // An open surface that conducts has two sides alike, so its normal may point either way. Of sheets the layers count from it.
   bool is_image(const Patch& plane, const Patch& other, bool closed, const EdgeTable::Edge& edge) const {
     const double along = glm::dot(image(plane.normal, axis_), other.normal), sign = along > 0.0 ? 1.0 : -1.0;
     const bool sided = closed || plane.material != no_index;
@@ -124,9 +124,9 @@ class Mirror {
 };
 
 // The wedges, found by their middles.
-class WedgeMirror {
+class WedgeSymmetry {
  public:
-  WedgeMirror(const TriangleMesh& mesh, std::span<const Wedge> wedges) : wedges_(wedges), rounding_(mirror_rounding(mesh)) {
+  WedgeSymmetry(const TriangleMesh& mesh, std::span<const Wedge> wedges) : wedges_(wedges), rounding_(symmetry_rounding(mesh)) {
     std::vector<std::uint32_t> all;
     for (const Wedge& wedge : wedges) {
       all.push_back(static_cast<std::uint32_t>(middles_.size()));
@@ -159,12 +159,13 @@ class WedgeMirror {
 
 }  // namespace
 
-std::array<bool, 3> find_mirror_planes(const TriangleMesh& mesh, std::span<const Wedge> wedges, bool facets) {
+std::array<bool, 3> find_symmetry_planes(const TriangleMesh& mesh, std::span<const Wedge> wedges, bool facets) {
   const Outline outline(mesh, facets);
   const PointTree corners(mesh.vertices, outline.corners());
-  WedgeMirror edges(mesh, wedges);
+  WedgeSymmetry edges(mesh, wedges);
   std::array<bool, 3> planes;
-  for (int axis = 0; axis < 3; ++axis) planes[axis] = Mirror(outline, corners, axis).is_symmetry() && edges.is_symmetry(axis);
+  for (int axis = 0; axis < 3; ++axis)
+    planes[axis] = PatchSymmetry(outline, corners, axis).is_symmetry() && edges.is_symmetry(axis);
   return planes;
 }
 

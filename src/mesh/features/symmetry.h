@@ -1,4 +1,4 @@
-// Mirror symmetry of a target about the planes through the middle of its bounding box.
+// Symmetry of a target about the planes through the middle of its bounding box.
 #pragma once
 
 #include <array>
@@ -12,6 +12,6 @@ namespace raytube {
 /// rounding. Patches, their materials and their outlines are compared: how a face is cut into triangles matters only if `facets`
 /// are to be images as well. So are the wedges: where creases are just as sharp as the limit of what counts as one, rounding
 /// decides, and not always alike.
-std::array<bool, 3> find_mirror_planes(const TriangleMesh& mesh, std::span<const Wedge> wedges, bool facets = false);
+std::array<bool, 3> find_symmetry_planes(const TriangleMesh& mesh, std::span<const Wedge> wedges, bool facets = false);
 
 }  // namespace raytube

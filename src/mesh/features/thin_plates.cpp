@@ -12,20 +12,20 @@ namespace raytube {
 
 namespace {
 
-constexpr double taper = 3.0 * degree;      // between the sides of a sheet, and between the edges of its rim
-constexpr double slant = 20.0 * degree;     // between the rim and the upright on the sides
-constexpr double least_side = 2.0;          // breadth of the sides over the width of the rim
+constexpr double taper = 3.0 * degree;      // between the sides of a plate, and between the edges of its border face
+constexpr double slant = 20.0 * degree;     // between the border face and the upright on the sides
+constexpr double least_side = 2.0;          // breadth of the sides over the thickness
 constexpr double least_facing = 0.5;        // of the shorter edge
-constexpr double corner_tolerance = 0.05;   // of the rim's width, by which a corner's edge may be longer
-constexpr double overlap_tolerance = 1e-6;  // of an edge's length: neighbouring rims touch
+constexpr double corner_tolerance = 0.05;   // of the thickness, by which a corner's edge may be longer
+constexpr double overlap_tolerance = 1e-6;  // of an edge's length: neighbouring border faces meet
 
-/// An edge and which of its faces may be a rim.
+/// An edge and which of its faces may be a border face.
 struct BorderEdge {
   std::uint32_t wedge;
   int face;
 };
 
-/// Where a line parallel to the rim, or nearly so, has gone the distance `along` in the direction of the rim.
+/// A line parallel to a border face, or nearly so, by the distance gone in the direction `along` of that face.
 struct Line {
   dvec3 origin, direction;  // direction . along = 1
 
@@ -46,23 +46,25 @@ Span span_of(const Wedge& wedge, const dvec3& start, const dvec3& along) {
   return {begin, end};
 }
 
-bool could_be_rim(const WedgeFace& rim, const WedgeFace& side, const WedgeFace& other_rim, const WedgeFace& other_side) {
+/// Of two edges, each with the face that may be the border face (`border`) and the one that may be a side of the plate.
+bool could_bound(const WedgeFace& border, const WedgeFace& side, const WedgeFace& other_border, const WedgeFace& other_side) {
   const auto conducts = [](const WedgeFace* face) { return face->material == no_index; };
-  return std::ranges::all_of(std::array{&rim, &side, &other_rim, &other_side}, conducts) &&
-         glm::dot(rim.into_face, other_rim.into_face) < -std::cos(taper) &&
+  return std::ranges::all_of(std::array{&border, &side, &other_border, &other_side}, conducts) &&
+         glm::dot(border.into_face, other_border.into_face) < -std::cos(taper) &&
          glm::dot(side.into_face, other_side.into_face) > std::cos(taper) &&
-         std::abs(glm::dot(rim.into_face, side.into_face)) < std::sin(slant) &&
-         std::abs(glm::dot(other_rim.into_face, other_side.into_face)) < std::sin(slant);
+         std::abs(glm::dot(border.into_face, side.into_face)) < std::sin(slant) &&
+         std::abs(glm::dot(other_border.into_face, other_side.into_face)) < std::sin(slant);
 }
 
 double length(const Span& span) { return span.end - span.begin; }
 
 Span overlap(const Span& a, const Span& b) { return {std::max(a.begin, b.begin), std::min(a.end, b.end)}; }
 
-/// Ends that are no farther apart than the rim is wide are one end of the rim: the farther one, so that the outlines stay closed.
-Span common_span(const Span& a, const Span& b, double width) {
-  return {std::abs(a.begin - b.begin) <= width ? std::min(a.begin, b.begin) : std::max(a.begin, b.begin),
-          std::abs(a.end - b.end) <= width ? std::max(a.end, b.end) : std::min(a.end, b.end)};
+/// Ends that are no farther apart than the plate is thick are one end of its border face: the farther one, so that the outlines
+/// stay closed.
+Span common_span(const Span& a, const Span& b, double thickness) {
+  return {std::abs(a.begin - b.begin) <= thickness ? std::min(a.begin, b.begin) : std::max(a.begin, b.begin),
+          std::abs(a.end - b.end) <= thickness ? std::max(a.end, b.end) : std::min(a.end, b.end)};
 }
 
 class ThinPlateEdgeFinder {
@@ -76,13 +78,14 @@ class ThinPlateEdgeFinder {
   }
 
   std::vector<ThinPlateEdge> find() const {
-    std::vector<ThinPlateEdge> rims;
+    std::vector<ThinPlateEdge> found;
     for (const auto& [patch, edges] : edges_by_patch())
       for (std::size_t i = 0; i < edges.size(); ++i)
         for (std::size_t j = i + 1; j < edges.size(); ++j)
-          if (const std::optional<ThinPlateEdge> rim = rim_between(edges[i], edges[j])) rims.push_back(*rim);
-    std::ranges::sort(rims, {}, [](const ThinPlateEdge& rim) { return std::tuple(rim.width, rim.edges, rim.patch); });
-    return rims;
+          if (const std::optional<ThinPlateEdge> edge = between(edges[i], edges[j])) found.push_back(*edge);
+    std::ranges::sort(found, {},
+                      [](const ThinPlateEdge& edge) { return std::tuple(edge.thickness, edge.edges, edge.border_patch); });
+    return found;
   }
 
  private:
@@ -96,26 +99,28 @@ class ThinPlateEdgeFinder {
     return result;
   }
 
-  /// Of the two extents of a side, away from the rim and along it, the smaller.
+  /// Of the two extents of a side, away from the edge and along it, the smaller.
   double breadth(const WedgeFace& side) const { return std::min(side.width, area_[side.patch] / side.width); }
 
-  std::optional<ThinPlateEdge> rim_between(const BorderEdge& a, const BorderEdge& b) const {
+  std::optional<ThinPlateEdge> between(const BorderEdge& a, const BorderEdge& b) const {
     const Wedge &first = wedges_[a.wedge], &second = wedges_[b.wedge];
-    const WedgeFace &rim = first.faces[a.face], &other_rim = second.faces[b.face];
+    const WedgeFace &border = first.faces[a.face], &other_border = second.faces[b.face];
     const WedgeFace &side = first.faces[1 - a.face], &other_side = second.faces[1 - b.face];
-    if (!could_be_rim(rim, side, other_rim, other_side)) return {};
+    if (!could_bound(border, side, other_border, other_side)) return {};
     const dvec3 along = glm::cross(side.into_face, side.normal);
     const Span own = span_of(first, first.start, along), other = span_of(second, first.start, along),
                facing = overlap(own, other);
     if (length(facing) < least_facing * std::min(length(own), length(other))) return {};
     const Line line(first, first.start, along), other_line(second, first.start, along);
     const double middle = (facing.begin + facing.end) / 2;
-    const dvec3 across = other_line.at(middle) - line.at(middle);
-    const double width = std::abs(glm::dot(across, side.normal));
-    if (glm::dot(across, rim.into_face) <= 0.0 || least_side * width > std::min(breadth(side), breadth(other_side))) return {};
-    const Span common = common_span(own, other, width);
-    const auto amid = [&](double place) { return (line.at(place) + other_line.at(place)) / 2.0; };
-    return ThinPlateEdge{{a.wedge, b.wedge}, {side, other_side}, rim.patch, across, width, amid(common.begin), amid(common.end)};
+    const dvec3 over = other_line.at(middle) - line.at(middle);
+    const double thickness = std::abs(glm::dot(over, side.normal));
+    if (glm::dot(over, border.into_face) <= 0.0 || least_side * thickness > std::min(breadth(side), breadth(other_side)))
+      return {};
+    const Span common = common_span(own, other, thickness);
+    const auto amid = [&](double distance) { return (line.at(distance) + other_line.at(distance)) / 2.0; };
+    return ThinPlateEdge{{a.wedge, b.wedge}, {side, other_side}, border.patch,    over,
+                         thickness,          amid(common.begin), amid(common.end)};
   }
 
   std::span<const Wedge> wedges_;
@@ -123,11 +128,13 @@ class ThinPlateEdgeFinder {
   std::vector<double> area_;
 };
 
-/// The half plane of a rim, with its sides' frames turned about its own tangent, from which those of tapered edges differ a
-/// little.
-Wedge half_plane(const ThinPlateEdge& rim, double n) {
-  Wedge wedge{rim.start, rim.end, n, rim.sides, rim.across, rim.patch};
-  const dvec3 tangent = glm::normalize(rim.end - rim.start);
+/// The half plane that stands for a thin-plate edge, with its sides' frames turned about its own tangent, from which those of
+/// tapered edges differ a little.
+Wedge half_plane(const ThinPlateEdge& edge, double n) {
+  Wedge wedge{edge.start, edge.end, n, edge.sides};
+  wedge.thickness_vector = edge.thickness_vector;
+  wedge.border_patch = edge.border_patch;
+  const dvec3 tangent = glm::normalize(edge.end - edge.start);
   std::array<FaceFrame, 2> frames;
   for (int i = 0; i < 2; ++i) {
     WedgeFace& face = wedge.faces[i];
@@ -139,21 +146,21 @@ Wedge half_plane(const ThinPlateEdge& rim, double n) {
   return wedge;
 }
 
-/// Puts half planes in the place of rims. Until the end they are numbered by themselves.
+/// Puts half planes in the place of thin-plate edges. Until the end they are numbered by themselves.
 class Merger {
  public:
   explicit Merger(std::span<const Wedge> wedges) : wedges_(wedges), parts_(wedges.size()) {}
 
-  /// Of two rims that claim the same part of an edge the first one, the narrower, has it.
-  void add(const ThinPlateEdge& rim) {
+  /// Of two that claim the same part of a wedge the first one, of the thinner plate, has it.
+  void add(const ThinPlateEdge& edge) {
     std::array<Span, 2> spans;
-    for (int i = 0; i < 2; ++i) spans[i] = span_on(rim.edges[i], rim);
-    if (taken(rim.edges[0], spans[0]) || taken(rim.edges[1], spans[1])) return;
+    for (int i = 0; i < 2; ++i) spans[i] = span_on(edge.edges[i], edge);
+    if (taken(edge.edges[0], spans[0]) || taken(edge.edges[1], spans[1])) return;
     const auto number = static_cast<std::uint32_t>(half_planes_.size());
-    for (int i = 0; i < 2; ++i) parts_[rim.edges[i]].push_back({spans[i], number});
-    rims_.try_emplace(rim.patch, number);
-    const double n = wedges_[rim.edges[0]].n + wedges_[rim.edges[1]].n - 1;
-    half_planes_.push_back(half_plane(rim, n));
+    for (int i = 0; i < 2; ++i) parts_[edge.edges[i]].push_back({spans[i], number});
+    of_border_patch_.try_emplace(edge.border_patch, number);
+    const double n = wedges_[edge.edges[0]].n + wedges_[edge.edges[1]].n - 1;
+    half_planes_.push_back(half_plane(edge, n));
   }
 
   std::vector<Wedge> take() {
@@ -161,7 +168,7 @@ class Merger {
     for (std::uint32_t w = 0; w < wedges_.size(); ++w) add_parts(w, result);
     const auto first = static_cast<std::uint32_t>(result.size());
     for (Wedge& wedge : result)
-      if (wedge.half_plane != no_index) wedge.half_plane += first;
+      if (wedge.replaced_by != no_index) wedge.replaced_by += first;
     result.insert(result.end(), half_planes_.begin(), half_planes_.end());
     return result;
   }
@@ -172,12 +179,13 @@ class Merger {
     std::uint32_t half_plane;
   };
 
-  /// What the rim takes of an edge; a rest shorter than the rim is wide goes with it.
-  Span span_on(std::uint32_t edge, const ThinPlateEdge& rim) const {
-    const Wedge& wedge = wedges_[edge];
+  /// What a thin-plate edge takes of a wedge; a rest shorter than the plate is thick goes with it.
+  Span span_on(std::uint32_t number, const ThinPlateEdge& edge) const {
+    const Wedge& wedge = wedges_[number];
     const dvec3 along = wedge.end - wedge.start;
-    const double squared = glm::dot(along, along), rest = rim.width / std::sqrt(squared);
-    const double from = glm::dot(rim.start - wedge.start, along) / squared, to = glm::dot(rim.end - wedge.start, along) / squared;
+    const double squared = glm::dot(along, along), rest = edge.thickness / std::sqrt(squared);
+    const double from = glm::dot(edge.start - wedge.start, along) / squared,
+                 to = glm::dot(edge.end - wedge.start, along) / squared;
     const auto [begin, end] = std::minmax(from, to);
     return {begin <= rest ? 0.0 : begin, end >= 1.0 - rest ? 1.0 : end};
   }
@@ -197,7 +205,7 @@ class Merger {
       result.push_back(wedge);
       if (begin > 0.0) result.back().start = glm::mix(wedge.start, wedge.end, begin);
       if (end < 1.0) result.back().end = glm::mix(wedge.start, wedge.end, end);
-      result.back().half_plane = half_plane;
+      result.back().replaced_by = half_plane;
     };
     double reached = 0.0;
     for (const Part& part : parts) {
@@ -209,13 +217,13 @@ class Merger {
     add(reached, 1.0, parts.empty() ? corner_of(wedge) : no_index);
   }
 
-  /// The half plane whose rim this edge stands on as one of its corners.
+  /// The half plane whose border face this wedge runs across as one of its corners.
   std::uint32_t corner_of(const Wedge& wedge) const {
     if (!wedge.convex()) return no_index;
     for (const WedgeFace& face : wedge.faces) {
-      const auto rim = rims_.find(face.patch);
-      if (rim == rims_.end()) continue;
-      if (wedge.length() <= (1 + corner_tolerance) * half_planes_[rim->second].thickness()) return rim->second;
+      const auto found = of_border_patch_.find(face.patch);
+      if (found == of_border_patch_.end()) continue;
+      if (wedge.length() <= (1 + corner_tolerance) * half_planes_[found->second].thickness()) return found->second;
     }
     return no_index;
   }
@@ -223,7 +231,7 @@ class Merger {
   std::span<const Wedge> wedges_;
   std::vector<std::vector<Part>> parts_;
   std::vector<Wedge> half_planes_;
-  std::map<std::uint32_t, std::uint32_t> rims_;  // by patch
+  std::map<std::uint32_t, std::uint32_t> of_border_patch_;  // the half plane that stands for it
 };
 
 }  // namespace
@@ -232,15 +240,15 @@ std::vector<ThinPlateEdge> find_thin_plate_edges(const TriangleMesh& mesh, std::
   return ThinPlateEdgeFinder(mesh, wedges).find();
 }
 
-std::size_t thin_rims(std::span<const ThinPlateEdge> rims, double frequency) {
+std::size_t count_thin(std::span<const ThinPlateEdge> edges, double frequency) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(rims, [&](const ThinPlateEdge& rim) { return rim.width < thin_limit(frequency); }));
+      std::ranges::count_if(edges, [&](const ThinPlateEdge& edge) { return edge.thickness < thin_limit(frequency); }));
 }
 
-std::vector<Wedge> merge_thin_plate_edges(std::span<const Wedge> wedges, std::span<const ThinPlateEdge> rims, double limit) {
+std::vector<Wedge> merge_thin_plate_edges(std::span<const Wedge> wedges, std::span<const ThinPlateEdge> edges, double limit) {
   Merger merger(wedges);
-  for (const ThinPlateEdge& rim : rims)
-    if (rim.width < limit) merger.add(rim);
+  for (const ThinPlateEdge& edge : edges)
+    if (edge.thickness < limit) merger.add(edge);
   return merger.take();
 }
 
@@ -249,8 +257,8 @@ std::size_t thin_plate_corners(std::span<const Wedge> merged) {
     return wedge.faces[0].patch == side.patch || wedge.faces[1].patch == side.patch;
   };
   const auto corner = [&](const Wedge& wedge) {
-    return wedge.half_plane != no_index &&
-           std::ranges::none_of(merged[wedge.half_plane].faces, [&](const WedgeFace& side) { return on_side(wedge, side); });
+    return wedge.replaced_by != no_index &&
+           std::ranges::none_of(merged[wedge.replaced_by].faces, [&](const WedgeFace& side) { return on_side(wedge, side); });
   };
   return static_cast<std::size_t>(std::ranges::count_if(merged, corner));
 }

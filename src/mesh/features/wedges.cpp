@@ -16,7 +16,7 @@ double extent(const TriangleMesh& mesh, std::span<const std::uint32_t> vertices,
 }
 
 /// A face is no narrower than the `distance` by which its plane is known.
-Wedge wedge_of(const TriangleMesh& mesh, const PatchBorders& rims, const EdgePiece& run, double distance) {
+Wedge wedge_of(const TriangleMesh& mesh, const PatchBorders& borders, const EdgeSector& run, double distance) {
   Wedge wedge{mesh.vertices[run.start], mesh.vertices[run.end], run.n, {}};
   const dvec3 tangent = glm::normalize(wedge.end - wedge.start);
   std::array<FaceFrame, 2> frames;
@@ -26,7 +26,7 @@ Wedge wedge_of(const TriangleMesh& mesh, const PatchBorders& rims, const EdgePie
     wedge.faces[i] = {patch,
                       frames[i].into_face,
                       frames[i].normal,
-                      std::max(distance, extent(mesh, rims[patch], wedge.start, frames[i].into_face)),
+                      std::max(distance, extent(mesh, borders[patch], wedge.start, frames[i].into_face)),
                       run.faces[i].back,
                       mesh.patches[patch].material};
   }
@@ -38,13 +38,13 @@ Wedge wedge_of(const TriangleMesh& mesh, const PatchBorders& rims, const EdgePie
 
 std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle) {
   const EdgeTable edges(mesh.triangles, mesh.vertices.size());
-  std::vector<EdgePiece> pieces = exposed_sectors(mesh, edges);
-  std::erase_if(pieces, [&](const EdgePiece& piece) { return !is_wedge(mesh, piece, min_wedge_angle); });
+  std::vector<EdgeSector> sectors = exposed_sectors(mesh, edges);
+  std::erase_if(sectors, [&](const EdgeSector& sector) { return !is_wedge(mesh, sector, min_wedge_angle); });
   const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();
-  const PatchBorders rims(mesh, edges);
+  const PatchBorders borders(mesh, edges);
   std::vector<Wedge> wedges;
-  for (const EdgePiece& run : join_straight(mesh.vertices, std::move(pieces), distance))
-    wedges.push_back(wedge_of(mesh, rims, run, distance));
+  for (const EdgeSector& run : join_straight(mesh.vertices, std::move(sectors), distance))
+    wedges.push_back(wedge_of(mesh, borders, run, distance));
   return wedges;
 }
 

@@ -1,4 +1,8 @@
-// Wedge edges of a mesh: where two exposed faces, or the two sides of an open sheet, meet at an angle.
+// Wedge edges of a mesh: where two exposed faces, or the two sides of an open surface, meet at an angle.
+//
+// mesh/features finds in a TriangleMesh what the methods ask for: free sectors around edges (edge_sectors, edge_runs), wedges and
+// the outlines of their faces, thin plates, surfaces that facets stand for (smooth), symmetry, convexity, what is enclosed.
+// Notation, as of the edge currents: faces 0 and 1 of a wedge, each with x_f (into_face) and n_f (normal), t (tangent).
 #pragma once
 
 #include <algorithm>
@@ -10,7 +14,7 @@
 
 namespace raytube {
 
-/// One of the two faces of a wedge, seen from the free space between them.
+/// One of the two faces of a wedge, as it looks from the free space between them.
 struct WedgeFace {
   std::uint32_t patch = no_index;
   dvec3 into_face;                    // x_f: unit, in the face, perpendicular to the edge, away from it
@@ -26,29 +30,32 @@ struct Wedge {
   dvec3 start, end;  // recentred coordinates [m]
   double n = 0.0;    // exterior (free-space) angle / pi: 2 half plane, 1.5 outer edge of a cube, 0.5 inner corner
   std::array<WedgeFace, 2> faces;
-  dvec3 across{0.0};             // not 0: this is the edge of a thin sheet, amid its rim; from side 0 to side 1 over it [m]
-  std::uint32_t rim = no_index;  // then the patch of that rim
-  std::uint32_t half_plane = no_index;  // this edge bounds the rim of a thin sheet: the wedge that stands for it (thin_sheets.h)
-  bool enclosed = false;                // inside a closed body, where no light comes (mark_enclosed)
+  bool enclosed = false;                 // inside a closed body, where no wave comes (mark_enclosed)
+  std::uint32_t replaced_by = no_index;  // of an edge of a thin plate's border face: the half plane that stands for it
+
+  // Of a half plane that stands for the border face of a thin plate (merge_thin_plate_edges); else 0 and no_index.
+  dvec3 thickness_vector{0.0};            // from one side of the plate to the other over the border face [m]
+  std::uint32_t border_patch = no_index;  // the border face
 
   bool convex() const { return n > 1.0; }
   /// Both faces are perfect conductors.
   bool conducting() const {
     return std::ranges::all_of(faces, [](const WedgeFace& face) { return face.material == no_index; });
   }
-  /// Fringe currents are found for it: it is no edge of a thin plate that another wedge stands for.
-  bool stands_alone() const { return convex() && half_plane == no_index; }
-  /// They radiate: light reaches it, and both faces conduct.
+  /// It has fringe currents of its own: it is convex, and no half plane of a thin plate stands for it.
+  bool stands_alone() const { return convex() && replaced_by == no_index; }
+  /// Its fringe currents radiate: it stands alone, waves reach it, and both faces conduct.
   bool radiates() const { return stands_alone() && !enclosed && conducting(); }
-  double thickness() const { return std::abs(glm::dot(across, faces[0].normal)); }  // of the sheet, 0 for a sharp edge [m]
-  double interior_angle() const { return (2.0 - n) * pi; }                          // metal side [rad]
+  double thickness() const { return std::abs(glm::dot(thickness_vector, faces[0].normal)); }  // of a thin plate, else 0 [m]
+  double interior_angle() const { return (2.0 - n) * pi; }                                    // metal side [rad]
   double length() const { return glm::length(end - start); }
 };
 
 /// All wedges, convex and concave, whose faces differ from a plane by at least `min_wedge_angle` [rad]: |pi - interior| >= it.
 /// Around every welded edge the incident facets are sorted by angle; each sector of free space between two exposed facet
-/// sides is a wedge. So a border is one half plane (n = 2), an edge of a closed body one wedge, a fold in an open sheet two
-/// (n and 2 - n), and an edge where several sheets meet one per free sector. Collinear neighbours with the same faces merge.
+/// sides is a wedge. So a border is one half plane (n = 2), an edge of a closed body one wedge, a crease in an open surface two
+/// (n and 2 - n), and an edge where several open surfaces meet one per free sector. Collinear neighbours with the same faces
+/// merge. Vertices in recentred coordinates [m], in the order of the mesh's edges.
 std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle);
 
 }  // namespace raytube

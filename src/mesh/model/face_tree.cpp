@@ -26,9 +26,9 @@ Faces in_order(const Faces& faces, std::span<const std::uint32_t> order) {
     sorted.corners.insert(sorted.corners.end(), corners.begin(), corners.end());
     sorted.faces.push_back(face);
   }
-  std::vector<std::uint32_t> place(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  for (const std::uint32_t f : faces.face_of_triangle) sorted.face_of_triangle.push_back(place[f]);
+  std::vector<std::uint32_t> index(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) index[order[i]] = i;
+  for (const std::uint32_t f : faces.face_of_triangle) sorted.face_of_triangle.push_back(index[f]);
   return sorted;
 }
 
@@ -61,7 +61,7 @@ FaceTree::FaceTree(const TriangleMesh& mesh)
     : mesh_(mesh),
       faces_(find_faces(mesh)),
       // A dozen roundings of numbers up to the radius, in the box and in the prism.
-      sampling_variance_(16.0 * std::numeric_limits<float>::epsilon() * mesh.radius) {
+      box_rounding_(16.0 * std::numeric_limits<float>::epsilon() * mesh.radius) {
   const std::vector<Box> boxes = boxes_of(mesh, faces_);
   std::vector<std::uint32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -101,7 +101,7 @@ void FaceTree::set_lane(std::uint32_t node, int lane, const Box& box, std::uint3
                         std::uint32_t child) {
   const bool used = begin < end;
   const dvec3 middle = used ? box.middle() : dvec3(0.0),
-              half = used ? 0.5 * (box.high - box.low) + sampling_variance_ : dvec3(-std::numeric_limits<double>::infinity());
+              half = used ? 0.5 * (box.high - box.low) + box_rounding_ : dvec3(-std::numeric_limits<double>::infinity());
   Node& n = nodes_[node];
   n.x[lane] = static_cast<float>(middle.x), n.half_x[lane] = static_cast<float>(half.x);
   n.y[lane] = static_cast<float>(middle.y), n.half_y[lane] = static_cast<float>(half.y);

@@ -26,10 +26,11 @@ class FaceTree {
  public:
   explicit FaceTree(const TriangleMesh& mesh);
 
-  /// In the order of the tree: neighbours in space are neighbours in number.
+  /// All faces in the order of the tree: neighbours in space are neighbours in number.
   std::span<const Face> faces() const { return faces_.faces; }
+  /// The corners of a face, as vertices of the mesh.
   std::span<const std::uint32_t> corners(std::uint32_t face) const { return faces_.corners_of(faces_.faces[face]); }
-  /// The same as points.
+  /// The corners of a face as points, in recentred coordinates [m].
   std::span<const dvec3> points(std::uint32_t face) const {
     return std::span(points_).subspan(faces_.faces[face].first_corner, corners(face).size());
   }
@@ -66,7 +67,7 @@ class FaceTree {
   Faces faces_;
   std::vector<dvec3> points_;                              // of all corners: side by side for neighbours
   std::vector<std::uint32_t> first_triangle_, triangles_;  // of each face, compressed rows
-  double sampling_variance_;                               // [m] what single precision may cost in placing a box
+  double box_rounding_;                                    // [m] what single precision may move the side of a box by
   std::vector<Node> nodes_;
 };
 

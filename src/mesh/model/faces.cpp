@@ -162,8 +162,8 @@ class FaceFinder {
   Turn turn(std::uint32_t from, std::uint32_t at, std::uint32_t to, const dvec3& normal) const {
     const dvec3 in = mesh_.vertices[at] - mesh_.vertices[from], out = mesh_.vertices[to] - mesh_.vertices[at];
     const double sine = glm::dot(glm::cross(in, out), normal);
-    const double sampling_variance = rounding * mesh_.radius * std::min(glm::length(in), glm::length(out));
-    if (std::abs(sine) > sampling_variance) return sine > 0.0 ? Turn::left : Turn::right;
+    const double uncertainty = rounding * mesh_.radius * std::min(glm::length(in), glm::length(out));
+    if (std::abs(sine) > uncertainty) return sine > 0.0 ? Turn::left : Turn::right;
     return glm::dot(in, out) > 0.0 ? Turn::straight : Turn::right;
   }
 

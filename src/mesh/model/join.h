@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "mesh/load.h"
+#include "mesh/model/triangle_mesh.h"
 
 namespace raytube {
 

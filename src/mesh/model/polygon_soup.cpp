@@ -1,6 +1,4 @@
-#include <algorithm>
-
-#include "mesh/load.h"
+#include "mesh/model/polygon_soup.h"
 
 namespace raytube {
 

@@ -1,4 +1,8 @@
-// The target as the solver sees it: welded, oriented triangles grouped in planar patches and connected components.
+// The target as the solver takes it: welded, oriented triangles grouped in planar patches and connected components.
+//
+// mesh/model holds what all of mesh/ works on: the mesh and its report, polygons as read, tables of edges, trees of points,
+// triangles and faces. Recentred coordinates: metres, origin in the middle of the target's bounding box. Indices are of 32 bits,
+// no_index stands for none.
 #pragma once
 
 #include <array>

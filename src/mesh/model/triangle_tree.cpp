@@ -92,15 +92,15 @@ dvec3 TriangleTree::spread(const Node& node) const {
 }
 
 void TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points) {
-  const std::size_t place = nodes_.size();
+  const std::size_t index = nodes_.size();
   nodes_.push_back(node_of(begin, end, points));
   if (end - begin <= leaf_size) return;
-  const dvec3 along = spread(nodes_[place]);
+  const dvec3 along = spread(nodes_[index]);
   const auto depth = [&](std::uint32_t t) { return std::pair(glm::dot(along, sum_of_corners(t)), t); };
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::ranges::nth_element(members_.begin() + begin, members_.begin() + middle, members_.begin() + end, {}, depth);
   build(begin, middle, points);
-  nodes_[place].right = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[index].right = static_cast<std::uint32_t>(nodes_.size());
   build(middle, end, points);
 }
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "mesh/load.h"
+#include "mesh/model/polygon_soup.h"
 
 namespace raytube {
 
@@ -17,6 +17,7 @@ struct MeshFile {
   [[noreturn]] void reject(const std::string& sentence) const;
 };
 
+/// Each throws InputError with the line or facet and the remedy if the file is not of its format.
 PolygonSoup parse_stl(const MeshFile& file);
 PolygonSoup parse_obj(const MeshFile& file);
 PolygonSoup parse_ply(const MeshFile& file);
@@ -24,7 +25,7 @@ PolygonSoup parse_off(const MeshFile& file);
 
 using MeshParser = PolygonSoup (*)(const MeshFile&);
 
-/// What the parser finds, once checked for what every format must satisfy. Throws InputError.
+/// What `parse` finds in the file, once checked for what every format must satisfy. Throws InputError.
 PolygonSoup read_polygon_soup(const MeshFile& file, MeshParser parse);
 
 }  // namespace raytube

@@ -1,3 +1,5 @@
+#include "mesh/read/read_mesh.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -72,10 +74,6 @@ PolygonSoup read_polygon_soup(const MeshFile& file, MeshParser parse) {
 PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
   const MeshFile file = read_bytes(path);
   return read_polygon_soup(file, parser_of(file, path.extension().string()));
-}
-
-LoadedMesh load_mesh(const std::filesystem::path& file, double metres_per_unit) {
-  return build_mesh(read_polygon_soup(file), metres_per_unit, file.string());
 }
 
 }  // namespace raytube

@@ -36,9 +36,9 @@ class SoupBuilder {
  public:
   void add_corner(const dvec3& point) {
     const dvec3 key = point + 0.0;  // -0 becomes 0
-    const auto [place, is_new] = index_.try_emplace(key, static_cast<std::uint32_t>(soup_.points.size()));
+    const auto [entry, is_new] = index_.try_emplace(key, static_cast<std::uint32_t>(soup_.points.size()));
     if (is_new) soup_.points.push_back(key);
-    corners_.push_back(place->second);
+    corners_.push_back(entry->second);
   }
   void end_facet() {
     if (!names_) names_ = soup_.names.list({name_});

@@ -28,9 +28,9 @@ class TextScanner {
 
   /// The value of a word; rejects the file if it is not a number.
   double number(std::string_view word) const;
-  /// The same, but rejects infinity and NaN too.
+  /// The value of a word as number() finds it; rejects infinity and NaN too.
   double coordinate(std::string_view word) const;
-  /// The same for a count, which is a whole number and not negative.
+  /// The value of a word that is a whole number and not negative; rejects the file otherwise.
   std::uint64_t count(std::string_view word) const;
 
   std::size_t line() const { return line_; }

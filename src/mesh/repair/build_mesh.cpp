@@ -1,3 +1,5 @@
+#include "mesh/repair/build_mesh.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 #include <iterator>
 
 #include "core/error.h"
-#include "mesh/load.h"
 #include "mesh/model/edge_table.h"
 #include "mesh/repair/conform.h"
 #include "mesh/repair/duplicates.h"

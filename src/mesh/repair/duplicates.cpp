@@ -86,20 +86,20 @@ class Rest {
   std::vector<bool> open_;
 };
 
-/// For each pair: whether its group of connected pairs is a wall inside closed bodies. It is if it has a rim and the other
-/// triangles close around the rim; a free rim or an open surface around it speak for a sheet.
+/// For each pair: whether its group of connected pairs is a wall inside closed bodies. It is if it has a border and the
+/// other triangles close around the border; a free border or an open surface around it speak for an open surface.
 std::vector<bool> internal_walls(std::span<const Triangle> walls, const Rest& rest, std::size_t vertex_count) {
   const EdgeTable edges(walls, vertex_count);
   const auto group = connected_groups(edges, walls.size(), [](const auto&) { return true; });
-  std::vector<bool> has_rim(walls.size(), false), enclosed(walls.size(), true);
+  std::vector<bool> has_border(walls.size(), false), enclosed(walls.size(), true);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto [low, high, sides] = edges[e];
     if (sides.size() > 1) continue;
-    has_rim[group[sides[0].triangle]] = true;
+    has_border[group[sides[0].triangle]] = true;
     if (!rest.closes_around(low, high)) enclosed[group[sides[0].triangle]] = false;
   }
   std::vector<bool> internal(walls.size());
-  for (std::size_t i = 0; i < walls.size(); ++i) internal[i] = has_rim[group[i]] && enclosed[group[i]];
+  for (std::size_t i = 0; i < walls.size(); ++i) internal[i] = has_border[group[i]] && enclosed[group[i]];
   return internal;
 }
 

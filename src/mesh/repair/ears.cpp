@@ -21,18 +21,18 @@ class CornersLeft {
     std::ranges::sort(members_);
     members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
     build(0, static_cast<std::uint32_t>(members_.size()));
-    for (std::uint32_t i = 0; i < members_.size(); ++i) place_[members_[i]] = i;
+    for (std::uint32_t i = 0; i < members_.size(); ++i) position_[members_[i]] = i;
   }
 
   /// True if the ring does not pass this corner any more.
   bool drop(std::uint32_t p) {
     if (--times_[p] > 0) return false;
-    const std::uint32_t place = place_[p];
+    const std::uint32_t position = position_[p];
     for (std::uint32_t at = 0;;) {
       Node& node = nodes_[at];
       --node.left;
       if (node.right == 0) return true;
-      at = place < nodes_[node.right].begin ? at + 1 : node.right;
+      at = position < nodes_[node.right].begin ? at + 1 : node.right;
     }
   }
 
@@ -92,19 +92,19 @@ class CornersLeft {
   const PlanarRing& plane_;
   Ring members_;  // each once
   double size_ = 0.0;
-  std::unordered_map<std::uint32_t, std::uint32_t> times_, place_;  // that the ring passes a corner; among the members
+  std::unordered_map<std::uint32_t, std::uint32_t> times_, position_;  // that the ring passes a corner; among the members
   std::vector<Node> nodes_;
 };
 
-/// A place of the ring that turned out to be no ear is asked again only when a neighbour has gone, or what was in its way.
+/// A position of the ring that turned out to be no ear is asked again only when a neighbour has gone, or what was in its way.
 class EarCutter {
  public:
   EarCutter(const PlanarRing& plane, const Ring& ring) : plane_(plane), ring_(ring), corners_(plane, ring) {
     const auto size = static_cast<std::uint32_t>(ring.size());
-    for (std::uint32_t place = 0; place < size; ++place) {
-      before_.push_back((place + size - 1) % size);
-      after_.push_back((place + 1) % size);
-      possible_.insert(possible_.end(), place);
+    for (std::uint32_t position = 0; position < size; ++position) {
+      before_.push_back((position + size - 1) % size);
+      after_.push_back((position + 1) % size);
+      possible_.insert(possible_.end(), position);
     }
   }
 
@@ -112,10 +112,10 @@ class EarCutter {
     std::vector<Triangle> triangles;
     std::uint32_t start = 0;
     for (std::size_t left = ring_.size(); left > 3; --left) {
-      const std::uint32_t place = next_ear(start);
-      triangles.push_back(triangle_at(place));
-      start = after_[after_[place]];
-      cut(place);
+      const std::uint32_t position = next_ear(start);
+      triangles.push_back(triangle_at(position));
+      start = after_[after_[position]];
+      cut(position);
     }
     const auto first = static_cast<std::uint32_t>(std::ranges::find(gone_, false) - gone_.begin());
     triangles.push_back({ring_[first], ring_[after_[first]], ring_[before_[first]]});
@@ -123,7 +123,9 @@ class EarCutter {
   }
 
  private:
-  Triangle triangle_at(std::uint32_t place) const { return {ring_[before_[place]], ring_[place], ring_[after_[place]]}; }
+  Triangle triangle_at(std::uint32_t position) const {
+    return {ring_[before_[position]], ring_[position], ring_[after_[position]]};
+  }
 
   // From `start` on, round the ring; `start` itself if there is none.
   std::uint32_t next_ear(std::uint32_t start) {
@@ -135,33 +137,33 @@ class EarCutter {
     return start;
   }
 
-  bool is_ear(std::uint32_t place) {
-    const Triangle ear = triangle_at(place);
+  bool is_ear(std::uint32_t position) {
+    const Triangle ear = triangle_at(position);
     if (!(plane_.turn(ear[0], ear[1], ear[2]) > 0.0)) return false;
     const std::uint32_t in_the_way = corners_.one_in(ear);
-    if (in_the_way != no_corner) waiting_[in_the_way].push_back(place);
+    if (in_the_way != no_corner) waiting_[in_the_way].push_back(position);
     return in_the_way == no_corner;
   }
 
-  void cut(std::uint32_t place) {
-    gone_[place] = true;
-    possible_.erase(place);
-    after_[before_[place]] = after_[place];
-    before_[after_[place]] = before_[place];
-    possible_.insert({before_[place], after_[place]});
-    if (!corners_.drop(ring_[place])) return;
-    for (const std::uint32_t other : waiting_[ring_[place]])
+  void cut(std::uint32_t position) {
+    gone_[position] = true;
+    possible_.erase(position);
+    after_[before_[position]] = after_[position];
+    before_[after_[position]] = before_[position];
+    possible_.insert({before_[position], after_[position]});
+    if (!corners_.drop(ring_[position])) return;
+    for (const std::uint32_t other : waiting_[ring_[position]])
       if (!gone_[other]) possible_.insert(other);
-    waiting_.erase(ring_[place]);
+    waiting_.erase(ring_[position]);
   }
 
   const PlanarRing& plane_;
   const Ring& ring_;
   CornersLeft corners_;
-  std::vector<std::uint32_t> before_, after_;  // places
+  std::vector<std::uint32_t> before_, after_;  // positions
   std::vector<bool> gone_ = std::vector<bool>(ring_.size(), false);
-  std::set<std::uint32_t> possible_;                                       // places
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> waiting_;  // of places, by the corner in their way
+  std::set<std::uint32_t> possible_;                                       // positions
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> waiting_;  // of positions, by the corner in their way
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace raytube {
 
-/// The edge low-high is to become the path low, vertices..., high.
+/// The edge between the vertices low and high is to become the path low, vertices..., high.
 struct EdgeSplit {
   std::uint32_t low, high;
   std::vector<std::uint32_t> vertices;

@@ -6,7 +6,6 @@
 //
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 
 #include <algorithm>
@@ -43,8 +42,8 @@ struct Recorder : PMP::Default_orientation_visitor {
 CutSoup wind_alike(std::span<const dvec3> vertices, const SeparateSoup& separate) {
   CutSoup soup{{}, separate.vertex_of, std::vector<bool>(separate.triangles.size(), false)};
   for (const Triangle& t : separate.triangles) soup.triangles.push_back({t[0], t[1], t[2]});
-  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-  for (const std::uint32_t v : soup.vertex) points.emplace_back(vertices[v].x, vertices[v].y, vertices[v].z);
+  std::vector<dvec3> points;  // CGAL only copies them
+  for (const std::uint32_t v : soup.vertex) points.push_back(vertices[v]);
   Recorder recorder;
   recorder.soup = &soup;
   PMP::orient_polygon_soup(points, soup.triangles, CGAL::parameters::visitor(recorder));
@@ -176,8 +175,8 @@ struct Analysis {
   std::vector<bool> turned;
 };
 
-/// A border of this length bounds no hole larger than border^2 / 4 pi: small against the area, it is a gap in a body. The rim
-/// of a sheet is not, however finely the sheet is meshed.
+/// A border of this length bounds no hole larger than border^2 / 4 pi: small against the area, it is a gap in a body. The
+/// border of an open surface is not, however finely the surface is meshed.
 bool only_a_gap(double border, double area) { return border > 0.0 && border * border / (4.0 * pi) < 0.02 * area; }
 
 Analysis analyse(std::span<const dvec3> vertices, std::span<const Triangle> triangles, const SeparateSoup& separate,

@@ -122,7 +122,8 @@ class PatchFinder {
     return static_cast<std::uint32_t>(mesh_.patches.size() - 1);
   }
 
-  /// Of equal ones by place: in which order a file lists triangles and their corners must not decide where a sliver belongs.
+  /// Of equal ones by coordinates: in which order a file lists triangles and their corners must not decide where a sliver
+  /// belongs.
   std::vector<std::uint32_t> largest_first() const {
     std::vector<Seed> seeds;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) seeds.push_back(seed(t));
@@ -173,7 +174,7 @@ class PatchFinder {
   }
 
   /// Near the plane with all corners, and facing the same way. A triangle's own normal is known no better than the distance
-  /// over its height, and that of a sliver may even point backwards; no way to tell it from a fold, and no need to.
+  /// over its height, and that of a sliver may even point backwards; no way to tell it from a facet folded back, and no need to.
   bool fits(const Patch& plane, std::uint32_t triangle) const {
     const Triangle& t = mesh_.triangles[triangle];
     const double farthest = distance_from(plane, t);

@@ -1,4 +1,4 @@
-// A polygon seen in a plane.
+// A polygon projected on a plane.
 #pragma once
 
 #include <cmath>

@@ -9,7 +9,7 @@
 namespace raytube {
 
 struct SeparateSoup {
-  std::vector<Triangle> triangles;       // the same ones, with corners in copies of the vertices
+  std::vector<Triangle> triangles;       // those given, with corners in copies of the vertices
   std::vector<std::uint32_t> vertex_of;  // copy -> vertex
 };
 

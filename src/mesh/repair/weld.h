@@ -15,7 +15,7 @@ struct WeldedPoints {
 };
 
 /// Taken in order, each point joins the first kept vertex within `distance` of it, or is kept as a new vertex where it is; so
-/// the vertices are more than `distance` apart. `diagonal` is that of the points' bounding box.
+/// the vertices are more than `distance` apart. `diagonal` is that of the points' bounding box; all in one unit.
 WeldedPoints weld(std::span<const dvec3> points, double distance, double diagonal);
 
 }  // namespace raytube

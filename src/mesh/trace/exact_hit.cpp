@@ -25,7 +25,7 @@ ExactHit::ExactHit(const TriangleMesh& mesh, std::size_t longest_list)
       longest_list_(longest_list),
       // A point on the ray and a plane offset each carry a few roundings of numbers up to the radius.
       rounding_(8.0 * std::numeric_limits<double>::epsilon() * mesh.radius),
-      sampling_variance_(line_uncertainty * mesh.radius),
+      edge_uncertainty_(line_uncertainty * mesh.radius),
       tree_(mesh),
       at_vertex_(triangle_rows(mesh.vertices.size(), mesh.triangles, std::identity())),
       of_patch_(triangle_rows(mesh.patches.size(), mesh.triangle_patch, [](std::uint32_t patch) { return std::array{patch}; })),
@@ -41,11 +41,12 @@ ExactHit::ExactHit(const TriangleMesh& mesh, std::size_t longest_list)
 
 namespace {
 
-// Volume spanned by a ray's direction and an edge (seen from the ray's origin): positive on one side of the edge, negative on the
-// other, zero nowhere else than on it. Where rounding, at most `doubt`, could have decided, the sign is found exactly.
-double edge_side(const Ray& ray, const dvec3& from, const dvec3& to, double sampling_variance) {
+// Volume spanned by a ray's direction and the two ends of an edge, from the ray's origin: positive on one side of the edge,
+// negative on the other, zero nowhere else than on it. Where rounding, at most `rounding`, could have decided, the sign is found
+// exactly.
+double edge_side(const Ray& ray, const dvec3& from, const dvec3& to, double rounding) {
   const double volume = glm::dot(ray.direction, glm::cross(from - ray.origin, to - ray.origin));
-  return std::abs(volume) > sampling_variance ? volume : sampling_variance * exact_side(ray.direction, ray.origin, from, to);
+  return std::abs(volume) > rounding ? volume : rounding * exact_side(ray.direction, ray.origin, from, to);
 }
 
 bool same_sign(const std::array<double, 3>& s) {
@@ -59,9 +60,8 @@ std::array<double, 3> ExactHit::edge_sides(const Ray& ray, std::uint32_t triangl
   const dvec3 &a = mesh_.vertices[i], &b = mesh_.vertices[j], &c = mesh_.vertices[k];
   // A dozen roundings of a product of two differences of numbers up to the radius and the origin's distance.
   const double longest = mesh_.radius + glm::length(ray.origin);
-  const double sampling_variance = 16.0 * std::numeric_limits<double>::epsilon() * longest * longest;
-  return {edge_side(ray, a, b, sampling_variance), edge_side(ray, b, c, sampling_variance),
-          edge_side(ray, c, a, sampling_variance)};
+  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * longest * longest;
+  return {edge_side(ray, a, b, rounding), edge_side(ray, b, c, rounding), edge_side(ray, c, a, rounding)};
 }
 
 bool ExactHit::contains(const Ray& ray, std::uint32_t triangle) const { return same_sign(edge_sides(ray, triangle)); }
@@ -74,7 +74,7 @@ bool ExactHit::is_inside(const Ray& ray, std::uint32_t triangle) const {
                           mesh_.vertices[i] - mesh_.vertices[k]};
   // Side over edge length is at most the distance between the two lines.
   for (int e = 0; e < 3; ++e)
-    if (sides[e] * sides[e] < sampling_variance_ * sampling_variance_ * glm::dot(edges[e], edges[e])) return false;
+    if (sides[e] * sides[e] < edge_uncertainty_ * edge_uncertainty_ * glm::dot(edges[e], edges[e])) return false;
   return true;
 }
 
@@ -102,13 +102,13 @@ void ExactHit::keep_nearer(const Ray& ray, std::uint32_t candidate, const Ignore
   const std::array<double, 3> sides = edge_sides(ray, candidate);
   if (!same_sign(sides)) return;
   const Hit hit{candidate, depth(ray, candidate, sides)};
-  if (hit.distance < -sampling_variance_) return;  // only its patch's plane lies ahead
+  if (hit.distance < -edge_uncertainty_) return;  // only its patch's plane lies ahead
   const bool nearer =
       !nearest || hit.distance < nearest.distance || (hit.distance == nearest.distance && hit.triangle < nearest.triangle);
   if (nearer) nearest = hit;
 }
 
-// The same of all triangles that the ray's line meets, if acceptable.
+// keep_nearer() with all triangles that the ray's line meets, if acceptable.
 template <class Accept>
 void ExactHit::keep_nearer_of_all(const Ray& ray, const IgnoredPatches& ignored_patches, Hit& nearest, Accept accept) const {
   std::vector<std::uint32_t> candidates;
@@ -133,15 +133,15 @@ bool ExactHit::has_corner_on(std::uint32_t triangle, std::uint32_t of) const {
   });
 }
 
-// A ray along a surface that touches the triangle may have met it before, farther away than what touches.
+// A ray along a patch with near-coincident facets may have met it before, farther away than these.
 Hit ExactHit::nearest_near_coincident(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
   const std::span<const std::uint32_t> others = near_coincident_[triangle], patches = near_coincident_.patches(triangle);
   Hit nearest;
   keep_nearer(ray, triangle, ignored_patches, nearest);
-  const dvec3 place = ray.origin + distance(ray, triangle) * ray.direction;
+  const dvec3 point = ray.origin + distance(ray, triangle) * ray.direction;
   const auto runs_along = [&](std::uint32_t of) {
     const Patch& plane = mesh_.patches[of];
-    return std::abs(glm::dot(plane.normal, place) - plane.offset) < sampling_variance_ &&
+    return std::abs(glm::dot(plane.normal, point) - plane.offset) < edge_uncertainty_ &&
            std::abs(glm::dot(plane.normal, ray.direction)) < narrow_angle;
   };
   if (is_long(others)) {

@@ -11,61 +11,64 @@
 #include "mesh/model/triangle_rows.h"
 #include "mesh/model/triangle_tree.h"
 #include "mesh/trace/near_coincident.h"
-#include "mesh/trace/tracer.h"
+#include "mesh/trace/ray.h"
 
 namespace raytube {
 
+/// What is decided in double for one ray and triangles of one mesh. Thread-safe.
 class ExactHit {
  public:
-  /// Of lists longer than `longest_list` those that a ray comes near are found in a tree: the same decisions, at bounded cost.
+  /// Keeps a reference to the mesh. Of lists longer than `longest_list` those that a ray comes near are found in a tree: the
+  /// decisions are those of the lists, at bounded cost.
   explicit ExactHit(const TriangleMesh& mesh, std::size_t longest_list = 256);
 
   std::uint32_t patch(std::uint32_t triangle) const { return mesh_.triangle_patch[triangle]; }
 
-  /// Distance along the ray to the plane of the triangle's patch.
+  /// Distance along the ray to the plane of the triangle's patch [m].
   double distance(const Ray& ray, std::uint32_t triangle) const {
     const Patch& plane = mesh_.patches[patch(triangle)];
     return (plane.offset - glm::dot(plane.normal, ray.origin)) / glm::dot(plane.normal, ray.direction);
   }
 
-  /// Which of two triangles that contain the ray is the nearer one: the same, but the distance to the triangle itself where the
-  /// ray grazes it.
+  /// What tells which of two triangles that contain the ray is the nearer one [m]: distance(), or where the ray grazes the patch
+  /// the distance to the triangle itself.
   double depth(const Ray& ray, std::uint32_t triangle) const;
 
-  /// True if that plane lies ahead of the ray's start by more than the rounding of the two.
+  /// True if the plane of the triangle's patch lies ahead of the ray's start by more than the rounding of the two.
   bool ahead(const Ray& ray, std::uint32_t triangle) const {
     const Patch& plane = mesh_.patches[patch(triangle)];
     const double height = plane.offset - glm::dot(plane.normal, ray.origin);
     return std::abs(height) > rounding_ && height * glm::dot(plane.normal, ray.direction) > 0.0;
   }
 
-  /// True if the ray's line runs through the triangle, rim included; without rounding, so no line slips between two triangles of
-  /// an edge, or through where several meet in a corner.
+  /// True if the ray's line runs through the triangle, border included; without rounding, so no line slips between two triangles
+  /// of an edge, or through where several meet in a corner.
   bool contains(const Ray& ray, std::uint32_t triangle) const;
 
   /// True if the ray passes well inside all three edges: single precision cannot have mistaken this hit but for one with a
-  /// surface that touches the triangle.
+  /// near-coincident facet.
   bool is_inside(const Ray& ray, std::uint32_t triangle) const;
 
-  /// The triangles of other patches that touch it, in ascending order.
+  /// The triangles of other patches near to coincident with it, in ascending order.
   std::span<const std::uint32_t> near_coincident(std::uint32_t triangle) const { return near_coincident_[triangle]; }
 
-  /// True if no other surface touches the triangle.
+  /// True if no other facet is near to coincident with the triangle.
   bool is_alone(std::uint32_t triangle) const { return near_coincident_[triangle].empty(); }
 
-  /// The nearest triangle that contains the ray, among `triangle`, those touching it, and all of a patch of these which the ray
-  /// runs along, but not on the patch the ray leaves or an ignored one; ties to the lower index.
+  /// The nearest triangle that contains the ray, among `triangle`, its near-coincident ones, and all of a patch of these which
+  /// the ray runs along, but not on the patch the ray leaves or an ignored one; ties to the lower index.
   Hit nearest_near_coincident(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
 
   /// A ray this far inside all three edges meets the triangle in single precision too [m].
-  double sampling_variance() const { return sampling_variance_; }
+  double edge_uncertainty() const { return edge_uncertainty_; }
 
-  /// The nearest triangle that contains the ray, among `triangle`, those sharing a corner with it, those touching it, and all of
-  /// a patch there which the ray grazes, but not on the patch the ray leaves or an ignored one; ties to the lower index.
+  /// The nearest triangle that contains the ray, among `triangle`, those sharing a corner with it, its near-coincident ones,
+  /// and all of a patch there which the ray grazes, but not on the patch the ray leaves or an ignored one; ties to the lower
+  /// index.
   Hit nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
 
-  /// A ray that touches a ridge of a closed body meets both faces there, and rounding says which is the nearer one. If that is
-  /// the one turned away, the other one in its place.
+  /// A ray that touches a ridge of a closed body meets both faces there, and rounding says which is the nearer one. If `hit` is
+  /// on the one turned away, the hit on the other one; else `hit`.
   Hit front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const;
 
  private:
@@ -85,11 +88,11 @@ class ExactHit {
   const TriangleMesh& mesh_;
   std::size_t longest_list_;
   double rounding_;
-  double sampling_variance_;
+  double edge_uncertainty_;
   TriangleTree tree_;
   TriangleRows at_vertex_, of_patch_;
   NearCoincident near_coincident_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> patches_at_;  // vertices with long lists; in ascending order
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> patches_at_;  // of vertices with long lists, ascending
 };
 
 }  // namespace raytube

@@ -44,7 +44,7 @@ bool are_apart(const Corners& a, const Corners& b, double distance) {
   return false;
 }
 
-// A triangle seen from one of its corners; shorter than half a circle, about the origin.
+// A triangle as one of its corners sees it; shorter than half a circle, about the origin.
 struct Arc {
   dvec3 from, to, axis;
   double angle;
@@ -101,8 +101,8 @@ class Corner {
     return {CGAL::Bbox_3(low.x, low.y, low.z, high.x, high.y, high.z), index};
   }
 
-  // The same of triangles on a common edge: folded together.
-  bool is_fold(const dvec3& inwards_a, const dvec3& inwards_b) const { return glm::distance(inwards_a, inwards_b) < narrow_; }
+  // Whether triangles on a common edge are folded together.
+  bool is_folded(const dvec3& inwards_a, const dvec3& inwards_b) const { return glm::distance(inwards_a, inwards_b) < narrow_; }
 
  private:
   bool comes_near(const Arc& arc, const Arc& other) const {
@@ -168,7 +168,8 @@ class PairFinder {
     for (std::size_t i = 0; i < edge.sides.size(); ++i)
       for (std::size_t j = i + 1; j < edge.sides.size(); ++j) {
         const std::uint32_t a = edge.sides[i].triangle, b = edge.sides[j].triangle;
-        if (mesh_.triangle_patch[a] != mesh_.triangle_patch[b] && corner_.is_fold(inwards(edge.sides[i]), inwards(edge.sides[j])))
+        if (mesh_.triangle_patch[a] != mesh_.triangle_patch[b] &&
+            corner_.is_folded(inwards(edge.sides[i]), inwards(edge.sides[j])))
           add(a, b);
       }
   }

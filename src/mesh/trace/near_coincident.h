@@ -1,4 +1,4 @@
-// Surfaces that lie on one another, cross, or come close.
+// Near-coincident facets: triangles that lie on one another, cross, or come close.
 #pragma once
 
 #include <array>
@@ -24,12 +24,12 @@ class NearCoincident {
   NearCoincident(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance,
                  double narrow);
 
-  /// In ascending order.
+  /// The near-coincident triangles of one, in ascending order.
   std::span<const std::uint32_t> operator[](std::uint32_t triangle) const {
     return std::span(others_).subspan(first_[triangle], first_[triangle + 1] - first_[triangle]);
   }
 
-  /// Their patches, in ascending order.
+  /// The patches of these, in ascending order.
   std::span<const std::uint32_t> patches(std::uint32_t triangle) const {
     return std::span(patches_).subspan(first_patch_[triangle], first_patch_[triangle + 1] - first_patch_[triangle]);
   }

@@ -22,7 +22,7 @@ constexpr double flattest = 0.1;
 constexpr double sharp = 0.15;
 
 // A corner of a patch: which way its edges there face, in the plane of the patch.
-struct ThinPlateEdge {
+struct BorderCorner {
   dvec3 outwards[2];
   int edges = 0;
 
@@ -46,11 +46,11 @@ class Proxy {
   Proxy(const TriangleMesh& mesh, double margin) : mesh_(mesh), margin_(margin), edges_(mesh.triangles, mesh.vertices.size()) {
     for (std::size_t e = 0; e < edges_.size(); ++e)
       for (const EdgeTable::Side& side : edges_[e].sides)
-        if (!is_inside_patch(edges_[e])) find_rim(side);
+        if (!is_inside_patch(edges_[e])) add_border(side);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) add_widened(t);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
       if (is_flat(all_.triangles[t])) make_rectangle(t);
-    for (std::size_t e = 0; e < edges_.size(); ++e) add_proxies(edges_[e]);
+    for (std::size_t e = 0; e < edges_.size(); ++e) add_strips(edges_[e]);
   }
 
   ProxyTriangles all() { return std::move(all_); }
@@ -60,10 +60,10 @@ class Proxy {
     return edge.sides.size() == 2 && patch(edge.sides[0].triangle) == patch(edge.sides[1].triangle);
   }
 
-  void find_rim(const EdgeTable::Side& side) {
+  void add_border(const EdgeTable::Side& side) {
     const dvec3 outwards = away_from(side);
     for (const std::uint32_t corner : {side.corner, (side.corner + 1) % 3})
-      rims_[patch_vertex(side.triangle, mesh_.triangles[side.triangle][corner])].add(outwards);
+      border_corners_[patch_vertex(side.triangle, mesh_.triangles[side.triangle][corner])].add(outwards);
   }
 
   // Away from the triangle in the plane of its patch: a thin one does not know its own, and would take a corner out of it.
@@ -89,18 +89,18 @@ class Proxy {
 
   std::uint32_t widened_vertex(std::uint32_t triangle, std::uint32_t vertex) {
     const std::uint64_t key = patch_vertex(triangle, vertex);
-    const auto [place, is_new] = widened_.try_emplace(key, static_cast<std::uint32_t>(all_.vertices.size()));
-    if (!is_new) return place->second;
-    const auto rim = rims_.find(key);
-    const dvec3 move = rim == rims_.end() ? dvec3(0.0) : rim->second.move().value_or(dvec3(0.0));
+    const auto [entry, is_new] = widened_.try_emplace(key, static_cast<std::uint32_t>(all_.vertices.size()));
+    if (!is_new) return entry->second;
+    const auto corner = border_corners_.find(key);
+    const dvec3 move = corner == border_corners_.end() ? dvec3(0.0) : corner->second.move().value_or(dvec3(0.0));
     all_.vertices.push_back(mesh_.vertices[vertex] + margin_ * move);
-    return place->second;
+    return entry->second;
   }
 
-  void add_proxies(const EdgeTable::Edge& edge) {
+  void add_strips(const EdgeTable::Edge& edge) {
     if (is_inside_patch(edge)) return;
     for (const EdgeTable::Side& side : edge.sides) {
-      const auto stays = [&](std::uint32_t vertex) { return !rims_.at(patch_vertex(side.triangle, vertex)).move(); };
+      const auto stays = [&](std::uint32_t vertex) { return !border_corners_.at(patch_vertex(side.triangle, vertex)).move(); };
       if (stays(edge.low) || stays(edge.high)) add_strip(edge, side.triangle, away_from(side));
     }
     if (is_almost_flat(edge)) add_strip(edge, edge.sides[0].triangle, normal(edge.sides[0].triangle));
@@ -112,7 +112,7 @@ class Proxy {
     return height(all_.vertices, t) < flattest * shortest;
   }
 
-  // In place of a widened triangle the rectangle along its longest side that holds it: two triangles with a short side each. One
+  // Instead of a widened triangle the rectangle along its longest side that holds it: two triangles with a short side each. One
   // that held the triangle of the mesh would leave a gap to neighbours whose common corner has moved.
   void make_rectangle(std::uint32_t triangle) {
     const Triangle t = all_.triangles[triangle];
@@ -163,8 +163,8 @@ class Proxy {
   const TriangleMesh& mesh_;
   double margin_;
   EdgeTable edges_;
-  std::unordered_map<std::uint64_t, ThinPlateEdge> rims_;     // by patch_vertex
-  std::unordered_map<std::uint64_t, std::uint32_t> widened_;  // same
+  std::unordered_map<std::uint64_t, BorderCorner> border_corners_;  // by patch_vertex
+  std::unordered_map<std::uint64_t, std::uint32_t> widened_;        // vertices, by patch_vertex
   ProxyTriangles all_;
 };
 

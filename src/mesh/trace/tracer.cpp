@@ -25,7 +25,7 @@ constexpr std::size_t packet_width = 16;  // of what is loaded and decided toget
 constexpr double start_behind = 4e-6;
 // A ray from afar starts this far from the middle of the mesh, so that single precision places it as well as the others.
 constexpr double start_from = 2.0;
-// Of the guards (ProxyTriangles): twenty times what single precision can mistake a place by.
+// Of the proxy triangles: twenty times the distance by which single precision can mistake a point.
 constexpr double proxy_margin = 2e-5;
 
 // Embree calls it unknown when a thread or an allocation of its own fails.
@@ -89,7 +89,7 @@ struct QueryContext : RTCIntersectContext {
 
   bool refuses(const Ray& ray, std::uint32_t primitive) const {
     if (std::ranges::find(refused_primitives, primitive) != refused_primitives.end()) return true;
-    if (primitive >= own) return false;  // a guard stands for its neighbours too
+    if (primitive >= own) return false;  // a proxy triangle across an edge stands for the neighbours there too
     const std::uint32_t patch = exact->patch(primitive);
     return patch == ray.source_patch || std::ranges::find(refused_patches, patch) != refused_patches.end() ||
            !exact->ahead(ray, primitive);
@@ -249,7 +249,7 @@ float Tracer::Scene::safe_side(const ProxyTriangles& proxies, std::uint32_t tria
   const Triangle& corners = proxies.triangles[triangle];
   const int k = longest_edge(proxies.vertices, corners);
   const double edge = glm::distance(proxies.vertices[corners[k]], proxies.vertices[corners[(k + 1) % 3]]);
-  return static_cast<float>(scale * scale * edge * (2.0 * exact.sampling_variance() + proxies.moved[triangle]));
+  return static_cast<float>(scale * scale * edge * (2.0 * exact.edge_uncertainty() + proxies.moved[triangle]));
 }
 
 bool Tracer::Scene::is_inside(const Ray& ray, const Packet& packet, std::size_t lane) const {
@@ -290,18 +290,17 @@ Proposal Tracer::Scene::propose_beyond(const Ray& ray, const IgnoredPatches& ign
   return {query.hit.primID, (start + query.ray.tfar) / scale};
 }
 
-// Full double-precision decision for a ray that passes close to an edge or meets surfaces that touch: the nearest triangle that
-// truly contains it, among what Embree proposes and its neighbours. Each proposal is refused in turn, until one holds where
-// it was proposed - what
-// single precision can confuse with it are its neighbours - or what is left lies behind the best one.
+// Full double-precision decision for a ray that passes close to an edge or meets near-coincident facets: the nearest triangle
+// that truly contains it, among what Embree proposes and its neighbours. Each proposal is refused in turn, until one holds where
+// it was proposed - what single precision can confuse with it are its neighbours - or what is left lies behind the best one.
 std::uint32_t Tracer::Scene::decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const {
   Hit best;
   std::vector<std::uint32_t> refused;
   for (Proposal next = proposal; next; next = propose_beyond(ray, ignored, refused)) {
-    if (best && next.distance > best.distance + exact.sampling_variance()) break;
+    if (best && next.distance > best.distance + exact.edge_uncertainty()) break;
     const Hit hit = exact.nearest_around(ray, source[next.primitive], ignored);
     if (hit && (!best || std::pair(hit.distance, hit.triangle) < std::pair(best.distance, best.triangle))) best = hit;
-    if (best.triangle == next.primitive && best.distance <= next.distance + exact.sampling_variance()) break;
+    if (best.triangle == next.primitive && best.distance <= next.distance + exact.edge_uncertainty()) break;
     refused.push_back(next.primitive);
   }
   return best ? exact.front_of(ray, best, ignored).triangle : no_index;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "scene/results.h"
 #include "scene/sweep.h"
 
 namespace raytube {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/results.h"
 #include "scene/sweep.h"
 
 namespace raytube {

@@ -10,9 +10,6 @@
 
 namespace raytube {
 
-/// Rays leave so far beside the middles of their cells, in cells, that they never run exactly along edges of a mesh.
-inline constexpr double beside_u = 0.01 * (std::numbers::sqrt2 - 1.0), beside_v = 0.01 * (std::numbers::sqrt3 - 1.0);
-
 /// Rectangle across the line of sight, in recentred coordinates, cut into equal cells. Columns run along u, rows along v;
 /// u x v points to the radar. It lies in front of the whole target. Rays from an antenna at a finite distance run through the
 /// cells' places where these are drawn at the middle of the target, which is the origin.

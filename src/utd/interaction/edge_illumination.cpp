@@ -26,7 +26,7 @@ void EdgeIllumination::follow(Rays rays, Visit visit) {
   if (!closed(0, rays.fan.direction)) rays.fan.from -= margin(-1.0);
   if (!closed(1, rays.fan.direction)) rays.fan.to += margin(1.0);
   const Wedge& wedge = *light_.edge->wedge;
-  follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, reflections_, visit);
+  follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch}, reflections_, visit);
 }
 
 template <class Visit>

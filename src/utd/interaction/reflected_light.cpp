@@ -135,7 +135,7 @@ RayFan ReflectedLight::fan_beside(const ReflectedWave& wave, const EdgeAxis& axi
 void ReflectedLight::find_pieces(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) {
   const Wedge& wedge = *axis.wedge;
   pieces_.clear();
-  trace_back(fan_beside(wave, axis, sideways), {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, wave.patches);
+  trace_back(fan_beside(wave, axis, sideways), {wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch}, wave.patches);
   snap_to_ends(axis);
 }
 
@@ -145,7 +145,7 @@ bool ReflectedLight::reaches(const ReflectedWave& wave, const EdgeAxis& axis, do
   narrow.from = place - shortest * wavelength_;
   narrow.to = place + shortest * wavelength_;
   pieces_.clear();
-  trace_back(narrow, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim}, wave.patches);
+  trace_back(narrow, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch}, wave.patches);
   return !pieces_.empty();
 }
 

@@ -92,9 +92,9 @@ ScatteringMatrix thin_edge_face_amplitude(const Wedge& wedge, const WedgeInciden
   const FaceIncidence& arriving = incidence.faces[0];
   const double source = arriving.source_angle, kappa = wavenumber * wedge.thickness() * arriving.sin_cone / (2 * pi);
   const Complex at_edge = split_function(kappa, -std::cos(source), (pi - source) * std::sin(source));
-  const dvec3 outward = glm::cross(wedge.across, arriving.tangent);  // normal of the rim, as long as that is wide
+  const dvec3 outward = glm::cross(wedge.thickness_vector, arriving.tangent);  // normal of the rim, as long as that is wide
   const bool lit = glm::dot(look.incident, outward) < -lit_threshold * glm::length(outward);
-  const double optics = lit ? 2 * sinc(wavenumber / 2 * glm::dot(look.scattered - look.incident, wedge.across)) : 0.0;
+  const double optics = lit ? 2 * sinc(wavenumber / 2 * glm::dot(look.scattered - look.incident, wedge.thickness_vector)) : 0.0;
   const Complex factor(0.0, -incidence.weight * wavenumber / (4 * pi));
   ScatteringMatrix result;
   for (int transmit = 0; transmit < 2; ++transmit) {
@@ -102,7 +102,7 @@ ScatteringMatrix thin_edge_face_amplitude(const Wedge& wedge, const WedgeInciden
     const dvec3 optical = optics * glm::cross(outward, look.magnetic[transmit]);
     for (int receive = 0; receive < 2; ++receive)
       result.at(receive, transmit) =
-          factor * (glm::dot(look.receive[receive], wedge.across) * current - glm::dot(look.receive[receive], optical));
+          factor * (glm::dot(look.receive[receive], wedge.thickness_vector) * current - glm::dot(look.receive[receive], optical));
   }
   return result;
 }

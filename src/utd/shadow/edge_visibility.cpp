@@ -33,7 +33,7 @@ struct EdgeProbe {
   dvec3 offset;
   dvec3 outwards;  // out of the metal, across the edge, in lengths of the target's radius
   std::span<const double> crossed;
-  IgnoredPatches own_patches{wedge.faces[0].patch, wedge.faces[1].patch, wedge.rim};
+  IgnoredPatches own_patches{wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch};
 
   dvec3 point(double fraction) const { return glm::mix(wedge.start, wedge.end, fraction) + offset; }
 
@@ -100,7 +100,7 @@ int point_count(double length, double wavelength) {
 /// From half-way through a thin sheet one would look out of its inside: its edge is seen where the one on the near side is.
 dvec3 to_near_side(const Wedge& wedge, const dvec3& towards) {
   const double up = glm::dot(towards, wedge.faces[0].normal);
-  return up == 0.0 ? dvec3(0.0) : (up > 0.0 ? -0.5 : 0.5) * wedge.across;
+  return up == 0.0 ? dvec3(0.0) : (up > 0.0 ? -0.5 : 0.5) * wedge.thickness_vector;
 }
 
 /// Out of the metal, half-way between the faces; in the plane of a half plane.

@@ -10,9 +10,9 @@ namespace raytube {
 
 /// Rays that single precision is likely to mistake: through points beside edges by 1e-16 to 1e-5 of the radius, many of them
 /// almost in the plane of a triangle there.
-class DoubtfulRays {
+class UncertainRays {
  public:
-  explicit DoubtfulRays(const TriangleMesh& mesh) : mesh_(mesh) {}
+  explicit UncertainRays(const TriangleMesh& mesh) : mesh_(mesh) {}
 
   Ray next() {
     const auto& corners = mesh_.triangles[pick(mesh_.triangles.size())];

@@ -11,7 +11,7 @@ using namespace raytube::testing;
 
 TEST(JoinedMesh, EveryTriangleKnowsItsPart) {
   // The second part lies on the first: neither is welded nor dropped.
-  const SourceScene scene({shapes::cube(1.0), moved(shapes::cube(1.0), {1, 0, 0}), sheet_across_x(5, {0, 0}, {1, 1})});
+  const SourceScene scene({shapes::cube(1.0), moved(shapes::cube(1.0), {1, 0, 0}), plate_across_x(5, {0, 0}, {1, 1})});
   const TriangleMesh& mesh = scene.joined.mesh;
   ASSERT_EQ(mesh.triangles.size(), 26u);
   ASSERT_EQ(mesh.patches.size(), 13u);
@@ -30,9 +30,9 @@ TEST(JoinedMesh, EveryTriangleKnowsItsPart) {
   }
 }
 
-TEST(RayHits, ParallelMirrorsHandThePlaneWaveOnUntilItIsCut) {
+TEST(RayHits, ParallelPlatesHandThePlaneWaveOnUntilItIsCut) {
   // Mirrors x = 0 and x = 1: the wave starts just inside the first one and goes back and forth for ever.
-  const SourceScene scene({sheet_across_x(0, {-1, -1}, {1, 1}), sheet_across_x(1, {-1, -1}, {1, 1})});
+  const SourceScene scene({plate_across_x(0, {-1, -1}, {1, 1}), plate_across_x(1, {-1, -1}, {1, 1})});
   const Launch launch = scene.launch(LaunchModel::plane_wave, scene.site({0.5, 0, 0}), 400);
   for (const int reflections : {0, 1, 6, 7}) {
     const RayHits hits = scene.trace(launch, reflections);
@@ -46,7 +46,7 @@ TEST(RayHits, ParallelMirrorsHandThePlaneWaveOnUntilItIsCut) {
 }
 
 TEST(RayHits, AnAbsorberEndsEveryRay) {
-  const SourceScene scene({sheet_across_x(0, {-1, -1}, {1, 1}), sheet_across_x(1, {-1, -1}, {1, 1})},
+  const SourceScene scene({plate_across_x(0, {-1, -1}, {1, 1}), plate_across_x(1, {-1, -1}, {1, 1})},
                           {RaySurface::absorber, RaySurface::pec});
   const Launch launch = scene.launch(LaunchModel::plane_wave, scene.site({0.5, 0, 0}), 400);
   const RayHits hits = scene.trace(launch);
@@ -58,22 +58,23 @@ TEST(RayHits, AnAbsorberEndsEveryRay) {
 }
 
 TEST(RayHits, ReflectionIsSpecular) {
-  // A wave along +x on a mirror tilted by 45 degrees goes on along +z, to the lid.
-  const PolygonSoup mirror{{{0, -1, 0}, {1, -1, 1}, {1, 1, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  // A wave along +x on a plate tilted by 45 degrees goes on along +z, to the lid.
+  const PolygonSoup reflector{{{0, -1, 0}, {1, -1, 1}, {1, 1, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const PolygonSoup lid{{{0, -1, 3}, {1, -1, 3}, {1, 1, 3}, {0, 1, 3}}, {{0, 1, 2}, {0, 2, 3}}};
-  const SourceScene scene({lid, mirror}, {RaySurface::absorber, RaySurface::pec});
+  const SourceScene scene({lid, reflector}, {RaySurface::absorber, RaySurface::pec});
   const Launch launch = scene.launch(LaunchModel::plane_wave, scene.site({0.5, 0, 2}), 3000);
   const RayHits hits = scene.trace(launch);
   EXPECT_EQ(hits.parts[0].all_hits, hits.parts[1].first_hits);
-  // The lower third of the wall, 2 m x 3 m, sends its rays into the mirror, the rest escape over it: to one row of 2 sqrt(500).
+  // The lower third of the wall, 2 m x 3 m, sends its rays into the reflector, the rest escape over it: to one row of 2
+  // sqrt(500).
   EXPECT_NEAR(static_cast<double>(hits.parts[1].first_hits), static_cast<double>(launch.rays()) / 3.0, 45.0);
   EXPECT_EQ(hits.missed, launch.rays() - hits.parts[1].first_hits);
 }
 
-// A scene with all there is: closed and open parts, mirrors and absorbers, gaps to escape through.
+// A scene with all there is: closed and open parts, reflectors and absorbers, gaps to escape through.
 const SourceScene& mixed_scene() {
   static const SourceScene scene(
-      {moved(shapes::icosphere(2, 0.4), {1, 1, 0}), shapes::trihedral(3.0), sheet_across_x(2.5, {-1, -2}, {1, 2})},
+      {moved(shapes::icosphere(2, 0.4), {1, 1, 0}), shapes::trihedral(3.0), plate_across_x(2.5, {-1, -2}, {1, 2})},
       {RaySurface::pec, RaySurface::pec, RaySurface::absorber});
   return scene;
 }

@@ -105,9 +105,9 @@ TEST(LaunchModel, PointsOfTheBoxNeedTheSourceInside) {
 }
 
 TEST(LaunchModel, APlaneWaveNeedsAWallWithAnArea) {
-  const SourceScene flat({sheet_across_x(0, {0, 0}, {1, 1})});
+  const SourceScene flat({plate_across_x(0, {0, 0}, {1, 1})});
   LaunchSite site = flat.site({0.5, 0.5, 0.5});
-  EXPECT_EQ(Launch(LaunchModel::plane_wave, site, 100, 1).rays(), 100u);  // from the wall -x, which is the sheet
+  EXPECT_EQ(Launch(LaunchModel::plane_wave, site, 100, 1).rays(), 100u);  // from the wall -x, which is the plate
   site.wall = 2;
   try {
     Launch(LaunchModel::plane_wave, site, 100, 1);

@@ -10,11 +10,12 @@ namespace {
 constexpr double thickness = 0.05;
 constexpr double limit = 0.1;  // wavelength 1 m
 
-PolygonSoup sheet(double a = 3.0, double b = 2.0, double t = thickness) { return box(dvec3(0.0), dvec3(a, b, t)); }
+PolygonSoup thin_plate(double a = 3.0, double b = 2.0, double t = thickness) { return box(dvec3(0.0), dvec3(a, b, t)); }
 
-/// A box plate whose rims lean outwards by `lean` [rad] towards z = 0 and whose lower side is turned up by `taper` about y.
-PolygonSoup bent_sheet(double lean, double taper) {
-  PolygonSoup soup = sheet();
+/// A box plate whose border faces lean outwards by `lean` [rad] towards z = 0 and whose lower side is turned up by `taper` about
+/// y.
+PolygonSoup bent_plate(double lean, double taper) {
+  PolygonSoup soup = thin_plate();
   const double out = thickness * std::tan(lean);
   for (dvec3& p : soup.points) {
     if (p.z > 0.0) continue;
@@ -41,15 +42,15 @@ std::size_t radiating(const std::vector<Wedge>& wedges) {
   return static_cast<std::size_t>(std::ranges::count_if(wedges, [](const Wedge& w) { return w.stands_alone(); }));
 }
 
-TEST(MeshThinSheets, BoxPlateHasFourHalfPlanes) {
-  const LoadedMesh loaded = build(sheet());
+TEST(MeshThinPlates, BoxPlateHasFourHalfPlanes) {
+  const LoadedMesh loaded = build(thin_plate());
   const std::vector<Wedge> wedges = merged(loaded);
-  const std::vector<Wedge> sheets = half_planes_of(wedges);
-  ASSERT_EQ(sheets.size(), 4u);
+  const std::vector<Wedge> half_planes = half_planes_of(wedges);
+  ASSERT_EQ(half_planes.size(), 4u);
   EXPECT_EQ(radiating(wedges), 4u);
   EXPECT_EQ(thin_plate_corners(wedges), 4u);
-  EXPECT_NEAR(total_length(sheets), 10.0, 1e-14);
-  for (const Wedge& edge : sheets) {
+  EXPECT_NEAR(total_length(half_planes), 10.0, 1e-14);
+  for (const Wedge& edge : half_planes) {
     EXPECT_NEAR(edge.n, 2.0, 1e-15);
     EXPECT_NEAR(edge.thickness(), thickness, 1e-15);
     EXPECT_NEAR(edge.start.z, 0.0, 1e-15);  // half-way, recentred
@@ -58,13 +59,13 @@ TEST(MeshThinSheets, BoxPlateHasFourHalfPlanes) {
       EXPECT_NEAR(std::abs(side.normal.z), 1.0, 1e-15);
       EXPECT_GT(side.width, 1.9);
     }
-    EXPECT_NEAR(std::abs(loaded.mesh.patches[edge.rim].normal.z), 0.0, 1e-15);
+    EXPECT_NEAR(std::abs(loaded.mesh.patches[edge.border_patch].normal.z), 0.0, 1e-15);
   }
 }
 
-TEST(MeshThinSheets, ThickPlatesAndOtherBodiesStayAsTheyAre) {
-  for (const PolygonSoup& soup : {sheet(3, 2, 0.15), cube(), box(dvec3(0.0), dvec3(0.05)), sheet(3, 0.05, 0.05), cylinder(12),
-                                  prism({{0, 0}, {1, 0}, {0, 0.08}}, 2.0)}) {
+TEST(MeshThinPlates, ThickPlatesAndOtherBodiesStayAsTheyAre) {
+  for (const PolygonSoup& soup : {thin_plate(3, 2, 0.15), cube(), box(dvec3(0.0), dvec3(0.05)), thin_plate(3, 0.05, 0.05),
+                                  cylinder(12), prism({{0, 0}, {1, 0}, {0, 0.08}}, 2.0)}) {
     const LoadedMesh loaded = build(soup);
     const std::vector<Wedge> before = wedges_of(loaded), after = merged(loaded);
     ASSERT_EQ(after.size(), before.size());
@@ -75,22 +76,22 @@ TEST(MeshThinSheets, ThickPlatesAndOtherBodiesStayAsTheyAre) {
   }
 }
 
-TEST(MeshThinSheets, OpenSheetsHaveNoRims) {
+TEST(MeshThinPlates, OpenPlatesHaveNoBorderFaces) {
   const LoadedMesh loaded = build(plate(dvec3(0.0), dvec3(3, 0, 0), dvec3(0, 2, 0)));
   EXPECT_TRUE(find_thin_plate_edges(loaded.mesh, wedges_of(loaded)).empty());
 }
 
-TEST(MeshThinSheets, RotationChangesNothing) {
-  const auto sheets = half_planes_of(merged(build(moved(sheet(), skew_rotation(), dvec3(0.3, -7, 2)))));
-  ASSERT_EQ(sheets.size(), 4u);
-  EXPECT_NEAR(total_length(sheets), 10.0, 1e-13);
-  for (const Wedge& edge : sheets) {
+TEST(MeshThinPlates, RotationChangesNothing) {
+  const auto half_planes = half_planes_of(merged(build(moved(thin_plate(), skew_rotation(), dvec3(0.3, -7, 2)))));
+  ASSERT_EQ(half_planes.size(), 4u);
+  EXPECT_NEAR(total_length(half_planes), 10.0, 1e-13);
+  for (const Wedge& edge : half_planes) {
     EXPECT_NEAR(edge.n, 2.0, 1e-14);
     EXPECT_NEAR(edge.thickness(), thickness, 1e-14);
   }
 }
 
-TEST(MeshThinSheets, RimsOfHolesAreRimsToo) {
+TEST(MeshThinPlates, BorderFacesOfHolesCountToo) {
   PolygonSoup soup;
   for (const double z : {0.0, thickness})
     for (const double half : {2.0, 1.0})
@@ -99,18 +100,18 @@ TEST(MeshThinSheets, RimsOfHolesAreRimsToo) {
     const std::uint32_t j = (i + 1) % 4;
     soup.polygons.push_back({4 + i, 4 + j, j, i});            // lower side
     soup.polygons.push_back({8 + i, 8 + j, 12 + j, 12 + i});  // upper side
-    soup.polygons.push_back({i, j, 8 + j, 8 + i});            // outer rim
-    soup.polygons.push_back({12 + i, 12 + j, 4 + j, 4 + i});  // rim of the hole
+    soup.polygons.push_back({i, j, 8 + j, 8 + i});            // outer border face
+    soup.polygons.push_back({12 + i, 12 + j, 4 + j, 4 + i});  // border face of the hole
   }
   const LoadedMesh loaded = build(soup);
   ASSERT_EQ(loaded.report.components_closed, 1u);
   const std::vector<Wedge> wedges = merged(loaded);
-  const std::vector<Wedge> sheets = half_planes_of(wedges);
-  EXPECT_EQ(sheets.size(), 8u);
-  EXPECT_NEAR(total_length(sheets), 24.0, 1e-14);
+  const std::vector<Wedge> half_planes = half_planes_of(wedges);
+  EXPECT_EQ(half_planes.size(), 8u);
+  EXPECT_NEAR(total_length(half_planes), 24.0, 1e-14);
   EXPECT_EQ(radiating(wedges), 8u);
 
-  // Across the sheet from its outer edge to the hole, as on an open one.
+  // Across the plate from its outer edge to the hole, as on an open surface.
   const Outlines outlines(loaded.mesh, wedges, 15.0 * degree);
   for (std::uint32_t i = 0; i < wedges.size(); ++i) {
     if (wedges[i].thickness() == 0.0 || wedges[i].start.y != -2.0 || wedges[i].end.y != -2.0) continue;
@@ -124,7 +125,7 @@ TEST(MeshThinSheets, RimsOfHolesAreRimsToo) {
   }
 }
 
-TEST(MeshThinSheets, ARoundPlateHasAsManyAsItHasCorners) {
+TEST(MeshThinPlates, ARoundPlateHasAsManyAsItHasCorners) {
   std::vector<dvec2> outline;  // facets shorter than the plate is thick
   for (int i = 0; i < 200; ++i) outline.push_back({std::cos(2 * pi * i / 200), std::sin(2 * pi * i / 200)});
   const LoadedMesh loaded = build(prism(outline, thickness));
@@ -133,17 +134,17 @@ TEST(MeshThinSheets, ARoundPlateHasAsManyAsItHasCorners) {
   EXPECT_EQ(radiating(wedges), 200u);
 }
 
-TEST(MeshThinSheets, SidesMayTaperAndRimsLeanALittle) {
-  EXPECT_EQ(half_planes_of(merged(build(bent_sheet(0.0, 0.9 * degree)))).size(), 4u);
-  EXPECT_EQ(half_planes_of(merged(build(bent_sheet(15 * degree, 0.0)))).size(), 4u);
-  EXPECT_EQ(half_planes_of(merged(build(bent_sheet(25 * degree, 0.0)))).size(), 2u);  // the two that do not lean
-  for (const Wedge& edge : half_planes_of(merged(build(bent_sheet(0.0, 0.9 * degree))))) EXPECT_GT(edge.n, 2.0 - 1.0 / 180);
+TEST(MeshThinPlates, SidesMayTaperAndBorderFacesLeanALittle) {
+  EXPECT_EQ(half_planes_of(merged(build(bent_plate(0.0, 0.9 * degree)))).size(), 4u);
+  EXPECT_EQ(half_planes_of(merged(build(bent_plate(15 * degree, 0.0)))).size(), 4u);
+  EXPECT_EQ(half_planes_of(merged(build(bent_plate(25 * degree, 0.0)))).size(), 2u);  // the two that do not lean
+  for (const Wedge& edge : half_planes_of(merged(build(bent_plate(0.0, 0.9 * degree))))) EXPECT_GT(edge.n, 2.0 - 1.0 / 180);
   const PolygonSoup knife = prism({{0, -0.04}, {3, -0.4}, {3, 0.4}, {0, 0.04}}, 2.0);  // 14 degrees between its sides
   EXPECT_TRUE(half_planes_of(merged(build(knife))).empty());
 }
 
-TEST(MeshThinSheets, ARimThatEndsHalfWayLeavesTheRestOfTheEdge) {
-  // A box plate on a block whose sides x = 3 and y = 0 lie in the planes of two of its rims.
+TEST(MeshThinPlates, ABorderFaceThatEndsHalfWayLeavesTheRestOfTheEdge) {
+  // A box plate on a block whose sides x = 3 and y = 0 lie in the planes of two of its border faces.
   const double t = thickness;
   const PolygonSoup soup{{{0, 0, t},
                           {3, 0, t},
@@ -171,9 +172,9 @@ TEST(MeshThinSheets, ARimThatEndsHalfWayLeavesTheRestOfTheEdge) {
   const LoadedMesh loaded = build(soup);
   ASSERT_EQ(loaded.report.components_closed, 1u);
   const std::vector<Wedge> wedges = merged(loaded);
-  const std::vector<Wedge> sheets = half_planes_of(wedges);
-  ASSERT_EQ(sheets.size(), 4u);
-  EXPECT_NEAR(total_length(sheets), 3.0 + 2.0 + 2.0 + 1.0, 1e-14);
+  const std::vector<Wedge> half_planes = half_planes_of(wedges);
+  ASSERT_EQ(half_planes.size(), 4u);
+  EXPECT_NEAR(total_length(half_planes), 3.0 + 2.0 + 2.0 + 1.0, 1e-14);
   EXPECT_EQ(thin_plate_corners(wedges), 3u);
   double rest = 0.0;  // of the two upper edges above the block
   for (const Wedge& wedge : wedges)
@@ -181,19 +182,19 @@ TEST(MeshThinSheets, ARimThatEndsHalfWayLeavesTheRestOfTheEdge) {
   EXPECT_NEAR(rest, 2.0, 1e-14);
   // The outlines stay closed: each corner is the start of one edge.
   const Outlines outlines(loaded.mesh, wedges, 15.0 * degree);
-  for (const WedgeFace& side : sheets[0].faces)
+  for (const WedgeFace& side : half_planes[0].faces)
     for (const OutlineEdge& edge : outlines.around(side)) {
       const auto starts_here = [&](const OutlineEdge& other) { return glm::distance(other.start, edge.end) < 1e-14; };
       EXPECT_EQ(std::ranges::count_if(outlines.around(side), starts_here), 1);
     }
 }
 
-TEST(MeshThinSheets, ThinAtOneFrequencyAndNotAtAnother) {
-  const LoadedMesh loaded = build(sheet());
-  const std::vector<ThinPlateEdge> rims = find_thin_plate_edges(loaded.mesh, wedges_of(loaded));
-  EXPECT_EQ(rims.size(), 4u);
-  EXPECT_EQ(thin_rims(rims, speed_of_light), 4u);
-  EXPECT_EQ(thin_rims(rims, 2.1 * speed_of_light), 0u);
+TEST(MeshThinPlates, ThinAtOneFrequencyAndNotAtAnother) {
+  const LoadedMesh loaded = build(thin_plate());
+  const std::vector<ThinPlateEdge> edges = find_thin_plate_edges(loaded.mesh, wedges_of(loaded));
+  EXPECT_EQ(edges.size(), 4u);
+  EXPECT_EQ(count_thin(edges, speed_of_light), 4u);
+  EXPECT_EQ(count_thin(edges, 2.1 * speed_of_light), 0u);
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+// Polygons of a mesh before anything is mended.
+#pragma once
+
+#include "mesh/model/part_names.h"
+#include "mesh/model/triangle_mesh.h"
+
+namespace raytube {
+
+/// Polygons as they stand in the file, in file units, in double precision: polygon i is the file's facet i + 1.
+struct PolygonSoup {
+  std::vector<dvec3> points;
+  std::vector<std::vector<std::uint32_t>> polygons;  // corners, as indices in `points`
+  std::uint64_t free_forms = 0;                      // curves and surfaces beside them that are no polygons (OBJ)
+  /// OBJ: groups (g), object (o) and material (usemtl); ASCII STL: solid. Other formats have none.
+  PartNames names{};
+  std::vector<std::uint32_t> materials{};  // of each polygon, as Patch::material; empty: all are perfect conductors
+};
+
+/// Gives every polygon a further name, as that of the file they are from.
+void add_name(PolygonSoup& soup, const std::string& name);
+
+/// Several files as one target: appends the polygons of `part` to those of `whole`, with their names and materials. Nothing is
+/// welded yet. Both are in the same unit.
+void add_polygons(const PolygonSoup& part, PolygonSoup& whole);
+
+}  // namespace raytube

@@ -1,0 +1,14 @@
+// A mesh file as polygons. One parser for each format stands in a file of its own (formats.h).
+#pragma once
+
+#include <filesystem>
+
+#include "mesh/model/polygon_soup.h"
+
+namespace raytube {
+
+/// Reads STL (ASCII, binary), OBJ, PLY or OFF, chosen by the file name's ending. Keeps every facet.
+/// Throws InputError: unreadable, unknown format, no facets, corner index out of range, coordinate not finite.
+PolygonSoup read_polygon_soup(const std::filesystem::path& file);
+
+}  // namespace raytube
