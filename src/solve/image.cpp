@@ -80,8 +80,8 @@ LookImage image_of(const Target& target, const Sweep& sweep, const SolveOptions&
   const std::optional<SmoothSurfaces> smooth = smooth_surfaces(target, sweep, options.tubes);
   Progress progress(options.progress);
   const Look& look = sweep.looks[index];
-  const TubeSums tubes = sbr_scattering(target.tracer, target.faces, smooth ? &*smooth : nullptr, target.convexity, look,
-                                        sweep.frequencies, options.tubes, progress, 1.0, sweep.radar, sweep.materials, &map);
+  const TubeScene scene{target.tracer, target.faces, smooth ? &*smooth : nullptr, target.convexity, sweep.materials, sweep.radar};
+  const TubeSums tubes = sbr_scattering(scene, look, sweep.frequencies, options.tubes, {progress, 1.0, &map});
   LookImage image{index, sweep.frequencies[f], cells, map.take_cells(), map.take_triangles(), {}};
   image.edges = edge_pieces(target, sweep, options, look, f, lattice, tubes);
   for (const ImageEdge& piece : image.edges)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sbr/beams/estimate.h"
+#include "sbr/beams/tolerances.h"
 
 namespace raytube {
 
@@ -15,9 +15,6 @@ constexpr double most_rise = 1.0 / 32.0;
 // k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
 constexpr double most_phase = 0.5;
 
-// What quadrature may leave of the tolerance, at the frequency where most comes back.
-constexpr double interaction_share = 0.1;
-
 double interaction_tolerance(const TubeSums& tubes, const SolveOptions& options) {
   double strongest = 0.0;
   for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
@@ -25,7 +22,7 @@ double interaction_tolerance(const TubeSums& tubes, const SolveOptions& options)
     for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
     strongest = std::max(strongest, frobenius_norm(sum));
   }
-  return interaction_share * relative_error(options.tubes.tolerance_db) * strongest;
+  return interaction_quadrature_error(relative_tolerance(options.tubes.tolerance_db), strongest);
 }
 
 // Towards the direction, as spherical_basis has it. At 94 GHz and 1000 km from the origin 10^9 rad come of it, of which double

@@ -73,8 +73,8 @@ LookPlan plan_of(const Target& target, const Sweep& sweep, const TubeOptions& tu
 LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const EdgeSets& edges, const Sweep& sweep,
                       const Look& look, const SolveOptions& options, Progress& progress, double share) {
   LookResult result;
-  result.tubes = sbr_scattering(target.tracer, target.faces, smooth, target.convexity, look, sweep.frequencies, options.tubes,
-                                progress, share, sweep.radar, sweep.materials);
+  result.tubes = sbr_scattering({target.tracer, target.faces, smooth, target.convexity, sweep.materials, sweep.radar}, look,
+                                sweep.frequencies, options.tubes, {progress, share});
   if (edges_count(edges, options))
     result.edges = edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow,
                                     options.edges.transition, sweep.radar);

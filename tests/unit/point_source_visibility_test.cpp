@@ -1,4 +1,4 @@
-// Solid angles of what a point sees, against closed forms.
+// Source visibility: solid angles of what a point source lights, against closed forms.
 #include <gtest/gtest.h>
 
 #include "shapes.h"
@@ -13,7 +13,7 @@ using namespace raytube::testing;
 constexpr double rounding = 1e-10;
 
 double rectangle(double width, double height, double distance) {
-  // Of a rectangle seen from the axis through its middle (Mathar 2003, eq. 27).
+  // Of a rectangle from a point of the axis through its middle (Mathar 2003, eq. 27).
   const double a = width / (2 * distance), b = height / (2 * distance);
   return 4.0 * std::asin(a * b / std::sqrt((1 + a * a) * (1 + b * b)));
 }
@@ -39,7 +39,7 @@ TEST(SolidAngle, OfAConvexBodyIsThatOfTheFacesTowardsThePoint) {
   EXPECT_NEAR(body.exact({4, 0, 0})[0], rectangle(4, 6, 3) / (4 * pi), rounding);
 }
 
-TEST(Seen, ScreenBehindAWindowOfAThinWall) {
+TEST(SourceVisibility, ScreenBehindAWindowOfAThinWall) {
   // The wall leaves a window of 0.2 x 0.2 on the axis, 1 m off; the screen, 2 m off, is wider than its cone.
   const SourceScene scene({sheet_across_x(2, {-1, -1}, {1, 1}), sheet_across_x(1, {-3, -3}, {3, -0.1}),
                            sheet_across_x(1, {-3, 0.1}, {3, 3}), sheet_across_x(1, {-3, -0.1}, {-0.1, 0.1}),
@@ -47,7 +47,7 @@ TEST(Seen, ScreenBehindAWindowOfAThinWall) {
   EXPECT_NEAR(scene.exact({0, 0, 0})[0], rectangle(0.2, 0.2, 1) / (4 * pi), rounding);
 }
 
-TEST(Seen, SheetsThatCrossHideHalfOfEachOther) {
+TEST(SourceVisibility, SheetsThatCrossHideHalfOfEachOther) {
   // Two squares of side 2 crossing on the z axis at +-45 degrees to the line of sight: the near halves hide the far ones, so that
   // together they cover what the near halves do.
   const double h = std::numbers::sqrt2 / 2;
@@ -56,19 +56,19 @@ TEST(Seen, SheetsThatCrossHideHalfOfEachOther) {
                        {{0, 1, 2}, {0, 2, 3}}};
   };
   const dvec3 from(-3, 0, 0);
-  const std::vector<double> seen = SourceScene({square(1), square(-1)}).exact(from);
+  const std::vector<double> lit = SourceScene({square(1), square(-1)}).exact(from);
   const double half = solid_angle({{0, 0, -1}, {-h, -h, -1}, {-h, -h, 1}, {0, 0, 1}}, from) / (4 * pi);
-  EXPECT_NEAR(seen[0], half, rounding);
-  EXPECT_NEAR(seen[1], half, rounding);
+  EXPECT_NEAR(lit[0], half, rounding);
+  EXPECT_NEAR(lit[1], half, rounding);
 }
 
-TEST(Seen, OneOfTwoCoincidentSheetsCounts) {
+TEST(SourceVisibility, OneOfTwoCoincidentSheetsCounts) {
   const SourceScene scene({sheet_across_x(1, {-1, -1}, {1, 1}), sheet_across_x(1, {-1, -1}, {1, 1})});
-  const std::vector<double> seen = scene.exact({0, 0, 0});
-  EXPECT_NEAR(seen[0] + seen[1], 1.0 / 6.0, rounding);
+  const std::vector<double> lit = scene.exact({0, 0, 0});
+  EXPECT_NEAR(lit[0] + lit[1], 1.0 / 6.0, rounding);
 }
 
-TEST(Seen, ParallelRaysSeeProjectedAreas) {
+TEST(SourceVisibility, ParallelRaysLightProjectedAreas) {
   // A sheet of 1 x 1 half hidden by another one, and what lies behind the plane they start from.
   const SourceScene scene(
       {sheet_across_x(2, {0, 0}, {1, 1}), sheet_across_x(1, {0.5, -1}, {2, 2}), sheet_across_x(-1, {-5, -5}, {5, 5})});
@@ -81,7 +81,7 @@ TEST(Seen, ParallelRaysSeeProjectedAreas) {
   EXPECT_EQ(areas[2], 0.0);
 }
 
-TEST(Seen, BordersOfASquareAreItsFourSides) {
+TEST(SourceVisibility, BordersOfASquareAreItsFourSides) {
   // The diagonal between its two triangles is none.
   const SourceScene scene({sheet_across_x(1, {-1, -1}, {1, 1})});
   double length = 0.0;
@@ -90,7 +90,7 @@ TEST(Seen, BordersOfASquareAreItsFourSides) {
   EXPECT_NEAR(length, 8.0, 1e-9);
 }
 
-TEST(Seen, AngleAreaAgainstClosedForms) {
+TEST(SourceVisibility, AngleAreaAgainstClosedForms) {
   const dvec3 origin(0.0);
   // An octant has a quarter turn of azimuth and of elevation, above and below the horizon alike.
   EXPECT_NEAR(angle_area({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, origin, 1e-12), pi * pi / 4, 1e-12);
