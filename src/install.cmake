@@ -10,7 +10,7 @@ set(public_headers
     mesh/model/triangle_mesh.h mesh/read/read_mesh.h mesh/repair/build_mesh.h
     mesh/features/convexity.h mesh/features/outlines.h mesh/features/smooth.h mesh/features/thin_plates.h mesh/features/wedges.h
     mesh/trace/ray.h mesh/trace/tracer.h
-    sbr/sbr.h sbr/beams/spectrum.h sbr/beams/tube_sums.h sbr/launch/launch.h
+    sbr/replay.h sbr/sbr.h sbr/beams/spectrum.h sbr/beams/tube_sums.h sbr/launch/launch.h
     utd/wedge/diffracted_field.h utd/wedge/ray_source.h utd/wedge/transition.h
     scene/options.h scene/skipped.h solve/image.h solve/plan.h solve/random.h solve/solve.h solve/target.h)
 foreach(header IN LISTS public_headers)

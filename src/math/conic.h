@@ -1,4 +1,4 @@
-// A conic of the launch plane: the limb of a curved surface.
+// A conic of the launch plane: the shadow boundary of a curved surface.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "program/commands.h"
 #include "program/solvable.h"
-#include "sbr/sbr.h"
+#include "sbr/replay.h"
 #include "solve/admissible.h"
 
 namespace raytube {
@@ -66,8 +66,8 @@ void trace_command(const Request& request) {
   const auto highest = std::ranges::max_element(c.sweep.frequencies);
   const std::vector<Material> materials =
       at_frequency(c.sweep.materials, static_cast<std::size_t>(highest - c.sweep.frequencies.begin()));
-  const TubeTrace trace = naming_the_case(
-      c, [&] { return trace_tube(tracer, look, *highest, c.tubes, request.u, request.v, c.sweep.radar, materials); });
+  const ReplayScene scene{tracer, materials, c.sweep.radar};
+  const TubeTrace trace = naming_the_case(c, [&] { return trace_tube(scene, look, *highest, c.tubes, {request.u, request.v}); });
 
   fmt::print("look {}: {} to the transmitter, {} to the receiver\n", request.look, direction_text(look.transmit),
              direction_text(look.receive));

@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t block_size = 2048;  // most rays traced together and summed by one thread
 
 struct Sample {
-  dvec2 place;  // in the launch plane
+  dvec2 at;  // launch coordinates
   std::uint32_t beam;
 };
 
@@ -46,9 +46,9 @@ class Block {
 
   void launch(const dvec2& random) {
     const LaunchGrid& r = scene_.rectangle;
-    const dvec2 place{r.u_begin + random.x * r.columns * r.du, r.v_begin + random.y * r.rows * r.dv};
-    samples_.push_back({place, BeamTree::root});
-    rays_.push_back({r.plane_origin + place.x * r.u_hat + place.y * r.v_hat, r.direction});
+    const dvec2 at{r.u_begin + random.x * r.columns * r.du, r.v_begin + random.y * r.rows * r.dv};
+    samples_.push_back({at, BeamTree::root});
+    rays_.push_back({r.plane_origin + at.x * r.u_hat + at.y * r.v_hat, r.direction});
   }
 
   RandomSums run(int max_bounces) {
@@ -85,14 +85,14 @@ class Block {
     for (std::size_t i = 0; i < alive; ++i) {
       const std::uint32_t patch = scene_.tracer.mesh().triangle_patch[hits_[i].triangle];
       const dvec3 point = rays_[i].origin + hits_[i].distance * rays_[i].direction;
-      samples_[i].beam = beams_.child(samples_[i].beam, patch, samples_[i].place);
+      samples_[i].beam = beams_.child(samples_[i].beam, patch, samples_[i].at);
       rays_[i] = {point, beams_.beam(samples_[i].beam).direction, patch};
-      add(beams_.footprint(samples_[i].beam), samples_[i].place);
+      add(beams_.footprint(samples_[i].beam), samples_[i].at);
       if (line_of_sight_) line_of_sight_->add(static_cast<std::uint32_t>(i), samples_[i].beam, point, patch);
     }
     if (line_of_sight_)
       sums_.rays += line_of_sight_->through_sheets(
-          beams_, [&](std::uint32_t i, std::uint32_t node) { add(beams_.footprint(node), samples_[i].place); });
+          beams_, [&](std::uint32_t i, std::uint32_t node) { add(beams_.footprint(node), samples_[i].at); });
     send_on(alive);
   }
 
@@ -102,7 +102,7 @@ class Block {
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t through = beams_.through(samples_[i].beam);
       if (through == no_index) continue;
-      samples_.push_back({samples_[i].place, through});
+      samples_.push_back({samples_[i].at, through});
       rays_.push_back({rays_[i].origin, beams_.beam(through).direction, rays_[i].source_patch});
     }
     std::size_t lit = 0;
@@ -131,8 +131,8 @@ class Block {
   }
 
   // Monte Carlo integration of the radiation integral: the value of its integrand times the area that the tube stands for.
-  void add(const Footprint& f, const dvec2& place) {
-    const dvec2 step = place - f.outgoing.anchor;
+  void add(const Footprint& f, const dvec2& at) {
+    const dvec2 step = at - f.outgoing.anchor;
     const double path = f.phase + f.phase_u * step.x + f.phase_v * step.y + scene_.to_mesh_origin;
     for (std::size_t i = 0; i < scene_.wavenumbers.size(); ++i) {
       const double k = scene_.wavenumbers[i];
@@ -186,7 +186,7 @@ RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const 
   const Scene scene = scene_of(tracer, look, frequencies, tubes, launch.samples, materials);
   if (scene.rectangle.cells() == 0) return none;  // no projected area
   using Indices = tbb::blocked_range<std::uint64_t>;
-  // Cut and joined in the same places whoever works: threads never show in the sum.
+  // Divided and joined at the same indices whichever thread works: their number never shows in the sum.
   return tbb::parallel_deterministic_reduce(
       Indices(0, launch.samples, block_size), none,
       [&](const Indices& range, RandomSums sum) {

@@ -1,4 +1,5 @@
-// Replay of a single tube, bounce by bounce.
+#include "sbr/replay.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,15 +9,14 @@
 #include "sbr/beams/footprint.h"
 #include "sbr/beams/spherical_look.h"
 #include "sbr/launch/launch.h"
-#include "sbr/sbr.h"
 
 namespace raytube {
 
 namespace {
 
-TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, double u, double v) {
-  const dvec2 to_mesh_origin = -launch_place(incident_beam(grid, {}, dvec2(0.0)), -mesh_center);
-  const dvec2 at = dvec2(u, v) - to_mesh_origin - dvec2(grid.u_begin, grid.v_begin);
+TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, const dvec2& from_mesh_origin) {
+  const dvec2 to_mesh_origin = -launch_coordinates(incident_beam(grid, {}, dvec2(0.0)), -mesh_center);
+  const dvec2 at = from_mesh_origin - to_mesh_origin - dvec2(grid.u_begin, grid.v_begin);
   const dvec2 extent{grid.columns * grid.du, grid.rows * grid.dv};
   if (grid.cells() == 0) throw InputError("trace: the target has no projected area in this look; choose another --look");
   if (at.x < 0.0 || at.y < 0.0 || at.x > extent.x || at.y > extent.y) {
@@ -24,7 +24,7 @@ TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, double u, 
     throw InputError(
         fmt::format("trace: --u {} --v {} lies outside the launch rectangle; use u in {:.6g}..{:.6g} m and v in "
                     "{:.6g}..{:.6g} m",
-                    u, v, low.x, high.x, low.y, high.y));
+                    from_mesh_origin.x, from_mesh_origin.y, low.x, high.x, low.y, high.y));
   }
   TubeTrace trace;
   trace.column = std::min(static_cast<std::uint32_t>(at.x / grid.du), grid.columns - 1);
@@ -36,15 +36,15 @@ TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, double u, 
 // The wave of a tube from surface to surface.
 class ReplayedWave {
  public:
-  ReplayedWave(const LaunchGrid& grid, const Look& look, const Radar& radar, const TriangleMesh& mesh,
-               const SpectralSurfaces& surfaces, const dvec2& at)
-      : mesh_(mesh),
-        surfaces_(surfaces),
+  ReplayedWave(const LaunchGrid& grid, const Look& look, const ReplayScene& scene, std::span<const double> wavenumber,
+               const dvec2& at)
+      : mesh_(scene.tracer.mesh()),
+        surfaces_{scene.materials, wavenumber},
         receive_(spherical_basis(look.receive)),
-        to_origin_(glm::dot(grid.direction, mesh.center)),
+        to_origin_(glm::dot(grid.direction, mesh_.center)),
         beam_(incident_beam(grid, spherical_basis(look.transmit), at)) {
     if (look.far()) return;
-    antennas_.emplace(look, radar, mesh.center);
+    antennas_.emplace(look, scene.radar, mesh_.center);
     spherical_.emplace(*antennas_, beam_, std::span<const double>(&any_wavenumber, 1), 1.0);
   }
 
@@ -98,20 +98,20 @@ class ReplayedWave {
 
 }  // namespace
 
-TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u, double v,
-                     const Radar& radar, std::span<const Material> materials) {
-  if (!look.far() && !materials.empty())
+TubeTrace trace_tube(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options,
+                     const dvec2& at) {
+  if (!look.far() && !scene.materials.empty())
     throw InputError("trace: antennas at a finite distance know perfect conductors only; remove [radar] or the materials");
-  const TriangleMesh& mesh = tracer.mesh();
+  const TriangleMesh& mesh = scene.tracer.mesh();
   const double k = wavenumber(frequency_hz);
   const LaunchGrid grid = grid_of_look(mesh, look, wavelength(frequency_hz), first_density(options), options.up);
-  TubeTrace trace = find_cell(grid, mesh.center, u, v);
-  ReplayedWave wave(grid, look, radar, mesh, {materials, {&k, 1}}, {grid.u_center(trace.column), grid.v_center(trace.row)});
+  TubeTrace trace = find_cell(grid, mesh.center, at);
+  ReplayedWave wave(grid, look, scene, {&k, 1}, {grid.u_center(trace.column), grid.v_center(trace.row)});
   Ray ray = grid.ray(trace.column, trace.row);
   trace.direction = ray.direction;
   while (true) {
     Hit hit;
-    tracer.closest_hits({&ray, 1}, {&hit, 1});
+    scene.tracer.closest_hits({&ray, 1}, {&hit, 1});
     trace.end = "left the scene";
     if (!hit) return trace;
     trace.end = "lost: met a closed body from inside";

@@ -1,11 +1,22 @@
 // Shooting and bouncing rays: the physical-optics currents of every bounce of every tube of one look.
+//
+//   S_pq = sum over bounces and tubes of  -(jk / 4 pi) p . integral of eta J_q e^{jk s.r} dA,   J_q = 2 n x H_q
+//
+// k: wavenumber; s: direction to the receiver; p, q: receive and transmit polarisation; n, r: normal and points of the surface
+// that a tube meets; H_q: magnetic field of the wave that the tube carries there, by geometrical optics. Every current radiates
+// unblocked: what stands in the way carries currents of its own, which cancel it. Time convention e^{+j omega t}.
+//
+// The folders, each includes only from those before it:
+//   launch    the launch plane: grid, cells, polygons
+//   beams     waves between surfaces, their currents and far fields, sums, tolerances; TubeLook, what all tubes of a look share
+//   visible   beam visibility, and line-of-sight transmission to the receiver
+//   flat      tubes on flat faces: polygons (polygon_tubes) and single cells (cell_tubes, tile_tracer)
+//   curved    tubes on curved surfaces, and what these reflect
+// Here: look_parts traces one of the parts of a look, sbr refines them together; replay follows one tube; random_tubes is a Monte
+// Carlo baseline.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "core/field.h"
 #include "core/progress.h"
@@ -19,54 +30,48 @@
 
 namespace raytube {
 
-/// Cells per wavelength of the first grid of a look; clipped adaptive tubes become finer where they have to.
-double first_density(const TubeOptions& options);
-
 class CurrentMap;
 
-/// Traces the tubes of a look once and integrates the PO current of every bounce, radiating unblocked, for all frequencies [Hz]
-/// and both transmit polarisations. Phase reference: the centre of the mesh, of looks from a finite distance the origin of its
-/// own coordinates. The result does not depend on the number of threads. Reports its finished tiles as shares of `share` to
-/// `progress`. `faces`, `tracer`, `smooth` and `convexity` are of the same mesh; without `smooth`
-/// every facet is flat; with it, and antennas at a finite distance, nothing of the target may reflect onto the rest. A `map` is
-/// told where the currents are, in the last trace.
-TubeSums sbr_scattering(const Tracer& tracer, const FaceTree& faces, const SmoothSurfaces* smooth, const Convexity& convexity,
-                        const Look& look, std::span<const double> frequencies, const TubeOptions& options, Progress& progress,
-                        double share, const Radar& radar = {}, std::span<const Material> materials = {},
-                        CurrentMap* map = nullptr);
+/// Antennas without a pattern: what they are aimed at does not matter.
+inline const Radar isotropic_radar{};
+
+/// What tubes meet, all of one mesh, and the antennas of looks from a finite distance. With `smooth` and such antennas nothing of
+/// the target may reflect onto the rest.
+struct TubeScene {
+  const Tracer& tracer;
+  const FaceTree& faces;
+  const SmoothSurfaces* smooth = nullptr;  // curved surfaces; null: every facet is flat
+  Convexity convexity{};                   // of the mesh
+  std::span<const Material> materials{};   // [Patch::material]
+  const Radar& radar = isotropic_radar;
+};
+
+/// Where a trace reports to.
+struct TubeWork {
+  Progress& progress;
+  double share = 1.0;         // of the progress that this look is
+  CurrentMap* map = nullptr;  // takes every current of the last trace as well; null: none is asked for
+};
+
+/// Traces the tubes of a look and integrates the PO current of every bounce, radiating unblocked, for all frequencies [Hz] and
+/// both transmit polarisations: S [m], its estimated error and the counts. Where the options refine, again with smaller cells
+/// until the error is within the tolerance. Phase reference: the centre of the mesh, of looks from a finite distance the origin
+/// of its own coordinates. The result does not depend on the number of threads. Throws InputError where the grid would be too
+/// dense.
+TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
+                        const TubeWork& work);
+
+/// Cells per wavelength of the first grid of a look; clipped adaptive tubes become finer where they have to.
+double first_density(const TubeOptions& options);
 
 /// Bytes that the sums of one look under way take at most, with so many tiles, bounces and frequencies.
 double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies);
 
-/// Bytes that the tubes of one tile take where as many as may be are between sheets, few of which stand behind one another.
+/// Bytes that the tubes of one tile take at most where they are between sheets, few of which stand behind one another.
 double tubes_between_sheets_bytes(std::size_t frequencies);
 
 /// Tiles of a look: blocks of the launch grid of a look, groups of faces where tubes are adaptive.
 std::size_t tiles_of_look(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
                           const TubeOptions& options);
-
-/// One reflection of a replayed tube, in recentred coordinates.
-struct TubeBounce {
-  std::uint32_t triangle, patch;
-  dvec3 point, normal;  // normal on the side the tube comes from
-  dvec3 direction_out;
-  double path;                         // [m] phase path, less that of the wave at the origin of the mesh's coordinates
-  std::array<ComplexVector, 2> field;  // reflected field of unit incident V and H
-  bool goes_on = false;                // behind the surface, too: of that nothing is replayed
-};
-
-struct TubeTrace {
-  std::uint32_t column, row;  // the tube's cell in the launch grid
-  dvec2 center;               // (u, v) of the cell's middle on the launch axes, origin = mesh origin [m]
-  dvec3 direction;            // as launched
-  std::vector<TubeBounce> bounces;
-  std::string end;  // why the tube ended
-};
-
-/// Replays the tube whose cell holds (u, v), launch coordinates in metres with the mesh's own origin. Throws InputError
-/// outside the launch rectangle. At a finite distance the axes are drawn at that of the middle of the mesh. `materials` are those
-/// of one frequency.
-TubeTrace trace_tube(const Tracer& tracer, const Look& look, double frequency_hz, const TubeOptions& options, double u, double v,
-                     const Radar& radar = {}, std::span<const Material> materials = {});
 
 }  // namespace raytube

@@ -4,16 +4,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "sbr/beams/estimate.h"
+#include "sbr/beams/tolerances.h"
 #include "solve/phase_reference.h"
 #include "utd/fringe/material_edges.h"
 
 namespace raytube {
 
 namespace {
-
-// What the quadrature of edge-face interaction may leave of the tolerance, at the frequency where most comes back.
-constexpr double interaction_share = 0.1;
 
 double interaction_tolerance(const TubeSums& tubes, double tolerance_db) {
   double strongest = 0.0;
@@ -22,7 +19,7 @@ double interaction_tolerance(const TubeSums& tubes, double tolerance_db) {
     for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
     strongest = std::max(strongest, frobenius_norm(sum));
   }
-  return interaction_share * relative_error(tolerance_db) * strongest;
+  return interaction_quadrature_error(relative_tolerance(tolerance_db), strongest);
 }
 
 void make_reciprocal(LookResult& look) {
@@ -58,8 +55,9 @@ LookResult LookSolver::solve(std::size_t index, Progress& progress, double share
 
 TubeSums LookSolver::tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const {
   const Target& target = plan_.target;
-  return sbr_scattering(target.tracer, target.faces, plan_.smooth.get(), target.convexity, look, plan_.sweep.frequencies,
-                        plan_.tubes, progress, share, plan_.sweep.radar, plan_.sweep.materials, map);
+  const TubeScene scene{target.tracer,    target.faces,          plan_.smooth.get(),
+                        target.convexity, plan_.sweep.materials, plan_.sweep.radar};
+  return sbr_scattering(scene, look, plan_.sweep.frequencies, plan_.tubes, {progress, share, map});
 }
 
 EdgeLookResult LookSolver::edges_of(const Look& look) const {

@@ -10,7 +10,7 @@
 #include "math/triangle_moments.h"
 #include "run.h"
 #include "sbr/beams/polygon_integral.h"
-#include "sbr/curved/curved_piece.h"
+#include "sbr/curved/curved_integral.h"
 #include "stress/fine_quadrature.h"
 #include "stress/stability.h"
 #include "utd/wedge/edge_currents.h"

@@ -20,8 +20,7 @@ TubeSums tubes(const PolygonSoup& soup, const Direction& look, double per_wavele
   options.per_wavelength = per_wavelength;
   const double frequencies[] = {frequency};
   Progress progress(nullptr);
-  return sbr_scattering(Tracer(loaded.mesh), FaceTree(loaded.mesh), nullptr, {}, {look, look}, frequencies, options, progress,
-                        1.0);
+  return sbr_scattering({Tracer(loaded.mesh), FaceTree(loaded.mesh)}, {look, look}, frequencies, options, {progress});
 }
 
 Complex all_bounces(const TubeSums& sums, int p, int q) {
@@ -87,8 +86,7 @@ TEST(CoarseGrid, AdaptiveTubesSampleNone) {
   options.mode = TubeMode::adaptive;
   Progress progress(nullptr);
   const double frequencies[] = {frequency};
-  EXPECT_TRUE(sbr_scattering(Tracer(loaded.mesh), FaceTree(loaded.mesh), nullptr, {}, {{0, 0}, {0, 0}}, frequencies, options,
-                             progress, 1.0)
+  EXPECT_TRUE(sbr_scattering({Tracer(loaded.mesh), FaceTree(loaded.mesh)}, {{0, 0}, {0, 0}}, frequencies, options, {progress})
                   .coarse.empty());
 }
 

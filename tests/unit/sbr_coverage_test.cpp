@@ -13,7 +13,7 @@ void expect_covers(const PolygonSoup& soup, const Direction& look, double per_wa
   const Tracer tracer(loaded.mesh);
   const FaceTree faces(loaded.mesh);
   const LaunchGrid grid = launch_grid(loaded.mesh, look, 0.1, per_wavelength, std::nullopt);
-  const Tile tile{grid.columns / 5, grid.columns, 0, grid.rows - grid.rows / 7};
+  const CellBlock tile{grid.columns / 5, grid.columns, 0, grid.rows - grid.rows / 7};
   const Coverage coverage(&faces, grid, tile);
   std::vector<Ray> rays;
   for (std::uint32_t row = tile.row_begin; row < tile.row_end; ++row)
@@ -49,7 +49,7 @@ TEST(Coverage, DenseMeshesAreLeftToTheRays) {
   const LoadedMesh loaded = build_mesh(shapes::icosphere(4, 0.5), 1.0);
   const LaunchGrid grid = launch_grid(loaded.mesh, {0.7, 0.4}, 0.1, 2.0, std::nullopt);
   const FaceTree faces(loaded.mesh);
-  const Tile tile{0, grid.columns, 0, grid.rows};
+  const CellBlock tile{0, grid.columns, 0, grid.rows};
   const Coverage coverage(&faces, grid, tile);
   EXPECT_EQ(coverage.empty_cells(), 0u);
   EXPECT_EQ(coverage.next(1, 2).begin, 2u);

@@ -3,7 +3,7 @@
 
 #include "run.h"
 #include "sbr/curved/curved_beam.h"
-#include "sbr/curved/curved_piece.h"
+#include "sbr/curved/curved_integral.h"
 
 namespace raytube {
 namespace {
@@ -22,7 +22,8 @@ LaunchGrid plane_towards(const Direction& look) {
   return grid;
 }
 
-// The sphere about the origin, expanded where a ray at a launch place meets it, or next to the limb.
+// The sphere about the origin, expanded where the ray of these launch coordinates meets it, or next to its
+// shadow boundary.
 CurvedPiece sphere_piece(const LaunchGrid& grid, dvec2 at) {
   if (glm::length(at) > 0.98 * radius) at *= 0.98 * radius / glm::length(at);
   const dvec3 across = at.x * grid.u_hat + at.y * grid.v_hat;
@@ -58,7 +59,7 @@ TEST(CurvedPiece, SphereIsItsClosedForm) {
   }
 }
 
-// Bistatic: the integral over the lit half sphere on its own coordinates, where nothing is singular at the limb.
+// Bistatic: the integral over the lit half sphere on its own coordinates, where nothing is singular at the shadow boundary.
 ScatteringMatrix sphere_by_angles(const Direction& transmit, const Direction& receive) {
   const SphericalBasis t = spherical_basis(transmit), r = spherical_basis(receive);
   const std::array<dvec3, 2> incident{t.theta_hat, t.phi_hat}, received{r.theta_hat, r.phi_hat};

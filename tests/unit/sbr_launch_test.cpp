@@ -39,7 +39,7 @@ TEST(LaunchGrid, AMillionthOfACellIsRoundingNotAnotherCell) {
   EXPECT_EQ(grid_along_x(box(1.0, 2.0 + 2.0e-6 * 0.05, 1.0), 0.5, 10.0).columns, 41u);
 }
 
-// 10^6 along the longer side, from afar and from a place whence the box looks larger.
+// 10^6 along the longer side, from afar and from a point whence the box looks larger.
 TEST(LaunchGrid, TheDensestOneIsTheLastNotRefused) {
   const TriangleMesh mesh = box(1.0, 2.0, 0.31);
   EXPECT_NEAR(densest_grid(mesh, {along_x, along_x}, 0.5, {}), 250000.0, 1e-6);

@@ -196,7 +196,7 @@ TEST(Lattice, PartsOfACutShareTheCells) {
       for (std::uint32_t row = b.row_begin; row < b.row_end; ++row)
         for (std::uint32_t column = b.column_begin; column < b.column_end; ++column) {
           ++owners[row * grid.columns + column];
-          for (const Corner& corner : part) EXPECT_GE(corner.edge(grid.ray_place(column, row)), -rounding);
+          for (const Corner& corner : part) EXPECT_GE(corner.edge(grid.ray_coordinates(column, row)), -rounding);
         }
   }
   for (const int count : owners) EXPECT_EQ(count, 1);

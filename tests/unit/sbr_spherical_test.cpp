@@ -63,9 +63,9 @@ struct Scene {
 
   Beam launched() const {
     Beam beam;
-    const dvec3 place = antennas.transmit.position();
-    beam.curvature = 1.0 / glm::length(place);
-    beam.direction = -glm::normalize(place);
+    const dvec3 antenna = antennas.transmit.position();
+    beam.curvature = 1.0 / glm::length(antenna);
+    beam.direction = -glm::normalize(antenna);
     beam.u_hat = glm::normalize(glm::cross(beam.direction, dvec3(0.2, 0.1, 0.9)));
     beam.v_hat = glm::cross(-beam.direction, beam.u_hat);
     beam.launch_depth = -1.0;
@@ -82,7 +82,7 @@ TEST(SphericalBeam, PlacesAreHomogeneous) {
       const Affine depth = depth_of(beam, scene.second);
       const dvec3 r = point_at(beam, at, depth(at));
       EXPECT_NEAR(glm::dot(r, scene.second.normal), scene.second.offset, rounding);
-      EXPECT_NEAR(glm::distance(launch_place(beam, r), at), 0.0, rounding);
+      EXPECT_NEAR(glm::distance(launch_coordinates(beam, r), at), 0.0, rounding);
       EXPECT_NEAR(widening(beam, r), widening_at(beam, depth(at)), rounding);
     }
 }
@@ -126,8 +126,8 @@ TEST(SphericalLook, FootprintIsTheLinearPartOfItsSurroundings) {
   const Beam beam = reflected_spherical(scene.incident, scene.first);
   const dvec2 at{0.1, -0.15};
   constexpr double h = 1e-4, tolerance = 1e-7;
-  const auto phase = [&](const dvec2& place) { return scene.spherical.footprint(beam, scene.first, place).phase; };
-  const auto point = [&](const dvec2& place) { return point_at(beam, place, depth_of(beam, scene.first)(place)); };
+  const auto phase = [&](const dvec2& at) { return scene.spherical.footprint(beam, scene.first, at).phase; };
+  const auto point = [&](const dvec2& at) { return point_at(beam, at, depth_of(beam, scene.first)(at)); };
   const Footprint f = scene.spherical.footprint(beam, scene.first, at);
   EXPECT_NEAR(f.phase_u, (phase(at + dvec2(h, 0)) - phase(at - dvec2(h, 0))) / (2 * h), tolerance);
   EXPECT_NEAR(f.phase_v, (phase(at + dvec2(0, h)) - phase(at - dvec2(0, h))) / (2 * h), tolerance);

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "sbr/sbr.h"
+#include "sbr/replay.h"
 #include "shapes.h"
 
 namespace raytube {
@@ -18,7 +18,7 @@ struct Replay {
   TubeOptions options;
 
   TubeTrace at(const Direction& look, double u, double v) const {
-    return trace_tube(Tracer(loaded.mesh), {look, look}, frequency, options, u, v);
+    return trace_tube({Tracer(loaded.mesh)}, {look, look}, frequency, options, {u, v});
   }
 };
 

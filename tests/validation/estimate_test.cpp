@@ -80,9 +80,10 @@ PolygonSoup two_spheres() {
   return soup;
 }
 
-// On targets of very many faces tubes narrower than a cell become cells or nothing, and the estimate knows of it. The truth:
+// On targets of very many faces tubes narrower than a cell are thinned at random, to cells or nothing, and the estimate has their
+// sampling variance. The truth:
 // cells with a side of a fifth and less, so that they err by a fifth and less.
-TEST(Estimate, CoversTheErrorOfThinnedTubes) {
+TEST(Estimate, CoversTheErrorOfRandomThinning) {
   const PolygonSoup soup = two_spheres();
   const Sweep sweep = looks(1.2, 10);
   SolveOptions o = options(EdgeMethod::none, 40.0);
@@ -98,8 +99,8 @@ TEST(Estimate, CoversTheErrorOfThinnedTubes) {
     compare(result, truth, honesty);
   }
   const double covered = static_cast<double>(honesty.covered) / honesty.values;
-  measured("estimate, thinned tubes, covered", 100.0 * covered, "%");
-  measured("estimate, thinned tubes, median of estimate / error", quantile(honesty.ratios, 0.5), "");
+  measured("estimate, random thinning, covered", 100.0 * covered, "%");
+  measured("estimate, random thinning, median of estimate / error", quantile(honesty.ratios, 0.5), "");
   EXPECT_GE(covered, 0.95);
   EXPECT_LE(quantile(honesty.ratios, 0.5), 20.0);
 }

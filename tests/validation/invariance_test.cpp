@@ -186,7 +186,7 @@ double raw_asymmetry(const PolygonSoup& soup, const Direction& look, std::size_t
   tubes.per_wavelength = per_wavelength;
   Progress progress(nullptr);
   const TubeSums sums =
-      sbr_scattering(Tracer(loaded.mesh), FaceTree(loaded.mesh), nullptr, {}, {look, look}, frequencies, tubes, progress, 1.0);
+      sbr_scattering({Tracer(loaded.mesh), FaceTree(loaded.mesh)}, {look, look}, frequencies, tubes, {progress});
   const ScatteringMatrix& s = sums.bounces.at(bounce).at(0);
   return std::abs(s.vh() - s.hv()) / largest(s);
 }

@@ -19,8 +19,7 @@ TubeSums tubes(const LoadedMesh& loaded, const Direction& look, const std::vecto
   Progress progress(nullptr);
   TubeOptions options;
   options.mode = TubeMode::uniform;
-  return sbr_scattering(Tracer(loaded.mesh), FaceTree(loaded.mesh), nullptr, {}, {look, look}, frequencies, options, progress,
-                        1.0);
+  return sbr_scattering({Tracer(loaded.mesh), FaceTree(loaded.mesh)}, {look, look}, frequencies, options, {progress});
 }
 
 double largest(const ScatteringMatrix& s) {

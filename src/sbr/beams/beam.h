@@ -1,5 +1,14 @@
 // A bundle of tubes between two surfaces, as a plane wave or as the spherical wave of an antenna or of its image: where in space
 // its launch coordinates lie.
+//
+// The central header of this folder: beams (beam, beam_tree), their currents (footprint, and spectrum where materials make them
+// complex), what these radiate (polygon_integral over polygons, far_fields over cells, spherical_look near the antennas) and what
+// that adds up to (tube_sums, estimate, current_map). Notation, here and in the other folders of sbr:
+//   u, v   launch coordinates [m]: where a tube sets out, along the axes of the LaunchGrid
+//   d, s   directions of propagation of a wave and to the receiver, unit vectors; k the wavenumber [rad/m]
+//   p, q   index of the receive and of the transmit polarisation: 0 V (theta_hat), 1 H (phi_hat); S_pq [m]
+//   path   length L [m] by which the phase of a wave e^{-jk (d.r + L)} is late; time convention e^{+j omega t}
+//   S = -(jk / 4 pi) p . integral of eta J e^{jk s.r} dA over the currents J = 2 n x H of every bounce
 #pragma once
 
 #include <array>
@@ -41,8 +50,8 @@ struct Beam {
 /// The incident wave as launched. Plane: phase zero at the centre of the mesh.
 Beam incident_beam(const LaunchGrid& grid, const SphericalBasis& transmit, const dvec2& anchor);
 
-/// The same beam, described from elsewhere: an anchor close to the tubes in question keeps their places exact on planes that the
-/// beam grazes, which run away from a distant one. A spherical one stays as it is.
+/// A beam described from another anchor, one close to the tubes in question: on planes that the beam grazes, which run away from
+/// a distant anchor, points stay exact. A spherical beam is returned as it is.
 Beam anchored(Beam beam, const dvec2& anchor);
 
 /// The spherical wave that a plane sends back, from the image of its source.
@@ -59,11 +68,11 @@ Affine depth_of(const Beam& beam, const Patch& plane);
 inline double widening(const Beam& beam, const dvec3& r) {
   return 1.0 + beam.curvature * glm::dot(beam.direction, r - beam.base);
 }
-/// The same at a depth.
+/// How much wider it is at a depth than at its base.
 inline double widening_at(const Beam& beam, double depth) { return 1.0 / (1.0 - beam.curvature * depth); }
 
 /// Launch coordinates of a point.
-inline dvec2 launch_place(const Beam& beam, const dvec3& r) {
+inline dvec2 launch_coordinates(const Beam& beam, const dvec3& r) {
   const dvec3 step = r - beam.base;
   const dvec2 at{glm::dot(beam.u_hat, step), glm::dot(beam.v_hat, step)};
   return beam.spherical() ? at / widening(beam, r) : beam.anchor + at;

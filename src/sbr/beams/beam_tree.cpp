@@ -25,9 +25,9 @@ void BeamTree::next_bounce() {
 }
 
 std::uint32_t BeamTree::find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
-  Slot& place = slot(parent, patch);
-  if (place.child == no_index) place = {parent, patch, add_child(parent, patch, anchor)};
-  const std::uint32_t child = place.child;
+  Slot& taken = slot(parent, patch);
+  if (taken.child == no_index) taken = {parent, patch, add_child(parent, patch, anchor)};
+  const std::uint32_t child = taken.child;
   at(parent).recent_patch = patch;
   at(parent).recent_child = child;
   if (2 * nodes_.size() > slots_.size()) widen();
@@ -81,16 +81,16 @@ bool BeamTree::is_reflected(std::uint32_t node) const {
 
 std::uint32_t BeamTree::through_screen(std::uint32_t node, std::uint32_t sheet) {
   constexpr std::uint32_t not_met = 0x80000000u;  // sets such children apart from the footprints on the sheet
-  Slot& place = slot(node, sheet ^ not_met);
-  if (place.child == no_index) place = {node, sheet ^ not_met, add_seen(node, sheet)};
-  const std::uint32_t child = place.child;
+  Slot& taken = slot(node, sheet ^ not_met);
+  if (taken.child == no_index) taken = {node, sheet ^ not_met, add_screened(node, sheet)};
+  const std::uint32_t child = taken.child;
   if (2 * nodes_.size() > slots_.size()) widen();
   return child;
 }
 
-std::uint32_t BeamTree::add_seen(std::uint32_t node, std::uint32_t sheet) {
-  Node seen{at(node).footprint, at(node).patch};
-  seen.uncovered = node;
+std::uint32_t BeamTree::add_screened(std::uint32_t node, std::uint32_t sheet) {
+  Node screened{at(node).footprint, at(node).patch};
+  screened.unscreened = node;
   const std::vector<ChannelWeights>& through = through_sheet(sheet);
   Spectrum spectrum(through.size());
   for (std::size_t f = 0; f < spectrum.size(); ++f) {
@@ -99,8 +99,8 @@ std::uint32_t BeamTree::add_seen(std::uint32_t node, std::uint32_t sheet) {
       for (int q = 0; q < 2; ++q)
         spectrum[f].weight[p][q] = behind[p][0] * before[0][q] + behind[p][1] * before[1][q] - before[p][q];
   }
-  seen.footprint.outgoing.spectrum = keep(std::move(spectrum));
-  nodes_.push_back(seen);
+  screened.footprint.outgoing.spectrum = keep(std::move(spectrum));
+  nodes_.push_back(screened);
   return end() - 1;
 }
 
@@ -112,19 +112,19 @@ const std::vector<ChannelWeights>& BeamTree::through_sheet(std::uint32_t sheet) 
 }
 
 // As far as lines of sight run through sheets, at their end before this one.
-ChannelWeights BeamTree::screened_weights(const Node& node, std::size_t frequency) const {
+ChannelWeights BeamTree::screened_weights(const Node& node, std::size_t frequency_index) const {
   const Beam& beam = node.footprint.outgoing;
-  if (node.uncovered != no_index) {
-    ChannelWeights sum = screened_weights(at(node.uncovered), frequency);
+  if (node.unscreened != no_index) {
+    ChannelWeights sum = screened_weights(at(node.unscreened), frequency_index);
     for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) sum[p][q] += (*beam.spectrum)[frequency].weight[p][q];
+      for (int q = 0; q < 2; ++q) sum[p][q] += (*beam.spectrum)[frequency_index].weight[p][q];
     return sum;
   }
   const dvec3& normal = mesh_.patches[node.patch].normal;
   if (!node.reflected)
     return radiated(node.from_behind ? -normal : normal, beam.direction,
-                    beam.spectrum ? (*beam.spectrum)[frequency].field : plain_spectrum(beam.field, 1)[0].field, receive_);
-  if (beam.spectrum) return (*beam.spectrum)[frequency].weight;
+                    beam.spectrum ? (*beam.spectrum)[frequency_index].field : plain_spectrum(beam.field, 1)[0].field, receive_);
+  if (beam.spectrum) return (*beam.spectrum)[frequency_index].weight;
   const auto& w = node.footprint.weight;
   return {{{w[0][0], w[0][1]}, {w[1][0], w[1][1]}}};
 }
@@ -133,8 +133,8 @@ ChannelWeights BeamTree::screened_weights(const Node& node, std::size_t frequenc
 BeamTree::Slot& BeamTree::slot(std::uint32_t parent, std::uint32_t patch) {
   const std::uint64_t mixed = (std::uint64_t{parent} << 32 | patch) * 0x9e3779b97f4a7c15u;
   for (std::size_t i = mixed >> 32;; ++i) {
-    Slot& place = slots_[i & (slots_.size() - 1)];
-    if (place.child == no_index || (place.parent == parent && place.patch == patch)) return place;
+    Slot& candidate = slots_[i & (slots_.size() - 1)];
+    if (candidate.child == no_index || (candidate.parent == parent && candidate.patch == patch)) return candidate;
   }
 }
 

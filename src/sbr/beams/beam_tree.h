@@ -23,7 +23,7 @@ class BeamTree {
   void restart(const Beam& incident);
 
   /// The footprint of beam `parent` on `patch`, computed on first use, with the anchor then given. Of a spherical wave only the
-  /// beam that leaves: its footprint is never the same twice.
+  /// beam that leaves: its footprint differs from tube to tube.
   std::uint32_t child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor) {
     const Node& node = at(parent);
     return node.recent_patch == patch ? node.recent_child : find_child(parent, patch, anchor);
@@ -42,9 +42,9 @@ class BeamTree {
   bool is_lit(std::uint32_t node) const { return at(node).amplitude > least_amplitude; }
 
   bool is_sheet(std::uint32_t patch) const { return surfaces_.transmits(mesh_.patches[patch].material); }
-  /// The currents of a footprint, or of what through_screen() made of one, once more: those that the receiver has through a sheet
-  /// which stands before it, less those without. Only what is radiated back counts: the wave's shadow is a part of the incident
-  /// wave, and no sheet stands before that.
+  /// A node for the currents of a footprint, or of what through_screen() made of one, once more: as the receiver has them through
+  /// a sheet which stands before it, less as it would have them without. Only what is radiated back counts: the wave's shadow is
+  /// a part of the incident wave, and no sheet stands before that.
   std::uint32_t through_screen(std::uint32_t node, std::uint32_t sheet);
 
   const Footprint& footprint(std::uint32_t node) const { return at(node).footprint; }
@@ -61,7 +61,7 @@ class BeamTree {
     std::uint32_t patch = no_index;
     std::uint32_t recent_patch = no_index, recent_child = no_index;  // neighbouring tubes mostly ask for the same child
     std::uint32_t through = no_index;
-    std::uint32_t uncovered = no_index;  // of currents seen through a sheet, the same without it
+    std::uint32_t unscreened = no_index;  // of currents received through a sheet: the node they are without it
     double amplitude = 1.0;
     bool from_behind = false;
     bool reflected = false;  // the wave that arrives has been, somewhere before
@@ -77,9 +77,9 @@ class BeamTree {
   const Spectrum* keep(Spectrum spectrum);
   std::uint32_t find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
   std::uint32_t add_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
-  std::uint32_t add_seen(std::uint32_t node, std::uint32_t sheet);
+  std::uint32_t add_screened(std::uint32_t node, std::uint32_t sheet);
   const std::vector<ChannelWeights>& through_sheet(std::uint32_t sheet);
-  ChannelWeights screened_weights(const Node& node, std::size_t frequency) const;
+  ChannelWeights screened_weights(const Node& node, std::size_t frequency_index) const;
   bool is_reflected(std::uint32_t node) const;
   void scatter(std::uint32_t parent, Node& node);
   void add_through(std::uint32_t parent, Node& node, Spectrum transmitted);

@@ -10,11 +10,11 @@ namespace {
 
 double turn(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-// How far inside a triangle a place is, by its barycentric coordinates; negative outside.
-double depth_inside(const std::array<dvec2, 3>& corners, const dvec2& place) {
+// How far inside a triangle a point is, by its barycentric coordinates; negative outside.
+double depth_inside(const std::array<dvec2, 3>& corners, const dvec2& at) {
   const double area = turn(corners[1] - corners[0], corners[2] - corners[0]);
   double least = 1.0;
-  for (int c = 0; c < 3; ++c) least = std::min(least, turn(corners[(c + 1) % 3] - corners[c], place - corners[c]) / area);
+  for (int c = 0; c < 3; ++c) least = std::min(least, turn(corners[(c + 1) % 3] - corners[c], at - corners[c]) / area);
   return least;
 }
 
@@ -24,16 +24,16 @@ ImageLattice image_lattice(const LaunchGrid& grid) {
   return {grid.u_hat, grid.v_hat, {grid.u_begin, grid.v_begin}, {grid.du, grid.dv}, grid.columns, grid.rows};
 }
 
-CurrentMap::CurrentMap(const FaceTree& tree, const ImageLattice& lattice, std::size_t frequency, double wavenumber)
-    : tree_(tree),
+CurrentMap::CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber)
+    : faces_(faces),
       lattice_(lattice),
-      frequency_(frequency),
+      frequency_index_(frequency_index),
       wavenumber_(wavenumber),
       cells_(lattice.cells()),
-      triangles_(tree.mesh().triangles.size()) {}
+      triangles_(faces.mesh().triangles.size()) {}
 
-void CurrentMap::add(const dvec2& place, std::uint32_t triangle, const ScatteringMatrix& s) {
-  cells_[lattice_.index(lattice_.at(place))] += s;
+void CurrentMap::add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
+  cells_[lattice_.index(lattice_.at(at))] += s;
   triangles_[triangle] += s;
 }
 
@@ -41,35 +41,36 @@ void CurrentMap::add(const Footprint& footprint, const Bounds& tube, std::uint32
   cut_up(tube, [&](const Bounds& part) {
     const dvec2 at = middle(part), size = part.high - part.low;
     ScatteringMatrix s;
-    add_far_field(s, footprint, frequency_, wavenumber_, phase_integral(footprint, wavenumber_, at, size.x, size.y));
+    add_far_field(s, footprint, frequency_index_, wavenumber_, phase_integral(footprint, wavenumber_, at, size.x, size.y));
     add(at, triangle, s);
   });
 }
 
 void CurrentMap::add(const Footprint& footprint, const ConvexPolygon& outline, std::uint32_t face) {
-  const std::span<const std::uint32_t> triangles = tree_.triangles(face);
+  const std::span<const std::uint32_t> triangles = faces_.triangles(face);
   for (const std::uint32_t triangle : triangles) {
     clipped_ = outline;
     if (triangles.size() > 1 && !clip_to(corners(footprint, triangle), outline)) continue;
-    add_far_field(triangles_[triangle], footprint, frequency_, wavenumber_, phase_integral(footprint, wavenumber_, clipped_));
+    add_far_field(triangles_[triangle], footprint, frequency_index_, wavenumber_,
+                  phase_integral(footprint, wavenumber_, clipped_));
     cut_up(clipped_, [&](const ConvexPolygon& part) {
-      add_far_field(cells_[lattice_.index(lattice_.at(middle(part)))], footprint, frequency_, wavenumber_,
+      add_far_field(cells_[lattice_.index(lattice_.at(middle(part)))], footprint, frequency_index_, wavenumber_,
                     phase_integral(footprint, wavenumber_, part));
     });
   }
 }
 
-std::uint32_t CurrentMap::triangle_under(const Footprint& footprint, std::uint32_t face, const dvec2& place) const {
-  return *std::ranges::max_element(tree_.triangles(face), {},
-                                   [&](std::uint32_t triangle) { return depth_inside(corners(footprint, triangle), place); });
+std::uint32_t CurrentMap::triangle_under(const Footprint& footprint, std::uint32_t face, const dvec2& at) const {
+  return *std::ranges::max_element(faces_.triangles(face), {},
+                                   [&](std::uint32_t triangle) { return depth_inside(corners(footprint, triangle), at); });
 }
 
 // In launch coordinates.
 std::array<dvec2, 3> CurrentMap::corners(const Footprint& footprint, std::uint32_t triangle) const {
-  std::array<dvec2, 3> places;
+  std::array<dvec2, 3> projected;
   for (int c = 0; c < 3; ++c)
-    places[c] = launch_place(footprint.outgoing, tree_.mesh().vertices[tree_.mesh().triangles[triangle][c]]);
-  return places;
+    projected[c] = launch_coordinates(footprint.outgoing, faces_.mesh().vertices[faces_.mesh().triangles[triangle][c]]);
+  return projected;
 }
 
 // Fills clipped_; false if nothing is left.

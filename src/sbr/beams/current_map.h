@@ -17,10 +17,10 @@ namespace raytube {
 /// the launch plane, where the phase is still linear: the parts add up to the whole to rounding. One thread at a time.
 class CurrentMap {
  public:
-  /// The lattice's coordinates are those of a LaunchGrid; `frequency` is the place of `wavenumber` among those of the look.
-  CurrentMap(const FaceTree& tree, const ImageLattice& lattice, std::size_t frequency, double wavenumber);
+  /// The lattice's coordinates are those of a LaunchGrid; `wavenumber` [rad/m] is that of `frequency_index` in the look.
+  CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber);
 
-  std::size_t frequency() const { return frequency_; }
+  std::size_t frequency_index() const { return frequency_index_; }
   const double& wavenumber() const { return wavenumber_; }
   const ImageLattice& lattice() const { return lattice_; }
 
@@ -28,11 +28,11 @@ class CurrentMap {
   void add(const Footprint& footprint, const ConvexPolygon& outline, std::uint32_t face);
   /// A rectangular tube that meets a triangle.
   void add(const Footprint& footprint, const Bounds& tube, std::uint32_t triangle);
-  /// One too narrow to be cut.
-  void add(const dvec2& place, std::uint32_t triangle, const ScatteringMatrix& s);
+  /// The far field `s` of a tube too narrow to be cut, that set out at these launch coordinates.
+  void add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
 
-  /// The triangle of a face that a tube's middle meets.
-  std::uint32_t triangle_under(const Footprint& footprint, std::uint32_t face, const dvec2& place) const;
+  /// The triangle of a face that the ray of these launch coordinates meets.
+  std::uint32_t triangle_under(const Footprint& footprint, std::uint32_t face, const dvec2& at) const;
 
   /// Calls visit(part) for what the lines of the lattice leave of a polygon or a box.
   template <class Visit>
@@ -56,9 +56,9 @@ class CurrentMap {
   std::array<dvec2, 3> corners(const Footprint& footprint, std::uint32_t triangle) const;
   bool clip_to(const std::array<dvec2, 3>& corners, const ConvexPolygon& outline);
 
-  const FaceTree& tree_;
+  const FaceTree& faces_;
   ImageLattice lattice_;
-  std::size_t frequency_;
+  std::size_t frequency_index_;
   double wavenumber_;
   std::vector<ScatteringMatrix> cells_, triangles_;
   ConvexPolygon triangle_, clipped_, inside_, outside_;

@@ -45,14 +45,14 @@ std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGri
 
 namespace {
 
-// What tubes that were cut meet next, and after that: of what the last bounces brought the share that a geometric series goes on
-// with, and what is left of their waves if it goes into all directions alike, sigma = area, into the receive polarisations that
-// bounces have gone into so far. Between sheets waves come back into the same direction every second bounce or later.
-class CutTubes {
+// What truncated tubes would meet next, and after that: of what the last bounces brought the share that a geometric series goes
+// on with, and what is left of their waves if it goes into all directions alike, sigma = area, into the receive polarisations
+// that bounces have gone into so far. Between sheets waves come back into the same direction every second bounce or later.
+class TruncatedTubes {
  public:
-  explicit CutTubes(const TubeSums& sums) : sums_(sums), first_(first_of_last(sums.bounces.size())) {
+  explicit TruncatedTubes(const TubeSums& sums) : sums_(sums), first_(first_of_last(sums.bounces.size())) {
     const double before = first_ < sums.met.size() ? sums.met[first_] : 0.0;
-    const double share = before > 0.0 ? std::min(std::sqrt(sums.left_out / before), most) : most;
+    const double share = before > 0.0 ? std::min(std::sqrt(sums.truncated / before), most) : most;
     series_ = share / (1.0 - share);
   }
 
@@ -65,7 +65,7 @@ class CutTubes {
       for (std::size_t receive = 0; receive < 2; ++receive) power[receive] += std::norm(s[receive][q]);
     }
     const double all = power[0] + power[1], polarised = all > 0.0 ? power[p] / all : 0.5;
-    return std::hypot(series_ * last, std::sqrt(polarised * sums_.left_out / (4.0 * pi)));
+    return std::hypot(series_ * last, std::sqrt(polarised * sums_.truncated / (4.0 * pi)));
   }
 
  private:
@@ -82,16 +82,14 @@ class CutTubes {
 }  // namespace
 
 void add_truncated_tubes(TubeSums& sums) {
-  if (sums.left_out == 0.0) return;
-  const CutTubes cut(sums);
+  if (sums.truncated == 0.0) return;
+  const TruncatedTubes truncated(sums);
   for (std::size_t f = 0; f < sums.error.size(); ++f)
     for (std::size_t p = 0; p < 2; ++p)
-      for (std::size_t q = 0; q < 2; ++q) sums.error[f][p][q] += cut.error(f, p, q);
+      for (std::size_t q = 0; q < 2; ++q) sums.error[f][p][q] += truncated.error(f, p, q);
 }
 
-double relative_error(double level_db) { return std::pow(10.0, level_db / 20.0) - 1.0; }
-
-double excess(const TubeSums& sums, const std::vector<ChannelErrors>& errors, double share) {
+double excess(const TubeSums& sums, const std::vector<ChannelErrors>& errors, double relative_tolerance) {
   double worst = 0.0;
   for (std::size_t f = 0; f < errors.size(); ++f) {
     ScatteringMatrix total;
@@ -99,7 +97,7 @@ double excess(const TubeSums& sums, const std::vector<ChannelErrors>& errors, do
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q) {
         const double amplitude = std::max(std::abs(total.at(p, q)), 0.01 * largest_amplitude(total));
-        if (amplitude > 0.0) worst = std::max(worst, errors[f][p][q] / (share * amplitude));
+        if (amplitude > 0.0) worst = std::max(worst, errors[f][p][q] / (relative_tolerance * amplitude));
       }
   }
   return worst;

@@ -1,4 +1,4 @@
-// How far the sums of a look may be from those of endlessly many tubes.
+// How far the sums of a look may be from the limit of ever more tubes.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@
 
 namespace raytube {
 
-/// Estimated numerical error of |S_pq|, [frequency], of what the tubes of a look add up to. The geometry counts as exact.
+/// Estimated numerical error of |S_pq| [m], [frequency], of what the tubes of a look on `grid` add up to; `radius` is that of the
+/// mesh [m]. The geometry counts as exact.
 std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGrid& grid, std::span<const double> wavenumbers,
                                            double radius);
 
-/// Adds to the error of a whole look what tubes that were cut may still have brought.
+/// Adds to the error of a whole look what its truncated tubes may still have brought: an extrapolation, right in the order of
+/// magnitude.
 void add_truncated_tubes(TubeSums& sums);
 
-/// The share of max(|S_pq|, S_max / 100) that a level [dB] stands for, S_max the largest of the four amplitudes.
-double relative_error(double level_db);
-
-/// How many times the estimate exceeds this share, at worst over frequencies and channels.
-double excess(const TubeSums& sums, const std::vector<ChannelErrors>& errors, double share);
+/// How many times the errors [m] exceed the tolerance, a share of max(|S_pq|, S_max / 100) with S_max the largest of the four
+/// amplitudes: at worst over frequencies and channels.
+double excess(const TubeSums& sums, const std::vector<ChannelErrors>& errors, double relative_tolerance);
 
 }  // namespace raytube

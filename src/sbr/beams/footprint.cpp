@@ -62,10 +62,10 @@ double largest_weight(const Footprint& f, int p, int q) {
   return largest;
 }
 
-void add_far_field(ScatteringMatrix& sum, const Footprint& f, std::size_t frequency, double k, Complex integral) {
+void add_far_field(ScatteringMatrix& sum, const Footprint& f, std::size_t frequency_index, double k, Complex integral) {
   const Complex scaled = Complex(0.0, -k / (4.0 * pi)) * integral;
   if (f.outgoing.spectrum) {
-    const auto& weight = (*f.outgoing.spectrum)[frequency].weight;
+    const auto& weight = (*f.outgoing.spectrum)[frequency_index].weight;
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q) sum.at(p, q) += weight[p][q] * scaled;
     return;

@@ -9,7 +9,8 @@
 
 namespace raytube {
 
-/// The same tubes where they meet a plane: points base + ..., current ready for the integral, and the beam that leaves.
+/// The tubes of a beam where they meet a plane: points base + (u - anchor.x) along_u + (v - anchor.y) along_v, the current ready
+/// for the integral, and the beam that leaves.
 struct Footprint {
   Beam outgoing;  // base and along_* lie on the surface
   // [receive][transmit] p_hat . eta J per unit field; not used where the outgoing beam has a spectrum, which has its own.
@@ -18,8 +19,8 @@ struct Footprint {
   double phase = 0.0, phase_u = 0.0, phase_v = 0.0;  // exponent / k at the anchor, and per metre along u and v
 };
 
-/// Physical-optics footprint of a plane wave `beam` on the plane of `patch`, lit from the side the beam comes from, seen by
-/// `receive`. Valid for a perfect conductor large in wavelengths; for other materials as well but for fields and weights.
+/// Physical-optics footprint of a plane wave `beam` on the plane of `patch`, lit from the side the beam comes from, received
+/// along `receive`. Valid for a perfect conductor large in wavelengths; for other materials as well but for fields and weights.
 Footprint footprint(const Beam& beam, const Patch& patch, const SphericalBasis& receive);
 
 /// Both waves that leave the patch for a beam with or without a spectrum, whatever it is made of. `reflected`: see Incidence.
@@ -34,7 +35,7 @@ double largest_weight(const Footprint& f, int p, int q);
 Complex phase_integral(const Footprint& f, double k, const dvec2& center, double width, double height);
 
 /// S = -(jk / 4 pi) p_hat . eta J * integral: far field of an electric surface current (Stratton & Chu 1939), and of a magnetic
-/// one where the beam has a spectrum; `frequency` is the place of `k` in it.
-void add_far_field(ScatteringMatrix& sum, const Footprint& f, std::size_t frequency, double k, Complex integral);
+/// one where the beam has a spectrum; `k` [rad/m] is the wavenumber of `frequency_index` in it, `integral` in [m^2].
+void add_far_field(ScatteringMatrix& sum, const Footprint& f, std::size_t frequency_index, double k, Complex integral);
 
 }  // namespace raytube

@@ -10,7 +10,7 @@ namespace raytube {
 /// (Hermite-Genocchi). Error below 1e-14 for any corners, equal ones too.
 Complex triangle_phase_mean(double x1, double x2, double x3);
 
-/// Integral of the footprint's e^{jk (...)} over a polygon of the launch plane [m^2].
+/// Integral of the footprint's phase factor e^{jk (phase + phase_u u + phase_v v)} over a polygon of the launch plane [m^2].
 Complex phase_integral(const Footprint& f, double k, const ConvexPolygon& polygon);
 
 }  // namespace raytube

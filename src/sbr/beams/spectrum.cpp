@@ -15,9 +15,11 @@ double amplitude(const Spectrum& spectrum) {
   return largest;
 }
 
-SurfaceResponse SpectralSurfaces::response(std::uint32_t material, std::size_t frequency, double cosine, bool from_behind) const {
+SurfaceResponse SpectralSurfaces::response(std::uint32_t material, std::size_t frequency_index, double cosine,
+                                           bool from_behind) const {
   if (material == no_index) return perfect_conductor;
-  return raytube::response(materials[material], first_frequency + frequency, wavenumbers[frequency], cosine, from_behind);
+  return raytube::response(materials[material], first_frequency_index + frequency_index, wavenumbers[frequency_index], cosine,
+                           from_behind);
 }
 
 std::array<double, 2> SpectralSurfaces::strongest(const Patch& patch, const dvec3& direction) const {
@@ -32,19 +34,20 @@ std::array<double, 2> SpectralSurfaces::strongest(const Patch& patch, const dvec
   return largest;
 }
 
-double SpectralSurfaces::incoherent_share(std::uint32_t material, std::size_t frequency, double cosine) const {
+double SpectralSurfaces::incoherent_share(std::uint32_t material, std::size_t frequency_index, double cosine) const {
   if (material == no_index || materials[material].roughness == 0.0) return 0.0;
-  return 1.0 - std::pow(coherent_factor(materials[material], wavenumbers[frequency], cosine), 2);
+  return 1.0 - std::pow(coherent_factor(materials[material], wavenumbers[frequency_index], cosine), 2);
 }
 
 namespace {
 
-double incoherent_sigma(const SpectralSurfaces& surfaces, const Incidence& incidence, std::size_t frequency,
+double incoherent_sigma(const SpectralSurfaces& surfaces, const Incidence& incidence, std::size_t frequency_index,
                         const ComplexVector& arriving, const dvec3& towards) {
-  const double share = surfaces.incoherent_share(incidence.material, frequency, incidence.cosine());
+  const double share = surfaces.incoherent_share(incidence.material, frequency_index, incidence.cosine());
   if (share == 0.0) return 0.0;
-  const SurfaceResponse smooth = smooth_response(surfaces.materials[incidence.material], surfaces.first_frequency + frequency,
-                                                 surfaces.wavenumbers[frequency], incidence.cosine(), incidence.from_behind);
+  const SurfaceResponse smooth =
+      smooth_response(surfaces.materials[incidence.material], surfaces.first_frequency_index + frequency_index,
+                      surfaces.wavenumbers[frequency_index], incidence.cosine(), incidence.from_behind);
   const double reflected = norm(waves_at_surface(incidence.direction, incidence.normal, arriving, smooth).reflected);
   return 4.0 * share * reflected * reflected * std::max(0.0, glm::dot(towards, incidence.normal));
 }
@@ -68,10 +71,10 @@ ChannelWeights radiated(const dvec3& n, const dvec3& d, const std::array<Complex
                  receive);
 }
 
-ChannelWeights through_screen(const SpectralSurfaces& surfaces, const Patch& patch, std::size_t frequency,
+ChannelWeights through_screen(const SpectralSurfaces& surfaces, const Patch& patch, std::size_t frequency_index,
                               const SphericalBasis& receive) {
-  return through_screen(surfaces.materials[patch.material], surfaces.first_frequency + frequency, surfaces.wavenumbers[frequency],
-                        patch.normal, receive);
+  return through_screen(surfaces.materials[patch.material], surfaces.first_frequency_index + frequency_index,
+                        surfaces.wavenumbers[frequency_index], patch.normal, receive);
 }
 
 LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Incidence& incidence, const Spectrum& arriving,

@@ -18,13 +18,14 @@ struct SpectralWave {
   std::array<double, 2> incoherent{};  // sigma per area across the arriving wave of what roughness scatters, for unit V and H
 };
 
-/// At every frequency of a look.
+/// A wave that leaves a surface, [frequency] of a look.
 using Spectrum = std::vector<SpectralWave>;
 
-/// Real fields, the same at every frequency.
+/// The spectrum of a wave whose fields are real and do not depend on frequency.
 Spectrum plain_spectrum(const std::array<dvec3, 2>& field, std::size_t frequencies);
 
-/// Waves of less, of unit incident ones, end: they would go to and fro between sheets and bring no digit that counts.
+/// Waves of a smaller amplitude, of unit incident ones, end: they would go to and fro between sheets and bring no digit that
+/// counts.
 inline constexpr double least_amplitude = 1e-9;
 
 /// The larger one of both fields at the frequency where it is largest.
@@ -34,12 +35,12 @@ double amplitude(const Spectrum& spectrum);
 struct SpectralSurfaces {
   std::span<const Material> materials;
   std::span<const double> wavenumbers;
-  std::size_t first_frequency = 0;  // of the materials' that these wavenumbers begin with
+  std::size_t first_frequency_index = 0;  // among the materials' frequencies, of the first of these wavenumbers
 
-  /// To a wave that comes in at this angle. no_index: a perfect conductor.
-  SurfaceResponse response(std::uint32_t material, std::size_t frequency, double cosine, bool from_behind) const;
+  /// Of a material to a wave that comes in at this angle, `cosine` from the normal. no_index: a perfect conductor.
+  SurfaceResponse response(std::uint32_t material, std::size_t frequency_index, double cosine, bool from_behind) const;
   /// Share of the power reflected by the smooth surface that roughness takes from it.
-  double incoherent_share(std::uint32_t material, std::size_t frequency, double cosine) const;
+  double incoherent_share(std::uint32_t material, std::size_t frequency_index, double cosine) const;
   /// The largest shares of a wave's amplitude, at any frequency, that a sheet reflects and lets through; of what is opaque 1 and
   /// 0.
   std::array<double, 2> strongest(const Patch& patch, const dvec3& direction) const;
@@ -61,14 +62,14 @@ struct Incidence {
 /// nothing to the other: J = n x H, M = -n x E (Love's principle).
 ChannelWeights radiated(const dvec3& n, const dvec3& d, const std::array<ComplexVector, 2>& field, const SphericalBasis& receive);
 
-/// What the receiver's waves are behind a sheet that stands before it.
-ChannelWeights through_screen(const SpectralSurfaces& surfaces, const Patch& patch, std::size_t frequency,
+/// What the receiver's own V and H waves become behind a sheet that stands before it: line-of-sight transmission.
+ChannelWeights through_screen(const SpectralSurfaces& surfaces, const Patch& patch, std::size_t frequency_index,
                               const SphericalBasis& receive);
 
 /// The waves that leave a surface. The weights are the reflected one's: S of a current is -(jk / 4 pi) times the integral of
 /// p . (eta J - s x M) e^{jk s.r} (Stratton & Chu 1939). Where a reflected wave meets a sheet only the part of the currents
-/// counts that reflects it: behind the sheet its sources are seen through it. What roughness takes from the reflected wave goes
-/// into all directions above the surface by Lambert's law, without memory of polarisation: sigma = 4 (1 - rho^2) |R|^2 A
+/// counts that reflects it: behind the sheet its sources are received through it. What roughness takes from the reflected wave
+/// goes into all directions above the surface by Lambert's law, without memory of polarisation: sigma = 4 (1 - rho^2) |R|^2 A
 /// cos(theta_i) cos(theta_s), of both receive polarisations together (effective roughness: Degli-Esposti et al. 2007, IEEE Trans.
 /// AP-55, 143).
 struct LeavingWaves {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/triangle_moments.h"
+#include "sbr/beams/tolerances.h"
 #include "scene/material.h"
 
 namespace raytube {
@@ -34,16 +35,14 @@ double inner(const Weight& a, const Weight& b) {
 }  // namespace
 
 SphericalLook::SphericalLook(const AntennaPair& antennas, const Beam& incident, std::span<const double> wavenumbers,
-                             double tolerance)
+                             double relative_tolerance)
     : antennas_(antennas),
       incident_(incident),
       wavenumbers_(wavenumbers),
       highest_(std::ranges::max(wavenumbers)),
-      // An amplitude whose middle of a side lies off the mean of its ends by x is left with an error of x^2 / 15 by a parabola:
-      // 0.3 per cent of the tolerance, as side lobes are held to it as well.
-      roughness_(std::sqrt(0.05 * tolerance)) {}
+      most_bend_(bend_tolerance(relative_tolerance)) {}
 
-// Folded back the place is one in the transmitter's own wave; each perfect conductor turns the mirrored field over.
+// Folded back the point is one in the transmitter's own wave; each perfect conductor turns the mirrored field over.
 AntennaRay SphericalLook::wave(const Beam& beam, const dvec3& r) const {
   AntennaRay ray = antennas_.transmit.ray_to(vector_of(incident_, components(beam, r - beam.base)));
   const auto mirrored = [&](const dvec3& vector) { return vector_of(beam, components(incident_, vector)); };
@@ -78,7 +77,7 @@ SphericalLook::Current SphericalLook::current(const BentFacet& facet, const dvec
   return c;
 }
 
-// A plane in the places of a beam: r - base = w (at, depth), and the widening w changes along it, too.
+// A plane in the launch coordinates of a beam: r - base = w (at, depth), and the widening w changes along it, too.
 Footprint SphericalLook::footprint(const Beam& outgoing, const Patch& plane, const dvec2& at) const {
   const Affine depth = depth_of(outgoing, plane);
   const double t = depth(at), w = widening_at(outgoing, t);
@@ -127,13 +126,13 @@ bool SphericalLook::add(TubeSums& sums, const BentFacet& facet) const {
 template <class At>
 void SphericalLook::add(const Sums& sums, const Triangle& triangle, At at) const {
   const auto& [a, b, c] = triangle;
-  const auto middle = [&](const Current& p, const Current& q) { return at(0.5 * (p.place + q.place)); };
+  const auto middle = [&](const Current& p, const Current& q) { return at(0.5 * (p.point + q.point)); };
   const Triangle middles{middle(a, b), middle(b, c), middle(c, a)};
-  const std::array<double, 3> sides{glm::distance(a.place, b.place), glm::distance(b.place, c.place),
-                                    glm::distance(c.place, a.place)};
+  const std::array<double, 3> sides{glm::distance(a.point, b.point), glm::distance(b.point, c.point),
+                                    glm::distance(c.point, a.point)};
   const auto i = static_cast<std::size_t>(std::ranges::max_element(sides) - sides.begin());
-  const double bend = roughness(triangle, middles);
-  if (bend <= roughness_) return add_smooth(sums, triangle, middles, roughness_ * roughness_ / 15.0);
+  const double bend = bend_of(triangle, middles);
+  if (bend <= most_bend_) return add_smooth(sums, triangle, middles, quadrature_error(most_bend_));
   if (highest_ * sides[i] < shortest) return add_smooth(sums, triangle, middles, std::min(bend, 1.0) / 3.0);
   const Current &start = triangle[i], &end = triangle[(i + 1) % 3], &tip = triangle[(i + 2) % 3];
   add(sums, Triangle{start, middles[i], tip}, at);
@@ -141,24 +140,24 @@ void SphericalLook::add(const Sums& sums, const Triangle& triangle, At at) const
 }
 
 // The largest distance of a side's middle from the mean of its ends, over the largest amplitude at the corners.
-double SphericalLook::roughness(const Triangle& corners, const Triangle& middles) const {
-  double largest = 0.0, bend = 0.0;
+double SphericalLook::bend_of(const Triangle& corners, const Triangle& middles) const {
+  double largest = 0.0, square = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Current &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
     const double ends = 0.25 * (inner(a.weight, a.weight) + 2.0 * inner(a.weight, b.weight) + inner(b.weight, b.weight));
     const double across = 0.5 * (inner(a.weight, m.weight) + inner(b.weight, m.weight));
     const double turn = std::cos(highest_ * (m.path - 0.5 * (a.path + b.path)));
-    bend = std::max(bend, ends + inner(m.weight, m.weight) - 2.0 * turn * across);
+    square = std::max(square, ends + inner(m.weight, m.weight) - 2.0 * turn * across);
     largest = std::max(largest, inner(a.weight, a.weight));
   }
-  if (bend <= 0.0) return 0.0;
-  return largest > 0.0 ? std::sqrt(bend / largest) : 1.0;
+  if (square <= 0.0) return 0.0;
+  return largest > 0.0 ? std::sqrt(square / largest) : 1.0;
 }
 
 // Amplitude times the phase off the linear one as the parabola through its values at the corners and the middles of the sides.
-// What that leaves is known but for its phase: parts are taken as independent.
+// The share `left` that this leaves is known but for its phase: parts are taken as independent.
 void SphericalLook::add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles, double left) const {
-  const double size = area(corners[0].place, corners[1].place, corners[2].place), path = corners[0].path;
+  const double size = area(corners[0].point, corners[1].point, corners[2].point), path = corners[0].path;
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     const double k = wavenumbers_[f], scale = k / (4.0 * pi) * size;
     const auto moments = triangle_moments({0.0, -k * (corners[1].path - path), -k * (corners[2].path - path)});

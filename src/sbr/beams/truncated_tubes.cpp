@@ -8,7 +8,7 @@ void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurface
   while (hit && amplitude > least_amplitude) {
     const std::uint32_t patch = tracer.mesh().triangle_patch[hit.triangle];
     const auto [reflected, transmitted] = surfaces.strongest(tracer.mesh().patches[patch], ray.direction);
-    sums.leave_out(area, amplitude * reflected);
+    sums.add_truncated(area, amplitude * reflected);
     amplitude *= transmitted;
     ray = {ray.origin + hit.distance * ray.direction, ray.direction, patch};
     tracer.closest_hits({&ray, 1}, {&hit, 1});

@@ -1,4 +1,4 @@
-// Tubes that end before their time: at the last bounce, or because there are too many of them.
+// Tubes that are truncated: at the last bounce, or because there are too many of them.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,12 @@
 
 namespace raytube {
 
-/// Between sheets tubes double at every meeting. With more than this under way in a tile the weakest end: counted as cut.
+/// Between sheets tubes double at every meeting. With more than this under way in a tile the weakest end, counted as
+/// truncated.
 inline constexpr std::size_t most_tubes = 32768;
 
-/// Ends all but so many tubes, those of the largest weight(tube), the first ones where these are equal; tells end(tube) of the
-/// others.
+/// Keeps so many tubes, those of the largest weight(tube), the first ones where these are equal, and calls end(tube) for each of
+/// the others.
 template <class Tube, class Weight, class End>
 void end_weakest(std::vector<Tube>& tubes, std::size_t most, Weight weight, End end) {
   if (tubes.size() <= most) return;
@@ -34,13 +35,14 @@ void end_weakest(std::vector<Tube>& tubes, std::size_t most, Weight weight, End 
   });
 }
 
-/// Counts a tube of this area and amplitude that was cut.
+/// Counts a truncated tube of this area [m^2] and amplitude.
 inline void count_truncated(TubeSums& sums, double area, double amplitude) {
   ++sums.tubes_truncated;
-  sums.leave_out(area, amplitude);
+  sums.add_truncated(area, amplitude);
 }
 
-/// The same of one whose ray would have met `hit`: what a sheet there reflects, what the next one behind it does, and so on.
+/// Counts a truncated tube whose ray would have met `hit`: what a sheet there reflects, what the next one behind it does, and so
+/// on.
 void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, Ray ray, Hit hit, double area,
                      double amplitude);
 

@@ -66,7 +66,7 @@ void TubeSums::add(const TubeSums& other) {
   for (std::size_t f = 0; f < other.incoherent.size(); ++f)
     for (std::size_t q = 0; q < 2; ++q) incoherent[f][q] += other.incoherent[f][q];
   for (std::size_t b = 0; b < other.met.size(); ++b) add_at(met, b, other.met[b]);
-  left_out += other.left_out;
+  truncated += other.truncated;
   tubes += other.tubes;
   rays += other.rays;
   lost_rays += other.lost_rays;
@@ -93,7 +93,7 @@ void TubeSums::append(TubeSums further) {
   join(incoherent, further.incoherent);
   rays += further.rays;
   tubes_truncated = std::max(tubes_truncated, further.tubes_truncated);
-  left_out = std::max(left_out, further.left_out);
+  truncated = std::max(truncated, further.truncated);
 }
 
 }  // namespace raytube

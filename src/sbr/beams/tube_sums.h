@@ -9,7 +9,7 @@
 
 namespace raytube {
 
-/// Errors of parts, added up as if they knew of one another and as if they did not.
+/// Errors of parts, added up both ways: as amplitudes, and as if their phases were independent.
 struct ErrorSum {
   ScatteringMatrix coherent;  // sum of the errors [m]
   ChannelErrors squares{};    // sum of their squared magnitudes [m^2]
@@ -37,16 +37,17 @@ struct TubeSums {
   std::vector<std::uint64_t> hits;                // [bounce]
   std::vector<double> met;                        // [bounce] area times squared amplitude of the waves that met surfaces [m^2]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_truncated = 0;
-  double left_out = 0.0;                          // the same of tubes that were cut
+  double truncated = 0.0;                         // area times squared amplitude of truncated tubes [m^2]
   std::uint64_t empty_cells = 0, faces_away = 0;  // not traced: see SkipCounts
   double sliver_area = 0.0;                       // [m^2] of the launch plane, left out by adaptive tubes
 
-  /// The sums of a bounce, counted from 0; they and their counter of hits come into being when first asked for.
+  /// The sums [frequency] of a bounce, counted from 0; they and their counter of hits are made when first asked for.
   std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);
 
-  /// A tube of this area across its wave, of this amplitude of unit incident ones, met a surface; or was cut before it did.
+  /// A tube of this area across its wave [m^2], of this amplitude of unit incident ones, met a surface; or was truncated before
+  /// it did.
   void meet(int bounce, double area, double amplitude);
-  void leave_out(double area, double amplitude) { left_out += area * amplitude * amplitude; }
+  void add_truncated(double area, double amplitude) { truncated += area * amplitude * amplitude; }
 
   /// What the currents of this wave scatter incoherently from so much area across it.
   void add_incoherent(const Spectrum& spectrum, double area);
@@ -54,10 +55,11 @@ struct TubeSums {
   /// Sets `coarse` from what the coarse grids, [grid][frequency], give for all that has been added up so far.
   void compare_with(const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums);
 
+  /// Adds the sums and counts of other tubes; `error`, which belongs to a whole look, stays.
   void add(const TubeSums& other);
 
-  /// The same tubes at further frequencies. Counts stay those of the first ones: weak waves end by what is left of them at any
-  /// frequency traced together.
+  /// Appends the sums of these tubes at further frequencies. Counts stay those of the first ones: weak waves end by what is left
+  /// of them at any frequency traced together.
   void append(TubeSums further);
 };
 

@@ -125,12 +125,12 @@ Complex phase_integral(const CurvedFootprint& f, double k, const dvec2& size) {
 
 }  // namespace
 
-void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t frequency, double k, const dvec2& size) {
+void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t frequency_index, double k, const dvec2& size) {
   const Complex scaled = Complex(0.0, -k / (4.0 * pi)) * std::polar(1.0, k * f.phase) * phase_integral(f, k, size);
   const Spectrum& spectrum = f.outgoing.spectrum;
   for (int p = 0; p < 2; ++p)
     for (int q = 0; q < 2; ++q)
-      sum.at(p, q) += spectrum.empty() ? f.weight[p][q] * scaled : spectrum[frequency].weight[p][q] * f.strength * scaled;
+      sum.at(p, q) += spectrum.empty() ? f.weight[p][q] * scaled : spectrum[frequency_index].weight[p][q] * f.strength * scaled;
 }
 
 }  // namespace raytube

@@ -37,12 +37,13 @@ struct CurvedFootprint {
 /// Where a tube meets a perfect conductor that its middle ray meets at `surface.point`.
 CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive);
 
-/// The same for a surface of any opaque material, that of `patch`.
+/// Where a tube meets a surface of any opaque material, that of `patch`; with the spectrum of the wave that leaves unless nothing
+/// but perfect conductors has been met.
 CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive,
                                  const SpectralSurfaces& surfaces, const Patch& patch);
 
-/// Adds the far field of the footprint over a launch rectangle of this size about the tube's middle; `frequency` is the place of
-/// `k` in its spectrum.
-void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t frequency, double k, const dvec2& size);
+/// Adds S of the footprint's currents over a launch rectangle of this size [m] about the tube's middle, at wavenumber `k`
+/// [rad/m], which is that of `frequency_index` in its spectrum.
+void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t frequency_index, double k, const dvec2& size);
 
 }  // namespace raytube

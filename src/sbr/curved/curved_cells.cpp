@@ -4,21 +4,23 @@
 #include <cmath>
 #include <limits>
 
-#include "sbr/curved/curved_piece.h"
+#include "sbr/beams/current_map.h"
+#include "sbr/curved/curved_integral.h"
 #include "sbr/visible/beam_visibility.h"
 
 namespace raytube {
 
 namespace {
 
-// A cell with more faces than this is split unseen; one with no more than `few` is not worth splitting.
+// A cell with more faces than this is split without a look at them; one with no more than `few` is not worth splitting.
 constexpr std::size_t many = 160, few = 24;
 // Phase [rad] by which the integrand may vary over a cell.
 constexpr double most_phase = 60.0;
-// Share of a cell's far field that its quadrature and the limb of a tessellation may miss: some times what spheres show.
+// Share of a cell's far field that its quadrature and the shadow boundary of a tessellation may miss: some times what spheres
+// show.
 constexpr double integration_error = 2e-3;
-// Smallest cell in wavelengths, and in rises of the surface over its facets: what a limb has beyond the facets' outline is found
-// from the cells that this outline crosses.
+// Smallest cell in wavelengths, and in rises of the surface over its facets: what lies between the facets' outline and the shadow
+// boundary beyond it is found from the cells that this outline crosses.
 constexpr double smallest_cell = 1.0 / 32.0, least_rises = 16.0;
 
 ConvexPolygon rectangle(const Bounds& box) {
@@ -76,17 +78,17 @@ namespace {
 
 class CellTrace {
  public:
-  CellTrace(const AdaptiveLook& look, std::span<const FacingTriangle> facing)
+  CellTrace(const TubeLook& look, std::span<const FacingTriangle> facing)
       : look_(look),
         facing_(facing),
         incident_(incident_beam(look.grid, look.transmit, dvec2(0.0))),
         light_{look.grid, look.transmit, look.receive, look.surfaces},
         map_light_(light_),
-        highest_(std::ranges::max(look.wavenumbers)),
+        highest_(std::ranges::max(look.wavenumbers())),
         smallest_(std::max(smallest_cell * 2.0 * pi / highest_, least_rises * look.smooth->rise())),
-        visible_(look.tree, look.tracer) {
+        visible_(look.faces, look.tracer) {
     if (!look.map) return;
-    map_materials_ = at_frequency({look.surfaces.materials.begin(), look.surfaces.materials.end()}, look.map->frequency());
+    map_materials_ = at_frequency({look.surfaces.materials.begin(), look.surfaces.materials.end()}, look.map->frequency_index());
     map_light_.surfaces = {map_materials_, std::span(&look.map->wavenumber(), 1)};
   }
 
@@ -127,7 +129,7 @@ class CellTrace {
     }
   }
 
-  std::uint32_t region(std::uint32_t face) const { return look_.smooth->region(look_.tree.faces()[face].triangle); }
+  std::uint32_t region(std::uint32_t face) const { return look_.smooth->region(look_.faces.faces()[face].triangle); }
 
   dvec3 above(const dvec2& at) const { return look_.grid.plane_origin + at.x * look_.grid.u_hat + at.y * look_.grid.v_hat; }
 
@@ -155,16 +157,16 @@ class CellTrace {
     return piece_over(at, base->triangle);
   }
 
-  // The surface that the facet stands for, about where the ray from this place meets it.
+  // The surface that the facet stands for, about where the ray from these launch coordinates meets it.
   CurvedPiece piece_over(const dvec2& at, std::uint32_t triangle) const {
-    const TriangleMesh& mesh = look_.tree.mesh();
+    const TriangleMesh& mesh = look_.faces.mesh();
     const Patch& patch = mesh.patches[mesh.triangle_patch[triangle]];
     return {look_.grid, look_.smooth->at(above(at), look_.grid.direction, triangle), patch.material,
             glm::dot(patch.normal, look_.grid.direction) > 0.0};
   }
 
   Affine facet_depth(const FacingTriangle& f) const {
-    const TriangleMesh& mesh = look_.tree.mesh();
+    const TriangleMesh& mesh = look_.faces.mesh();
     return depth_of(incident_, mesh.patches[mesh.triangle_patch[f.triangle]]);
   }
 
@@ -208,7 +210,7 @@ class CellTrace {
 
   // The surface's sides within the box must lie on the piece, and none may be where the surface ends.
   Verdict judge_sides(const FacingTriangle& f, const CurvedPiece& piece, const Bounds& box) {
-    const TriangleMesh& mesh = look_.tree.mesh();
+    const TriangleMesh& mesh = look_.faces.mesh();
     double most_bend = 0.0;
     for (int c = 0; c < 3; ++c) {
       const dvec3 bend = look_.smooth->bend(f.triangle, c);
@@ -228,7 +230,7 @@ class CellTrace {
     return on_piece && phase_off_ < look_.phase_tolerance ? Verdict::one_piece : Verdict::bent;
   }
 
-  // The facet of the piece's own surface at a place of the cell.
+  // The facet of the piece's own surface at a point of the cell.
   std::uint32_t surface_at(const dvec2& at, std::span<const std::uint32_t> triangles) const {
     const auto holds = [&](std::uint32_t t) { return facing_[t].region == base_->region && facing_[t].contains(at); };
     const auto found = std::ranges::find_if(triangles, holds);
@@ -240,12 +242,12 @@ class CellTrace {
   void add(const CurvedPiece& piece, const Shape& shape, TriangleAt triangle_at) {
     const std::vector<ScatteringMatrix> part = curved_far_field(light_, piece, shape, &sums_);
     add(part);
-    if (look_.map) report(piece, shape, part[look_.map->frequency()], triangle_at);
+    if (look_.map) add_to_map(piece, shape, part[look_.map->frequency_index()], triangle_at);
   }
 
   // Quadrature over the cells of the map differs from that over the whole by its error: the strongest cell takes that.
   template <class Shape, class TriangleAt>
-  void report(const CurvedPiece& piece, const Shape& shape, const ScatteringMatrix& whole, TriangleAt triangle_at) {
+  void add_to_map(const CurvedPiece& piece, const Shape& shape, const ScatteringMatrix& whole, TriangleAt triangle_at) {
     ScatteringMatrix rest = whole;
     double most = -1.0;
     dvec2 strongest(0.0);
@@ -278,18 +280,18 @@ class CellTrace {
     visible_.within(incident_, rectangle(box), parts_);
     for (const VisiblePart& part : parts_) {
       if (region(part.face) == no_index) continue;
-      const std::uint32_t facet = look_.tree.faces()[part.face].triangle;
+      const std::uint32_t facet = look_.faces.faces()[part.face].triangle;
       add(piece_over(middle(part.outline), facet), part.outline, [&](const dvec2&) { return facet; });
     }
   }
 
-  const AdaptiveLook& look_;
+  const TubeLook& look_;
   std::span<const FacingTriangle> facing_;
   Beam incident_;
   Illumination light_, map_light_;
   std::vector<Material> map_materials_;  // at the map's frequency
   double highest_, smallest_;            // wavenumber [rad/m], cell [m]
-  VisibleSurfaces visible_;
+  BeamVisibility visible_;
   const FacingTriangle* base_ = nullptr;
   double phase_off_ = 0.0;  // of the facets' sides from the piece in question [rad], at the highest frequency
   ConvexPolygon clipped_, inside_, outside_;
@@ -299,15 +301,15 @@ class CellTrace {
 
 }  // namespace
 
-CurvedLook::CurvedLook(const AdaptiveLook& look) : look_(look) {
-  const TriangleMesh& mesh = look.tree.mesh();
-  std::vector<dvec2> places;
-  for (const dvec3& r : mesh.vertices) places.emplace_back(glm::dot(r, look.grid.u_hat), glm::dot(r, look.grid.v_hat));
+CurvedLook::CurvedLook(const TubeLook& look) : look_(look) {
+  const TriangleMesh& mesh = look.faces.mesh();
+  std::vector<dvec2> projected;
+  for (const dvec3& r : mesh.vertices) projected.emplace_back(glm::dot(r, look.grid.u_hat), glm::dot(r, look.grid.v_hat));
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const double towards = glm::dot(mesh.patches[mesh.triangle_patch[t]].normal, look.grid.direction);
     if (towards > -edge_on && (towards < edge_on || mesh.closed(t))) continue;
     const Triangle& corners = mesh.triangles[t];
-    facing_.push_back({t, look.smooth->region(t), {places[corners[0]], places[corners[1]], places[corners[2]]}});
+    facing_.push_back({t, look.smooth->region(t), {projected[corners[0]], projected[corners[1]], projected[corners[2]]}});
   }
   fill_blocks();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbr/beams/current_map.h"
 #include "sbr/beams/truncated_tubes.h"
 #include "sbr/curved/curved_beam.h"
 #include "scene/material.h"
@@ -22,8 +23,8 @@ constexpr std::size_t most_cells = std::size_t{1} << 16;
 // the surface behind it.
 class CurvedTubes {
  public:
-  CurvedTubes(const AdaptiveLook& look, TubeSums& sums) : look_(look), sums_(sums) {
-    for (auto& sums_of_grid : coarse_sums_) sums_of_grid.resize(look.wavenumbers.size());
+  CurvedTubes(const TubeLook& look, TubeSums& sums) : look_(look), sums_(sums) {
+    for (auto& sums_of_grid : coarse_sums_) sums_of_grid.resize(look.wavenumbers().size());
   }
 
   // Launches the cells' tubes and keeps those that a curved surface reflects.
@@ -52,12 +53,12 @@ class CurvedTubes {
       find_hits();
       if (bounce == look_.max_bounces) {
         for (const Hit& hit : hits_)
-          if (hit) cut();
+          if (hit) truncate();
         break;
       }
       keep([&](const Tube& tube, const Hit& hit) {
         integrate(tube, bounce);
-        if (look_.map) report(tube, hit.triangle);
+        if (look_.map) add_to_map(tube, hit.triangle);
         return true;
       });
     }
@@ -71,7 +72,7 @@ class CurvedTubes {
     CurvedFootprint footprint{};
   };
 
-  void cut() { count_truncated(sums_, look_.grid.du * look_.grid.dv, 1.0); }
+  void truncate() { count_truncated(sums_, look_.grid.du * look_.grid.dv, 1.0); }
 
   void find_hits() {
     hits_.resize(rays_.size());
@@ -97,7 +98,7 @@ class CurvedTubes {
           curved_footprint(tube.beam, surface(tube.beam, hit.triangle), look_.receive, look_.surfaces, mesh.patches[patch]);
       if (!take(tube, hit)) continue;
       if (is_too_wide(tube.footprint)) {
-        cut();
+        truncate();
         continue;
       }
       tube.beam = tube.footprint.outgoing;
@@ -120,33 +121,33 @@ class CurvedTubes {
     return {beam.base + distance * beam.direction, facing < 0.0 ? patch.normal : -patch.normal, glm::dmat3(0.0)};
   }
 
-  // Beyond some wavelengths the derivatives at a tube's middle say little about its rims.
+  // Beyond some wavelengths the derivatives at a tube's middle say little about its sides.
   bool is_too_wide(const CurvedFootprint& f) const {
-    const double limit = most_width * 2.0 * pi / std::ranges::max(look_.wavenumbers);
+    const double limit = most_width * 2.0 * pi / std::ranges::max(look_.wavenumbers());
     return glm::length(f.outgoing.along_u) * look_.grid.du > limit || glm::length(f.outgoing.along_v) * look_.grid.dv > limit;
   }
 
   void integrate(const Tube& tube, int bounce) {
-    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
+    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers().size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
     const dvec2 cell(look_.grid.du, look_.grid.dv);
     sums_.meet(bounce, cell.x * cell.y, 1.0);
     if (look_.surfaces.any_rough()) sums_.add_incoherent(tube.footprint.outgoing.spectrum, cell.x * cell.y);
     for (std::size_t f = 0; f < sums.size(); ++f) {
-      add_far_field(sums[f], tube.footprint, f, look_.wavenumbers[f], cell);
+      add_far_field(sums[f], tube.footprint, f, look_.wavenumbers()[f], cell);
       for (std::uint32_t grid = 0; grid < coarse_grids; ++grid)
         if (tube.cell.x % 3 == 1 - grid && tube.cell.y % 3 == 1 - grid)
-          add_far_field(coarse_sums_[grid][f], tube.footprint, f, look_.wavenumbers[f], 3.0 * cell);
+          add_far_field(coarse_sums_[grid][f], tube.footprint, f, look_.wavenumbers()[f], 3.0 * cell);
     }
   }
 
-  void report(const Tube& tube, std::uint32_t triangle) {
+  void add_to_map(const Tube& tube, std::uint32_t triangle) {
     ScatteringMatrix s;
-    add_far_field(s, tube.footprint, look_.map->frequency(), look_.map->wavenumber(), {look_.grid.du, look_.grid.dv});
+    add_far_field(s, tube.footprint, look_.map->frequency_index(), look_.map->wavenumber(), {look_.grid.du, look_.grid.dv});
     look_.map->add({look_.grid.u_center(tube.cell.x), look_.grid.v_center(tube.cell.y)}, triangle, s);
   }
 
-  const AdaptiveLook& look_;
+  const TubeLook& look_;
   TubeSums& sums_;
   std::vector<Tube> tubes_;
   std::vector<Ray> rays_;
@@ -211,8 +212,8 @@ class Block {
 
 }  // namespace
 
-CurvedBounces::CurvedBounces(const AdaptiveLook& look) : look_(look) {
-  const double half_wavelength = pi / std::ranges::max(look.wavenumbers);
+CurvedBounces::CurvedBounces(const TubeLook& look) : look_(look) {
+  const double half_wavelength = pi / std::ranges::max(look.wavenumbers());
   stride_ = std::max(1u, static_cast<std::uint32_t>(half_wavelength / std::max(look.grid.du, look.grid.dv)));
   const std::uint32_t side = probes_across * stride_;
   across_ = (look.grid.columns + side - 1) / side;

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbr/beams/current_map.h"
+#include "sbr/beams/spherical_look.h"
+#include "sbr/beams/truncated_tubes.h"
+
 namespace raytube {
 
 namespace {
@@ -15,14 +19,29 @@ struct Group {
   bool empty() const { return begin == end; }
 };
 
-// The group that a cell stands for among [begin, end), in the coarse grid moved by so many cells; begin is divisible by three.
+// The group that a cell stands for among [begin, end), in the coarse grid moved by so many cells; `begin` is
+// divisible by three.
 Group group_of(std::uint32_t index, std::uint32_t moved, std::uint32_t begin, std::uint32_t end) {
-  const std::uint32_t place = (index + moved) % coarseness;
-  if (place != 1 && !(place == 0 && index + 1 == end)) return {};
-  return {index - std::min(place, index - begin), std::min(index - place + coarseness, end)};
+  const std::uint32_t in_group = (index + moved) % coarseness;
+  if (in_group != 1 && !(in_group == 0 && index + 1 == end)) return {};
+  return {index - std::min(in_group, index - begin), std::min(index - in_group + coarseness, end)};
 }
 
 }  // namespace
+
+CellTubes::CellTubes(const TubeLook& look, BeamTree& beams, TubeSums& sums)
+    : tracer_(look.tracer),
+      grid_(look.grid),
+      spherical_(look.spherical),
+      smooth_(look.smooth),
+      map_(look.map),
+      max_bounces_(look.max_bounces),
+      frequencies_(look.wavenumbers().size()),
+      far_fields_(look.wavenumbers()),
+      beams_(beams),
+      sums_(sums) {
+  if (look.sheets) line_of_sight_.emplace(*look.sheets, tracer_);
+}
 
 void CellTubes::launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end) {
   std::size_t next = tubes_.size();
@@ -40,12 +59,12 @@ void CellTubes::add(std::uint32_t column, std::uint32_t row, std::uint32_t beam,
 }
 
 Ray CellTubes::reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const {
-  return tube_ray(beams_.beam(beam), grid_.ray_place(column, row), &tracer_.mesh().patches[patch], patch);
+  return tube_ray(beams_.beam(beam), grid_.ray_coordinates(column, row), &tracer_.mesh().patches[patch], patch);
 }
 
-void CellTubes::advance(int bounce, int max_bounces) {
+void CellTubes::advance(int bounce) {
   sums_.rays += rays_.size();
-  if (bounce == max_bounces) return cut();
+  if (bounce == max_bounces_) return truncate();
   found_.resize(rays_.size());
   tracer_.closest_triangles(rays_, found_);
   reflect(bounce);
@@ -54,7 +73,7 @@ void CellTubes::advance(int bounce, int max_bounces) {
   end_weakest();
 }
 
-void CellTubes::cut() {
+void CellTubes::truncate() {
   std::vector<Hit> hits(rays_.size());
   tracer_.closest_hits(rays_, hits);
   for (std::size_t i = 0; i < tubes_.size(); ++i)
@@ -120,22 +139,22 @@ void CellTubes::send_on() {
   rays_.resize(alive);
 }
 
-void CellTubes::find_line_of_sight_sheets() {
-  seen_.clear();
+void CellTubes::find_screened_tubes() {
+  screened_.clear();
   if (!line_of_sight_) return;
   for (std::uint32_t i = 0; i < tubes_.size(); ++i)
     line_of_sight_->add(i, tubes_[i].beam, rays_[i].origin, rays_[i].source_patch);
   sums_.rays += line_of_sight_->through_sheets(beams_, [&](std::uint32_t i, std::uint32_t node) {
     const Tube& tube = tubes_[i];
-    seen_.push_back({tube.column, tube.row, node, tube.sampling_variance});
-    if (map_) report(seen_.back(), found_[i]);
+    screened_.push_back({tube.column, tube.row, node, tube.sampling_variance});
+    if (map_) add_to_map(screened_.back(), found_[i]);
   });
 }
 
 void CellTubes::find_runs(std::span<const Tube> tubes) {
   runs_.clear();
   for (const auto& [column, row, node, sampling_variance] : tubes)
-    extend({node, {column, column + 1, row, row + 1}, grid_.ray_place(column, row)});
+    extend({node, {column, column + 1, row, row + 1}, grid_.ray_coordinates(column, row)});
 }
 
 void CellTubes::find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid) {
@@ -146,13 +165,13 @@ void CellTubes::find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid
     if (down.empty()) continue;
     const Group across = group_of(column, grid, block.column_begin, block.column_end);
     if (across.empty()) continue;
-    extend({node, {across.begin, across.end, down.begin, down.end}, grid_.ray_place(column, row)});
+    extend({node, {across.begin, across.end, down.begin, down.end}, grid_.ray_coordinates(column, row)});
   }
 }
 
 void CellTubes::extend(const Run& next) {
   if (!runs_.empty() && !spherical_) {
-    auto& [node, cells, ray_place] = runs_.back();
+    auto& [node, cells, ray_at] = runs_.back();
     if (node == next.node && cells.row_begin == next.cells.row_begin && cells.column_end == next.cells.column_begin) {
       cells.column_end = next.cells.column_end;
       return;
@@ -165,11 +184,11 @@ void CellTubes::integrate(int bounce) {
   if (tubes_.empty()) return;
   std::vector<ScatteringMatrix>& sums = sums_.at(bounce, frequencies_);
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
-  find_line_of_sight_sheets();
+  find_screened_tubes();
   add_variance();
   add_incoherent();
-  for (std::size_t i = 0; map_ && i < tubes_.size(); ++i) report(tubes_[i], found_[i]);
-  for (const std::span<const Tube> tubes : {std::span<const Tube>(tubes_), std::span<const Tube>(seen_)}) {
+  for (std::size_t i = 0; map_ && i < tubes_.size(); ++i) add_to_map(tubes_[i], found_[i]);
+  for (const std::span<const Tube> tubes : {std::span<const Tube>(tubes_), std::span<const Tube>(screened_)}) {
     if (tubes.empty()) continue;
     find_runs(tubes);
     integrate_runs(sums);
@@ -187,7 +206,7 @@ void CellTubes::add_incoherent() {
     if (const Spectrum* spectrum = beams_.beam(tube.beam).spectrum) sums_.add_incoherent(*spectrum, grid_.du * grid_.dv);
 }
 
-void CellTubes::report(const Tube& tube, std::uint32_t triangle) {
+void CellTubes::add_to_map(const Tube& tube, std::uint32_t triangle) {
   map_->add(beams_.footprint(tube.beam), cell_bounds(grid_, tube.column, tube.row), triangle);
 }
 
@@ -197,7 +216,7 @@ void CellTubes::add_variance() {
   for (const Tube& tube : tubes_) {
     if (tube.sampling_variance == 0.0f) continue;
     const Footprint f = spherical_ ? spherical_->footprint(beams_.beam(tube.beam), beams_.patch(tube.beam),
-                                                           grid_.ray_place(tube.column, tube.row))
+                                                           grid_.ray_coordinates(tube.column, tube.row))
                                    : beams_.footprint(tube.beam);
     const double square = tube.sampling_variance * std::pow(f.area * cell, 2);
     for (int p = 0; p < 2; ++p)
@@ -208,12 +227,12 @@ void CellTubes::add_variance() {
 // Current and phase gradient of a spherical wave are those where the ray met the surface: from the middle of its cells none may
 // lead there, at grazing not even to the plane.
 void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) {
-  for (const auto& [node, cells, ray_place] : runs_) {
+  for (const auto& [node, cells, ray_at] : runs_) {
     const dvec2 size{(cells.column_end - cells.column_begin) * grid_.du, (cells.row_end - cells.row_begin) * grid_.dv};
     const dvec2 low{grid_.u_begin + cells.column_begin * grid_.du, grid_.v_begin + cells.row_begin * grid_.dv};
     const dvec2 center = low + 0.5 * size;
     if (spherical_)
-      far_fields_.add(spherical_->footprint(beams_.beam(node), beams_.patch(node), ray_place), center, size);
+      far_fields_.add(spherical_->footprint(beams_.beam(node), beams_.patch(node), ray_at), center, size);
     else
       far_fields_.add(beams_.footprint(node), center, size);
   }

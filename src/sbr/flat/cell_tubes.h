@@ -1,19 +1,17 @@
 // Tubes of one cell of the launch grid each, followed by single rays.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "mesh/features/smooth.h"
-#include "mesh/trace/tracer.h"
 #include "sbr/beams/beam_tree.h"
-#include "sbr/beams/current_map.h"
 #include "sbr/beams/far_fields.h"
-#include "sbr/beams/spherical_look.h"
-#include "sbr/beams/truncated_tubes.h"
+#include "sbr/beams/tube_look.h"
 #include "sbr/beams/tube_sums.h"
 #include "sbr/launch/lattice.h"
+#include "sbr/launch/tile.h"
 #include "sbr/visible/line_of_sight.h"
 
 namespace raytube {
@@ -21,16 +19,8 @@ namespace raytube {
 /// Tubes under way, all after the same number of bounces. Beams and sums are their owner's.
 class CellTubes {
  public:
-  /// `spherical` is null for plane waves.
-  CellTubes(const Tracer& tracer, const LaunchGrid& grid, const SphericalLook* spherical, std::span<const double> wavenumbers,
-            BeamTree& beams, TubeSums& sums)
-      : tracer_(tracer),
-        grid_(grid),
-        spherical_(spherical),
-        frequencies_(wavenumbers.size()),
-        far_fields_(wavenumbers),
-        beams_(beams),
-        sums_(sums) {}
+  /// Keeps references to all it is given.
+  CellTubes(const TubeLook& look, BeamTree& beams, TubeSums& sums);
 
   bool empty() const { return tubes_.empty(); }
   void clear() {
@@ -38,29 +28,19 @@ class CellTubes {
     rays_.clear();
   }
 
-  /// Tubes that meet a curved surface first are someone else's.
-  void leave_out(const SmoothSurfaces* smooth) { smooth_ = smooth; }
-
-  /// Currents may stand behind sheets; null: there are none.
-  void look_through(const LineOfSightSheets* sheets) {
-    if (sheets) line_of_sight_.emplace(*sheets, tracer_);
-  }
-
-  /// Currents are told to it, too.
-  void report_to(CurrentMap* map) { map_ = map; }
-
-  /// Tubes as launched, of the cells [column_begin, column_end) of a row.
+  /// Tubes as launched, of the cells [column_begin, column_end) of a row. Those that meet a curved surface of the look first are
+  /// left to whoever traces such surfaces.
   void launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end);
-  /// A tube that travels in `beam`, just reflected by `patch`. `doubt`: it stands for others with this variance, over its own
-  /// square.
+  /// A tube that travels in `beam`, just reflected by `patch`. If it was drawn at random in the place of others,
+  /// `sampling_variance` is the variance of that draw over the square of what the tube radiates.
   void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch, double sampling_variance = 0.0);
 
   /// Sends every tube to the next surface and integrates the currents there as those of bounce `bounce`, counted from 0. Tubes
-  /// that meet none end; all do if the next one would be bounce `max_bounces`.
-  void advance(int bounce, int max_bounces);
+  /// that meet none end; all do if the next one would be bounce `max_bounces` of the look.
+  void advance(int bounce);
 
-  /// From here on the cells of `block` are also taken in the groups of the coarse grids. A group that the block cuts has the
-  /// middle cell's ray, or its only one's. Wants all tubes of the block, rows one after the other.
+  /// From here on the cells of `block` are also taken in the groups of the coarse grids. A group that the block divides has the
+  /// middle cell's ray, or its only one's. Needs all tubes of the block, rows one after the other.
   void sample_coarse_grids(const CellBlock& block) {
     coarse_block_ = block;
     for (std::vector<ScatteringMatrix>& sums : coarse_sums_) sums.assign(frequencies_, {});
@@ -68,8 +48,8 @@ class CellTubes {
   /// Sums over all bounces so far; [grid][frequency].
   const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums() const { return coarse_sums_; }
 
-  /// Over all tubes and bounces so far the squares of what their currents radiate at most, times their doubt, over the square of
-  /// the wavenumber.
+  /// Over all tubes and bounces so far the squares of what their currents radiate at most, times their sampling variance, over
+  /// the square of the wavenumber [m^4].
   const ChannelErrors& variance() const { return variance_; }
 
  private:
@@ -81,36 +61,37 @@ class CellTubes {
   struct Run {
     std::uint32_t node;
     CellBlock cells;
-    dvec2 ray_place;  // of its first tube
+    dvec2 ray_at;  // launch coordinates of its first tube's ray
   };
 
   Ray reflected_ray(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) const;
   void reflect(int bounce);
-  void find_line_of_sight_sheets();
-  void find_runs(std::span<const Tube> tubes);
-  void find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid);
   void send_on();
   void end_weakest();
-  void cut();
-  void extend(const Run& next);
+  void truncate();
   void integrate(int bounce);
+  void find_screened_tubes();
+  void find_runs(std::span<const Tube> tubes);
+  void find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid);
+  void extend(const Run& next);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);
-  void report(const Tube& tube, std::uint32_t triangle);
+  void add_to_map(const Tube& tube, std::uint32_t triangle);
   void add_variance();
   void add_incoherent();
 
   const Tracer& tracer_;
   const LaunchGrid& grid_;
   const SphericalLook* spherical_;
+  const SmoothSurfaces* smooth_;
+  CurrentMap* map_;
+  int max_bounces_;
   std::size_t frequencies_;
   FarFields far_fields_;
   BeamTree& beams_;
   TubeSums& sums_;
-  const SmoothSurfaces* smooth_ = nullptr;
-  CurrentMap* map_ = nullptr;
   std::optional<RayLineOfSight> line_of_sight_;
   std::vector<Tube> tubes_;
-  std::vector<Tube> seen_;  // their currents again, for every sheet before them
+  std::vector<Tube> screened_;  // their currents again, for every sheet between them and the receiver
   std::vector<Ray> rays_;
   std::vector<std::uint32_t> found_;  // triangles met: by each ray, then by each tube
   std::vector<Run> runs_;

@@ -21,13 +21,13 @@ struct Interval {
   }
 };
 
-// Of the lattice first + i * step, the places from `low` to `high`, both included, within [begin, end).
-struct Places {
-  Places(double low, double high, double first, double step, std::uint32_t begin, std::uint32_t end)
+// The indices i in [begin, end) for which first + i * step lies from `low` to `high`, both included.
+struct Indices {
+  Indices(double low, double high, double first, double step, std::uint32_t begin, std::uint32_t end)
       : from(clamped(std::ceil((low - first) / step), begin, end)),
         to(clamped(std::floor((high - first) / step) + 1.0, begin, end)) {}
-  static std::uint32_t clamped(double place, std::uint32_t begin, std::uint32_t end) {
-    return static_cast<std::uint32_t>(std::clamp(place, double(begin), double(end)));
+  static std::uint32_t clamped(double index, std::uint32_t begin, std::uint32_t end) {
+    return static_cast<std::uint32_t>(std::clamp(index, double(begin), double(end)));
   }
   std::uint32_t from, to;
 };
@@ -48,7 +48,7 @@ Interval across_band(std::span<const dvec2> corners, double low, double high) {
 
 }  // namespace
 
-Coverage::Coverage(const FaceTree* faces, const LaunchGrid& grid, const Tile& tile)
+Coverage::Coverage(const FaceTree* faces, const LaunchGrid& grid, const CellBlock& tile)
     : grid_(grid),
       tile_(tile),
       beam_(incident_beam(grid, {}, dvec2(0.0))),
@@ -69,7 +69,7 @@ Coverage::Coverage(const FaceTree* faces, const LaunchGrid& grid, const Tile& ti
 }
 
 Coverage::Span Coverage::next(std::uint32_t row, std::uint32_t column) const {
-  const auto at = [&](std::uint32_t c) { return cells_.begin() + static_cast<std::ptrdiff_t>(place(c, row)); };
+  const auto at = [&](std::uint32_t c) { return cells_.begin() + static_cast<std::ptrdiff_t>(index(c, row)); };
   const auto end_of_row = at(tile_.column_end), begin = std::find(at(column), end_of_row, 1),
              end = std::find(begin, end_of_row, 0);
   return {tile_.column_end - static_cast<std::uint32_t>(end_of_row - begin),
@@ -80,12 +80,12 @@ void Coverage::mark(const FaceTree& faces, std::uint32_t face) {
   corners_.clear();
   Interval rows;
   for (const std::uint32_t corner : faces.corners(face)) {
-    corners_.push_back(launch_place(beam_, faces.mesh().vertices[corner]));
+    corners_.push_back(launch_coordinates(beam_, faces.mesh().vertices[corner]));
     rows.include(corners_.back().y);
   }
-  const double first = grid_.ray_place(0, 0).y;
-  const Places places(rows.low - margin_, rows.high + margin_, first, grid_.dv, tile_.row_begin, tile_.row_end);
-  for (std::uint32_t row = places.from; row < places.to; ++row) {
+  const double first = grid_.ray_coordinates(0, 0).y;
+  const Indices indices(rows.low - margin_, rows.high + margin_, first, grid_.dv, tile_.row_begin, tile_.row_end);
+  for (std::uint32_t row = indices.from; row < indices.to; ++row) {
     const double v = first + row * grid_.dv;
     const Interval across = across_band(corners_, v - margin_, v + margin_);
     if (across.low <= across.high) mark_row(row, across.low, across.high);
@@ -93,9 +93,10 @@ void Coverage::mark(const FaceTree& faces, std::uint32_t face) {
 }
 
 void Coverage::mark_row(std::uint32_t row, double low, double high) {
-  const Places places(low - margin_, high + margin_, grid_.ray_place(0, 0).x, grid_.du, tile_.column_begin, tile_.column_end);
-  if (places.from < places.to)
-    std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(place(places.from, row)), places.to - places.from, 1);
+  const Indices indices(low - margin_, high + margin_, grid_.ray_coordinates(0, 0).x, grid_.du, tile_.column_begin,
+                        tile_.column_end);
+  if (indices.from < indices.to)
+    std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(index(indices.from, row)), indices.to - indices.from, 1);
 }
 
 }  // namespace raytube

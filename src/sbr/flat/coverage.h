@@ -6,7 +6,7 @@
 
 #include "mesh/model/face_tree.h"
 #include "sbr/beams/beam.h"
-#include "sbr/flat/tile.h"
+#include "sbr/launch/tile.h"
 
 namespace raytube {
 
@@ -20,21 +20,21 @@ class Coverage {
   };
 
   /// Without `faces` every cell is covered.
-  Coverage(const FaceTree* faces, const LaunchGrid& grid, const Tile& tile);
+  Coverage(const FaceTree* faces, const LaunchGrid& grid, const CellBlock& tile);
 
   /// The first covered cells of a row at or after a column.
   Span next(std::uint32_t row, std::uint32_t column) const;
   std::uint64_t empty_cells() const { return static_cast<std::uint64_t>(std::ranges::count(cells_, 0)); }
 
  private:
-  std::size_t place(std::uint32_t column, std::uint32_t row) const {
+  std::size_t index(std::uint32_t column, std::uint32_t row) const {
     return std::size_t{row - tile_.row_begin} * (tile_.column_end - tile_.column_begin) + (column - tile_.column_begin);
   }
   void mark(const FaceTree& faces, std::uint32_t face);
   void mark_row(std::uint32_t row, double low, double high);
 
   const LaunchGrid& grid_;
-  const Tile& tile_;
+  const CellBlock& tile_;
   Beam beam_;      // as launched, without fields
   double margin_;  // [m]
   std::vector<std::uint8_t> cells_;

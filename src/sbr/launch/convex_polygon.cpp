@@ -97,7 +97,7 @@ void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, Convex
     const Corner& next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
     const double value_next = f(next.at);
     const int there = side(value_next, tolerance);
-    // Where a part leaves the polygon's rim, it goes on along the cut.
+    // Where a part leaves the polygon's outline, it goes on along the cut.
     if (here >= 0) positive.push_back({corner.at, here == 0 && there < 0 ? inward : corner.edge});
     if (here <= 0) negative.push_back({corner.at, here == 0 && there > 0 ? outward : corner.edge});
     if (here * there < 0) {

@@ -26,7 +26,7 @@ struct Corner {
 /// Corners counter-clockwise; fewer than three: nothing.
 using ConvexPolygon = std::vector<Corner>;
 
-/// The same line, as a distance.
+/// The line f = 0 as the distance to it.
 Affine normalized(const Affine& f);
 
 struct Bounds {

@@ -8,12 +8,12 @@ namespace raytube {
 namespace {
 
 // Rays with index in [first_at_or_after(low), first_at_or_after(high)) lie in [low, high).
-std::uint32_t first_at_or_after(double place, double first_ray, double step, std::uint32_t count) {
-  const double index = std::ceil((place - first_ray) / step);
+std::uint32_t first_at_or_after(double at, double first_ray, double step, std::uint32_t count) {
+  const double index = std::ceil((at - first_ray) / step);
   return static_cast<std::uint32_t>(std::clamp(index, 0.0, static_cast<double>(count)));
 }
 
-// Where the polygon's rim crosses the line of a row; two polygons find the same place on the edge they share.
+// Where the polygon's outline crosses the line of a row; two polygons find the same point on the edge they share.
 Range crossings(const ConvexPolygon& polygon, double v) {
   Range across{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -31,7 +31,7 @@ Range crossings(const ConvexPolygon& polygon, double v) {
 
 void cells_under(const LaunchGrid& grid, const ConvexPolygon& polygon, std::vector<CellBlock>& blocks) {
   blocks.clear();
-  const dvec2 first = grid.ray_place(0, 0);
+  const dvec2 first = grid.ray_coordinates(0, 0);
   const Bounds box = bounds(polygon);
   const std::uint32_t row_end = first_at_or_after(box.high.y, first.y, grid.dv, grid.rows);
   for (std::uint32_t row = first_at_or_after(box.low.y, first.y, grid.dv, grid.rows); row < row_end; ++row) {

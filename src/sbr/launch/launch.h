@@ -1,4 +1,8 @@
 // The launch plane of a look: a regular grid of tubes over the target's projected extent.
+//
+// The central header of this folder, which holds the plane that tubes set out from: the grid, its rays and blocks of cells
+// (tile), convex polygons on it (convex_polygon), and the cells under a polygon (lattice). Positions on it are launch coordinates
+// (u, v) [m]: along u_hat and v_hat, counted from the projection of the middle of the target.
 #pragma once
 
 #include <optional>
@@ -12,7 +16,7 @@ namespace raytube {
 
 /// Rectangle across the line of sight, in recentred coordinates, cut into equal cells. Columns run along u, rows along v;
 /// u x v points to the radar. It lies in front of the whole target. Rays from an antenna at a finite distance run through the
-/// cells' places where these are drawn at the middle of the target, which is the origin.
+/// cells' points where these are drawn at the middle of the target, which is the origin.
 struct LaunchGrid {
   dvec3 u_hat, v_hat;
   dvec3 direction;                      // of propagation: away from the radar
@@ -24,22 +28,22 @@ struct LaunchGrid {
 
   double u_center(std::uint32_t column) const { return u_begin + (column + 0.5) * du; }
   double v_center(std::uint32_t row) const { return v_begin + (row + 0.5) * dv; }
-  /// Rays from an antenna: how much closer together they are where they begin, and that place as a depth along a Beam.
+  /// Rays from an antenna: how much closer together they are where they begin, and the depth along a Beam where that is.
   double narrowing() const { return 1.0 + curvature * glm::dot(direction, plane_origin); }
   double launch_depth() const { return glm::dot(direction, plane_origin) / narrowing(); }
 
   std::uint64_t cells() const { return std::uint64_t{columns} * rows; }
 
   /// Launch coordinates of a cell's ray.
-  dvec2 ray_place(std::uint32_t column, std::uint32_t row) const {
+  dvec2 ray_coordinates(std::uint32_t column, std::uint32_t row) const {
     return {u_center(column) + beside_u * du, v_center(row) + beside_v * dv};
   }
 
   /// The ray of a cell leaves a little beside the centre, so that it never runs along mesh edges aligned with the grid.
   Ray ray(std::uint32_t column, std::uint32_t row) const {
-    const dvec2 place = ray_place(column, row);
-    const dvec3 across = place.x * u_hat + place.y * v_hat;
-    if (curvature == 0.0) return {plane_origin + place.x * u_hat + place.y * v_hat, direction};
+    const dvec2 at = ray_coordinates(column, row);
+    const dvec3 across = at.x * u_hat + at.y * v_hat;
+    if (curvature == 0.0) return {plane_origin + at.x * u_hat + at.y * v_hat, direction};
     return {plane_origin + narrowing() * across, glm::normalize(direction + curvature * across)};
   }
 };
@@ -47,21 +51,21 @@ struct LaunchGrid {
 /// Grid of `per_wavelength` cells per wavelength along each side, fitted to the exact extent: ceil(extent * per_wavelength /
 /// wavelength - 1e-6) equal cells. Throws InputError where these are more than 10^6. Columns u = phi_hat, rows v = -theta_hat of
 /// `transmit`, or v along `up` projected (the default again where `up` points along the line of sight). With an antenna, at a
-/// place in recentred coordinates, in its perspective, these axes turned with the line of sight to the origin.
+/// point in recentred coordinates, in its perspective, these axes turned with the line of sight to the origin.
 LaunchGrid launch_grid(const TriangleMesh& mesh, const Direction& transmit, double wavelength, double per_wavelength,
                        const std::optional<dvec3>& up, const std::optional<dvec3>& antenna = {});
 
-/// The same of a look, from wherever it is.
+/// The launch grid of a look, from afar or from a finite distance; errors as for launch_grid().
 LaunchGrid grid_of_look(const TriangleMesh& mesh, const Look& look, double wavelength, double per_wavelength,
                         const std::optional<dvec3>& up);
 
 /// The most cells per wavelength that the launch grid of a look takes: 10^6 of them along its longer side.
 double densest_grid(const TriangleMesh& mesh, const Look& look, double wavelength, const std::optional<dvec3>& up);
 
-/// What there is to say about a density above the most.
+/// The error message for a density above the most.
 std::string too_dense(double per_wavelength, double most);
 
-/// False if an antenna at this place, in recentred coordinates, has some of the mesh beside or behind it: farther off its line of
+/// False if an antenna at this point, in recentred coordinates, has some of the mesh beside or behind it: farther off its line of
 /// sight to the origin than it lies along it, or nearer than a twentieth of the way there.
 bool stands_in_front(const TriangleMesh& mesh, const dvec3& antenna);
 

@@ -7,7 +7,7 @@ namespace raytube {
 
 namespace {
 
-// Up to so many faces are compared each with each; beyond, groups of neighbours ask the tree who stands in front of them.
+// Up to so many faces are compared each with each; beyond, groups of neighbours ask the tree which faces stand in front of them.
 constexpr std::size_t few = 32, group = 16;
 // Times the area of its members' boxes, from which on a group's box is mostly empty.
 constexpr double scattered = 2.0;
@@ -23,28 +23,27 @@ BeamView view_of(const Beam& incident) {
 
 }  // namespace
 
-VisibleSurfaces::VisibleSurfaces(const FaceTree& tree, const Tracer& tracer)
+BeamVisibility::BeamVisibility(const FaceTree& tree, const Tracer& tracer)
     : tree_(tree), tracer_(tracer), projector_(tree), depth_margin_(1e-9 * tree.mesh().radius) {}
 
-void VisibleSurfaces::of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
+void BeamVisibility::of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
   const BeamView view = view_of(incident);
   gather(view, faces, in_view_);
   if (faces.size() == tree_.faces().size() && in_view_.count <= few) return uncover(in_view_, in_view_, parts);
   waiting_.clear();
   for (const ProjectedFace& c : in_view_.used()) waiting_.push_back(&c);
   drop_hidden(view);
-  see_in_groups(view, parts);
+  uncover_in_groups(view, parts);
 }
 
-void VisibleSurfaces::of_whole_faces(const Beam& incident, std::span<const std::uint32_t> faces,
-                                     std::vector<VisiblePart>& parts) {
+void BeamVisibility::of_whole_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
   const BeamView view = view_of(incident);
   for (const std::uint32_t face : faces)
     if (projector_.project(view, face, first_)) emit(first_, first_.outline, parts);
 }
 
 // Most hidden faces lie behind a single one, and a ray through their middle finds it.
-void VisibleSurfaces::drop_hidden(const BeamView& view) {
+void BeamVisibility::drop_hidden(const BeamView& view) {
   rays_.clear();
   for (const ProjectedFace* c : waiting_) rays_.push_back(middle_ray(view.beam, view.source_patch, c->outline));
   hits_.resize(rays_.size());
@@ -58,13 +57,13 @@ void VisibleSurfaces::drop_hidden(const BeamView& view) {
   waiting_.resize(kept);
 }
 
-Ray VisibleSurfaces::middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region) const {
+Ray BeamVisibility::middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region) const {
   const Patch* source = source_patch == no_index ? nullptr : &tree_.mesh().patches[source_patch];
   return tube_ray(beam, middle(region), source, source_patch);
 }
 
-void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region,
-                                   const Hit& in_middle, std::vector<VisiblePart>& parts) {
+void BeamVisibility::from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region, const Hit& in_middle,
+                                  std::vector<VisiblePart>& parts) {
   const Patch& source = tree_.mesh().patches[source_patch];
   const double tilt = std::abs(facing(beam, source));
   const BeamView view{beam, source_patch, &source, depth_of(beam, source), tilt, &region, bounds(region)};
@@ -74,23 +73,23 @@ void VisibleSurfaces::from_surface(const Beam& beam, std::uint32_t source_patch,
   meet(view, farthest, parts);
 }
 
-void VisibleSurfaces::within(const Beam& incident, const ConvexPolygon& region, std::vector<VisiblePart>& parts) {
+void BeamVisibility::within(const Beam& incident, const ConvexPolygon& region, std::vector<VisiblePart>& parts) {
   meet({incident, no_index, nullptr, {}, 1.0, &region, bounds(region)}, std::numeric_limits<double>::infinity(), parts);
 }
 
-void VisibleSurfaces::meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts) {
+void BeamVisibility::meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts) {
   tree_.collect(prism_of(view.beam, view.source, view.box, farthest, tree_.mesh().radius), found_);
   if (found_.empty()) return;
   gather_nearest_first(view, farthest);
   if (in_view_.count <= few) return uncover(in_view_, in_view_, parts);
   waiting_.clear();
   for (const ProjectedFace& c : in_view_.used()) waiting_.push_back(&c);
-  see_in_groups(view, parts);
+  uncover_in_groups(view, parts);
 }
 
 // The faces among `found_`, in the order in which their planes begin within the region. One that fills the region ends the
 // search at its own depth.
-void VisibleSurfaces::gather_nearest_first(const BeamView& view, double farthest) {
+void BeamVisibility::gather_nearest_first(const BeamView& view, double farthest) {
   by_depth_.clear();
   for (const std::uint32_t face : found_) {
     if (!projector_.faces_beam(view, face)) continue;
@@ -109,14 +108,15 @@ void VisibleSurfaces::gather_nearest_first(const BeamView& view, double farthest
   }
 }
 
-void VisibleSurfaces::see_in_groups(const BeamView& view, std::vector<VisiblePart>& parts) {
+void BeamVisibility::uncover_in_groups(const BeamView& view, std::vector<VisiblePart>& parts) {
   const std::span<const ProjectedFace* const> all = waiting_;
   for (std::size_t first = 0; first < all.size(); first += group)
-    see(view, all.subspan(first, std::min(group, all.size() - first)), parts);
+    uncover_group(view, all.subspan(first, std::min(group, all.size() - first)), parts);
 }
 
-// Asks the tree who stands in front of these faces. Neighbours ask together unless they lie too scattered for that.
-void VisibleSurfaces::see(const BeamView& view, std::span<const ProjectedFace* const> faces, std::vector<VisiblePart>& parts) {
+// Asks the tree which faces stand in front of these. Neighbours ask together unless they lie too scattered for that.
+void BeamVisibility::uncover_group(const BeamView& view, std::span<const ProjectedFace* const> faces,
+                                   std::vector<VisiblePart>& parts) {
   Bounds box = faces[0]->box;
   double farthest = faces[0]->depths.high, sum_of_areas = 0.0;
   for (const ProjectedFace* c : faces) {
@@ -125,8 +125,8 @@ void VisibleSurfaces::see(const BeamView& view, std::span<const ProjectedFace* c
     sum_of_areas += area(c->box);
   }
   if (faces.size() > 1 && area(box) > scattered * sum_of_areas) {
-    see(view, faces.first(faces.size() / 2), parts);
-    return see(view, faces.subspan(faces.size() / 2), parts);
+    uncover_group(view, faces.first(faces.size() / 2), parts);
+    return uncover_group(view, faces.subspan(faces.size() / 2), parts);
   }
   tree_.collect(prism_of(view.beam, view.source, box, farthest + depth_margin_, tree_.mesh().radius), found_in_front_);
   BeamView narrowed = view;
@@ -138,22 +138,22 @@ void VisibleSurfaces::see(const BeamView& view, std::span<const ProjectedFace* c
   for (const ProjectedFace* c : faces) uncover(*c, c->outline, 0, all, patience, parts);
 }
 
-void VisibleSurfaces::uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts) {
+void BeamVisibility::uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts) {
   others_.clear();
   for (const ProjectedFace& other : others.used()) others_.push_back(&other);
   const std::size_t all = others_.size();
   for (const ProjectedFace& c : candidates.used()) uncover(c, c.outline, 0, all, patience, parts);
 }
 
-void VisibleSurfaces::gather(const BeamView& view, std::span<const std::uint32_t> faces, Pool& pool) {
+void BeamVisibility::gather(const BeamView& view, std::span<const std::uint32_t> faces, Pool& pool) {
   pool.count = 0;
   for (const std::uint32_t face : faces)
     if (projector_.project(view, face, pool.next())) ++pool.count;
 }
 
 // What is left of `outline`, a part of `c`, once those of others_[begin, end) that stand in front have hidden theirs.
-void VisibleSurfaces::uncover(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
-                              std::vector<VisiblePart>& parts) {
+void BeamVisibility::uncover(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
+                             std::vector<VisiblePart>& parts) {
   const Bounds box = bounds(outline);
   const std::size_t first = others_.size();
   for (std::size_t i = begin; i < end; ++i)
@@ -170,8 +170,8 @@ void VisibleSurfaces::uncover(const ProjectedFace& c, const ConvexPolygon& outli
   others_.resize(first);
 }
 
-void VisibleSurfaces::halve(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
-                            std::vector<VisiblePart>& parts) {
+void BeamVisibility::halve(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
+                           std::vector<VisiblePart>& parts) {
   for (std::size_t i = begin; i < end; ++i)
     if (hides_all(*others_[i], c, outline)) return;
   const Bounds box = bounds(outline);
@@ -182,17 +182,17 @@ void VisibleSurfaces::halve(const ProjectedFace& c, const ConvexPolygon& outline
   if (!high.empty()) uncover(c, high, begin, end, tries, parts);
 }
 
-bool VisibleSurfaces::may_hide(const ProjectedFace& front, const ProjectedFace& c, const Bounds& box) const {
+bool BeamVisibility::may_hide(const ProjectedFace& front, const ProjectedFace& c, const Bounds& box) const {
   if (front.face == c.face || front.depths.low > c.depths.high) return false;
   if (projector_.separates(front.outline, c.outline) || projector_.separates(c.outline, front.outline)) return false;
   return range(common(front.box, box), projector_.behind(front, c)).high > 0.0;
 }
 
-bool VisibleSurfaces::hides_all(const ProjectedFace& front, const ProjectedFace& c, const ConvexPolygon& outline) const {
+bool BeamVisibility::hides_all(const ProjectedFace& front, const ProjectedFace& c, const ConvexPolygon& outline) const {
   return range(outline, projector_.behind(front, c)).low >= 0.0 && projector_.fills(front, outline);
 }
 
-void VisibleSurfaces::subtract(const ProjectedFace& front, const ProjectedFace& c) {
+void BeamVisibility::subtract(const ProjectedFace& front, const ProjectedFace& c) {
   const Affine order = projector_.behind(front, c);
   remaining_.clear();
   for (ConvexPolygon& piece : pieces_)
@@ -201,7 +201,7 @@ void VisibleSurfaces::subtract(const ProjectedFace& front, const ProjectedFace& 
 }
 
 // Puts what `front` leaves of the piece in `remaining_`; false if it leaves all of it.
-bool VisibleSurfaces::subtract(const ProjectedFace& front, const Affine& order, const ConvexPolygon& piece) {
+bool BeamVisibility::subtract(const ProjectedFace& front, const Affine& order, const ConvexPolygon& piece) {
   if (!front.box.overlaps(bounds(piece), projector_.length_rounding()) || range(piece, order).high <= 0.0) return false;
   if (projector_.separates(piece, front.outline) || projector_.separates(front.outline, piece)) return false;
   const std::size_t before = remaining_.size();
@@ -227,7 +227,7 @@ bool VisibleSurfaces::subtract(const ProjectedFace& front, const Affine& order, 
   return true;
 }
 
-void VisibleSurfaces::emit(const ProjectedFace& c, const ConvexPolygon& piece, std::vector<VisiblePart>& parts) {
+void BeamVisibility::emit(const ProjectedFace& c, const ConvexPolygon& piece, std::vector<VisiblePart>& parts) {
   if (projector_.is_sliver(piece))
     sliver_area_ += std::max(area(piece), 0.0);
   else

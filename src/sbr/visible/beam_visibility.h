@@ -1,4 +1,8 @@
-// Which surfaces a beam meets first, and where: exact hidden-surface removal in the launch plane.
+// Beam visibility: which surfaces a beam meets first, and where, by exact hidden-surface removal in the launch plane.
+//
+// The central header of this folder: faces as a beam meets them (projected_face), what is left of them once others stand in front
+// (beam_visibility), and the receiver's own beam, which looks back through sheets (line_of_sight). Depth is counted along the
+// beam [m]; a face's depth is affine in the launch coordinates, so the order of two faces is the sign of an affine function.
 #pragma once
 
 #include "mesh/model/face_tree.h"
@@ -17,24 +21,25 @@ struct VisiblePart {
 /// there, its depth along the beam is affine, and what the other faces leave of it is a set of convex polygons. The nearest
 /// surface counts, the lower triangle where two coincide. The patch a beam leaves, and what does not rise above its plane, is not
 /// met. Closed bodies are met from outside only. Keeps buffers between calls: one object a thread.
-class VisibleSurfaces {
+class BeamVisibility {
  public:
-  VisibleSurfaces(const FaceTree& tree, const Tracer& tracer);
+  BeamVisibility(const FaceTree& tree, const Tracer& tracer);
 
-  /// Appends what an incident wave sees of these faces.
+  /// Appends the parts of these faces that an incident wave reaches.
   void of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
 
-  /// The same where no face shadows another: each is seen whole.
+  /// Appends these faces as an incident wave reaches them where none shadows another: each as a whole.
   void of_whole_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts);
 
-  /// Appends what the part `region` of a beam that leaves `source_patch` meets. `in_middle` is what its middle_ray meets: a
-  /// help, never the answer.
+  /// Appends what the part `region` of a beam that leaves `source_patch` meets. `in_middle` is what its middle_ray meets: it
+  /// bounds the search and never decides.
   void from_surface(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region, const Hit& in_middle,
                     std::vector<VisiblePart>& parts);
 
-  /// Appends what an incident wave sees within `region`.
+  /// Appends what an incident wave reaches within `region`.
   void within(const Beam& incident, const ConvexPolygon& region, std::vector<VisiblePart>& parts);
 
+  /// The ray of the middle of `region`.
   Ray middle_ray(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& region) const;
 
   /// Area of pieces too thin to be more than rounding, left out so far [m^2].
@@ -54,8 +59,8 @@ class VisibleSurfaces {
 
   void meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts);
   void drop_hidden(const BeamView& view);
-  void see_in_groups(const BeamView& view, std::vector<VisiblePart>& parts);
-  void see(const BeamView& view, std::span<const ProjectedFace* const> faces, std::vector<VisiblePart>& parts);
+  void uncover_in_groups(const BeamView& view, std::vector<VisiblePart>& parts);
+  void uncover_group(const BeamView& view, std::span<const ProjectedFace* const> faces, std::vector<VisiblePart>& parts);
   void gather(const BeamView& view, std::span<const std::uint32_t> faces, Pool& pool);
   void gather_nearest_first(const BeamView& view, double farthest);
   void uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts);
@@ -80,7 +85,7 @@ class VisibleSurfaces {
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   std::vector<std::uint32_t> found_, found_in_front_;
-  std::vector<const ProjectedFace*> others_;  // who may hide what, one list after the other
+  std::vector<const ProjectedFace*> others_;  // faces that may hide the one in question, one list after the other
   std::vector<ConvexPolygon> pieces_, remaining_;
   std::vector<std::pair<double, std::uint32_t>> by_depth_;
   ConvexPolygon inside_, outside_, rest_;

@@ -9,27 +9,27 @@ namespace {
 
 // From launch coordinates to those of the line of sight.
 AffineMap to_line_of_sight(const LineOfSightSheets& sheets, const Beam& beam) {
-  const dvec2 along_u = sheets.place(beam.along_u), along_v = sheets.place(beam.along_v);
-  return {sheets.place(beam.base) - beam.anchor.x * along_u - beam.anchor.y * along_v, along_u, along_v};
+  const dvec2 along_u = sheets.across(beam.along_u), along_v = sheets.across(beam.along_v);
+  return {sheets.across(beam.base) - beam.anchor.x * along_u - beam.anchor.y * along_v, along_u, along_v};
 }
 
-// The wave that the receiver would have from a plane. Its launch coordinates are LineOfSightSheets::place.
+// The wave that the receiver would have from a plane. Its launch coordinates are LineOfSightSheets::across.
 Beam line_of_sight(const LineOfSightSheets& sheets, const dvec3& base, const Patch& plane) {
   const auto& [radial, theta_hat, phi_hat] = sheets.receive();
   Beam beam;
   beam.direction = radial, beam.u_hat = theta_hat, beam.v_hat = phi_hat;
   const double per_height = 1.0 / glm::dot(radial, plane.normal);
   beam.base = base + radial * ((plane.offset - glm::dot(base, plane.normal)) * per_height);
-  beam.anchor = sheets.place(base);
+  beam.anchor = sheets.across(base);
   beam.along_u = theta_hat - radial * (glm::dot(theta_hat, plane.normal) * per_height);
   beam.along_v = phi_hat - radial * (glm::dot(phi_hat, plane.normal) * per_height);
   return beam;
 }
 
 // Of a part of the plane where such a wave begins: no nearer to the receiver than any of it.
-double farthest(const Beam& sight, const ConvexPolygon& region) {
-  const dvec2 slope{glm::dot(sight.direction, sight.along_u), glm::dot(sight.direction, sight.along_v)};
-  return glm::dot(sight.direction, sight.base) + range(region, {-glm::dot(slope, sight.anchor), slope.x, slope.y}).low;
+double farthest(const Beam& line, const ConvexPolygon& region) {
+  const dvec2 slope{glm::dot(line.direction, line.along_u), glm::dot(line.direction, line.along_v)};
+  return glm::dot(line.direction, line.base) + range(region, {-glm::dot(slope, line.anchor), slope.x, slope.y}).low;
 }
 
 }  // namespace
@@ -42,48 +42,48 @@ LineOfSightSheets::LineOfSightSheets(const TriangleMesh& mesh, std::span<const M
     if (!surfaces.transmits(mesh.patches[mesh.triangle_patch[t]].material)) continue;
     for (int c = 0; c < 3; ++c) {
       const dvec3& r = mesh.vertices[mesh.triangles[t][c]];
-      box_ = {glm::min(box_.low, place(r)), glm::max(box_.high, place(r))};
+      box_ = {glm::min(box_.low, across(r)), glm::max(box_.high, across(r))};
       nearest_ = std::max(nearest_, glm::dot(receive.radial, r));
     }
   }
 }
 
 std::vector<ScreenedPart> PolygonLineOfSight::through_sheets(std::uint32_t node, const ConvexPolygon& outline) {
-  seen_.clear();
+  screened_.clear();
   const Beam leaving = beams_.beam(node);
   const AffineMap there = to_line_of_sight(sheets_, leaving);
   if (std::abs(stretch(there)) <= edge_on * beams_.footprint(node).area) {
-    look_from_middle(node, leaving, outline);
+    follow_from_middle(node, leaving, outline);
   } else {
     const AffineMap back = inverse(there);
-    look(node, beams_.patch_index(node), leaving.base, image(outline, there, back));
-    for (ScreenedPart& part : seen_) part.outline = image(part.outline, back, there);
+    follow(node, beams_.patch_index(node), leaving.base, image(outline, there, back));
+    for (ScreenedPart& part : screened_) part.outline = image(part.outline, back, there);
   }
-  return std::move(seen_);
+  return std::move(screened_);
 }
 
-void PolygonLineOfSight::look(std::uint32_t node, std::uint32_t patch, const dvec3& base, const ConvexPolygon& region) {
-  const Beam sight = line_of_sight(sheets_, base, tracer_.mesh().patches[patch]);
-  if (!sheets_.may_cover(bounds(region), farthest(sight, region))) return;
-  const Ray ray = visible_.middle_ray(sight, patch, region);
+void PolygonLineOfSight::follow(std::uint32_t node, std::uint32_t patch, const dvec3& base, const ConvexPolygon& region) {
+  const Beam line = line_of_sight(sheets_, base, tracer_.mesh().patches[patch]);
+  if (!sheets_.may_cover(bounds(region), farthest(line, region))) return;
+  const Ray ray = visible_.middle_ray(line, patch, region);
   Hit in_middle;
   tracer_.closest_hits({&ray, 1}, {&in_middle, 1});
   std::vector<VisiblePart> parts;
-  visible_.from_surface(sight, patch, region, in_middle, parts);
+  visible_.from_surface(line, patch, region, in_middle, parts);
   for (const VisiblePart& part : parts) {
     const std::uint32_t next = tree_.faces()[part.face].patch;
     const bool sheet = beams_.is_sheet(next);
-    const std::uint32_t seen = sheet ? beams_.through_screen(node, next) : node;
-    if (sheet) seen_.push_back({seen, part.outline});
-    look(seen, next, sight.base, part.outline);
+    const std::uint32_t screened = sheet ? beams_.through_screen(node, next) : node;
+    if (sheet) screened_.push_back({screened, part.outline});
+    follow(screened, next, line.base, part.outline);
   }
 }
 
 // Of a footprint that the receiver has edge-on.
-void PolygonLineOfSight::look_from_middle(std::uint32_t node, const Beam& leaving, const ConvexPolygon& outline) {
+void PolygonLineOfSight::follow_from_middle(std::uint32_t node, const Beam& leaving, const ConvexPolygon& outline) {
   RayLineOfSight line(sheets_, tracer_);
   line.add(0, node, tube_ray(leaving, middle(outline), nullptr, no_index).origin, beams_.patch_index(node));
-  line.through_sheets(beams_, [&](std::uint32_t, std::uint32_t seen) { seen_.push_back({seen, outline}); });
+  line.through_sheets(beams_, [&](std::uint32_t, std::uint32_t screened) { screened_.push_back({screened, outline}); });
 }
 
 void RayLineOfSight::trace() {

@@ -41,7 +41,7 @@ void FaceProjector::project_corners(const BeamView& view, std::uint32_t face) {
   const std::span<const dvec3> corners = tree_.points(face);
   corners_.clear();
   if (!beam.spherical()) {
-    for (const dvec3& corner : corners) corners_.push_back(launch_place(beam, corner));
+    for (const dvec3& corner : corners) corners_.push_back(launch_coordinates(beam, corner));
     return;
   }
   const double nearest = view.source ? 0.5 * widening_at(beam, range(*view.region, view.source_depth).low) : 0.0;
@@ -49,8 +49,9 @@ void FaceProjector::project_corners(const BeamView& view, std::uint32_t face) {
   double w_before = widening(beam, before) - nearest;
   for (const dvec3& r : corners) {
     const double w = widening(beam, r) - nearest;
-    if ((w > 0.0) != (w_before > 0.0)) corners_.push_back(launch_place(beam, before + w_before / (w_before - w) * (r - before)));
-    if (w > 0.0) corners_.push_back(launch_place(beam, r));
+    if ((w > 0.0) != (w_before > 0.0))
+      corners_.push_back(launch_coordinates(beam, before + w_before / (w_before - w) * (r - before)));
+    if (w > 0.0) corners_.push_back(launch_coordinates(beam, r));
     before = r, w_before = w;
   }
 }
@@ -112,8 +113,8 @@ Affine FaceProjector::behind(const ProjectedFace& front, const ProjectedFace& f)
   if (front.patch == f.patch) return by_index;
   const Affine difference = f.depth - front.depth;
   const Range r = range(common(front.box, f.box), difference);
-  const double sampling_variance = height_rounding_ / std::min(front.tilt, f.tilt);
-  return r.high > sampling_variance || r.low < -sampling_variance ? difference : by_index;
+  const double depth_rounding = height_rounding_ / std::min(front.tilt, f.tilt);
+  return r.high > depth_rounding || r.low < -depth_rounding ? difference : by_index;
 }
 
 bool FaceProjector::fills(const ProjectedFace& f, const ConvexPolygon& outline) const {

@@ -1,4 +1,4 @@
-// A face as a beam sees it: a polygon of the launch plane with a depth.
+// A face as a beam meets it: a polygon of the launch plane with a depth.
 #pragma once
 
 #include "mesh/model/face_tree.h"
@@ -7,7 +7,7 @@
 
 namespace raytube {
 
-/// For whom faces are projected.
+/// The beam that faces are projected along, and which part of it is in question.
 struct BeamView {
   const Beam& beam;
   std::uint32_t source_patch;   // the patch the beam leaves; no_index: none
@@ -18,8 +18,8 @@ struct BeamView {
   Bounds box;                   // only what reaches into it is of interest
 };
 
-/// Seen closer to its own plane than this (|facing|), a face has no area: as for edges (lit_threshold), and beyond what the
-/// rounding of coordinates far from their origin turns it by (1e-10 m at 1000 km).
+/// Along a beam closer to its own plane than this (|facing|), a face has no area: as for edges (lit_threshold), and beyond what
+/// the rounding of coordinates far from their origin turns it by (1e-10 m at 1000 km).
 inline constexpr double edge_on = 1e-7;
 
 struct ProjectedFace {

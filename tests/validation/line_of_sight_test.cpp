@@ -1,4 +1,5 @@
-// What is seen through sheets, in any direction: what it scatters without them times the transmission along both lines of sight.
+// Line-of-sight transmission: what a body behind sheets scatters, in any direction, is what it scatters without them times the
+// transmission along both lines of sight.
 #include <gtest/gtest.h>
 
 #include "material_scene.h"
@@ -48,7 +49,7 @@ ScatteringMatrix through(ScatteringMatrix s, double from, double to, int sheets 
 }
 
 // Off its specular direction. Tubes end at the plate, so that nothing goes to and fro. Rounding of k r = 4000.
-TEST(LineOfSight, APlateFarBehindASheetIsSeenThroughItInItsSideLobes) {
+TEST(LineOfSight, APlateFarBehindASheetIsReceivedThroughItInItsSideLobes) {
   const PolygonSoup plate = shapes::plate(10.0 * lambda);
   const PolygonSoup near = rectangle(dvec2(-50.0 * lambda), dvec2(50.0 * lambda), 66.0 * lambda);
   PolygonSoup two = near;
@@ -66,7 +67,7 @@ TEST(LineOfSight, APlateFarBehindASheetIsSeenThroughItInItsSideLobes) {
 }
 
 // Cells at 10 a wavelength end in stairs along the plate: 0.3 of a wavelength's square in 100, of that the share in its lobe.
-TEST(LineOfSight, UniformTubesSeeTheSame) {
+TEST(LineOfSight, UniformTubesAgree) {
   const PolygonSoup plate = shapes::plate(10.0 * lambda),
                     sheet = rectangle(dvec2(-50.0 * lambda), dvec2(50.0 * lambda), 66.0 * lambda);
   const Direction look = deg(8.0, 0.0);  // close to the top of the second side lobe
@@ -77,7 +78,7 @@ TEST(LineOfSight, UniformTubesSeeTheSame) {
 }
 
 // Half of the plate stands behind the sheet, for both antennas: its edge lies above the middle of the plate along both lines.
-TEST(LineOfSight, TheEdgeOfASheetCutsWhatIsSeenThroughIt) {
+TEST(LineOfSight, TheEdgeOfASheetDividesWhatIsReceivedThroughIt) {
   const double h = 5.0 * lambda, height = 40.0 * lambda, theta = 24.0, middle = height * std::tan(theta * degree);
   const PolygonSoup sheet = rectangle({middle, -30.0 * lambda}, {middle + 60.0 * lambda, 30.0 * lambda}, height);
   const Direction look = deg(theta, 0.0);
@@ -121,7 +122,7 @@ TEST(LineOfSight, TheShadowBehindASheetIsWhole) {
   EXPECT_LT(difference(Scene{both, {laminate}}.seen(deg(0.0, 0.0), deg(180.0, 0.0)), shadow), 1e-9);
 }
 
-// The receiver in the plane of the plate: what is seen does not jump there.
+// The receiver in the plane of the plate: what it receives does not jump there.
 TEST(LineOfSight, EdgeOnIsTheLimitOfAlmostEdgeOn) {
   const PolygonSoup plate = shapes::plate(10.0 * lambda);
   PolygonSoup sheet{{{40.0 * lambda, -60.0 * lambda, -30.0 * lambda},

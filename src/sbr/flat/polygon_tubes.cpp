@@ -1,9 +1,11 @@
-#include "sbr/flat/adaptive.h"
+#include "sbr/flat/polygon_tubes.h"
 
 #include <cmath>
 #include <optional>
 
+#include "sbr/beams/current_map.h"
 #include "sbr/beams/polygon_integral.h"
+#include "sbr/beams/spherical_look.h"
 #include "sbr/beams/truncated_tubes.h"
 #include "sbr/flat/cell_tubes.h"
 #include "sbr/launch/lattice.h"
@@ -26,30 +28,31 @@ constexpr std::size_t many_tubes = 256, many_faces = 2048;
 
 class FaceTrace {
  public:
-  explicit FaceTrace(const AdaptiveLook& look)
+  explicit FaceTrace(const TubeLook& look)
       : look_(look),
-        beams_(look.tree.mesh(), look.surfaces, look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
-        visible_(look.tree, look.tracer),
-        cell_tubes_(look.tracer, look.grid, look.spherical, look.wavenumbers, beams_, sums_) {
-    if (look.sheets) line_of_sight_.emplace(*look.sheets, look.tree, look.tracer, visible_, beams_);
-    cell_tubes_.look_through(look.sheets);
-    cell_tubes_.report_to(look.map);
+        beams_(look.faces.mesh(), look.surfaces, look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
+        visible_(look.faces, look.tracer),
+        cell_tubes_(look, beams_, sums_) {
+    if (look.sheets) line_of_sight_.emplace(*look.sheets, look.faces, look.tracer, visible_, beams_);
   }
 
   TubeSums run(std::uint32_t begin, std::uint32_t end) {
     std::vector<std::uint32_t> faces;
     for (std::uint32_t face = begin; face < end; ++face)
-      if (!look_.smooth || look_.smooth->region(look_.tree.faces()[face].triangle) == no_index) faces.push_back(face);
+      if (!look_.smooth || look_.smooth->region(look_.faces.faces()[face].triangle) == no_index) faces.push_back(face);
     const Beam& incident = beams_.beam(BeamTree::root);
-    look_.known.no_shadow ? visible_.of_whole_faces(incident, faces, parts_) : visible_.of_faces(incident, faces, parts_);
+    if (look_.convexity.no_shadow)
+      visible_.of_whole_faces(incident, faces, parts_);
+    else
+      visible_.of_faces(incident, faces, parts_);
     reflect(BeamTree::root, 0);
     sums_.rays = sums_.tubes = sums_.hits.empty() ? 0 : sums_.hits[0];
     count_faces_away(begin, end);
-    for (int bounce = 1; !look_.known.no_reflection && !(reflected_.empty() && cell_tubes_.empty()); ++bounce) {
+    for (int bounce = 1; !look_.convexity.no_reflection && !(reflected_.empty() && cell_tubes_.empty()); ++bounce) {
       beams_.next_bounce();
       if (bounce < look_.max_bounces) thin_randomly();
       if (beams_.spectral()) end_weakest();
-      cell_tubes_.advance(bounce, look_.max_bounces);
+      cell_tubes_.advance(bounce);
       std::swap(tubes_, reflected_);
       reflected_.clear();
       send_middle_rays();
@@ -63,8 +66,8 @@ class FaceTrace {
 
  private:
   void count_faces_away(std::uint32_t begin, std::uint32_t end) {
-    const TriangleMesh& mesh = look_.tree.mesh();
-    for (const Face& face : look_.tree.faces().subspan(begin, end - begin))
+    const TriangleMesh& mesh = look_.faces.mesh();
+    for (const Face& face : look_.faces.faces().subspan(begin, end - begin))
       if (mesh.closed(face.triangle) && facing(beams_.beam(BeamTree::root), mesh.patches[face.patch]) >= 0.0) ++sums_.faces_away;
   }
 
@@ -75,12 +78,12 @@ class FaceTrace {
     look_.tracer.closest_hits(rays_, in_middle_);
   }
 
-  // Of tubes that end by their number of bounces nobody asks more than whether their middle would go on; where there are sheets,
-  // what they would meet.
+  // Tubes after their last bounce are truncated if their middle would meet something; where there are sheets, all that the whole
+  // tube would meet counts.
   void follow(const PolygonTube& tube, const Hit& in_middle, int bounce) {
     if (bounce == look_.max_bounces) {
       if (line_of_sight_)
-        cut(tube, in_middle);
+        truncate(tube, in_middle);
       else if (in_middle)
         count_truncated(sums_, area(tube.outline), beams_.amplitude(tube.beam));
       return;
@@ -89,22 +92,22 @@ class FaceTrace {
     reflect(tube.beam, bounce);
   }
 
-  void cut(const PolygonTube& tube, const Hit& in_middle) {
-    const double before = sums_.left_out;
-    leave_out(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, beams_.amplitude(tube.beam));
-    if (sums_.left_out > before) ++sums_.tubes_truncated;
+  void truncate(const PolygonTube& tube, const Hit& in_middle) {
+    const double before = sums_.truncated;
+    add_truncated(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, beams_.amplitude(tube.beam));
+    if (sums_.truncated > before) ++sums_.tubes_truncated;
   }
 
-  // What sheets reflect of a tube, and what it meets behind them.
-  void leave_out(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& outline, const Hit& in_middle,
-                 double amplitude) {
+  // What sheets would reflect of a truncated tube, and what it would meet behind them.
+  void add_truncated(const Beam& beam, std::uint32_t source_patch, const ConvexPolygon& outline, const Hit& in_middle,
+                     double amplitude) {
     std::vector<VisiblePart> parts;
     visible_.from_surface(beam, source_patch, outline, in_middle, parts);
     for (const VisiblePart& part : parts) {
-      const std::uint32_t patch = look_.tree.faces()[part.face].patch;
-      const auto [reflected, transmitted] = look_.surfaces.strongest(look_.tree.mesh().patches[patch], beam.direction);
-      sums_.leave_out(area(part.outline), amplitude * reflected);
-      if (amplitude * transmitted > least_amplitude) leave_out(beam, patch, part.outline, {}, amplitude * transmitted);
+      const std::uint32_t patch = look_.faces.faces()[part.face].patch;
+      const auto [reflected, transmitted] = look_.surfaces.strongest(look_.faces.mesh().patches[patch], beam.direction);
+      sums_.add_truncated(area(part.outline), amplitude * reflected);
+      if (amplitude * transmitted > least_amplitude) add_truncated(beam, patch, part.outline, {}, amplitude * transmitted);
     }
   }
 
@@ -113,7 +116,7 @@ class FaceTrace {
     for (VisiblePart& part : parts_) {
       if (!look_.clip) cells_under(look_.grid, part.outline, blocks_);
       if (!look_.clip && blocks_.empty()) continue;
-      const std::uint32_t patch = look_.tree.faces()[part.face].patch;
+      const std::uint32_t patch = look_.faces.faces()[part.face].patch;
       const std::uint32_t node = beams_.child(beam, patch, middle(part.outline));
       sums_.meet(bounce, area(part.outline), beams_.amplitude(beam));
       integrate(node, part, bounce);
@@ -130,8 +133,8 @@ class FaceTrace {
       follow_by_rays(beam, patch);
   }
 
-  // Where tubes grow too many, those smaller than a cell go on as the uniform grid would have them: as a whole cell if its ray is
-  // theirs, else not at all. So there are never many more tubes than the uniform grid has.
+  // Where tubes grow too many, those smaller than a cell are thinned at random, by the grid's own rays: one goes on as a whole
+  // cell if that cell's ray runs through it, else not at all. So there are never many more tubes than the uniform grid has.
   void thin_randomly() {
     if (!look_.clip || !too_many()) return;
     const double cell = look_.grid.du * look_.grid.dv;
@@ -153,26 +156,27 @@ class FaceTrace {
   }
 
   bool too_many() const {
-    if (look_.tree.faces().size() > many_faces) return true;
+    if (look_.faces.faces().size() > many_faces) return true;
     if (reflected_.size() <= many_tubes) return false;
     double covered = 0.0;
     for (const PolygonTube& tube : reflected_) covered += area(tube.outline);
     return static_cast<double>(reflected_.size()) * look_.grid.du * look_.grid.dv > covered;
   }
 
-  // A tube becomes a cell with the probability of their areas' ratio, p: variance (1 - p) / p of the square of what it would
-  // radiate, or (1 - p) of that of the cell for each one that did (Horvitz & Thompson 1952). Where none did, one cell's with the
-  // k / 2 pi that a perfect conductor radiates at most, but no more than (area) (cell - area) of each.
+  // The sampling variance of random thinning. A tube becomes a cell with the probability of their areas' ratio, p: variance
+  // (1 - p) / p of the square of what it would radiate, or (1 - p) of that of the cell for each one that did (Horvitz & Thompson
+  // 1952). Where none did, one cell's with the k / 2 pi that a perfect conductor radiates at most, but no more than (area) (cell
+  // - area) of each.
   void count_thinned() {
     if (thinned_ == 0.0) return;
     const double cell = look_.grid.du * look_.grid.dv;
     ChannelErrors variance = cell_tubes_.variance();
     if (variance == ChannelErrors{})
       for (auto& row : variance) row.fill(std::min(thinned_, cell * cell) / std::pow(2.0 * pi, 2));
-    sums_.pieces.resize(look_.wavenumbers.size());
+    sums_.pieces.resize(look_.wavenumbers().size());
     for (std::size_t f = 0; f < sums_.pieces.size(); ++f)
       for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) sums_.pieces[f].squares[p][q] += std::pow(look_.wavenumbers[f], 2) * variance[p][q];
+        for (int q = 0; q < 2; ++q) sums_.pieces[f].squares[p][q] += std::pow(look_.wavenumbers()[f], 2) * variance[p][q];
   }
 
   void follow_by_rays(std::uint32_t beam, std::uint32_t patch, double sampling_variance = 0.0) {
@@ -192,7 +196,7 @@ class FaceTrace {
 
   void integrate(std::uint32_t node, const VisiblePart& part, int bounce) {
     const ConvexPolygon& outline = part.outline;
-    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers.size());
+    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers().size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
     if (look_.spherical) return look_.spherical->add(sums_, bounce, beams_.beam(node), beams_.patch(node), outline);
     radiate(beams_.footprint(node), part, blocks_, sums);
@@ -206,37 +210,37 @@ class FaceTrace {
   void radiate(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks,
                std::vector<ScatteringMatrix>& sums) {
     for (std::size_t f = 0; f < sums.size(); ++f) {
-      const double k = look_.wavenumbers[f];
+      const double k = look_.wavenumbers()[f];
       add_far_field(sums[f], footprint, f, k,
                     look_.clip ? phase_integral(footprint, k, part.outline) : over_cells(footprint, k, blocks));
     }
-    if (look_.map) report(footprint, part, blocks);
+    if (look_.map) add_to_map(footprint, part, blocks);
   }
 
   void radiate_through_sheets(std::uint32_t node, const VisiblePart& part, std::vector<ScatteringMatrix>& sums) {
-    for (ScreenedPart& seen : line_of_sight_->through_sheets(node, part.outline)) {
-      if (!look_.clip) cells_under(look_.grid, seen.outline, seen_blocks_);
-      radiate(beams_.footprint(seen.node), {part.face, std::move(seen.outline)}, seen_blocks_, sums);
+    for (ScreenedPart& screened : line_of_sight_->through_sheets(node, part.outline)) {
+      if (!look_.clip) cells_under(look_.grid, screened.outline, screened_blocks_);
+      radiate(beams_.footprint(screened.node), {part.face, std::move(screened.outline)}, screened_blocks_, sums);
     }
   }
 
-  void report(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks) {
+  void add_to_map(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks) {
     CurrentMap& map = *look_.map;
     if (look_.clip) return map.add(footprint, part.outline, part.face);
     for (const CellBlock& block : blocks)
       for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
         for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
           map.add(footprint, cell_bounds(look_.grid, column, row),
-                  map.triangle_under(footprint, part.face, look_.grid.ray_place(column, row)));
+                  map.triangle_under(footprint, part.face, look_.grid.ray_coordinates(column, row)));
   }
 
   // Cells stand for the polygon but for their stairs along its sides: each step is off by up to half a cell, h / sqrt(12) in the
   // rms. The steps of a side along the grid are all alike, those of one across it independent.
   void count_staircase(const Footprint& footprint, const ConvexPolygon& outline) {
     const double step = std::max(look_.grid.du, look_.grid.dv);
-    sums_.pieces.resize(look_.wavenumbers.size());
+    sums_.pieces.resize(look_.wavenumbers().size());
     for (std::size_t f = 0; f < sums_.pieces.size(); ++f) {
-      const double k = look_.wavenumbers[f], per_area = k / (4.0 * pi) * footprint.area;
+      const double k = look_.wavenumbers()[f], per_area = k / (4.0 * pi) * footprint.area;
       double square = 0.0;  // of the launch area that is wrong [m^4]
       for (std::size_t i = 0; i < outline.size(); ++i) {
         const dvec2 side = outline[(i + 1) % outline.size()].at - outline[i].at;
@@ -260,22 +264,22 @@ class FaceTrace {
     return sum;
   }
 
-  const AdaptiveLook& look_;
+  const TubeLook& look_;
   BeamTree beams_;
-  VisibleSurfaces visible_;
+  BeamVisibility visible_;
   std::optional<PolygonLineOfSight> line_of_sight_;  // where there are sheets
   std::vector<VisiblePart> parts_;
   std::vector<PolygonTube> tubes_, reflected_;
   std::vector<Ray> rays_;
   std::vector<Hit> in_middle_;
-  std::vector<CellBlock> blocks_, seen_blocks_;
-  double thinned_ = 0.0;  // of tubes that became cells or nothing, (area) (cell - area) [m^4]
+  std::vector<CellBlock> blocks_, screened_blocks_;
+  double thinned_ = 0.0;  // sum of (area) (cell - area) over the tubes thinned at random [m^4]
   TubeSums sums_;
   CellTubes cell_tubes_;
 };
 
 }  // namespace
 
-TubeSums trace_faces(const AdaptiveLook& look, std::uint32_t begin, std::uint32_t end) { return FaceTrace(look).run(begin, end); }
+TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t end) { return FaceTrace(look).run(begin, end); }
 
 }  // namespace raytube

@@ -1,8 +1,9 @@
-// Tubes that go to and fro between sheets: what the estimate says of those that are cut, and many frequencies of them.
+// Tubes that go to and fro between sheets: what the estimate says of truncated ones, and many frequencies of them.
+#include "sbr/beams/truncated_tubes.h"
+
 #include <gtest/gtest.h>
 
 #include "material_scene.h"
-#include "sbr/beams/truncated_tubes.h"
 
 namespace raytube {
 
@@ -50,10 +51,11 @@ std::vector<double> error_ratios(const PolygonSoup& soup, int bounces, int all_b
     tubes.max_bounces = most;
     return solved(soup, glass, {frequency}, looks_aslant(), tubes);
   };
-  const SweepResult cut = after(bounces), all = after(all_bounces);
+  const SweepResult truncated = after(bounces), all = after(all_bounces);
   std::vector<double> ratios;
   for (std::size_t i = 0; i < all.total.size(); ++i)
-    for (int p = 0; p < 2; ++p) ratios.push_back(std::abs(cut.total[i].at(p, p) - all.total[i].at(p, p)) / cut.error[i][p][p]);
+    for (int p = 0; p < 2; ++p)
+      ratios.push_back(std::abs(truncated.total[i].at(p, p) - all.total[i].at(p, p)) / truncated.error[i][p][p]);
   std::ranges::sort(ratios);
   return ratios;
 }
@@ -66,17 +68,17 @@ void expect_fair(const std::vector<double>& ratios, double least_median) {
 }
 
 // 40 bounces leave 1e-7 of the rest.
-TEST(CutTubes, TheEstimateFollowsTheErrorOfABoxOfGlass) {
+TEST(TruncatedTubes, TheEstimateFollowsTheErrorOfABoxOfGlass) {
   for (const int bounces : {4, 8, 16}) expect_fair(error_ratios(hollow_box(), bounces, 40), 0.1);
 }
 
 // What goes to and fro in it goes on in many directions, most of which never come back.
-TEST(CutTubes, TheEstimateCoversTheErrorWhereTubesDouble) {
+TEST(TruncatedTubes, TheEstimateCoversTheErrorWhereTubesDouble) {
   for (const int bounces : {8, 10}) expect_fair(error_ratios(dihedral_in_a_box(), bounces, 16), 0.01);
 }
 
 // Sheets have their frequencies traced some at a time; each is as it is alone. The grid of cells is that of the highest one.
-TEST(CutTubes, ManyFrequenciesAreEachAsTheyAreAlone) {
+TEST(TruncatedTubes, ManyFrequenciesAreEachAsTheyAreAlone) {
   Material dispersive = glass;
   std::vector<double> frequencies;
   dispersive.layers.clear();
@@ -98,7 +100,7 @@ TEST(CutTubes, ManyFrequenciesAreEachAsTheyAreAlone) {
   }
 }
 
-TEST(CutTubes, TheStrongestGoOn) {
+TEST(TruncatedTubes, TheStrongestGoOn) {
   std::vector<int> tubes{3, 1, 2, 3, 0, 2, 2}, ended;
   end_weakest(
       tubes, 4, [](int tube) { return static_cast<double>(tube); }, [&](int tube) { ended.push_back(tube); });

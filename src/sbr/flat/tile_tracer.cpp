@@ -1,4 +1,4 @@
-#include "sbr/flat/tile.h"
+#include "sbr/flat/tile_tracer.h"
 
 #include <utility>
 
@@ -8,33 +8,33 @@ namespace raytube {
 
 namespace {
 
-dvec2 middle(const LaunchGrid& grid, const Tile& tile) {
+dvec2 middle(const LaunchGrid& grid, const CellBlock& tile) {
   return {0.5 * (grid.u_center(tile.column_begin) + grid.u_center(tile.column_end - 1)),
           0.5 * (grid.v_center(tile.row_begin) + grid.v_center(tile.row_end - 1))};
 }
 
 }  // namespace
 
-TubeSums TileTracer::trace(const Tile& tile) {
+TubeSums TileTracer::trace(const CellBlock& tile) {
   sums_ = {};
-  sums_.tubes = std::uint64_t{tile.row_end - tile.row_begin} * (tile.column_end - tile.column_begin);
-  beams_.restart(incident_beam(grid_, transmit_, middle(grid_, tile)));
-  tubes_.sample_coarse_grids({tile.column_begin, tile.column_end, tile.row_begin, tile.row_end});
+  sums_.tubes = tile.cells();
+  beams_.restart(incident_beam(look_.grid, look_.transmit, middle(look_.grid, tile)));
+  tubes_.sample_coarse_grids(tile);
   launch(tile);
-  if (not_traced_.reflected_tubes) {
-    tubes_.advance(0, max_bounces_);
+  if (look_.convexity.no_reflection) {
+    tubes_.advance(0);
     tubes_.clear();
   }
   for (int bounce = 0; !tubes_.empty(); ++bounce) {
     beams_.next_bounce();
-    tubes_.advance(bounce, max_bounces_);
+    tubes_.advance(bounce);
   }
   sums_.compare_with(tubes_.coarse_sums());
   return std::move(sums_);
 }
 
-void TileTracer::launch(const Tile& tile) {
-  const Coverage coverage(not_traced_.faces, grid_, tile);
+void TileTracer::launch(const CellBlock& tile) {
+  const Coverage coverage(look_.skip ? &look_.faces : nullptr, look_.grid, tile);
   sums_.empty_cells = coverage.empty_cells();
   for (std::uint32_t row = tile.row_begin; row < tile.row_end; ++row)
     for (auto span = coverage.next(row, tile.column_begin); span.begin < span.end; span = coverage.next(row, span.end))

@@ -1,4 +1,4 @@
-// Hidden surfaces in the launch plane: who sees how much of whom.
+// Hidden surfaces in the launch plane: which beam reaches how much of which face.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr double rounding = 1e-13;  // areas of order one after some dozens of c
 const Direction from_above{0.0, 0.0};
 const Direction oblique{0.5, 0.3};
 
-// What a plane wave from `look` sees of a target, and what its reflection sees in turn.
+// What a plane wave from `look` reaches of a target, and what its reflection meets in turn.
 struct View {
   explicit View(PolygonSoup soup, const Direction& look = from_above)
       : loaded(build_mesh(std::move(soup), 1.0)), tree(loaded.mesh), tracer(loaded.mesh), visible(tree, tracer) {
@@ -52,7 +52,7 @@ struct View {
   LoadedMesh loaded;
   FaceTree tree;
   Tracer tracer;
-  VisibleSurfaces visible;
+  BeamVisibility visible;
   Beam incident;
   SphericalBasis receive;
   std::vector<VisiblePart> direct;
@@ -74,21 +74,21 @@ PolygonSoup triangles(const std::vector<std::array<dvec3, 3>>& list) {
   return soup;
 }
 
-TEST(Visible, TheUpperOfTwoTrianglesCutsTheLower) {
+TEST(BeamVisibility, TheUpperOfTwoTrianglesCutsTheLower) {
   // The lower: right triangle of area 2; the upper covers its corner region u + v <= 1 of area 1/2.
   const View view(triangles({{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}}, {{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}}}));
   EXPECT_NEAR(view.area_of(0), 1.5, rounding);
   EXPECT_NEAR(view.area_of(1), 0.5, rounding);
 }
 
-TEST(Visible, CrossingTrianglesAreDividedAtTheirLine) {
+TEST(BeamVisibility, CrossingTrianglesAreDividedAtTheirLine) {
   // z = 0 against z = x - 1/2: the second lies above for x > 1/2.
   const View view(triangles({{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}, {{{0, 0, -0.5}, {1, 0, 0.5}, {1, 1, 0.5}}}}));
   EXPECT_NEAR(view.area_of(0), 0.125, rounding);
   EXPECT_NEAR(view.area_of(1), 0.375, rounding);
 }
 
-TEST(Visible, CoincidentSheetsAreCountedOnce) {
+TEST(BeamVisibility, CoincidentSheetsAreCountedOnce) {
   for (const double gap : {0.0, 1e-15}) {
     PolygonSoup soup = triangles({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0.1, 0.1, gap}, {1.1, 0.1, gap}, {0.1, 1.1, gap}}}});
     const glm::dmat3 tilt(glm::rotate(glm::dmat4(1.0), 0.4, glm::normalize(dvec3(1, 2, 3))));
@@ -99,13 +99,13 @@ TEST(Visible, CoincidentSheetsAreCountedOnce) {
   }
 }
 
-TEST(Visible, AThinGapIsStillAGap) {
+TEST(BeamVisibility, AThinGapIsStillAGap) {
   const View view(triangles({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0.1, 0.1, 1e-12}, {1.1, 0.1, 1e-12}, {0.1, 1.1, 1e-12}}}}));
   EXPECT_NEAR(view.area_of(1), 0.5, rounding);
   EXPECT_NEAR(view.area_of(0), 0.5 - 0.32, rounding);
 }
 
-TEST(Visible, ATriangleHiddenByManyIsNotSeen) {
+TEST(BeamVisibility, ATriangleHiddenByManyIsNotSeen) {
   // A plate under a finely divided one, both tilted.
   PolygonSoup soup;
   constexpr int n = 24;
@@ -125,7 +125,7 @@ TEST(Visible, ATriangleHiddenByManyIsNotSeen) {
   EXPECT_LE(view.area_of(2 * n * n), rounding);
 }
 
-TEST(Visible, AClosedBodyShowsItsProjection) {
+TEST(BeamVisibility, AClosedBodyShowsItsProjection) {
   // Sum of |projected facet areas| / 2 for a convex body, whatever the direction.
   const View view(shapes::icosphere(4, 1.0), oblique);
   double projection = 0.0;
@@ -136,7 +136,7 @@ TEST(Visible, AClosedBodyShowsItsProjection) {
   EXPECT_EQ(2 * view.direct.size(), view.tree.faces().size());
 }
 
-TEST(Visible, ADihedralSendsEachBeamToTheOtherFace) {
+TEST(BeamVisibility, ADihedralSendsEachBeamToTheOtherFace) {
   // Faces of 1 m on +x and +y at azimuth g: both single projections are sin g and cos g, and the smaller comes back whole
   // from each side.
   const double g = 30.0 * degree;
@@ -151,7 +151,7 @@ TEST(Visible, ADihedralSendsEachBeamToTheOtherFace) {
   }
 }
 
-TEST(Visible, AConvexBodyDoesNotSeeItself) {
+TEST(BeamVisibility, AConvexBodyDoesNotSeeItself) {
   for (const PolygonSoup& soup : {shapes::cube(1.0), shapes::icosphere(3, 1.0), shapes::cylinder(0.3, 1.0, 48)}) {
     View view(soup, oblique);
     for (const VisiblePart& part : view.direct) EXPECT_TRUE(view.reflected(part).empty());
@@ -159,7 +159,7 @@ TEST(Visible, AConvexBodyDoesNotSeeItself) {
 }
 
 // Random triangles in space, thrown together: every ray's own first surface is the part it lies in.
-TEST(Visible, PartsAgreeWithSingleRays) {
+TEST(BeamVisibility, PartsAgreeWithSingleRays) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   std::vector<std::array<dvec3, 3>> list;
@@ -171,14 +171,14 @@ TEST(Visible, PartsAgreeWithSingleRays) {
   View view(triangles(list), oblique);
   int hits = 0;
   for (int i = 0; i < 4000; ++i) {
-    const dvec2 place(1.3 * number(random), 1.3 * number(random));
-    const Ray ray{view.incident.base + place.x * view.incident.u_hat + place.y * view.incident.v_hat, view.incident.direction,
+    const dvec2 at(1.3 * number(random), 1.3 * number(random));
+    const Ray ray{view.incident.base + at.x * view.incident.u_hat + at.y * view.incident.v_hat, view.incident.direction,
                   no_index};
     Hit hit;
     view.tracer.closest_hits({&ray, 1}, {&hit, 1});
     int owners = 0;
     for (const VisiblePart& part : view.direct) {
-      if (!std::ranges::all_of(part.outline, [&](const Corner& corner) { return corner.edge(place) >= 0.0; })) continue;
+      if (!std::ranges::all_of(part.outline, [&](const Corner& corner) { return corner.edge(at) >= 0.0; })) continue;
       ++owners;
       EXPECT_EQ(part.face, hit ? view.tree.face_of(hit.triangle) : no_index);
     }

@@ -1,0 +1,35 @@
+// The parts that a look is traced in, tile by tile.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/progress.h"
+#include "sbr/beams/tube_look.h"
+#include "sbr/beams/tube_sums.h"
+
+namespace raytube {
+
+/// What of a look is traced together, on a grid of one density.
+enum class PartKind {
+  uniform,        // everything, by the grid's cells
+  flat,           // flat faces and what they reflect: by polygons, or by cells where these are cheaper
+  curved,         // currents that a plane wave excites on curved surfaces
+  curved_near,    // currents that an antenna at a finite distance excites on curved surfaces of a convex body
+  curved_bounces  // what curved surfaces reflect
+};
+
+/// Traces a part of a look and adds up its tiles in order, whoever computes them: one thread where the look has a map, else all.
+/// Reports finished tiles as shares of `share` to `progress`. Throws Interrupted when the solve is stopped.
+TubeSums trace_part(PartKind kind, const TubeLook& look, Progress& progress, double share);
+
+/// Faces whose tubes are followed together, as one tile, where no sheets let waves through.
+inline constexpr std::uint32_t faces_per_tile = 256;
+
+/// Bytes of the sums of a tile at most.
+double tile_sum_bytes(int bounces, std::size_t frequencies);
+
+/// Tiles whose sums are held at a time.
+std::size_t tiles_per_batch(int bounces, std::size_t frequencies);
+
+}  // namespace raytube
