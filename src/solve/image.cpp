@@ -43,16 +43,10 @@ void add_cut_up(const ImageEdge& piece, const ImageLattice& lattice, std::vector
 std::vector<ImageEdge> edge_pieces(const Target& target, const Sweep& sweep, const SolveOptions& options, const Look& look,
                                    std::size_t frequency, const ImageLattice& lattice, const TubeSums& tubes) {
   if (options.edges.method != EdgeMethod::fringe) return {};
-  EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.options.min_wedge_angle, sweep.frequencies,
-                 options.tubes.skip);
-  prepare_interaction(edges, target, sweep, options.edges);
-  look_through_sheets(edges, target, sweep, options);
+  const EdgeSets edges(edge_setup(target, sweep, options));
   std::vector<ImageEdge> pieces;
-  if (edges_count(edges, options))
-    pieces = edges.pieces(target.tracer, look, frequency, options.edges.order, options.edges.receiver_shadow,
-                          options.edges.transition, lattice);
-  for (const ImageEdge& piece :
-       edges.interaction_pieces(target.faces, target.tracer, look, frequency, interaction_options(tubes, options)))
+  if (edges_count(edges, options)) pieces = edges.pieces(look, frequency, lattice);
+  for (const ImageEdge& piece : edges.interaction_pieces(look, frequency, interaction_tolerance(tubes, options)))
     add_cut_up(piece, lattice, pieces);
   return pieces;
 }

@@ -18,16 +18,6 @@ constexpr double most_phase = 0.5;
 // What quadrature may leave of the tolerance, at the frequency where most comes back.
 constexpr double interaction_share = 0.1;
 
-double interaction_tolerance(const TubeSums& tubes, const SolveOptions& options) {
-  double strongest = 0.0;
-  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
-    ScatteringMatrix sum;
-    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
-    strongest = std::max(strongest, frobenius_norm(sum));
-  }
-  return interaction_share * relative_error(options.tubes.tolerance_db) * strongest;
-}
-
 // Towards the direction, as spherical_basis has it. At 94 GHz and 1000 km from the origin 10^9 rad come of it, of which double
 // keeps six decimals and the extended precision of x86 nine.
 long double along(const Direction& direction, const dvec3& point) {
@@ -99,22 +89,30 @@ std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep&
   return smooth;
 }
 
-void prepare_interaction(EdgeSets& edges, const Target& target, const Sweep& sweep, const EdgeOptions& options) {
-  const std::vector<bool> above_limit = above_interaction_limit(target, sweep, options);
-  if (!above_limit.empty()) edges.prepare_interaction(target.mesh, above_limit);
+EdgeSetup edge_setup(const Target& target, const Sweep& sweep, const SolveOptions& options) {
+  EdgeSetup setup{target.tracer, target.faces, target.wedges, target.outlines, target.rims, target.options.min_wedge_angle};
+  setup.frequencies = sweep.frequencies;
+  setup.interaction = above_interaction_limit(target, sweep, options.edges);
+  setup.interaction.flip();
+  if (options.edges.method == EdgeMethod::fringe && std::ranges::any_of(sweep.materials, &Material::transmits))
+    setup.screens = sweep.materials;
+  setup.skip_enclosed = options.tubes.skip;
+  setup.fringe = {options.edges.order, options.edges.receiver_shadow, options.edges.transition, false};
+  return setup;
 }
 
-InteractionOptions interaction_options(const TubeSums& tubes, const SolveOptions& options) {
-  return {options.edges.order, options.edges.transition, interaction_tolerance(tubes, options)};
+double interaction_tolerance(const TubeSums& tubes, const SolveOptions& options) {
+  double strongest = 0.0;
+  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
+    ScatteringMatrix sum;
+    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
+    strongest = std::max(strongest, frobenius_norm(sum));
+  }
+  return interaction_share * relative_error(options.tubes.tolerance_db) * strongest;
 }
 
 bool edges_count(const EdgeSets& edges, const SolveOptions& options) {
   return options.edges.method == EdgeMethod::fringe && (edges.radiate() || !options.tubes.skip);
-}
-
-void look_through_sheets(EdgeSets& edges, const Target& target, const Sweep& sweep, const SolveOptions& options) {
-  if (edges_count(edges, options) && std::ranges::any_of(sweep.materials, &Material::transmits))
-    edges.look_through_sheets(target.mesh, sweep.materials);
 }
 
 Complex from_plane_waves(const TriangleMesh& mesh, const Look& look, const Radar& radar, double frequency) {

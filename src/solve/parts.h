@@ -8,7 +8,6 @@
 #include "mesh/features/smooth.h"
 #include "solve/solve.h"
 #include "utd/edge_sets.h"
-#include "utd/interaction/edge_face_interaction.h"
 
 namespace raytube {
 
@@ -32,17 +31,14 @@ void make_reciprocal(std::span<ScatteringMatrix> scattering);
 /// The curved surfaces that tubes see as such; none: all are flat facets.
 std::optional<SmoothSurfaces> smooth_surfaces(const Target& target, const Sweep& sweep, const TubeOptions& tubes);
 
-/// The edges of all frequencies, ready for the waves between surfaces where not crowded.
-void prepare_interaction(EdgeSets& edges, const Target& target, const Sweep& sweep, const EdgeOptions& options);
+/// What a solve asks of the target's edges; all three arguments must outlive the EdgeSets made with it.
+EdgeSetup edge_setup(const Target& target, const Sweep& sweep, const SolveOptions& options);
 
-/// How waves between surfaces are added up beside these tubes.
-InteractionOptions interaction_options(const TubeSums& tubes, const SolveOptions& options);
+/// What quadrature of edge-face interaction may leave beside these tubes [m].
+double interaction_tolerance(const TubeSums& tubes, const SolveOptions& options);
 
 /// Whether a solve asks the edges for their currents.
 bool edges_count(const EdgeSets& edges, const SolveOptions& options);
-
-/// Where edges count and there are sheets.
-void look_through_sheets(EdgeSets& edges, const Target& target, const Sweep& sweep, const SolveOptions& options);
 
 /// What waves between surfaces, of plane waves with their phase reference at the centre of the mesh, are times for antennas at a
 /// finite distance.

@@ -75,13 +75,11 @@ LookResult solve_look(const Target& target, const SmoothSurfaces* smooth, const 
   LookResult result;
   result.tubes = sbr_scattering(target.tracer, target.faces, smooth, target.convexity, look, sweep.frequencies, options.tubes,
                                 progress, share, sweep.radar, sweep.materials);
-  if (edges_count(edges, options))
-    result.edges = edges.scattering(target.tracer, look, options.edges.order, options.edges.receiver_shadow,
-                                    options.edges.transition, sweep.radar);
+  if (edges_count(edges, options)) result.edges = edges.scattering(look, sweep.radar);
   if (options.edges.method == EdgeMethod::fringe && options.edges.materials == MaterialEdgeMethod::luebbers)
-    add_material_edges(result.edges, target.wedges, sweep.materials, target.tracer, look, sweep.frequencies,
+    add_material_edges(result.edges, {target.wedges, target.outlines, target.tracer}, sweep.materials, look, sweep.frequencies,
                        options.edges.receiver_shadow);
-  result.interaction = edges.interaction(target.faces, target.tracer, look, interaction_options(result.tubes, options));
+  result.interaction = edges.interaction(look, interaction_tolerance(result.tubes, options));
   for (std::size_t f = 0; !look.far() && f < result.interaction.scattering.size(); ++f)
     result.interaction.scattering[f] *= from_plane_waves(target.mesh, look, sweep.radar, sweep.frequencies[f]);
   if (sweep.bistatic) return result;
@@ -215,10 +213,7 @@ SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& 
   const auto start = std::chrono::steady_clock::now();
   Progress progress(options.progress);
 
-  EdgeSets edges(target.mesh, target.wedges, target.outlines, target.rims, target.options.min_wedge_angle, sweep.frequencies,
-                 options.tubes.skip);
-  prepare_interaction(edges, target, sweep, options.edges);
-  look_through_sheets(edges, target, sweep, options);
+  const EdgeSets edges(edge_setup(target, sweep, options));
   const double range = ray_range(target, sweep, options.edges);
   std::optional<RayFields> rays;
   if (range > 0.0)
