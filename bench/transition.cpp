@@ -83,7 +83,8 @@ Series plate_series(const Target& plate, TransitionTier tier) {
       const Direction direction{theta * degree, phi * degree};
       EdgeLookResult found;
       series.time += seconds([&] {
-        found = fringe_scattering(plate.wedges, plate.outlines, plate.tracer, {direction, direction}, frequency, 3, false, tier);
+        found =
+            fringe_scattering({plate.wedges, plate.outlines, plate.tracer}, {direction, direction}, frequency, {3, false, tier});
       });
       const ScatteringMatrix s = found.scattering[0] + found.higher[0];
       series.values.insert(series.values.end(), {s.vv(), s.hh()});

@@ -1,5 +1,6 @@
-// A dihedral of two strips in two dimensions: geometrical-optics currents of all bounces, the wave of each outer edge painted on
-// the other plate, fringe currents of the outer edges. All from the library's kernels; the sums over a plate are Gauss rules.
+// A dihedral of two strips in two dimensions: geometrical-optics currents of all bounces, the illumination of each plate by the
+// outer edge of the other one, fringe currents of the outer edges. All from the library's kernels; the sums over a plate are
+// Gauss rules.
 #pragma once
 
 #include <vector>
@@ -14,15 +15,15 @@ namespace raytube::testing {
 inline double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 inline dvec2 direction_at(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// How the fringe current of an outer edge ends: not at all; at the fold; its inner half mirrored there; that half closed at its
-/// own edge, by a factor or by the next strips.
+/// How the fringe current of an outer edge ends: not at all; at the inner edge; its inner half mirrored there; that half closed
+/// at its own edge, by a factor or by the next strips.
 enum class FringeEnd { untruncated, cut, mirrored, closed, linked };
 
 /// Whose boundaries count in the illumination of the other plate.
 enum class Boundaries { both, reflected };
 
-/// Lengths in wavelengths, u is E along the fold (soft) or H along it (hard). Plates lie at the angles 0 and `opening` and are w
-/// wide.
+/// Lengths in wavelengths, u is E along the inner edge (soft) or H along it (hard). Plates lie at the angles 0 and `opening` and
+/// are w wide.
 class Dihedral2d {
  public:
   /// One plate; the normal looks into the sector.
@@ -72,47 +73,47 @@ class Dihedral2d {
     return result;
   }
 
-  /// What the wave of a lit edge makes the other plate radiate. Soft: H of the ray, or of the exact slope of the wave.
-  Complex painted(const EdgeLight& light, double to, bool exact_slope) const {
+  /// What the other plate radiates in the wave of a lit edge. Soft: H of the ray, or of the exact slope of the wave.
+  Complex illuminated(const EdgeLight& light, double to, bool exact_slope) const {
     Complex sum = 0.0;
     const Plate& target = plates_[1 - light.plate];
     for (const GaussPoint& point : points_) {
-      const dvec2 place = point.place * target.along;
-      sum += point.weight * edge_current(light, place, target.normal, exact_slope, Boundaries::both) *
-             phase(direction_at(to), place);
+      const dvec2 position = point.place * target.along;
+      sum += point.weight * edge_current(light, position, target.normal, exact_slope, Boundaries::both) *
+             phase(direction_at(to), position);
     }
     return light.amplitude * radiation(1 - light.plate, to) * sum;
   }
 
-  /// What the same wave, reflected by the other plate, makes the edge's own plate radiate; with H of the ray.
-  Complex painted_back(const EdgeLight& light, double to) const {
+  /// What the edge's own plate radiates in that wave after its reflection by the other plate; with H of the ray.
+  Complex illuminated_back(const EdgeLight& light, double to) const {
     const Plate &mirror = plates_[1 - light.plate], &target = plates_[light.plate];
     const dvec2 edge = w_ * target.along;
     const double height = glm::dot(edge, mirror.normal);
     Complex sum = 0.0;
     for (const GaussPoint& point : points_) {
-      const dvec2 place = point.place * target.along, image = mirrored(place, 1 - light.plate), way = image - edge;
+      const dvec2 position = point.place * target.along, image = mirrored(position, 1 - light.plate), way = image - edge;
       const double reflection = glm::dot(edge - height / glm::dot(way, mirror.normal) * way, mirror.along);
       const dvec2 ray = mirrored(glm::normalize(way), 1 - light.plate);
       if (reflection <= 0.0 || reflection >= w_ || glm::dot(ray, target.normal) >= 0.0) continue;
       const Complex wave = (hard_ ? 1.0 : -1.0) * edge_wave(light, image, Boundaries::both);
-      sum += point.weight * current_of(ray, target.normal) * wave * phase(direction_at(to), place);
+      sum += point.weight * current_of(ray, target.normal) * wave * phase(direction_at(to), position);
     }
     return light.amplitude * radiation(light.plate, to) * sum;
   }
 
   /// Each plate in the whole field of the other one's half plane: its waves with both their boundaries, or the reflected one's
-  /// alone. With a right angle the former is the same as all bounces and the painted waves of both edges; else beams that return
-  /// are missing, and so is what the plate beyond the fold, which is not there, would have to be rid of.
+  /// alone. With a right angle the former is the same as all bounces and the illumination by both edges; else beams that return
+  /// are missing, and so is what the plate beyond the inner edge, which is not there, would have to be rid of.
   Complex total_illumination(double from, double to, Boundaries boundaries) const {
     Complex sum = 0.0;
     for (const EdgeLight& light : edge_lights(from, 0)) {
       const int target = 1 - light.plate;
       for (const GaussPoint& point : points_) {
-        const dvec2 place = point.place * plates_[target].along;
-        const Complex current = edge_current(light, place, plates_[target].normal, true, boundaries) +
-                                half_plane_optics(light, place, plates_[target].normal, boundaries);
-        sum += radiation(target, to) * point.weight * current * phase(direction_at(to), place);
+        const dvec2 position = point.place * plates_[target].along;
+        const Complex current = edge_current(light, position, plates_[target].normal, true, boundaries) +
+                                half_plane_optics(light, position, plates_[target].normal, boundaries);
+        sum += radiation(target, to) * point.weight * current * phase(direction_at(to), position);
       }
     }
     return sum;
@@ -130,7 +131,7 @@ class Dihedral2d {
   }
 
  private:
-  /// A beam on its way to the part of a plate between two places.
+  /// A beam on its way to the part of a plate between two positions.
   struct Beam {
     dvec2 direction;
     double amplitude;
@@ -139,7 +140,9 @@ class Dihedral2d {
   };
 
   static constexpr double k = 2 * pi;
-  static Complex phase(const dvec2& direction, const dvec2& place) { return std::polar(1.0, k * glm::dot(direction, place)); }
+  static Complex phase(const dvec2& direction, const dvec2& position) {
+    return std::polar(1.0, k * glm::dot(direction, position));
+  }
 
   dvec2 mirrored(const dvec2& direction, int plate) const {
     return direction - 2 * glm::dot(direction, plates_[plate].normal) * plates_[plate].normal;
@@ -190,9 +193,9 @@ class Dihedral2d {
   }
 
   /// The edge's wave at a point, without the light's amplitude.
-  Complex edge_wave(const EdgeLight& light, const dvec2& place, Boundaries boundaries) const {
+  Complex edge_wave(const EdgeLight& light, const dvec2& position, Boundaries boundaries) const {
     const Plate& plate = plates_[light.plate];
-    const dvec2 edge = w_ * plate.along, ray = place - edge;
+    const dvec2 edge = w_ * plate.along, ray = position - edge;
     const EdgeWaveTerms terms = edge_wave_terms(2.0, angle_at_edge(plate, -light.direction), angle_at_edge(plate, ray));
     const double distance = k * glm::length(ray);
     const auto wave = [&](const EdgeWaveTerm& term) { return term.strength * scaled_erfc(term.rate * std::sqrt(distance)); };
@@ -201,53 +204,53 @@ class Dihedral2d {
   }
 
   /// Its current on a plate with this normal: 2 n x H (times eta if soft).
-  Complex edge_current(const EdgeLight& light, const dvec2& place, const dvec2& normal, bool exact_slope,
+  Complex edge_current(const EdgeLight& light, const dvec2& position, const dvec2& normal, bool exact_slope,
                        Boundaries boundaries) const {
     if (hard_ || !exact_slope) {
-      const dvec2 ray = glm::normalize(place - w_ * plates_[light.plate].along);
-      return current_of(ray, normal) * edge_wave(light, place, boundaries);
+      const dvec2 ray = glm::normalize(position - w_ * plates_[light.plate].along);
+      return current_of(ray, normal) * edge_wave(light, position, boundaries);
     }
     constexpr double step = 1e-5;  // rounding of the difference 1e-11, its own error 1e-9
     const dvec2 aside = step * normal;
-    const Complex rise = edge_wave(light, place + aside, boundaries) - edge_wave(light, place - aside, boundaries);
+    const Complex rise = edge_wave(light, position + aside, boundaries) - edge_wave(light, position - aside, boundaries);
     return rise / (step * Complex(0, k));
   }
 
   /// The incident and the reflected wave of a half plane, each on its side of its boundary.
-  Complex half_plane_optics(const EdgeLight& light, const dvec2& place, const dvec2& normal, Boundaries boundaries) const {
+  Complex half_plane_optics(const EdgeLight& light, const dvec2& position, const dvec2& normal, Boundaries boundaries) const {
     const Plate& plate = plates_[light.plate];
     const double source = angle_at_edge(plate, -light.direction);
-    const double observer = angle_at_edge(plate, place - w_ * plate.along);
+    const double observer = angle_at_edge(plate, position - w_ * plate.along);
     const dvec2 back = mirrored(light.direction, light.plate);
     Complex sum = 0.0;
     if (boundaries == Boundaries::reflected || std::cos((observer - source) / 2) > 0.0)
-      sum += current_of(light.direction, normal) * phase(-light.direction, place);
-    if (std::cos((observer + source) / 2) > 0.0) sum += (hard_ ? 1.0 : -1.0) * current_of(back, normal) * phase(-back, place);
+      sum += current_of(light.direction, normal) * phase(-light.direction, position);
+    if (std::cos((observer + source) / 2) > 0.0) sum += (hard_ ? 1.0 : -1.0) * current_of(back, normal) * phase(-back, position);
     return sum;
   }
 
-  /// What the mirrored current of the inner side adds to a kernel: it runs back from the fold along the same face, mu the other
-  /// way.
+  /// What the mirrored current of the inner side adds to a kernel: it runs back from the inner edge along the same face, mu the
+  /// other way.
   Complex mirrored_part(double source, double mu, FringeEnd end) const {
-    const double fold = k * w_;
+    const double turning = k * w_;
     const Strip inner(2.0, incidence_at(source), half_cosine_of(-mu));
-    const Complex turn = std::polar(1.0, 2 * fold * mu);
-    if (end == FringeEnd::closed) return closed_part(inner, fold, mu);
-    const StripKernels part = piece_of(inner, fold, 2 * fold);
+    const Complex turn = std::polar(1.0, 2 * turning * mu);
+    if (end == FringeEnd::closed) return closed_part(inner, turning, mu);
+    const StripKernels part = piece_of(inner, turning, 2 * turning);
     if (!hard_) return -turn * part.current.soft;
     Complex sum = turn * part.current.hard;
-    if (end == FringeEnd::linked) sum += turn * part.end * both_sides(0.0, true, mu, fold).radiated;
+    if (end == FringeEnd::linked) sum += turn * part.end * both_sides(0.0, true, mu, turning).radiated;
     return sum;
   }
 
   /// The mirrored current times the answer of its own edge to a wave that grazes it.
-  Complex closed_part(const Strip& inner, double fold, double mu) const {
+  Complex closed_part(const Strip& inner, double width, double mu) const {
     Complex sum = 0.0;
     for (const GaussPoint& point : gauss_rule(48)) {  // in the root of the distance, 1e-12 at 5 wavelengths
-      const double distance = fold * point.place * point.place, root = std::sqrt(2 * distance);
+      const double distance = width * point.place * point.place, root = std::sqrt(2 * distance);
       const Complex closing = 1.0 - std::polar(1.0, -root * root) * scaled_erfc(root);
-      const Complex current = 2.0 * kernels_at(inner, 2 * fold - distance).end * std::polar(1.0, mu * (2 * fold - distance));
-      sum += point.weight * 2 * fold * point.place * closing * current * std::polar(1.0, mu * distance);
+      const Complex current = 2.0 * kernels_at(inner, 2 * width - distance).end * std::polar(1.0, mu * (2 * width - distance));
+      sum += point.weight * 2 * width * point.place * closing * current * std::polar(1.0, mu * distance);
     }
     return sum / Complex(0, 2);
   }

@@ -39,7 +39,7 @@ class LitFractions {
   std::span<const Wedge> wedges_;
   Tracer tracer_;
   dvec3 towards_;
-  Visibility visibility_;
+  EdgeVisibility visibility_;
   std::vector<LitInterval> lit_;
 };
 

@@ -43,16 +43,11 @@ void add_cut_up(const ImageEdge& piece, const ImageLattice& lattice, std::vector
   }
 }
 
-std::vector<ImageEdge> edge_pieces(const SolvePlan& plan, const LookSolver& solver, const Look& look, std::size_t frequency_index,
+std::vector<ImageEdge> edge_pieces(const LookSolver& solver, const Look& look, std::size_t frequency_index,
                                    const ImageLattice& lattice, const TubeSums& tubes) {
-  if (!plan.mechanisms.fringe) return {};
-  const Target& target = plan.target;
   std::vector<ImageEdge> pieces;
-  if (solver.edges_count())
-    pieces = solver.edges().pieces(target.tracer, look, frequency_index, plan.edges.order, plan.edges.receiver_shadow,
-                                   plan.edges.transition, lattice);
-  for (const ImageEdge& piece :
-       solver.edges().interaction_pieces(target.faces, target.tracer, look, frequency_index, solver.interaction_options(tubes)))
+  if (solver.edges_count()) pieces = solver.edges().pieces(look, frequency_index, lattice);
+  for (const ImageEdge& piece : solver.edges().interaction_pieces(look, frequency_index, solver.interaction_tolerance(tubes)))
     add_cut_up(piece, lattice, pieces);
   return pieces;
 }
@@ -82,7 +77,7 @@ LookImage image_of(const SolvePlan& plan, std::size_t index, const ImageLattice&
   CurrentMap map(plan.target.faces, lattice, frequency_index, wavenumber(frequency));
   const TubeSums tubes = solver.tubes(look, progress, 1.0, &map);
   LookImage image{index, frequency, cells, map.take_cells(), map.take_triangles(), {}};
-  image.edges = edge_pieces(plan, solver, look, frequency_index, lattice, tubes);
+  image.edges = edge_pieces(solver, look, frequency_index, lattice, tubes);
   for (const ImageEdge& piece : image.edges)
     image.cells[lattice.index(lattice.at(lattice.project(0.5 * (piece.begin + piece.end))))] += piece.s;
   finish(image, plan);

@@ -92,7 +92,7 @@ void visit(Archive& archive, Look& look) {
   archive(tubes.empty_cells), archive(tubes.faces_away), archive(tubes.sliver_area);
   archive(edges.scattering), archive(edges.higher), archive(edges.windowed);
   archive(edges.wedges_lit), archive(edges.lit);
-  archive(between.scattering), archive(between.error), archive(between.lit_pieces);
+  archive(between.scattering), archive(between.error), archive(between.illuminating_pieces);
 }
 
 bool has_frequencies(const LookResult& look, std::size_t count) {

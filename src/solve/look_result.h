@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "sbr/beams/tube_sums.h"
-#include "utd/fringe/edges.h"
+#include "utd/fringe/edge_look_result.h"
 #include "utd/interaction/edge_face_interaction.h"
 
 namespace raytube {

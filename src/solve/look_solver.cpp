@@ -12,14 +12,17 @@ namespace raytube {
 
 namespace {
 
-double interaction_tolerance(const TubeSums& tubes, double tolerance_db) {
-  double strongest = 0.0;
-  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
-    ScatteringMatrix sum;
-    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
-    strongest = std::max(strongest, frobenius_norm(sum));
-  }
-  return interaction_quadrature_error(relative_tolerance(tolerance_db), strongest);
+EdgeSetup edge_setup(const SolvePlan& plan) {
+  const Target& target = plan.target;
+  EdgeSetup setup{target.tracer,   target.faces,           target.wedges,
+                  target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
+  setup.frequencies = plan.sweep.frequencies;
+  setup.interaction = plan.interaction_above_limit;
+  setup.interaction.flip();
+  if (plan.mechanisms.screens) setup.screens = plan.sweep.materials;
+  setup.skip_enclosed = plan.tubes.skip;
+  setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};
+  return setup;
 }
 
 void make_reciprocal(LookResult& look) {
@@ -33,12 +36,7 @@ void make_reciprocal(LookResult& look) {
 }  // namespace
 
 LookSolver::LookSolver(const SolvePlan& plan)
-    : plan_(plan),
-      edges_(plan.target.mesh, plan.target.wedges, plan.target.outlines, plan.target.thin_plate_edges,
-             plan.target.options.min_wedge_angle, plan.sweep.frequencies, plan.tubes.skip) {
-  if (plan.mechanisms.interaction) edges_.prepare_interaction(plan.target.mesh, plan.interaction_above_limit);
-  edges_count_ = plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip);
-  if (edges_count_ && plan.mechanisms.screens) edges_.look_through_sheets(plan.target.mesh, plan.sweep.materials);
+    : plan_(plan), edges_(edge_setup(plan)), edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
   if (plan.mechanisms.rays) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
 }
 
@@ -62,24 +60,28 @@ TubeSums LookSolver::tubes(const Look& look, Progress& progress, double share, C
 
 EdgeLookResult LookSolver::edges_of(const Look& look) const {
   EdgeLookResult result;
-  if (edges_count_)
-    result = edges_.scattering(plan_.target.tracer, look, plan_.edges.order, plan_.edges.receiver_shadow, plan_.edges.transition,
-                               plan_.sweep.radar);
+  if (edges_count_) result = edges_.scattering(look, plan_.sweep.radar);
   if (plan_.mechanisms.material_edges)
-    add_material_edges(result, plan_.target.wedges, plan_.sweep.materials, plan_.target.tracer, look, plan_.sweep.frequencies,
-                       plan_.edges.receiver_shadow);
+    add_material_edges(result, {plan_.target.wedges, plan_.target.outlines, plan_.target.tracer}, plan_.sweep.materials, look,
+                       plan_.sweep.frequencies, plan_.edges.receiver_shadow);
   return result;
 }
 
 InteractionResult LookSolver::interaction(const Look& look, const TubeSums& tubes) const {
-  InteractionResult result = edges_.interaction(plan_.target.faces, plan_.target.tracer, look, interaction_options(tubes));
+  InteractionResult result = edges_.interaction(look, interaction_tolerance(tubes));
   for (std::size_t f = 0; !look.far() && f < result.scattering.size(); ++f)
     result.scattering[f] *= from_plane_waves(plan_.target.mesh, look, plan_.sweep.radar, plan_.sweep.frequencies[f]);
   return result;
 }
 
-InteractionOptions LookSolver::interaction_options(const TubeSums& tubes) const {
-  return {plan_.edges.order, plan_.edges.transition, interaction_tolerance(tubes, plan_.tubes.tolerance_db)};
+double LookSolver::interaction_tolerance(const TubeSums& tubes) const {
+  double strongest = 0.0;
+  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
+    ScatteringMatrix sum;
+    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
+    strongest = std::max(strongest, frobenius_norm(sum));
+  }
+  return interaction_quadrature_error(relative_tolerance(plan_.tubes.tolerance_db), strongest);
 }
 
 // Rays in the place of currents; a path counts as a tube.

@@ -30,8 +30,8 @@ class LookSolver {
   bool edges_count() const { return edges_count_; }
   const EdgeSets& edges() const { return edges_; }
 
-  /// How edge-face interaction is added up beside these tubes.
-  InteractionOptions interaction_options(const TubeSums& tubes) const;
+  /// What the quadrature of edge-face interaction may leave beside these tubes [m].
+  double interaction_tolerance(const TubeSums& tubes) const;
 
  private:
   LookResult rays(const Look& look, Progress& progress, double share) const;
@@ -40,7 +40,7 @@ class LookSolver {
 
   const SolvePlan& plan_;
   EdgeSets edges_;
-  bool edges_count_ = false;
+  bool edges_count_;
   std::optional<RayFields> ray_fields_;
 };
 

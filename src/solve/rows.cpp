@@ -60,7 +60,7 @@ void RowCollector::add_rows(std::size_t look, const LookResult& part, const Look
     std::ranges::copy(part.tubes.incoherent, result_.incoherent.begin() + static_cast<std::ptrdiff_t>(sweep_.row(look, 0)));
   Statistics& all = result_.statistics;
   all.wedges_lit += part.edges.wedges_lit;
-  all.illuminating_pieces += part.interaction.lit_pieces;
+  all.illuminating_pieces += part.interaction.illuminating_pieces;
   for (const bool windowed : part.edges.windowed) all.windowed_rows += windowed ? 1 : 0;
   if (part.tubes.tubes == 0 && !plan_.mechanisms.rays) ++looks_without_tubes_;
   if (plan_.mechanisms.fringe && !part.edges.lit)

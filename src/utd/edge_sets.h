@@ -1,9 +1,12 @@
-// The edges of a target at every frequency of a sweep: which rims are thin depends on the wavelength.
+// The edges of a target at every frequency of a sweep: which plates are thin depends on the wavelength.
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "mesh/features/thin_plates.h"
+#include "mesh/model/face_tree.h"
 #include "utd/fringe/edges.h"
 #include "utd/fringe/screened_edges.h"
 #include "utd/interaction/edge_face_interaction.h"
@@ -11,56 +14,69 @@
 
 namespace raytube {
 
+/// The edges of a target and what is asked of them. What is referred to must outlive the EdgeSets made with it.
+struct EdgeSetup {
+  const Tracer& tracer;  // with the mesh
+  const FaceTree& faces;
+  std::span<const Wedge> wedges;                    // sharp edges
+  const Outlines& outlines;                         // of their faces
+  std::span<const ThinPlateEdge> thin_plate_edges;  // at frequencies where the plate is thin they become half planes
+  double min_wedge_angle = 0.0;                     // with which wedges and outlines were found [rad]
+  std::span<const double> frequencies{};            // [Hz]
+  std::vector<bool> interaction{};                  // per frequency: whether edges illuminate other faces; empty: at none
+  std::span<const Material> screens{};              // the mesh's materials if some let waves through, else empty
+  bool skip_enclosed = true;                        // false: even edges that no light reaches are tested for light
+  FringeOptions fringe{};                           // continue_by_images is set where edges illuminate other faces
+};
+
+/// Frequencies at which the same plates are thin share a set of edges; no set depends on the others.
 class EdgeSets {
  public:
-  /// `wedges` and `outlines` are those of sharp edges; rims thin at a frequency become half planes there. Frequencies that see
-  /// the same rims as thin share a set, and no set depends on the others.
-  /// Without `skip_enclosed` even edges that no light reaches are asked whether they are lit.
-  EdgeSets(const TriangleMesh& mesh, const std::vector<Wedge>& wedges, const Outlines& outlines,
-           std::span<const ThinPlateEdge> rims, double min_wedge_angle, std::span<const double> frequencies, bool skip_enclosed);
+  explicit EdgeSets(const EdgeSetup& setup);
   EdgeSets(const EdgeSets&) = delete;
-
-  /// From now on edges behind sheets of these materials count, too. Both arguments are kept by reference.
-  void look_through_sheets(const TriangleMesh& mesh, std::span<const Material> materials) { sheets_.emplace(mesh, materials); }
 
   /// Whether any edge does, in any look.
   bool radiate() const;
 
-  /// One look at all frequencies, in their order; the lit wedges are counted at the highest.
-  EdgeLookResult scattering(const Tracer& tracer, const Look& look, int order, bool receiver_shadow, TransitionTier tier,
-                            const Radar& radar) const;
+  /// The fringe currents of one look at all frequencies, in their order; the lit wedges are counted at the highest. `radar` is
+  /// that of antennas at a finite distance.
+  EdgeLookResult scattering(const Look& look, const Radar& radar) const;
 
-  /// The same at one of the frequencies, piece by piece: see fringe_pieces.
-  std::vector<ImageEdge> pieces(const Tracer& tracer, const Look& look, std::size_t frequency, int order, bool receiver_shadow,
-                                TransitionTier tier, const ImageLattice& lattice) const;
+  /// The fringe currents of one look at one of the frequencies, piece by piece: see fringe_pieces().
+  std::vector<ImageEdge> pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice) const;
 
-  /// Finds the edges that may light other surfaces than their own, at the frequencies that are not `crowded`.
-  void prepare_interaction(const TriangleMesh& mesh, const std::vector<bool>& above_limit);
+  /// Edge-face interaction of one look at all frequencies, its quadrature to `tolerance` [m]; zero at frequencies where it is not
+  /// asked for, empty if there is none at any.
+  InteractionResult interaction(const Look& look, double tolerance) const;
 
-  /// What the waves of edges do on other surfaces in one look at all frequencies; nothing unless prepared.
-  InteractionResult interaction(const FaceTree& tree, const Tracer& tracer, const Look& look,
-                                const InteractionOptions& options) const;
-  /// The same at one of the frequencies, by the lit pieces of edges these waves come from.
-  std::vector<ImageEdge> interaction_pieces(const FaceTree& tree, const Tracer& tracer, const Look& look, std::size_t frequency,
-                                            const InteractionOptions& options) const;
+  /// Edge-face interaction of one look at one of the frequencies, by pieces of edges: see interaction_pieces().
+  std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, double tolerance) const;
 
  private:
   struct Set {
-    std::size_t thin_rims = 0;
-    std::vector<std::size_t> places;  // in the list of frequencies
+    std::size_t thin_edges = 0;
+    std::vector<std::size_t> indices;  // in the list of frequencies
     std::vector<double> frequencies;
     std::vector<Wedge> wedges;
     Outlines outlines;
-    std::vector<InteractionGroup> interaction;  // its places are those of the set's frequencies
+    std::vector<InteractionGroup> interaction;  // its indices are those of the set's frequencies
 
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);
   };
+  void group_frequencies();
+  void find_wedges(Set& set) const;
+  void prepare_interaction();
+  EdgeLookResult scattering(const Set& set, const Look& look, const Radar& radar) const;
+  EdgeScene scene(const Set& set) const;
+  FringeOptions options(const Set& set) const;
+  InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;
+  InteractionOptions interaction_options(double tolerance) const;
   static void put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all);
 
+  EdgeSetup setup_;
   std::vector<Set> sets_;  // highest frequency first
-  std::size_t frequency_count_;
-  std::optional<OpaqueAndScreens> sheets_;
+  std::optional<OpaqueAndScreens> screens_;
 };
 
 }  // namespace raytube

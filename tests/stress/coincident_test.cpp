@@ -39,7 +39,7 @@ Pair boxes() {
 }
 
 Pair cube_on_block() {
-  return {"cube on a wider block", between::cube_on_block(2 * side, side / 2, side), [](double gap) {
+  return {"cube on a wider block", interaction::cube_on_block(2 * side, side / 2, side), [](double gap) {
             const PolygonSoup block = moved(shapes::box({2 * side, 2 * side, side / 2}), {0, 0, -side / 4});
             return shapes::joined(block, moved(shapes::cube(side), {0, 0, side / 2 + gap}));
           }};

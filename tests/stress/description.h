@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "between_bodies.h"
 #include "core/random.h"
+#include "interaction_bodies.h"
 #include "run.h"
 #include "shapes.h"
 #include "stress/stability.h"
@@ -64,7 +64,7 @@ inline std::vector<NamedSoup> flat_targets() {
   const double a = stress_wavelength;
   return {{"plate", shapes::plate(3 * a, 0.3)},         {"cube", shapes::cube(2 * a)},
           {"dihedral", shapes::dihedral(3 * a, 3 * a)}, {"trihedral", shapes::trihedral(3 * a)},
-          {"L-shaped bar", angle_bar(3 * a, 2.5 * a)},  {"two boxes", between::two_boxes(1.5 * a, 0.7 * a)}};
+          {"L-shaped bar", angle_bar(3 * a, 2.5 * a)},  {"two boxes", interaction::two_boxes(1.5 * a, 0.7 * a)}};
 }
 inline const char* const flat_names = "plate, cube, dihedral, trihedral, L-shaped bar, two boxes";
 

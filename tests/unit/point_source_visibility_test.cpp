@@ -1,4 +1,4 @@
-// Source visibility: solid angles of what a point source lights, against closed forms.
+// Solid angles of what a point sees, against closed forms.
 #include <gtest/gtest.h>
 
 #include "shapes.h"
@@ -13,7 +13,7 @@ using namespace raytube::testing;
 constexpr double rounding = 1e-10;
 
 double rectangle(double width, double height, double distance) {
-  // Of a rectangle from a point of the axis through its middle (Mathar 2003, eq. 27).
+  // Of a rectangle as seen from the axis through its middle (Mathar 2003, eq. 27).
   const double a = width / (2 * distance), b = height / (2 * distance);
   return 4.0 * std::asin(a * b / std::sqrt((1 + a * a) * (1 + b * b)));
 }
@@ -47,7 +47,7 @@ TEST(SourceVisibility, ScreenBehindAWindowOfAThinWall) {
   EXPECT_NEAR(scene.exact({0, 0, 0})[0], rectangle(0.2, 0.2, 1) / (4 * pi), rounding);
 }
 
-TEST(SourceVisibility, SheetsThatCrossHideHalfOfEachOther) {
+TEST(SourceVisibility, PlatesThatCrossHideHalfOfEachOther) {
   // Two squares of side 2 crossing on the z axis at +-45 degrees to the line of sight: the near halves hide the far ones, so that
   // together they cover what the near halves do.
   const double h = std::numbers::sqrt2 / 2;
@@ -56,20 +56,20 @@ TEST(SourceVisibility, SheetsThatCrossHideHalfOfEachOther) {
                        {{0, 1, 2}, {0, 2, 3}}};
   };
   const dvec3 from(-3, 0, 0);
-  const std::vector<double> lit = SourceScene({square(1), square(-1)}).exact(from);
+  const std::vector<double> share = SourceScene({square(1), square(-1)}).exact(from);
   const double half = solid_angle({{0, 0, -1}, {-h, -h, -1}, {-h, -h, 1}, {0, 0, 1}}, from) / (4 * pi);
-  EXPECT_NEAR(lit[0], half, rounding);
-  EXPECT_NEAR(lit[1], half, rounding);
+  EXPECT_NEAR(share[0], half, rounding);
+  EXPECT_NEAR(share[1], half, rounding);
 }
 
-TEST(SourceVisibility, OneOfTwoCoincidentSheetsCounts) {
-  const SourceScene scene({sheet_across_x(1, {-1, -1}, {1, 1}), sheet_across_x(1, {-1, -1}, {1, 1})});
-  const std::vector<double> lit = scene.exact({0, 0, 0});
-  EXPECT_NEAR(lit[0] + lit[1], 1.0 / 6.0, rounding);
+TEST(SourceVisibility, OneOfTwoCoincidentPlatesCounts) {
+  const SourceScene scene({plate_across_x(1, {-1, -1}, {1, 1}), plate_across_x(1, {-1, -1}, {1, 1})});
+  const std::vector<double> share = scene.exact({0, 0, 0});
+  EXPECT_NEAR(share[0] + share[1], 1.0 / 6.0, rounding);
 }
 
-TEST(SourceVisibility, ParallelRaysLightProjectedAreas) {
-  // A sheet of 1 x 1 half hidden by another one, and what lies behind the plane they start from.
+TEST(SourceVisibility, ParallelRaysSeeProjectedAreas) {
+  // A plate of 1 x 1 half hidden by another one, and what lies behind the plane they start from.
   const SourceScene scene(
       {plate_across_x(2, {0, 0}, {1, 1}), plate_across_x(1, {0.5, -1}, {2, 2}), plate_across_x(-1, {-5, -5}, {5, 5})});
   const dvec3 start = dvec3(0, 0, 0) - scene.joined.mesh.center;

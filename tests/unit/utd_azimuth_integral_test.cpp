@@ -15,11 +15,11 @@ struct Example {
   const char* name;
   std::function<Complex(double x, int frequency)> value;
   std::function<Complex(double x, int frequency)> primitive;
-  double turns;  // of its phase, as it is told [rad/rad]
+  double turns;  // rate of its phase that the survey says [rad/rad]
 };
 
 /// A kink or a jump where no cut is.
-constexpr double place = 1.234567;
+constexpr double kink = 1.234567;
 
 std::vector<Example> examples() {
   const auto rate = [](int f) { return 5.0 + 40.0 * f; };
@@ -27,12 +27,12 @@ std::vector<Example> examples() {
   const auto wave_sum = [=](double x, int f) { return std::polar(1.0, rate(f) * x) / Complex(0, rate(f)); };
   return {{"oscillating", wave, wave_sum, 85.0},
           {"oscillating, a bad guess", wave, wave_sum, 5.0},
-          {"kinked", [=](double x, int f) { return std::abs(x - place) * (1.0 + f); },
-           [=](double x, int f) { return 0.5 * (x - place) * std::abs(x - place) * (1.0 + f); }, 1.0},
-          {"root", [=](double x, int) { return std::sqrt(std::abs(x - place)); },
-           [=](double x, int) { return std::copysign(2.0 / 3.0 * std::pow(std::abs(x - place), 1.5), x - place); }, 1.0},
-          {"jumping", [=](double x, int f) { return x < place ? Complex(0.0) : wave(x, f); },
-           [=](double x, int f) { return x < place ? wave_sum(place, f) : wave_sum(x, f); }, 85.0}};
+          {"kinked", [=](double x, int f) { return std::abs(x - kink) * (1.0 + f); },
+           [=](double x, int f) { return 0.5 * (x - kink) * std::abs(x - kink) * (1.0 + f); }, 1.0},
+          {"root", [=](double x, int) { return std::sqrt(std::abs(x - kink)); },
+           [=](double x, int) { return std::copysign(2.0 / 3.0 * std::pow(std::abs(x - kink), 1.5), x - kink); }, 1.0},
+          {"jumping", [=](double x, int f) { return x < kink ? Complex(0.0) : wave(x, f); },
+           [=](double x, int f) { return x < kink ? wave_sum(kink, f) : wave_sum(x, f); }, 85.0}};
 }
 
 /// The integrand in every channel, each with a factor of its own.

@@ -1,4 +1,4 @@
-// Which edges may light other surfaces, and where they stop.
+// Which edges may illuminate other faces, and at which of their ends another surface stands.
 #include <gtest/gtest.h>
 
 #include "mesh_shapes.h"
@@ -22,8 +22,8 @@ PolygonSoup l_shape() { return shapes::prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1
 
 dvec3 at(const EdgeAxis& axis, int end) { return axis.origin + (end == 0 ? 0.0 : axis.length) * axis.tangent; }
 
-/// Every end of an axis that stops, and how many of its faces do.
-int stops(const EdgeAxis& axis) { return static_cast<int>(axis.stops[0].size() + axis.stops[1].size()); }
+/// How many faces of the wedge meet another surface, at both ends together.
+int abutting(const EdgeAxis& axis) { return static_cast<int>(axis.abutting_faces[0].size() + axis.abutting_faces[1].size()); }
 
 void expect_consistent(const Body& body) {
   const dvec3 center = body.loaded.mesh.center;
@@ -42,60 +42,60 @@ TEST(EdgeAxes, NoneOnConvexBodies) {
     EXPECT_TRUE(Body(soup).axes().empty());
 }
 
-TEST(EdgeAxes, OfADihedralStopInTheFold) {
+TEST(EdgeAxes, OfADihedralAbutInItsInnerEdge) {
   const Body body(dihedral());
   const std::vector<EdgeAxis> axes = body.axes();
   expect_consistent(body);
-  // Three rims of each face, and the outer side of the fold, which sees nothing.
+  // Three outer edges of each face; in front of the outer side of the inner edge there is nothing.
   ASSERT_EQ(axes.size(), 6u);
   for (const EdgeAxis& axis : axes) {
     const dvec3 center = body.loaded.mesh.center;
-    int in_fold = 0;
+    int at_inner_edge = 0;
     for (int end = 0; end < 2; ++end) {
       const dvec3 point = at(axis, end) + center;
-      const bool folded = std::hypot(point.x, point.y) < 1e-12;
-      in_fold += folded;
-      // The other plate stands on the inner side of the sheet alone.
-      EXPECT_EQ(axis.stops[static_cast<std::size_t>(end)].size(), folded ? 1u : 0u);
-      for (const int face : axis.stops[static_cast<std::size_t>(end)]) {
+      const bool inner = std::hypot(point.x, point.y) < 1e-12;
+      at_inner_edge += inner;
+      // The other plate stands on the inner side of this one alone.
+      EXPECT_EQ(axis.abutting_faces[static_cast<std::size_t>(end)].size(), inner ? 1u : 0u);
+      for (const int face : axis.abutting_faces[static_cast<std::size_t>(end)]) {
         const dvec3 inside(1, 1, 0);
         EXPECT_GT(glm::dot(axis.wedge->faces[static_cast<std::size_t>(face)].normal, inside), 0.5);
       }
     }
-    EXPECT_LE(in_fold, 1);
+    EXPECT_LE(at_inner_edge, 1);
   }
 }
 
-TEST(EdgeAxes, OfATrihedralStopInEveryFold) {
+TEST(EdgeAxes, OfATrihedralAbutInEveryInnerEdge) {
   const Body body(trihedral());
   const std::vector<EdgeAxis> axes = body.axes();
   expect_consistent(body);
-  ASSERT_EQ(axes.size(), 6u);  // two rims of each face, each from a fold to a free corner
-  for (const EdgeAxis& axis : axes) EXPECT_EQ(stops(axis), 1);
+  ASSERT_EQ(axes.size(), 6u);  // two outer edges of each face, each from an inner edge to a free corner
+  for (const EdgeAxis& axis : axes) EXPECT_EQ(abutting(axis), 1);
 }
 
-TEST(EdgeAxes, OfABodyWithOneFold) {
+TEST(EdgeAxes, OfABodyWithOneConcaveEdge) {
   const Body body(l_shape());
   const std::vector<EdgeAxis> axes = body.axes();
   expect_consistent(body);
-  // The notch is seen by its own two walls' outer edges (2), and by their edges with top and bottom (4). What looks past it does
-  // not count.
+  // The notch lies in front of its own two walls' outer edges (2), and by their edges with top and bottom (4). What faces past it
+  // does not count.
   ASSERT_EQ(axes.size(), 6u);
-  int stopping = 0;
+  int meeting = 0;
   for (const EdgeAxis& axis : axes) {
     EXPECT_NEAR(axis.wedge->n, 1.5, 1e-12);
-    stopping += stops(axis);
+    meeting += abutting(axis);
   }
-  EXPECT_EQ(stopping, 4);  // the four edges along top and bottom end in the fold, each with its wall
+  EXPECT_EQ(meeting, 4);  // the four edges along top and bottom end at the concave edge, each with its wall
 }
 
 TEST(EdgeAxes, OfBodiesSideBySide) {
-  // A cube sees another with all four edges of the face between them, and with nothing else.
+  // In front of all four edges of the face between two cubes there is the other cube; in front of others there is nothing.
   const Body body(shapes::joined(shapes::box({0, 0, 0}, {1, 1, 1}), shapes::box({2, 0, 0}, {3, 1, 1})));
   const std::vector<EdgeAxis> axes = body.axes();
   expect_consistent(body);
   ASSERT_EQ(axes.size(), 8u);
-  for (const EdgeAxis& axis : axes) EXPECT_EQ(stops(axis), 0);
+  for (const EdgeAxis& axis : axes) EXPECT_EQ(abutting(axis), 0);
 }
 
 }  // namespace

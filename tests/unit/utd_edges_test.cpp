@@ -18,8 +18,13 @@ constexpr std::array<double, 1> one_frequency{frequency_1m};
 
 Look monostatic(double theta, double phi) { return {{theta, phi}, {theta, phi}}; }
 
+EdgeLookResult first_order(const Scene& scene, const Tracer& tracer, const Look& look, std::span<const double> frequencies) {
+  static const Outlines none;
+  return fringe_scattering({scene.wedges, none, tracer}, look, frequencies, {1});
+}
+
 ScatteringMatrix scattering(const Scene& scene, const Tracer& tracer, const Look& look) {
-  return fringe_scattering(scene.wedges, tracer, look, one_frequency).scattering[0];
+  return first_order(scene, tracer, look, one_frequency).scattering[0];
 }
 
 double largest(const ScatteringMatrix& s) {
@@ -77,16 +82,16 @@ TEST(Edges, FrequenciesOfOnePassEqualSeparatePasses) {
   const Tracer tracer(scene.mesh);
   const Look look{{1.4, 0.2}, {1.5, 0.2 + pi}};  // forward grazing, so that the window is at work too
   const std::array<double, 3> frequencies{0.7 * frequency_1m, frequency_1m, 1.6 * frequency_1m};
-  const EdgeLookResult together = fringe_scattering(scene.wedges, tracer, look, frequencies);
+  const EdgeLookResult together = first_order(scene, tracer, look, frequencies);
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
-    const EdgeLookResult alone = fringe_scattering(scene.wedges, tracer, look, std::span(&frequencies[i], 1));
+    const EdgeLookResult alone = first_order(scene, tracer, look, std::span(&frequencies[i], 1));
     EXPECT_EQ(difference(together.scattering[i], alone.scattering[0]), 0.0);
     EXPECT_EQ(together.windowed[i], alone.windowed[0]);
   }
 }
 
 TEST(Edges, MonostaticPlateIsFiniteThroughEveryLook) {
-  // All four rims of a plate of 3 wavelengths, from broadside through edge-on to the back. The largest value belongs to VV at
+  // All four edges of a plate of 3 wavelengths, from broadside through edge-on to the back. The largest value belongs to VV at
   // 8.5 degrees; 0.507 wavelengths is this theory's own figure, the tolerance its variation between half degrees.
   const Scene scene = test::plate(3, 3);
   const Tracer tracer(scene.mesh);
@@ -102,9 +107,9 @@ TEST(Edges, MonostaticPlateIsFiniteThroughEveryLook) {
 }
 
 TEST(Edges, MonostaticPlateEdgeOn) {
-  // HH (soft at the near rim) is continuous through edge-on: 1e-3 is its change over 1e-5 rad. In VV the far rim, hard and
-  // reached over the grazed sheet, keeps a first-order value of 3/(2 pi) from either side that depends on the direction of
-  // approach. Exactly edge-on it is defined as the mean of both sides of the sheet, zero, which is also what a thin plate
+  // HH (soft at the near edge) is continuous through edge-on: 1e-3 is its change over 1e-5 rad. In VV the far edge, hard and
+  // reached over the grazed plate, keeps a first-order value of 3/(2 pi) from either side that depends on the direction of
+  // approach. Exactly edge-on it is defined as the mean of both sides of the plate, zero, which is also what a thin plate
   // returns.
   const Scene scene = test::plate(3, 3);
   const Tracer tracer(scene.mesh);
@@ -145,7 +150,7 @@ TEST(Edges, ForwardGrazingStaysBounded) {
   const Tracer tracer(scene.mesh);
   for (const double elevation : {10.0, 5.0, 2.0, 1.0, 0.1, 0.01, 1e-6}) {
     const Look look{{pi / 2 - elevation * degree, 0}, {pi / 2 - elevation * degree, pi}};
-    const EdgeLookResult result = fringe_scattering(scene.wedges, tracer, look, one_frequency);
+    const EdgeLookResult result = first_order(scene, tracer, look, one_frequency);
     EXPECT_LE(largest(result.scattering[0]), 4.0) << elevation;
     EXPECT_TRUE(result.windowed[0]);
   }
@@ -156,21 +161,21 @@ TEST(Edges, WindowNeverTouchesMonostaticLooks) {
   const Tracer tracer(scene.mesh);
   for (double theta = 0.05; theta < pi; theta += 0.1)
     for (double phi = 0.0; phi < pi; phi += 0.1)
-      EXPECT_FALSE(fringe_scattering(scene.wedges, tracer, monostatic(theta, phi), one_frequency).windowed[0]);
+      EXPECT_FALSE(first_order(scene, tracer, monostatic(theta, phi), one_frequency).windowed[0]);
 }
 
-TEST(Edges, ConcaveAndTurnedAwayWedgesAreSilent) {
+TEST(Edges, ConcaveAndTurnedAwayWedgesAddNothing) {
   Scene scene = test::cube(1);
   const Tracer tracer(scene.mesh);
-  const auto lit = [&](const Look& look) { return fringe_scattering(scene.wedges, tracer, look, one_frequency).wedges_lit; };
-  EXPECT_EQ(lit(monostatic(0.9, 0.7)), 9u);      // three faces seen: all but the three edges of the far corner
+  const auto lit = [&](const Look& look) { return first_order(scene, tracer, look, one_frequency).wedges_lit; };
+  EXPECT_EQ(lit(monostatic(0.9, 0.7)), 9u);      // three faces lit: all but the three edges of the far corner
   EXPECT_EQ(lit(monostatic(pi / 2, 0.7)), 11u);  // top and bottom grazed: only the far upright edge is hidden
   for (Wedge& wedge : scene.wedges) wedge.n = 0.5;
   EXPECT_EQ(lit(monostatic(0.9, 0.7)), 0u);
 }
 
 TEST(Edges, StripHasTheFirstOrderAmplitudeOfItsTwoEdges) {
-  // A strip of 5 wavelengths across x, of unit length along z and cut there without rims, so that S is S per unit length, j P /
+  // A strip of 5 wavelengths across x, of unit length along z and cut there without edges, so that S is S per unit length, j P /
   // pi.
   const double width = 5.0;
   Scene strip;

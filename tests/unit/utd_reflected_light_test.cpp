@@ -1,4 +1,4 @@
-// What reflected waves light of edges against single rays sent back from points of them.
+// Which parts of edges reflected waves light, against single rays sent back from points of them.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -29,16 +29,17 @@ struct Target {
 
   std::deque<ReflectedWave> light(const PlaneWave& incident, int most) const {
     const std::vector<bool> all(loaded.mesh.patches.size(), true);
-    return ReflectedLight(tree, all, axes, incident, wavelength_1m).waves(most);
+    return ReflectedLight({tree, all, {}}, axes, incident, wavelength_1m).waves(most);
   }
 
   /// Whether the way back from a point of an edge, or beside it along its surface, runs over the mirrors, last one first, and
   /// then clear. Closed bodies are met from outside, so every hit counts.
-  bool lit(const EdgeAxis& axis, double place, double sideways, dvec3 backwards, std::span<const std::uint32_t> mirrors) const {
+  bool lit(const EdgeAxis& axis, double position, double sideways, dvec3 backwards,
+           std::span<const std::uint32_t> mirrors) const {
     const std::array<WedgeFace, 2>& faces = axis.wedge->faces;
     const dvec3 over = faces[0].into_face - faces[1].into_face;
     dvec3 from =
-        axis.origin + place * axis.tangent + sideways * (axis.wedge->n == 2.0 ? faces[0].into_face : glm::normalize(over));
+        axis.origin + position * axis.tangent + sideways * (axis.wedge->n == 2.0 ? faces[0].into_face : glm::normalize(over));
     IgnoredPatches ignored{axis.wedge->faces[0].patch, axis.wedge->faces[1].patch, axis.wedge->rim};
     for (std::size_t left = mirrors.size();; --left) {
       const auto [patch, distance] = first(from, backwards, ignored);
@@ -75,13 +76,13 @@ struct Target {
   Tracer tracer;
 };
 
-/// The weight of the pieces at a place; none within two thousandths of a wavelength of an end of one, which may be snapped.
-std::optional<double> weight_at(const ReflectedWave& wave, const EdgeAxis& axis, double place) {
+/// The weight of the pieces at a position; none within two thousandths of a wavelength of an end of one, which may be snapped.
+std::optional<double> weight_at(const ReflectedWave& wave, const EdgeAxis& axis, double position) {
   double weight = 0.0;
-  for (const EdgeLight& light : wave.lights) {
-    if (light.edge != &axis) continue;
-    if (std::min(std::abs(place - light.from), std::abs(place - light.to)) < 2e-3) return {};
-    if (light.from < place && place < light.to) weight += light.weight;
+  for (const LitEdgePiece& piece : wave.lit) {
+    if (piece.edge != &axis) continue;
+    if (std::min(std::abs(position - piece.from), std::abs(position - piece.to)) < 2e-3) return {};
+    if (piece.from < position && position < piece.to) weight += piece.weight;
   }
   return weight;
 }
@@ -107,19 +108,19 @@ int expect_single_rays(const Target& target, const dvec3& direction, int most) {
         if (faces[0].patch == mirrors.back() || faces[1].patch == mirrors.back()) continue;
         if (incidence_on(*axis.wedge, last).weight == 0.0) continue;
         for (int i = 0; i < 40; ++i) {
-          const double place = axis.length * (i + 0.5) / 40;
-          const bool wanted = target.lit(axis, place, 0.0, -last, mirrors);
+          const double position = axis.length * (i + 0.5) / 40;
+          const bool wanted = target.lit(axis, position, 0.0, -last, mirrors);
           lit += wanted;
           // Within 4 % of its length of a beam's border an edge is lit in part: there the two sides differ.
           const double aside = 0.04 * axis.length;
-          const bool over = target.lit(axis, place, aside, -last, mirrors),
-                     under = target.lit(axis, place, -aside, -last, mirrors);
-          const std::optional<double> weight = wave == waves.end() ? 0.0 : weight_at(*wave, axis, place);
+          const bool over = target.lit(axis, position, aside, -last, mirrors),
+                     under = target.lit(axis, position, -aside, -last, mirrors);
+          const std::optional<double> weight = wave == waves.end() ? 0.0 : weight_at(*wave, axis, position);
           if (!weight) continue;
           if (over == under)
-            EXPECT_EQ(*weight, over ? 1.0 : 0.0) << "mirrors " << mirrors.size() << ", place " << place;
+            EXPECT_EQ(*weight, over ? 1.0 : 0.0) << "mirrors " << mirrors.size() << ", position " << position;
           else
-            EXPECT_TRUE(*weight >= 0.0 && *weight <= 1.0) << *weight << " at " << place;
+            EXPECT_TRUE(*weight >= 0.0 && *weight <= 1.0) << *weight << " at " << position;
         }
       }
     }
@@ -133,22 +134,22 @@ TEST(ReflectedLight, PiecesAreThoseOfSingleRays) {
     const Target target(soup);
     int lit = 0;
     for (int i = 0; i < 6; ++i) lit += expect_single_rays(target, glm::normalize(dvec3(number(), number(), number())), 2);
-    for (int i = 0; i < 6; ++i)  // into the fold
+    for (int i = 0; i < 6; ++i)  // into the corner
       lit += expect_single_rays(target, -glm::normalize(dvec3(0.6 + 0.4 * number(), 0.6 + 0.4 * number(), 0.5 * number())), 2);
     EXPECT_GT(lit, 300);
   }
 }
 
 TEST(ReflectedLight, OnTheBorderOfABeamAnEdgeIsHalfLit) {
-  // Across the fold, every beam ends with the face, and the other face's ends lie on that border.
+  // Across the inner edge, every beam ends with the face, and the other face's ends lie on that border.
   const Target target(dihedral(3));
   const std::deque<ReflectedWave> waves = target.light(wave_from(-glm::normalize(dvec3(2, 1, 0))), 1);
   ASSERT_EQ(waves.size(), 2u);
   int half = 0, whole = 0;
   for (const ReflectedWave& wave : waves)
-    for (const EdgeLight& light : wave.lights) {
-      const bool at_end = std::abs(light.edge->tangent.z) < 0.5;
-      EXPECT_NEAR(light.weight, at_end ? 0.5 : 1.0, 1e-6);  // the border is searched to 2^-40 of 4 % of the length
+    for (const LitEdgePiece& piece : wave.lit) {
+      const bool at_end = std::abs(piece.edge->tangent.z) < 0.5;
+      EXPECT_NEAR(piece.weight, at_end ? 0.5 : 1.0, 1e-6);  // the border is searched to 2^-40 of 4 % of the length
       ++(at_end ? half : whole);
     }
   EXPECT_EQ(half, 4);   // two ends of either face

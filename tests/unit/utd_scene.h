@@ -39,7 +39,7 @@ inline Wedge half_plane(const dvec3& start, const dvec3& end, const dvec3& into_
   return {start, end, 2.0, {WedgeFace{patch, into_face, normal, width}, WedgeFace{patch, into_face, -normal, width}}};
 }
 
-/// Plate of the given sides in the plane z = 0, centred, with its four rims.
+/// Plate of the given sides in the plane z = 0, centred, with its four edges.
 inline Scene plate(double side_x, double side_y) {
   const dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), a = x * (side_x / 2), b = y * (side_y / 2);
   Scene scene;

@@ -42,20 +42,20 @@ TEST(RayFields, PlateAtNormalIncidenceReadsItsImage) {
   EXPECT_EQ(result.bounces.size(), 1u);
 }
 
-TEST(RayFields, RimsOfARectangleTurnItsMirrorIntoItsFarField) {
-  // The image alone reads range / 2. In the far zone all rims and corners lie within the transition of its light; edges cut
+TEST(RayFields, EdgesOfARectangleTurnItsMirrorIntoItsFarField) {
+  // The image alone reads range / 2. In the far zone all edges and corners lie within the transition of its light; edges cut
   // sharply would leave -1 of it, edges with all of a corner's wave +1. Shared between the two edges that meet there, range / 2
   // goes and what stays is -j area / lambda of physical optics; the next order has opposite signs in V and H. 1e-3: area / range
   // is 6e-5, rounding of range^2 times phases k range is 2e-4.
   PolygonSoup soup{{{-1.1, -1.3, 0}, {1.9, -1.3, 0}, {1.9, 0.7, 0}, {-1.1, 0.7, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const ScatteringMatrix s = solve_soup(soup, monostatic({{0, 0}}, frequency), at_range(1e5)).total[0];
   expect_near(0.5 * (s.vv() + s.hh()), Complex(0, -6), 1e-3, "mean of V and H");
-  EXPECT_LE(std::abs(s.vv() - s.hh()), 0.5);  // soft and hard edge waves of four rims, some 0.1 m each
+  EXPECT_LE(std::abs(s.vv() - s.hh()), 0.5);  // soft and hard edge waves of four edges, some 0.1 m each
 }
 
 TEST(RayFields, CornersReadHalfTheRange) {
-  // All orders of the faces are one wave, at -1 times the place of the source: E across the fold of a dihedral turns round, E
-  // along it and in a trihedral comes back as it was.
+  // All orders of the faces are one wave, at -1 times the position of the source: E across the inner edge of a dihedral turns
+  // round, E along it and in a trihedral comes back as it was.
   const double range = 40;
   for (const double phi : {20.0, 45.0, 73.0}) {
     const SweepResult s =
@@ -73,10 +73,10 @@ TEST(RayFields, CornersReadHalfTheRange) {
 TEST(RayFields, EdgesOfAPlateAreThoseOfThePublicFunction) {
   const double range = 30, h = 1.5;
   const dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), middle(4, -2, 1);
-  const StraightEdge rims[] = {{middle + h * x, -x, z, 2.0, -h, h},
-                               {middle - h * x, x, z, 2.0, -h, h},
-                               {middle + h * y, -y, z, 2.0, -h, h},
-                               {middle - h * y, y, z, 2.0, -h, h}};
+  const StraightEdge edges[] = {{middle + h * x, -x, z, 2.0, -h, h},
+                                {middle - h * x, x, z, 2.0, -h, h},
+                                {middle + h * y, -y, z, 2.0, -h, h},
+                                {middle - h * y, y, z, 2.0, -h, h}};
   const Direction from{40 * degree, 20 * degree}, to{65 * degree, 170 * degree};
   const SphericalBasis transmit = spherical_basis(from), receive = spherical_basis(to);
   PolygonSoup soup = shapes::plate(2 * h);
@@ -85,7 +85,7 @@ TEST(RayFields, EdgesOfAPlateAreThoseOfThePublicFunction) {
   for (const int q : {0, 1}) {
     const RaySource source{Spreading::point, range * transmit.radial, z, {q == 0 ? transmit.theta_hat : transmit.phi_hat, {}}};
     ComplexVector sum;
-    for (const StraightEdge& rim : rims) sum += diffracted_field(rim, source, range * receive.radial, k);
+    for (const StraightEdge& edge : edges) sum += diffracted_field(edge, source, range * receive.radial, k);
     sum = std::polar(range * range, 2 * k * range) * sum;
     // Rounding of phases k range = 190; the sum is some 5 m.
     expect_near(found.edges_first[0].at(0, q), dot(sum, receive.theta_hat), 1e-10, "received V");

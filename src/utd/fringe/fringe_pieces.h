@@ -1,41 +1,53 @@
-// What single edges add to a look, in pieces within a cell of a lattice each.
+// What single edges add to a look, in pieces within a cell of a lattice each: for images.
 #pragma once
 
-#include "utd/fringe/edge_pass.h"
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "scene/image.h"
+#include "scene/sweep.h"
+#include "utd/fringe/edge_look_result.h"
+#include "utd/fringe/edge_scene.h"
+#include "utd/shadow/edge_visibility.h"
 
 namespace raytube {
 
-inline dvec3 place_on(const Wedge& wedge, double share) { return wedge.start + share * (wedge.end - wedge.start); }
+/// What an image asks of edges. The lattice is kept by reference.
+struct PieceRequest {
+  std::size_t frequency_index;  // among the frequencies of the look, which choose the points along the edges together
+  const ImageLattice& lattice;
+};
 
-/// The parts of the lit ones within a cell each.
-inline std::vector<LitInterval> cut_up(const Wedge& wedge, std::span<const LitInterval> lit, const ImageLattice& lattice) {
-  std::vector<LitInterval> parts;
-  for (const auto& [begin, end] : lit) {
-    const std::vector<double> shares = lattice.crossings(place_on(wedge, begin), place_on(wedge, end));
-    for (std::size_t i = 1; i < shares.size(); ++i)
-      parts.push_back({begin + shares[i - 1] * (end - begin), begin + shares[i] * (end - begin)});
-  }
-  return parts;
-}
+/// The currents of fringe_scattering() at one of the frequencies, piece by piece of the lit edges within a cell of the lattice
+/// each: S [m] of those on the faces beside a piece, and of what these start at other edges. The pieces add up to the sum of all.
+std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const Look& look, std::span<const double> frequencies,
+                                     const PieceRequest& request, const FringeOptions& options);
 
-/// What one edge adds, in pieces. Quadrature along the pieces differs from that along the whole by its error, which they share.
+/// The lit parts of an edge, cut where it goes from one cell into another.
+std::vector<LitInterval> cut_at_cells(const Wedge& wedge, std::span<const LitInterval> lit, const ImageLattice& lattice);
+
+inline dvec3 point_on(const Wedge& wedge, double fraction) { return wedge.start + fraction * (wedge.end - wedge.start); }
+
+/// Collects what edges add, in pieces; make(frequencies) is a new sum over edges (edge_pass.h). Quadrature along the pieces
+/// differs from that along the whole edge by its error, which they share by length.
 template <class MakeEdges>
 class EdgePieces {
  public:
-  EdgePieces(std::span<const Wedge> wedges, const ImageLattice& lattice, std::span<const double> frequencies,
-             std::size_t frequency, MakeEdges make)
-      : wedges_(wedges), lattice_(lattice), frequencies_(frequencies), frequency_(frequency), make_(make) {}
+  EdgePieces(std::span<const Wedge> wedges, std::span<const double> frequencies, const PieceRequest& request, MakeEdges make)
+      : wedges_(wedges), frequencies_(frequencies), request_(request), make_(make) {}
 
   void add(std::uint32_t index, std::span<const LitInterval> lit) {
     const Wedge& wedge = wedges_[index];
-    ScatteringMatrix rest = of(index, lit, frequencies_, frequency_);
-    const std::vector<LitInterval> parts = cut_up(wedge, lit, lattice_);
+    ScatteringMatrix rest = scattering_of(index, lit, frequencies_, request_.frequency_index);
+    const std::vector<LitInterval> parts = cut_at_cells(wedge, lit, request_.lattice);
     const std::size_t first = pieces_.size();
     double length = 0.0;
     for (const LitInterval& part : parts) {
       const ScatteringMatrix s =
-          parts.size() == 1 ? rest : of(index, std::span(&part, 1), frequencies_.subspan(frequency_, 1), 0);
-      pieces_.push_back({place_on(wedge, part.begin), place_on(wedge, part.end), s});
+          parts.size() == 1 ? rest
+                            : scattering_of(index, std::span(&part, 1), frequencies_.subspan(request_.frequency_index, 1), 0);
+      pieces_.push_back({point_on(wedge, part.begin), point_on(wedge, part.end), s});
       rest = rest - s;
       length += part.end - part.begin;
     }
@@ -48,20 +60,19 @@ class EdgePieces {
   std::vector<ImageEdge> take() { return std::move(pieces_); }
 
  private:
-  ScatteringMatrix of(std::uint32_t index, std::span<const LitInterval> lit, std::span<const double> frequencies,
-                      std::size_t frequency) const {
+  ScatteringMatrix scattering_of(std::uint32_t index, std::span<const LitInterval> lit, std::span<const double> frequencies,
+                                 std::size_t frequency_index) const {
     auto edges = make_(frequencies);
     edges.add(index, *edges.meeting(index), lit);
     const EdgeLookResult result = edges.take();
-    ScatteringMatrix sum = result.scattering[frequency];
-    if (!result.higher.empty()) sum += result.higher[frequency];
+    ScatteringMatrix sum = result.scattering[frequency_index];
+    if (!result.higher.empty()) sum += result.higher[frequency_index];
     return sum;
   }
 
   std::span<const Wedge> wedges_;
-  const ImageLattice& lattice_;
   std::span<const double> frequencies_;
-  std::size_t frequency_;
+  PieceRequest request_;
   MakeEdges make_;
   std::vector<ImageEdge> pieces_;
 };

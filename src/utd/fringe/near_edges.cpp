@@ -1,4 +1,5 @@
-// The edges of a look from antennas at a finite distance.
+#include "utd/fringe/near_edges.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -22,11 +23,11 @@ double path_over(const AntennaPair& antennas, const dvec3& point) {
   return antennas.transmit.ray_to(point).path + antennas.receive.ray_to(point).path;
 }
 
-/// A phase over the target that is not told from none [rad].
+/// A phase over the target that counts as none [rad].
 constexpr double least_phase = 0.01;
 
-/// The waves of antennas where they meet an edge. What edges send on is not continuous where it runs exactly along another one:
-/// rays that a whole target sees as parallel are taken so, that the limit of a long range is the far field.
+/// The waves of antennas where they meet an edge. What edges send on is not continuous where it runs exactly along another one.
+/// Rays that are parallel over the whole target are therefore taken so: the limit of a long range is the far field.
 class NearLook {
  public:
   NearLook(const AntennaPair& antennas, double wavenumber, double radius)
@@ -56,55 +57,64 @@ class NearLook {
 /// What is left of phase off the linear one at the ends of a piece [rad], and the turn of the directions along it [rad].
 constexpr double most_bend = 0.1, most_turn = 0.02;
 
-/// Halves an edge until its pieces are short enough.
-void cut(const Wedge& wedge, const AntennaPair& antennas, const NearLook& near, double wavenumber, double begin, double end,
-         std::vector<NearPiece>& pieces) {
-  const auto point = [&](double fraction) { return glm::mix(wedge.start, wedge.end, fraction); };
-  const double middle = 0.5 * (begin + end);
-  const dvec3 at = point(middle);
-  const double path = path_over(antennas, at),
-               bend = 0.5 * (path_over(antennas, point(begin)) + path_over(antennas, point(end))) - path;
-  const double half = 0.5 * (end - begin) * wedge.length();
-  const double nearest =
-      std::min(glm::distance(antennas.transmit.position(), at), glm::distance(antennas.receive.position(), at));
-  if (wavenumber * std::abs(bend) > most_bend || half > most_turn * nearest) {
-    cut(wedge, antennas, near, wavenumber, begin, middle, pieces);
-    return cut(wedge, antennas, near, wavenumber, middle, end, pieces);
+/// Cuts edges into pieces along which the waves of both antennas are plane.
+class PieceCutter {
+ public:
+  PieceCutter(const AntennaPair& antennas, double wavenumber, double radius)
+      : antennas_(antennas), near_(antennas, wavenumber, radius), wavenumber_(wavenumber) {}
+
+  /// Halves the part [begin, end] of an edge until its pieces are short enough.
+  void cut(const Wedge& wedge, double begin, double end, std::vector<NearPiece>& pieces) const {
+    const auto point = [&](double fraction) { return glm::mix(wedge.start, wedge.end, fraction); };
+    const double middle = 0.5 * (begin + end);
+    const dvec3 at = point(middle);
+    const double path = path_over(antennas_, at),
+                 bend = 0.5 * (path_over(antennas_, point(begin)) + path_over(antennas_, point(end))) - path;
+    const double half = 0.5 * (end - begin) * wedge.length();
+    const double nearest =
+        std::min(glm::distance(antennas_.transmit.position(), at), glm::distance(antennas_.receive.position(), at));
+    if (wavenumber_ * std::abs(bend) > most_bend || half > most_turn * nearest) {
+      cut(wedge, begin, middle, pieces);
+      return cut(wedge, middle, end, pieces);
+    }
+    const LookVectors look = near_.at(at);
+    // The mean of a phase that bends as a parabola is a third of what its ends have.
+    pieces.push_back({begin, end, look, path + bend / 3.0 + glm::dot(look.scattered - look.incident, at)});
   }
-  const LookVectors look = near.at(at);
-  // The mean of a phase that bends as a parabola is a third of what its ends have.
-  pieces.push_back({begin, end, look, path + bend / 3.0 + glm::dot(look.scattered - look.incident, at)});
-}
+
+ private:
+  const AntennaPair& antennas_;
+  NearLook near_;
+  double wavenumber_;
+};
 
 /// One look from a finite distance: adds edge after edge, piece after piece.
 class NearSum {
  public:
   NearSum(const AntennaPair& antennas, std::span<const double> frequencies, double radius, bool higher)
-      : antennas_(antennas),
-        frequencies_(frequencies),
-        highest_(wavenumber(std::ranges::max(frequencies))),
-        near_(antennas, highest_, radius) {
+      : frequencies_(frequencies), cutter_(antennas, wavenumber(std::ranges::max(frequencies)), radius) {
     sum_.scattering.resize(frequencies.size());
     if (higher) sum_.higher.resize(frequencies.size());
     sum_.windowed.resize(frequencies.size());
   }
 
-  template <class PassOf>
-  void add(std::span<const Wedge> wedges, std::uint32_t index, LitEdges& edges, PassOf pass_of) {
+  /// Wedge `index`; `make` is that of at_order().
+  template <class Make>
+  void add(std::span<const Wedge> wedges, std::uint32_t index, LitEdges& light, Make make) {
     const Wedge& wedge = wedges[index];
     if (!wedge.radiates()) return;
     pieces_.clear();
-    cut(wedge, antennas_, near_, highest_, 0.0, 1.0, pieces_);
+    cutter_.cut(wedge, 0.0, 1.0, pieces_);
     bool searched = false, lit = false;
     for (const NearPiece& piece : pieces_) {
-      auto pass = pass_of(piece.look);
-      const auto meeting = pass.meeting(index);
+      auto edges = make(piece.look, frequencies_);
+      const auto meeting = edges.meeting(index);
       if (!meeting) continue;
-      if (!searched && !edges.find(index, meeting->incidence)) break;
+      if (!searched && !light.find(index, meeting->incidence)) break;
       searched = true;
-      if (!clip_to(piece, edges.lit())) continue;
-      pass.add(index, *meeting, inside_);
-      const EdgeLookResult part = pass.take();
+      if (!clip_to(piece, light.lit())) continue;
+      edges.add(index, *meeting, inside_);
+      const EdgeLookResult part = edges.take();
       add(part, piece.path);
       sum_.lit = sum_.lit || part.lit;
       lit = lit || part.wedges_lit > 0;
@@ -133,10 +143,8 @@ class NearSum {
     }
   }
 
-  const AntennaPair& antennas_;
   std::span<const double> frequencies_;
-  double highest_;
-  NearLook near_;
+  PieceCutter cutter_;
   std::vector<NearPiece> pieces_;
   std::vector<LitInterval> inside_;
   EdgeLookResult sum_;
@@ -144,23 +152,18 @@ class NearSum {
 
 }  // namespace
 
-EdgeLookResult fringe_scattering_near(std::span<const Wedge> wedges, const Outlines& outlines, const Tracer& tracer,
-                                      const AntennaPair& antennas, std::span<const double> frequencies, int order,
-                                      bool receiver_shadow, TransitionTier tier, bool continue_by_images) {
-  assert(!frequencies.empty() && order >= 1);
+EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair& antennas, std::span<const double> frequencies,
+                                      const FringeOptions& options) {
+  assert(!frequencies.empty() && options.order >= 1);
   std::optional<Viewpoint> receiver;
-  if (receiver_shadow) receiver = Viewpoint::at(antennas.receive.position());
-  LitEdges edges(wedges, tracer, Viewpoint::at(antennas.transmit.position()), receiver, shortest_wavelength(frequencies));
-  NearSum sum(antennas, frequencies, tracer.mesh().radius, order > 1);
-  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
-    if (order == 1)
-      sum.add(wedges, index, edges, [&](const LookVectors& look) { return FirstOrderEdges(wedges, look, frequencies); });
-    else
-      sum.add(wedges, index, edges, [&](const LookVectors& look) {
-        return StripPass(wedges, outlines, look, frequencies, order, tier, continue_by_images);
-      });
-  }
-  return sum.take();
+  if (options.receiver_shadow) receiver = Viewpoint::at(antennas.receive.position());
+  const Viewpoint transmitter = Viewpoint::at(antennas.transmit.position());
+  LitEdges light(scene.wedges, scene.tracer, transmitter, receiver, shortest_wavelength(frequencies));
+  NearSum sum(antennas, frequencies, scene.tracer.mesh().radius, options.order > 1);
+  return at_order(scene, options, [&](auto make) {
+    for (std::uint32_t index = 0; index < scene.wedges.size(); ++index) sum.add(scene.wedges, index, light, make);
+    return sum.take();
+  });
 }
 
 }  // namespace raytube

@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "utd/fringe/fringe_pieces.h"
+#include "utd/fringe/edge_pass.h"
 #include "utd/shadow/lit_edges.h"
 
 namespace raytube {
@@ -24,10 +24,10 @@ TriangleMesh part_of(const TriangleMesh& mesh, Take take) {
   return part;
 }
 
-// The sheets before the transmitter and before the receiver.
+// The screens before the transmitter and before the receiver.
 using Screens = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
 
-// What comes through them, at every frequency.
+// What comes through them, at one frequency.
 struct Passage {
   ChannelWeights transmit, receive;
 };
@@ -39,11 +39,20 @@ ChannelWeights product(const ChannelWeights& a, const ChannelWeights& b) {
   return c;
 }
 
-ChannelWeights through(const OpaqueAndScreens& target, std::span<const std::uint32_t> sheets, std::size_t place, double k,
+// One of the frequencies of a sweep.
+struct SweepFrequency {
+  std::size_t index;  // in the sweep
+  double wavenumber;
+
+  SweepFrequency(const SweepSubset& subset, std::size_t i)
+      : index(subset.indices[i]), wavenumber(raytube::wavenumber(subset.frequencies[i])) {}
+};
+
+ChannelWeights through(const OpaqueAndScreens& target, std::span<const std::uint32_t> screens, const SweepFrequency& at,
                        const SphericalBasis& antenna) {
   ChannelWeights all{{{1.0, 0.0}, {0.0, 1.0}}};
-  for (const std::uint32_t patch : sheets)
-    all = product(through_screen(target.material(patch), place, k, target.normal(patch), antenna), all);
+  for (const std::uint32_t patch : screens)
+    all = product(through_screen(target.material(patch), at.index, at.wavenumber, target.normal(patch), antenna), all);
   return all;
 }
 
@@ -55,7 +64,13 @@ void transform(ScatteringMatrix& s, const Passage& by) {
         for (int j = 0; j < 2; ++j) s.at(p, q) += by.receive[p][i] * bare.at(i, j) * by.transmit[q][j];
 }
 
-// Parts of edges by the sheets they stand behind.
+// Of one wedge.
+struct LitParts {
+  std::uint32_t wedge;
+  std::vector<LitInterval> lit;  // in order
+};
+
+// Parts of edges by the screens they stand behind.
 class ScreenedParts {
  public:
   ScreenedParts(const OpaqueAndScreens& target, const Look& look, double wavelength)
@@ -67,25 +82,27 @@ class ScreenedParts {
   void add(const Wedge& wedge, std::uint32_t index, const LitInterval& lit) {
     const double length = (lit.end - lit.begin) * wedge.length();
     const int steps = static_cast<int>(std::clamp(std::ceil(2.0 * length / wavelength_), 8.0, 128.0));
-    // Ends touch other faces: seen from a little inside.
-    const auto place = [&](int i) { return lit.begin + (lit.end - lit.begin) * std::clamp(i / double(steps), 1e-6, 1.0 - 1e-6); };
-    double begin = lit.begin, low = place(0);
+    // Ends touch other faces: tested a little inside.
+    const auto fraction = [&](int i) {
+      return lit.begin + (lit.end - lit.begin) * std::clamp(i / double(steps), 1e-6, 1.0 - 1e-6);
+    };
+    double begin = lit.begin, low = fraction(0);
     Screens screens = at(wedge, low);
     for (int i = 1; i <= steps;) {
-      Screens next = at(wedge, place(i));
+      Screens next = at(wedge, fraction(i));
       if (next == screens) {
-        low = place(i++);
+        low = fraction(i++);
         continue;
       }
-      const double change = bisect(wedge, screens, low, place(i));
+      const double change = bisect(wedge, screens, low, fraction(i));
       put(index, {begin, change}, std::move(screens));
       begin = low = change;
-      screens = at(wedge, std::min(change + beside, place(i)));
+      screens = at(wedge, std::min(change + beside, fraction(i)));
     }
     put(index, {begin, lit.end}, std::move(screens));
   }
 
-  const std::map<Screens, std::vector<LitPieces>>& groups() const { return groups_; }
+  const std::map<Screens, std::vector<LitParts>>& groups() const { return groups_; }
 
  private:
   static constexpr double beside = 1e-9;
@@ -96,7 +113,7 @@ class ScreenedParts {
     return {before, receiver_ == transmitter_ ? before : target_.before(point, receiver_)};
   }
 
-  // Where it ends between a place that has it and one that has not.
+  // Where these screens end between a point that has them and one that has not.
   double bisect(const Wedge& wedge, const Screens& screens, double low, double high) const {
     while (high - low > beside) {
       const double middle = 0.5 * (low + high);
@@ -106,7 +123,7 @@ class ScreenedParts {
   }
 
   void put(std::uint32_t index, const LitInterval& part, Screens screens) {
-    std::vector<LitPieces>& group = groups_[std::move(screens)];
+    std::vector<LitParts>& group = groups_[std::move(screens)];
     if (group.empty() || group.back().wedge != index) group.push_back({index, {}});
     group.back().lit.push_back(part);
   }
@@ -114,118 +131,125 @@ class ScreenedParts {
   const OpaqueAndScreens& target_;
   dvec3 transmitter_, receiver_;
   double wavelength_;
-  std::map<Screens, std::vector<LitPieces>> groups_;
+  std::map<Screens, std::vector<LitParts>> groups_;
 };
 
-Passage passage(const OpaqueAndScreens& target, const Screens& screens, const Look& look, std::size_t place, double k) {
-  return {through(target, screens.first, place, k, spherical_basis(look.transmit)),
-          through(target, screens.second, place, k, spherical_basis(look.receive))};
+Passage passage(const OpaqueAndScreens& target, const Screens& screens, const Look& look, const SweepFrequency& at) {
+  return {through(target, screens.first, at, spherical_basis(look.transmit)),
+          through(target, screens.second, at, spherical_basis(look.receive))};
 }
 
-void add_through(const Screens& screens, EdgeLookResult part, const OpaqueAndScreens& target, const Look& look,
-                 std::span<const double> frequencies, std::span<const std::size_t> places, EdgeLookResult& sum) {
-  sum.higher.resize(part.higher.size());
-  for (std::size_t i = 0; i < frequencies.size(); ++i) {
-    const Passage by = passage(target, screens, look, places[i], wavenumber(frequencies[i]));
-    transform(part.scattering[i], by);
-    sum.scattering[i] += part.scattering[i];
-    if (part.windowed[i]) sum.windowed[i] = true;
-    if (part.higher.empty()) continue;
-    transform(part.higher[i], by);
-    sum.higher[i] += part.higher[i];
-  }
-  sum.lit = sum.lit || part.lit;
-}
-
-// Returns how many edges there are.
-template <class Edges>
-std::uint64_t find_parts(std::span<const Wedge> wedges, const Edges& edges, LitEdges& light, ScreenedParts& parts) {
-  std::uint64_t lit_edges = 0;
-  for (std::uint32_t index = 0; index < wedges.size(); ++index) {
-    const auto meeting = edges.meeting(index);
-    if (!meeting || !light.find(index, meeting->incidence)) continue;
-    ++lit_edges;
-    for (const LitInterval& lit : light.lit()) parts.add(wedges[index], index, lit);
-  }
-  return lit_edges;
-}
-
-// `make` makes an FirstOrderEdges or a StripPass.
+// Edges behind screens in one look; `make` is that of at_order().
 template <class Make>
-EdgeLookResult screened_sum(std::span<const Wedge> wedges, const OpaqueAndScreens& target, const Look& look, LitEdges& light,
-                            std::span<const double> frequencies, std::span<const std::size_t> places, Make make) {
-  ScreenedParts parts(target, look, shortest_wavelength(frequencies));
-  EdgeLookResult sum;
-  sum.scattering.resize(frequencies.size()), sum.windowed.resize(frequencies.size());
-  sum.wedges_lit = find_parts(wedges, make(frequencies), light, parts);
-  for (const auto& [screens, pieces] : parts.groups()) {
-    auto pass = make(frequencies);
-    for (const LitPieces& piece : pieces) pass.add(piece.wedge, *pass.meeting(piece.wedge), piece.lit);
-    add_through(screens, pass.take(), target, look, frequencies, places, sum);
+class ScreenedLook {
+ public:
+  ScreenedLook(const EdgeScene& scene, const OpaqueAndScreens& target, const Look& look, const SweepSubset& subset,
+               bool receiver_shadow, Make make)
+      : scene_(scene),
+        target_(target),
+        look_(look),
+        vectors_(look_vectors(look)),
+        subset_(subset),
+        make_(make),
+        parts_(target, look, shortest_wavelength(subset.frequencies)) {
+    find_parts(receiver_shadow);
   }
-  return sum;
-}
+  ScreenedLook(const ScreenedLook&) = delete;
 
-template <class Make>
-std::vector<ImageEdge> screened_pieces(std::span<const Wedge> wedges, const OpaqueAndScreens& target, const Look& look,
-                                       LitEdges& light, std::span<const double> frequencies, std::size_t frequency,
-                                       std::size_t place, const ImageLattice& lattice, Make make) {
-  ScreenedParts parts(target, look, shortest_wavelength(frequencies));
-  find_parts(wedges, make(frequencies), light, parts);
-  std::vector<ImageEdge> all;
-  for (const auto& [screens, group] : parts.groups()) {
-    EdgePieces pieces(wedges, lattice, frequencies, frequency, make);
-    for (const LitPieces& piece : group) pieces.add(piece.wedge, piece.lit);
-    const Passage by = passage(target, screens, look, place, wavenumber(frequencies[frequency]));
-    for (ImageEdge& piece : pieces.take()) {
-      transform(piece.s, by);
-      all.push_back(piece);
+  EdgeLookResult sum() const {
+    EdgeLookResult sum;
+    sum.scattering.resize(subset_.frequencies.size()), sum.windowed.resize(subset_.frequencies.size());
+    sum.wedges_lit = wedges_lit_;
+    for (const auto& [screens, group] : parts_.groups()) {
+      auto edges = make_(vectors_, subset_.frequencies);
+      for (const LitParts& part : group) edges.add(part.wedge, *edges.meeting(part.wedge), part.lit);
+      add_through(screens, edges.take(), sum);
+    }
+    return sum;
+  }
+
+  std::vector<ImageEdge> pieces(const PieceRequest& request) const {
+    std::vector<ImageEdge> all;
+    const auto make = [&](std::span<const double> frequencies) { return make_(vectors_, frequencies); };
+    for (const auto& [screens, group] : parts_.groups()) {
+      EdgePieces pieces(scene_.wedges, subset_.frequencies, request, make);
+      for (const LitParts& part : group) pieces.add(part.wedge, part.lit);
+      const Passage by = passage(target_, screens, look_, {subset_, request.frequency_index});
+      for (ImageEdge& piece : pieces.take()) {
+        transform(piece.s, by);
+        all.push_back(piece);
+      }
+    }
+    return all;
+  }
+
+ private:
+  void find_parts(bool receiver_shadow) {
+    LitEdges light(scene_.wedges, scene_.tracer, vectors_, shortest_wavelength(subset_.frequencies), receiver_shadow);
+    const auto edges = make_(vectors_, subset_.frequencies);
+    for (std::uint32_t index = 0; index < scene_.wedges.size(); ++index) {
+      const auto meeting = edges.meeting(index);
+      if (!meeting || !light.find(index, meeting->incidence)) continue;
+      ++wedges_lit_;
+      for (const LitInterval& lit : light.lit()) parts_.add(scene_.wedges[index], index, lit);
     }
   }
-  return all;
-}
+
+  void add_through(const Screens& screens, EdgeLookResult part, EdgeLookResult& sum) const {
+    sum.higher.resize(part.higher.size());
+    for (std::size_t f = 0; f < subset_.frequencies.size(); ++f) {
+      const Passage by = passage(target_, screens, look_, {subset_, f});
+      transform(part.scattering[f], by);
+      sum.scattering[f] += part.scattering[f];
+      if (part.windowed[f]) sum.windowed[f] = true;
+      if (part.higher.empty()) continue;
+      transform(part.higher[f], by);
+      sum.higher[f] += part.higher[f];
+    }
+    sum.lit = sum.lit || part.lit;
+  }
+
+  const EdgeScene& scene_;
+  const OpaqueAndScreens& target_;
+  const Look& look_;
+  LookVectors vectors_;
+  const SweepSubset& subset_;
+  Make make_;
+  ScreenedParts parts_;
+  std::uint64_t wedges_lit_ = 0;
+};
 
 }  // namespace
 
 OpaqueAndScreens::OpaqueAndScreens(const TriangleMesh& mesh, std::span<const Material> materials)
     : opaque_mesh_(part_of(mesh, [&](std::uint32_t m) { return m == no_index || !materials[m].transmits(); })),
-      sheet_mesh_(part_of(mesh, [&](std::uint32_t m) { return m != no_index && materials[m].transmits(); })),
+      screen_mesh_(part_of(mesh, [&](std::uint32_t m) { return m != no_index && materials[m].transmits(); })),
       opaque_(opaque_mesh_),
-      sheets_(sheet_mesh_),
+      screens_(screen_mesh_),
       materials_(materials) {}
 
-std::vector<std::uint32_t> OpaqueAndScreens::before(const dvec3& place, const dvec3& direction) const {
+std::vector<std::uint32_t> OpaqueAndScreens::before(const dvec3& point, const dvec3& direction) const {
   std::vector<std::uint32_t> patches;
-  Ray ray{place, direction};
+  Ray ray{point, direction};
   for (Hit hit;; patches.push_back(ray.source_patch)) {
-    sheets_.closest_hits({&ray, 1}, {&hit, 1});
+    screens_.closest_hits({&ray, 1}, {&hit, 1});
     if (!hit) return patches;
-    ray = {ray.origin + hit.distance * direction, direction, sheet_mesh_.triangle_patch[hit.triangle]};
+    ray = {ray.origin + hit.distance * direction, direction, screen_mesh_.triangle_patch[hit.triangle]};
   }
 }
 
-EdgeLookResult screened_fringe_scattering(std::span<const Wedge> wedges, const Outlines& outlines, const OpaqueAndScreens& target,
-                                          const Look& look, std::span<const double> frequencies,
-                                          std::span<const std::size_t> places, int order, bool receiver_shadow,
-                                          TransitionTier tier) {
-  const LookVectors vectors = look_vectors(look);
-  LitEdges light(wedges, target.opaque(), vectors, shortest_wavelength(frequencies), receiver_shadow);
-  const auto sum = [&](auto make) { return screened_sum(wedges, target, look, light, frequencies, places, make); };
-  if (order == 1) return sum([&](std::span<const double> list) { return FirstOrderEdges(wedges, vectors, list); });
-  return sum([&](std::span<const double> list) { return StripPass(wedges, outlines, vectors, list, order, tier, false); });
+EdgeLookResult screened_fringe_scattering(const EdgeScene& scene, const OpaqueAndScreens& target, const Look& look,
+                                          const SweepSubset& subset, const FringeOptions& options) {
+  return at_order(scene, options,
+                  [&](auto make) { return ScreenedLook(scene, target, look, subset, options.receiver_shadow, make).sum(); });
 }
 
-std::vector<ImageEdge> screened_fringe_pieces(std::span<const Wedge> wedges, const Outlines& outlines,
-                                              const OpaqueAndScreens& target, const Look& look,
-                                              std::span<const double> frequencies, std::size_t frequency, std::size_t place,
-                                              int order, bool receiver_shadow, TransitionTier tier, const ImageLattice& lattice) {
-  const LookVectors vectors = look_vectors(look);
-  LitEdges light(wedges, target.opaque(), vectors, shortest_wavelength(frequencies), receiver_shadow);
-  const auto pieces = [&](auto make) {
-    return screened_pieces(wedges, target, look, light, frequencies, frequency, place, lattice, make);
-  };
-  if (order == 1) return pieces([&](std::span<const double> list) { return FirstOrderEdges(wedges, vectors, list); });
-  return pieces([&](std::span<const double> list) { return StripPass(wedges, outlines, vectors, list, order, tier, false); });
+std::vector<ImageEdge> screened_fringe_pieces(const EdgeScene& scene, const OpaqueAndScreens& target, const Look& look,
+                                              const SweepSubset& subset, const PieceRequest& request,
+                                              const FringeOptions& options) {
+  return at_order(scene, options, [&](auto make) {
+    return ScreenedLook(scene, target, look, subset, options.receiver_shadow, make).pieces(request);
+  });
 }
 
 }  // namespace raytube

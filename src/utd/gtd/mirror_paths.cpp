@@ -13,9 +13,9 @@ namespace {
 // Above a mirror, in units of the distance: closer to grazing physical optics has no light either.
 constexpr double least_height = 1e-7;
 
-// Over a right-angled fold the way there and back runs through the fold itself, whichever face comes first, and all orders of the
-// faces are one wave. Ways of several mirrors are therefore looked for to a place a hair beside their end, in units of the
-// target's radius: one order is found. Their length is that to the end itself.
+// Over a right-angled corner the path there and back runs through the corner itself, whichever face comes first, and all orders
+// of the faces are one wave. Paths of several mirrors are therefore searched to a point this far beside their end, in units of
+// the target's radius: one order is found. Their length is that to the end itself.
 const dvec3 beside(5.4e-8, 7.2e-8, 4.4e-8);
 
 double height(const Patch& plane, const dvec3& point) { return glm::dot(plane.normal, point) - plane.offset; }
@@ -24,11 +24,11 @@ dvec3 mirrored(const Patch& plane, const dvec3& point) { return point - 2.0 * he
 
 }  // namespace
 
-bool sees(const Tracer& tracer, const dvec3& point, const dvec3& outside, const IgnoredPatches& ignored) {
+bool has_line_of_sight(const Tracer& tracer, const dvec3& point, const dvec3& outside, const IgnoredPatches& ignored) {
   return tracer.blocker(point, glm::normalize(outside - point), ignored) == no_index;
 }
 
-bool stands_between(const Tracer& tracer, const dvec3& from, const dvec3& to) {
+bool blocks_between(const Tracer& tracer, const dvec3& from, const dvec3& to) {
   const dvec3 direction = glm::normalize(to - from), nearest = from - glm::dot(from, direction) * direction;
   const double radius = tracer.mesh().radius;
   const bool between = glm::dot(from, direction) < 0.0 && glm::dot(to, direction) > 0.0;
@@ -39,8 +39,8 @@ bool stands_between(const Tracer& tracer, const dvec3& from, const dvec3& to) {
 // One look's search, level by level.
 class MirrorPaths::Search {
  public:
-  Search(const MirrorPaths& scene, const dvec3& from, const dvec3& to, std::span<const std::uint32_t> on_rim)
-      : scene_(scene), mesh_(scene.tracer_.mesh()), from_(from), to_(to), on_rim_(on_rim) {}
+  Search(const MirrorPaths& scene, const dvec3& from, const dvec3& to, std::span<const std::uint32_t> boundary_patches)
+      : scene_(scene), mesh_(scene.tracer_.mesh()), from_(from), to_(to), boundary_patches_(boundary_patches) {}
 
   MirrorPathList run(int most) {
     std::size_t begin = 0, end = 0;
@@ -54,13 +54,13 @@ class MirrorPaths::Search {
 
  private:
   // All sequences with one mirror more. `last` is a copy: stages move as they become more.
-  void grow(const Stage last, std::ptrdiff_t place) {
+  void grow(const Stage last, std::ptrdiff_t index) {
     for (std::uint32_t patch = 0; patch < mesh_.patches.size(); ++patch) {
       if (++tests_ > most_tests) found_.cut = true;
       if (found_.cut) return;
       const Patch& plane = mesh_.patches[patch];
       if (patch == last.patch || !lights(last.image, patch) || !in_beam(last, patch)) continue;
-      stages_.push_back({mirrored(plane, last.image), patch, place});
+      stages_.push_back({mirrored(plane, last.image), patch, index});
       try_path(stages_.back());
     }
   }
@@ -85,9 +85,10 @@ class MirrorPaths::Search {
   }
 
   void try_path(const Stage& last) {
-    places_.clear();
+    reflections_.clear();
     patches_.clear();
-    const bool single = last.before < 0, forced = single && std::ranges::find(on_rim_, last.patch) != on_rim_.end();
+    const bool single = last.before < 0,
+               forced = single && std::ranges::find(boundary_patches_, last.patch) != boundary_patches_.end();
     const dvec3 goal = single ? to_ : to_ + mesh_.radius * beside;
     dvec3 point = goal;
     for (const Stage* stage = &last; stage; stage = stage->before < 0 ? nullptr : &stages_[stage->before]) {
@@ -97,22 +98,23 @@ class MirrorPaths::Search {
       point += above / (above - below) * (stage->image - point);
       const Ball& ball = scene_.balls_[stage->patch];
       if (!forced && glm::length(point - ball.middle) > ball.radius * (1 + 1e-9)) return;
-      places_.push_back(point);
+      reflections_.push_back(point);
       patches_.push_back(stage->patch);
     }
-    std::ranges::reverse(places_);
+    std::ranges::reverse(reflections_);
     std::ranges::reverse(patches_);
     if (forced || clear(goal)) found_.paths.push_back({patches_, glm::length(to_ - last.image)});
   }
 
   // Every leg ends on the patch it is meant for: from outside the target to the first, from one to the next, and out again.
   bool clear(const dvec3& goal) {
-    const dvec3 arriving = glm::normalize(places_.front() - from_);
-    if (!meets({places_.front() - 4.0 * mesh_.radius * arriving, arriving, no_index}, patches_.front())) return false;
-    for (std::size_t i = 0; i + 1 < places_.size(); ++i)
-      if (!meets({places_[i], glm::normalize(places_[i + 1] - places_[i]), patches_[i]}, patches_[i + 1])) return false;
+    const dvec3 arriving = glm::normalize(reflections_.front() - from_);
+    if (!meets({reflections_.front() - 4.0 * mesh_.radius * arriving, arriving, no_index}, patches_.front())) return false;
+    for (std::size_t i = 0; i + 1 < reflections_.size(); ++i)
+      if (!meets({reflections_[i], glm::normalize(reflections_[i + 1] - reflections_[i]), patches_[i]}, patches_[i + 1]))
+        return false;
     ++found_.rays;
-    return sees(scene_.tracer_, places_.back(), goal, {patches_.back(), no_index, no_index});
+    return has_line_of_sight(scene_.tracer_, reflections_.back(), goal, {patches_.back(), no_index, no_index});
   }
 
   bool meets(const Ray& ray, std::uint32_t patch) {
@@ -125,9 +127,9 @@ class MirrorPaths::Search {
   const MirrorPaths& scene_;
   const TriangleMesh& mesh_;
   dvec3 from_, to_;
-  std::span<const std::uint32_t> on_rim_;
+  std::span<const std::uint32_t> boundary_patches_;
   std::vector<Stage> stages_;
-  std::vector<dvec3> places_;
+  std::vector<dvec3> reflections_;
   std::vector<std::uint32_t> patches_;
   MirrorPathList found_;
   std::uint64_t tests_ = 0;
@@ -150,8 +152,9 @@ MirrorPaths::MirrorPaths(const Tracer& tracer) : tracer_(tracer), balls_(tracer.
   });
 }
 
-MirrorPathList MirrorPaths::find(const dvec3& from, const dvec3& to, int most, std::span<const std::uint32_t> on_rim) const {
-  return Search(*this, from, to, on_rim).run(most);
+MirrorPathList MirrorPaths::find(const dvec3& from, const dvec3& to, int most,
+                                 std::span<const std::uint32_t> boundary_patches) const {
+  return Search(*this, from, to, boundary_patches).run(most);
 }
 
 }  // namespace raytube

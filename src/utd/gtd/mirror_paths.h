@@ -1,4 +1,4 @@
-// Rays from one point to another over plane mirrors: the patches of a mesh, by the method of images.
+// Rays from one point to another over plane mirrors, the patches of a mesh: by the method of images.
 #pragma once
 
 #include <span>
@@ -9,15 +9,15 @@
 namespace raytube {
 
 struct MirrorPath {
-  std::vector<std::uint32_t> patches;  // that reflect, in order
+  std::vector<std::uint32_t> patches;  // the mirrors, in order
   double length;                       // [m]
 };
 
 /// The paths of a look and what finding them took.
 struct MirrorPathList {
   std::vector<MirrorPath> paths;  // fewest reflections first
-  std::uint64_t rays = 0;
-  bool cut = false;  // the search was given up before all sequences of patches were seen
+  std::uint64_t rays = 0;         // traced
+  bool cut = false;               // the search was given up before all sequences of patches were tried
 };
 
 class MirrorPaths {
@@ -27,9 +27,10 @@ class MirrorPaths {
 
   /// All paths of 1 to `most` reflections whose every leg is clear; both ends lie outside the target's bounding sphere, in
   /// recentred coordinates. Sequences grow patch by patch: the next one must stand in the beam that the ball around the last one
-  /// reflects. Past `most_tests` pairs of patches the search stops, with the shorter sequences complete. A patch in `on_rim`
-  /// reflects once whether or not the place of reflection is inside it.
-  MirrorPathList find(const dvec3& from, const dvec3& to, int most, std::span<const std::uint32_t> on_rim) const;
+  /// reflects. Past `most_tests` pairs of patches the search stops, with the shorter sequences complete. A patch in
+  /// `boundary_patches`, on whose reflection boundary the look lies, reflects once whether or not the point of reflection is
+  /// inside it.
+  MirrorPathList find(const dvec3& from, const dvec3& to, int most, std::span<const std::uint32_t> boundary_patches) const;
 
   static constexpr std::uint64_t most_tests = 20'000'000;
 
@@ -51,9 +52,9 @@ class MirrorPaths {
 };
 
 /// True if nothing but the patches named stands between a point of the target and one outside its bounding sphere.
-bool sees(const Tracer& tracer, const dvec3& point, const dvec3& outside, const IgnoredPatches& ignored);
+bool has_line_of_sight(const Tracer& tracer, const dvec3& point, const dvec3& outside, const IgnoredPatches& ignored);
 
 /// True if the target stands between two points outside its bounding sphere.
-bool stands_between(const Tracer& tracer, const dvec3& from, const dvec3& to);
+bool blocks_between(const Tracer& tracer, const dvec3& from, const dvec3& to);
 
 }  // namespace raytube

@@ -17,8 +17,8 @@ constexpr double on_boundary = 1e-12;  // [rad] as in edge_wave_terms: there the
 constexpr double grazing = 1e-7;       // [rad]
 constexpr double inset = 1e-6;         // of an edge's length: its ends belong to other faces too
 
-// The place of the edge where its rays are tested for obstacles.
-dvec3 nearest_place(const StraightEdge& edge, const EdgeRay& ray) {
+// The point of the edge where its rays are tested for obstacles.
+dvec3 nearest_point(const StraightEdge& edge, const EdgeRay& ray) {
   const double margin = inset * (edge.end - edge.begin);
   return edge.origin + std::clamp(ray.place, edge.begin + margin, edge.end - margin) * edge.tangent();
 }
@@ -44,7 +44,7 @@ class RayFields::Sum {
     const dvec3 center = scene.tracer_.mesh().center;
     transmitter_ = scene.range_ * transmit.radial - center;
     receiver_ = scene.range_ * receive.radial - center;
-    same_place_ = transmit.radial == receive.radial;
+    monostatic_ = transmit.radial == receive.radial;
     moments_ = {transmit.theta_hat, transmit.phi_hat};
     receive_ = {receive.theta_hat, receive.phi_hat};
     to_center_ = -glm::dot(transmit.radial + receive.radial, center);
@@ -56,7 +56,7 @@ class RayFields::Sum {
     for (const Wedge& wedge : scene_.wedges_)
       if (wedge.convex() && !wedge.enclosed && wedge.conducting()) add_edge(wedge);
     add_shadow();
-    const MirrorPathList list = scene_.mirrors_.find(transmitter_, receiver_, scene_.most_bounces_, on_rim_);
+    const MirrorPathList list = scene_.mirrors_.find(transmitter_, receiver_, scene_.most_bounces_, boundary_patches_);
     for (const MirrorPath& path : list.paths) add_mirrors(path);
     result_.rays += list.rays;
     result_.cut = list.cut;
@@ -73,7 +73,7 @@ class RayFields::Sum {
     if (!has_edge_ray(edge, source(0), receiver_)) return;
     EdgeRay ray = edge_ray(edge, source(0), receiver_);
     const double weight = weight_of(edge, ray);
-    if (weight == 0.0 || !is_clear(wedge, nearest_place(edge, ray))) return;
+    if (weight == 0.0 || !is_clear(wedge, nearest_point(edge, ray))) return;
     note_boundaries(wedge, edge, ray);
     ++result_.edge_rays;
     ray.path -= 2 * scene_.range_;
@@ -88,29 +88,30 @@ class RayFields::Sum {
 
   double weight_of(const StraightEdge& edge, const EdgeRay& ray) const {
     const double source = side_weight(edge.n, ray.source_angle), observer = side_weight(edge.n, ray.observation_angle);
-    return same_place_ ? std::min(source, observer) : source * observer;
+    return monostatic_ ? std::min(source, observer) : source * observer;
   }
 
-  bool is_clear(const Wedge& wedge, const dvec3& place) {
+  bool is_clear(const Wedge& wedge, const dvec3& point) {
     result_.rays += 2;
     const IgnoredPatches own{wedge.faces[0].patch, wedge.faces[1].patch, no_index};
-    return sees(scene_.tracer_, place, transmitter_, own) && sees(scene_.tracer_, place, receiver_, own);
+    return has_line_of_sight(scene_.tracer_, point, transmitter_, own) &&
+           has_line_of_sight(scene_.tracer_, point, receiver_, own);
   }
 
-  // Whose light ends in this ray.
+  // Whose shadow or reflection boundary is in this ray.
   void note_boundaries(const Wedge& wedge, const StraightEdge& edge, const EdgeRay& ray) {
     const double room = on_boundary * scene_.range_;
     if (ray.place < edge.begin - room || ray.place > edge.end + room) return;
     if (on_half_turn(std::abs(ray.observation_angle - ray.source_angle))) ++edges_in_direct_ray_;
     const double sum = ray.observation_angle + ray.source_angle;
-    if (on_half_turn(sum)) on_rim_.push_back(wedge.faces[0].patch);
-    if (on_half_turn(2 * edge.n * pi - sum)) on_rim_.push_back(wedge.faces[1].patch);
+    if (on_half_turn(sum)) boundary_patches_.push_back(wedge.faces[0].patch);
+    if (on_half_turn(2 * edge.n * pi - sum)) boundary_patches_.push_back(wedge.faces[1].patch);
   }
 
   // The direct ray less itself.
   void add_shadow() {
-    if (same_place_) return;
-    if (edges_in_direct_ray_ == 0 && !stands_between(scene_.tracer_, transmitter_, receiver_)) return;
+    if (monostatic_) return;
+    if (edges_in_direct_ray_ == 0 && !blocks_between(scene_.tracer_, transmitter_, receiver_)) return;
     add_ray(0, glm::length(receiver_ - transmitter_), transmitter_, moments_, -std::ldexp(1.0, -edges_in_direct_ray_));
   }
 
@@ -123,7 +124,7 @@ class RayFields::Sum {
       for (dvec3& moment : moments) moment = reflected_field_pec(moment, plane.normal);
     }
     const std::size_t bounce = path.patches.size() - 1;
-    const auto edges = bounce == 0 ? std::ranges::count(on_rim_, path.patches[0]) : 0;
+    const auto edges = bounce == 0 ? std::ranges::count(boundary_patches_, path.patches[0]) : 0;
     if (result_.paths.size() <= bounce) result_.paths.resize(bounce + 1);
     ++result_.paths[bounce];
     add_ray(bounce, path.length, image, moments, std::ldexp(1.0, -static_cast<int>(edges)));
@@ -148,10 +149,10 @@ class RayFields::Sum {
   std::vector<double> wavenumbers_;
   dvec3 transmitter_, receiver_;
   std::array<dvec3, 2> moments_, receive_;  // V, H
-  bool same_place_ = false;
+  bool monostatic_ = false;
   double to_center_ = 0.0;
   int edges_in_direct_ray_ = 0;
-  std::vector<std::uint32_t> on_rim_;  // patches whose reflected light ends in the ray, once for each edge
+  std::vector<std::uint32_t> boundary_patches_;  // patches whose reflected light ends in the ray, once for each edge
   RayLookResult result_;
 };
 

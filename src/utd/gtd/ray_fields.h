@@ -1,6 +1,11 @@
-// A target as a tracer of single paths sees it: rays of geometrical optics times their spreading, and rays that one edge
-// diffracts. For comparison with such programs. A flat mirror or a straight edge has no finite far-zone S from a ray, so
-// transmitter and receiver stand at a finite distance and S is what they would read off if their range were all they knew.
+// The method "utd": rays in the place of currents, as programs that trace single paths have them, to compare with these.
+//
+// In formulas: E_i is the incident field, E_s the field at the receiver less the one it would have without the target, k the
+// wavenumber, `range` the distance of transmitter and receiver. A flat mirror or a straight edge has no finite far-zone S from a
+// ray, so both stand at a finite range, and S is what they would read off if that were all they knew.
+//   mirror_paths.h       reflected rays: image sources, and which of their paths are clear
+//   diffracted_field.h   (utd/wedge) the field of a ray over one edge (Kouyoumjian & Pathak 1974)
+//   ray_fields.h         their sum
 #pragma once
 
 #include "mesh/features/wedges.h"
@@ -19,15 +24,13 @@ struct RayLookResult {
   bool cut = false;        // see MirrorPathList
 };
 
-/// Transmitter and receiver stand `range` [m] from the origin of the mesh's own coordinates, outside the target. With E_s the
-/// field at the receiver less that which it would have without the target, and E_i(0) the one at the origin without it, E_s = S
-/// E_i(0) e^{-jk range} / range. E_s is the sum of
+/// Transmitter and receiver stand `range` [m] from the origin of the mesh's own coordinates, outside the target. With E_i(0) the
+/// incident field at the origin, E_s = S E_i(0) e^{-jk range} / range, S in [m]. E_s is the sum of
 ///   the reflected paths of up to `most_bounces` mirrors (image sources);
 ///   the direct ray taken away where the target stands in it;
-///   one ray over every convex wedge that both see at the point of the edge nearest to the diffraction point
-///   (diffracted_field.h).
-/// A ray exactly on the boundary of its light has the weight 1/2 for every edge it touches, which then adds nothing. Seen exactly
-/// along one of its faces an edge has the mean of what it has from both sides: half, nothing at a half plane.
+///   one ray over every convex wedge that has a line of sight to both at the point of the edge nearest to the diffraction point.
+/// A ray exactly on its shadow or reflection boundary has the weight 1/2 for every edge it touches, which then adds nothing. An
+/// edge whose rays run exactly along one of its faces has the mean of what it has from both sides: half, nothing at a half plane.
 class RayFields {
  public:
   /// Keeps references to all but the numbers.

@@ -8,16 +8,16 @@ namespace raytube {
 namespace {
 
 constexpr std::size_t most_images = 200;
-constexpr double never = 1e-9;         // as in RayFanTracer
-constexpr double touching = 1e-13;     // a cone that misses a plane by so little of its width touches it, along one ray
-constexpr double same_azimuth = 1e-6;  // [rad] cuts that are one: those of such a ray, up to the root of twice `touching` apart
+constexpr double parallel = 1e-9;      // as in RayFanTracer
+constexpr double tangency = 1e-13;     // a cone that misses a plane by so little of its width is tangent to it, along one ray
+constexpr double same_azimuth = 1e-6;  // [rad] cuts that are one: those of such a ray, up to the root of twice `tangency` apart
 constexpr double widest_panel = 0.4;   // [rad]
 
 class CutFinder {
  public:
-  CutFinder(const TriangleMesh& mesh, std::span<const dvec3> corners, const EdgeLight& light)
-      : mesh_(mesh), corners_(corners), light_(light) {
-    const Wedge& wedge = *light.edge->wedge;
+  CutFinder(const TriangleMesh& mesh, std::span<const dvec3> corners, const LitEdgePiece& source)
+      : mesh_(mesh), corners_(corners), source_(source) {
+    const Wedge& wedge = *source.edge->wedge;
     end_ = wedge.n * pi;
     cuts_ = {0.0, end_};
   }
@@ -43,8 +43,8 @@ class CutFinder {
 
   // Shadow and reflection boundaries: the diffracted waves jump there.
   void add_boundaries() {
-    const double source = light_.incidence.source_angle, n = light_.edge->wedge->n;
-    for (const double azimuth : {source + pi, source - pi, pi - source, (2 * n - 1) * pi - source})
+    const double arriving = source_.incidence.source_angle, n = source_.edge->wedge->n;
+    for (const double azimuth : {arriving + pi, arriving - pi, pi - arriving, (2 * n - 1) * pi - arriving})
       if (azimuth > 0.0 && azimuth < end_) cuts_.push_back(azimuth);
   }
 
@@ -62,11 +62,12 @@ class CutFinder {
 
   // Where rays run along a plane: A cos(azimuth - a) = B of the components of its normal.
   void add_grazing(const dvec3& normal) {
-    const WedgeFace& face = light_.edge->wedge->faces[0];
+    const WedgeFace& face = source_.edge->wedge->faces[0];
     const double x = glm::dot(normal, face.into_face), y = glm::dot(normal, face.normal);
-    const double along = -glm::dot(normal, light_.edge->tangent) * light_.incidence.cos_cone;
-    const double across = light_.incidence.sin_cone * std::hypot(x, y);
-    if (across < never || std::abs(along) > across * (1.0 + touching)) return;  // `never`, or at every azimuth: an upright plane
+    const double along = -glm::dot(normal, source_.edge->tangent) * source_.incidence.cos_cone;
+    const double across = source_.incidence.sin_cone * std::hypot(x, y);
+    if (across < parallel || std::abs(along) > across * (1.0 + tangency))
+      return;  // at none, or at every azimuth: an upright plane
     const double middle = std::atan2(y, x), aside = std::acos(std::clamp(along / across, -1.0, 1.0));
     for (double azimuth : {middle - aside, middle + aside}) {
       azimuth -= 2 * pi * std::floor(azimuth / (2 * pi));
@@ -75,8 +76,8 @@ class CutFinder {
   }
 
   void add(const dvec3& point) {
-    const WedgeFace& face = light_.edge->wedge->faces[0];
-    const dvec3 from_edge = point - light_.edge->origin;
+    const WedgeFace& face = source_.edge->wedge->faces[0];
+    const dvec3 from_edge = point - source_.edge->origin;
     const double x = glm::dot(from_edge, face.into_face), y = glm::dot(from_edge, face.normal);
     if (std::hypot(x, y) < flat_fraction * mesh_.radius) return;
     const double azimuth = std::atan2(y, x);
@@ -85,15 +86,15 @@ class CutFinder {
 
   const TriangleMesh& mesh_;
   std::span<const dvec3> corners_;
-  const EdgeLight& light_;
+  const LitEdgePiece& source_;
   double end_;
   std::vector<double> cuts_;
 };
 
 }  // namespace
 
-std::vector<double> azimuth_cuts(const TriangleMesh& mesh, std::span<const dvec3> corners, const EdgeLight& light) {
-  return CutFinder(mesh, corners, light).find();
+std::vector<double> azimuth_cuts(const TriangleMesh& mesh, std::span<const dvec3> corners, const LitEdgePiece& source) {
+  return CutFinder(mesh, corners, source).find();
 }
 
 }  // namespace raytube

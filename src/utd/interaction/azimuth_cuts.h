@@ -1,4 +1,4 @@
-// Where the waves round an edge may jump or bend.
+// Where the waves about an edge may jump or bend.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace raytube {
 
-/// Ascending azimuths from one face of the edge to the other, both included: shadow and reflection boundaries, corners, and where
-/// there are few corners and patches the corners' mirror images and where rays run along a patch; between them more, so that no
-/// two lie far apart.
-std::vector<double> azimuth_cuts(const TriangleMesh& mesh, std::span<const dvec3> corners, const EdgeLight& light);
+/// Ascending azimuths [rad] from one face of the edge to the other, both included: shadow and reflection boundaries, corners, and
+/// where there are few corners and patches the corners' mirror images and where rays run along a patch; between them more, so
+/// that no two lie far apart.
+std::vector<double> azimuth_cuts(const TriangleMesh& mesh, std::span<const dvec3> corners, const LitEdgePiece& source);
 
 }  // namespace raytube

@@ -46,9 +46,9 @@ const std::vector<Rule>& rules() {
 
 class Integrator {
  public:
-  Integrator(const AzimuthDensity& density, std::size_t frequencies) : density_(density), frequencies_(frequencies) {
-    result_.value.resize(frequencies);
-    result_.error.resize(frequencies);
+  Integrator(const AzimuthDensity& density, std::size_t frequency_count) : density_(density), frequency_count_(frequency_count) {
+    result_.value.resize(frequency_count);
+    result_.error.resize(frequency_count);
   }
 
   void add(double from, double to, double tolerance, int halvings) {
@@ -67,14 +67,14 @@ class Integrator {
   AzimuthIntegral take() { return std::move(result_); }
 
  private:
-  // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. Much of the way round an edge there is
-  // nothing to see.
+  // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. Much of the way round an edge
+  // rays meet nothing.
   std::optional<std::size_t> first_rule(double from, double to) const {
     std::optional<PhaseRange> before;
     double turned = 0.0;
     bool any = false;
-    for (const double place : {0.03, 0.5, 0.97}) {
-      const std::optional<PhaseRange> here = density_.survey(from + place * (to - from));
+    for (const double share : {0.03, 0.5, 0.97}) {
+      const std::optional<PhaseRange> here = density_.survey(from + share * (to - from));
       if (here && before) turned += std::max(std::abs(here->low - before->low), std::abs(here->high - before->high));
       any = any || here;
       before = here;
@@ -93,10 +93,10 @@ class Integrator {
   // the terms from 2n on: about the square of the last ones. All channels decide together, so that it is not the polarisation
   // basis that does.
   bool estimate(const Rule& rule, double width, double tolerance) {
-    sum_.assign(frequencies_, {});
-    error_.assign(frequencies_, {});
+    sum_.assign(frequency_count_, {});
+    error_.assign(frequency_count_, {});
     bool good = true;
-    for (std::size_t f = 0; f < frequencies_; ++f) {
+    for (std::size_t f = 0; f < frequency_count_; ++f) {
       std::array<ScatteringMatrix, 2> tail;
       double size = 0.0;
       for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -116,7 +116,7 @@ class Integrator {
   }
 
   void accept() {
-    for (std::size_t f = 0; f < frequencies_; ++f) {
+    for (std::size_t f = 0; f < frequency_count_; ++f) {
       result_.value[f] += sum_[f];
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) result_.error[f][p][q] += error_[f][p][q];
@@ -124,7 +124,7 @@ class Integrator {
   }
 
   const AzimuthDensity& density_;
-  std::size_t frequencies_;
+  std::size_t frequency_count_;
   std::vector<std::vector<ScatteringMatrix>> samples_;
   std::vector<ScatteringMatrix> sum_;
   std::vector<ChannelErrors> error_;
@@ -133,9 +133,9 @@ class Integrator {
 
 }  // namespace
 
-AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequencies, const std::vector<double>& cuts,
-                                       double tolerance) {
-  Integrator integrator(density, frequencies);
+AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequency_count,
+                                       const std::vector<double>& cuts, double tolerance) {
+  Integrator integrator(density, frequency_count);
   const double range = cuts.back() - cuts.front();
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     const double width = cuts[i] - cuts[i - 1];

@@ -1,4 +1,4 @@
-// Integrals over the azimuth about an edge, of everything an observer sees at all frequencies.
+// Integrals over the azimuth about an edge, at all frequencies.
 #pragma once
 
 #include <functional>
@@ -14,9 +14,9 @@ struct PhaseRange {
   double low, high;  // [rad]
 };
 
-/// An integrand.
+/// An integrand: S per radian of azimuth, at all frequencies.
 struct AzimuthDensity {
-  std::function<void(double azimuth, std::vector<ScatteringMatrix>& density)> at;  // sets it, per frequency
+  std::function<void(double azimuth, std::vector<ScatteringMatrix>& density)> at;  // sets `density`
   std::function<std::optional<PhaseRange>(double azimuth)> survey;                 // none where it vanishes
 };
 
@@ -25,10 +25,10 @@ struct AzimuthIntegral {
   std::vector<ChannelErrors> error;     // estimated, per frequency
 };
 
-/// Integral over panels between ascending `cuts`. A Gauss rule of as many points as the phases of the integrand ask for, then of
-/// more, then half the panel, until the estimated error is below the panel's share of `tolerance`. A panel with nothing at its
-/// middle and close to its ends is passed over.
-AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequencies, const std::vector<double>& cuts,
-                                       double tolerance);
+/// Integral over panels between ascending `cuts` [rad]. A Gauss rule of as many points as the phases of the integrand ask for,
+/// then of more, then half the panel, until the estimated error is below the panel's share of `tolerance`. A panel with nothing
+/// at its middle and close to its ends is passed over. `tolerance` is that of the Frobenius norm of the sum.
+AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequency_count,
+                                       const std::vector<double>& cuts, double tolerance);
 
 }  // namespace raytube

@@ -9,22 +9,22 @@ namespace raytube {
 namespace {
 
 // Ends of concave wedges by position. Corners that are one have the same coordinates to the bit.
-using Folds = std::multimap<std::tuple<double, double, double>, const Wedge*>;
+using ConcaveEnds = std::multimap<std::tuple<double, double, double>, const Wedge*>;
 
 std::tuple<double, double, double> key(const dvec3& point) { return {point.x, point.y, point.z}; }
 
-Folds ends_of_folds(std::span<const Wedge> wedges) {
-  Folds folds;
+ConcaveEnds concave_ends(std::span<const Wedge> wedges) {
+  ConcaveEnds ends;
   for (const Wedge& wedge : wedges) {
     if (wedge.convex()) continue;
-    folds.emplace(key(wedge.start), &wedge);
-    folds.emplace(key(wedge.end), &wedge);
+    ends.emplace(key(wedge.start), &wedge);
+    ends.emplace(key(wedge.end), &wedge);
   }
-  return folds;
+  return ends;
 }
 
 // Whether something of the mesh rises above one of the wedge's faces.
-bool sees_anything(const TriangleMesh& mesh, const Wedge& wedge) {
+bool anything_in_front(const TriangleMesh& mesh, const Wedge& wedge) {
   const double flat = flat_fraction * 2 * mesh.radius;
   return std::ranges::any_of(mesh.vertices, [&](const dvec3& vertex) {
     return glm::dot(vertex - wedge.start, wedge.faces[0].normal) > flat ||
@@ -32,32 +32,32 @@ bool sees_anything(const TriangleMesh& mesh, const Wedge& wedge) {
   });
 }
 
-// The faces of the wedge that meet a further surface in a fold at this end, beyond which the edge would run behind it.
-std::vector<int> stops_at(const Folds& folds, const Wedge& wedge, const dvec3& end, const dvec3& outwards) {
-  std::vector<int> stops;
-  const auto [first, last] = folds.equal_range(key(end));
-  for (auto fold = first; fold != last; ++fold)
+// The faces of the wedge that meet a further surface in a concave edge at this end, beyond which the edge would run behind it.
+std::vector<int> abutting_faces_at(const ConcaveEnds& ends, const Wedge& wedge, const dvec3& end, const dvec3& outwards) {
+  std::vector<int> faces;
+  const auto [first, last] = ends.equal_range(key(end));
+  for (auto concave = first; concave != last; ++concave)
     for (int own = 0; own < 2; ++own)
       for (int shared = 0; shared < 2; ++shared) {
-        const WedgeFace& face = fold->second->faces[shared];
+        const WedgeFace& face = concave->second->faces[shared];
         const bool same = face.patch == wedge.faces[own].patch && face.back == wedge.faces[own].back;
-        if (same && glm::dot(fold->second->faces[1 - shared].normal, outwards) < 0.0) stops.push_back(own);
+        if (same && glm::dot(concave->second->faces[1 - shared].normal, outwards) < 0.0) faces.push_back(own);
       }
-  return stops;
+  return faces;
 }
 
-EdgeAxis axis_of(const Wedge& wedge, const Folds& folds) {
+EdgeAxis axis_of(const Wedge& wedge, const ConcaveEnds& ends) {
   EdgeAxis axis{&wedge, wedge.start, glm::cross(wedge.faces[0].into_face, wedge.faces[0].normal), wedge.length()};
   const bool reversed = glm::dot(wedge.end - wedge.start, axis.tangent) < 0.0;
   if (reversed) axis.origin = wedge.end;
-  axis.stops[0] = stops_at(folds, wedge, axis.origin, -axis.tangent);
-  axis.stops[1] = stops_at(folds, wedge, reversed ? wedge.start : wedge.end, axis.tangent);
+  axis.abutting_faces[0] = abutting_faces_at(ends, wedge, axis.origin, -axis.tangent);
+  axis.abutting_faces[1] = abutting_faces_at(ends, wedge, reversed ? wedge.start : wedge.end, axis.tangent);
   return axis;
 }
 
 }  // namespace
 
-double light_weight(const Wedge& wedge, const WedgeIncidence& incidence) {
+double incidence_weight(const Wedge& wedge, const WedgeIncidence& incidence) {
   constexpr double least_sine = 1e-4;
   const FaceIncidence& face = incidence.faces[0];
   if (face.sin_cone < least_sine) return 0.0;
@@ -67,10 +67,10 @@ double light_weight(const Wedge& wedge, const WedgeIncidence& incidence) {
 }
 
 std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges) {
-  const Folds folds = ends_of_folds(wedges);
+  const ConcaveEnds ends = concave_ends(wedges);
   std::vector<EdgeAxis> axes;
   for (const Wedge& wedge : wedges)
-    if (wedge.radiates() && sees_anything(mesh, wedge)) axes.push_back(axis_of(wedge, folds));
+    if (wedge.radiates() && anything_in_front(mesh, wedge)) axes.push_back(axis_of(wedge, ends));
   return axes;
 }
 

@@ -1,4 +1,4 @@
-// The edges of a target that may light other surfaces.
+// The edges of a target that may illuminate other faces.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace raytube {
 
-/// Weight of a wave on a wedge: that of its incidence, 0 along the edge (sine below 1e-4). Light that comes over the sheet whose
-/// rim it lights counts from 0 in the sheet's plane, on whose other side the rim does the opposite, to 1 at a degree from it.
-double light_weight(const Wedge& wedge, const WedgeIncidence& incidence);
+/// Weight of a wave on a wedge, 0 to 1: that of its incidence, 0 along the edge (sine below 1e-4). At the edge of a thin plate
+/// the weight goes smoothly from 0 in the plate's plane, where the edge's waves change their sign, to 1 at a degree from it.
+double incidence_weight(const Wedge& wedge, const WedgeIncidence& incidence);
 
-/// Axes of the convex wedges that see anything of the mesh but their own faces, in the order of the wedges; none on a convex
-/// body. They point into `wedges`.
+/// Axes of the radiating wedges in front of whose faces there is anything of the mesh, in the order of the wedges; none on a
+/// convex body. They point into `wedges`.
 std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges);
 
 }  // namespace raytube

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "core/threads.h"
-#include "utd/fringe/edges.h"
-#include "utd/interaction/illuminated_faces.h"
+#include "utd/fringe/reflected_edges.h"
 #include "utd/interaction/reflected_light.h"
 #include "utd/shadow/lit_edges.h"
 
@@ -19,14 +18,15 @@ namespace {
 constexpr int reflected_order = 2;        // of fringe currents by reflected light: the third order no longer shows
 constexpr double least_tolerance = 1e-4;  // [wavelengths] the rules along the rays are no better; part of the estimate
 
+// What one lit piece of an edge illuminates.
 struct Job {
-  const EdgeLight* light;
+  const LitEdgePiece* piece;
   int reflections;
 };
 
-LitInterval along_wedge(const EdgeLight& light) {
-  const EdgeAxis& axis = *light.edge;
-  const double from = light.from / axis.length, to = light.to / axis.length;
+LitInterval along_wedge(const LitEdgePiece& piece) {
+  const EdgeAxis& axis = *piece.edge;
+  const double from = piece.from / axis.length, to = piece.to / axis.length;
   return axis.reversed() ? LitInterval{1.0 - to, 1.0 - from} : LitInterval{from, to};
 }
 
@@ -35,24 +35,24 @@ ReflectedLook reflected_look(const ReflectedWave& wave, const LookVectors& look,
   result.look.incident = wave.wave.direction;
   result.look.electric = wave.wave.electric;
   for (int q = 0; q < 2; ++q) result.look.magnetic[q] = glm::cross(wave.wave.direction, wave.wave.electric[q]);
-  for (const EdgeLight& light : wave.lights)
-    result.pieces.push_back({static_cast<std::uint32_t>(light.edge->wedge - first_wedge), {along_wedge(light)}, light.weight});
+  for (const LitEdgePiece& piece : wave.lit)
+    result.edges.push_back({static_cast<std::uint32_t>(piece.edge->wedge - first_wedge), {along_wedge(piece)}, piece.weight});
   return result;
 }
 
-// All waves that light edges, and what becomes of them.
+// All waves that light edges in one look, and what these radiate.
 class InteractionLook {
  public:
   InteractionLook(const InteractionScene& scene, const Look& look, std::span<const double> frequencies)
       : scene_(scene), look_(look_vectors(look)), incident_{look_.incident, look_.electric, 0.0}, frequencies_(frequencies) {
     const double shortest = wavelength(std::ranges::max(frequencies));
-    LitEdges edges(scene.wedges, scene.tracer, look_, shortest, false);
+    LitEdges edges(scene.edges.wedges, scene.edges.tracer, look_, shortest, false);
     for (const EdgeAxis& axis : scene.axes) add_direct_light(axis, edges);
-    reflected_ = ReflectedLight(scene.tree, scene.large, scene.axes, incident_, shortest).waves(most_reflections);
-    for (const EdgeLight& light : direct_) jobs_.push_back({&light, most_reflections});
+    reflected_ = ReflectedLight(scene.faces, scene.axes, incident_, shortest).waves(most_reflections);
+    for (const LitEdgePiece& piece : direct_) jobs_.push_back({&piece, most_reflections});
     for (const ReflectedWave& wave : reflected_)
-      for (const EdgeLight& light : wave.lights)
-        jobs_.push_back({&light, most_reflections - static_cast<int>(wave.patches.size())});
+      for (const LitEdgePiece& piece : wave.lit)
+        jobs_.push_back({&piece, most_reflections - static_cast<int>(wave.patches.size())});
   }
   InteractionLook(const InteractionLook&) = delete;
 
@@ -60,40 +60,41 @@ class InteractionLook {
     InteractionResult result;
     if (jobs_.empty()) return result;
     result.scattering.resize(frequencies_.size());
-    result.lit_pieces = jobs_.size();
-    paint(options.tolerance, result);
+    result.illuminating_pieces = jobs_.size();
+    add_illuminated(options.tolerance, result);
     if (options.order > 1) add_fringe(options, result);
     return result;
   }
 
-  std::vector<ImageEdge> pieces(const InteractionOptions& options, std::size_t frequency) const {
+  std::vector<ImageEdge> pieces(const InteractionOptions& options, std::size_t frequency_index) const {
     std::vector<ImageEdge> result;
-    const std::vector<IlluminatedFaces> parts = paint(options.tolerance);
-    for (std::size_t i = 0; i < jobs_.size(); ++i) result.push_back(piece(*jobs_[i].light, parts[i].scattering[frequency]));
+    const std::vector<IlluminatedFaces> parts = illuminate(options.tolerance);
+    for (std::size_t i = 0; i < jobs_.size(); ++i)
+      result.push_back(image_of(*jobs_[i].piece, parts[i].scattering[frequency_index]));
     if (options.order == 1) return result;
     for (const ReflectedWave& wave : reflected_) {
       if (wave.patches.size() != 1) continue;
-      ReflectedLook look = reflected_look(wave, look_, scene_.wedges.data());
-      const std::vector<LitPieces> lit = std::exchange(look.pieces, {});
+      ReflectedLook look = reflected_look(wave, look_, scene_.edges.wedges.data());
+      const std::vector<LitWedge> lit = std::exchange(look.edges, {});
       for (std::size_t i = 0; i < lit.size(); ++i) {
-        look.pieces = {lit[i]};
+        look.edges = {lit[i]};
         const EdgeLookResult part = fringe(std::span(&look, 1), options);
-        result.push_back(piece(wave.lights[i], part.scattering[frequency] + part.higher[frequency]));
+        result.push_back(image_of(wave.lit[i], part.scattering[frequency_index] + part.higher[frequency_index]));
       }
     }
     return result;
   }
 
  private:
-  static ImageEdge piece(const EdgeLight& light, const ScatteringMatrix& s) {
-    const EdgeAxis& axis = *light.edge;
-    return {axis.origin + light.from * axis.tangent, axis.origin + light.to * axis.tangent, s};
+  static ImageEdge image_of(const LitEdgePiece& piece, const ScatteringMatrix& s) {
+    const EdgeAxis& axis = *piece.edge;
+    return {axis.origin + piece.from * axis.tangent, axis.origin + piece.to * axis.tangent, s};
   }
 
   void add_direct_light(const EdgeAxis& axis, LitEdges& edges) {
     const WedgeIncidence incidence = incidence_on(*axis.wedge, look_.incident);
-    const double weight = light_weight(*axis.wedge, incidence);
-    if (weight == 0.0 || !edges.find(static_cast<std::uint32_t>(axis.wedge - scene_.wedges.data()), incidence)) return;
+    const double weight = incidence_weight(*axis.wedge, incidence);
+    if (weight == 0.0 || !edges.find(static_cast<std::uint32_t>(axis.wedge - scene_.edges.wedges.data()), incidence)) return;
     for (const LitInterval& lit : edges.lit()) {
       const double from = axis.reversed() ? 1.0 - lit.end : lit.begin, to = axis.reversed() ? 1.0 - lit.begin : lit.end;
       direct_.push_back({&axis, &incident_, incidence.faces[0], from * axis.length, to * axis.length, weight});
@@ -102,22 +103,22 @@ class InteractionLook {
 
   double least() const { return least_tolerance * wavelength(std::ranges::max(frequencies_)); }
 
-  std::vector<IlluminatedFaces> paint(double tolerance) const {
+  // Of every job, each integrated to its share of the tolerance.
+  std::vector<IlluminatedFaces> illuminate(double tolerance) const {
     std::vector<double> wavenumbers;
     for (const double frequency : frequencies_) wavenumbers.push_back(wavenumber(frequency));
     const double share = std::max(tolerance, least()) / std::sqrt(static_cast<double>(jobs_.size()));
     std::vector<IlluminatedFaces> parts(jobs_.size());
     tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
-      parts[i] = illuminated_faces({scene_.tree, scene_.corners, scene_.large}, look_, wavenumbers, *jobs_[i].light,
-                                   jobs_[i].reflections, share);
+      parts[i] = illuminated_faces(scene_.faces, look_, wavenumbers, *jobs_[i].piece, {jobs_[i].reflections, share});
     });
     stop_if_cancelled();
     return parts;
   }
 
-  void paint(double tolerance, InteractionResult& result) const {
+  void add_illuminated(double tolerance, InteractionResult& result) const {
     ChannelErrors error{{{least(), least()}, {least(), least()}}};
-    for (const IlluminatedFaces& part : paint(tolerance)) {
+    for (const IlluminatedFaces& part : illuminate(tolerance)) {
       for (std::size_t f = 0; f < frequencies_.size(); ++f) result.scattering[f] += part.scattering[f];
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) error[p][q] += part.error[p][q];
@@ -128,7 +129,7 @@ class InteractionLook {
   void add_fringe(const InteractionOptions& options, InteractionResult& result) const {
     std::vector<ReflectedLook> looks;
     for (const ReflectedWave& wave : reflected_)
-      if (wave.patches.size() == 1) looks.push_back(reflected_look(wave, look_, scene_.wedges.data()));
+      if (wave.patches.size() == 1) looks.push_back(reflected_look(wave, look_, scene_.edges.wedges.data()));
     const EdgeLookResult sum = fringe(looks, options);
     for (std::size_t f = 0; f < frequencies_.size(); ++f) {
       result.scattering[f] += sum.scattering[f];
@@ -137,14 +138,14 @@ class InteractionLook {
   }
 
   EdgeLookResult fringe(std::span<const ReflectedLook> looks, const InteractionOptions& options) const {
-    return reflected_fringe_scattering(scene_.wedges, scene_.outlines, looks, frequencies_, reflected_order, options.transition);
+    return reflected_fringe_scattering(scene_.edges, looks, frequencies_, {reflected_order, false, options.transition, true});
   }
 
   const InteractionScene& scene_;
   LookVectors look_;
   PlaneWave incident_;
   std::span<const double> frequencies_;
-  std::vector<EdgeLight> direct_;
+  std::vector<LitEdgePiece> direct_;
   std::deque<ReflectedWave> reflected_;
   std::vector<Job> jobs_;
 };
@@ -158,9 +159,9 @@ InteractionResult interaction_scattering(const InteractionScene& scene, const Lo
 }
 
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
-                                          std::size_t frequency, const InteractionOptions& options) {
+                                          std::size_t frequency_index, const InteractionOptions& options) {
   if (scene.axes.empty()) return {};
-  return InteractionLook(scene, look, frequencies).pieces(options, frequency);
+  return InteractionLook(scene, look, frequencies).pieces(options, frequency_index);
 }
 
 }  // namespace raytube

@@ -1,32 +1,42 @@
-// Diffraction between surfaces: waves that edges send to other surfaces, which physical optics lights as if there were none.
+// Edge-face interaction: waves that edges send to faces other than their own, where physical optics has none of them.
 // Derived in docs/between.md.
+//
+// In formulas: s' is the direction of the wave that arrives at an edge, s the one the target scatters to, beta0 the angle between
+// s' and the edge, phi' and phi the azimuths of source and observer about it, from its first face on, n pi the outer angle of the
+// wedge, z the position along the edge [m], k the wavenumber.
+//
+// A path runs from the transmitter over 0 to most_reflections plane mirrors to an edge, from there as a cone of diffracted rays
+// (half angle beta0), over further mirrors, to the faces these rays meet; `most_reflections` counts both. On every face on the
+// way the diffracted wave excites the current of physical optics, J = 2 n x H, which radiates unblocked.
+//   edge_axes.h          which edges may illuminate others; the coordinate z
+//   reflected_light.h    which parts of them a wave lights after reflections (direct light: utd/shadow)
+//   ray_fan.h            rays of one azimuth, side by side along z: the faces they meet, exactly
+//   edge_illumination.h  dS / d(phi) of one lit piece: the integral along z over each face is closed (utd/wedge)
+//   azimuth_cuts.h, azimuth_integral.h, illuminated_faces.h   the integral over phi
+//   interaction_groups.h which edges and faces are large enough, at each frequency
+// To these currents come, at order 2 and 3, the fringe currents of edges lit by a wave reflected once (utd/fringe).
 #pragma once
 
 #include <vector>
 
-#include "mesh/features/outlines.h"
-#include "mesh/model/face_tree.h"
 #include "scene/image.h"
+#include "utd/fringe/edge_scene.h"
 #include "utd/interaction/edge_axes.h"
-#include "utd/wedge/transition.h"
+#include "utd/interaction/illuminated_faces.h"
 
 namespace raytube {
 
 struct InteractionResult {
-  std::vector<ScatteringMatrix> scattering;  // per frequency; phase reference: centre of the mesh. Empty: nothing is painted
+  std::vector<ScatteringMatrix> scattering;  // per frequency [m]; phase reference: centre of the mesh. Empty: nothing is lit
   std::vector<ChannelErrors> error;          // per frequency, estimated, of its quadrature [m]
-  std::uint64_t lit_pieces = 0;              // of edges, each once per wave that lights it
+  std::uint64_t illuminating_pieces = 0;     // lit pieces of edges, each once per wave that lights it
 };
 
-/// A target as diffracted waves see it.
+/// A target as diffracted waves meet it.
 struct InteractionScene {
-  const FaceTree& tree;
-  const Tracer& tracer;
-  std::span<const Wedge> wedges;
-  const Outlines& outlines;
-  std::span<const EdgeAxis> axes;  // into `wedges`
-  std::span<const dvec3> corners;  // where its faces jump or bend as seen from an edge; may be left out
-  const std::vector<bool>& large;  // the patches that are painted, and mirrors
+  EdgeScene edges;
+  ReceivingFaces faces;            // those that are large are mirrors, too
+  std::span<const EdgeAxis> axes;  // of edges that illuminate others; into edges.wedges
 };
 
 struct InteractionOptions {
@@ -35,17 +45,17 @@ struct InteractionOptions {
   double tolerance = 0.0;  // at which quadrature stops, as far as it can tell [m]
 };
 
-/// Reflections of a path from the transmitter over an edge to the last surface it lights, before and after the edge together.
+/// Reflections of a path from the transmitter over an edge to the last face it illuminates, before and after the edge together.
 inline constexpr int most_reflections = 2;
 
-/// S of the currents that diffracted waves paint on other surfaces than those of their own edge, at most one edge a path; at
-/// order 2 and 3 also of the fringe currents of edges that light reaches after one reflection. Not symmetric in a monostatic
-/// look.
+/// S of the currents that diffracted waves excite on faces other than those of their own edge, at most one edge a path; at order
+/// 2 and 3 also of the fringe currents of edges that light reaches after one reflection. Not symmetric in a monostatic look.
+/// Plane waves only; `frequencies` [Hz] must not be empty.
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options);
 
-/// The same at `frequencies[frequency]`, by the lit pieces of edges these waves come from.
+/// S of interaction_scattering() at `frequencies[frequency_index]`, divided among the lit pieces of edges these waves come from.
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
-                                          std::size_t frequency, const InteractionOptions& options);
+                                          std::size_t frequency_index, const InteractionOptions& options);
 
 }  // namespace raytube

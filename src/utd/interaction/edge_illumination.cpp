@@ -6,26 +6,27 @@
 
 namespace raytube {
 
-EdgeIllumination::EdgeIllumination(const FaceTree& tree, const std::vector<bool>& large, const LookVectors& look,
-                                   std::span<const double> wavenumbers, const EdgeLight& light, int reflections)
-    : tree_(tree),
-      large_(large),
+EdgeIllumination::EdgeIllumination(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
+                                   const LitEdgePiece& source, int reflections)
+    : tree_(faces.tree),
+      large_(faces.large),
       look_(look),
       wavenumbers_(wavenumbers),
-      light_(light),
+      source_(source),
       reflections_(reflections),
-      tracer_(tree) {
-  const dvec3& d = light.wave->direction;
-  const dvec3 turning = -glm::cross(light.edge->tangent, d) / light.incidence.sin_cone, up = glm::cross(d, turning);
-  for (int q = 0; q < 2; ++q) arriving_[q] = {glm::dot(up, light.wave->electric[q]), glm::dot(turning, light.wave->electric[q])};
+      tracer_(faces.tree) {
+  const PlaneWave& wave = *source.wave;
+  const dvec3& d = wave.direction;
+  const dvec3 turning = -glm::cross(source.edge->tangent, d) / source.incidence.sin_cone, up = glm::cross(d, turning);
+  for (int q = 0; q < 2; ++q) arriving_[q] = {glm::dot(up, wave.electric[q]), glm::dot(turning, wave.electric[q])};
 }
 
 // Calls visit(footprint) wherever the rays arrive.
 template <class Visit>
 void EdgeIllumination::follow(Rays rays, Visit visit) {
-  if (!closed(0, rays.fan.direction)) rays.fan.from -= margin(-1.0);
-  if (!closed(1, rays.fan.direction)) rays.fan.to += margin(1.0);
-  const Wedge& wedge = *light_.edge->wedge;
+  if (!ends_at_surface(0, rays.fan.direction)) rays.fan.from -= margin(-1.0);
+  if (!ends_at_surface(1, rays.fan.direction)) rays.fan.to += margin(1.0);
+  const Wedge& wedge = *source_.edge->wedge;
   follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch}, reflections_, visit);
 }
 
@@ -47,60 +48,61 @@ void EdgeIllumination::follow(const Rays& rays, const IgnoredPatches& ignored, i
 
 void EdgeIllumination::at(double azimuth, std::vector<ScatteringMatrix>& density) {
   density.assign(wavenumbers_.size(), {});
-  terms_ = edge_wave_terms(light_.edge->wedge->n, light_.incidence.source_angle, azimuth);
-  const Rays rays = leaving(azimuth);
+  terms_ = edge_wave_terms(source_.edge->wedge->n, source_.incidence.source_angle, azimuth);
+  const Rays rays = diffracted_rays(azimuth);
   const EdgeWaveIntegral waves = this->waves(rays.fan.direction);
-  follow(rays, [&](const Footprint& on) { paint(on, waves, density); });
+  follow(rays, [&](const Footprint& on) { radiate(on, waves, density); });
 }
 
 std::optional<PhaseRange> EdgeIllumination::survey(double azimuth) {
   std::optional<PhaseRange> range;
   const double k = std::ranges::max(wavenumbers_);
-  follow(leaving(azimuth), [&](const Footprint& on) {
+  follow(diffracted_rays(azimuth), [&](const Footprint& on) {
     for (const double end : {on.row.from, on.row.to}) {
-      const double place = std::clamp(std::clamp(end, light_.from, light_.to), on.row.from, on.row.to);
-      const double phase = k * (on.row.phase + on.row.phase_rate * place);
+      const double position = std::clamp(std::clamp(end, source_.from, source_.to), on.row.from, on.row.to);
+      const double phase = k * (on.row.phase + on.row.phase_rate * position);
       range = range ? PhaseRange{std::min(range->low, phase), std::max(range->high, phase)} : PhaseRange{phase, phase};
     }
   });
   return range;
 }
 
-// Rays that start beyond the target are longer by as much. `way` is -1 towards smaller places.
+// How far beyond an end of the piece rays are followed [m]. Rays that start beyond the target are longer by as much. `way` is -1
+// towards smaller positions.
 double EdgeIllumination::margin(double way) const {
-  const FaceIncidence& in = light_.incidence;
+  const FaceIncidence& in = source_.incidence;
   const double k = std::ranges::min(wavenumbers_), inside = 2 * (1 + reflections_) * tree_.mesh().radius;
   const double first = EdgeWaveIntegral::reach(inside, k, way * in.cos_cone, in.sin_cone);
   return EdgeWaveIntegral::reach(inside + 2 * first, k, way * in.cos_cone, in.sin_cone);
 }
 
-EdgeIllumination::Rays EdgeIllumination::leaving(double azimuth) const {
-  const WedgeFace& face = light_.edge->wedge->faces[0];
-  const dvec3& t = light_.edge->tangent;
+EdgeIllumination::Rays EdgeIllumination::diffracted_rays(double azimuth) const {
+  const WedgeFace& face = source_.edge->wedge->faces[0];
+  const dvec3& t = source_.edge->tangent;
   const dvec3 across = std::cos(azimuth) * face.into_face + std::sin(azimuth) * face.normal;
-  const dvec3 direction = glm::normalize(light_.incidence.sin_cone * across + light_.incidence.cos_cone * t);
+  const dvec3 direction = glm::normalize(source_.incidence.sin_cone * across + source_.incidence.cos_cone * t);
   const dvec3 turning = glm::cross(t, across), up = glm::cross(direction, turning);
   const std::array<dvec3, components> magnetic{-turning, up, across, turning};
-  return {{light_.edge->origin, t, direction, light_.from, light_.to}, 0.0, 0.0, magnetic};
+  return {{source_.edge->origin, t, direction, source_.from, source_.to}, 0.0, 0.0, magnetic};
 }
 
 // A surface on which the edge ends goes on with its waves as their mirror. An open fan has one on either side, or none.
-bool EdgeIllumination::closed(int end, const dvec3& direction) const {
-  const EdgeAxis& edge = *light_.edge;
-  if (end == 0 ? light_.from > 0.0 : light_.to < edge.length) return false;
-  return std::ranges::any_of(edge.stops[end], [&](int face) {
+bool EdgeIllumination::ends_at_surface(int end, const dvec3& direction) const {
+  const EdgeAxis& edge = *source_.edge;
+  if (end == 0 ? source_.from > 0.0 : source_.to < edge.length) return false;
+  return std::ranges::any_of(edge.abutting_faces[end], [&](int face) {
     return edge.wedge->n != 2.0 || glm::dot(direction, edge.wedge->faces[face].normal) > 0.0;
   });
 }
 
-// A closed end is the middle of the piece and its mirror image.
+// An end at a surface is the middle of the piece and its mirror image.
 EdgeWaveIntegral EdgeIllumination::waves(const dvec3& direction) const {
   constexpr double none = std::numeric_limits<double>::infinity();
-  const double from = light_.from, to = light_.to;
-  const bool first = !closed(0, direction), last = !closed(1, direction);
+  const double from = source_.from, to = source_.to;
+  const bool first = !ends_at_surface(0, direction), last = !ends_at_surface(1, direction);
   return {terms_,
-          light_.incidence.cos_cone,
-          light_.incidence.sin_cone,
+          source_.incidence.cos_cone,
+          source_.incidence.sin_cone,
           from,
           to,
           {first  ? from
@@ -111,14 +113,14 @@ EdgeWaveIntegral EdgeIllumination::waves(const dvec3& direction) const {
                    : none}};
 }
 
-// The tube between neighbouring places and azimuths is rho sin(beta0) wide, rho the distance from the edge's line; reflections by
-// planes leave it so.
+// The tube between neighbouring positions and azimuths is rho sin(beta0) wide, rho the distance from the edge's line; reflections
+// by planes leave it so.
 EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const FanHit& hit, const Patch& plane) const {
-  const FaceIncidence& in = light_.incidence;
+  const FaceIncidence& in = source_.incidence;
   const RayFan& fan = rays.fan;
   const double facing = glm::dot(plane.normal, fan.direction);
   const dvec3 base = fan.base + hit.length * fan.direction, step = fan.step + hit.growth * fan.direction;
-  const double start = glm::dot(light_.wave->direction, light_.edge->origin) + light_.wave->path;
+  const double start = glm::dot(source_.wave->direction, source_.edge->origin) + source_.wave->path;
   RayRow row{hit.from, hit.to, rays.path + hit.length, rays.path_rate + hit.growth};
   row.phase = glm::dot(look_.scattered, base) - start - row.path;
   row.phase_rate = glm::dot(look_.scattered, step) - in.cos_cone - row.path_rate;
@@ -126,7 +128,7 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
   const dvec3 normal = facing > 0.0 ? -plane.normal : plane.normal;
   for (int c = 0; c < components; ++c) {
     const dvec3 current = 2.0 * glm::cross(normal, rays.magnetic[c]);
-    for (int p = 0; p < 2; ++p) on.seen[p][c] = glm::dot(look_.receive[p], current);
+    for (int p = 0; p < 2; ++p) on.current[p][c] = glm::dot(look_.receive[p], current);
   }
   return on;
 }
@@ -135,20 +137,21 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
 // u_h), the diffracted E being minus the sum of the waves; the slopes of E_z and eta H_z, both -sin(beta0) of E_s and E_h, add
 //   eta H = (j / k sin(beta0)) {E_s [phi_hat du_s/d(rho) - rho_hat du_s/(rho d(phi))]
 //                               + cos(beta0) E_h [rho_hat du_h/d(rho) + phi_hat du_h/(rho d(phi))]}      (Maxwell's equations).
-void EdgeIllumination::paint(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const {
-  const FaceIncidence& in = light_.incidence;
+void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const {
+  const FaceIncidence& in = source_.incidence;
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     const double k = wavenumbers_[f];
     const WaveIntegrals sums = waves.over(on.row, k);
     const WaveSums soft_waves = sums.incident - sums.reflected, hard_waves = sums.incident + sums.reflected;
-    const Complex ray(0.0, light_.weight * on.area * k / (4 * pi));
-    const double slope = light_.weight * on.area / (4 * pi * in.sin_cone);
+    const Complex ray(0.0, source_.weight * on.area * k / (4 * pi));
+    const double slope = source_.weight * on.area / (4 * pi * in.sin_cone);
     for (int p = 0; p < 2; ++p) {
-      const std::array<double, components>& seen = on.seen[p];
-      const Complex of_soft =
-          ray * seen[soft] * soft_waves.value + slope * (seen[around] * soft_waves.outwards - seen[outwards] * soft_waves.around);
-      const Complex of_hard = ray * seen[hard] * hard_waves.value +
-                              slope * in.cos_cone * (seen[outwards] * hard_waves.outwards + seen[around] * hard_waves.around);
+      const std::array<double, components>& current = on.current[p];
+      const Complex of_soft = ray * current[soft] * soft_waves.value +
+                              slope * (current[around] * soft_waves.outwards - current[outwards] * soft_waves.around);
+      const Complex of_hard =
+          ray * current[hard] * hard_waves.value +
+          slope * in.cos_cone * (current[outwards] * hard_waves.outwards + current[around] * hard_waves.around);
       for (int q = 0; q < 2; ++q) density[f].at(p, q) += arriving_[q][0] * of_soft + arriving_[q][1] * of_hard;
     }
   }

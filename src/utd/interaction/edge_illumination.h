@@ -1,5 +1,5 @@
-// What the waves of a lit edge do on other surfaces: they are painted there as physical-optics currents, and radiate.
-// Derived in docs/between.md.
+// Edge-diffracted illumination: the waves of a lit edge excite currents of physical optics on other faces, which radiate.
+// Derived in docs/between.md; notation: edge_face_interaction.h.
 #pragma once
 
 #include <vector>
@@ -18,39 +18,48 @@ struct PlaneWave {
   double path = 0.0;  // [m]
 };
 
-/// A wedge with its own coordinates: places along the tangent of its first face, from `origin`, 0 <= place <= length [m].
+/// A wedge with a coordinate of its own: the position along the tangent of its first face, from `origin` on, 0 to `length` [m].
 struct EdgeAxis {
   const Wedge* wedge = nullptr;
   dvec3 origin, tangent;
   double length = 0.0;
-  // At either end: the faces of the wedge that meet another surface there in a fold, which carries on their waves as a mirror.
-  std::array<std::vector<int>, 2> stops{};
+  // At either end: the faces of the wedge that meet another surface there in a concave edge. That surface carries on their waves
+  // as a mirror.
+  std::array<std::vector<int>, 2> abutting_faces{};
 
-  /// Whether places count from the wedge's end.
+  /// Whether positions count from the wedge's end.
   bool reversed() const { return origin != wedge->start; }
 };
 
 /// A piece of an edge lit by a plane wave.
-struct EdgeLight {
+struct LitEdgePiece {
   const EdgeAxis* edge;
   const PlaneWave* wave;
   FaceIncidence incidence;  // on the first face
-  double from, to;          // places
-  double weight = 1.0;      // of the light
+  double from, to;          // positions along the edge [m]
+  double weight = 1.0;      // of the wave
 };
 
-/// Adds up, azimuth by azimuth about the edge, the far field of the currents that the waves of one lit piece paint on all they
-/// meet: on the first surface, and after up to `reflections` reflections on further ones. Patches that are not `large` are
-/// neither painted nor mirrors. The edge's own two faces are not met on the way out. Beyond an end of the piece the wave fades
-/// (corner factor); beyond one in a fold its mirror image takes over.
+/// The faces that edges may illuminate. What is referred to must outlive it.
+struct ReceivingFaces {
+  const FaceTree& tree;            // of all faces: any of them may stand in the way
+  const std::vector<bool>& large;  // the patches that receive, and are mirrors
+  std::span<const dvec3> corners;  // where the faces jump or bend as seen from an edge; may be left out
+};
+
+/// Adds up, azimuth by azimuth about the edge, the far field of the currents that the waves of one lit piece excite on all they
+/// meet: on the first face, and after up to `reflections` reflections on further ones. The edge's own two faces are not met on
+/// the way out. Beyond an end of the piece the wave fades (corner factor); beyond one at another surface (abutting_faces) its
+/// mirror image takes over.
 class EdgeIllumination {
  public:
-  EdgeIllumination(const FaceTree& tree, const std::vector<bool>& large, const LookVectors& look,
-                   std::span<const double> wavenumbers, const EdgeLight& light, int reflections);
+  /// Keeps references to its arguments.
+  EdgeIllumination(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
+                   const LitEdgePiece& source, int reflections);
 
-  /// dS / d(azimuth) [m] per wavenumber; `azimuth` is phi of the diffracted rays, measured as phi'.
+  /// Sets `density` to dS / d(azimuth) [m], per wavenumber; `azimuth` is phi of the diffracted rays, measured as phi' [rad].
   void at(double azimuth, std::vector<ScatteringMatrix>& density);
-  /// Between which phases it lies there; none if the rays meet nothing.
+  /// Between which phases the density lies there; none if the rays meet nothing.
   std::optional<PhaseRange> survey(double azimuth);
 
  private:
@@ -66,26 +75,26 @@ class EdgeIllumination {
   /// Where they meet a face.
   struct Footprint {
     RayRow row;
-    double area;                                         // of the face per place, azimuth and length of the ray
-    std::array<std::array<double, components>, 2> seen;  // [receive]: p_hat . eta J per unit eta H along each direction
+    double area;                                            // of the face per position, azimuth and length of the ray
+    std::array<std::array<double, components>, 2> current;  // [receive]: p_hat . eta J per unit eta H along each direction
   };
 
   double margin(double way) const;
-  Rays leaving(double azimuth) const;
+  Rays diffracted_rays(double azimuth) const;
   EdgeWaveIntegral waves(const dvec3& direction) const;
-  bool closed(int end, const dvec3& direction) const;
+  bool ends_at_surface(int end, const dvec3& direction) const;
   template <class Visit>
   void follow(Rays rays, Visit visit);
   template <class Visit>
   void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, Visit visit);
   Footprint footprint(const Rays& rays, const FanHit& hit, const Patch& plane) const;
-  void paint(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const;
+  void radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const;
 
   const FaceTree& tree_;
   const std::vector<bool>& large_;
   const LookVectors& look_;
   std::span<const double> wavenumbers_;
-  const EdgeLight& light_;
+  const LitEdgePiece& source_;
   int reflections_;
   RayFanTracer tracer_;
   std::array<std::vector<FanHit>, 3> hits_;        // by reflections left

@@ -21,8 +21,8 @@ AzimuthDensity density_of(EdgeIllumination& illumination) {
 std::optional<PhaseRange> paths(EdgeIllumination& illumination, std::span<const double> cuts, double wavenumber) {
   std::optional<PhaseRange> all;
   for (std::size_t i = 1; i < cuts.size(); ++i)
-    for (const double place : {0.03, 0.5, 0.97})
-      if (const auto here = illumination.survey(cuts[i - 1] + place * (cuts[i] - cuts[i - 1])))
+    for (const double share : {0.03, 0.5, 0.97})
+      if (const auto here = illumination.survey(cuts[i - 1] + share * (cuts[i] - cuts[i - 1])))
         all = all ? PhaseRange{std::min(all->low, here->low), std::max(all->high, here->high)} : *here;
   if (all) *all = {all->low / wavenumber, all->high / wavenumber};
   return all;
@@ -51,19 +51,19 @@ ChannelErrors worst_of(const std::vector<ChannelErrors>& errors) {
 }  // namespace
 
 IlluminatedFaces illuminated_faces(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
-                                   const EdgeLight& light, int reflections, double tolerance) {
-  EdgeIllumination illumination(faces.tree, faces.large, look, wavenumbers, light, reflections);
-  const std::vector<double> cuts = azimuth_cuts(faces.tree.mesh(), faces.corners, light);
+                                   const LitEdgePiece& source, const IlluminationLimits& limits) {
+  EdgeIllumination illumination(faces, look, wavenumbers, source, limits.reflections);
+  const std::vector<double> cuts = azimuth_cuts(faces.tree.mesh(), faces.corners, source);
   const auto range = paths(illumination, cuts, std::ranges::max(wavenumbers));
   if (!range) return {std::vector<ScatteringMatrix>(wavenumbers.size()), {}};
   Band band(wavenumbers);
   const ChebyshevNodes* nodes = band.nodes_of_fresnel(wider * (range->high - range->low) / 2);
   if (!nodes) {
-    AzimuthIntegral all = integrate_over_azimuth(density_of(illumination), wavenumbers.size(), cuts, tolerance);
+    AzimuthIntegral all = integrate_over_azimuth(density_of(illumination), wavenumbers.size(), cuts, limits.tolerance);
     return {std::move(all.value), worst_of(all.error)};
   }
-  EdgeIllumination few(faces.tree, faces.large, look, nodes->at, light, reflections);
-  AzimuthIntegral at_nodes = integrate_over_azimuth(density_of(few), nodes->at.size(), cuts, tolerance);
+  EdgeIllumination few(faces, look, nodes->at, source, limits.reflections);
+  AzimuthIntegral at_nodes = integrate_over_azimuth(density_of(few), nodes->at.size(), cuts, limits.tolerance);
   return {interpolated(std::move(at_nodes.value), *nodes, wavenumbers, (range->low + range->high) / 2), worst_of(at_nodes.error)};
 }
 

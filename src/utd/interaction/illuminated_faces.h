@@ -1,4 +1,4 @@
-// The far field of what one lit piece of an edge paints on other surfaces, at all frequencies.
+// The far field of the currents that one lit piece of an edge excites on other faces, at all frequencies.
 #pragma once
 
 #include <vector>
@@ -7,21 +7,19 @@
 
 namespace raytube {
 
-/// What may be painted.
-struct ReceivingFaces {
-  const FaceTree& tree;
-  std::span<const dvec3> corners;
-  const std::vector<bool>& large;  // patches
-};
-
 struct IlluminatedFaces {
-  std::vector<ScatteringMatrix> scattering;  // per wavenumber
-  ChannelErrors error{};                     // estimated, of quadrature, at the worst of them
+  std::vector<ScatteringMatrix> scattering;  // per wavenumber [m]; phase reference: origin of the mesh's coordinates
+  ChannelErrors error{};                     // estimated, of quadrature, at the worst of them [m]
 };
 
-/// The integral of EdgeIllumination over all azimuths to within `tolerance`, as far as it can tell. Of many wavenumbers a few are
-/// computed if the paths of the rays differ by little enough for these to stand for the others.
+struct IlluminationLimits {
+  int reflections;   // after the edge
+  double tolerance;  // at which the integral over the azimuth stops, as far as it can tell [m]
+};
+
+/// The integral of EdgeIllumination over all azimuths. Of many wavenumbers a few are computed if the paths of the rays differ by
+/// little enough for these to stand for the others.
 IlluminatedFaces illuminated_faces(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
-                                   const EdgeLight& light, int reflections, double tolerance);
+                                   const LitEdgePiece& source, const IlluminationLimits& limits);
 
 }  // namespace raytube

@@ -17,7 +17,7 @@ std::vector<double> patch_areas(const TriangleMesh& mesh) {
   return areas;
 }
 
-// The ends of the wedges: vertices inside a plane face or a straight edge are not seen.
+// The ends of the wedges: vertices inside a plane face or a straight edge are no corners.
 std::vector<dvec3> find_corners(std::span<const Wedge> wedges) {
   std::vector<dvec3> corners;
   for (const Wedge& wedge : wedges) corners.insert(corners.end(), {wedge.start, wedge.end});
@@ -49,15 +49,15 @@ std::vector<bool> interaction_limit_exceeded(const TriangleMesh& mesh, std::span
 }
 
 std::vector<InteractionGroup> interaction_groups(const TriangleMesh& mesh, std::span<const Wedge> wedges,
-                                                 std::span<const double> frequencies, const std::vector<bool>& above_limit) {
+                                                 std::span<const double> frequencies, const std::vector<bool>& wanted) {
   const std::vector<double> areas = patch_areas(mesh);
   const std::vector<EdgeAxis> axes = edge_axes(mesh, wedges);
   const std::vector<dvec3> corners = find_corners(wedges);
   std::vector<InteractionGroup> groups;
-  for (std::size_t place = 0; place < frequencies.size(); ++place) {
-    if (above_limit[place]) continue;
-    const double least = wavelength(frequencies[place]);
-    InteractionGroup group{{place}, {frequencies[place]}, {}, corners, {}};
+  for (std::size_t f = 0; f < frequencies.size(); ++f) {
+    if (!wanted[f]) continue;
+    const double least = wavelength(frequencies[f]);
+    InteractionGroup group{{f}, {frequencies[f]}, {}, corners, {}};
     for (const EdgeAxis& axis : axes)
       if (axis.length >= least) group.axes.push_back(axis);
     for (const double area : areas) group.large.push_back(area >= least * least);
@@ -68,8 +68,8 @@ std::vector<InteractionGroup> interaction_groups(const TriangleMesh& mesh, std::
     if (same == groups.end()) {
       groups.push_back(std::move(group));
     } else {
-      same->places.push_back(place);
-      same->frequencies.push_back(frequencies[place]);
+      same->indices.push_back(f);
+      same->frequencies.push_back(frequencies[f]);
     }
   }
   return groups;

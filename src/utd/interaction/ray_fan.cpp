@@ -7,10 +7,10 @@ namespace raytube {
 
 namespace {
 
-// A tree of no more faces is not worth asking.
+// With so few faces it costs less to try all than to ask the tree.
 constexpr std::size_t few_faces = 24;
-constexpr double parallel = 1e-9;     // sine between rays and a plane below which they never meet
-constexpr double same_place = 1e-12;  // in radii of the target
+constexpr double parallel = 1e-9;        // sine between rays and a plane below which they never meet
+constexpr double same_position = 1e-12;  // in radii of the target
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void RayFanTracer::trace(const RayFan& fan, const IgnoredPatches& ignored_patche
   gather(fan, ignored_patches);
   if (crossed_.empty()) return;
   cut();
-  const double least = same_place * tree_.mesh().radius;
+  const double least = same_position * tree_.mesh().radius;
   for (std::size_t i = 1; i < cuts_.size(); ++i) {
     if (cuts_[i] - cuts_[i - 1] <= least) continue;
     const FanHit* first = first_at((cuts_[i - 1] + cuts_[i]) / 2);
@@ -53,12 +53,12 @@ void RayFanTracer::gather(const RayFan& fan, const IgnoredPatches& ignored_patch
     if (std::ranges::find(ignored_patches, polygon.patch) != ignored_patches.end()) continue;
     const double facing = glm::dot(mesh.patches[polygon.patch].normal, fan.direction);
     if (std::abs(facing) < parallel || (facing > 0.0 && mesh.closed(polygon.triangle))) continue;
-    cross(fan, face);
+    intersect(fan, face);
   }
 }
 
-// Where the fan's plane cuts a convex polygon: a segment, in places and distances.
-void RayFanTracer::cross(const RayFan& fan, std::uint32_t face) {
+// Where the fan's plane cuts a convex polygon: a segment, in positions and distances.
+void RayFanTracer::intersect(const RayFan& fan, std::uint32_t face) {
   const TriangleMesh& mesh = tree_.mesh();
   const std::span<const std::uint32_t> corners = tree_.corners(face);
   const dvec3 normal = glm::cross(fan.step, fan.direction);
@@ -72,9 +72,9 @@ void RayFanTracer::cross(const RayFan& fan, std::uint32_t face) {
     const double height = glm::dot(normal, here);
     if ((height >= 0.0) != (height_before >= 0.0)) {
       const dvec3 point = before + height_before / (height_before - height) * (here - before);
-      const double place = scale * glm::dot(across, point);
-      from = std::min(from, place);
-      to = std::max(to, place);
+      const double position = scale * glm::dot(across, point);
+      from = std::min(from, position);
+      to = std::max(to, position);
     }
     before = here;
     height_before = height;
@@ -99,13 +99,13 @@ void RayFanTracer::cut() {
   std::ranges::sort(cuts_);
 }
 
-const FanHit* RayFanTracer::first_at(double place) const {
+const FanHit* RayFanTracer::first_at(double position) const {
   const FanHit* first = nullptr;
   double nearest = std::numeric_limits<double>::infinity();
-  const double start = same_place * tree_.mesh().radius;
+  const double start = same_position * tree_.mesh().radius;
   for (const FanHit& face : crossed_) {
-    const double distance = face.length + face.growth * place;
-    if (face.from > place || face.to < place || distance <= start || distance >= nearest) continue;
+    const double distance = face.length + face.growth * position;
+    if (face.from > position || face.to < position || distance <= start || distance >= nearest) continue;
     first = &face;
     nearest = distance;
   }

@@ -1,4 +1,4 @@
-// Rays that leave a line side by side, all in one plane: what they meet, exactly.
+// Fans of rays: parallel ones that leave a line side by side, all in one plane. What they meet, exactly.
 #pragma once
 
 #include "mesh/model/face_tree.h"
@@ -6,7 +6,7 @@
 
 namespace raytube {
 
-/// Parallel rays: the one at place z leaves base + z step, from <= z <= to [m].
+/// The ray at position z leaves base + z step, from <= z <= to [m].
 struct RayFan {
   dvec3 base, step;
   dvec3 direction;  // unit, not along `step`
@@ -16,11 +16,11 @@ struct RayFan {
 /// Neighbouring rays that meet the same face first.
 struct FanHit {
   std::uint32_t face;
-  double from, to;        // places
-  double length, growth;  // the ray at place z meets the face after length + growth z [m]
+  double from, to;        // positions [m]
+  double length, growth;  // the ray at position z meets the face after length + growth z [m]
 };
 
-/// The rays between two places after the reflection by the plane they have met.
+/// The rays between the two positions of a hit after the reflection by the plane they have met.
 RayFan reflected(const RayFan& fan, const FanHit& hit, const dvec3& normal);
 
 /// Finds first hits. Keeps buffers between calls: one object a thread.
@@ -28,15 +28,16 @@ class RayFanTracer {
  public:
   explicit RayFanTracer(const FaceTree& tree) : tree_(tree) {}
 
-  /// Fills `hits`, in the order of places, with what the rays meet first, but for faces of some patches. Closed bodies are met
-  /// from outside only. The planes of faces that run through one another are told apart at the middle of what both cover.
+  /// Fills `hits` (cleared first), in the order of positions, with what the rays meet first, but for faces of some patches.
+  /// Closed bodies are met from outside only. The planes of faces that run through one another are told apart at the middle of
+  /// what both cover.
   void trace(const RayFan& fan, const IgnoredPatches& ignored_patches, std::vector<FanHit>& hits);
 
  private:
   void gather(const RayFan& fan, const IgnoredPatches& ignored_patches);
-  void cross(const RayFan& fan, std::uint32_t face);
+  void intersect(const RayFan& fan, std::uint32_t face);
   void cut();
-  const FanHit* first_at(double place) const;
+  const FanHit* first_at(double position) const;
 
   const FaceTree& tree_;
   std::vector<std::uint32_t> near_;

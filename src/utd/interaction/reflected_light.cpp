@@ -53,20 +53,20 @@ std::deque<ReflectedWave> ReflectedLight::waves(int most) {
         wave.patches.push_back(mirror.patch);
         next.push_back(wave);
         all.push_back(std::move(wave));
-        light(all.back());
-        if (all.back().lights.empty()) all.pop_back();
+        find_lit(all.back());
+        if (all.back().lit.empty()) all.pop_back();
       }
     std::swap(last, next);
   }
   return all;
 }
 
-void ReflectedLight::light(ReflectedWave& wave) {
+void ReflectedLight::find_lit(ReflectedWave& wave) {
   for (const EdgeAxis& axis : axes_) {
     const Wedge& wedge = *axis.wedge;
     if (wedge.faces[0].patch == wave.patches.back() || wedge.faces[1].patch == wave.patches.back()) continue;
     const WedgeIncidence incidence = incidence_on(wedge, wave.wave.direction);
-    const double weight = light_weight(wedge, incidence);
+    const double weight = incidence_weight(wedge, incidence);
     if (weight == 0.0) continue;
     const double aside = border_share * axis.length;
     find_pieces(wave, axis, aside);
@@ -74,7 +74,7 @@ void ReflectedLight::light(ReflectedWave& wave) {
     find_pieces(wave, axis, -aside);
     const std::vector<LitPiece> under = pieces_;
     for (const LitPiece& piece : blended(wave, axis, over, under))
-      wave.lights.push_back({&axis, &wave.wave, incidence.faces[0], piece.from, piece.to, weight * piece.weight});
+      wave.lit.push_back({&axis, &wave.wave, incidence.faces[0], piece.from, piece.to, weight * piece.weight});
   }
 }
 
@@ -101,13 +101,14 @@ std::vector<ReflectedLight::LitPiece> ReflectedLight::blended(const ReflectedWav
   return result;
 }
 
-// The border of the beam at this place, searched between the two sides; `lit` is the sign of the one that is lit.
-double ReflectedLight::share_of_light(const ReflectedWave& wave, const EdgeAxis& axis, double place, double lit) {
+// How much of the light is there, from where the border of the beam lies beside this position, searched between the two sides;
+// `lit` is the sign of the one that is lit.
+double ReflectedLight::share_of_light(const ReflectedWave& wave, const EdgeAxis& axis, double position, double lit) {
   const double aside = border_share * axis.length;
   double bright = 1.0, dark = -1.0;
   for (int halving = 0; halving < 40; ++halving) {
     const double middle = (bright + dark) / 2;
-    (reaches(wave, axis, place, lit * middle * aside) ? bright : dark) = middle;
+    (reaches(wave, axis, position, lit * middle * aside) ? bright : dark) = middle;
   }
   const double share = (1.0 - bright) / 2;
   return share * share * (3 - 2 * share);
@@ -139,11 +140,11 @@ void ReflectedLight::find_pieces(const ReflectedWave& wave, const EdgeAxis& axis
   snap_to_ends(axis);
 }
 
-bool ReflectedLight::reaches(const ReflectedWave& wave, const EdgeAxis& axis, double place, double sideways) {
+bool ReflectedLight::reaches(const ReflectedWave& wave, const EdgeAxis& axis, double position, double sideways) {
   const Wedge& wedge = *axis.wedge;
   RayFan narrow = fan_beside(wave, axis, sideways);
-  narrow.from = place - shortest * wavelength_;
-  narrow.to = place + shortest * wavelength_;
+  narrow.from = position - shortest * wavelength_;
+  narrow.to = position + shortest * wavelength_;
   pieces_.clear();
   trace_back(narrow, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch}, wave.patches);
   return !pieces_.empty();

@@ -12,22 +12,23 @@ namespace raytube {
 struct ReflectedWave {
   PlaneWave wave;
   std::vector<std::uint32_t> patches;  // the mirrors, in the order in which the light meets them
-  std::vector<EdgeLight> lights;
+  std::vector<LitEdgePiece> lit;
 };
 
 /// The wave after a reflection by the plane of a patch.
 PlaneWave reflected(const PlaneWave& wave, const Patch& plane);
 
-/// Follows the light of an incident wave back from edges over planar patches.
+/// Follows the light of an incident wave back from edges over planar patches. Keeps references to what it is made with.
 class ReflectedLight {
  public:
-  ReflectedLight(const FaceTree& tree, const std::vector<bool>& large, std::span<const EdgeAxis> axes, const PlaneWave& incident,
-                 double wavelength)
-      : tree_(tree), large_(large), axes_(axes), incident_(incident), wavelength_(wavelength), tracer_(tree) {}
+  /// `wavelength` [m] is the shortest of the look; the large ones among the faces are the mirrors.
+  ReflectedLight(const ReceivingFaces& faces, std::span<const EdgeAxis> axes, const PlaneWave& incident, double wavelength)
+      : tree_(faces.tree), large_(faces.large), axes_(axes), incident_(incident), wavelength_(wavelength), tracer_(faces.tree) {}
 
-  /// The waves that light any edge after one up to `most` reflections; no further ones than there are 20 000 pairs of an edge and
-  /// a sequence of mirrors. Light does not end at the border of a beam: within a twenty-fifth of the edge's length to either
-  /// side of it the weight of a piece goes smoothly from 1 to 0, so that no look makes it jump; it is 1/2 on the border itself.
+  /// The waves that light any edge after 1 to `most` reflections. Where one reflection more would make more than 20 000 pairs of
+  /// an edge and a sequence of mirrors, the shorter sequences are all. Light does not end at the border of a beam: within a
+  /// twenty-fifth of the edge's length to either side of it the weight of a piece goes smoothly from 1 to 0, so that it jumps in
+  /// no look; it is 1/2 on the border itself.
   std::deque<ReflectedWave> waves(int most);
 
  private:
@@ -40,12 +41,12 @@ class ReflectedLight {
   };
 
   void find_mirrors();
-  void light(ReflectedWave& wave);
+  void find_lit(ReflectedWave& wave);
   std::vector<LitPiece> blended(const ReflectedWave& wave, const EdgeAxis& axis, std::span<const LitPiece> over,
                                 std::span<const LitPiece> under);
-  double share_of_light(const ReflectedWave& wave, const EdgeAxis& axis, double place, double lit);
+  double share_of_light(const ReflectedWave& wave, const EdgeAxis& axis, double position, double lit);
   RayFan fan_beside(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) const;
-  bool reaches(const ReflectedWave& wave, const EdgeAxis& axis, double place, double sideways);
+  bool reaches(const ReflectedWave& wave, const EdgeAxis& axis, double position, double sideways);
   void find_pieces(const ReflectedWave& wave, const EdgeAxis& axis, double sideways);
   void snap_to_ends(const EdgeAxis& axis);
   void trace_back(const RayFan& fan, const IgnoredPatches& ignored, std::span<const std::uint32_t> mirrors);

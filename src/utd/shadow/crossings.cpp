@@ -21,8 +21,8 @@ std::array<dvec3, 2> axes_across(const dvec3& direction) {
   return {first, glm::cross(direction, first)};
 }
 
-// A line grazes a wedge if it runs through free space on both sides of the edge: if it sees one of the faces from the front and
-// the other from behind. A shadow never ends at a concave edge.
+// A line grazes a wedge if it runs through free space on both sides of the edge: if one of the faces is turned towards it and the
+// other one away. A shadow never ends at a concave edge.
 bool on_silhouette(const Wedge& wedge, const dvec3& direction) {
   const double first = glm::dot(wedge.faces[0].normal, direction), second = glm::dot(wedge.faces[1].normal, direction);
   return wedge.convex() && std::min(first, second) < in_plane && std::max(first, second) > -in_plane;
@@ -63,11 +63,11 @@ void Crossings::fill_grid(std::span<const std::uint32_t> silhouette) {
 }
 
 std::size_t Crossings::cell(const dvec2& point, int axis) const {
-  const double place = (point[axis] - low_[axis]) / cell_size_[axis];
-  return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(cells_ - 1)));
+  const double cells = (point[axis] - low_[axis]) / cell_size_[axis];
+  return static_cast<std::size_t>(std::clamp(cells, 0.0, static_cast<double>(cells_ - 1)));
 }
 
-/// Column after column, the rows that the segment passes in it and `margin` more on either side.
+// Column after column, the rows that the segment passes in it and `margin` more on either side.
 template <class Visit>
 void Crossings::visit_cells(const Segment& segment, std::size_t margin, Visit visit) const {
   const dvec2 along = segment.along;
@@ -86,8 +86,8 @@ void Crossings::visit_cells(const Segment& segment, std::size_t margin, Visit vi
   }
 }
 
-void Crossings::find(std::uint32_t index, std::vector<double>& places) const {
-  places.clear();
+void Crossings::find(std::uint32_t index, std::vector<double>& fractions) const {
+  fractions.clear();
   const Segment& own = segments_[index];
   const double nearest = own.nearest();
   visit_cells(own, 0, [&](std::size_t cell_index) {
@@ -100,10 +100,10 @@ void Crossings::find(std::uint32_t index, std::vector<double>& places) const {
                    there = std::copysign(1.0, area) * cross(offset, own.along);  // times the area
       if (here <= 0.0 || here >= size || there < 0.0 || there > size || size <= parallel * own.length * other.length) continue;
       const double own_depth = own.start_depth + here / size * own.depth_change;
-      if (other.start_depth + there / size * other.depth_change > own_depth) places.push_back(here / size);
+      if (other.start_depth + there / size * other.depth_change > own_depth) fractions.push_back(here / size);
     }
   });
-  std::ranges::sort(places);
+  std::ranges::sort(fractions);
 }
 
 }  // namespace raytube

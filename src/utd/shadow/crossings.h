@@ -1,4 +1,4 @@
-// Where other wedges pass in front of a wedge: the only places where a polygonal target's shadows can begin or end on it.
+// Where other wedges pass in front of a wedge: only there can a polygonal target's shadows begin or end on it.
 #pragma once
 
 #include <algorithm>
@@ -9,14 +9,16 @@
 
 namespace raytube {
 
-/// All wedges seen from one direction; those that can cast the rim of a shadow, the silhouette, in a grid on the plane across it.
+/// All wedges in projection along one direction. The silhouette, those that can cast a shadow boundary, lies in a grid on the
+/// plane across the direction.
 class Crossings {
  public:
+  /// `direction` is a unit vector from the target towards the viewpoint.
   Crossings(std::span<const Wedge> wedges, const dvec3& direction);
 
-  /// Fills `places` (cleared first) with the crossings of wedge `index` by wedges of the silhouette that lie ahead of it along
+  /// Fills `fractions` (cleared first) with the crossings of wedge `index` by wedges of the silhouette that lie ahead of it along
   /// the direction, as fractions of its length from its start, in order.
-  void find(std::uint32_t index, std::vector<double>& places) const;
+  void find(std::uint32_t index, std::vector<double>& fractions) const;
 
  private:
   /// A wedge in projection; depth grows along the direction.

@@ -11,21 +11,21 @@ namespace {
 constexpr int min_points = 8;
 constexpr int max_points = 128;
 constexpr double clip_tolerance = 1e-13;  // fraction of the wedge's length
-constexpr double single_blocker = 1e-5;   // same; about where single precision stops telling blockers apart
+constexpr double single_blocker = 1e-5;   // fraction of it; about where single precision stops telling blockers apart
 // Test points between crossings: not half-way, where symmetric bodies have the seams of their triangles.
 constexpr double beside_middle = std::numbers::sqrt2 - 1;
 // The outermost test points stand this far inside the ends, as a fraction of the length: at a corner the third face is touched.
 constexpr double end_margin = 1e-6;
 // A ray in the plane of a face runs along the mesh; it starts this far above it, in radii of the target: the lit limit.
 constexpr double lift = 1e-6;
-// Rays along the very rim of a shadow meet or miss what throws it by rounding alone. They start this far outside the edge they
-// are for, in radii of the target: which side of the rim that is does not depend on rounding. As far as single precision may be
-// wrong (ExactHit), or as double precision, where that decides.
+// Rays along a shadow boundary meet or miss what throws the shadow by rounding alone. They start this far outside the edge they
+// are for, in radii of the target: which side of the boundary that is does not depend on rounding. As far as single precision may
+// be wrong (ExactHit), or as double precision, where that decides.
 constexpr double outwards_single = 4e-6, outwards_double = 1e-11;
-// Moves the rim of a shadow along the edge by less than this, as a fraction of the edge's length.
+// Moves a shadow boundary along the edge by less than this, as a fraction of the edge's length.
 constexpr double beside_crossing = 1e-9;
 
-/// Asks for single points of one wedge.
+/// Tests single points of one wedge.
 struct EdgeProbe {
   const Wedge& wedge;
   const Tracer& tracer;
@@ -48,23 +48,23 @@ struct EdgeProbe {
     const Ray out = ray(fraction);
     return tracer.blocker(out.origin, out.direction, own_patches);
   }
-  /// The same for a triangle and its neighbours alone, in double precision.
+  /// Whether this triangle or one of its neighbours is in the way of this point, in double precision.
   bool meets(double fraction, std::uint32_t triangle) const {
     const Ray out = ray(fraction, outwards_double);
     return tracer.meets_around(out.origin, out.direction, triangle, own_patches);
   }
 
-  /// Whether `place` is where a shadow on the dark end's side stops: half-way to the ends or a hair from it rays tell, just
-  /// beside it the double-precision decision about the blocker they found.
-  bool is_transition(double place, double lit_end, double dark_end) const {
+  /// Whether a shadow on the dark end's side stops at `fraction`: at single_blocker from it, or half-way to the ends where these
+  /// are nearer, rays tell; at beside_crossing the double-precision decision about the blocker they found.
+  bool is_transition(double fraction, double lit_end, double dark_end) const {
     const double side = std::copysign(1.0, dark_end - lit_end);
-    const double to_lit = std::min(single_blocker, std::abs(place - lit_end) / 2);
-    const double to_dark = std::min(single_blocker, std::abs(place - dark_end) / 2);
-    if (std::min(to_lit, to_dark) <= clip_tolerance || blocker(place - side * to_lit) != no_index) return false;
-    const std::uint32_t other = blocker(place + side * to_dark);
+    const double to_lit = std::min(single_blocker, std::abs(fraction - lit_end) / 2);
+    const double to_dark = std::min(single_blocker, std::abs(fraction - dark_end) / 2);
+    if (std::min(to_lit, to_dark) <= clip_tolerance || blocker(fraction - side * to_lit) != no_index) return false;
+    const std::uint32_t other = blocker(fraction + side * to_dark);
     const auto is_dark = [&](double at) { return meets(at, other); };
     const double beside = std::min({beside_crossing, to_lit, to_dark});
-    return other != no_index && is_dark(place + side * beside) && !is_dark(place - side * beside);
+    return other != no_index && is_dark(fraction + side * beside) && !is_dark(fraction - side * beside);
   }
 
   /// Where the shadow that `blocker` throws on the dark end stops: by search while the interval is wide enough to hold other
@@ -83,11 +83,11 @@ struct EdgeProbe {
     return (lit_end + dark_end) / 2;
   }
 
-  /// The same. On a polygonal body it is one of the crossings, which need only be confirmed.
+  /// Where that shadow stops. On a polygonal body it is one of the crossings, which need only be confirmed; else it is searched.
   double transition(double lit_end, double dark_end, std::uint32_t blocker_there) const {
     const auto [low, high] = std::minmax(lit_end, dark_end);
-    for (auto place = std::ranges::lower_bound(crossed, low); place != crossed.end() && *place < high; ++place)
-      if (is_transition(*place, lit_end, dark_end)) return *place;
+    for (auto crossing = std::ranges::lower_bound(crossed, low); crossing != crossed.end() && *crossing < high; ++crossing)
+      if (is_transition(*crossing, lit_end, dark_end)) return *crossing;
     return search(lit_end, dark_end, blocker_there);
   }
 };
@@ -97,7 +97,7 @@ int point_count(double length, double wavelength) {
   return static_cast<int>(std::clamp(wanted, double{min_points}, double{max_points}));
 }
 
-/// From half-way through a thin sheet one would look out of its inside: its edge is seen where the one on the near side is.
+/// The edge of a thin plate lies half-way through it, where rays would start inside: it is lit where the one on the near side is.
 dvec3 to_near_side(const Wedge& wedge, const dvec3& towards) {
   const double up = glm::dot(towards, wedge.faces[0].normal);
   return up == 0.0 ? dvec3(0.0) : (up > 0.0 ? -0.5 : 0.5) * wedge.thickness_vector;
@@ -109,14 +109,14 @@ dvec3 outwards(const Wedge& wedge) { return -glm::normalize(wedge.faces[0].into_
 /// Regular test points, and one between neighbouring crossings that have none between them, in order.
 void choose_points(int regular, std::span<const double> crossed, std::vector<double>& points) {
   points.clear();
-  const auto place = [&](int point) { return end_margin + (1 - 2 * end_margin) * point / (regular - 1); };
+  const auto fraction = [&](int point) { return end_margin + (1 - 2 * end_margin) * point / (regular - 1); };
   int next = 0;
   double before = 0.0;
   const auto pass = [&](double crossing) {
     const double between = std::clamp(before + beside_middle * (crossing - before), end_margin, 1 - end_margin);
-    const bool none = next == regular || place(next) > crossing;
+    const bool none = next == regular || fraction(next) > crossing;
     if (none && crossing - before > clip_tolerance) points.push_back(between);
-    for (; next < regular && place(next) <= crossing; ++next) points.push_back(place(next));
+    for (; next < regular && fraction(next) <= crossing; ++next) points.push_back(fraction(next));
     before = crossing;
   };
   for (const double crossing : crossed) pass(crossing);
@@ -148,12 +148,12 @@ void follow_neighbours_at_ends(std::vector<LitInterval>& lit) {
 
 }  // namespace
 
-Visibility::Visibility(std::span<const Wedge> wedges, const Tracer& tracer, const Viewpoint& view, double wavelength)
+EdgeVisibility::EdgeVisibility(std::span<const Wedge> wedges, const Tracer& tracer, const Viewpoint& view, double wavelength)
     : wedges_(wedges), tracer_(tracer), view_(view), wavelength_(wavelength) {
   if (view.far()) crossings_.emplace(wedges, view.from(dvec3(0.0)));
 }
 
-void Visibility::find(std::uint32_t index, const dvec3& away, std::vector<LitInterval>& lit) {
+void EdgeVisibility::find(std::uint32_t index, const dvec3& away, std::vector<LitInterval>& lit) {
   lit.clear();
   if (crossings_) crossings_->find(index, crossed_);
   choose_points(point_count(wedges_[index].length(), wavelength_), crossed_, points_);

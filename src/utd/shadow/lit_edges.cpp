@@ -20,7 +20,7 @@ LitEdges::LitEdges(std::span<const Wedge> wedges, const Tracer& tracer, const Vi
 bool LitEdges::find(std::uint32_t index, const WedgeIncidence& incidence) {
   transmitter_.find(index, incidence.free_side, lit_);
   if (receiver_ && !lit_.empty()) {
-    receiver_->find(index, dvec3(0.0), seen_);
+    receiver_->find(index, dvec3(0.0), from_receiver_);
     keep_common();
   }
   return !lit_.empty();
@@ -30,8 +30,8 @@ bool LitEdges::find(std::uint32_t index, const WedgeIncidence& incidence) {
 void LitEdges::keep_common() {
   common_.clear();
   for (const LitInterval& lit : lit_)
-    for (const LitInterval& seen : seen_) {
-      const double begin = std::max(lit.begin, seen.begin), end = std::min(lit.end, seen.end);
+    for (const LitInterval& other : from_receiver_) {
+      const double begin = std::max(lit.begin, other.begin), end = std::min(lit.end, other.end);
       if (begin < end) common_.push_back({begin, end});
     }
   std::swap(lit_, common_);

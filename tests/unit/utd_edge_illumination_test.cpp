@@ -1,4 +1,4 @@
-// What an edge paints on other faces against quadrature over these faces, point by point.
+// Edge-diffracted illumination of other faces against quadrature over these faces, point by point.
 #include <gtest/gtest.h>
 
 #include "math/erfc_ray.h"
@@ -85,15 +85,15 @@ class HalfPlane {
   }
 
   Complex corner(const dvec3& point, double rho, double psi) const {
-    const double s = rho / sin_cone_, place = point.y - s * cos_cone_;
-    if (ends_ == Ends::cut) return std::abs(place) < half_length_ ? 1.0 : 0.0;
+    const double s = rho / sin_cone_, position = point.y - s * cos_cone_;
+    if (ends_ == Ends::cut) return std::abs(position) < half_length_ ? 1.0 : 0.0;
     const double c = std::cos(psi / 2), z2 = 2 * k * rho * sin_cone_ * c * c;
     Complex factor = -1.0;
     for (const double end : {-1.0, 1.0}) {
       const double corner = end * half_length_;
-      const bool inside = end * place < half_length_;
+      const bool inside = end * position < half_length_;
       const double over = corner * cos_cone_ + std::hypot(rho, point.y - corner);
-      const double x2 = k * std::max(over - (place * cos_cone_ + s), 0.0);
+      const double x2 = k * std::max(over - (position * cos_cone_ + s), 0.0);
       const Complex step = std::polar(0.5, -x2) * scaled_erfc(std::sqrt(x2)) * z2 / (z2 + x2);
       factor += inside ? 1.0 - step : step;
     }
@@ -122,14 +122,14 @@ class Setting {
     axis_ = {&scene_.wedges[0], -end, {0, 1, 0}, 2 * half_length, {}};
   }
 
-  ScatteringMatrix painted(const LookVectors& look, int reflections) const {
+  ScatteringMatrix illuminated(const LookVectors& look, int reflections) const {
     const PlaneWave wave{look.incident, look.electric, 0.0};
     const WedgeIncidence incidence = incidence_on(scene_.wedges[0], look.incident);
-    const EdgeLight light{&axis_, &wave, incidence.faces[0], 0.0, axis_.length, 1.0};
+    const LitEdgePiece source{&axis_, &wave, incidence.faces[0], 0.0, axis_.length, 1.0};
     const FaceTree tree(scene_.mesh);
     const double wavenumbers[] = {k};
     const std::vector<bool> all(scene_.mesh.patches.size(), true);
-    EdgeIllumination illumination(tree, all, look, wavenumbers, light, reflections);
+    EdgeIllumination illumination({tree, all, {}}, look, wavenumbers, source, reflections);
     const std::vector<double> cuts = this->cuts();
     std::vector<ScatteringMatrix> density;
     ScatteringMatrix sum;
@@ -238,7 +238,7 @@ Look look_from(double azimuth_deg, double along, const Direction& receive) {
 const Look looks[] = {look_from(85, 0.3, {1.1, 0.8}), look_from(110, -0.4, {2.0, 2.4}), look_from(150, 0.2, {0.8, -2.2}),
                       look_from(235, 0.35, {1.0, 0.3})};
 
-// What comes from `above` misses `right`; all that `above` sees in the mirror `right` is inside it.
+// What comes from `above` misses `right`; all paths from `above` over the mirror `right` is inside it.
 const Panel above{{1.0, 0.2, 4}, {0.5, 0, 0}, {0, 1.3, 0}}, right{{3, 0, 2.45}, {0, 0, 0.45}, {0, 6, 0}};
 const Panel oblique{{2.0, 0.4, -1.0}, {0.5, 0.3, 1.0}, {0.4, 1.2, -0.56}};
 
@@ -253,7 +253,7 @@ TEST(EdgeIllumination, OneFaceOfALongEdge) {
     const Setting setting(60.0, {face});
     for (const Look& look : looks) {
       const LookVectors vectors = look_vectors(look);
-      const double error = relative(setting.painted(vectors, 0), setting.by_points(vectors, false, Ends::shared));
+      const double error = relative(setting.illuminated(vectors, 0), setting.by_points(vectors, false, Ends::shared));
       measured("one face against points", error, "of the sum of magnitudes");
       EXPECT_LE(error, 2e-4);
     }
@@ -265,9 +265,10 @@ TEST(EdgeIllumination, OneReflectionAfterTheEdge) {
   for (const Look& look : looks) {
     const LookVectors vectors = look_vectors(look);
     const PointSum wanted = setting.by_points(vectors, true, Ends::shared);
-    const double error = relative(setting.painted(vectors, 1), wanted), without = relative(setting.painted(vectors, 0), wanted);
+    const double error = relative(setting.illuminated(vectors, 1), wanted),
+                 without = relative(setting.illuminated(vectors, 0), wanted);
     measured("with one reflection", error, "of the sum of magnitudes");
-    measured("the same, left out", without, "of the sum of magnitudes");
+    measured("with the reflection left out", without, "of the sum of magnitudes");
     EXPECT_LE(error, 1e-4);  // as with one face
     EXPECT_GE(without, 10 * error);
   }
@@ -278,11 +279,11 @@ TEST(EdgeIllumination, WavesGoOnBeyondTheEndsOfTheEdge) {
   for (const Look& look : looks) {
     const LookVectors vectors = look_vectors(look);
     const PointSum wanted = setting.by_points(vectors, false, Ends::shared);
-    const double error = relative(setting.painted(vectors, 0), wanted),
+    const double error = relative(setting.illuminated(vectors, 0), wanted),
                  hard = relative(setting.by_points(vectors, false, Ends::cut).value, wanted);
     measured("beyond the ends", error, "of the sum of magnitudes");
-    measured("the same, cut hard", hard, "of the sum of magnitudes");
-    EXPECT_LE(error, 0.15 * hard);  // the painter lets waves fade far from their end, where the formula has a tenth of them left
+    measured("beyond the ends, cut hard", hard, "of the sum of magnitudes");
+    EXPECT_LE(error, 0.15 * hard);  // waves are faded out far from their end, where the formula has a tenth of them left
   }
 }
 

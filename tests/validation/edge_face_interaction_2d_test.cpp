@@ -1,5 +1,6 @@
-// Diffraction between the plates of a two-dimensional dihedral against a boundary-element solution (tests/data/dihedral2d.csv).
-// The expected errors are those of an independent implementation (Python, complex erfc and quadrature), digit by digit.
+// Edge-face interaction of the plates of a two-dimensional dihedral against a boundary-element solution
+// (tests/data/dihedral2d.csv). The expected errors are those of an independent implementation (Python, complex erfc and
+// quadrature), digit by digit.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -105,7 +106,7 @@ const SectorRow sector_rows[] = {
      {{{"0.387", "4.85"}, {"0.386", "4.93"}, {"0.167", "1.48"}, {"0.166", "1.37"}, {"0.163", "1.55"}, {"0.161", "1.48"}}}}};
 // clang-format on
 
-TEST(Between2d, IlluminationByHalfPlanes) {
+TEST(EdgeFaceInteraction2d, IlluminationByHalfPlanes) {
   for (const SectorRow& row : sector_rows) {
     const Cut cut = read_cut("sector", row.opening, row.w, row.hard);
     const Dihedral2d target(row.opening * degree, row.w, row.hard);
@@ -123,24 +124,24 @@ TEST(Between2d, IlluminationByHalfPlanes) {
   }
 }
 
-// --- all bounces, painted edge waves and fringe currents apart ---
+// --- all bounces, edge-diffracted illumination and fringe currents apart ---
 
 constexpr int none = -1;
 
-/// Up to how many reflections before the edge the painted waves and the fringe currents have, and how these end; whether painted
-/// waves are followed over one reflection after the edge.
+/// Up to how many reflections before the edge the illumination and the fringe currents have, and how these end; whether the
+/// illumination is followed over one reflection after the edge.
 struct Model {
-  int painted, fringe;
+  int illumination, fringe;
   FringeEnd end = FringeEnd::untruncated;
   bool exact_slope = true;
   bool reflect_after = false;
 
   Complex operator()(const Dihedral2d& target, double from, double to) const {
     Complex sum = target.all_bounces(from, to);
-    for (int reflections = 0; reflections <= painted; ++reflections)
+    for (int reflections = 0; reflections <= illumination; ++reflections)
       for (const auto& light : target.edge_lights(from, reflections)) {
-        sum += target.painted(light, to, exact_slope);
-        if (reflect_after) sum += target.painted_back(light, to);
+        sum += target.illuminated(light, to, exact_slope);
+        if (reflect_after) sum += target.illuminated_back(light, to);
       }
     for (int reflections = 0; reflections <= fringe; ++reflections) sum += raytube::fringe(target, from, to, reflections, end);
     return sum;
@@ -171,7 +172,7 @@ void expect_models(const Cut& cut, const Dihedral2d& target, std::span<const Pri
   }
 }
 
-TEST(Between2d, MonostaticModels) {
+TEST(EdgeFaceInteraction2d, MonostaticModels) {
   struct Row {
     double w;
     bool hard;
@@ -210,7 +211,7 @@ TEST(Between2d, MonostaticModels) {
                   fmt::format("{} wavelengths, {}", row.w, row.hard ? "hard" : "soft"));
 }
 
-TEST(Between2d, BistaticModels) {
+TEST(EdgeFaceInteraction2d, BistaticModels) {
   struct Row {
     const char* where;
     double first, last;
@@ -257,7 +258,7 @@ double reciprocity_defect(const Model& model, bool hard) {
   return rms_of(differences) / rms_of(forwards);
 }
 
-TEST(Between2d, ReciprocityDefect) {
+TEST(EdgeFaceInteraction2d, ReciprocityDefect) {
   const char* soft[] = {"0.550", "0.523", "0.048", "0.048", "0.043"};
   const char* hard[] = {"0.614", "0.618", "0.166", "0.180", "0.178", "0.192", "0.200", "0.054", "0.075", "0.054", "0.074"};
   for (std::size_t i = 0; i < std::size(soft); ++i)
@@ -273,22 +274,22 @@ Errors sector_errors(double opening, double w, bool hard, const Model& model) {
   return errors(read_cut("sector", opening, w, hard), [&](double from, double to) { return model(target, from, to); });
 }
 
-TEST(Between2d, SoftFringeNeedsTheMirrorToo) {
+TEST(EdgeFaceInteraction2d, SoftFringeNeedsTheMirrorToo) {
   for (const double w : {3, 4, 5, 8}) {
     const double untruncated = sector_errors(90, w, false, {1, 1}).relative;
     const double mirrored = sector_errors(90, w, false, {1, 1, FringeEnd::mirrored}).relative;
     const double with_rays = sector_errors(90, w, false, {1, 1, FringeEnd::mirrored, false}).relative;
-    std::printf("measured: %g wavelengths, soft: %.4f endless, %.4f mirrored, %.4f with H of the ray\n", w, untruncated, mirrored,
-                with_rays);
+    std::printf("measured: %g wavelengths, soft: %.4f untruncated, %.4f mirrored, %.4f with H of the ray\n", w, untruncated,
+                mirrored, with_rays);
     EXPECT_LE(mirrored, 0.004);       // the reference itself is good to 0.002
     EXPECT_LE(with_rays, 0.042 / w);  // a ray's H lacks what falls with k times its length, here 0.8 / (k w)
   }
 }
 
-TEST(Between2d, SoftFringeNeedsTheMirrorForReciprocityToo) {
+TEST(EdgeFaceInteraction2d, SoftFringeNeedsTheMirrorForReciprocityToo) {
   const Model untruncated{1, 1}, mirrored{1, 1, FringeEnd::mirrored}, with_rays{1, 1, FringeEnd::mirrored, false};
   const double before = reciprocity_defect(untruncated, false), after = reciprocity_defect(mirrored, false);
-  measured("defect, soft, endless", before, "");
+  measured("defect, soft, untruncated", before, "");
   measured("defect, soft, mirrored", after, "");
   measured("defect, soft, mirrored, with H of the ray", reciprocity_defect(with_rays, false), "");
   EXPECT_LE(after, before / 2);
@@ -297,12 +298,12 @@ TEST(Between2d, SoftFringeNeedsTheMirrorForReciprocityToo) {
     const Cut cut = read_cut("bistatic", 90, 3, false, first, last);
     const double open = errors(cut, [&](double from, double to) { return untruncated(target, from, to); }).relative;
     const double closed = errors(cut, [&](double from, double to) { return mirrored(target, from, to); }).relative;
-    std::printf("measured: %d to %d deg, soft: relative error %.4f endless, %.4f mirrored\n", first, last, open, closed);
+    std::printf("measured: %d to %d deg, soft: relative error %.4f untruncated, %.4f mirrored\n", first, last, open, closed);
     EXPECT_LE(closed, 0.95 * open);  // in every sector, behind the plates and in their shadow, too
   }
 }
 
-TEST(Between2d, TheNextStripsCloseTheMirroredPart) {
+TEST(EdgeFaceInteraction2d, TheNextStripsCloseTheMirroredPart) {
   // A factor closes the wave where it is, the next strips with its value at the edge: 1/(2kl) of a wave apart, a fortieth.
   const Model factor{1, 1, FringeEnd::closed}, strips{1, 1, FringeEnd::linked};
   const Dihedral2d target(pi / 2, 3, true);
@@ -315,8 +316,8 @@ TEST(Between2d, TheNextStripsCloseTheMirroredPart) {
   }
 }
 
-TEST(Between2d, OtherCornersThanRightAngles) {
-  // What remains, mostly hard, are two edges in a row and what strips do at the fold.
+TEST(EdgeFaceInteraction2d, OtherCornersThanRightAngles) {
+  // What remains, mostly hard, are two edges in a row and what strips do at the inner edge.
   const Model edges{1, 1, FringeEnd::cut}, reflected{1, 1, FringeEnd::cut, true, true};
   for (const double opening : {80, 100})
     for (const bool hard : {false, true}) {

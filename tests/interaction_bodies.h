@@ -1,19 +1,19 @@
-// Corners and bodies that light one another, and how they are solved.
+// Corners and bodies whose edges illuminate other faces, and how they are solved.
 #pragma once
 
 #include "run.h"
 #include "shapes.h"
 
-namespace raytube::testing::between {
+namespace raytube::testing::interaction {
 
 inline constexpr double frequency = 10e9;
 inline const double lambda = wavelength(frequency);
 inline constexpr int vv = 0, hh = 1;
 
-inline SolveOptions adaptive(bool between, int order = 3) {
+inline SolveOptions adaptive(bool interaction, int order = 3) {
   SolveOptions o = options(EdgeMethod::fringe, 40.0);
   o.tubes.mode = TubeMode::adaptive;
-  o.edges.interaction = between;
+  o.edges.interaction = interaction;
   o.edges.order = order;
   return o;
 }
@@ -57,4 +57,4 @@ inline PolygonSoup two_boxes(double side, double gap) {
   return soup;
 }
 
-}  // namespace raytube::testing::between
+}  // namespace raytube::testing::interaction

@@ -1,17 +1,17 @@
-// Diffraction between surfaces against full waves, and its reciprocity.
+// Edge-face interaction against full waves, and its reciprocity.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <random>
 
-#include "between_bodies.h"
+#include "interaction_bodies.h"
 
 namespace raytube {
 namespace {
 
 using namespace raytube::testing;
-using namespace raytube::testing::between;
+using namespace raytube::testing::interaction;
 
 /// The cut of a table of a full-wave solution, with what the solver makes of it.
 struct Cut {
@@ -64,8 +64,8 @@ double peak_error_db(const Cut& cut, int channel) {
   return 20 * std::log10(peak(cut.computed, channel) / peak(cut.reference, channel));
 }
 
-// Limits: what issue and theory promise at faces of three wavelengths; the reference is good to 0.03 dB.
-TEST(Between, DihedralAgainstTheMethodOfMoments) {
+// Limits: what the theory promises at faces of three wavelengths; the reference is good to 0.03 dB.
+TEST(EdgeFaceInteraction, DihedralAgainstTheMethodOfMoments) {
   for (const int order : {2, 3}) {
     const Cut cut = dihedral_azimuth(adaptive(true, order));
     for (const int c : {vv, hh}) {
@@ -80,7 +80,7 @@ TEST(Between, DihedralAgainstTheMethodOfMoments) {
   }
 }
 
-TEST(Between, DihedralWithoutItIsWorse) {
+TEST(EdgeFaceInteraction, ADihedralWithoutItIsWorse) {
   const Cut cut = dihedral_azimuth(adaptive(false));
   for (const int c : {vv, hh}) {
     measured(c == vv ? "without, VV, rms" : "without, HH, rms", rms_db(cut, c), "dB");
@@ -90,16 +90,16 @@ TEST(Between, DihedralWithoutItIsWorse) {
   }
 }
 
-TEST(Between, TrihedralAtBoresight) {
+TEST(EdgeFaceInteraction, TrihedralAtBoresight) {
   // Full wave (method of moments): 2.37 dBsm at 10 GHz; 0.4 dB is what the theory reaches on plates of three wavelengths.
   const Direction boresight{std::acos(1 / std::sqrt(3.0)), pi / 4};
-  const auto level = [&](bool between) {
-    return solve_soup(square_trihedral(3 * lambda), monostatic({boresight}, frequency), adaptive(between)).total[0];
+  const auto level = [&](bool on) {
+    return solve_soup(square_trihedral(3 * lambda), monostatic({boresight}, frequency), adaptive(on)).total[0];
   };
   const ScatteringMatrix with = level(true), without = level(false);
   for (const int c : {vv, hh}) {
     measured("trihedral of 3 wavelengths, boresight", dbsm(with.at(c, c)), "dBsm");
-    measured("the same, without", dbsm(without.at(c, c)), "dBsm");
+    measured("trihedral of 3 wavelengths, boresight, without", dbsm(without.at(c, c)), "dBsm");
     EXPECT_NEAR(dbsm(with.at(c, c)), 2.37, 0.4);
     EXPECT_GT(dbsm(without.at(c, c)), 2.37 + 1.5);
   }
@@ -160,24 +160,24 @@ void expect_half(const char* name, const PolygonSoup& soup, const std::vector<Lo
   EXPECT_LE(with.rms, most * without.rms) << name;
 }
 
-// Half is what the issue asks for; a fraction of it is what paths over two edges leave.
-TEST(Between, ReciprocityInsideADihedral) {
+// Half is the limit; what paths over two edges leave is a fraction of it.
+TEST(EdgeFaceInteraction, ReciprocityInsideADihedral) {
   expect_half("inside a dihedral of 3 wavelengths", shapes::dihedral(3 * lambda, 3 * lambda),
               random_looks(20, [](const dvec3& v) { return v.x > 0.1 * glm::length(v) && v.y > 0.1 * glm::length(v); }));
 }
 
-TEST(Between, ReciprocityInsideATrihedral) {
+TEST(EdgeFaceInteraction, ReciprocityInsideATrihedral) {
   expect_half("inside a trihedral of 3 wavelengths", square_trihedral(3 * lambda), random_looks(12, [](const dvec3& v) {
                 return std::min({v.x, v.y, v.z}) > 0.1 * glm::length(v);
               }));
 }
 
-TEST(Between, ReciprocityAllRoundADihedral) {
+TEST(EdgeFaceInteraction, ReciprocityAllRoundADihedral) {
   expect_half("all round a dihedral of 5 wavelengths", shapes::dihedral(5 * lambda, 5 * lambda),
               random_looks(16, [](const dvec3&) { return true; }));
 }
 
-TEST(Between, ReciprocityOfBodiesWithRightAngles) {
+TEST(EdgeFaceInteraction, ReciprocityOfBodiesWithRightAngles) {
   const auto all = [](const dvec3&) { return true; };
   expect_half("two boxes of 2 wavelengths", two_boxes(2 * lambda, 2 * lambda), random_looks(10, all), 0.9);
   expect_half("a cube on a block", cube_on_block(6 * lambda, lambda, 2 * lambda),

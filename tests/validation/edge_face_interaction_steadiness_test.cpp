@@ -1,22 +1,22 @@
-// What must not change or jump in diffraction between surfaces.
+// What must not change or jump in edge-face interaction.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "between_bodies.h"
+#include "interaction_bodies.h"
 
 namespace raytube {
 namespace {
 
 using namespace raytube::testing;
-using namespace raytube::testing::between;
+using namespace raytube::testing::interaction;
 
 /// A target to be asked for looks one by one, quadrature of a hundred-thousandth of the result.
 class Prober {
  public:
-  explicit Prober(PolygonSoup soup, bool between = true)
-      : loaded_(build_mesh(std::move(soup), 1.0)), options_(adaptive(between)), target_(loaded_.mesh) {
+  explicit Prober(PolygonSoup soup, bool on = true)
+      : loaded_(build_mesh(std::move(soup), 1.0)), options_(adaptive(on)), target_(loaded_.mesh) {
     options_.tubes.tolerance_db = 1e-4;
   }
   ScatteringMatrix operator()(const Look& look) const {
@@ -50,16 +50,16 @@ Passage monostatic_passage(const char* what, const Direction& look, const Direct
 
 const double steps_deg[] = {-1e-2, -1e-3, -1e-4, -1e-5, -1e-6, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 
-TEST(Between, NothingJumpsWhereRaysComeAndGo) {
+TEST(EdgeFaceInteraction, NothingJumpsWhereRaysComeAndGo) {
   const Prober dihedral(shapes::dihedral(3 * lambda, 3 * lambda));
   const Direction theta{1, 0}, phi{0, 1}, none{};
   const Passage passages[] = {
-      monostatic_passage("diffraction points of the fold's ends leave the outer edges", degrees(45, 30), theta),
-      monostatic_passage("the same from below", degrees(135, 40), theta),
-      {"the same, bistatic", {degrees(45, 30), degrees(70, 20)}, theta, none},
+      monostatic_passage("diffraction points of the inner edge's ends leave the outer edges", degrees(45, 30), theta),
+      monostatic_passage("these diffraction points, from below", degrees(135, 40), theta),
+      {"these diffraction points, bistatic", {degrees(45, 30), degrees(70, 20)}, theta, none},
       monostatic_passage("a face casts its shadow on the other", degrees(80, -25), phi),
-      monostatic_passage("across the fold, through its bisector", degrees(90, 45), phi),
-      {"the receiver passes the plane across the fold", {degrees(70, 30), degrees(90, 45)}, none, theta},
+      monostatic_passage("across the inner edge, through its bisector", degrees(90, 45), phi),
+      {"the receiver passes the plane across the inner edge", {degrees(70, 30), degrees(90, 45)}, none, theta},
       {"the receiver passes the plane of a face", {degrees(70, 30), degrees(70, 0)}, none, phi},
       {"the receiver passes a shadow of the edges", {degrees(70, 30), degrees(70, -45)}, none, phi}};
   // S is a sum over points within R of the origin, 4.5 wavelengths: it turns by 2kR rad per rad, and |S| is below 3 wavelengths.
@@ -77,10 +77,10 @@ TEST(Between, NothingJumpsWhereRaysComeAndGo) {
   }
 }
 
-TEST(Between, OnTheBorderOfABeamCountsTheMeanOfItsSides) {
-  // In looks across the fold the ends of one face are the border of what the other reflects: lit on one side of the plane, dark
-  // on the other, half in it. The light on them fades over some degrees; cut at the border, half the jump was 0.3, 0.05 and 0.5
-  // wavelengths. In the last row the look also runs through the outer edges' own border.
+TEST(EdgeFaceInteraction, OnTheBorderOfABeamCountsTheMeanOfItsSides) {
+  // In looks across the inner edge the ends of one face are the border of what the other reflects: lit on one side of the plane,
+  // dark on the other, half in it. The light on them fades over some degrees; cut at the border, half the jump was 0.3, 0.05 and
+  // 0.5 wavelengths. In the last row the look also runs through the outer edges' own border.
   const Prober dihedral(shapes::dihedral(3 * lambda, 3 * lambda));
   const Direction theta{1, 0}, none{};
   struct Border {
@@ -105,20 +105,21 @@ TEST(Between, OnTheBorderOfABeamCountsTheMeanOfItsSides) {
   }
 }
 
-TEST(Between, AnEdgeGoesDarkBehindAnother) {
-  // What is lit is decided by geometrical optics: the fringe of an edge jumps, and what it paints may add as much again at most.
+TEST(EdgeFaceInteraction, AnEdgeGoesDarkBehindAnother) {
+  // What is lit is decided by geometrical optics: the fringe of an edge jumps, and its illumination of other faces may add as
+  // much again at most.
   const Passage passage = monostatic_passage("", degrees(70, 315), {0, 1});
-  const auto jump = [&](bool between) {
-    const Prober dihedral(shapes::dihedral(3 * lambda, 3 * lambda), between);
+  const auto jump = [&](bool on) {
+    const Prober dihedral(shapes::dihedral(3 * lambda, 3 * lambda), on);
     return frobenius_norm(dihedral(passage.at(1e-3 * degree)) - dihedral(passage.at(-1e-3 * degree))) / lambda;
   };
   const double with = jump(true), without = jump(false);
   measured("an edge goes dark: jump", with, "wavelengths");
-  measured("the same, without", without, "wavelengths");
+  measured("an edge goes dark: jump, without", without, "wavelengths");
   EXPECT_LE(with, 2 * without);
 }
 
-TEST(Between, ConvexTargetsAreLeftAlone) {
+TEST(EdgeFaceInteraction, ConvexTargetsAreLeftAlone) {
   Sweep sweep{{frequency, 1.2 * frequency}, {}, true};
   for (int i = 0; i < 6; ++i) sweep.looks.push_back({{0.3 + 0.4 * i, 0.7 * i}, {0.5 + 0.4 * i, 1.1 * i}});
   for (const PolygonSoup& soup : {shapes::plate(3 * lambda), shapes::cube(2 * lambda), shapes::cylinder(lambda, 3 * lambda, 24),
@@ -133,7 +134,7 @@ TEST(Between, ConvexTargetsAreLeftAlone) {
 }
 
 /// Every square of a dihedral cut into `count` by `count` squares and these along alternating diagonals. `shift`: the corners of
-/// the second face are moved along the fold, so that those of one face lie on the edges of the other.
+/// the second face are moved along the inner edge, so that those of one face lie on the edges of the other.
 PolygonSoup cut_dihedral(double a, int count, double shift) {
   PolygonSoup soup;
   for (int face = 0; face < 2; ++face) {
@@ -157,7 +158,7 @@ PolygonSoup cut_dihedral(double a, int count, double shift) {
   return soup;
 }
 
-TEST(Between, FacetsOfAPlaneFaceDoNotShow) {
+TEST(EdgeFaceInteraction, FacetsOfAPlaneFaceDoNotShow) {
   Sweep sweep{{frequency}, {}, true};
   for (int i = 0; i < 8; ++i) sweep.looks.push_back({{0.5 + 0.2 * i, 0.2 + 0.15 * i}, {1.9 - 0.15 * i, 1.4 - 0.16 * i}});
   SolveOptions o = adaptive(true);
@@ -178,7 +179,7 @@ TEST(Between, FacetsOfAPlaneFaceDoNotShow) {
     }
 }
 
-/// A plate, and in front of it a strip that an edge of the plate sees under a few degrees, cut into facets.
+/// A plate, and in front of it a strip that spans a few degrees about an edge of the plate, cut into facets.
 PolygonSoup plate_and_strip(int rows, int columns) {
   PolygonSoup soup{{{-3, -1.5, 0}, {0, -1.5, 0}, {0, 1.5, 0}, {-3, 1.5, 0}}, {{0, 1, 2, 3}}};
   for (int i = 0; i <= rows; ++i)
@@ -193,7 +194,7 @@ PolygonSoup plate_and_strip(int rows, int columns) {
   return soup;
 }
 
-TEST(Between, SmallThingsAreSeenHoweverManyFacets) {
+TEST(EdgeFaceInteraction, SmallFacesReceiveHoweverManyFacets) {
   // A panel of the azimuth integral is wider than the strip: its corners must be cuts in meshes of hundreds of vertices too.
   for (const double theta : {0.4, 0.8, 1.1}) {
     const Sweep sweep{{frequency}, {{{theta, 2.8}, {0.6, -2.0}}}, true};
@@ -206,7 +207,7 @@ TEST(Between, SmallThingsAreSeenHoweverManyFacets) {
   }
 }
 
-TEST(Between, ManyFrequenciesAtOnce) {
+TEST(EdgeFaceInteraction, ManyFrequenciesAtOnce) {
   std::vector<double> frequencies;
   for (int i = 0; i < 101; ++i) frequencies.push_back(frequency * (0.8 + 0.004 * i));
   const Look look{degrees(80, 40), degrees(80, 40)};
@@ -222,7 +223,7 @@ TEST(Between, ManyFrequenciesAtOnce) {
   }
 }
 
-TEST(Between, QuadratureKeepsToTheTolerance) {
+TEST(EdgeFaceInteraction, QuadratureKeepsToTheTolerance) {
   // A tolerance of 0.1 dB allows changes of 1.2 % of a row's largest amplitude. The estimate is to cover what is left, but for a
   // kink inside a panel here and there.
   std::vector<Direction> directions;
@@ -247,7 +248,7 @@ TEST(Between, QuadratureKeepsToTheTolerance) {
     }
     measured(fmt::format("{}: worst change at a tenth of the tolerance", name).c_str(), worst, "of the row");
     measured(fmt::format("{}: share of channels whose estimate covers it", name).c_str(), double(covered) / channels, "");
-    EXPECT_LE(worst, 0.0012) << name;  // a tenth is the share of diffraction between surfaces
+    EXPECT_LE(worst, 0.0012) << name;  // a tenth is the share of edge-face interaction
     EXPECT_GE(covered, 0.95 * channels) << name;
   }
 }

@@ -1,4 +1,4 @@
-// Rays side by side against the tracer of single rays.
+// Fans of rays against the tracer of single rays.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -35,17 +35,17 @@ PolygonSoup cube_beside_plate() {
   return shapes::joined(shapes::box({0.3, -0.2, 0.1}, {0.9, 0.6, 0.7}), shapes::plate({-1, -1, -0.5}, {2, 0, 0}, {0, 2, 0}));
 }
 
-/// The hit at a place, if any.
-const FanHit* hit_at(const std::vector<FanHit>& hits, double place) {
+/// The hit at a position, if any.
+const FanHit* hit_at(const std::vector<FanHit>& hits, double position) {
   for (const FanHit& hit : hits)
-    if (hit.from <= place && place <= hit.to) return &hit;
+    if (hit.from <= position && position <= hit.to) return &hit;
   return nullptr;
 }
 
-/// Whether a place is so close to where something begins or ends that one ray of single precision may differ.
-bool at_an_end(const std::vector<FanHit>& hits, double place) {
+/// Whether a position is so close to where something begins or ends that one ray of single precision may differ.
+bool at_an_end(const std::vector<FanHit>& hits, double position) {
   for (const FanHit& hit : hits)
-    if (std::abs(hit.from - place) < 1e-6 || std::abs(hit.to - place) < 1e-6) return true;
+    if (std::abs(hit.from - position) < 1e-6 || std::abs(hit.to - position) < 1e-6) return true;
   return false;
 }
 
@@ -68,36 +68,36 @@ Hit first_hit(const Tracer& tracer, const dvec3& origin, const dvec3& direction,
   return {};
 }
 
-void expect_single_rays(const PolygonSoup& soup, int sheets, bool ignore) {
+void expect_single_rays(const PolygonSoup& soup, int fans, bool ignore) {
   const LoadedMesh loaded = shapes::build(soup);
   const TriangleMesh& mesh = loaded.mesh;
   const Tracer tracer(mesh);
   const FaceTree tree(mesh);
-  RayFanTracer sheet_tracer(tree);
+  RayFanTracer fan_tracer(tree);
   Random random;
   std::vector<FanHit> hits;
   int found = 0;
-  for (int i = 0; i < sheets; ++i) {
+  for (int i = 0; i < fans; ++i) {
     const RayFan fan{2.0 * random.vector(), random.direction(), random.direction(), -1.5, 1.5};
     const IgnoredPatches ignored{ignore ? static_cast<std::uint32_t>(i % mesh.patches.size()) : no_index, no_index, no_index};
-    sheet_tracer.trace(fan, ignored, hits);
+    fan_tracer.trace(fan, ignored, hits);
     for (const FanHit& hit : hits) EXPECT_LT(hit.from, hit.to);
     for (std::size_t h = 1; h < hits.size(); ++h) EXPECT_LE(hits[h - 1].to, hits[h].from);
     for (int ray = 0; ray < 25; ++ray) {
-      const double place = 1.49 * random.number();
-      if (at_an_end(hits, place)) continue;
-      const FanHit* in_sheet = hit_at(hits, place);
-      const Hit single = first_hit(tracer, fan.base + place * fan.step, fan.direction, ignored);
-      ASSERT_EQ(in_sheet != nullptr, bool(single)) << "fan " << i << ", place " << place;
+      const double position = 1.49 * random.number();
+      if (at_an_end(hits, position)) continue;
+      const FanHit* in_fan = hit_at(hits, position);
+      const Hit single = first_hit(tracer, fan.base + position * fan.step, fan.direction, ignored);
+      ASSERT_EQ(in_fan != nullptr, bool(single)) << "fan " << i << ", position " << position;
       if (!single) continue;
       ++found;
-      const std::uint32_t patch = tree.faces()[in_sheet->face].patch;
-      EXPECT_EQ(patch, mesh.triangle_patch[single.triangle]) << "fan " << i << ", place " << place;
+      const std::uint32_t patch = tree.faces()[in_fan->face].patch;
+      EXPECT_EQ(patch, mesh.triangle_patch[single.triangle]) << "fan " << i << ", position " << position;
       // Rounding over the cosine of grazing rays.
-      EXPECT_NEAR(in_sheet->length + place * in_sheet->growth, single.distance, 1e-10);
+      EXPECT_NEAR(in_fan->length + position * in_fan->growth, single.distance, 1e-10);
     }
   }
-  EXPECT_GT(found, sheets / 4);
+  EXPECT_GT(found, fans / 4);
 }
 
 TEST(RayFan, MeetsWhatItsRaysMeet) {
@@ -126,11 +126,11 @@ TEST(RayFan, ReflectedRaysGoOnAsSingleOnes) {
       EXPECT_EQ(next.from, hit.from);
       EXPECT_EQ(next.to, hit.to);
       EXPECT_NEAR(glm::dot(next.direction, plane.normal), -glm::dot(fan.direction, plane.normal), 1e-15);
-      for (const double place : {hit.from, 0.3 * hit.from + 0.7 * hit.to}) {
-        const dvec3 start = next.base + place * next.step;
+      for (const double position : {hit.from, 0.3 * hit.from + 0.7 * hit.to}) {
+        const dvec3 start = next.base + position * next.step;
         // On the plane and on the ray: rounding over the cosine of grazing rays.
         EXPECT_NEAR(glm::dot(start, plane.normal), plane.offset, 1e-12);
-        const dvec3 ray = start - fan.base - place * fan.step;
+        const dvec3 ray = start - fan.base - position * fan.step;
         EXPECT_NEAR(glm::length(glm::cross(ray, fan.direction)), 0.0, 1e-12);
         ++checked;
       }

@@ -1,4 +1,4 @@
-// Edge currents that a right-angled fold mirrors, against image theory.
+// Edge currents that run on as images over a right-angled corner, against image theory.
 #include <gtest/gtest.h>
 
 #include "dihedral_2d.h"
@@ -11,14 +11,14 @@ namespace {
 
 using namespace raytube::testing;
 
-/// The first frequency is looked at; the second one, six times as high, makes the points along the edges dense enough to be
+/// The first frequency is compared; the second one, six times as high, makes the points along the edges dense enough to be
 /// exact.
 constexpr double frequencies[] = {speed_of_light, 6 * speed_of_light};
 
 /// A face in z = 0, and walls that meet it at right angles over both its sides.
-class FoldScene {
+class CornerScene {
  public:
-  FoldScene(PolygonSoup soup, bool quadrant)
+  CornerScene(PolygonSoup soup, bool quadrant)
       : quadrant_(quadrant),
         loaded_(build_mesh(std::move(soup), 1.0)),
         target_(loaded_.mesh, options(EdgeMethod::fringe).edges) {}
@@ -29,7 +29,7 @@ class FoldScene {
     return result *= std::polar(1.0, 2 * pi * glm::dot(look.scattered - look.incident, loaded_.mesh.center));
   }
 
-  /// The same at several frequencies; phase reference: centre of the mesh.
+  /// Those strips at several frequencies; phase reference: centre of the mesh.
   std::vector<ScatteringMatrix> strips_at(std::span<const double> at, const LookVectors& look, int order,
                                           bool continue_by_images = true) const {
     const dvec3& center = loaded_.mesh.center;
@@ -72,7 +72,7 @@ const Look looks[] = {{{0.9, 0.4}, {1.3, 2.1}}, {{0.7, -0.6}, {0.7, -0.6}}, {{1.
 
 /// Largest difference between two scenes in the sum over the mirrors of S(s) with a receiver mirrored like s, each mirror with
 /// the sign -1; and the largest sum.
-std::pair<double, double> compare(const FoldScene& fold, const FoldScene& plate, std::span<const dvec3> mirrors,
+std::pair<double, double> compare(const CornerScene& corner, const CornerScene& plate, std::span<const dvec3> mirrors,
                                   bool continue_by_images = true) {
   double worst = 0.0, size = 0.0;
   for (const Look& look : looks)
@@ -81,7 +81,7 @@ std::pair<double, double> compare(const FoldScene& fold, const FoldScene& plate,
       for (const dvec3& mirror : mirrors) {
         const LookVectors there = turned(look_vectors(look), mirror);
         const double sign = mirror.x * mirror.y;
-        wall += fold.strips(there, order, continue_by_images) *= sign;
+        wall += corner.strips(there, order, continue_by_images) *= sign;
         image += plate.strips(there, order, continue_by_images) *= sign;
       }
       worst = std::max(worst, largest_amplitude(wall - image));
@@ -90,7 +90,7 @@ std::pair<double, double> compare(const FoldScene& fold, const FoldScene& plate,
   return {worst, size};
 }
 
-/// A trapezoid at a wall: its strips meet the fold in all directions. Without the wall, the face and its image.
+/// A trapezoid at a wall: its strips meet the corner in all directions. Without the wall, the face and its image.
 PolygonSoup trapezoid(bool wall) {
   PolygonSoup soup{{{0, -1.5, 0}, {2.5, -1.1, 0}, {2.5, 1.2, 0}, {0, 1.2, 0}}, {{0, 1, 2, 3}}};
   if (wall) {
@@ -121,26 +121,27 @@ PolygonSoup quarter(bool walls) {
 
 // F of the face with its walls, P of the face with its images, of which the edges in front of the walls are lit. There both have
 // the same current J, apart from what walls mirror; J' = -R J, R the mirror: F(s) - R F(Rs) = P(s) - R P(Rs).
-TEST(FoldMirror, StripsOfAFaceAtAWallAreThoseOfTheFaceAndItsImage) {
-  const FoldScene fold(trapezoid(true), false), plate(trapezoid(false), false);
+TEST(ImageContinuation, StripsOfAFaceAtAWallAreThoseOfTheFaceAndItsImage) {
+  const CornerScene corner(trapezoid(true), false), plate(trapezoid(false), false);
   const dvec3 mirrors[] = {{1, 1, 1}, {-1, 1, 1}};
-  const auto [worst, size] = compare(fold, plate, mirrors);
+  const auto [worst, size] = compare(corner, plate, mirrors);
   measured("strips at a wall against strips of the image, largest difference", worst / size, "");
   EXPECT_LE(worst, 1e-6 * size);  // of the rules along the edges: the wall cuts other panels
-  EXPECT_GE(compare(fold, plate, mirrors, false).first, 0.05 * size);
+  EXPECT_GE(compare(corner, plate, mirrors, false).first, 0.05 * size);
 }
 
-TEST(FoldMirror, StripsInTheCornerOfTwoWallsAreThoseOfTheFaceAndItsImages) {
-  const FoldScene fold(quarter(true), true), plate(quarter(false), true);
+TEST(ImageContinuation, StripsInTheCornerOfTwoWallsAreThoseOfTheFaceAndItsImages) {
+  const CornerScene corner(quarter(true), true), plate(quarter(false), true);
   const dvec3 mirrors[] = {{1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}};
-  const auto [worst, size] = compare(fold, plate, mirrors);
+  const auto [worst, size] = compare(corner, plate, mirrors);
   measured("strips between two walls against strips of the images, largest difference", worst / size, "");
   EXPECT_LE(worst, 1e-6 * size);
-  EXPECT_GE(compare(fold, plate, mirrors, false).first, 0.05 * size);
+  EXPECT_GE(compare(corner, plate, mirrors, false).first, 0.05 * size);
 }
 
-TEST(FoldMirror, OfADihedralIsThatInTwoDimensions) {
-  // Strips of the outer edge of the plate at y = 0, across the fold; S = j P L / pi of a height L (soft), -j P L / pi (hard).
+TEST(ImageContinuation, OfADihedralIsThatInTwoDimensions) {
+  // Strips of the outer edge of the plate at y = 0, across the inner edge; S = j P L / pi of a height L (soft), -j P L / pi
+  // (hard).
   constexpr double w = 3.0, height = 2.0;
   const LoadedMesh loaded = build_mesh(shapes::dihedral(w, height), 1.0);
   const Target target(loaded.mesh, options(EdgeMethod::fringe).edges);
@@ -167,27 +168,27 @@ TEST(FoldMirror, OfADihedralIsThatInTwoDimensions) {
     }
 }
 
-TEST(FoldMirror, OtherAnglesThanTheRightOneDoNotMirror) {
+TEST(ImageContinuation, OtherAnglesThanTheRightOneDoNotMirror) {
   PolygonSoup soup = trapezoid(true);
   for (std::size_t i = 4; i < soup.points.size(); ++i) soup.points[i].x = 0.2 * soup.points[i].z;
-  const FoldScene leaning(soup, false);
+  const CornerScene leaning(soup, false);
   const LookVectors look = look_vectors(looks[0]);
   const ScatteringMatrix asked = leaning.strips_at(frequencies, look, 2, true)[0];
   EXPECT_GT(largest_amplitude(asked), 0.01);
   EXPECT_EQ(largest_amplitude(asked - leaning.strips_at(frequencies, look, 2, false)[0]), 0.0);
 }
 
-TEST(FoldMirror, ManyFrequenciesAreThoseOfEachAlone) {
+TEST(ImageContinuation, ManyFrequenciesAreThoseOfEachAlone) {
   // Of many, a few are computed and the others interpolated, to rounding; both share the points of the highest one.
-  const FoldScene fold(quarter(true), true);
+  const CornerScene corner(quarter(true), true);
   const LookVectors look = look_vectors(looks[0]);
   std::vector<double> many;
   for (int i = 0; i <= 100; ++i) many.push_back(speed_of_light * (1 + 0.001 * i));
-  const std::vector<ScatteringMatrix> together = fold.strips_at(many, look, 3);
+  const std::vector<ScatteringMatrix> together = corner.strips_at(many, look, 3);
   double worst = 0.0;
   for (int i = 0; i <= 100; i += 7) {
     const double few[] = {many[i], many.back()};
-    worst = std::max(worst, largest_amplitude(together[i] - fold.strips_at(few, look, 3)[0]));
+    worst = std::max(worst, largest_amplitude(together[i] - corner.strips_at(few, look, 3)[0]));
   }
   measured("mirrored strips, many frequencies against each alone", worst, "wavelengths");
   EXPECT_LE(worst, 1e-10);

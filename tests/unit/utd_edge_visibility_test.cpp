@@ -13,16 +13,17 @@ std::vector<LitInterval> lit_parts(std::span<const Wedge> wedges, std::uint32_t 
                                    const dvec3& towards_transmitter, double wavelength) {
   std::vector<LitInterval> lit;
   const WedgeIncidence incidence = incidence_on(wedges[index], -towards_transmitter);
-  if (incidence.weight > 0.0) Visibility(wedges, tracer, towards_transmitter, wavelength).find(index, incidence.free_side, lit);
+  if (incidence.weight > 0.0)
+    EdgeVisibility(wedges, tracer, towards_transmitter, wavelength).find(index, incidence.free_side, lit);
   return lit;
 }
 
-/// The rim of a plate along y from -1 to 1, and above it a panel that covers y from `from` to `to` as seen along `direction`.
-Scene shaded_rim(const dvec3& direction, double from, double to) {
+/// The edge of a plate along y from -1 to 1, and above it a panel that covers y from `from` to `to` along `direction`.
+Scene shaded_edge(const dvec3& direction, double from, double to) {
   Scene scene = test::plate(2, 2);
   scene.wedges.resize(1);
-  const dvec3 on_rim(1, (from + to) / 2, 0);
-  test::add_panel(scene.mesh, on_rim + 3.0 * direction, dvec3(0.3, 0, 0), dvec3(0, (to - from) / 2, 0));
+  const dvec3 on_edge(1, (from + to) / 2, 0);
+  test::add_panel(scene.mesh, on_edge + 3.0 * direction, dvec3(0.3, 0, 0), dvec3(0, (to - from) / 2, 0));
   return scene;
 }
 
@@ -30,7 +31,7 @@ Scene shaded_rim(const dvec3& direction, double from, double to) {
 // metres off adds its rounding, a few 1e-15.
 constexpr double clip = 1e-12;
 
-TEST(Visibility, FreeRimIsLitFromEndToEnd) {
+TEST(EdgeVisibility, FreeEdgeIsLitFromEndToEnd) {
   const Scene scene = test::plate(2, 2);
   const Tracer tracer(scene.mesh);
   for (std::uint32_t i = 0; i < scene.wedges.size(); ++i) {
@@ -41,9 +42,9 @@ TEST(Visibility, FreeRimIsLitFromEndToEnd) {
   }
 }
 
-TEST(Visibility, ShadowIsClippedAtItsEdges) {
+TEST(EdgeVisibility, ShadowIsClippedAtItsEdges) {
   const dvec3 direction = glm::normalize(dvec3(0.1, -0.2, 1.0));
-  const Scene scene = shaded_rim(direction, -0.45, 0.233);
+  const Scene scene = shaded_edge(direction, -0.45, 0.233);
   const Tracer tracer(scene.mesh);
   const auto lit = lit_parts(scene.wedges, 0, tracer, direction, 0.5);
   ASSERT_EQ(lit.size(), 2u);
@@ -53,18 +54,18 @@ TEST(Visibility, ShadowIsClippedAtItsEdges) {
   EXPECT_EQ(lit[1].end, 1.0);
 }
 
-TEST(Visibility, ShadowAtAnEndIsFoundBetweenTheLastTwoPoints) {
+TEST(EdgeVisibility, ShadowAtAnEndIsFoundBetweenTheLastTwoPoints) {
   const dvec3 direction(0, 0, 1);
-  const Scene scene = shaded_rim(direction, 0.97, 1.2);  // covers the last 1.5 % of the rim
+  const Scene scene = shaded_edge(direction, 0.97, 1.2);  // covers the last 1.5 % of the edge
   const Tracer tracer(scene.mesh);
   const auto lit = lit_parts(scene.wedges, 0, tracer, direction, 1.0);
   ASSERT_EQ(lit.size(), 1u);
   EXPECT_NEAR(lit[0].end, 1.97 / 2, clip);
 }
 
-TEST(Visibility, FullShadowAndTurnedAway) {
+TEST(EdgeVisibility, FullShadowAndTurnedAway) {
   const dvec3 direction(0, 0, 1);
-  const Scene scene = shaded_rim(direction, -1.5, 1.5);
+  const Scene scene = shaded_edge(direction, -1.5, 1.5);
   const Tracer tracer(scene.mesh);
   EXPECT_TRUE(lit_parts(scene.wedges, 0, tracer, direction, 1.0).empty());
   EXPECT_EQ(lit_parts(scene.wedges, 0, tracer, -direction, 1.0).size(), 1u);
@@ -76,7 +77,7 @@ TEST(Visibility, FullShadowAndTurnedAway) {
   EXPECT_EQ(lit, 9);
 }
 
-TEST(Visibility, EdgesOverAGrazedFaceAreSeen) {
+TEST(EdgeVisibility, EdgesOverAGrazedFaceAreLit) {
   // Face-on, rays from the four far edges run along a side face: they start a hair above it and are free.
   const Scene box = test::cube(1);
   const Tracer tracer(box.mesh);
@@ -92,11 +93,11 @@ TEST(Visibility, EdgesOverAGrazedFaceAreSeen) {
   EXPECT_EQ(half, 4);
 }
 
-TEST(Visibility, ShadowsMuchNarrowerThanTheSpacingAreFound) {
-  // A slat that hides 1e-4 of a rim of two wavelengths, and one that leaves only as much to be seen: both are bounded by wedges.
+TEST(EdgeVisibility, ShadowsMuchNarrowerThanTheSpacingAreFound) {
+  // A slat that hides 1e-4 of an edge of two wavelengths, and one that leaves only as much lit: both are bounded by wedges.
   const dvec3 direction = glm::normalize(dvec3(0.1, -0.2, 1.0));
   for (const auto& [from, to] : {std::pair{0.3331, 0.3333}, std::pair{-1.2, 0.9998}}) {
-    Scene scene = shaded_rim(direction, from, to);
+    Scene scene = shaded_edge(direction, from, to);
     const dvec3 middle = dvec3(1, (from + to) / 2, 0) + 3.0 * direction, half(0, (to - from) / 2, 0), x(0.3, 0, 0);
     for (const double side : {-1.0, 1.0})
       scene.wedges.push_back(test::half_plane(middle + side * half - x, middle + side * half + x, -side * glm::normalize(half),

@@ -1,4 +1,6 @@
 // Fringe currents of edges that reflected waves light.
+#include "utd/fringe/reflected_edges.h"
+
 #include <gtest/gtest.h>
 
 #include "run.h"
@@ -17,9 +19,9 @@ struct Scene {
   explicit Scene(PolygonSoup soup)
       : loaded(build_mesh(std::move(soup), 1.0)), target(loaded.mesh, options(EdgeMethod::fringe).edges) {}
 
-  EdgeLookResult direct(const Look& look, int order) const {
-    return fringe_scattering(target.wedges, target.outlines, target.tracer, look, frequencies, order);
-  }
+  EdgeScene edges() const { return {target.wedges, target.outlines, target.tracer}; }
+
+  EdgeLookResult direct(const Look& look, int order) const { return fringe_scattering(edges(), look, frequencies, {order}); }
 
   /// A wave that lights what it would light if nothing were in its way but the target.
   ReflectedLook lit_by(const LookVectors& look, double path, double weight = 1.0) const {
@@ -28,13 +30,13 @@ struct Scene {
     for (std::uint32_t i = 0; i < target.wedges.size(); ++i) {
       const WedgeIncidence incidence = incidence_on(target.wedges[i], look.incident);
       if (incidence.weight == 1.0 && edges.find(i, incidence))
-        result.pieces.push_back({i, {edges.lit().begin(), edges.lit().end()}, weight});
+        result.edges.push_back({i, {edges.lit().begin(), edges.lit().end()}, weight});
     }
     return result;
   }
 
   EdgeLookResult reflected(std::span<const ReflectedLook> looks, int order) const {
-    return reflected_fringe_scattering(target.wedges, target.outlines, looks, frequencies, order);
+    return reflected_fringe_scattering(edges(), looks, frequencies, {order, false, TransitionTier::exact, true});
   }
 
   LoadedMesh loaded;
@@ -43,7 +45,7 @@ struct Scene {
 
 const Look looks[] = {{{0.9, 0.4}, {1.3, 2.1}}, {{0.7, -0.6}, {0.7, -0.6}}, {{1.2, 2.4}, {2.0, -1.0}}, {{2.1, 0.9}, {0.5, 3.0}}};
 
-TEST(ReflectedFringe, OfTheIncidentWaveItselfIsItsFringe) {
+TEST(ReflectedEdges, OfTheIncidentWaveItselfIsItsFringe) {
   const Scene cube(shapes::cube(2));
   for (const Look& look : looks)
     for (const int order : {2, 3}) {
@@ -59,12 +61,12 @@ TEST(ReflectedFringe, OfTheIncidentWaveItselfIsItsFringe) {
     }
 }
 
-TEST(ReflectedFringe, PiecesCountWithTheirWeight) {
+TEST(ReflectedEdges, EdgesCountWithTheirWeight) {
   const Scene cube(shapes::cube(2));
   const LookVectors look = look_vectors(looks[0]);
   ReflectedLook half = cube.lit_by(look, 0.3, 0.5), split = cube.lit_by(look, 0.3);
-  split.pieces.front().weight = 0.5;
-  split.pieces.push_back(split.pieces.front());
+  split.edges.front().weight = 0.5;
+  split.edges.push_back(split.edges.front());
   const ReflectedLook whole[] = {cube.lit_by(look, 0.3)}, twice[] = {half, half}, again[] = {split};
   const ScatteringMatrix wanted = cube.reflected(whole, 3).scattering[1];
   // Rounding of sums of some hundred terms.
@@ -92,7 +94,7 @@ LookVectors mirrored(LookVectors look) {
   return look;
 }
 
-TEST(ReflectedFringe, AboveAMirrorIsThatOfTheImage) {
+TEST(ReflectedEdges, AboveAMirrorIsThatOfTheImage) {
   // J of the body in the reflected wave is -R J of its image in the incident wave, and S(s) = -R S_image(Rs): V keeps its sign,
   // whose basis vector at Rs is -R that at s, and H changes it. Tolerance: rounding, of panels that are laid in another order.
   constexpr double height = -3.0;
@@ -104,11 +106,11 @@ TEST(ReflectedFringe, AboveAMirrorIsThatOfTheImage) {
       const EdgeLookResult wanted = image.direct({look.transmit, below}, order);
       const ReflectedLook light[] = {body.lit_by(mirrored(vectors), 2 * height * vectors.incident.z)};
       const EdgeLookResult found = body.reflected(light, order);
-      const dvec3 seen = vectors.scattered * dvec3(1, 1, -1) - vectors.incident;
+      const dvec3 change = vectors.scattered * dvec3(1, 1, -1) - vectors.incident;
       const double difference = 2 * height * vectors.scattered.z;
       for (std::size_t i = 0; i < std::size(frequencies); ++i) {
         const double k = wavenumber(frequencies[i]);
-        const Complex phase = std::polar(1.0, k * (glm::dot(seen, image.loaded.mesh.center) + difference));
+        const Complex phase = std::polar(1.0, k * (glm::dot(change, image.loaded.mesh.center) + difference));
         ScatteringMatrix expected = wanted.scattering[i] + wanted.higher[i];
         for (int transmit = 0; transmit < 2; ++transmit) expected.at(1, transmit) *= -1.0;
         expected *= phase;

@@ -1,0 +1,141 @@
+#include "utd/fringe/edge_pass.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace raytube {
+
+void find_phases(const Wedge& wedge, std::span<const LitInterval> lit, const LookVectors& look, std::vector<EdgePhase>& pieces) {
+  const dvec3 difference = look.scattered - look.incident, edge = wedge.end - wedge.start;
+  const double length = wedge.length(), slope = glm::dot(difference, edge), start = glm::dot(difference, wedge.start);
+  pieces.clear();
+  for (const LitInterval& part : lit) {
+    const double share = part.end - part.begin;
+    pieces.push_back({share * length, share * slope / 2, start + slope * (part.begin + part.end) / 2});
+  }
+}
+
+Complex phase_integral(std::span<const EdgePhase> pieces, double wavenumber) {
+  Complex sum = 0.0;
+  for (const EdgePhase& piece : pieces)
+    sum += piece.length * sinc(wavenumber * piece.half_span) * std::polar(1.0, wavenumber * piece.middle);
+  return sum;
+}
+
+void add_product(ScatteringMatrix& sum, const ScatteringMatrix& amplitude, Complex phase) {
+  for (int receive = 0; receive < 2; ++receive)
+    for (int transmit = 0; transmit < 2; ++transmit) sum.at(receive, transmit) += amplitude.at(receive, transmit) * phase;
+}
+
+double shortest_wavelength(std::span<const double> frequencies) { return wavelength(*std::ranges::max_element(frequencies)); }
+
+EdgeMeeting::EdgeMeeting(const Wedge& wedge, const dvec3& incident)
+    : incidence(incidence_on(wedge, incident)), edge_face_only(comes_along_sheet(wedge, incident)) {
+  if (!edge_face_only) return;
+  incidence.weight = 1.0;
+  incidence.free_side = wedge.faces[0].normal;
+}
+
+// --- thickness ---
+
+template <class Amplitude>
+void ThicknessPass::add(const Wedge& wedge, std::span<const LitInterval> lit, Amplitude amplitude, double weight) {
+  find_phases(wedge, lit, look_, pieces_);
+  sums_.resize(frequencies_.size());
+  for (std::size_t f = 0; f < frequencies_.size(); ++f) {
+    const double k = wavenumber(frequencies_[f]);
+    add_product(sums_[f], amplitude(k), weight * phase_integral(pieces_, k));
+  }
+}
+
+void ThicknessPass::add_edge_face(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
+  if (wedge.thickness() > 0.0) add(wedge, lit, [&](double k) { return thin_edge_face_amplitude(wedge, incidence, look_, k); });
+}
+
+void ThicknessPass::add_sides(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
+  if (wedge.thickness() == 0.0) return;
+  for (int side = 0; side < 2; ++side) {
+    const WedgeFace& face = wedge.faces[side];
+    const FaceIncidence& arriving = incidence.faces[side];
+    const ThinEdge thin(wedge, side, arriving, grazing_half_cosine(face, arriving, look_.scattered), look_.scattered, true);
+    const auto amplitude = [&](double k) { return face_amplitude(thin.untruncated(k), face, arriving, look_); };
+    add(wedge, lit, amplitude, incidence.weight);
+  }
+}
+
+void ThicknessPass::add_to(std::vector<ScatteringMatrix>& scattering) const {
+  for (std::size_t f = 0; f < sums_.size(); ++f) scattering[f] += sums_[f];
+}
+
+// --- first order ---
+
+FirstOrderEdges::FirstOrderEdges(std::span<const Wedge> wedges, const LookVectors& look, std::span<const double> frequencies)
+    : wedges_(wedges), look_(look), frequencies_(frequencies), thickness_(look, frequencies) {
+  result_.scattering.resize(frequencies.size());
+  result_.windowed.resize(frequencies.size());
+}
+
+std::optional<EdgeMeeting> FirstOrderEdges::meeting(std::uint32_t index) const {
+  if (!wedges_[index].radiates()) return std::nullopt;
+  const EdgeMeeting result(wedges_[index], look_.incident);
+  return result.incidence.weight == 0.0 ? std::nullopt : std::optional(result);
+}
+
+void FirstOrderEdges::add(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit) {
+  const Wedge& wedge = wedges_[index];
+  result_.lit = true;
+  thickness_.add_edge_face(wedge, meeting.incidence, lit);
+  if (meeting.edge_face_only) return;
+  thickness_.add_sides(wedge, meeting.incidence, lit);
+  ++result_.wedges_lit;
+  find_phases(wedge, lit, look_, pieces_);
+  radiate(edge_amplitude(wedge, meeting.incidence, look_));
+}
+
+void FirstOrderEdges::radiate(const EdgeAmplitude& amplitude) {
+  for (std::size_t f = 0; f < frequencies_.size(); ++f) {
+    const double k = wavenumber(frequencies_[f]);
+    bool windowed = false;
+    add_product(result_.scattering[f], amplitude_at(amplitude, k, windowed), phase_integral(pieces_, k));
+    if (windowed) result_.windowed[f] = true;
+  }
+}
+
+EdgeLookResult FirstOrderEdges::take() {
+  thickness_.add_to(result_.scattering);
+  return std::move(result_);
+}
+
+// --- strips ---
+
+StripEdges::StripEdges(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies,
+                       const FringeOptions& options)
+    : wedges_(scene.wedges),
+      incident_(look.incident),
+      walk_(scene.wedges, scene.outlines, look, frequencies, options.order, options.transition, options.continue_by_images),
+      thickness_(look, frequencies) {}
+
+std::optional<EdgeMeeting> StripEdges::meeting(std::uint32_t index) const {
+  if (!wedges_[index].radiates()) return std::nullopt;
+  const EdgeMeeting result(wedges_[index], incident_);
+  return result.incidence.weight == 1.0 ? std::optional(result) : std::nullopt;
+}
+
+void StripEdges::add(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit) {
+  result_.lit = true;
+  thickness_.add_edge_face(wedges_[index], meeting.incidence, lit);
+  if (meeting.edge_face_only) return;
+  ++result_.wedges_lit;
+  walk_.add(index, meeting.incidence, lit);
+}
+
+EdgeLookResult StripEdges::take() {
+  StripSums sums = walk_.take();
+  result_.scattering = std::move(sums.first);
+  thickness_.add_to(result_.scattering);
+  result_.higher = std::move(sums.higher);
+  result_.windowed = std::move(sums.windowed);
+  return std::move(result_);
+}
+
+}  // namespace raytube

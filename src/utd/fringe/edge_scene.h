@@ -1,0 +1,28 @@
+// The edges of a target as fringe currents know them, and how these are computed.
+#pragma once
+
+#include <span>
+
+#include "mesh/features/outlines.h"
+#include "mesh/trace/tracer.h"
+#include "scene/options.h"
+
+namespace raytube {
+
+/// What is referred to must outlive the scene.
+struct EdgeScene {
+  std::span<const Wedge> wedges;
+  const Outlines& outlines;  // of the faces beside the wedges; not used at order 1
+  const Tracer& tracer;      // of what casts shadows on them
+};
+
+struct FringeOptions {
+  int order = 3;                 // edges in a row that a current passes, 1 or more; at 1 faces are taken as semi-infinite
+  bool receiver_shadow = false;  // parts of edges hidden from the receiver do not count
+  TransitionTier transition = TransitionTier::exact;
+  /// From order 2 on: currents that end at a right-angled corner run on as their mirror image. Right only if what edges send to
+  /// other faces (utd/interaction) is counted, too.
+  bool continue_by_images = false;
+};
+
+}  // namespace raytube

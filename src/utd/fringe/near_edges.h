@@ -1,0 +1,19 @@
+// The edges of a look from antennas at a finite distance.
+#pragma once
+
+#include <span>
+
+#include "scene/sweep.h"
+#include "utd/fringe/edge_look_result.h"
+#include "utd/fringe/edge_scene.h"
+
+namespace raytube {
+
+/// S of the fringe currents (edges.h) as antennas at a finite distance find it; phase reference: the antennas'. Each edge is
+/// taken in pieces so short that the waves of both antennas are plane along them; each has its own directions, fields and path,
+/// and at order 2 or more its current follows its face as a plane wave would, so that what it starts at an edge x away is late by
+/// up to k x^2 / (2 range). `frequencies` [Hz] must not be empty.
+EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair& antennas, std::span<const double> frequencies,
+                                      const FringeOptions& options);
+
+}  // namespace raytube

@@ -1,0 +1,53 @@
+#include "utd/fringe/reflected_edges.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "utd/fringe/edge_pass.h"
+
+namespace raytube {
+
+namespace {
+
+// The weights of its edges, each once.
+std::vector<double> weights_of(const ReflectedLook& look) {
+  std::vector<double> weights;
+  for (const LitWedge& edge : look.edges) weights.push_back(edge.weight);
+  std::ranges::sort(weights);
+  weights.erase(std::unique(weights.begin(), weights.end()), weights.end());
+  return weights;
+}
+
+void add_weighted(EdgeLookResult& sum, const EdgeLookResult& part, double path, double weight,
+                  std::span<const double> frequencies) {
+  for (std::size_t f = 0; f < frequencies.size(); ++f) {
+    const Complex factor = std::polar(weight, -wavenumber(frequencies[f]) * path);
+    add_product(sum.scattering[f], part.scattering[f], factor);
+    add_product(sum.higher[f], part.higher[f], factor);
+    if (part.windowed[f]) sum.windowed[f] = true;
+  }
+  sum.lit = sum.lit || part.lit;
+  sum.wedges_lit += part.wedges_lit;
+}
+
+}  // namespace
+
+EdgeLookResult reflected_fringe_scattering(const EdgeScene& scene, std::span<const ReflectedLook> looks,
+                                           std::span<const double> frequencies, const FringeOptions& options) {
+  assert(!frequencies.empty() && options.order >= 1);
+  EdgeLookResult result;
+  result.scattering.resize(frequencies.size());
+  result.higher.resize(frequencies.size());
+  result.windowed.resize(frequencies.size());
+  for (const ReflectedLook& look : looks)
+    for (const double weight : weights_of(look)) {
+      StripEdges edges(scene, look.look, frequencies, options);
+      for (const LitWedge& edge : look.edges)
+        if (const auto meeting = edges.meeting(edge.wedge); meeting && edge.weight == weight && !edge.lit.empty())
+          edges.add(edge.wedge, *meeting, edge.lit);
+      add_weighted(result, edges.take(), look.path, weight, frequencies);
+    }
+  return result;
+}
+
+}  // namespace raytube

@@ -1,0 +1,35 @@
+// Fringe currents of edges that reflected waves light.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "utd/fringe/edge_look_result.h"
+#include "utd/fringe/edge_scene.h"
+#include "utd/shadow/edge_visibility.h"
+#include "utd/wedge/edge_currents.h"
+
+namespace raytube {
+
+/// Lit parts of one edge.
+struct LitWedge {
+  std::uint32_t wedge;
+  std::vector<LitInterval> lit;  // in order
+  double weight = 1.0;           // of the wave there: 1/2 where the edge lies on the border of the reflected beam
+};
+
+/// A reflected plane wave E e^{-jk (s' . r + path)} and what it lights; `look` has its s', E and eta H of a unit wave that was
+/// transmitted.
+struct ReflectedLook {
+  LookVectors look;
+  double path = 0.0;  // [m]
+  std::vector<LitWedge> edges;
+};
+
+/// S of the fringe currents (edges.h) of edges lit by reflected waves, one wave or more; at order 1 their strips end with the
+/// face, too. Edges that are only grazed, and those that do not radiate, add nothing. The shadows are in `looks`: neither the
+/// tracer nor `receiver_shadow` is used. `frequencies` [Hz] must not be empty.
+EdgeLookResult reflected_fringe_scattering(const EdgeScene& scene, std::span<const ReflectedLook> looks,
+                                           std::span<const double> frequencies, const FringeOptions& options);
+
+}  // namespace raytube
