@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesh/model/geometry.h"
-#include "point_source/ray_hits.h"
+#include "scene/source_study.h"
 
 namespace raytube {
 

@@ -11,9 +11,6 @@
 
 namespace raytube {
 
-/// The surface of a part: a mirror, or the end of every ray.
-enum class RaySurface { pec, absorber };
-
 struct HitOptions {
   int max_reflections = 10;  // the hit after the last one still counts
   std::size_t counted = 0;   // the part whose hits are kept
