@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "case/case.h"
+#include "case/read_case.h"
 
 namespace raytube::bench {
 

@@ -1,11 +1,19 @@
-// Case file (TOML) -> Case: strict keys, units converted, every default resolved.
+// The room of case files. A case file (TOML) becomes a Case: keys are strict, units converted, every default is resolved.
+//
+//     document     the text of the file and of --set as a tree of values that know their location: file and line, or option
+//     keys         which keys there are; values: numbers, texts, vectors and ranges, checked
+//     read_case    the tree -> Case, section by section: materials, media, looks, radar
+//     target       Case -> mesh with materials; resolved_case: Case -> JSON; source_case: the case of `raytube sources`
+//
+// This file has the plain data alone. Lengths, angles and frequencies that a reader keeps "as the user gave it" have the unit of
+// their key; all others are in SI units and radians.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "scene/options.h"
@@ -35,7 +43,7 @@ struct MediumChoice {
   std::string table_csv;                             // relative to the case's folder; else empty
   std::array<double, 2> eps_r{1, 0}, mu_r{1, 0};     // eps' and eps'', mu' and mu''
   std::optional<double> loss_tangent, conductivity;  // in the place of eps''; conductivity [S/m]
-  std::string place, key;                            // where it stands; the key that says what it is
+  std::string location, key;                         // file and line, or option; the key that says what it is
 };
 
 struct LayerChoice {
@@ -51,21 +59,22 @@ struct MaterialChoice {
   double roughness_mm = 0.0;
 };
 
-/// Which material is where, as the user gave it. A number tells more than a name in a mesh file, and this more than the name of
-/// the file.
-struct MaterialPlaces {
+/// Which facets have which material, as the user gave it. A number tells more than a name in a mesh file, and this more than the
+/// name of the file.
+struct MaterialAssignment {
   struct Part {
-    std::string name, material, place;
+    std::string name, material, location;
   };
   struct Facets {
     std::uint64_t first, last;
-    std::string material, place;
+    std::string material, location;
   };
   std::string elsewhere = "pec";
   std::vector<Part> parts;
   std::vector<Facets> facets;  // ascending, and no facet in two of them
 };
 
+/// A case, read and checked: what `sweep`, `tubes`, `edges` and `wedges` hold goes to the solver as it is.
 struct Case {
   std::string title;
   std::filesystem::path file;
@@ -73,7 +82,7 @@ struct Case {
   std::vector<std::filesystem::path> mesh_files;  // resolved against it
   std::string unit;                               // as written
   double metres_per_unit = 1.0;
-  MaterialPlaces places;
+  MaterialAssignment assignment;
   std::vector<MaterialChoice> materials;  // all that are defined; those of use are in sweep.materials
   Sweep sweep;
   LookChoice looks;
@@ -86,22 +95,5 @@ struct Case {
   std::vector<std::size_t> image_looks;  // of which images are made
   double image_per_wavelength = 10.0;
 };
-
-/// Tables of the media in use, as written and resolved, each once.
-std::vector<std::pair<std::string, std::filesystem::path>> medium_tables(const Case& c);
-
-/// The files that the case is read from, each with the key that names it.
-std::vector<std::pair<std::string, std::filesystem::path>> input_files(const Case& c);
-
-/// Reads a case; `overrides` are "dotted.key=value" with values in TOML syntax, applied before anything is checked.
-/// Throws InputError with file, line or key, and the remedy.
-Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
-
-/// The resolved case with every default filled in, as JSON text with the case file's keys and units. File names stay relative
-/// to the case file's folder, so that it can be read as a case there.
-std::string resolved_case_json(const Case& c);
-
-/// The same key by key ("tubes.mode" and its value in JSON), but for the title and [output], on which no amplitude depends.
-std::vector<std::pair<std::string, std::string>> numerical_keys(const Case& c);
 
 }  // namespace raytube

@@ -1,15 +1,14 @@
 #include "case/source_case.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "case/document.h"
-#include "case/keys.h"
-#include "case/values.h"
+#include "case/text/document.h"
+#include "case/text/keys.h"
+#include "case/text/values.h"
 #include "core/error.h"
 #include "core/text.h"
 
@@ -19,17 +18,17 @@ namespace {
 
 using Kind = CaseValue::Kind;
 
-constexpr std::array<std::string_view, 14> known_keys = {
+constexpr std::array<std::string_view, 14> source_case_keys = {
     "title",          "scene.box_m",   "scene.parts.name", "scene.parts.mesh", "scene.parts.unit", "scene.parts.surface",
     "source.point_m", "source.models", "source.rays",      "source.seed",      "source.wall",      "source.max_reflections",
     "source.counted", "output.plots"};
 constexpr std::array<std::string_view, 6> wall_names = {"-x", "+x", "-y", "+y", "-z", "+z"};
 constexpr double most_rays = 1e8, most_seed = 9007199254740992.0;  // 2^53: whole numbers of a case file are doubles
 
-bool is_known(const std::string& key) { return std::ranges::find(known_keys, key) != known_keys.end(); }
+bool is_known(const std::string& key) { return std::ranges::find(source_case_keys, key) != source_case_keys.end(); }
 
 bool is_above_known(const std::string& key) {
-  return std::ranges::any_of(known_keys, [&](std::string_view known) { return known.starts_with(key + "."); });
+  return std::ranges::any_of(source_case_keys, [&](std::string_view known) { return known.starts_with(key + "."); });
 }
 
 // Tables, and lists of tables, down to the keys inside; a key inside tells better than its misspelt section what was meant.
@@ -43,7 +42,8 @@ void check_keys(const CaseValue& table, const std::string& prefix) {
     if (!is_above_known(key)) {
       const bool holds_key = value.kind == Kind::table && !value.keys.empty();
       const std::string meant = holds_key ? key + "." + value.keys.front() : key;
-      reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", quotable(meant), nearest_key(meant, known_keys)));
+      reject(value,
+             fmt::format("unknown key \"{}\"; did you mean \"{}\"?", quotable(meant), nearest_key(meant, source_case_keys)));
     }
     if (key == "scene.parts") {
       if (value.kind != Kind::list) reject(value, "scene.parts must be a list of parts; write [[scene.parts]] before each");
@@ -96,7 +96,7 @@ ScenePart read_part(const CaseValue& table, const std::filesystem::path& folder)
 void read_parts(const CaseValue& root, SourceCase& c) {
   const CaseValue* list = find(root, "scene", "parts");
   if (!list || list->items.empty())
-    throw InputError(root.place + ": no scene; add a [[scene.parts]] with name, mesh, unit and surface for every part");
+    throw InputError(root.location + ": no scene; add a [[scene.parts]] with name, mesh, unit and surface for every part");
   for (const CaseValue& table : list->items) {
     c.parts.push_back(read_part(table, c.file.parent_path()));
     const auto same = [&](const ScenePart& part) { return part.name == c.parts.back().name; };
@@ -134,7 +134,7 @@ LaunchModel read_model(const CaseValue& value) {
   const std::string name = read_text(value, "source.models");
   const auto found = std::ranges::find(launch_model_names, name);
   if (found == launch_model_names.end())
-    reject(value, fmt::format("source.models \"{}\" is unknown; write {}", quotable(name), fmt::join(launch_model_names, ", ")));
+    reject(value, fmt::format("source.models \"{}\" is unknown; write {}", quotable(name), joined(launch_model_names, ", ")));
   return static_cast<LaunchModel>(found - launch_model_names.begin());
 }
 
@@ -168,7 +168,7 @@ void read_wall(const CaseValue& value, SourceCase& c) {
   const std::string name = read_text(value, "source.wall");
   const auto found = std::ranges::find(wall_names, name);
   if (found == wall_names.end())
-    reject(value, fmt::format("source.wall \"{}\" is unknown; write {}", quotable(name), fmt::join(wall_names, ", ")));
+    reject(value, fmt::format("source.wall \"{}\" is unknown; write {}", quotable(name), joined(wall_names, ", ")));
   c.wall = static_cast<int>(found - wall_names.begin());
 }
 
@@ -179,8 +179,7 @@ void read_counted(const CaseValue& root, SourceCase& c) {
   std::vector<std::string> names;
   for (const ScenePart& part : c.parts) names.push_back(part.name);
   if (found == c.parts.end())
-    reject(value,
-           fmt::format("source.counted \"{}\" is no part of the scene; write {}", quotable(name), fmt::join(names, " or ")));
+    reject(value, fmt::format("source.counted \"{}\" is no part of the scene; write {}", quotable(name), joined(names, " or ")));
   c.counted = found - c.parts.begin();
 }
 

@@ -1,12 +1,11 @@
 #include "case/target.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <unordered_map>
 
-#include "case/keys.h"
+#include "case/text/keys.h"
 #include "core/error.h"
 #include "core/text.h"
 
@@ -14,19 +13,19 @@ namespace raytube {
 
 namespace {
 
-using Part = MaterialPlaces::Part;
+using Part = MaterialAssignment::Part;
 
 /// What the names in a mesh say about its polygons.
 class NamedMaterials {
  public:
   NamedMaterials(const PolygonSoup& soup, const Case& c) : soup_(soup), case_(c) {
     std::unordered_map<std::string_view, const Part*> parts;
-    for (const Part& part : c.places.parts) parts.emplace(part.name, &part);
+    for (const Part& part : c.assignment.parts) parts.emplace(part.name, &part);
     for (const std::string& name : soup.names.all()) {
       const auto found = parts.find(name);
       part_of_name_.push_back(found == parts.end() ? nullptr : found->second);
     }
-    for (const Part& part : c.places.parts)
+    for (const Part& part : c.assignment.parts)
       if (std::ranges::find(part_of_name_, &part) == part_of_name_.end()) reject_unknown(part);
   }
 
@@ -38,7 +37,7 @@ class NamedMaterials {
         if (known && known->material != part->material) reject_two(polygon, *known, *part);
         known = part;
       }
-    return inside ? inside->material : file ? file->material : case_.places.elsewhere;
+    return inside ? inside->material : file ? file->material : case_.assignment.elsewhere;
   }
 
  private:
@@ -46,7 +45,7 @@ class NamedMaterials {
 
   [[noreturn]] void reject_unknown(const Part& part) const {
     const std::vector<std::string>& names = soup_.names.all();
-    const std::string where = fmt::format("{}: target.parts.{} is no name in the mesh", part.place, quotable(part.name));
+    const std::string where = fmt::format("{}: target.parts.{} is no name in the mesh", part.location, quotable(part.name));
     throw InputError(fmt::format("{}; did you mean \"{}\"?", where, quotable(nearest_name(part.name, names))));
   }
 
@@ -54,8 +53,8 @@ class NamedMaterials {
     throw InputError(
         fmt::format("{}: facet {} of the mesh goes by the names \"{}\" and \"{}\", which have the materials \"{}\" and \"{}\" in "
                     "target.parts; remove one of them there",
-                    is_override(first.place) ? first.place : second.place, polygon, quotable(first.name), quotable(second.name),
-                    quotable(first.material), quotable(second.material)));
+                    is_override(first.location) ? first.location : second.location, polygon, quotable(first.name),
+                    quotable(second.name), quotable(first.material), quotable(second.material)));
   }
 
   const PolygonSoup& soup_;
@@ -69,17 +68,17 @@ std::unordered_map<std::string_view, std::uint32_t> numbers_of(const std::vector
   return numbers;
 }
 
-void check_last_facet(const std::vector<MaterialPlaces::Facets>& facets, std::size_t polygons) {
-  for (const auto& [first, last, material, place] : facets)
+void check_last_facet(const std::vector<MaterialAssignment::Facets>& facets, std::size_t polygons) {
+  for (const auto& [first, last, material, location] : facets)
     if (last >= polygons)
       throw InputError(fmt::format("{}: target.facets.{} names facet {}, but the mesh has {}, counted from 0; choose among these",
-                                   place, quotable(material), last, polygons));
+                                   location, quotable(material), last, polygons));
 }
 
 // Names take memory, and are of use to parts alone.
 PolygonSoup read_named(const Case& c, std::size_t file) {
   PolygonSoup soup = read_polygon_soup(c.mesh_files[file]);
-  if (!c.places.parts.empty()) add_name(soup, c.meshes[file]);
+  if (!c.assignment.parts.empty()) add_name(soup, c.meshes[file]);
   return soup;
 }
 
@@ -88,7 +87,7 @@ PolygonSoup read_named(const Case& c, std::size_t file) {
 std::string mesh_names(const Case& c) {
   std::vector<std::string> names;
   for (const std::filesystem::path& file : c.mesh_files) names.push_back(file.string());
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 void assign_materials(PolygonSoup& soup, const Case& c) {
@@ -100,8 +99,8 @@ void assign_materials(PolygonSoup& soup, const Case& c) {
   };
   soup.materials.resize(soup.polygons.size());
   for (std::size_t i = 0; i < soup.polygons.size(); ++i) soup.materials[i] = number_of(by_name.material_of(i));
-  check_last_facet(c.places.facets, soup.polygons.size());
-  for (const auto& [first, last, material, place] : c.places.facets)
+  check_last_facet(c.assignment.facets, soup.polygons.size());
+  for (const auto& [first, last, material, location] : c.assignment.facets)
     std::fill(soup.materials.begin() + first, soup.materials.begin() + last + 1, number_of(material));
   if (numbers.empty()) soup.materials.clear();
 }

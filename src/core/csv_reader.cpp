@@ -60,7 +60,7 @@ CsvReader::CsvReader(const std::filesystem::path& file, const std::string& remed
 bool CsvReader::next() {
   if (!next_line()) return false;
   if (cells_.size() != columns_.size())
-    throw InputError(fmt::format("{}: {} values where the header names {} columns; correct the line", place(), cells_.size(),
+    throw InputError(fmt::format("{}: {} values where the header names {} columns; correct the line", location(), cells_.size(),
                                  columns_.size()));
   return true;
 }
@@ -68,12 +68,12 @@ bool CsvReader::next() {
 double CsvReader::finite_number(std::size_t column, const std::string& remedy) const {
   const std::optional<double> value = parsed_number(cell(column));
   if (!value || !std::isfinite(*value))
-    throw InputError(fmt::format("{}, column {}: \"{}\" is not a finite number; {}", place(), quotable(columns_[column]),
+    throw InputError(fmt::format("{}, column {}: \"{}\" is not a finite number; {}", location(), quotable(columns_[column]),
                                  quotable(cell(column)), remedy));
   return *value;
 }
 
-std::string CsvReader::place() const { return fmt::format("{}, line {}", file_.string(), line_); }
+std::string CsvReader::location() const { return fmt::format("{}, line {}", file_.string(), line_); }
 
 bool CsvReader::read_line(std::string& line) {
   line.clear();
@@ -84,7 +84,8 @@ bool CsvReader::read_line(std::string& line) {
   for (; c != '\n' && c != std::char_traits<char>::eof(); c = bytes.sbumpc()) {
     line += static_cast<char>(c);
     if (line.size() > longest_line)
-      throw InputError(fmt::format("{} is longer than {} bytes; give a table with a line for each row", place(), longest_line));
+      throw InputError(
+          fmt::format("{} is longer than {} bytes; give a table with a line for each row", location(), longest_line));
   }
   if (line_ > 1) return true;
   if (is_utf16(line)) throw InputError(file_.string() + ": is text in UTF-16; save it as UTF-8 or ASCII");

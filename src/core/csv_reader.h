@@ -27,8 +27,8 @@ class CsvReader {
   /// The cell as a number. Throws InputError, which ends with `remedy`, if it is none or not finite.
   double finite_number(std::size_t column, const std::string& remedy) const;
 
-  /// Where the reader is: "looks.csv, line 7".
-  std::string place() const;
+  /// The line that was read last: "looks.csv, line 7".
+  std::string location() const;
 
  private:
   bool read_line(std::string& line);  // as it stands in the file, without its end

@@ -26,6 +26,16 @@ std::size_t character_length(std::string_view text) {
   return std::all_of(text.begin() + 1, text.begin() + length, continues_character) ? length : 0;
 }
 
+template <class Text>
+std::string joined_texts(std::span<const Text> texts, std::string_view between) {
+  std::string whole;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (i > 0) whole += between;
+    whole += texts[i];
+  }
+  return whole;
+}
+
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
 }  // namespace
@@ -49,5 +59,8 @@ std::string quotable(std::string_view text) {
   }
   return quoted;
 }
+
+std::string joined(std::span<const std::string_view> texts, std::string_view between) { return joined_texts(texts, between); }
+std::string joined(std::span<const std::string> texts, std::string_view between) { return joined_texts(texts, between); }
 
 }  // namespace raytube

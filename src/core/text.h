@@ -1,6 +1,7 @@
 // Text of unknown origin: how files may begin, and how it is quoted in a sentence.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,9 @@ bool is_utf8(std::string_view text);
 
 /// The text as a sentence can quote it: of long ones the beginning, and '?' for what is no printable character.
 std::string quotable(std::string_view text);
+
+/// The texts one after the other, with `between` between two of them.
+std::string joined(std::span<const std::string_view> texts, std::string_view between);
+std::string joined(std::span<const std::string> texts, std::string_view between);
 
 }  // namespace raytube

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "case/names.h"
+#include "case/read_case.h"
 #include "case/target.h"
 #include "core/decimal.h"
 #include "core/threads.h"

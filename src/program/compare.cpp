@@ -50,7 +50,7 @@ void keep_chosen_rows(ResultTable& result, ResultTable& reference, const std::ve
   }
 }
 
-const ResultNames names_of_results = {{"compare.png", "compare.svg"}, {"compare.csv"}};
+const ResultNames comparison_results = {{"compare.png", "compare.svg"}, {"compare.csv"}};
 
 void write_files(const std::filesystem::path& destination, const Comparison& comparison) {
   const OutputFolder folder(destination);
@@ -61,7 +61,7 @@ void write_files(const std::filesystem::path& destination, const Comparison& com
   const std::string trouble = plot_comparison(results.folder(), comparison);
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
-  replace_results(results, folder.path(), names_of_results, {}, [&ending] { ending.complete(); });
+  replace_results(results, folder.path(), comparison_results, {}, [&ending] { ending.complete(); });
   fmt::print("results in {}: compare.csv{}\n", folder.path().string(), trouble.empty() ? ", compare.png, compare.svg" : "");
 }
 
@@ -83,7 +83,7 @@ void fall_short_above(const Comparison& comparison, const Request& request) {
 
 void compare_command(const Request& request) {
   if (!request.output_folder.empty())
-    check_output(request.output_folder, names_of_results,
+    check_output(request.output_folder, comparison_results,
                  {{"the first table", request.result}, {"the second table", request.reference}});
   const ColumnMap result_columns = parsed_column_map("--result-columns", request.result_columns),
                   reference_columns = parsed_column_map("--reference-columns", request.reference_columns);

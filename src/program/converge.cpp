@@ -6,6 +6,7 @@
 #include <atomic>
 #include <numeric>
 
+#include "case/read_case.h"
 #include "case/target.h"
 #include "core/csv_reader.h"
 #include "core/decimal.h"
@@ -13,6 +14,7 @@
 #include "core/text.h"
 #include "core/threads.h"
 #include "output/compare/convergence_report.h"
+#include "output/plots/convergence_plot.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 #include "program/memory.h"
@@ -62,7 +64,7 @@ void check_finest(double density, const std::string& option, const Case& c, cons
 // Shares of the whole study's work: tubes grow with the square of the density.
 double work(double density) { return density * density; }
 
-ResultNames names_of_results(bool with_plot) {
+ResultNames names_of_convergence_results(bool with_plot) {
   ResultNames names{{}, {"converge.csv"}};
   if (with_plot) names.pictures = {"converge.png", "converge.svg"};
   return names;
@@ -87,10 +89,10 @@ void check_study_memory(const Target& target, const Case& c, const Request& requ
 }
 
 // Solves one density after the other and keeps what is finished on disk.
-class Study {
+class DensityStudy {
  public:
-  Study(const Case& c, const Target& target, const Request& request, const fs::path& destination,
-        const std::vector<double>& densities)
+  DensityStudy(const Case& c, const Target& target, const Request& request, const fs::path& destination,
+               const std::vector<double>& densities)
       : case_(c),
         target_(target),
         destination_(destination),
@@ -142,7 +144,7 @@ class Study {
     const std::string trouble = with_plot ? plot_convergence(results.folder(), study_) : "";
     if (with_plot) stop_if_interrupted();
     if (!trouble.empty()) warn(trouble);
-    replace_results(results, folder(), names_of_results(with_plot), names_of_results(true).pictures, [&] {
+    replace_results(results, folder(), names_of_convergence_results(with_plot), names_of_convergence_results(true).pictures, [&] {
       finished_densities_ = study_.results.size();
       complete_ = with_plot || (!case_.plots && finished() == densities_);
     });
@@ -180,12 +182,12 @@ void converge_command(const Request& request) {
     throw InputError(
         fmt::format("{}: edges.method \"utd\" has no tubes whose density could be studied; remove it", c.file.string()));
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
-  check_output(destination, names_of_results(c.plots), input_files(c));
+  check_output(destination, names_of_convergence_results(c.plots), input_files(c));
   const Target target(load_target(c).mesh, c.wedges);
   check_antennas(target.mesh, c.sweep);
   check_finest(densities.back(), request.densities, c, target.mesh);
   check_study_memory(target, c, request, densities);
-  Study study(c, target, request, destination, densities);
+  DensityStudy study(c, target, request, destination, densities);
   const InterruptFlag interrupt_flag([&study] { return study.last_words(); });
   try {
     for (const double density : densities) {

@@ -1,12 +1,12 @@
 #include "program/look_journal.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <system_error>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "program/results.h"
 
 namespace raytube {
@@ -48,7 +48,7 @@ std::string told(const std::vector<JournalDifference>& items) {
   for (const JournalDifference& item : items)
     if (sentences.size() < most_named) sentences.push_back(told(item));
   const std::string more = items.size() > most_named ? fmt::format(" and {} more", items.size() - most_named) : "";
-  return fmt::format("{}{}", fmt::join(sentences, ", "), more);
+  return fmt::format("{}{}", joined(sentences, ", "), more);
 }
 
 }  // namespace
@@ -79,8 +79,8 @@ void LookJournal::resume() {
 
 KeptLooks LookJournal::looks() {
   return {[this](std::size_t count) { begin(count); },
-          [this](std::size_t place) { return resumed_ > 0 ? journal_->find(place) : std::string(); },
-          [this](std::size_t place, std::string bytes) { keep(place, std::move(bytes)); }};
+          [this](std::size_t index) { return resumed_ > 0 ? journal_->find(index) : std::string(); },
+          [this](std::size_t index, std::string bytes) { keep(index, std::move(bytes)); }};
 }
 
 void LookJournal::begin(std::size_t looks) {
@@ -89,11 +89,11 @@ void LookJournal::begin(std::size_t looks) {
   start_ = Clock::now();
 }
 
-void LookJournal::keep(std::size_t place, std::string bytes) {
+void LookJournal::keep(std::size_t index, std::string bytes) {
   std::unique_lock lock(mutex_);
   if (given_up_) return;
   waiting_bytes_ += bytes.size();
-  waiting_.push_back({place, std::move(bytes)});
+  waiting_.push_back({index, std::move(bytes)});
   write_if_due(lock);
 }
 

@@ -51,7 +51,7 @@ class LookJournal {
  private:
   using Clock = std::chrono::steady_clock;
   void begin(std::size_t looks);
-  void keep(std::size_t place, std::string bytes);
+  void keep(std::size_t index, std::string bytes);
   void write_if_due(std::unique_lock<std::mutex>& lock);
   void write();
   void make_sure_of_file();

@@ -1,12 +1,11 @@
 #include "program/material_report.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "case/materials.h"
+#include "case/materials/materials.h"
 #include "core/decimal.h"
 #include "core/text.h"
 #include "mesh/features/overlaps.h"
@@ -15,7 +14,8 @@ namespace raytube {
 
 namespace {
 
-constexpr const char* remedy = "write kind = \"coated\" for a layer on a conductor, or leave one of the two out of the mesh";
+constexpr const char* overlap_remedy =
+    "write kind = \"coated\" for a layer on a conductor, or leave one of the two out of the mesh";
 
 struct Share {
   std::uint64_t triangles = 0;
@@ -87,7 +87,7 @@ std::string response_text(const Material& material, const Sweep& sweep, std::siz
 }
 
 // The middle of the smaller one of two triangles, in the mesh's own coordinates.
-dvec3 place_of(const Overlaps& overlaps, const TriangleMesh& mesh) {
+dvec3 point_of(const Overlaps& overlaps, const TriangleMesh& mesh) {
   const auto [first, second] = overlaps.example;
   const auto& [a, b, c] = mesh.triangles[area_of(mesh, first) < area_of(mesh, second) ? first : second];
   return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0 + mesh.center;
@@ -112,8 +112,7 @@ std::string materials_text(const Case& c, const Target& target) {
   for (std::size_t i = 0; i < materials.size(); ++i)
     text += fmt::format("{}; {}\n", share_text(materials[i].name, shares[i]), response_text(materials[i], c.sweep, frequency));
   text += share_text("perfect conductor", shares.back()) + '\n';
-  if (!unused.empty())
-    text += fmt::format("  defined, but named nowhere in [target]: {}\n", quotable(fmt::format("{}", fmt::join(unused, ", "))));
+  if (!unused.empty()) text += fmt::format("  defined, but named nowhere in [target]: {}\n", quotable(joined(unused, ", ")));
   if (const OverlapNote note = overlap_note(c, target); note.pairs > 0) text += fmt::format("  {}\n", note.sentence);
   return text;
 }
@@ -122,20 +121,20 @@ OverlapNote overlap_note(const Case& c, const Target& target) {
   if (c.sweep.materials.empty()) return {};
   const Overlaps overlaps = overlaps_of_materials(target.tracer);
   if (overlaps.pairs == 0) return {};
-  const dvec3 place = place_of(overlaps, target.mesh);
+  const dvec3 point = point_of(overlaps, target.mesh);
   const auto name = [&](int i) { return name_of(c.sweep.materials, material_of(target.mesh, overlaps.example[i])); };
   return {overlaps.pairs,
           fmt::format("{} pairs of facets of different materials lie upon one another in one plane, for example \"{}\" and "
                       "\"{}\" near ({:.6g}, {:.6g}, {:.6g}) m: only one of the two is seen, by their order in the file and by "
                       "rounding; {}",
-                      overlaps.pairs, name(0), name(1), place.x, place.y, place.z, remedy)};
+                      overlaps.pairs, name(0), name(1), point.x, point.y, point.z, overlap_remedy)};
 }
 
 std::string duplicates_sentence(const MeshReport& report) {
   if (report.duplicates_of_other_material == 0) return "";
   return fmt::format(
       "{} facets are left out, as others with the same corners come before them, but are made of another material; {}",
-      report.duplicates_of_other_material, remedy);
+      report.duplicates_of_other_material, overlap_remedy);
 }
 
 }  // namespace raytube

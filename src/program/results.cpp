@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-Names joined(const Names& first, const Names& second) {
+Names first_and_second(const Names& first, const Names& second) {
   Names all = first;
   all.insert(all.end(), second.begin(), second.end());
   return all;
@@ -84,7 +84,7 @@ void make_again_if_gone(OutputFolder& folder) {
 
 void check_output(const fs::path& folder, const ResultNames& names, const std::vector<InputFile>& inputs) {
   const OutputFolder open(folder);
-  const Names all = joined(names.pictures, names.tables);
+  const Names all = first_and_second(names.pictures, names.tables);
   refuse_inputs(open.path(), all, inputs);
   EarlierResults(open.path()).require_room(all);
 }
@@ -95,9 +95,9 @@ void replace_results(NewResults& results, const fs::path& folder, const ResultNa
   const Names tables = written(results, names.tables);
   earlier.require_room(tables);
   const Names pictures = with_room(earlier, written(results, names.pictures));
-  const Names old = held(earlier, joined(leftovers, joined(names.pictures, names.tables)));
+  const Names old = held(earlier, first_and_second(leftovers, first_and_second(names.pictures, names.tables)));
   results.sync();
-  earlier.expect(results.folder(), joined(pictures, tables));
+  earlier.expect(results.folder(), first_and_second(pictures, tables));
 
   const NotNow results_change_places;
   earlier.announce(results.folder());

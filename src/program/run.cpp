@@ -8,13 +8,17 @@
 #include <chrono>
 #include <set>
 
+#include "case/materials/materials.h"
+#include "case/read_case.h"
+#include "case/resolved_case.h"
 #include "case/target.h"
 #include "core/instruction_set.h"
 #include "core/threads.h"
 #include "output/compare/random_report.h"
-#include "output/files/earlier_results.h"
 #include "output/files/files.h"
 #include "output/files/manifest.h"
+#include "output/files/sha256.h"
+#include "output/files/unlisted_results.h"
 #include "output/plots/plot.h"
 #include "output/tables/csv.h"
 #include "program/commands.h"

@@ -11,8 +11,12 @@
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/threads.h"
-#include "output/tables/sources_files.h"
+#include "mesh/load.h"
+#include "mesh/model/join.h"
+#include "output/plots/sources_plot.h"
+#include "output/tables/sources_csv.h"
 #include "point_source/launch_limit.h"
+#include "point_source/ray_hits.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 #include "program/memory.h"
@@ -64,9 +68,9 @@ bool lies_on(const TriangleMesh& mesh, std::uint32_t triangle, const dvec3& poin
 }
 
 // A scene from one position after the other.
-class Study {
+class SourceTracing {
  public:
-  Study(const SourceCase& c, int threads)
+  SourceTracing(const SourceCase& c, int threads)
       : case_(c), joined_(load_scene(c)), tracer_(joined_.mesh), box_(enclosing_box(c, joined_.mesh)), threads_(threads) {
     for (const ScenePart& part : c.parts) {
       study_.part_names.push_back(part.name);
@@ -236,7 +240,7 @@ void print_summary(const SourceStudy& study, bool exact, const fs::path& folder)
   fmt::print("results     {}\n", folder.string());
 }
 
-ResultNames names_of_results(bool plots) {
+ResultNames names_of_source_results(bool plots) {
   ResultNames names{{}, {"hits.ply", "sources.csv"}};
   if (plots) names.pictures = {"launch.png", "launch.svg", "hits.png", "hits.svg", "sources.png", "sources.svg"};
   return names;
@@ -247,9 +251,9 @@ ResultNames names_of_results(bool plots) {
 void sources_command(const Request& request) {
   const SourceCase c = read_source_case(request.case_file, request.overrides);
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
-  check_output(destination, names_of_results(c.plots), input_files(c));
+  check_output(destination, names_of_source_results(c.plots), input_files(c));
   const int threads = request.threads > 0 ? request.threads : all_threads();
-  Study study(c, threads);
+  SourceTracing study(c, threads);
   study.check_memory();
 
   OutputFolder folder(destination);
@@ -272,7 +276,7 @@ void sources_command(const Request& request) {
   const std::string trouble = c.plots ? plot_sources(results.folder(), result) : "";
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
-  replace_results(results, folder.path(), names_of_results(c.plots), names_of_results(true).pictures,
+  replace_results(results, folder.path(), names_of_source_results(c.plots), names_of_source_results(true).pictures,
                   [&ending] { ending.complete(); });
   if (!request.quiet) print_summary(result, study.exact(), folder.path());
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/read_case.h"
 #include "case/target.h"
 #include "core/decimal.h"
 #include "core/error.h"

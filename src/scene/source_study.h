@@ -27,7 +27,7 @@ inline constexpr std::array<std::string_view, 6> launch_model_names = {"random",
 
 constexpr std::string_view launch_model_name(LaunchModel model) { return launch_model_names[static_cast<std::size_t>(model)]; }
 
-/// The surface of a part: reflects every ray, or ends it.
+/// The surface of a part of the scene: a mirror, or the end of every ray.
 enum class RaySurface { pec, absorber };
 
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();

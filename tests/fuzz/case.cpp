@@ -1,8 +1,7 @@
 // A case file, and overrides: the bytes up to the first 0 are the file, those between further ones are given with --set.
-#include "case/case.h"
-
 #include <vector>
 
+#include "case/read_case.h"
 #include "case/source_case.h"
 #include "scratch.h"
 #include "target.h"

@@ -1,8 +1,8 @@
 // A table as look list, antenna pattern and result; what stands behind a byte 0 says how the result's columns are named.
 #include <cmath>
 
-#include "case/looks.h"
-#include "case/radar.h"
+#include "case/directions/looks_csv.h"
+#include "case/directions/pattern_csv.h"
 #include "output/compare/comparison.h"
 #include "scratch.h"
 #include "target.h"

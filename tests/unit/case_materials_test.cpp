@@ -30,7 +30,7 @@ Medium only_medium(const std::string& keys) { return only_material("kind = \"die
 TEST(CaseMaterials, NoneByDefault) {
   const Case c = read_text(smallest);
   EXPECT_TRUE(c.sweep.materials.empty());
-  EXPECT_EQ(c.places.elsewhere, "pec");
+  EXPECT_EQ(c.assignment.elsewhere, "pec");
   EXPECT_THAT(resolved_case_json(c), AllOf(HasSubstr("\"material\": \"pec\""), Not(HasSubstr("materials")),
                                            Not(HasSubstr("parts")), Not(HasSubstr("facets"))));
 }
@@ -111,9 +111,9 @@ TEST(CaseMaterials, OverridesReachEveryKey) {
   ASSERT_EQ(c.sweep.materials.size(), 3u);
   EXPECT_EQ(c.sweep.materials[0].layers.at(0).at(0).medium.permittivity, 4.0);
   EXPECT_EQ(c.sweep.materials[1].resistance, 100.0);
-  ASSERT_EQ(c.places.facets.size(), 2u);
-  EXPECT_EQ(c.places.facets[0].last, 1u);
-  EXPECT_EQ(c.places.facets[1].first, 3u);
+  ASSERT_EQ(c.assignment.facets.size(), 2u);
+  EXPECT_EQ(c.assignment.facets[0].last, 1u);
+  EXPECT_EQ(c.assignment.facets[1].first, 3u);
 }
 
 TEST(CaseMaterials, ResolvedCaseShowsEveryDefault) {
@@ -342,7 +342,7 @@ TEST(CaseMaterials, NamesWithDotsNeedQuotes) {
   EXPECT_THAT(complaint(smallest, {"target.parts.plate.off=pec"}),
               HasSubstr("a name with dots needs quotes; write --set 'target.parts.\"plate.off\"=pec'"));
   EXPECT_THAT(complaint(smallest, {"target.parts.plate={}"}), HasSubstr("write --set 'target.parts.\"plate\"=MATERIAL'"));
-  EXPECT_EQ(read_text(smallest, {"target.parts.\"plate.off\"=pec"}).places.parts.at(0).name, "plate.off");
+  EXPECT_EQ(read_text(smallest, {"target.parts.\"plate.off\"=pec"}).assignment.parts.at(0).name, "plate.off");
 }
 
 // Whatever is in the file was there before.

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "case/case.h"
+#include "case/read_case.h"
 #include "core/error.h"
 #include "scratch.h"
 

@@ -1,4 +1,4 @@
-// Tables from anywhere: separators, comments, places of mistakes.
+// Tables from anywhere: separators, comments, locations of mistakes.
 #include "core/csv_reader.h"
 
 #include <gmock/gmock.h>
@@ -35,7 +35,7 @@ TEST(CsvReader, CommentsQuotesAndAByteOrderMarkAreDropped) {
 TEST(CsvReader, MistakesHaveTheirPlace) {
   const Scratch scratch;
   CsvReader reader(scratch.write("t.csv", "# c\na,b\n1,x\n1,2,3\n"), "");
-  EXPECT_THAT(reader.place(), HasSubstr("t.csv, line 2"));
+  EXPECT_THAT(reader.location(), HasSubstr("t.csv, line 2"));
   ASSERT_TRUE(reader.next());
   EXPECT_EQ(reader.finite_number(0, ""), 1.0);
   const auto complaint = [&](auto action) -> std::string {

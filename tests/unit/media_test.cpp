@@ -1,5 +1,5 @@
 // The library of media against figures printed by others, and against its own page.
-#include "case/media.h"
+#include "case/materials/media.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -139,7 +139,7 @@ TEST_F(Compared, OnlyFindsAnAzimuthByFullTurnsAndTakesThemOff) {
   keep_rows(read, Key::phi, -45, 45);
   const Comparison c = compare_results(read, read, 20.0);
   EXPECT_THAT(c.cuts.cuts[0].x, ElementsAre(-20, -10, -10, 0, 10));  // one curve, and monostatic still
-  EXPECT_EQ(c.places.told[RowPlaces::rx_phi], false);
+  EXPECT_EQ(c.coordinates.told[RowCoordinates::rx_phi], false);
   keep_rows(read, Key::phi, 350, 350);
   EXPECT_EQ(read.rows.size(), 2u);
 }
@@ -197,7 +197,7 @@ TEST_F(Compared, CsvHoldsWhatTheScreenShows) {
 TEST_F(Compared, BistaticRowsAreDrawnOverTheReceiver) {
   const std::string text = "theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,sigma_vv_dbsm\n90,0,90,0,1\n90,0,90,1,2\n90,0,90,2,3\n";
   const Comparison c = compared(text, text);
-  EXPECT_EQ(c.cuts.quantity, RowPlaces::rx_phi);
+  EXPECT_EQ(c.cuts.quantity, RowCoordinates::rx_phi);
   EXPECT_EQ(c.cuts.cuts[0].fixed, "θ = 90°, φ = 0°, receiver θ = 90°");
 }
 

@@ -6,6 +6,7 @@
 #include "output/compare/convergence.h"
 #include "output/compare/convergence_report.h"
 #include "output/compare/error_measures.h"
+#include "output/plots/convergence_plot.h"
 #include "run.h"
 #include "scratch.h"
 

@@ -11,6 +11,7 @@
 #include "output/files/earlier_results.h"
 #include "output/files/files.h"
 #include "output/files/manifest.h"
+#include "output/files/sha256.h"
 #include "scratch.h"
 
 namespace raytube {

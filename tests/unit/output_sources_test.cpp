@@ -1,7 +1,8 @@
 // The table and the points that `raytube sources` writes, and what its pictures are made of.
 #include <gmock/gmock.h>
 
-#include "output/tables/sources_files.h"
+#include "output/plots/sources_plot.h"
+#include "output/tables/sources_csv.h"
 #include "scratch.h"
 
 namespace raytube {

@@ -36,20 +36,20 @@ bool receiver_elsewhere(const Comparison& c) {
   });
 }
 
-RowPlaces places_of(const Comparison& c) {
+RowCoordinates coordinates_of(const Comparison& c) {
   using Key = ResultTable;
   const bool bistatic = receiver_elsewhere(c);
-  RowPlaces places{{},
-                   {c.has_key[Key::phi], c.has_key[Key::theta], bistatic && c.has_key[Key::rx_phi],
-                    bistatic && c.has_key[Key::rx_theta], c.has_key[Key::frequency], false}};
+  RowCoordinates coordinates{{},
+                             {c.has_key[Key::phi], c.has_key[Key::theta], bistatic && c.has_key[Key::rx_phi],
+                              bistatic && c.has_key[Key::rx_theta], c.has_key[Key::frequency], false}};
   std::map<std::array<double, 4>, std::size_t> looks;
   for (const ResultTable::Keys& key : c.keys) {
     const double rx_phi = bistatic ? key[Key::rx_phi] : 0.0, rx_theta = bistatic ? key[Key::rx_theta] : 0.0;
     const std::array<double, 4> look = {key[Key::phi], key[Key::theta], rx_phi, rx_theta};
     const auto number = static_cast<double>(looks.try_emplace(look, looks.size()).first->second);
-    places.rows.push_back({look[0], look[1], look[2], look[3], key[Key::frequency] / 1e9, number});
+    coordinates.rows.push_back({look[0], look[1], look[2], look[3], key[Key::frequency] / 1e9, number});
   }
-  return places;
+  return coordinates;
 }
 
 ChannelPair pair_of(const Comparison& c, int channel) {
@@ -95,7 +95,7 @@ void find_signals(Comparison& c) {
 
 // Lists of looks in no order have no axis to be shifted along.
 double lag_along_cuts(const Comparison& c, const ChannelPair& pair) {
-  if (c.cuts.quantity == RowPlaces::look_number) return ErrorMeasures::undefined;
+  if (c.cuts.quantity == RowCoordinates::look_number) return ErrorMeasures::undefined;
   const double floor = std::ranges::max(pair.reference_dbsm) - dynamic_range_db;
   std::vector<CurvePair> curves;
   for (const CutRows& cut : c.cuts.cuts) {
@@ -121,8 +121,8 @@ Comparison compare_results(ResultTable result, ResultTable reference, double wit
   fill_keys(c);
   fill_pairs(c);
   find_signals(c);
-  c.places = places_of(c);
-  c.cuts = plan_cuts(c.places);
+  c.coordinates = coordinates_of(c);
+  c.cuts = plan_cuts(c.coordinates);
   for (int channel = 0; channel < 4; ++channel) {
     c.lag[channel] = ErrorMeasures::undefined;
     if (!c.signal[channel]) continue;

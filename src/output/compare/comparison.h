@@ -23,7 +23,7 @@ struct Comparison {
   // Of the common rows:
   std::array<bool, ResultTable::keys> has_key{};
   std::vector<ResultTable::Keys> keys;
-  RowPlaces places;
+  RowCoordinates coordinates;
   CutPlan cuts;
 
   // Of the channels:

@@ -14,8 +14,8 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<const char*, RowPlaces::quantities> lag_units = {"phi_deg",      "theta_deg", "rx_phi_deg",
-                                                                      "rx_theta_deg", "freq_ghz",  ""};
+constexpr std::array<const char*, RowCoordinates::quantities> lag_units = {"phi_deg",      "theta_deg", "rx_phi_deg",
+                                                                           "rx_theta_deg", "freq_ghz",  ""};
 
 std::string names(const std::array<bool, ResultTable::keys>& chosen) {
   std::string text;
@@ -44,7 +44,7 @@ std::string rows_text(const Comparison& c) {
   return text + scale_text(c);
 }
 
-std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
+std::string four_digits(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
 
 // One line of the table: a name and a value for every channel with signal.
 std::string line(const Comparison& c, const std::string& name, const std::function<std::string(int)>& value) {
@@ -55,7 +55,7 @@ std::string line(const Comparison& c, const std::string& name, const std::functi
 }
 
 std::string line(const Comparison& c, const std::string& name, double ErrorMeasures::*measure) {
-  return line(c, name, [&](int channel) { return cell(c.errors[channel].*measure); });
+  return line(c, name, [&](int channel) { return four_digits(c.errors[channel].*measure); });
 }
 
 std::string near_peak_text(const Comparison& c) {
@@ -75,17 +75,18 @@ std::string all_rows_text(const Comparison& c) {
   text += line(c, "relative error of complex S", &ErrorMeasures::relative_error);
   text += line(c, fmt::format("Austin measure, dB, floor {:g} dB below the peak", dynamic_range_db), &ErrorMeasures::austin_db);
   text += line(c, "correlation of the dB curves, same floor", &ErrorMeasures::correlation);
-  if (c.cuts.quantity != RowPlaces::look_number)
+  if (c.cuts.quantity != RowCoordinates::look_number)
     text += line(c, fmt::format("lag of the result, {}", lag_units[c.cuts.quantity]),
-                 [&](int channel) { return cell(c.lag[channel]); });
+                 [&](int channel) { return four_digits(c.lag[channel]); });
   return text;
 }
 
 std::string largest_text(const Comparison& c, int channel) {
   const ErrorMeasures& errors = c.errors[channel];
   const std::size_t row = errors.largest_row;
-  return fmt::format("largest in {}: {}, {:.4g} against {:.4g} dBsm\n", channel_names[channel], place_text(c.places, row),
-                     c.pairs[channel].result_dbsm[row], c.pairs[channel].reference_dbsm[row]);
+  return fmt::format("largest in {}: {}, {:.4g} against {:.4g} dBsm\n", channel_names[channel],
+                     coordinates_text(c.coordinates, row), c.pairs[channel].result_dbsm[row],
+                     c.pairs[channel].reference_dbsm[row]);
 }
 
 // Nothing is left out in silence.

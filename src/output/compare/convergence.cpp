@@ -14,7 +14,7 @@ namespace {
 using Matrices = std::vector<ScatteringMatrix>;
 
 constexpr double undefined = ErrorMeasures::undefined;
-constexpr double within_db = 20.0;
+constexpr double convergence_range_db = 20.0;
 constexpr double least_order = 0.5, greatest_order = 2.0;
 constexpr double rounding = 1e-12;  // changes below this share of S say nothing about convergence
 
@@ -96,7 +96,7 @@ double rms_db(const Matrices& result, const Matrices& reference) {
   for (const ChannelPair& pair : pairs) {
     const double peak = std::ranges::max(pair.reference_dbsm);
     if (peak > sigma_dbsm(0.0) && peak >= highest - dynamic_range_db)
-      worst = std::max(worst, measure_errors(pair, within_db).rms_db);
+      worst = std::max(worst, measure_errors(pair, convergence_range_db).rms_db);
   }
   return worst;
 }

@@ -13,7 +13,7 @@ namespace raytube {
 
 namespace {
 
-std::string cell(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
+std::string three_digits(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
 
 Complex strongest(const ConvergenceStudy& study, const std::vector<ScatteringMatrix>& total) {
   const int c = study.convergence.strongest_channel;
@@ -22,8 +22,8 @@ Complex strongest(const ConvergenceStudy& study, const std::vector<ScatteringMat
 
 const char* strongest_channel(const ConvergenceStudy& study) { return channel_names[study.convergence.strongest_channel]; }
 
-std::string strongest_place(const ConvergenceStudy& study) {
-  return place_text(places_of_rows(study.sweep), study.convergence.strongest_row);
+std::string strongest_row_text(const ConvergenceStudy& study) {
+  return coordinates_text(coordinates_of_rows(study.sweep), study.convergence.strongest_row);
 }
 
 constexpr const char* table_line = "{:>6}{:>12}{:>12}{:>9}{:>11}{:>11}{:>11}{:>10}{:>7}{:>12}{:>11}\n";
@@ -33,8 +33,8 @@ std::string density_line(const ConvergenceStudy& study, std::size_t i) {
   const DensityErrors& errors = study.convergence.densities[i];
   return fmt::format(table_line, number_text(result.per_wavelength), result.tubes, result.rays,
                      fmt::format("{:.3f}", result.solve_s), fmt::format("{:.4f}", sigma_dbsm(strongest(study, result.total))),
-                     fmt::format("{:.5g}", errors.norm), cell(errors.change), cell(errors.relative_change), cell(errors.order),
-                     cell(errors.relative_error), cell(errors.rms_db));
+                     fmt::format("{:.5g}", errors.norm), three_digits(errors.change), three_digits(errors.relative_change),
+                     three_digits(errors.order), three_digits(errors.relative_error), three_digits(errors.rms_db));
 }
 
 std::string order_text(const ConvergenceStudy& study) {
@@ -53,7 +53,7 @@ std::string extrapolated_text(const ConvergenceStudy& study) {
   const double uncertainty_db = 20.0 * std::log10(1.0 + e.strongest_uncertainty / std::abs(s));
   return fmt::format("S_{} = {:.8g} {} {:.8g}j m +- {:.2g} m, {:.6f} dBsm +- {:.2g} dB at {}\n", strongest_channel(study),
                      s.real(), s.imag() < 0.0 ? '-' : '+', std::abs(s.imag()), e.strongest_uncertainty, sigma_dbsm(s),
-                     uncertainty_db, strongest_place(study));
+                     uncertainty_db, strongest_row_text(study));
 }
 
 std::string recommendation_text(const ConvergenceStudy& study) {
@@ -63,14 +63,14 @@ std::string recommendation_text(const ConvergenceStudy& study) {
                        fine_enough_db, c.extrapolation->next_density);
   return fmt::format("tubes.per_wavelength = {}, the coarsest below {:g} dB rms within 20 dB of the peak (estimated {} dB)\n",
                      number_text(study.results[*c.recommended].per_wavelength), fine_enough_db,
-                     cell(c.densities[*c.recommended].rms_db));
+                     three_digits(c.densities[*c.recommended].rms_db));
 }
 
 std::string conclusions(const ConvergenceStudy& study, const std::string& margin) {
   if (!study.convergence.extrapolation) return margin + "order and estimates need three densities\n";
   return margin + "order           " + order_text(study) + margin + "extrapolated    " + extrapolated_text(study) + margin +
          fmt::format("uncertainty     {} of ||S||, over all rows and channels\n",
-                     cell(study.convergence.extrapolation->relative_uncertainty)) +
+                     three_digits(study.convergence.extrapolation->relative_uncertainty)) +
          margin + "recommendation  " + recommendation_text(study);
 }
 
@@ -99,7 +99,7 @@ std::string convergence_text(const ConvergenceStudy& study) {
 void write_converge_csv(const std::filesystem::path& file, const ConvergenceStudy& study) {
   OutputFile out(file);
   out.write(fmt::format("# strongest row: {}, {}; re_m, im_m and sigma_dbsm are its\n", strongest_channel(study),
-                        strongest_place(study)));
+                        strongest_row_text(study)));
   out.write(
       "# norm: sqrt(sum |S|^2) over all rows and channels; estimated_rms_db: the worst channel's, within 20 dB of its peak\n");
   out.write(conclusions(study, "# "));

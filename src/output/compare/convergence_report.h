@@ -1,4 +1,4 @@
-// A study over tube density in words, numbers and a picture.
+// A study over tube density in words and numbers.
 #pragma once
 
 #include <filesystem>
@@ -19,14 +19,8 @@ struct ConvergenceStudy {
 /// For the screen: one line a density, then order, extrapolated value and recommendation.
 std::string convergence_text(const ConvergenceStudy& study);
 
-/// converge.csv: one row a density; lines that begin with '#' hold what concerns all of them.
+/// Writes converge.csv: one row a density; lines that begin with '#' hold what concerns all of them. Throws std::runtime_error if
+/// the disk does not take it.
 void write_converge_csv(const std::filesystem::path& file, const ConvergenceStudy& study);
-
-/// Draws converge.png and converge.svg in `folder`, which holds neither: estimated error against density and against time.
-/// Returns an empty text, or why there is no picture.
-std::string plot_convergence(const std::filesystem::path& folder, const ConvergenceStudy& study);
-
-/// The gnuplot commands and data that draw `file`; `terminal` is "pngcairo" or "svg".
-std::string convergence_plot_script(const std::string& terminal, const std::string& file, const ConvergenceStudy& study);
 
 }  // namespace raytube

@@ -12,7 +12,6 @@ namespace {
 constexpr int most_steps = 200;
 constexpr std::size_t least_points = 5;
 constexpr double least_correlation = 0.5;
-constexpr double undefined = ErrorMeasures::undefined;
 
 struct Extent {
   double step, longest;
@@ -43,21 +42,21 @@ double shifted_correlation(const std::vector<CurvePair>& pairs, double shift, do
       second.push_back(b[at - 1] + t * (b[at] - b[at - 1]));
     }
   }
-  return first.size() < least_points ? undefined : correlation(first, second);
+  return first.size() < least_points ? ErrorMeasures::undefined : correlation(first, second);
 }
 
 }  // namespace
 
 double best_lag(const std::vector<CurvePair>& pairs) {
   const auto [step, longest] = extent_of(pairs);
-  if (!(step > 0.0)) return undefined;
+  if (!(step > 0.0)) return ErrorMeasures::undefined;
   const int most = static_cast<int>(std::min<double>(most_steps, longest / 4.0 / step));
   std::vector<double> c;
   for (int m = -most; m <= most; ++m) c.push_back(shifted_correlation(pairs, m * step, step));
   int best = most;  // no shift, unless another one is better
   for (int i = 0; i < static_cast<int>(c.size()); ++i)
     if (c[i] > c[best]) best = i;
-  if (!(c[best] >= least_correlation) || best == 0 || best == 2 * most) return undefined;
+  if (!(c[best] >= least_correlation) || best == 0 || best == 2 * most) return ErrorMeasures::undefined;
   const double curvature = c[best - 1] - 2.0 * c[best] + c[best + 1];
   const double fraction = curvature < 0.0 ? 0.5 * (c[best - 1] - c[best + 1]) / curvature : 0.0;
   return step * (best - most + fraction);

@@ -55,10 +55,10 @@ void measure_decibels(const ChannelPair& pair, double within_db, ErrorMeasures& 
 }  // namespace
 
 double quantile(std::vector<double> values, double q) {
-  const double place = q * static_cast<double>(values.size() - 1);
-  const std::size_t below = static_cast<std::size_t>(place), above = std::min(below + 1, values.size() - 1);
+  const double position = q * static_cast<double>(values.size() - 1);
+  const std::size_t below = static_cast<std::size_t>(position), above = std::min(below + 1, values.size() - 1);
   std::ranges::sort(values);
-  const double t = place - static_cast<double>(below);
+  const double t = position - static_cast<double>(below);
   return t == 0.0 || values[below] == values[above] ? values[below] : (1.0 - t) * values[below] + t * values[above];
 }
 

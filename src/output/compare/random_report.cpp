@@ -13,7 +13,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double within_db = 20.0;  // of the highest level: in a null a difference in dB says nothing
+constexpr double counted_range_db = 20.0;  // of the highest level: in a null a difference in dB says nothing
 
 constexpr const char* meanings =
     "# mean: of the runs. det: the deterministic solution of the same case. spread: standard deviation of one run,\n"
@@ -50,7 +50,7 @@ Levels strong_levels(const RandomResult& result) {
     for (const int channel : {0, 1, 2, 3}) {
       const ChannelSpread& spread = result.spread[row][channel / 2][channel % 2];
       const double amplitude = std::abs(result.deterministic.total[row].at(channel / 2, channel % 2));
-      if (!(amplitude > highest * std::pow(10.0, -within_db / 20.0)) || !std::isfinite(spread.bias_db)) continue;
+      if (!(amplitude > highest * std::pow(10.0, -counted_range_db / 20.0)) || !std::isfinite(spread.bias_db)) continue;
       levels.square += spread.db * spread.db, levels.bias += spread.bias_db, ++levels.count;
     }
   return levels;
@@ -100,7 +100,7 @@ std::string random_text(const RandomResult& result) {
       "spread      {:.3g} of S, {:.3g} dB rms within {:g} dB of the peak, in a single run\n"
       "bias        {:.3g} of S ({:.3g} by chance alone), {:+.3g} dB in the mean\n",
       result.options.runs, result.options.samples, result.options.seed, result.run_s, result.deterministic.statistics.solve_s,
-      s.spread, s.spread_db, within_db, s.bias, s.expected_bias, s.bias_db);
+      s.spread, s.spread_db, counted_range_db, s.bias, s.expected_bias, s.bias_db);
 }
 
 }  // namespace raytube

@@ -9,7 +9,9 @@
 
 #include "core/error.h"
 #include "output/files/files.h"
+#include "output/files/sha256.h"
 #include "output/files/sync.h"
+#include "output/files/unlisted_results.h"
 
 namespace raytube {
 
@@ -66,12 +68,12 @@ void EarlierResults::require_room(const std::vector<std::string>& names) const {
                     "with -o DIR",
                     list.string()));
   for (const std::string& name : names) {
-    const fs::path place = folder_ / name;
-    if (is_nothing(place) || hold(name)) continue;
+    const fs::path file = folder_ / name;
+    if (is_nothing(file) || hold(name)) continue;
     std::error_code ignored;
-    const char* what = fs::is_directory(place, ignored) ? "is a folder where a result is to go"
-                                                        : "is where a result is to go, and is not what raytube has written there";
-    throw InputError(fmt::format("{}: {}; move it away, or choose another folder with -o DIR", place.string(), what));
+    const char* what = fs::is_directory(file, ignored) ? "is a folder where a result is to go"
+                                                       : "is where a result is to go, and is not what raytube has written there";
+    throw InputError(fmt::format("{}: {}; move it away, or choose another folder with -o DIR", file.string(), what));
   }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -46,13 +45,5 @@ class EarlierResults {
   std::vector<Entry> entries_, expected_;
   std::set<std::string> unlisted_;
 };
-
-/// Names of the results in a folder whose command left no list: a version before it, or a copy that somebody has made without
-/// hidden files. Only what such a result says of itself tells it. `listed` says whether a name is on the list after all.
-std::set<std::string> unlisted_results(const std::filesystem::path& folder,
-                                       const std::function<bool(const std::string&)>& listed);
-
-/// What lies in a folder under the name of an image.
-std::set<std::string> names_of_images(const std::filesystem::path& folder);
 
 }  // namespace raytube

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
-#include <regex>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 #include "core/error.h"
@@ -36,18 +38,29 @@ fs::path temporary_beside(const fs::path& path) {
   return path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), getpid());
 }
 
+// The process that has made what lies under the name of temporary_beside.
+std::optional<pid_t> process_of(std::string_view name) {
+  constexpr std::string_view ending = ".part";
+  for (const std::string_view beginning : {".results.", ".probe."}) {
+    if (!name.starts_with(beginning) || !name.ends_with(ending) || name.size() <= beginning.size() + ending.size()) continue;
+    const std::string_view digits = name.substr(beginning.size(), name.size() - beginning.size() - ending.size());
+    if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string_view::npos) continue;
+    pid_t process = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), process);
+    return process;
+  }
+  return std::nullopt;
+}
+
 // Removes what temporary_beside names in a folder: of this process, and unless `own_only` of those that are no more.
 void remove_leftovers(const fs::path& folder, bool own_only) {
-  static const std::regex leftover(R"(\.(results|probe)\.(\d{1,9})\.part)");
   std::error_code ignored;
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    std::smatch parts;
-    if (!std::regex_match(name, parts, leftover)) continue;
-    const pid_t process = std::stoi(parts[2]);
-    const bool is_gone = !own_only && kill(process, 0) != 0 && errno == ESRCH;
-    if (process == getpid() || is_gone) found.push_back(entry.path());
+    const std::optional<pid_t> process = process_of(entry.path().filename().string());
+    if (!process) continue;
+    const bool is_gone = !own_only && kill(*process, 0) != 0 && errno == ESRCH;
+    if (*process == getpid() || is_gone) found.push_back(entry.path());
   }
   for (const fs::path& path : found) fs::remove_all(path, ignored);
 }
@@ -142,11 +155,11 @@ void NewResults::place(const std::vector<std::string>& names) {
 
 // Under another name, as far as the file system has links, otherwise as a copy. Empty if there is none.
 fs::path NewResults::kept_earlier(const std::string& name, std::error_code& error) const {
-  const fs::path place = destination_ / name;
+  const fs::path there = destination_ / name;
   fs::path kept = folder_ / fmt::format(".earlier.{}", placed_.size());
-  if (!fs::exists(fs::symlink_status(place))) return {};
-  fs::create_hard_link(place, kept, error);
-  if (error) fs::copy_file(place, kept, error);
+  if (!fs::exists(fs::symlink_status(there))) return {};
+  fs::create_hard_link(there, kept, error);
+  if (error) fs::copy_file(there, kept, error);
   return kept;
 }
 

@@ -96,7 +96,4 @@ class OutputFile {
   std::ofstream stream_;
 };
 
-/// SHA-256 of a file's bytes, in hexadecimal. Throws std::runtime_error if it cannot be read.
-std::string sha256_of_file(const std::filesystem::path& path);
-
 }  // namespace raytube

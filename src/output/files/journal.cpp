@@ -138,8 +138,8 @@ bool Journal::read_all() {
     throw InputError(fmt::format("{}: is no journal of this program; delete it to start afresh", path_.string()));
   end_ = magic.size();
   while (read_record(end_)) continue;
-  const auto head = places_.find(identity_key);
-  if (head == places_.end()) return false;
+  const auto head = extents_.find(identity_key);
+  if (head == extents_.end()) return false;
   identity_ = identity_of(find(identity_key));
   return true;
 }
@@ -153,26 +153,26 @@ bool Journal::read_record(std::uint64_t& at) {
   if (size < 0 || length > static_cast<std::uint64_t>(size) - at - sizeof head) return false;
   std::string bytes(length, '\0');
   if (!read_at(file_, path_, at + sizeof head, bytes.data(), bytes.size()) || checksum(key, bytes) != sum) return false;
-  places_[key] = {at + sizeof head, length};
+  extents_[key] = {at + sizeof head, length};
   at += sizeof head + length;
   return true;
 }
 
 std::size_t Journal::records() const {
   const std::lock_guard lock(mutex_);
-  return places_.size() - 1;
+  return extents_.size() - 1;
 }
 
 std::string Journal::find(std::uint64_t key) const {
-  Place place;
+  Extent extent;
   {
     const std::lock_guard lock(mutex_);
-    const auto found = places_.find(key);
-    if (found == places_.end()) return {};
-    place = found->second;
+    const auto found = extents_.find(key);
+    if (found == extents_.end()) return {};
+    extent = found->second;
   }
-  std::string bytes(place.length, '\0');
-  if (!read_at(file_, path_, place.offset, bytes.data(), bytes.size())) fail(path_, EIO);
+  std::string bytes(extent.length, '\0');
+  if (!read_at(file_, path_, extent.offset, bytes.data(), bytes.size())) fail(path_, EIO);
   return bytes;
 }
 
@@ -198,7 +198,7 @@ void Journal::add(const std::vector<JournalRecord>& records) {
   }
   write(piece);
   for (const auto& [key, bytes] : records) {
-    places_[key] = {end_ + sizeof(Head), bytes.size()};
+    extents_[key] = {end_ + sizeof(Head), bytes.size()};
     end_ += sizeof(Head) + bytes.size();
   }
 }

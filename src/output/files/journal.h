@@ -62,7 +62,7 @@ class Journal {
   void sync();
 
  private:
-  struct Place {
+  struct Extent {
     std::uint64_t offset, length;  // of the bytes
   };
   Journal(int file, const std::filesystem::path& path);
@@ -72,7 +72,7 @@ class Journal {
   std::filesystem::path path_;
   int file_;
   JournalIdentity identity_;
-  std::unordered_map<std::uint64_t, Place> places_;
+  std::unordered_map<std::uint64_t, Extent> extents_;
   std::uint64_t end_ = 0;  // of the last whole record
   bool has_tail_ = true;   // perhaps: something that is no whole record behind it
   mutable std::mutex mutex_;

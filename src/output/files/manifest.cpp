@@ -1,23 +1,21 @@
 #include "output/files/manifest.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "core/json.h"
 #include "output/files/files.h"
 
 namespace raytube {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // Counts are whole; only lengths carry a fraction.
-Json count_or_length(double value) {
-  return value == std::floor(value) && value < 1e15 ? Json(static_cast<std::uint64_t>(value)) : Json(value);
+JsonValue count_or_length(double value) {
+  return value == std::floor(value) && value < 1e15 ? JsonValue(static_cast<std::uint64_t>(value)) : JsonValue(value);
 }
 
-Json counts_json(const Statistics& statistics) {
-  Json json;
+JsonValue counts_json(const Statistics& statistics) {
+  JsonValue json;
   json["rays"] = statistics.rays;
   json["tubes"] = statistics.tubes;
   json["hits_per_bounce"] = statistics.hits;
@@ -31,23 +29,22 @@ Json counts_json(const Statistics& statistics) {
                        {"highest_frequency", statistics.thin_plate_edges_highest}};
   json["windowed_rows"] = statistics.windowed_rows;
   if (statistics.ray_range > 0.0) json["utd_range_m"] = statistics.ray_range;
-  json["skipped"] = Json::array();
+  json["skipped"] = std::vector<JsonValue>();
   for (const Skipped& skipped : statistics.skipped)
-    json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});
+    json["skipped"].append({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});
   return json;
 }
 
-Json mesh_json(const Manifest& manifest) {
+JsonValue mesh_json(const Manifest& manifest) {
   const std::vector<std::string>& hashes = manifest.mesh_sha256;
-  Json json = {{"sha256", hashes.size() == 1 ? Json(hashes.front()) : Json(hashes)}};
+  JsonValue json = {{"sha256", hashes.size() == 1 ? JsonValue(hashes.front()) : JsonValue(hashes)}};
   for (const auto& [name, value] : manifest.mesh_report) json[name] = count_or_length(value);
-  json["notes"] = Json::array();
-  for (const auto& [what, count] : manifest.mesh_notes)
-    json["notes"].push_back({{"what", what}, {"count", count_or_length(count)}});
+  json["notes"] = std::vector<JsonValue>();
+  for (const auto& [what, count] : manifest.mesh_notes) json["notes"].append({{"what", what}, {"count", count_or_length(count)}});
   return json;
 }
 
-Json launch_json(const RandomRuns& random) {
+JsonValue launch_json(const RandomRuns& random) {
   return {{"kind", "random"},
           {"generator", "Philox4x32-10"},
           {"samples", random.options.samples},
@@ -57,8 +54,8 @@ Json launch_json(const RandomRuns& random) {
           {"deterministic_s", random.deterministic_s}};
 }
 
-Json time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) {
-  Json json = {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
+JsonValue time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) {
+  JsonValue json = {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
   if (looks_resumed > 0) json["looks_resumed"] = looks_resumed;
   return json;
 }
@@ -66,11 +63,11 @@ Json time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) 
 }  // namespace
 
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest) {
-  Json json;
+  JsonValue json;
   json["program"] = "raytube";
   json["version"] = manifest.program_version;
   json["case_file"] = manifest.case_file;
-  json["case"] = Json::parse(manifest.case_json);
+  json["case"] = *parsed_json(manifest.case_json);
   if (!manifest.looks_csv_sha256.empty()) json["looks_csv_sha256"] = manifest.looks_csv_sha256;
   for (const auto& [name, sha256] : manifest.table_csv_sha256) json["table_csv_sha256"][name] = sha256;
   json["mesh"] = mesh_json(manifest);
@@ -82,7 +79,7 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["peak_rss_bytes"] = manifest.peak_rss_bytes;
   json["rcs_csv_sha256"] = manifest.rcs_csv_sha256;
   OutputFile out(file);
-  out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  out.write(json_text(json, 2) + '\n');
   out.commit();
 }
 

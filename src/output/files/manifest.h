@@ -25,7 +25,7 @@ struct RandomRuns {
 
 struct Manifest {
   std::string case_file;  // absolute; file names in the resolved case are relative to its folder
-  std::string case_json;  // the resolved case
+  std::string case_json;  // the resolved case, valid JSON
   std::string program_version;
   std::vector<std::string> mesh_sha256;                               // of each mesh file
   std::string looks_csv_sha256;                                       // empty: no look list
@@ -42,6 +42,7 @@ struct Manifest {
   std::string rcs_csv_sha256;
 };
 
+/// Writes run.json. Throws std::runtime_error if the disk does not take it.
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest);
 
 }  // namespace raytube

@@ -1,3 +1,5 @@
+#include "output/files/sha256.h"
+
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
@@ -5,8 +7,6 @@
 #include <fstream>
 #include <memory>
 #include <stdexcept>
-
-#include "output/files/files.h"
 
 namespace raytube {
 

@@ -1,19 +1,19 @@
-// Results of versions that left no list of them.
+#include "output/files/unlisted_results.h"
+
+#include <algorithm>
 #include <array>
 #include <fstream>
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <iterator>
 #include <string_view>
 
-#include "output/files/earlier_results.h"
-#include "output/files/files.h"
+#include "core/json.h"
+#include "output/files/sha256.h"
 
 namespace raytube {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 constexpr std::size_t length_of_a_head = 8192;  // [bytes]
 
@@ -39,33 +39,45 @@ const std::array<Family, 3> families = {
       "\nposition,x_m,y_m,z_m,model,rays_asked,rays,part,",
       {"hits.ply", "launch.png", "launch.svg", "hits.png", "hits.svg", "sources.png", "sources.svg"}}}};
 
-// Null unless rcs.csv is the one that run.json was written with.
-Json case_of_run(const fs::path& folder) {
-  if (!fs::is_regular_file(folder / "run.json")) return {};
-  std::ifstream in(folder / "run.json");
-  const Json json = Json::parse(in, nullptr, false);
-  if (!json.is_object() || json.value("program", Json()) != "raytube" || !fs::is_regular_file(folder / "rcs.csv")) return {};
-  return json.value("rcs_csv_sha256", Json()) == sha256_of_file(folder / "rcs.csv") ? json.value("case", Json()) : Json();
+// Nothing unless rcs.csv is the one that run.json was written with.
+std::optional<JsonValue> case_of_run(const fs::path& folder) {
+  if (!fs::is_regular_file(folder / "run.json") || !fs::is_regular_file(folder / "rcs.csv")) return {};
+  std::ifstream in(folder / "run.json", std::ios::binary);
+  const std::optional<JsonValue> json = parsed_json({std::istreambuf_iterator<char>(in), {}});
+  if (!json) return {};
+  const JsonValue *program = json->find("program"), *sha256 = json->find("rcs_csv_sha256"), *resolved = json->find("case");
+  if (!program || program->text != "raytube" || !sha256 || !resolved || resolved->kind != JsonValue::Kind::table) return {};
+  return sha256->text == sha256_of_file(folder / "rcs.csv") ? std::optional(*resolved) : std::nullopt;
 }
 
 // What a run with this resolved case writes. It does not say whether parts.csv or random.csv were asked for: their heads do.
-std::set<std::string> results_of_run(const fs::path& folder, const Json& resolved) {
+std::set<std::string> results_of_run(const fs::path& folder, const JsonValue& resolved) {
   std::set<std::string> names = {"rcs.csv", "channels.csv", "run.json"};
   for (const char* table : {"parts.csv", "random.csv"})
     if (head_of(folder / table).starts_with("# Time factor exp(+j omega t); a wave travels as exp(-j k r).")) names.insert(table);
-  const Json output = resolved.value("output", Json::object());
-  if (output.value("plots", Json()) == true) names.insert({"rcs.png", "rcs.svg"});
-  if (output.contains("image_look")) names.merge(names_of_images(folder));
+  const JsonValue* output = resolved.find("output");
+  const JsonValue* plots = output ? output->find("plots") : nullptr;
+  if (plots && plots->boolean) names.insert({"rcs.png", "rcs.svg"});
+  if (output && output->find("image_look")) names.merge(names_of_images(folder));
   return names;
+}
+
+// image.csv, image_3_mesh.vtu, image_12_phase.png and the like.
+bool is_image(std::string_view name) {
+  constexpr std::array<std::string_view, 5> endings = {".csv", "_mesh.vtu", ".png", "_phase.png", "_window.png"};
+  if (!name.starts_with("image")) return false;
+  name.remove_prefix(5);
+  const std::size_t end = std::min(name.find_first_not_of("0123456789", 1), name.size());
+  if (name.starts_with('_') && end > 1) name.remove_prefix(end);
+  return std::ranges::find(endings, name) != endings.end();
 }
 
 }  // namespace
 
 std::set<std::string> names_of_images(const fs::path& folder) {
-  static const std::regex image(R"(image(_\d+)?(\.csv|_mesh\.vtu|(_phase|_window)?\.png))");
   std::set<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (const std::string name = entry.path().filename().string(); std::regex_match(name, image)) names.insert(name);
+    if (const std::string name = entry.path().filename().string(); is_image(name)) names.insert(name);
   return names;
 }
 
@@ -78,11 +90,9 @@ std::set<std::string> unlisted_results(const fs::path& folder, const std::functi
   }
   if (listed("run.json")) return names;
   try {
-    if (const Json resolved = case_of_run(folder); resolved.is_object()) names.merge(results_of_run(folder, resolved));
+    if (const std::optional<JsonValue> resolved = case_of_run(folder)) names.merge(results_of_run(folder, *resolved));
   } catch (const std::runtime_error&) {
     // What cannot be read is nobody's result.
-  } catch (const Json::exception&) {
-    // Nor is what has another type than a run writes there.
   }
   return names;
 }

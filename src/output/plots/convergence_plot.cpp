@@ -1,10 +1,11 @@
+#include "output/plots/convergence_plot.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/decimal.h"
-#include "output/compare/convergence_report.h"
 #include "output/plots/gnuplot.h"
 
 namespace raytube {

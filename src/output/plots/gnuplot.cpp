@@ -84,11 +84,11 @@ std::string gnuplot_quoted(const std::string& text) {
   return '\'' + inside + '\'';
 }
 
-std::string gnuplot_preamble(const std::string& terminal, const std::string& faces, const std::string& file) {
+std::string gnuplot_preamble(const std::string& terminal, const std::string& canvas, const std::string& file) {
   return fmt::format(
       "set encoding utf8\nset terminal {} size {} noenhanced font 'DejaVu Sans,12' background rgb 'white'\nset output {}\n"
       "set grid lt 1 lw 1 lc rgb '#d9d9d9'\nset key outside right top vertical Left reverse samplen 3\n",
-      terminal, faces, gnuplot_quoted(file));
+      terminal, canvas, gnuplot_quoted(file));
 }
 
 std::string draw_picture(const std::filesystem::path& picture, const std::string& commands) {

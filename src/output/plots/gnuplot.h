@@ -11,7 +11,7 @@ namespace raytube {
 std::string gnuplot_quoted(const std::string& text);
 
 /// The commands every script begins with: `terminal` is "pngcairo" or "svg", `canvas` its size "1100,640" in pixels.
-std::string gnuplot_preamble(const std::string& terminal, const std::string& faces, const std::string& file);
+std::string gnuplot_preamble(const std::string& terminal, const std::string& canvas, const std::string& file);
 
 /// Draws a PNG where none is. Returns an empty text, or why there is no picture. Throws std::runtime_error if the disk did not
 /// take all of it.

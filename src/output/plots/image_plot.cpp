@@ -53,9 +53,9 @@ double top_level(const Dots& dots) {
     if (norm > 0.0f) norms.push_back(norm);
   }
   if (norms.empty()) return 0.0;
-  const auto place = norms.begin() + static_cast<std::ptrdiff_t>(norms.size() / beyond);
-  std::ranges::nth_element(norms, place, std::greater{});
-  return std::ceil(10.0 * std::log10(4.0 * pi * static_cast<double>(*place)));
+  const auto nth = norms.begin() + static_cast<std::ptrdiff_t>(norms.size() / beyond);
+  std::ranges::nth_element(norms, nth, std::greater{});
+  return std::ceil(10.0 * std::log10(4.0 * pi * static_cast<double>(*nth)));
 }
 
 Dots dots_of(const ImageLattice& lattice, const std::vector<ScatteringMatrix>& parts) {
@@ -151,9 +151,9 @@ std::string strongest(const LookImage& image) {
   int most = 0;
   for (int channel = 1; channel < 4; ++channel)
     if (std::abs(cell->at(channel / 2, channel % 2)) > std::abs(cell->at(most / 2, most % 2))) most = channel;
-  const dvec2 place = image.lattice.middle({index % image.lattice.columns, index / image.lattice.columns});
+  const dvec2 middle = image.lattice.middle({index % image.lattice.columns, index / image.lattice.columns});
   return fmt::format("\nstrongest {}: {:.1f} dBsm at u = {:.4g}, v = {:.4g} m", channel_titles[most],
-                     sigma_dbsm(cell->at(most / 2, most % 2)), place.x, place.y);
+                     sigma_dbsm(cell->at(most / 2, most % 2)), middle.x, middle.y);
 }
 
 // One line under the other, and none takes part in gnuplot's own escapes.

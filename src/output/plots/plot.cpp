@@ -48,7 +48,7 @@ std::string heading(const std::string& title, const Cuts& cuts) {
 
 std::string layout(std::size_t panels) { return panels == 1 ? "1,1" : panels == 2 ? "2,1" : "2,2"; }
 
-std::string faces(std::size_t panels) { return panels == 1 ? "1100,640" : panels == 2 ? "1100,1000" : "1700,1000"; }
+std::string canvas(std::size_t panels) { return panels == 1 ? "1100,640" : panels == 2 ? "1100,1000" : "1700,1000"; }
 
 }  // namespace
 
@@ -56,7 +56,7 @@ std::string rcs_plot_script(const std::string& terminal, const std::string& file
                             const SweepResult& result) {
   const Cuts cuts = choose_cuts(sweep, result, most_panels);
   const Scale scale = scale_of(cuts.cuts);
-  std::string script = gnuplot_preamble(terminal, faces(cuts.cuts.size()), file) + channel_styles;
+  std::string script = gnuplot_preamble(terminal, canvas(cuts.cuts.size()), file) + channel_styles;
   script += fmt::format("set xlabel '{}'\nset ylabel 'σ (dBsm)'\nset yrange [{}:{}]\n", cuts.axis, scale.bottom, scale.top);
   for (std::size_t i = 0; i < cuts.cuts.size(); ++i) script += data_block(i, cuts.cuts[i], scale);
   script += fmt::format("set multiplot layout {} title {}\n", layout(cuts.cuts.size()), gnuplot_quoted(heading(title, cuts)));

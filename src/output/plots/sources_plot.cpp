@@ -1,19 +1,19 @@
+#include "output/plots/sources_plot.h"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/decimal.h"
 #include "output/plots/gnuplot.h"
-#include "output/tables/sources_files.h"
 
 namespace raytube {
 
 namespace {
 
 constexpr std::size_t most_points = 20000;  // in one panel: more only cover one another
-constexpr double least_error = 1e-6, least_seconds = 1e-6;
+constexpr double least_error_percent = 1e-6, least_seconds = 1e-6;
 
 constexpr const char* model_styles =
     "set style line 1 lc rgb '#888888' lw 2 pt 7 ps 0.9\nset style line 2 lc rgb '#1f5fbf' lw 2 pt 5 ps 0.9\n"
@@ -23,12 +23,12 @@ constexpr const char* model_styles =
 
 int style(LaunchModel model) { return static_cast<int>(model) + 1; }
 
-std::string layout(std::size_t panels) {
+std::string panel_layout(std::size_t panels) {
   const std::size_t columns = panels < 3 ? panels : panels < 5 ? 2 : 3;
   return fmt::format("{},{}", (panels + columns - 1) / columns, columns);
 }
 
-std::string faces(std::size_t panels) { return panels < 3 ? "1400,640" : panels < 5 ? "1300,1000" : "1700,1000"; }
+std::string canvas_of_panels(std::size_t panels) { return panels < 3 ? "1400,640" : panels < 5 ? "1300,1000" : "1700,1000"; }
 
 // ---- launch points
 
@@ -38,7 +38,7 @@ double tic_step(double extent) {
   return decade * (third < 2.0 * decade ? 1.0 : third < 5.0 * decade ? 2.0 : 5.0);
 }
 
-// The same scale and step on all axes. A thin one has its two ends as tics, and room round what has no thickness at all.
+// Equal scale and step on all axes. A thin one has its two ends as tics, and room round what has no thickness at all.
 std::string equal_axes(const std::vector<dvec3>& points) {
   dvec3 low(INFINITY), high(-INFINITY);
   for (const dvec3& p : points) {
@@ -67,8 +67,8 @@ std::string launch_panel(const SourceView& view) {
 }
 
 std::string launch_script(const std::string& terminal, const std::string& file, const SourceStudy& study) {
-  std::string script = gnuplot_preamble(terminal, faces(study.views.size()), file);
-  script += fmt::format("set multiplot layout {} title {}\n", layout(study.views.size()),
+  std::string script = gnuplot_preamble(terminal, canvas_of_panels(study.views.size()), file);
+  script += fmt::format("set multiplot layout {} title {}\n", panel_layout(study.views.size()),
                         gnuplot_quoted(study.title + ": launch points, which the rays go through or start from"));
   script += "set xlabel 'x (m)'\nset ylabel 'y (m)'\nset zlabel 'z (m)' rotate\nset view 62,28,1.25\nset view equal xyz\n";
   for (const SourceView& view : study.views) script += launch_panel(view);
@@ -125,8 +125,8 @@ std::string hits_script(const std::string& terminal, const std::string& file, co
   const bool wide = frame.high.x - frame.low.x > 2.0 * (frame.high.y - frame.low.y);
   const std::size_t panels = study.views.size();
   std::string script =
-      gnuplot_preamble(terminal, wide ? fmt::format("1500,{}", 60 + 300 * ((panels + 1) / 2)) : faces(panels), file);
-  script += fmt::format("set multiplot layout {} title {}\n", wide ? fmt::format("{},2", (panels + 1) / 2) : layout(panels),
+      gnuplot_preamble(terminal, wide ? fmt::format("1500,{}", 60 + 300 * ((panels + 1) / 2)) : canvas_of_panels(panels), file);
+  script += fmt::format("set multiplot layout {} title {}\n", wide ? fmt::format("{},2", (panels + 1) / 2) : panel_layout(panels),
                         gnuplot_quoted(study.title + ": hits on " + study.part_names[study.counted]));
   script += fmt::format("set xlabel '{} (m)'\nset ylabel '{} (m)'\nset size ratio -1\nset cblabel 'bounces before'\n",
                         "xyz"[frame.axes[0]], "xyz"[frame.axes[1]]);
@@ -142,7 +142,7 @@ std::string hits_script(const std::string& terminal, const std::string& file, co
 // Relative error of a share of the counted part [% of the exact one]; NaN where that is 0 or not known.
 double error_percent(double share, const PartHits& part) {
   const double error = 100.0 * std::abs(share - part.exact) / part.exact;
-  return std::isfinite(error) ? std::max(error, least_error) : not_known;
+  return std::isfinite(error) ? std::max(error, least_error_percent) : not_known;
 }
 
 // Rays, seconds, error of the direct share, error of the weighted estimate.
@@ -156,7 +156,10 @@ std::array<double, 4> error_row(const SourceRun& run, std::size_t counted) {
 std::string error_block(const SourceStudy& study, LaunchModel model) {
   std::string text = fmt::format("$model{} << EOD\n", style(model));
   for (const SourceRun& run : study.runs)
-    if (run.model == model) text += fmt::format("{:.6g}\n", fmt::join(error_row(run, study.counted), " "));
+    if (run.model == model) {
+      const auto [rays, seconds, direct, weighted] = error_row(run, study.counted);
+      text += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", rays, seconds, direct, weighted);
+    }
   return text + "EOD\n";
 }
 
@@ -240,11 +243,11 @@ std::string response_script(const std::string& terminal, const std::string& file
 std::string plot_sources(const std::filesystem::path& folder, const SourceStudy& study) {
   using Script = std::string (*)(const std::string&, const std::string&, const SourceStudy&);
   // Parallel rays know no position.
-  const bool one_place =
+  const bool one_position =
       study.runs.empty() || study.runs.back().position == 0 ||
       std::ranges::all_of(study.views, [](const SourceView& view) { return view.model == LaunchModel::plane_wave; });
   const std::array<std::pair<const char*, Script>, 3> pictures = {
-      {{"launch", launch_script}, {"hits", hits_script}, {"sources", one_place ? errors_script : response_script}}};
+      {{"launch", launch_script}, {"hits", hits_script}, {"sources", one_position ? errors_script : response_script}}};
   for (const auto& [name, script] : pictures) {
     const std::string trouble = draw_pictures(
         folder, name,

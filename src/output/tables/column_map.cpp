@@ -1,7 +1,6 @@
 #include "output/tables/column_map.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -65,7 +64,7 @@ ColumnChoice parsed_choice(const std::string& option, const std::string& text) {
                     quotable(text)));
   if (const std::vector<std::string> known = known_columns(); std::ranges::find(known, choice.ours) == known.end())
     throw InputError(fmt::format("{} {}: {} is no column of a result; write one of {}", option, quotable(text),
-                                 quotable(choice.ours), fmt::join(known, ", ")));
+                                 quotable(choice.ours), joined(known, ", ")));
   if (!is_a_number(choice.ours) && (choice.factor != 1.0 || choice.offset != 0.0))
     throw InputError(fmt::format("{} {}: {} takes no factor and no offset; leave them out", option, text, choice.ours));
   return choice;

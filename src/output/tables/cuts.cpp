@@ -12,15 +12,15 @@ namespace raytube {
 
 namespace {
 
-using Quantity = RowPlaces::Quantity;
-using Values = std::array<double, RowPlaces::quantities>;
+using Quantity = RowCoordinates::Quantity;
+using Values = std::array<double, RowCoordinates::quantities>;
 
-constexpr std::array<const char*, RowPlaces::quantities> axis_labels = {"azimuth φ (degrees)",
-                                                                        "polar angle θ (degrees)",
-                                                                        "receiver azimuth φ (degrees)",
-                                                                        "receiver polar angle θ (degrees)",
-                                                                        "frequency (GHz)",
-                                                                        "look number"};
+constexpr std::array<const char*, RowCoordinates::quantities> axis_labels = {"azimuth φ (degrees)",
+                                                                             "polar angle θ (degrees)",
+                                                                             "receiver azimuth φ (degrees)",
+                                                                             "receiver polar angle θ (degrees)",
+                                                                             "frequency (GHz)",
+                                                                             "look number"};
 
 // Rows grouped by everything but the axis, the groups in the order of their first row.
 std::vector<std::vector<std::size_t>> groups_along(Quantity axis, const std::vector<Values>& rows) {
@@ -28,8 +28,8 @@ std::vector<std::vector<std::size_t>> groups_along(Quantity axis, const std::vec
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     Values key = rows[row];
-    key[axis] = key[RowPlaces::look_number] = 0.0;
-    if (axis == RowPlaces::look_number) key = Values{0.0, 0.0, 0.0, 0.0, key[RowPlaces::frequency], 0.0};
+    key[axis] = key[RowCoordinates::look_number] = 0.0;
+    if (axis == RowCoordinates::look_number) key = Values{0.0, 0.0, 0.0, 0.0, key[RowCoordinates::frequency], 0.0};
     const auto [entry, added] = index_of.try_emplace(key, groups.size());
     if (added) groups.emplace_back();
     groups[entry->second].push_back(row);
@@ -37,26 +37,26 @@ std::vector<std::vector<std::size_t>> groups_along(Quantity axis, const std::vec
   return groups;
 }
 
-std::string fixed_values(Quantity axis, const Values& row, const std::array<bool, RowPlaces::quantities>& told) {
+std::string fixed_values(Quantity axis, const Values& row, const std::array<bool, RowCoordinates::quantities>& told) {
   std::string text;
   const auto add = [&](Quantity quantity, const char* name, const char* unit) {
     if (axis != quantity && told[quantity])
       text += fmt::format("{}{}{:.8g}{}", text.empty() ? "" : ", ", name, row[quantity], unit);
   };
-  add(RowPlaces::frequency, "", " GHz");
-  if (axis == RowPlaces::look_number) return text;
-  add(RowPlaces::theta, "θ = ", "°");
-  add(RowPlaces::phi, "φ = ", "°");
-  add(RowPlaces::rx_theta, "receiver θ = ", "°");
-  add(RowPlaces::rx_phi, "receiver φ = ", "°");
+  add(RowCoordinates::frequency, "", " GHz");
+  if (axis == RowCoordinates::look_number) return text;
+  add(RowCoordinates::theta, "θ = ", "°");
+  add(RowCoordinates::phi, "φ = ", "°");
+  add(RowCoordinates::rx_theta, "receiver θ = ", "°");
+  add(RowCoordinates::rx_phi, "receiver φ = ", "°");
   return text;
 }
 
-CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowPlaces& places) {
+CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowCoordinates& coordinates) {
   std::stable_sort(group.begin(), group.end(),
-                   [&](std::size_t a, std::size_t b) { return places.rows[a][axis] < places.rows[b][axis]; });
-  CutRows cut{fixed_values(axis, places.rows[group.front()], places.told), std::move(group), {}};
-  for (const std::size_t row : cut.rows) cut.x.push_back(places.rows[row][axis]);
+                   [&](std::size_t a, std::size_t b) { return coordinates.rows[a][axis] < coordinates.rows[b][axis]; });
+  CutRows cut{fixed_values(axis, coordinates.rows[group.front()], coordinates.told), std::move(group), {}};
+  for (const std::size_t row : cut.rows) cut.x.push_back(coordinates.rows[row][axis]);
   return cut;
 }
 
@@ -71,38 +71,39 @@ Cut curves_of(const CutRows& rows, const SweepResult& result) {
 
 }  // namespace
 
-RowPlaces places_of_rows(const Sweep& sweep) {
+RowCoordinates coordinates_of_rows(const Sweep& sweep) {
   const bool bistatic = sweep.bistatic;
-  RowPlaces places{{}, {true, true, bistatic, bistatic, true, false}};
-  places.rows.reserve(sweep.rows());
+  RowCoordinates coordinates{{}, {true, true, bistatic, bistatic, true, false}};
+  coordinates.rows.reserve(sweep.rows());
   for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
     const Direction &transmit = sweep.looks[i].transmit, &receive = sweep.looks[i].receive;
     Values row{decimal_degrees(transmit.phi), decimal_degrees(transmit.theta)};
     if (bistatic)
-      row[RowPlaces::rx_phi] = decimal_degrees(receive.phi), row[RowPlaces::rx_theta] = decimal_degrees(receive.theta);
-    row[RowPlaces::look_number] = static_cast<double>(i);
+      row[RowCoordinates::rx_phi] = decimal_degrees(receive.phi), row[RowCoordinates::rx_theta] = decimal_degrees(receive.theta);
+    row[RowCoordinates::look_number] = static_cast<double>(i);
     for (const double hertz : sweep.frequencies) {
-      row[RowPlaces::frequency] = hertz / 1e9;
-      places.rows.push_back(row);
+      row[RowCoordinates::frequency] = hertz / 1e9;
+      coordinates.rows.push_back(row);
     }
   }
-  return places;
+  return coordinates;
 }
 
-CutPlan plan_cuts(const RowPlaces& places) {
-  const std::vector<Values>& rows = places.rows;
-  Quantity axis = RowPlaces::phi;
+CutPlan plan_cuts(const RowCoordinates& coordinates) {
+  const std::vector<Values>& rows = coordinates.rows;
+  Quantity axis = RowCoordinates::phi;
   auto groups = groups_along(axis, rows);
-  for (const Quantity other : {RowPlaces::theta, RowPlaces::rx_phi, RowPlaces::rx_theta, RowPlaces::frequency})
+  for (const Quantity other :
+       {RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta, RowCoordinates::frequency})
     if (auto grouped = groups_along(other, rows); grouped.size() < groups.size()) axis = other, groups = std::move(grouped);
-  if (rows.size() > 1 && 2 * groups.size() > rows.size()) groups = groups_along(axis = RowPlaces::look_number, rows);
+  if (rows.size() > 1 && 2 * groups.size() > rows.size()) groups = groups_along(axis = RowCoordinates::look_number, rows);
   CutPlan plan{axis, axis_labels[axis], {}};
-  for (auto& group : groups) plan.cuts.push_back(cut_rows(std::move(group), axis, places));
+  for (auto& group : groups) plan.cuts.push_back(cut_rows(std::move(group), axis, coordinates));
   return plan;
 }
 
-std::string place_text(const RowPlaces& places, std::size_t row) {
-  return fixed_values(RowPlaces::quantities, places.rows[row], places.told);
+std::string coordinates_text(const RowCoordinates& coordinates, std::size_t row) {
+  return fixed_values(RowCoordinates::quantities, coordinates.rows[row], coordinates.told);
 }
 
 std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most) {
@@ -113,7 +114,7 @@ std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most) {
 }
 
 Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most_cuts) {
-  const CutPlan plan = plan_cuts(places_of_rows(sweep));
+  const CutPlan plan = plan_cuts(coordinates_of_rows(sweep));
   Cuts chosen{plan.axis, {}, plan.cuts.size()};
   for (const std::size_t i : spread_choice(plan.cuts.size(), most_cuts)) chosen.cuts.push_back(curves_of(plan.cuts[i], result));
   return chosen;

@@ -10,14 +10,15 @@
 
 namespace raytube {
 
-/// Where the rows of a result lie. Quantities in the order in which they are preferred as the axis of a curve.
-struct RowPlaces {
+/// Direction and frequency of the rows of a result. Quantities in the order in which they are preferred as the axis of a curve.
+struct RowCoordinates {
   enum Quantity { phi, theta, rx_phi, rx_theta, frequency, look_number, quantities };
   std::vector<std::array<double, quantities>> rows;  // [degrees, GHz]; look_number counts the direction pairs
   std::array<bool, quantities> told{};               // which ones are told of a row; the receiver's only when it differs
 };
 
-RowPlaces places_of_rows(const Sweep& sweep);
+/// Rows in the order of every output: looks slowest, frequency fastest.
+RowCoordinates coordinates_of_rows(const Sweep& sweep);
 
 /// Rows that differ in one quantity only, ordered by it.
 struct CutRows {
@@ -27,16 +28,16 @@ struct CutRows {
 };
 
 struct CutPlan {
-  RowPlaces::Quantity quantity = RowPlaces::phi;
+  RowCoordinates::Quantity quantity = RowCoordinates::phi;
   std::string axis;  // label with unit
   std::vector<CutRows> cuts;
 };
 
 /// Takes the quantity that leaves the fewest cuts as the axis, or the look's number if no quantity orders the looks.
-CutPlan plan_cuts(const RowPlaces& places);
+CutPlan plan_cuts(const RowCoordinates& coordinates);
 
-/// Where a row lies: "10 GHz, θ = 90°, φ = 12°".
-std::string place_text(const RowPlaces& places, std::size_t row);
+/// The coordinates of a row in words: "10 GHz, θ = 90°, φ = 12°".
+std::string coordinates_text(const RowCoordinates& coordinates, std::size_t row);
 
 /// At most `most` of `count` cuts, evenly spread from the first to the last.
 std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most);

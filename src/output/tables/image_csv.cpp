@@ -36,7 +36,7 @@ std::string look_note(const Sweep& sweep, const LookImage& image) {
                      number_text(image.lattice.cell.y), axis_text(image.lattice.v_hat));
 }
 
-std::string header() {
+std::string image_columns() {
   std::string names = "row,col,u_m,v_m";
   for (const char* channel : channel_names) names += fmt::format(",re_{0},im_{0}", channel);
   for (const char* channel : channel_names) names += fmt::format(",sigma_{}_dbsm", channel);
@@ -62,7 +62,7 @@ std::string row_text(const glm::uvec2& at, const dvec2& middle, const Scattering
 
 void write_image_csv(const std::filesystem::path& file, const Sweep& sweep, const LookImage& image) {
   OutputFile out(file);
-  out.write(image_conventions + look_note(sweep, image) + header());
+  out.write(image_conventions + look_note(sweep, image) + image_columns());
   for (std::uint32_t row = 0; row < image.lattice.rows; ++row)
     for (std::uint32_t column = 0; column < image.lattice.columns; ++column) {
       const glm::uvec2 at(column, row);

@@ -1,7 +1,6 @@
 #include "output/tables/result_table.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -51,13 +50,13 @@ std::string first_of(const std::vector<std::string>& names) {
   std::vector<std::string> listed;
   for (std::size_t i = 0; i < std::min(most, names.size()); ++i) listed.push_back(quotable(names[i]));
   if (names.size() > most) listed.push_back("...");
-  return fmt::format("{}", fmt::join(listed, ", "));
+  return joined(listed, ", ");
 }
 
 // Columns by name, in small or capital letters.
 class Header {
  public:
-  Header(const CsvReader& reader, const ColumnMap& map) : place_(reader.place()), names_(reader.columns()), map_(map) {
+  Header(const CsvReader& reader, const ColumnMap& map) : location_(reader.location()), names_(reader.columns()), map_(map) {
     for (std::string& name : names_)
       std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const ColumnChoice& choice : map)
@@ -71,18 +70,18 @@ class Header {
     return {column(chosen->theirs), chosen->factor, chosen->offset};
   }
 
-  [[noreturn]] void reject(const std::string& sentence) const { throw InputError(place_ + ": " + sentence); }
+  [[noreturn]] void reject(const std::string& sentence) const { throw InputError(location_ + ": " + sentence); }
 
  private:
   Column column(const std::string& name) const {
     const auto found = std::ranges::find(names_, name);
     if (found == names_.end()) return std::nullopt;
     if (std::find(found + 1, names_.end(), name) != names_.end())
-      throw InputError(fmt::format("{}: two columns are named {}; rename or remove one", place_, quotable(name)));
+      throw InputError(fmt::format("{}: two columns are named {}; rename or remove one", location_, quotable(name)));
     return found - names_.begin();
   }
 
-  std::string place_;
+  std::string location_;
   std::vector<std::string> names_;
   const ColumnMap& map_;
 };
@@ -159,7 +158,7 @@ double sigma_cell(const CsvReader& reader, const Source& source) {
 double amplitude(const CsvReader& reader, const ChannelSource& source) {
   if (!source.magnitude) return std::pow(10.0, sigma_cell(reader, source.sigma) / 20.0) / std::sqrt(4.0 * pi);
   const double magnitude = value_of(reader, source.magnitude, "write the root of sigma in metres");
-  if (magnitude < 0.0) throw InputError(fmt::format("{}: a magnitude must be 0 or more", reader.place()));
+  if (magnitude < 0.0) throw InputError(fmt::format("{}: a magnitude must be 0 or more", reader.location()));
   return magnitude / std::sqrt(4.0 * pi);
 }
 
@@ -181,7 +180,7 @@ int transmit_of(const CsvReader& reader, std::size_t column) {
   const std::string& text = reader.cell(column);
   if (text == "v" || text == "V") return 0;
   if (text == "h" || text == "H") return 1;
-  throw InputError(fmt::format("{}: the transmit polarisation is \"{}\"; write v or h", reader.place(), quotable(text)));
+  throw InputError(fmt::format("{}: the transmit polarisation is \"{}\"; write v or h", reader.location(), quotable(text)));
 }
 
 ResultTable::Keys read_keys(const CsvReader& reader, const Layout& layout) {
@@ -189,7 +188,7 @@ ResultTable::Keys read_keys(const CsvReader& reader, const Layout& layout) {
   for (int k = 0; k < ResultTable::keys; ++k)
     if (layout.keys[k]) key[k] = value_of(reader, layout.keys[k], "write an angle in degrees or a frequency");
   if (layout.keys[ResultTable::frequency] && !(key[ResultTable::frequency] > 0.0))
-    throw InputError(fmt::format("{}: the frequency must be greater than 0", reader.place()));
+    throw InputError(fmt::format("{}: the frequency must be greater than 0", reader.location()));
   return key;
 }
 
@@ -220,23 +219,23 @@ class Rows {
  private:
   // The n-th row of one polarisation belongs to the n-th row of the other with the same keys.
   ResultTable::Row& shared_row(const ResultTable::Keys& key, int transmit) {
-    Places& places = places_[key];
-    const std::size_t n = places.count[transmit]++;
+    SharedRows& shared = shared_[key];
+    const std::size_t n = shared.count[transmit]++;
     ++count_[transmit];
-    if (n == places.rows.size()) {
-      places.rows.push_back(rows_.size());
+    if (n == shared.rows.size()) {
+      shared.rows.push_back(rows_.size());
       rows_.emplace_back();
     }
-    return rows_[places.rows[n]];
+    return rows_[shared.rows[n]];
   }
 
-  struct Places {
+  struct SharedRows {
     std::array<std::size_t, 2> count{};
     std::vector<std::size_t> rows;
   };
 
   const Layout& layout_;
-  std::map<ResultTable::Keys, Places> places_;
+  std::map<ResultTable::Keys, SharedRows> shared_;
   std::array<std::size_t, 2> count_{};
   std::vector<ResultTable::Row> rows_;
 };

@@ -1,8 +1,11 @@
+#include "output/tables/sources_csv.h"
+
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "core/decimal.h"
 #include "output/files/files.h"
-#include "output/tables/sources_files.h"
 
 namespace raytube {
 
@@ -24,7 +27,7 @@ constexpr const char* meanings =
     "all "
     "parts together. An empty cell: not defined for this model, or too costly for this scene.\n";
 
-constexpr const char* header =
+constexpr const char* source_columns =
     "position,x_m,y_m,z_m,model,rays_asked,rays,part,first_hits,all_hits,direct_percent,hit_percent,limit_percent,"
     "limit_bound_percent,exact_percent,estimate_percent,estimate_bound_percent,response_percent,escaped,absorbed,cut,seconds\n";
 
@@ -35,7 +38,7 @@ std::string ratio(std::uint64_t part, std::uint64_t whole) {
 }
 
 std::string row(const SourceRun& run, const PartHits& part, const std::string& name) {
-  const std::string place =
+  const std::string position =
       fmt::format("{},{},{},{}", run.position, number_text(run.point.x), number_text(run.point.y), number_text(run.point.z));
   const std::string counts = fmt::format("{},{},{},{},{},{}", launch_model_name(run.model), run.rays_asked, run.rays, name,
                                          part.first_hits, part.all_hits);
@@ -43,7 +46,7 @@ std::string row(const SourceRun& run, const PartHits& part, const std::string& n
       fmt::format("{},{},{},{},{},{},{},{}", ratio(part.first_hits, run.rays), ratio(part.all_hits, run.rays),
                   percent(part.limit), percent(part.limit_bound), percent(part.exact), percent(part.estimate),
                   percent(part.estimate_bound), percent(part.response));
-  return fmt::format("{},{},{},{},{},{},{:.4g}\n", place, counts, shares, run.escaped, run.absorbed, run.cut, run.seconds);
+  return fmt::format("{},{},{},{},{},{},{:.4g}\n", position, counts, shares, run.escaped, run.absorbed, run.cut, run.seconds);
 }
 
 }  // namespace
@@ -51,7 +54,7 @@ std::string row(const SourceRun& run, const PartHits& part, const std::string& n
 void write_sources_csv(const std::filesystem::path& path, const SourceStudy& study) {
   OutputFile file(path);
   file.write(meanings);
-  file.write(header);
+  file.write(source_columns);
   for (const SourceRun& run : study.runs)
     for (std::size_t part = 0; part < run.parts.size(); ++part) file.write(row(run, run.parts[part], study.part_names[part]));
   file.commit();

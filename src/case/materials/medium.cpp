@@ -1,14 +1,14 @@
-#include "case/medium.h"
+#include "case/materials/medium.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "case/keys.h"
-#include "case/media.h"
-#include "case/values.h"
+#include "case/materials/media.h"
+#include "case/materials/medium_csv.h"
+#include "case/text/keys.h"
+#include "case/text/values.h"
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -89,7 +89,7 @@ std::string read_medium_name(const CaseValue& value, const std::string& key) {
   if (std::ranges::find(known, name) != known.end()) return name;
   const std::string meant = medium_meant(name);
   reject(value, fmt::format("{} \"{}\" is not in the library; write {}", key, quotable(name),
-                            meant.empty() ? fmt::format("{}", fmt::join(known, ", ")) : fmt::format("\"{}\"", meant)));
+                            meant.empty() ? joined(known, ", ") : fmt::format("\"{}\"", meant)));
 }
 
 Medium medium_of_numbers(const MediumChoice& choice, double frequency) {
@@ -99,19 +99,19 @@ Medium medium_of_numbers(const MediumChoice& choice, double frequency) {
   return {{choice.eps_r[0], -loss}, {choice.mu_r[0], -choice.mu_r[1]}};
 }
 
-std::string place_of(const MediumChoice& choice) { return fmt::format("{}: {}", choice.place, choice.key); }
+std::string location_of(const MediumChoice& choice) { return fmt::format("{}: {}", choice.location, choice.key); }
 
 // Frequencies from the command line are what went wrong, rather than a line of the file.
-std::string place_of(const MediumChoice& choice, const std::string& asked_at) {
-  const bool asked_too_much = is_override(asked_at) && !is_override(choice.place);
-  return fmt::format("{}: {}", asked_too_much ? asked_at : choice.place, choice.key);
+std::string location_of(const MediumChoice& choice, const std::string& asked_at) {
+  const bool asked_too_much = is_override(asked_at) && !is_override(choice.location);
+  return fmt::format("{}: {}", asked_too_much ? asked_at : choice.location, choice.key);
 }
 
 Medium medium_of_library(const MediumChoice& choice, double frequency, const std::string& asked_at) {
   try {
     return *library_medium(choice.medium, frequency);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", place_of(choice, asked_at), error.what()));
+    throw InputError(fmt::format("{}: {}", location_of(choice, asked_at), error.what()));
   }
 }
 
@@ -120,7 +120,7 @@ Medium medium_of_table(const MediumTable& table, const MediumChoice& choice, dou
     throw InputError(
         fmt::format("{} \"{}\" goes from {} to {} GHz, but frequency.ghz asks for {}; choose frequencies within, or "
                     "another table",
-                    place_of(choice, asked_at), quotable(choice.table_csv), number_text(table.frequencies.front() / 1e9),
+                    location_of(choice, asked_at), quotable(choice.table_csv), number_text(table.frequencies.front() / 1e9),
                     number_text(table.frequencies.back() / 1e9), number_text(frequency / 1e9)));
   return table.at(frequency);
 }
@@ -129,7 +129,7 @@ void check_size(const Complex& relative, std::string_view name, const MediumChoi
   if (const double size = std::abs(relative); !(size > 1.0 / most_relative && size < most_relative))
     throw InputError(
         fmt::format("{}: {} is {:.3g} in size at {} GHz, which is not a medium's; correct it, or write kind = \"pec\"",
-                    place_of(choice), name, size, number_text(frequency / 1e9)));
+                    location_of(choice), name, size, number_text(frequency / 1e9)));
 }
 
 void check_medium(const Medium& medium, const MediumChoice& choice, double frequency) {
@@ -138,22 +138,17 @@ void check_medium(const Medium& medium, const MediumChoice& choice, double frequ
   // Only a loss tells waves that go on from waves that come back, and those would be a gain.
   const bool lossless = medium.permittivity.imag() == 0.0 && medium.permeability.imag() == 0.0;
   if (lossless && medium.permittivity.real() < 0.0 && medium.permeability.real() < 0.0)
-    throw InputError(fmt::format("{}: eps_r and mu_r are both below 0 at {} GHz; give one of them a loss", place_of(choice),
+    throw InputError(fmt::format("{}: eps_r and mu_r are both below 0 at {} GHz; give one of them a loss", location_of(choice),
                                  number_text(frequency / 1e9)));
 }
 
 }  // namespace
 
-std::string loss_convention(std::string_view key) {
-  const bool magnetic = key.substr(key.rfind('.') + 1).starts_with("mu_");
-  return fmt::format("{0}_r = {0}' - j {0}'' (e^{{+jwt}})", magnetic ? "mu" : "eps");
-}
-
 MediumChoice read_medium(const CaseValue& table, const std::string& path) {
   MediumChoice medium;
   const CaseValue* given = only_one(table, path, {"eps_r", "table_csv", "medium"});
   if (!given) reject(table, {table.find("kind")}, path + ".eps_r is missing; add it, or table_csv or medium in its place");
-  medium.place = given->place;
+  medium.location = given->location;
   if (table.find("eps_r")) {
     medium.key = path + ".eps_r";
     read_numbers(table, path, medium);
@@ -179,7 +174,7 @@ std::string medium_meant(std::string_view name) {
 std::vector<Medium> media_at(const MediumChoice& choice, const std::filesystem::path& folder, std::span<const double> frequencies,
                              const std::string& asked_at) {
   MediumTable table;
-  if (!choice.table_csv.empty()) table = read_medium_csv(folder / choice.table_csv, place_of(choice));
+  if (!choice.table_csv.empty()) table = read_medium_csv(folder / choice.table_csv, location_of(choice));
   std::vector<Medium> media;
   for (const double frequency : frequencies) {
     media.push_back(!choice.table_csv.empty() ? medium_of_table(table, choice, frequency, asked_at)

@@ -1,22 +1,25 @@
-#include <fmt/ranges.h>
+#include "case/directions/looks_csv.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
-#include "case/looks.h"
+#include "case/directions/row_limit.h"
 #include "core/csv_reader.h"
 #include "core/error.h"
+#include "core/text.h"
 
 namespace raytube {
 
 namespace {
 
-const std::vector<std::string> long_header = {"theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg"};
+const std::vector<std::string> look_columns = {"theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg"};
 
 void check_header(const CsvReader& reader) {
   const std::vector<std::string>& names = reader.columns();
-  if ((names.size() != 2 && names.size() != 4) || !std::equal(names.begin(), names.end(), long_header.begin()))
+  if ((names.size() != 2 && names.size() != 4) || !std::equal(names.begin(), names.end(), look_columns.begin()))
     throw InputError(
-        fmt::format("{}: the header must be \"theta_deg,phi_deg\" or \"{}\"", reader.place(), fmt::join(long_header, ",")));
+        fmt::format("{}: the header must be \"theta_deg,phi_deg\" or \"{}\"", reader.location(), joined(look_columns, ",")));
 }
 
 double angle(const CsvReader& reader, std::size_t column) {
@@ -27,7 +30,7 @@ double angle(const CsvReader& reader, std::size_t column) {
 Direction direction(const CsvReader& reader, std::size_t column) {
   const double theta_deg = angle(reader, column), phi_deg = angle(reader, column + 1);
   if (theta_deg < 0.0 || theta_deg > 180.0)
-    throw InputError(fmt::format("{}: theta must lie in 0 to 180 degrees, from +z (found {})", reader.place(), theta_deg));
+    throw InputError(fmt::format("{}: theta must lie in 0 to 180 degrees, from +z (found {})", reader.location(), theta_deg));
   return {theta_deg * degree, phi_deg * degree};
 }
 
@@ -40,7 +43,7 @@ std::vector<Look> read_looks_csv(const std::filesystem::path& file, bool& bistat
   bistatic = reader.columns().size() == 4;
   while (reader.next()) {
     if (static_cast<double>(looks.size()) == most_rows)
-      throw InputError(fmt::format("{}: more than {:.0f} looks; split the list", reader.place(), most_rows));
+      throw InputError(fmt::format("{}: more than {:.0f} looks; split the list", reader.location(), most_rows));
     const Direction transmit = direction(reader, 0);
     looks.push_back({transmit, bistatic ? direction(reader, 2) : transmit});
   }

@@ -1,4 +1,4 @@
-#include "case/media.h"
+#include "case/materials/media.h"
 
 #include <fmt/format.h>
 
@@ -13,18 +13,18 @@ namespace raytube {
 
 namespace {
 
-constexpr double vacuum_permittivity = 8.8541878128e-12;  // [F/m], CODATA 2018
+constexpr double rounded_vacuum_permittivity = 8.8541878128e-12;  // [F/m], CODATA 2018
 
 using Permittivity = std::function<Complex(double ghz)>;
 
-struct Entry {
+struct PublishedMedium {
   std::string_view name;
   double lowest_ghz, highest_ghz;  // both included
   Permittivity permittivity;
 };
 
 Complex of_conductivity(double siemens_per_metre, double ghz) {
-  return Complex(0.0, -siemens_per_metre / (2e9 * pi * ghz * vacuum_permittivity));
+  return Complex(0.0, -siemens_per_metre / (2e9 * pi * ghz * rounded_vacuum_permittivity));
 }
 
 Permittivity metal(double resistivity) {
@@ -60,8 +60,8 @@ Complex water(double ghz) {
   return (fixed - middle) / Complex(1.0, ghz / slow) + (middle - infinite) / Complex(1.0, ghz / fast) + infinite;
 }
 
-const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all = {
+const std::vector<PublishedMedium>& published_media() {
+  static const std::vector<PublishedMedium> all = {
       // Resistivities at 293 K: Desai, James & Ho 1984; Matula 1979; for AISI 304, which is not magnetic, ASM data sheet. Up to
       // where omega tau of good conductors is small (Drude; Ordal et al. 1983).
       {"aluminium", 0.0, 100.0, metal(2.650e-8)},
@@ -90,13 +90,13 @@ const std::vector<Entry>& entries() {
 
 std::vector<std::string> library_names() {
   std::vector<std::string> names;
-  for (const Entry& entry : entries()) names.emplace_back(entry.name);
+  for (const PublishedMedium& entry : published_media()) names.emplace_back(entry.name);
   return names;
 }
 
 std::optional<Medium> library_medium(std::string_view name, double frequency_hz) {
-  const auto found = std::ranges::find(entries(), name, &Entry::name);
-  if (found == entries().end()) return std::nullopt;
+  const auto found = std::ranges::find(published_media(), name, &PublishedMedium::name);
+  if (found == published_media().end()) return std::nullopt;
   if (!(frequency_hz >= found->lowest_ghz * 1e9 && frequency_hz <= found->highest_ghz * 1e9))
     throw InputError(fmt::format("\"{}\" is known from {:g} to {:g} GHz, not at {:g} GHz; give the permittivity in its place",
                                  name, found->lowest_ghz, found->highest_ghz, frequency_hz * 1e-9));

@@ -1,11 +1,11 @@
-#include "case/looks.h"
+#include "case/directions/looks.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "case/radar.h"
-#include "case/values.h"
+#include "case/directions/looks_csv.h"
+#include "case/directions/radar.h"
+#include "case/directions/row_limit.h"
+#include "case/text/values.h"
 #include "core/error.h"
 
 namespace raytube {
@@ -21,8 +21,8 @@ std::vector<double> read_angles(const CaseValue& root, const CaseValue& section,
   const std::string key = section_name + "." + name;
   const CaseValue* value = section.find(name);
   if (!value)
-    throw InputError(fmt::format("{}: {} is missing; add {} = a number, a list or {{ start, stop, step }} under [{}]", root.place,
-                                 key, name, section_name));
+    throw InputError(fmt::format("{}: {} is missing; add {} = a number, a list or {{ start, stop, step }} under [{}]",
+                                 root.location, key, name, section_name));
   std::vector<double> angles = read_stepped(*value, key);
   for (const double angle : angles)
     if (name == "theta_deg" && (angle < 0.0 || angle > 180.0)) reject(*value, theta_sentence(key, angle));
@@ -64,20 +64,11 @@ void fill_from_list(const CaseValue& look, const CaseValue* receive, Case& c) {
 
 }  // namespace
 
-void check_rows(const CaseValue& value, double looks, std::size_t frequencies) {
-  const double rows = looks * static_cast<double>(frequencies), fit = std::floor(most_rows / static_cast<double>(frequencies));
-  if (rows > most_rows)
-    reject(value,
-           fmt::format("{:.7g} looks at {} frequencies make {:.7g} rows, more than the {:.0f} allowed; split the sweep: {:.0f} "
-                       "looks would fit",
-                       looks, frequencies, rows, most_rows, fit));
-}
-
 void read_looks(const CaseValue& root, Case& c) {
   const CaseValue* look = root.find("look");
   const CaseValue* receive = root.find("receive");
   if (has_positions(root)) return read_positions(root, c);
-  if (!look) throw InputError(root.place + ": no directions; add a [look] section with theta_deg and phi_deg");
+  if (!look) throw InputError(root.location + ": no directions; add a [look] section with theta_deg and phi_deg");
   if (look->find("looks_csv")) return fill_from_list(*look, receive, c);
   c.looks.theta_deg = read_angles(root, *look, "look", "theta_deg");
   c.looks.phi_deg = read_angles(root, *look, "look", "phi_deg");

@@ -1,39 +1,40 @@
-#include "case/radar.h"
+#include "case/directions/radar.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "case/looks.h"
-#include "case/values.h"
+#include "case/directions/pattern_csv.h"
+#include "case/directions/row_limit.h"
+#include "case/text/values.h"
 #include "core/error.h"
 
 namespace raytube {
 
 namespace {
 
-double read_range(const CaseValue& value, const std::string& key) {
+double read_distance(const CaseValue& value, const std::string& key) {
   const double range = read_positive(value, key);
   if (range > farthest)
     reject(value, fmt::format("{} must be at most {:g} (found {}); leave out [radar] for the far field", key, farthest, range));
   return range;
 }
 
-std::vector<dvec3> read_places(const CaseValue& value, const std::string& key) {
-  const std::vector<dvec3> places = read_vectors(value, key);
-  for (const dvec3& place : places)
-    if (!(glm::length(place) > 0.0 && glm::length(place) < farthest))
+std::vector<dvec3> read_antenna_positions(const CaseValue& value, const std::string& key) {
+  const std::vector<dvec3> positions = read_vectors(value, key);
+  for (const dvec3& position : positions)
+    if (!(glm::length(position) > 0.0 && glm::length(position) < farthest))
       reject(value,
              fmt::format("{} must not be the origin of the mesh's coordinates, nor farther than {:g} m from it", key, farthest));
-  return places;
+  return positions;
 }
 
-Direction direction_of(const dvec3& place) {
-  return {std::atan2(std::hypot(place.x, place.y), place.z), std::atan2(place.y, place.x)};
+Direction direction_of(const dvec3& position) {
+  return {std::atan2(std::hypot(position.x, position.y), position.z), std::atan2(position.y, position.x)};
 }
 
-Look look_at_interaction(const dvec3& transmit, const dvec3& receive) {
+Look look_between(const dvec3& transmit, const dvec3& receive) {
   return {direction_of(transmit), direction_of(receive), glm::length(transmit), glm::length(receive)};
 }
 
@@ -54,11 +55,12 @@ void read_beamwidth(const CaseValue& value, Case& c) {
 void set_ranges(const CaseValue& section, Case& c) {
   const CaseValue* range = section.find("range_m");
   const CaseValue* receive = section.find("receive_range_m");
-  if (!range) throw InputError(section.place + ": radar.range_m is missing; give the distance from the mesh's origin in metres");
-  c.radar.range_m = c.radar.receive_range_m = read_range(*range, "radar.range_m");
+  if (!range)
+    throw InputError(section.location + ": radar.range_m is missing; give the distance from the mesh's origin in metres");
+  c.radar.range_m = c.radar.receive_range_m = read_distance(*range, "radar.range_m");
   if (receive && !c.sweep.bistatic)
     reject(*receive, "radar.receive_range_m needs a receiver of its own; add [receive], or remove it");
-  if (receive) c.radar.receive_range_m = read_range(*receive, "radar.receive_range_m");
+  if (receive) c.radar.receive_range_m = read_distance(*receive, "radar.receive_range_m");
   for (Look& look : c.sweep.looks) {
     look.transmit_range = c.radar.range_m;
     look.receive_range = c.radar.receive_range_m;
@@ -78,16 +80,16 @@ void read_positions(const CaseValue& root, Case& c) {
   for (const char* key : {"range_m", "receive_range_m"})
     if (const CaseValue* given = find(root, "radar", key))
       reject(*given, {&position}, fmt::format("radar.{} cannot go with radar.position_m; remove one of them", key));
-  c.radar.positions = read_places(position, "radar.position_m");
+  c.radar.positions = read_antenna_positions(position, "radar.position_m");
   if (const CaseValue* receive = find(root, "radar", "receive_position_m"))
-    c.radar.receive_positions = read_places(*receive, "radar.receive_position_m");
+    c.radar.receive_positions = read_antenna_positions(*receive, "radar.receive_position_m");
   c.sweep.bistatic = !c.radar.receive_positions.empty();
   const double pairs = static_cast<double>(c.radar.positions.size()) *
                        static_cast<double>(c.sweep.bistatic ? c.radar.receive_positions.size() : 1);
   check_rows(position, pairs, c.sweep.frequencies.size());
   for (const dvec3& transmit : c.radar.positions) {
-    if (!c.sweep.bistatic) c.sweep.looks.push_back(look_at_interaction(transmit, transmit));
-    for (const dvec3& receive : c.radar.receive_positions) c.sweep.looks.push_back(look_at_interaction(transmit, receive));
+    if (!c.sweep.bistatic) c.sweep.looks.push_back(look_between(transmit, transmit));
+    for (const dvec3& receive : c.radar.receive_positions) c.sweep.looks.push_back(look_between(transmit, receive));
   }
 }
 

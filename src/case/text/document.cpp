@@ -1,4 +1,4 @@
-#include "case/document.h"
+#include "case/text/document.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -7,8 +7,6 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <regex>
-#include <sstream>
 #include <string_view>
 
 #include "core/error.h"
@@ -27,7 +25,7 @@ struct Source {
   std::string name;
   bool has_lines;
 
-  std::string place(const toml::source_region& region) const {
+  std::string location(const toml::source_region& region) const {
     if (!has_lines || region.begin.line == 0) return name;
     return fmt::format("{}, line {}", name, region.begin.line);
   }
@@ -73,7 +71,7 @@ CaseValue converted(const toml::node& node, const Source& source) {
   CaseValue value = node.is_table()   ? converted_table(*node.as_table(), source)
                     : node.is_array() ? converted_list(*node.as_array(), source)
                                       : converted_scalar(node);
-  value.place = source.place(node.source());
+  value.location = source.location(node.source());
   return value;
 }
 
@@ -120,23 +118,40 @@ std::string text_of_file(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-[[noreturn]] void reject_deep_key(const std::string& place) {
-  throw InputError(fmt::format("{}: a key of more than {} parts; write section.key", place, most_parts));
+[[noreturn]] void reject_deep_key(const std::string& location) {
+  throw InputError(fmt::format("{}: a key of more than {} parts; write section.key", location, most_parts));
+}
+
+std::string line_of(const std::string& text, std::size_t line) {
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < line && begin < text.size(); ++i) begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+  return text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
+}
+
+constexpr const char* blanks = " \t\r\v\f";
+
+// True for two numbers with nothing but `mark` and blanks between them; a blank as the mark itself is needed.
+bool numbers_with_between(const std::string& line, char mark) {
+  for (std::size_t at = line.find_first_of(".0123456789"); at != std::string::npos;
+       at = line.find_first_of(".0123456789", at + 1)) {
+    std::size_t next = line.find_first_not_of(blanks, at + 1);
+    if (mark != ' ' && next != std::string::npos && line[next] == mark)
+      next = line.find_first_not_of(blanks, next + 1);
+    else if (mark != ' ' || next == at + 1)
+      continue;
+    if (next != std::string::npos && std::string_view("+-.0123456789").find(line[next]) != std::string_view::npos) return true;
+  }
+  return false;
 }
 
 // What people who come from MATLAB write in a line that is no TOML.
-std::string_view habit_in_line(const std::string& text, std::size_t line) {
-  std::istringstream lines(text);
-  std::string asked;
-  for (std::size_t i = 0; i < line && std::getline(lines, asked); ++i) {
-  }
-  asked.resize(std::min<std::size_t>(asked.size(), 200));  // std::regex takes stack for every character
-  static const std::regex range(R"([\d.]\s*:\s*[-+\d.])"), comment(R"(^[^"]*%)"), spaces(R"([\d.]\s+[-+\d.])"),
-      closing(R"(;\s*$)");
-  if (std::regex_search(asked, comment)) return "; a comment begins with #";
-  if (std::regex_search(asked, range)) return "; a range is written { start = 0, stop = 90, step = 1 }";
-  if (std::regex_search(asked, closing)) return "; a line ends without a semicolon";
-  if (std::regex_search(asked, spaces)) return "; numbers of a list have commas between them";
+std::string_view habit_in_line(const std::string& text, std::size_t number) {
+  const std::string line = line_of(text, number);
+  const std::size_t last = line.find_last_not_of(blanks);
+  if (line.find('%') < line.find('"')) return "; a comment begins with #";
+  if (numbers_with_between(line, ':')) return "; a range is written { start = 0, stop = 90, step = 1 }";
+  if (last != std::string::npos && line[last] == ';') return "; a line ends without a semicolon";
+  if (numbers_with_between(line, ' ')) return "; numbers of a list have commas between them";
   return "";
 }
 
@@ -147,10 +162,10 @@ CaseValue parsed_file(const std::filesystem::path& file) {
   if (const std::size_t line = line_of_deep_key(text)) reject_deep_key(fmt::format("{}, line {}", source.name, line));
   try {
     CaseValue root = converted(toml::parse(text), source);
-    root.place = source.name;
+    root.location = source.name;
     return root;
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}: not valid TOML{}; correct this line ({})", source.place(error.source()),
+    throw InputError(fmt::format("{}: not valid TOML{}; correct this line ({})", source.location(error.source()),
                                  habit_in_line(text, error.source().begin.line), error.description()));
   }
 }
@@ -231,20 +246,21 @@ const CaseValue* find(const CaseValue& root, std::string_view section, std::stri
 
 const CaseValue& require(const CaseValue& root, const std::string& section, const std::string& key, const std::string& remedy) {
   const CaseValue* value = find(root, section, key);
-  if (!value) throw InputError(fmt::format("{}: {}.{} is missing; add {} under [{}]", root.place, section, key, remedy, section));
+  if (!value)
+    throw InputError(fmt::format("{}: {}.{} is missing; add {} under [{}]", root.location, section, key, remedy, section));
   return *value;
 }
 
-void reject(const CaseValue& value, const std::string& sentence) { throw InputError(value.place + ": " + sentence); }
+void reject(const CaseValue& value, const std::string& sentence) { throw InputError(value.location + ": " + sentence); }
 
 void reject(const CaseValue& value, std::initializer_list<const CaseValue*> others, const std::string& sentence) {
-  if (!is_override(value.place))
+  if (!is_override(value.location))
     for (const CaseValue* other : others)
-      if (other && is_override(other->place)) reject(*other, sentence);
+      if (other && is_override(other->location)) reject(*other, sentence);
   reject(value, sentence);
 }
 
-bool is_override(std::string_view place) { return place.starts_with(override_prefix); }
+bool is_override(std::string_view location) { return location.starts_with(override_prefix); }
 
 CaseValue read_case_document(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   CaseValue root = parsed_file(file);

@@ -1,16 +1,22 @@
 // What the target is made of: [materials], and in [target] which material is where.
 #pragma once
 
+#include <array>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "case/case.h"
-#include "case/document.h"
+#include "case/text/document.h"
 
 namespace raytube {
 
-/// Fills c.places, c.materials and c.sweep.materials; frequencies must be known already. Throws InputError.
+/// Fills c.assignment, c.materials and c.sweep.materials; frequencies must be known already. Throws InputError.
 void read_materials(const CaseValue& root, Case& c);
 
-/// Which material is where; `names` are those there are.
-MaterialPlaces read_places(const CaseValue& root, const std::vector<std::string>& names);
+/// Tables of the media in use, as written and resolved, each once.
+std::vector<std::pair<std::string, std::filesystem::path>> medium_tables(const Case& c);
 
 /// The names of those that are defined, but that nothing in [target] has.
 std::vector<std::string> unused_materials(const Case& c);

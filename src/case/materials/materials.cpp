@@ -1,12 +1,12 @@
-#include "case/materials.h"
+#include "case/materials/materials.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "case/medium.h"
-#include "case/values.h"
+#include "case/materials/material_assignment.h"
+#include "case/materials/medium.h"
+#include "case/text/values.h"
 #include "core/decimal.h"
 #include "core/text.h"
 
@@ -29,11 +29,10 @@ struct Entry {
 
 std::string read_kind(const Entry& entry) {
   const CaseValue* value = entry.find("kind");
-  if (!value) reject(entry.table, fmt::format("{} is missing; write \"{}\"", entry.key("kind"), fmt::join(kinds, "\", \"")));
+  if (!value) reject(entry.table, fmt::format("{} is missing; write \"{}\"", entry.key("kind"), joined(kinds, "\", \"")));
   const std::string kind = read_text(*value, entry.key("kind"));
   if (std::ranges::find(kinds, kind) == kinds.end())
-    reject(*value,
-           fmt::format("{} \"{}\" is unknown; write \"{}\"", entry.key("kind"), quotable(kind), fmt::join(kinds, "\", \"")));
+    reject(*value, fmt::format("{} \"{}\" is unknown; write \"{}\"", entry.key("kind"), quotable(kind), joined(kinds, "\", \"")));
   return kind;
 }
 
@@ -43,7 +42,7 @@ void check_kind_has_keys(const Entry& entry, const std::string& kind) {
     if (const CaseValue* value = entry.find(key); value && std::ranges::find(having, kind) == having.end())
       reject(*value, {entry.find("kind")},
              fmt::format("{} does not belong to kind \"{}\"; remove it, or write kind = \"{}\"", entry.key(key), kind,
-                         fmt::join(having, "\" or \"")));
+                         joined(having, "\" or \"")));
   };
   for (const char* key : medium_keys) only(key, {"dielectric", "coated", "sheet"});
   for (const char* key : {"thickness_mm", "layers"}) only(key, {"coated", "sheet"});
@@ -129,9 +128,10 @@ void read_definitions(const CaseValue& section, Case& c) {
   }
 }
 
-bool is_used(const MaterialPlaces& places, std::string_view name) {
-  const auto names_it = [&](const auto& place) { return place.material == name; };
-  return places.elsewhere == name || std::ranges::any_of(places.parts, names_it) || std::ranges::any_of(places.facets, names_it);
+bool is_used(const MaterialAssignment& assignment, std::string_view name) {
+  const auto names_it = [&](const auto& part) { return part.material == name; };
+  return assignment.elsewhere == name || std::ranges::any_of(assignment.parts, names_it) ||
+         std::ranges::any_of(assignment.facets, names_it);
 }
 
 MaterialKind kind_of(const MaterialChoice& choice) {
@@ -142,7 +142,7 @@ MaterialKind kind_of(const MaterialChoice& choice) {
   return choice.layers.empty() ? MaterialKind::thin_sheet : MaterialKind::sheet;
 }
 
-Material material_of(const MaterialChoice& choice, const Case& c, const std::string& frequencies_place) {
+Material material_of(const MaterialChoice& choice, const Case& c, const std::string& asked_at) {
   Material material;
   material.name = choice.name;
   material.kind = kind_of(choice);
@@ -151,7 +151,7 @@ Material material_of(const MaterialChoice& choice, const Case& c, const std::str
   if (choice.conductance) material.conductance = *choice.conductance;
   if (!choice.layers.empty()) material.layers.resize(c.sweep.frequencies.size());
   for (const LayerChoice& layer : choice.layers) {
-    const std::vector<Medium> media = media_at(layer.medium, c.file.parent_path(), c.sweep.frequencies, frequencies_place);
+    const std::vector<Medium> media = media_at(layer.medium, c.file.parent_path(), c.sweep.frequencies, asked_at);
     for (std::size_t i = 0; i < media.size(); ++i) material.layers[i].push_back({media[i], layer.thickness_mm / 1e3});
   }
   return material;
@@ -164,11 +164,11 @@ void read_materials(const CaseValue& root, Case& c) {
   if (section) read_definitions(*section, c);
   std::vector<std::string> names(own_materials.begin(), own_materials.end());
   for (const MaterialChoice& choice : c.materials) names.push_back(choice.name);
-  c.places = read_places(root, names);
+  c.assignment = read_material_assignment(root, names);
   for (const MaterialChoice& choice : c.materials)
-    if (is_used(c.places, choice.name) && !(choice.kind == "pec" && choice.roughness_mm == 0.0))
-      c.sweep.materials.push_back(material_of(choice, c, find(root, "frequency", "ghz")->place));
-  if (!is_used(c.places, "absorber")) return;
+    if (is_used(c.assignment, choice.name) && !(choice.kind == "pec" && choice.roughness_mm == 0.0))
+      c.sweep.materials.push_back(material_of(choice, c, find(root, "frequency", "ghz")->location));
+  if (!is_used(c.assignment, "absorber")) return;
   c.sweep.materials.emplace_back();  // which absorbs
   c.sweep.materials.back().name = "absorber";
 }
@@ -176,7 +176,7 @@ void read_materials(const CaseValue& root, Case& c) {
 std::vector<std::string> unused_materials(const Case& c) {
   std::vector<std::string> names;
   for (const MaterialChoice& material : c.materials)
-    if (!is_used(c.places, material.name)) names.push_back(material.name);
+    if (!is_used(c.assignment, material.name)) names.push_back(material.name);
   return names;
 }
 
@@ -185,7 +185,7 @@ std::vector<std::pair<std::string, std::filesystem::path>> medium_tables(const C
   for (const MaterialChoice& material : c.materials)
     for (const LayerChoice& layer : material.layers) {
       const std::pair table{layer.medium.table_csv, c.file.parent_path() / layer.medium.table_csv};
-      if (!table.first.empty() && is_used(c.places, material.name) && std::ranges::find(tables, table) == tables.end())
+      if (!table.first.empty() && is_used(c.assignment, material.name) && std::ranges::find(tables, table) == tables.end())
         tables.push_back(table);
     }
   return tables;

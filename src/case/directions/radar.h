@@ -2,21 +2,18 @@
 #pragma once
 
 #include "case/case.h"
-#include "case/document.h"
+#include "case/text/document.h"
 
 namespace raytube {
 
 /// True if the antennas' positions stand in place of [look] and [receive].
 bool has_positions(const CaseValue& root);
 
-/// Fills c.radar and c.sweep.looks from radar.position_m and radar.receive_position_m.
+/// Fills c.radar and c.sweep.looks from radar.position_m and radar.receive_position_m. Throws
+/// InputError.
 void read_positions(const CaseValue& root, Case& c);
 
 /// Fills the rest of c.radar, c.sweep.radar and the ranges of the looks. Throws InputError.
 void read_radar(const CaseValue& root, Case& c);
-
-/// Cuts of an antenna pattern in two planes, from a CSV file with the header angle_deg,azimuth_db,elevation_db. Throws InputError
-/// with the line.
-void read_pattern_csv(const std::filesystem::path& file, AntennaPattern& pattern);
 
 }  // namespace raytube

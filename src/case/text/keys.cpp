@@ -1,4 +1,4 @@
-#include "case/keys.h"
+#include "case/text/keys.h"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@ namespace raytube {
 struct CaseValue {
   enum class Kind { boolean, number, text, list, table, other };
   Kind kind = Kind::table;
-  std::string place;  // where it stands: "case.toml, line 7" or "--set tubes.max_bounces=3"
+  std::string location;  // where it is written: "case.toml, line 7" or "--set tubes.max_bounces=3"
   bool boolean = false;
   double number = 0.0;
   std::string text;
@@ -28,18 +28,18 @@ struct CaseValue {
 /// The entry root.section.key, or nullptr.
 const CaseValue* find(const CaseValue& root, std::string_view section, std::string_view key);
 
-/// The same; throws InputError that ends with the remedy where there is none.
+/// The entry root.section.key. Throws InputError, which ends with `remedy`, where there is none.
 const CaseValue& require(const CaseValue& root, const std::string& section, const std::string& key, const std::string& remedy);
 
-/// Throws InputError that begins with the place of `value`.
+/// Throws InputError that begins with the location of `value`.
 [[noreturn]] void reject(const CaseValue& value, const std::string& sentence);
 
-/// The same where `value` cannot go with any of the others (null: not there): one from the command line is what went wrong, and
-/// the sentence begins with its place, rather than a line of the file.
+/// Throws InputError for a `value` that cannot go with any of the others (null: not there). It begins with the location of the
+/// one that comes from the command line, if there is one, for that is what went wrong, and else with that of `value`.
 [[noreturn]] void reject(const CaseValue& value, std::initializer_list<const CaseValue*> others, const std::string& sentence);
 
-/// True for the place of a value from the command line.
-bool is_override(std::string_view place);
+/// True for the location of a value from the command line.
+bool is_override(std::string_view location);
 
 /// Reads a TOML file, then applies the overrides in order. An override is KEY=VALUE with a dotted key; a VALUE that is not
 /// TOML is taken as a string. Throws InputError.

@@ -1,4 +1,4 @@
-#include "case/values.h"
+#include "case/text/values.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "case/case.h"
+#include "case/read_case.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,13 @@
 #include <cmath>
 #include <span>
 
-#include "case/document.h"
-#include "case/keys.h"
-#include "case/looks.h"
-#include "case/materials.h"
+#include "case/directions/looks.h"
+#include "case/directions/radar.h"
+#include "case/materials/materials.h"
 #include "case/names.h"
-#include "case/radar.h"
-#include "case/values.h"
+#include "case/text/document.h"
+#include "case/text/keys.h"
+#include "case/text/values.h"
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/text.h"

@@ -1,4 +1,4 @@
-// What `raytube sources` leaves: a table, pictures and a cloud of points.
+// What `raytube sources` finds, as pictures.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,6 @@
 #include "scene/source_study.h"
 
 namespace raytube {
-
-/// One row a launch and part, with the meaning of the columns in its head.
-void write_sources_csv(const std::filesystem::path& file, const SourceStudy& study);
-
-/// The hits of all views as points with their model (its place in launch_model_names) and bounce, ASCII.
-void write_hits_ply(const std::filesystem::path& file, const SourceStudy& study);
 
 /// Draws launch, hits and sources (PNG and SVG) in `folder`, which holds none of them: launch points, hits on the counted part,
 /// and errors against rays and time or, for several positions of the source, shares against position. Returns an empty text, or

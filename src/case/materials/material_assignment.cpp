@@ -1,14 +1,14 @@
-// [target] material, [target.parts] and [target.facets].
+#include "case/materials/material_assignment.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "case/keys.h"
-#include "case/materials.h"
-#include "case/medium.h"
-#include "case/values.h"
+#include "case/materials/medium.h"
+#include "case/text/keys.h"
+#include "case/text/values.h"
 #include "core/decimal.h"
 #include "core/text.h"
 
@@ -17,7 +17,7 @@ namespace raytube {
 namespace {
 
 using Kind = CaseValue::Kind;
-using Facets = MaterialPlaces::Facets;
+using Facets = MaterialAssignment::Facets;
 
 constexpr double most_facets = 9007199254740992.0;  // 2^53: whole numbers of a case file are doubles
 
@@ -48,10 +48,10 @@ std::uint64_t read_facet(const CaseValue& value, const std::string& key) {
   return static_cast<std::uint64_t>(number);
 }
 
-Facets read_range(const CaseValue& value, const std::string& key, const std::string& material) {
-  if (value.kind != Kind::list) return {read_facet(value, key), read_facet(value, key), material, value.place};
+Facets read_facet_range(const CaseValue& value, const std::string& key, const std::string& material) {
+  if (value.kind != Kind::list) return {read_facet(value, key), read_facet(value, key), material, value.location};
   if (value.items.size() != 2) reject(value, key + " has a range that is not [first, last]; write for example [10, 20]");
-  const Facets range{read_facet(value.items[0], key), read_facet(value.items[1], key), material, value.place};
+  const Facets range{read_facet(value.items[0], key), read_facet(value.items[1], key), material, value.location};
   if (range.first > range.last)
     reject(value, fmt::format("{0} has the range [{1}, {2}]; write [{2}, {1}]", key, range.first, range.last));
   return range;
@@ -76,7 +76,7 @@ std::vector<Facets> read_ranges(const CaseValue& value, const std::string& mater
   if (value.kind != Kind::list) reject(value, key + " must be a list of facets and ranges, for example [0, 1, [10, 20]]");
   if (value.items.empty()) reject(value, key + " is an empty list; give at least one facet, or remove it");
   std::vector<Facets> ranges;
-  for (const CaseValue& item : value.items) ranges.push_back(read_range(item, key, material));
+  for (const CaseValue& item : value.items) ranges.push_back(read_facet_range(item, key, material));
   return merged(std::move(ranges));
 }
 
@@ -111,31 +111,31 @@ std::vector<Facets> read_facets(const CaseValue& section, const std::vector<std:
     name += "." + inside->keys.front();
   const std::string key = fmt::format("parts.\"{}\"", quotable(name)),
                     material = inside->kind == Kind::text ? quotable(inside->text) : "MATERIAL";
-  reject(value, "a name with dots needs quotes; write " + (is_override(value.place)
+  reject(value, "a name with dots needs quotes; write " + (is_override(value.location)
                                                                ? fmt::format("--set 'target.{}={}'", key, material)
                                                                : fmt::format("{} = \"{}\" under [target]", key, material)));
 }
 
-std::vector<MaterialPlaces::Part> read_parts(const CaseValue& section, const std::vector<std::string>& names) {
+std::vector<MaterialAssignment::Part> read_parts(const CaseValue& section, const std::vector<std::string>& names) {
   if (section.kind != Kind::table) reject(section, "target.parts must be a section; write [target.parts]");
-  std::vector<MaterialPlaces::Part> parts;
+  std::vector<MaterialAssignment::Part> parts;
   for (std::size_t i = 0; i < section.keys.size(); ++i) {
     const CaseValue& value = section.items[i];
     if (value.kind == Kind::table) reject_dots(section.keys[i], value);
-    parts.push_back({section.keys[i], read_name(value, "target.parts." + quotable(section.keys[i]), names), value.place});
+    parts.push_back({section.keys[i], read_name(value, "target.parts." + quotable(section.keys[i]), names), value.location});
   }
   return parts;
 }
 
 }  // namespace
 
-MaterialPlaces read_places(const CaseValue& root, const std::vector<std::string>& names) {
-  MaterialPlaces places;
+MaterialAssignment read_material_assignment(const CaseValue& root, const std::vector<std::string>& names) {
+  MaterialAssignment assignment;
   if (const CaseValue* material = find(root, "target", "material"))
-    places.elsewhere = read_name(*material, "target.material", names);
-  if (const CaseValue* parts = find(root, "target", "parts")) places.parts = read_parts(*parts, names);
-  if (const CaseValue* facets = find(root, "target", "facets")) places.facets = read_facets(*facets, names);
-  return places;
+    assignment.elsewhere = read_name(*material, "target.material", names);
+  if (const CaseValue* parts = find(root, "target", "parts")) assignment.parts = read_parts(*parts, names);
+  if (const CaseValue* facets = find(root, "target", "facets")) assignment.facets = read_facets(*facets, names);
+  return assignment;
 }
 
 }  // namespace raytube

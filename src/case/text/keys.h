@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "case/document.h"
+#include "case/text/document.h"
 
 namespace raytube {
 

@@ -1,9 +1,10 @@
+#include "case/directions/pattern_csv.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "case/radar.h"
 #include "core/csv_reader.h"
 #include "core/error.h"
 
@@ -23,7 +24,7 @@ void read_pattern_csv(const std::filesystem::path& file, AntennaPattern& pattern
   while (reader.next()) {
     const double angle = reader.finite_number(0, "write angles off the axis in degrees") * degree;
     if (!pattern.azimuth.angles.empty() && angle <= pattern.azimuth.angles.back())
-      throw InputError(reader.place() + ": angle_deg must ascend; sort the rows and drop repeated ones");
+      throw InputError(reader.location() + ": angle_deg must ascend; sort the rows and drop repeated ones");
     pattern.azimuth.angles.push_back(angle);
     pattern.azimuth.levels.push_back(reader.finite_number(1, "write the level relative to the axis in dB"));
     pattern.elevation.levels.push_back(reader.finite_number(2, "write the level relative to the axis in dB"));

@@ -1,8 +1,8 @@
-// Typed values of a case file. Each reader throws InputError with the place, what is wrong and what to write instead;
+// Typed values of a case file. Each reader throws InputError with the location, what is wrong and what to write instead;
 // `key` is the dotted name used in the sentence.
 #pragma once
 
-#include "case/document.h"
+#include "case/text/document.h"
 #include "core/field.h"
 
 namespace raytube {

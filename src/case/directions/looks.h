@@ -1,0 +1,13 @@
+// The directions a case asks for.
+#pragma once
+
+#include "case/case.h"
+#include "case/text/document.h"
+
+namespace raytube {
+
+/// Fills c.looks, c.sweep.looks and c.sweep.bistatic from [look] and [receive]; frequencies must be known already.
+/// Throws InputError.
+void read_looks(const CaseValue& root, Case& c);
+
+}  // namespace raytube

@@ -1,0 +1,20 @@
+// A case as it was understood, every default filled in.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/case.h"
+
+namespace raytube {
+
+/// The resolved case as JSON text with the case file's keys and units. File names stay relative to the case file's folder, so
+/// that it can be read as a case there.
+std::string resolved_case_json(const Case& c);
+
+/// The resolved case key by key, "tubes.mode" and its value in JSON, but for the title and [output], on which no amplitude
+/// depends.
+std::vector<std::pair<std::string, std::string>> numerical_keys(const Case& c);
+
+}  // namespace raytube
