@@ -14,8 +14,8 @@ namespace {
 
 EdgeSetup edge_setup(const SolvePlan& plan) {
   const Target& target = plan.target;
-  EdgeSetup setup{target.tracer,   target.faces,           target.wedges,
-                  target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
+  EdgeSetup setup{
+      target.tracer, target.faces, target.wedges, target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
   setup.frequencies = plan.sweep.frequencies;
   setup.interaction = plan.interaction_above_limit;
   setup.interaction.flip();

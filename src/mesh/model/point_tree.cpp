@@ -7,7 +7,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::uint32_t leaf_size = 8;
+constexpr std::uint32_t points_per_leaf = 8;
 
 int widest_axis(const Box& box) {
   const dvec3 size = box.high - box.low;
@@ -48,7 +48,7 @@ void PointTree::build(std::uint32_t begin, std::uint32_t end) {
   Box box;
   for (std::uint32_t i = begin; i < end; ++i) box.add(points_[members_[i]]);
   nodes_.push_back({box, begin, end});
-  if (end - begin <= leaf_size) return;
+  if (end - begin <= points_per_leaf) return;
   const int axis = widest_axis(box);
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::nth_element(members_.begin() + begin, members_.begin() + middle, members_.begin() + end,

@@ -10,7 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::uint32_t leaf_size = 4;
+constexpr std::uint32_t triangles_per_leaf = 4;
 
 // Along a direction that is far from the given one.
 dvec3 across(const dvec3& direction) {
@@ -94,7 +94,7 @@ dvec3 TriangleTree::spread(const Node& node) const {
 void TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points) {
   const std::size_t index = nodes_.size();
   nodes_.push_back(node_of(begin, end, points));
-  if (end - begin <= leaf_size) return;
+  if (end - begin <= triangles_per_leaf) return;
   const dvec3 along = spread(nodes_[index]);
   const auto depth = [&](std::uint32_t t) { return std::pair(glm::dot(along, sum_of_corners(t)), t); };
   const std::uint32_t middle = begin + (end - begin) / 2;

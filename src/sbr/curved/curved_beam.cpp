@@ -94,7 +94,7 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
 namespace {
 
 // A rule of most_gauss_points follows the phase over this range [rad].
-constexpr double most_phase = 120.0;
+constexpr double widest_quadrature_phase = 120.0;
 
 // Leading term of the method of stationary phase (Born & Wolf 1999, appendix III.3): all of it if the stationary point lies in
 // the rectangle, else nothing.
@@ -112,7 +112,7 @@ Complex phase_integral(const CurvedFootprint& f, double k, const dvec2& size) {
   const dvec2 half = 0.5 * size;
   const double range = k * (std::abs(f.slope.x) * size.x + std::abs(f.slope.y) * size.y +
                             std::abs(f.curvature[0][0]) * half.x * half.x + std::abs(f.curvature[1][1]) * half.y * half.y);
-  if (range > most_phase) return stationary_value(f, k, half);
+  if (range > widest_quadrature_phase) return stationary_value(f, k, half);
   const auto rule = gauss_rule(3 + static_cast<int>(0.3 * range));
   Complex mean = 0.0;
   for (const GaussPoint& x : rule)

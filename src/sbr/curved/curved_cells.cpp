@@ -15,7 +15,7 @@ namespace {
 // A cell with more faces than this is split without a look at them; one with no more than `few` is not worth splitting.
 constexpr std::size_t many = 160, few = 24;
 // Phase [rad] by which the integrand may vary over a cell.
-constexpr double most_phase = 60.0;
+constexpr double widest_cell_phase = 60.0;
 // Share of a cell's far field that its quadrature and the shadow boundary of a tessellation may miss: some times what spheres
 // show.
 constexpr double integration_error = 2e-3;
@@ -183,7 +183,7 @@ class CellTrace {
   }
 
   Verdict judge(const CurvedPiece& piece, const Bounds& box, std::span<const std::uint32_t> triangles) {
-    if (highest_ * path_range(light_, piece, box) > most_phase) return Verdict::bent;
+    if (highest_ * path_range(light_, piece, box) > widest_cell_phase) return Verdict::bent;
     const double farthest = farthest_depth(piece, box);
     phase_off_ = 0.0;
     for (const std::uint32_t t : triangles)

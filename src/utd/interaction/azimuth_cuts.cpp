@@ -8,10 +8,10 @@ namespace raytube {
 namespace {
 
 constexpr std::size_t most_images = 200;
-constexpr double parallel = 1e-9;      // as in RayFanTracer
-constexpr double tangency = 1e-13;     // a cone that misses a plane by so little of its width is tangent to it, along one ray
-constexpr double same_azimuth = 1e-6;  // [rad] cuts that are one: those of such a ray, up to the root of twice `tangency` apart
-constexpr double widest_panel = 0.4;   // [rad]
+constexpr double parallel_edge = 1e-9;  // sine, as that of rays and planes in RayFanTracer
+constexpr double tangency = 1e-13;      // a cone that misses a plane by so little of its width is tangent to it, along one ray
+constexpr double same_azimuth = 1e-6;   // [rad] cuts that are one: those of such a ray, up to the root of twice `tangency` apart
+constexpr double widest_panel = 0.4;    // [rad]
 
 class CutFinder {
  public:
@@ -66,7 +66,7 @@ class CutFinder {
     const double x = glm::dot(normal, face.into_face), y = glm::dot(normal, face.normal);
     const double along = -glm::dot(normal, source_.edge->tangent) * source_.incidence.cos_cone;
     const double across = source_.incidence.sin_cone * std::hypot(x, y);
-    if (across < parallel || std::abs(along) > across * (1.0 + tangency))
+    if (across < parallel_edge || std::abs(along) > across * (1.0 + tangency))
       return;  // at none, or at every azimuth: an upright plane
     const double middle = std::atan2(y, x), aside = std::acos(std::clamp(along / across, -1.0, 1.0));
     for (double azimuth : {middle - aside, middle + aside}) {

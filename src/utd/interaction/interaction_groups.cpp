@@ -7,7 +7,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::size_t most_pairs = 1024;
+constexpr std::size_t most_interacting_pairs = 1024;
 constexpr std::size_t most_corners = 200;
 
 std::vector<double> patch_areas(const TriangleMesh& mesh) {
@@ -43,7 +43,7 @@ std::vector<bool> interaction_limit_exceeded(const TriangleMesh& mesh, std::span
   std::vector<bool> above_limit;
   for (const double frequency : frequencies) {
     const double least = wavelength(frequency);
-    above_limit.push_back(at_least(lengths, least) * at_least(areas, least * least) > most_pairs);
+    above_limit.push_back(at_least(lengths, least) * at_least(areas, least * least) > most_interacting_pairs);
   }
   return above_limit;
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double border_share = 0.04;  // of an edge's length: within it a beam's border fades
 constexpr double shortest = 1e-3;      // [wavelengths] pieces of an edge that count, and gaps between them
-constexpr std::size_t most_pairs = 20000;
+constexpr std::size_t most_reflected_pairs = 20000;
 constexpr double grazing = 1e-9;        // cosine between wave and normal of a mirror
 constexpr double along_surface = 1e-7;  // sine below which light runs along a surface
 
@@ -42,7 +42,7 @@ std::deque<ReflectedWave> ReflectedLight::waves(int most) {
   std::vector<ReflectedWave> last{{incident_, {}, {}}}, next;
   std::deque<ReflectedWave> all;
   for (int reflection = 0; reflection < most; ++reflection) {
-    if (axes_.size() * last.size() * mirrors_.size() > most_pairs) break;
+    if (axes_.size() * last.size() * mirrors_.size() > most_reflected_pairs) break;
     next.clear();
     for (const ReflectedWave& before : last)
       for (const Mirror& mirror : mirrors_) {
