@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "utd/fringe/edges.h"
-#include "utd/multiple/strip_walk.h"
+#include "utd/multiple/multiple_diffraction.h"
 
 namespace raytube {
 
@@ -85,7 +85,7 @@ class ThicknessPass {
 
   /// The current on the rim.
   void add_edge_face(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
-    if (wedge.thickness() > 0.0) add(wedge, lit, [&](double k) { return thin_edge_face_amplitude(wedge, incidence, look_, k); });
+    if (wedge.thickness() > 0.0) add(wedge, lit, [&](double k) { return edge_face_amplitude(wedge, incidence, look_, k); });
   }
 
   /// At first order, the change of the currents on both sides of the sheet.
@@ -94,7 +94,8 @@ class ThicknessPass {
     for (int side = 0; side < 2; ++side) {
       const WedgeFace& face = wedge.faces[side];
       const FaceIncidence& arriving = incidence.faces[side];
-      const ThinEdge thin(wedge, side, arriving, grazing_half_cosine(face, arriving, look_.scattered), look_.scattered, true);
+      const ThinPlateEdge thin(wedge, side, arriving, grazing_half_cosine(face, arriving, look_.scattered), look_.scattered,
+                               true);
       add(
           wedge, lit, [&](double k) { return face_amplitude(thin.untruncated(k), face, arriving, look_); }, incidence.weight);
     }
@@ -124,7 +125,7 @@ class ThicknessPass {
 /// How a wave meets a wedge. If it comes along a thin sheet only the rim is of account.
 struct Meeting {
   Meeting(const Wedge& wedge, const dvec3& incident)
-      : incidence(incidence_on(wedge, incident)), edge_face_only(comes_along_sheet(wedge, incident)) {
+      : incidence(incidence_on(wedge, incident)), edge_face_only(comes_along_plate(wedge, incident)) {
     if (!edge_face_only) return;
     incidence.weight = 1.0;
     incidence.free_side = wedge.faces[0].normal;
@@ -176,7 +177,7 @@ class StripPass {
             int order, TransitionTier tier, bool continue_by_images)
       : wedges_(wedges),
         incident_(look.incident),
-        walk_(wedges, outlines, look, frequencies, order, tier, continue_by_images),
+        multiple_(wedges, outlines, look, frequencies, order, tier, continue_by_images),
         thickness_(look, frequencies) {}
 
   /// None if the edge adds nothing. One that is only grazed, over one face, takes its light from the edge at the other end of
@@ -192,11 +193,11 @@ class StripPass {
     thickness_.add_edge_face(wedges_[index], meeting.incidence, lit);
     if (meeting.edge_face_only) return;
     ++result_.wedges_lit;
-    walk_.add(index, meeting.incidence, lit);
+    multiple_.add(index, meeting.incidence, lit);
   }
 
   EdgeLookResult take() {
-    StripSums sums = walk_.take();
+    StripSums sums = multiple_.take();
     result_.scattering = std::move(sums.first);
     thickness_.add_to(result_.scattering);
     result_.higher = std::move(sums.higher);
@@ -207,7 +208,7 @@ class StripPass {
  private:
   std::span<const Wedge> wedges_;
   dvec3 incident_;
-  StripWalk walk_;
+  MultipleDiffraction multiple_;
   ThicknessPass thickness_;
   EdgeLookResult result_;
 };
