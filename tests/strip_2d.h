@@ -29,7 +29,7 @@ inline StripKernels piece_of(const Strip& strip, double begin, double end) {
   return batch[0];
 }
 
-/// What one edge of a strip adds, both sides of the sheet: the two faces of a half plane, whose currents have opposite normals.
+/// What one edge of a strip adds, both sides of the plate: the two faces of a half plane, whose currents have opposite normals.
 struct EdgeStrips {
   Complex radiated;
   Complex onwards;  // the current on the far edge, with the phase of what radiates from there

@@ -117,7 +117,7 @@ class PointDiffraction {
   double n_, k_, product_, shortest_;
 };
 
-/// One image of a source that the observer sees in the faces of an endless wedge, the source itself among them.
+/// One image of a source that the observer sees in the faces of an infinite wedge, the source itself among them.
 struct Image {
   RaySource source;
   double weight;  // 1/2 on the boundary of its light
@@ -134,7 +134,7 @@ inline RaySource image_of(const StraightEdge& edge, RaySource source, bool mirro
     if (mirrored) v -= 2.0 * glm::dot(v, edge.normal) * edge.normal;
     return turned(v, edge.tangent(), angle);
   };
-  source.place = edge.origin + moved(source.place - edge.origin);
+  source.position = edge.origin + moved(source.position - edge.origin);
   source.direction = moved(source.direction);
   const double sign = mirrored ? -1.0 : 1.0;  // E_t changes sign at a perfect conductor
   source.moment = {sign * moved(source.moment.re), sign * moved(source.moment.im)};
@@ -154,7 +154,7 @@ inline std::vector<Image> images(const StraightEdge& edge, const RaySource& sour
   return seen;
 }
 
-/// Geometrical optics of an endless wedge; angles as those of the ray over its edge.
+/// Geometrical optics of an infinite wedge; angles as those of the ray over its edge.
 inline DiffractedWave optics(const StraightEdge& edge, const RaySource& source, const EdgeRay& ray, const dvec3& point,
                              double k) {
   DiffractedWave sum{};

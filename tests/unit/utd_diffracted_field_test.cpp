@@ -14,7 +14,7 @@ const dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 StraightEdge wedge(double n, double begin, double end) { return {dvec3(0.0), x, y, n, begin, end}; }
 
-dvec3 place(double rho, double angle, double along) { return {rho * std::cos(angle), rho * std::sin(angle), along}; }
+dvec3 point_at(double rho, double angle, double along) { return {rho * std::cos(angle), rho * std::sin(angle), along}; }
 
 RaySource point_source(const dvec3& at) { return {Spreading::point, at, z, {{0.3, -1.2, 0.7}, {0.9, 0.4, -0.5}}}; }
 
@@ -26,10 +26,10 @@ TEST(DiffractedField, RayIsTheShortestWayOverTheEdge) {
     const dvec3 q = edge.origin + along * z;
     return glm::length(source - q) + glm::length(observer - q);
   };
-  EXPECT_NEAR(ray.path, way(ray.place), 1e-13);
+  EXPECT_NEAR(ray.path, way(ray.arc_length), 1e-13);
   // Fermat: a step of 1e-4 to either side makes it longer, by the same to third order.
-  EXPECT_GT(way(ray.place + 1e-4) - way(ray.place), 1e-10);
-  EXPECT_NEAR(way(ray.place + 1e-4), way(ray.place - 1e-4), 1e-12);
+  EXPECT_GT(way(ray.arc_length + 1e-4) - way(ray.arc_length), 1e-10);
+  EXPECT_NEAR(way(ray.arc_length + 1e-4), way(ray.arc_length - 1e-4), 1e-12);
   EXPECT_LE(glm::length(ray.arriving - glm::normalize(ray.point - source)), 1e-14);
   EXPECT_LE(glm::length(ray.leaving - glm::normalize(observer - ray.point)), 1e-14);
 }
@@ -37,7 +37,7 @@ TEST(DiffractedField, RayIsTheShortestWayOverTheEdge) {
 TEST(DiffractedField, IsTheCoefficientWithItsDistanceParameterAndSpreading) {
   // D A e^{-jks} E_i of Kouyoumjian and Pathak (1974), spherical wave: L = s s' sin^2 / (s + s'), A = sqrt(s' / (s (s + s'))).
   const StraightEdge edge = wedge(1.5, -INFINITY, INFINITY);
-  const dvec3 from = place(3, 0.7, -2), to = place(5, 4.0, 3);
+  const dvec3 from = point_at(3, 0.7, -2), to = point_at(5, 4.0, 3);
   const EdgeRay ray = edge_ray(edge, point_source(from), to);
   const double before = glm::length(ray.point - from), after = glm::length(to - ray.point), sine = 8 / std::hypot(8, 5);
   const double parameter = before * after * sine * sine / (before + after),
@@ -50,14 +50,14 @@ TEST(DiffractedField, IsTheCoefficientWithItsDistanceParameterAndSpreading) {
 
 TEST(DiffractedField, LongWayOverAnEndIsFoundWithoutCancellation) {
   const StraightEdge edge = wedge(2.0, -1.5, 2.5);
-  const dvec3 from = place(3, 0.7, -2), to = place(5, 4.0, 3);
+  const dvec3 from = point_at(3, 0.7, -2), to = point_at(5, 4.0, 3);
   const EdgeRay ray = edge_ray(edge, point_source(from), to);
   for (const int end : {0, 1}) {
     const dvec3 corner = (end == 0 ? edge.begin : edge.end) * z;
     EXPECT_NEAR(ray.detours[end], glm::length(from - corner) + glm::length(to - corner) - ray.path, 1e-14);
   }
   // From afar the difference itself is lost in rounding, 2e-9 m here; the closed form is (step sin)^2 / 2 (1/s + 1/s').
-  const EdgeRay far = edge_ray(wedge(2.0, -1e-3, 1e-3), point_source(place(1e7, 0.7, 0)), place(1e7, 2.0, 0));
+  const EdgeRay far = edge_ray(wedge(2.0, -1e-3, 1e-3), point_source(point_at(1e7, 0.7, 0)), point_at(1e7, 2.0, 0));
   EXPECT_NEAR(far.detours[0] / 1e-13, 1.0, 1e-12);
 }
 
@@ -70,7 +70,7 @@ struct Crossing {
 
   ComplexVector at(double diffraction_point) const {
     const double slope = (diffraction_point - source_along) / source_rho;
-    return diffracted_field(edge, source, place(rho, angle, diffraction_point + rho * slope), k);
+    return diffracted_field(edge, source, point_at(rho, angle, diffraction_point + rho * slope), k);
   }
 };
 
@@ -78,7 +78,7 @@ TEST(DiffractedField, DoesNotJumpWhereTheDiffractionPointLeavesTheEdge) {
   for (const double n : {2.0, 1.5, 1.25})
     for (const double angle : {0.3, 2.0, 0.9 * n * pi})
       for (const bool start : {true, false}) {
-        const Crossing c{start ? wedge(n, 0, 9) : wedge(n, -9, 0), point_source(place(4, 0.8, 2)), 6, angle, 4, 2};
+        const Crossing c{start ? wedge(n, 0, 9) : wedge(n, -9, 0), point_source(point_at(4, 0.8, 2)), 6, angle, 4, 2};
         const double size = norm(c.at(start ? 1.0 : -1.0));
         for (const double step : {1e-6, 1e-9})
           // It changes by about k and by 1/sqrt(lambda L) a metre; a cut edge would lose all of it.
@@ -90,8 +90,8 @@ TEST(DiffractedField, DoesNotJumpWhereTheDiffractionPointLeavesTheEdge) {
 }
 
 TEST(DiffractedField, FadesBeyondTheEndAndIsWholeFarInside) {
-  const RaySource source = point_source(place(400, 0.8, 0));
-  const dvec3 observer = place(600, 2.9, 0);
+  const RaySource source = point_source(point_at(400, 0.8, 0));
+  const dvec3 observer = point_at(600, 2.9, 0);
   const double whole = norm(diffracted_field(wedge(1.5, -INFINITY, INFINITY), source, observer, k));
   const auto share = [&](double begin) {
     return norm(diffracted_field(wedge(1.5, begin, INFINITY), source, observer, k)) / whole;
@@ -104,9 +104,9 @@ TEST(DiffractedField, FadesBeyondTheEndAndIsWholeFarInside) {
 
 TEST(DiffractedField, PiecesOfAnEdgeAddUpToTheWhole) {
   // What one piece loses at the cut the other one has: H of the one end is 1 - H of the other.
-  const RaySource source = point_source(place(4, 0.8, 2));
+  const RaySource source = point_source(point_at(4, 0.8, 2));
   for (const double cut : {-0.5, 0.3, 1.9}) {
-    const dvec3 observer = place(6, 3.0, -3);
+    const dvec3 observer = point_at(6, 3.0, -3);
     const ComplexVector whole = diffracted_field(wedge(1.5, -1, 2), source, observer, k);
     const ComplexVector first = diffracted_field(wedge(1.5, -1, cut), source, observer, k);
     const ComplexVector second = diffracted_field(wedge(1.5, cut, 2), source, observer, k);
@@ -122,15 +122,15 @@ dvec3 turned(const dvec3& v) {
 
 TEST(DiffractedField, TurnsWithTheScene) {
   const dvec3 shift(3, -1, 2);
-  const RaySource source = point_source(place(4, 0.8, 2));
-  const dvec3 observer = place(6, 3.0, -3);
+  const RaySource source = point_source(point_at(4, 0.8, 2));
+  const dvec3 observer = point_at(6, 3.0, -3);
   const StraightEdge edge = wedge(1.5, -1, 2);
   const StraightEdge moved{turned(edge.origin) + shift, turned(x), turned(y), 1.5, -1, 2};
   const RaySource moved_source{
-      Spreading::point, turned(source.place) + shift, z, {turned(source.moment.re), turned(source.moment.im)}};
+      Spreading::point, turned(source.position) + shift, z, {turned(source.moment.re), turned(source.moment.im)}};
   const ComplexVector field = diffracted_field(edge, source, observer, k);
   const ComplexVector found = diffracted_field(moved, moved_source, turned(observer) + shift, k);
-  // Phases of k path = 80 turn by rounding of the places, 1e-15 each.
+  // Phases of k path = 80 turn by rounding of the points, 1e-15 each.
   EXPECT_LE(norm(found - ComplexVector{turned(field.re), turned(field.im)}), 1e-12 * norm(field));
 }
 
@@ -141,17 +141,17 @@ TEST(DiffractedField, IsTheSameWithSourceAndObserverSwapped) {
   const auto product = [](const ComplexVector& a, const ComplexVector& b) { return dot(a, b.re) + Complex(0, 1) * dot(a, b.im); };
   for (const double n : {2.0, 1.5, 0.75})
     for (int i = 0; i < 20; ++i) {
-      const RaySource there = point_source(place(distance(random), share(random) * n * pi, along(random)));
-      const RaySource back{Spreading::point, place(distance(random), share(random) * n * pi, along(random)), z, receive};
+      const RaySource there = point_source(point_at(distance(random), share(random) * n * pi, along(random)));
+      const RaySource back{Spreading::point, point_at(distance(random), share(random) * n * pi, along(random)), z, receive};
       const StraightEdge edge = wedge(n, -1, 2);
-      const Complex one = product(diffracted_field(edge, there, back.place, k), receive);
-      const Complex other = product(diffracted_field(edge, back, there.place, k), there.moment);
+      const Complex one = product(diffracted_field(edge, there, back.position, k), receive);
+      const Complex other = product(diffracted_field(edge, back, there.position, k), there.moment);
       EXPECT_LE(std::abs(one - other), 1e-12 * (std::abs(one) + 1e-3)) << n;  // rounding of phases up to k path = 100
     }
 }
 
 TEST(DiffractedField, OfAFarSourceIsThatOfAPlaneWave) {
-  const dvec3 towards = glm::normalize(dvec3(1, 2, -0.5)), observer = place(6, 3.0, -3);
+  const dvec3 towards = glm::normalize(dvec3(1, 2, -0.5)), observer = point_at(6, 3.0, -3);
   const StraightEdge edge = wedge(1.5, -1, 2);
   const ComplexVector moment{{0.3, -1.2, 0.7}, {0.9, 0.4, -0.5}};
   const ComplexVector plane = diffracted_field(edge, {Spreading::plane, dvec3(0.0), -towards, moment}, observer, k);
@@ -167,7 +167,7 @@ TEST(DiffractedField, OfAFarSourceIsThatOfAPlaneWave) {
 }
 
 TEST(DiffractedField, OfALineSourceGoesOverToAPlaneWaveToo) {
-  const dvec3 towards = place(1, 1.2, 0), observer = place(6, 3.0, 1);
+  const dvec3 towards = point_at(1, 1.2, 0), observer = point_at(6, 3.0, 1);
   const StraightEdge edge = wedge(1.75, -1, 2);
   const ComplexVector moment{{0.3, -1.2, 0.7}, {0.9, 0.4, -0.5}};
   const ComplexVector plane = diffracted_field(edge, {Spreading::plane, dvec3(0.0), -towards, moment}, observer, k);
@@ -177,15 +177,15 @@ TEST(DiffractedField, OfALineSourceGoesOverToAPlaneWaveToo) {
 
 TEST(DiffractedField, OfAMeshEdgeRunsFromItsStart) {
   const Wedge mesh_wedge{{0, 0, -1}, {0, 0, 2}, 1.5, {WedgeFace{0, x, y, 1.0}, WedgeFace{1, -y, -x, 1.0}}};
-  const RaySource source = point_source(place(4, 0.8, 2));
-  const ComplexVector whole = diffracted_field(wedge(1.5, -1, 2), source, place(6, 3.0, -3), k);
-  EXPECT_LE(norm(diffracted_field(straight_edge(mesh_wedge), source, place(6, 3.0, -3), k) - whole), 1e-13 * norm(whole));
+  const RaySource source = point_source(point_at(4, 0.8, 2));
+  const ComplexVector whole = diffracted_field(wedge(1.5, -1, 2), source, point_at(6, 3.0, -3), k);
+  EXPECT_LE(norm(diffracted_field(straight_edge(mesh_wedge), source, point_at(6, 3.0, -3), k) - whole), 1e-13 * norm(whole));
 }
 
 TEST(DiffractedField, RefusesWhatHasNoRay) {
   const StraightEdge edge = wedge(1.5, -1, 2);
-  const RaySource good = point_source(place(4, 0.8, 2));
-  const dvec3 observer = place(6, 3.0, -3), on_edge(0, 0, 5), in_metal = place(2, 1.75 * pi, 0);
+  const RaySource good = point_source(point_at(4, 0.8, 2));
+  const dvec3 observer = point_at(6, 3.0, -3), on_edge(0, 0, 5), in_metal = point_at(2, 1.75 * pi, 0);
   EXPECT_NO_THROW(diffracted_field(edge, good, observer, k));
   EXPECT_THROW(diffracted_field(edge, good, on_edge, k), InputError);
   EXPECT_THROW(diffracted_field(edge, good, in_metal, k), InputError);

@@ -37,21 +37,21 @@ Wave wave(const EdgeWaveTerm& term, double path, double sin_cone) {
 }
 
 /// What is left of a wave beside the ends of its edge: per end a step plus Fresnel's diffraction of it times a share.
-double detour(const Example& example, double place, double corner, double path) {
-  const double beyond = place - corner;
+double detour(const Example& example, double z, double corner, double path) {
+  const double beyond = z - corner;
   const double via = std::hypot(beyond + path * example.cos_cone, path * example.sin_cone());
   return k * std::max(via - path - example.cos_cone * beyond, 0.0);
 }
 
 // Of the wave's value with its share of the corner's, of its slopes with the square of that.
-Complex factor(const Example& example, double place, double path, double z2, int power) {
-  const bool inside = example.from < place && place < example.to;
+Complex factor(const Example& example, double z, double path, double z2, int power) {
+  const bool inside = example.from < z && z < example.to;
   Complex sum = inside ? 1.0 : 0.0;
   for (int end = 0; end < 2; ++end) {
     const double corner = example.corners[end];
     if (std::isinf(corner)) continue;
-    const double x2 = detour(example, place, corner, path);
-    const bool within = end == 0 ? place > corner : place < corner;
+    const double x2 = detour(example, z, corner, path);
+    const bool within = end == 0 ? z > corner : z < corner;
     const Complex step =
         std::polar(0.5, -x2) * scaled_erfc(std::sqrt(x2)) * std::pow(z2 + x2 > 0.0 ? z2 / (z2 + x2) : 1.0, power);
     sum += within ? -step : step;
@@ -76,14 +76,14 @@ WaveSums by_points(const Example& example, const std::array<EdgeWaveTerm, 2>& te
         for (int part = 0; part < 8; ++part)
           for (const GaussPoint& point : gauss_rule(24)) {
             const double width = (panels[i - 1] - panels[i]) / 8, u = panels[i] + width * (part + point.place);
-            const double length = cuts[c] - cuts[c - 1], place = mirrored ? cuts[c] - u * length : cuts[c - 1] + u * length;
-            const double path = row.path + row.path_rate * place;
-            const Complex phase = std::polar(point.weight * width * length, k * (row.phase + row.phase_rate * place));
+            const double length = cuts[c] - cuts[c - 1], z = mirrored ? cuts[c] - u * length : cuts[c - 1] + u * length;
+            const double path = row.path + row.path_rate * z;
+            const Complex phase = std::polar(point.weight * width * length, k * (row.phase + row.phase_rate * z));
             for (int t = 0; t < each; ++t) {
               const double x = terms[t].rate * example.sin_cone() * std::sqrt(k * path);
               const Wave here = wave(terms[t], path, example.sin_cone());
-              const Complex weight = phase * factor(example, place, path, x * x, 2);
-              sum.value += path * phase * factor(example, place, path, x * x, 1) * here.value;
+              const Complex weight = phase * factor(example, z, path, x * x, 2);
+              sum.value += path * phase * factor(example, z, path, x * x, 1) * here.value;
               sum.outwards += weight * here.outwards / example.sin_cone();
               sum.around += weight * here.around / example.sin_cone();
             }
@@ -143,8 +143,8 @@ TEST(EdgeWaveIntegral, BesideTheEnds) {
           (last ? example.to : example.from) = 1.0;
           example.corners[last] = 1.0;
           double farthest = 0.0;
-          for (const double place : {row.from, row.to})
-            farthest = std::max(farthest, detour(example, place, 1.0, row.path + row.path_rate * place));
+          for (const double z : {row.from, row.to})
+            farthest = std::max(farthest, detour(example, z, 1.0, row.path + row.path_rate * z));
           ASSERT_LE(std::sqrt(farthest), 2.0);
           const double off = error(example, n, source, azimuth);
           worst = std::max(worst, off);

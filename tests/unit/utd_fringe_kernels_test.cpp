@@ -221,9 +221,9 @@ TEST(WindowedPole, IsBoundedOddAndCompact) {
 }
 
 TEST(WindowedPole, KeepsLitAndDarkFacesJoinedWhereTheSourceGrazes) {
-  // As phi' passes pi the fringe current jumps by the physical-optics current that is switched off, parallel to the glancing
-  // ray: G_s must not jump at all, and G_x must jump by 1 + mu times the jump of G_h. Without the window being the same on both
-  // sides it would. 1e-9: change over the 1e-10 rad step.
+  // As phi' passes pi the fringe current jumps by the physical-optics current that is switched off, parallel to the grazing
+  // diffracted ray: G_s must not jump at all, and G_x must jump by 1 + mu times the jump of G_h. Without the window being the
+  // same on both sides it would. 1e-9: change over the 1e-10 rad step.
   const double n = 1.5, half_cosine = 0.2, width = 2.0, mu = 1 - 2 * half_cosine * half_cosine;
   const SplitKernels lit = split_kernels(n, incidence_at(pi - 1e-10), half_cosine);
   const SplitKernels dark = split_kernels(n, incidence_at(pi + 1e-10), half_cosine);

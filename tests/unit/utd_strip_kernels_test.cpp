@@ -206,8 +206,8 @@ TEST(StripKernels, OfAWedgeHaveTheErrorOfTheUniformWave) {
   }
 }
 
-TEST(StripKernels, OfACurrentThatAFoldMirroredAreExact) {
-  // The part from the fold on: as for whole strips, the series' Bessel functions carry some end * 1e-15.
+TEST(StripKernels, OfACurrentThatACornerMirroredAreExact) {
+  // The part from the corner on: as for whole strips, the series' Bessel functions carry some end * 1e-15.
   for (const auto& [begin, end] : {std::pair(2.0, 4.0), {6.0, 7.5}, {20.0, 60.0}})
     for (const double source : {0.0, 0.6, 2.9, 3.6, 2 * pi}) {
       const ExactCurrent to_begin(2.0, source, begin), to_end(2.0, source, end);
@@ -232,7 +232,7 @@ TEST(StripKernels, OfAMirroredCurrentVanishWithItsLength) {
       }
 }
 
-TEST(StripKernels, EndlessStripsAreTheFirstOrderKernels) {
+TEST(StripKernels, UntruncatedStripsAreTheFirstOrderKernels) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   // 1e-12 of the kernels' size: they are the same functions, added up in another order.
   for (const double n : {2.0, 1.75, 1.5, 1.25})
@@ -249,7 +249,7 @@ TEST(StripKernels, EndlessStripsAreTheFirstOrderKernels) {
 }
 
 TEST(StripKernels, BoundedWhereSourceAndObserverGrazeTheFaceForwards) {
-  // The endless strip's pole. A strip of length X holds a current of at most 2 in magnitude: |G_h| <= X.
+  // The untruncated strip's pole. A strip of length X holds a current of at most 2 in magnitude: |G_h| <= X.
   for (const double n : {2.0, 1.5})
     for (const double source : {pi - 1e-6, pi - 1e-3, pi - 1e-7, pi + 1e-7, pi + 1e-6})
       for (const double h : {0.0, 1e-9, 1e-6, 1e-3}) {
@@ -260,9 +260,9 @@ TEST(StripKernels, BoundedWhereSourceAndObserverGrazeTheFaceForwards) {
 
 bool same_bits(Complex a, Complex b) { return a.real() == b.real() && a.imag() == b.imag(); }
 
-TEST(StripKernels, AKernelDoesNotDependOnItsPlaceInTheBatch) {
+TEST(StripKernels, AKernelDoesNotDependOnItsIndexInTheBatch) {
   // Lengths from each branch, among them one whose divided difference is a series (source and observer on the same term) and an
-  // endless strip; every length alone, and in every place of batches of every size.
+  // untruncated strip; every length alone, and at every index of batches of every size.
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<double> lengths = {1e-6, 0.02, 0.7, 3.0, infinity, 20.0, 60.0, 1e3, 5e5, 12.0, 0.3};
   for (const double n : {2.0, 1.5}) {

@@ -145,15 +145,16 @@ TEST(WedgeAmplitude, SecondFaceMirrorsTheFirst) {
 }
 
 TEST(WedgeIncidence, GrazingLooks) {
-  const Wedge edge = wedge_along_z(1.5), sheet = wedge_along_z(2.0);
+  const Wedge edge = wedge_along_z(1.5), half_plane = wedge_along_z(2.0);
   // Over face 0 towards the edge: half, and face 0 counts as lit.
   EXPECT_EQ(incidence_on(edge, {-1, 0, 0}).weight, 0.5);
   EXPECT_TRUE(incidence_on(edge, {-1, 0, 0}).faces[0].lit);
-  EXPECT_EQ(incidence_on(sheet, {-1, 0, 0}).weight, 0.0);
-  // From the open side along face 0: face 1 of the right-angled edge is lit; the sheet is met edge-on, both sides dark at pi.
+  EXPECT_EQ(incidence_on(half_plane, {-1, 0, 0}).weight, 0.0);
+  // From the open side along face 0: face 1 of the right-angled edge is lit; the half plane is met edge-on, both sides dark at
+  // pi.
   EXPECT_EQ(incidence_on(edge, {1, 0, 0}).weight, 1.0);
-  EXPECT_EQ(incidence_on(sheet, {1, 0, 0}).weight, 1.0);
-  for (const FaceIncidence& face : incidence_on(sheet, {1, 0, 0}).faces) {
+  EXPECT_EQ(incidence_on(half_plane, {1, 0, 0}).weight, 1.0);
+  for (const FaceIncidence& face : incidence_on(half_plane, {1, 0, 0}).faces) {
     EXPECT_FALSE(face.lit);
     EXPECT_EQ(face.source_angle, pi);
   }

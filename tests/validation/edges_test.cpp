@@ -5,7 +5,7 @@
 
 #include "run.h"
 #include "shapes.h"
-#include "utd/multiple/strip_walk.h"
+#include "utd/multiple/multiple_diffraction.h"
 #include "utd/shadow/edge_visibility.h"
 
 namespace raytube {
@@ -175,9 +175,9 @@ TEST(EdgeOrders, HalfHiddenEdgeEqualsTheEdgeCutInTheMesh) {
     ASSERT_EQ(lit.size(), 1u);
     const LitInterval expected = start.z < end.z ? LitInterval{0.0, 0.5} : LitInterval{0.5, 1.0};
     const auto moment = [&](const LitInterval& piece) {
-      StripWalk walk(target.wedges, target.outlines, vectors, frequencies, 2);
-      walk.add(i, incidence_on(wedge, incident), std::span(&piece, 1));
-      return walk.take().first[0];
+      MultipleDiffraction diffraction(target.wedges, target.outlines, vectors, frequencies, 2);
+      diffraction.add(i, incidence_on(wedge, incident), std::span(&piece, 1));
+      return diffraction.take().first[0];
     };
     const double change = difference(moment(lit[0]), moment(expected)) / largest(moment(expected));
     measured("half-hidden cube edge, change of its moment", change, "");

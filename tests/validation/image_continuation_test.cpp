@@ -4,7 +4,7 @@
 #include "dihedral_2d.h"
 #include "run.h"
 #include "shapes.h"
-#include "utd/multiple/strip_walk.h"
+#include "utd/multiple/multiple_diffraction.h"
 
 namespace raytube {
 namespace {
@@ -33,7 +33,7 @@ class CornerScene {
   std::vector<ScatteringMatrix> strips_at(std::span<const double> at, const LookVectors& look, int order,
                                           bool continue_by_images = true) const {
     const dvec3& center = loaded_.mesh.center;
-    StripWalk walk(target_.wedges, target_.outlines, look, at, order, TransitionTier::exact, continue_by_images);
+    MultipleDiffraction diffraction(target_.wedges, target_.outlines, look, at, order, TransitionTier::exact, continue_by_images);
     for (std::uint32_t i = 0; i < target_.wedges.size(); ++i) {
       const Wedge& wedge = target_.wedges[i];
       const dvec3 start = wedge.start + center, end = wedge.end + center;
@@ -41,9 +41,9 @@ class CornerScene {
       LitInterval lit{0.0, 1.0};
       keep_positive(start.x, end.x, lit);
       if (quadrant_) keep_positive(start.y, end.y, lit);
-      if (lit.begin < lit.end) walk.add(i, incidence_on(wedge, look.incident), std::span(&lit, 1));
+      if (lit.begin < lit.end) diffraction.add(i, incidence_on(wedge, look.incident), std::span(&lit, 1));
     }
-    StripSums sums = walk.take();
+    StripSums sums = diffraction.take();
     for (std::size_t i = 0; i < at.size(); ++i) sums.first[i] += sums.higher[i];
     return sums.first;
   }
@@ -152,10 +152,10 @@ TEST(ImageContinuation, OfADihedralIsThatInTwoDimensions) {
   for (const double from : {20.0, 50.0, 300.0})
     for (const double to : {20.0, 61.0, 130.0, 200.0, 333.0}) {
       const LookVectors look = look_vectors({{pi / 2, from * degree}, {pi / 2, to * degree}});
-      StripWalk walk(target.wedges, target.outlines, look, frequencies, 1, TransitionTier::exact, true);
-      walk.add(static_cast<std::uint32_t>(outer - target.wedges.begin()), incidence_on(*outer, look.incident),
-               std::span(&all, 1));
-      const StripSums sums = walk.take();
+      MultipleDiffraction diffraction(target.wedges, target.outlines, look, frequencies, 1, TransitionTier::exact, true);
+      diffraction.add(static_cast<std::uint32_t>(outer - target.wedges.begin()), incidence_on(*outer, look.incident),
+                      std::span(&all, 1));
+      const StripSums sums = diffraction.take();
       const Complex per_height = std::polar(pi / height, 2 * pi * glm::dot(look.scattered - look.incident, loaded.mesh.center));
       const ScatteringMatrix found = sums.first[0] + sums.higher[0];
       for (const bool hard : {false, true}) {

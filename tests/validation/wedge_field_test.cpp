@@ -127,7 +127,7 @@ Errors line_source_errors(double n, double k_rho_source, double k_rho) {
       const double observer = n * pi * i / 800;
       const RaySource line{Spreading::line, k_rho_source / k * outwards(share * n * pi), z, {}};
       const dvec3 point = k_rho / k * outwards(observer);
-      if (glm::length(point - line.place) < 1 / k) continue;
+      if (glm::length(point - line.position) < 1 / k) continue;
       const EdgeRay ray = edge_ray(edge, line, point);
       const DiffractedWave wave = diffracted_wave(edge, ray, k);
       worst.see(DiffractedWave{far_hankel * wave.soft, far_hankel * wave.hard} + line_optics(edge, line, ray, point),

@@ -30,7 +30,7 @@ void add_product(ScatteringMatrix& sum, const ScatteringMatrix& amplitude, Compl
 double shortest_wavelength(std::span<const double> frequencies) { return wavelength(*std::ranges::max_element(frequencies)); }
 
 EdgeMeeting::EdgeMeeting(const Wedge& wedge, const dvec3& incident)
-    : incidence(incidence_on(wedge, incident)), edge_face_only(comes_along_sheet(wedge, incident)) {
+    : incidence(incidence_on(wedge, incident)), edge_face_only(comes_along_plate(wedge, incident)) {
   if (!edge_face_only) return;
   incidence.weight = 1.0;
   incidence.free_side = wedge.faces[0].normal;
@@ -49,7 +49,7 @@ void ThicknessPass::add(const Wedge& wedge, std::span<const LitInterval> lit, Am
 }
 
 void ThicknessPass::add_edge_face(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
-  if (wedge.thickness() > 0.0) add(wedge, lit, [&](double k) { return thin_edge_face_amplitude(wedge, incidence, look_, k); });
+  if (wedge.thickness() > 0.0) add(wedge, lit, [&](double k) { return edge_face_amplitude(wedge, incidence, look_, k); });
 }
 
 void ThicknessPass::add_sides(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
@@ -57,7 +57,7 @@ void ThicknessPass::add_sides(const Wedge& wedge, const WedgeIncidence& incidenc
   for (int side = 0; side < 2; ++side) {
     const WedgeFace& face = wedge.faces[side];
     const FaceIncidence& arriving = incidence.faces[side];
-    const ThinEdge thin(wedge, side, arriving, grazing_half_cosine(face, arriving, look_.scattered), look_.scattered, true);
+    const ThinPlateCorrection thin(wedge, side, arriving, grazing_half_cosine(face, arriving, look_.scattered), look_.scattered, true);
     const auto amplitude = [&](double k) { return face_amplitude(thin.untruncated(k), face, arriving, look_); };
     add(wedge, lit, amplitude, incidence.weight);
   }
@@ -112,7 +112,7 @@ StripEdges::StripEdges(const EdgeScene& scene, const LookVectors& look, std::spa
                        const FringeOptions& options)
     : wedges_(scene.wedges),
       incident_(look.incident),
-      walk_(scene.wedges, scene.outlines, look, frequencies, options.order, options.transition, options.continue_by_images),
+      multiple_(scene.wedges, scene.outlines, look, frequencies, options.order, options.transition, options.continue_by_images),
       thickness_(look, frequencies) {}
 
 std::optional<EdgeMeeting> StripEdges::meeting(std::uint32_t index) const {
@@ -126,11 +126,11 @@ void StripEdges::add(std::uint32_t index, const EdgeMeeting& meeting, std::span<
   thickness_.add_edge_face(wedges_[index], meeting.incidence, lit);
   if (meeting.edge_face_only) return;
   ++result_.wedges_lit;
-  walk_.add(index, meeting.incidence, lit);
+  multiple_.add(index, meeting.incidence, lit);
 }
 
 EdgeLookResult StripEdges::take() {
-  StripSums sums = walk_.take();
+  StripSums sums = multiple_.take();
   result_.scattering = std::move(sums.first);
   thickness_.add_to(result_.scattering);
   result_.higher = std::move(sums.higher);

@@ -6,7 +6,7 @@
 
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
-#include "utd/multiple/strip_walk.h"
+#include "utd/multiple/multiple_diffraction.h"
 
 namespace raytube {
 
@@ -102,7 +102,7 @@ class StripEdges {
  private:
   std::span<const Wedge> wedges_;
   dvec3 incident_;
-  StripWalk walk_;
+  MultipleDiffraction multiple_;
   ThicknessPass thickness_;
   EdgeLookResult result_;
 };

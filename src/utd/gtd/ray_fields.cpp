@@ -20,7 +20,7 @@ constexpr double inset = 1e-6;         // of an edge's length: its ends belong t
 // The point of the edge where its rays are tested for obstacles.
 dvec3 nearest_point(const StraightEdge& edge, const EdgeRay& ray) {
   const double margin = inset * (edge.end - edge.begin);
-  return edge.origin + std::clamp(ray.place, edge.begin + margin, edge.end - margin) * edge.tangent();
+  return edge.origin + std::clamp(ray.arc_length, edge.begin + margin, edge.end - margin) * edge.tangent();
 }
 
 // The mean of both sides of a face that the ray runs along exactly.
@@ -101,7 +101,7 @@ class RayFields::Sum {
   // Whose shadow or reflection boundary is in this ray.
   void note_boundaries(const Wedge& wedge, const StraightEdge& edge, const EdgeRay& ray) {
     const double room = on_boundary * scene_.range_;
-    if (ray.place < edge.begin - room || ray.place > edge.end + room) return;
+    if (ray.arc_length < edge.begin - room || ray.arc_length > edge.end + room) return;
     if (on_half_turn(std::abs(ray.observation_angle - ray.source_angle))) ++edges_in_direct_ray_;
     const double sum = ray.observation_angle + ray.source_angle;
     if (on_half_turn(sum)) boundary_patches_.push_back(wedge.faces[0].patch);

@@ -74,7 +74,7 @@ Strip::Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTi
   source = incidence.lit ? std::min(source, pi - closest_to_plane) : std::max(source, pi + closest_to_plane);
   has_local_part_ = n != 2.0;
   if (source == 0.0 || source == n * pi) {
-    graze(n, source == 0.0);
+    set_grazing(n, source == 0.0);
     return;
   }
   terms_ = {term(n, source, +1), term(n, source, -1)};
@@ -82,7 +82,7 @@ Strip::Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTi
 }
 
 // A wave that grazes this face or the other one: both terms are the same wave, eps = pi or (1 - n) pi, and it has no soft part.
-void Strip::graze(double n, bool own_face) {
+void Strip::set_grazing(double n, bool own_face) {
   const double tangent = std::tan(pi / (2 * n)), distance = own_face ? 1.0 : std::abs(std::sin((n - 1) * pi / 2));
   terms_[0] = {own_face ? -1 / (n * tangent) : distance * tangent / n, distance, 0.0};
   term_count_ = 1;
@@ -93,7 +93,7 @@ void Strip::graze(double n, bool own_face) {
 
 double Strip::total_strength() const { return terms_[0].strength + (term_count_ == 2 ? terms_[1].strength : 0.0); }
 
-// The kernels of an endless strip, exact (Michaeli 1986) minus uniform; both are real.
+// The kernels of an untruncated strip, exact (Michaeli 1986) minus uniform; both are real.
 void Strip::find_local_part(double n, const FaceIncidence& incidence) {
   const FringeKernels exact = fringe_kernels(n, incidence, grazing_ray_at(half_cosine_));
   const FringeKernels uniform = untruncated().current;
@@ -133,7 +133,7 @@ Strip::Observer Strip::observer(const Reals& length, ScaledErfc erfc) const {
   return result;
 }
 
-/// G_s, G_h, G_x and, first T, then D T; the same of the soft current.
+/// G_s, G_h, G_x, and of the hard and of the soft current first T, then D T at the end.
 struct Strip::Sums {
   Complexes soft, hard, axial, end, soft_end;
 
@@ -225,7 +225,7 @@ void Strip::restore_removable(const Reals& length, Sums& sums_by_tier) const {
   }
 }
 
-// Lengths past the end and endless ones are 1 here, so that every lane stays finite.
+// Lengths past the end of the list and infinite ones are 1 here, so that every lane stays finite.
 void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const {
   for (std::size_t first = 0; first < lengths.size(); first += lanes) {
     Reals block;

@@ -1,7 +1,7 @@
-// Fringe current of one strip of a face, from the edge to the place where the face ends: integrals in closed form.
-// Derived in docs/edges.md. Exact on a half plane; on a wedge the current is the uniform (Kouyoumjian-Pathak) one for the
+// Fringe current of one strip of a face, from the edge to where the face ends: integrals in closed form. Derived in
+// docs/theory/edges.md. Exact on a half plane; on a wedge the current is the uniform (Kouyoumjian-Pathak) one for the
 // length of the strip, and what that lacks close to the edge is added as if the strip went on to infinity.
-// In formulas: xi = k sin(beta') x, x the distance across the face; X = xi at the end; h = cos(g/2) = |s - sigma|/(2 sin beta').
+// Notation in multiple_diffraction.h; xi = k sin(beta') x, x the distance across the face; X = xi at the end.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace raytube {
 
-/// One strip: integrals over the fringe current for unit E or eta H along the edge, as FringeKernels are for an endless one,
+/// One strip: integrals over the fringe current for unit E or eta H along the edge, as FringeKernels are for an untruncated one,
 /// and half the fringe current at the end, with the phase of what radiates from there: H_fr(X) e^{jX mu} / 2 of the hard current
 /// and, over cos(beta'), the part of the soft one that flows along the strip.
 struct StripKernels {
@@ -26,21 +26,26 @@ struct StripKernels {
 struct KernelBatch {
   ComplexColumn soft, hard, axial, end, soft_end;
 
+  /// For `size` strips; never less than there is.
   void make_room(std::size_t size);
   StripKernels operator[](std::size_t i) const { return {{soft[i], hard[i], axial[i]}, end[i], soft_end[i]}; }
   void set(std::size_t i, const StripKernels& kernels);
-  /// Leaves of the first `count` currents what lies beyond shorter strips: for the part of a current that a fold has mirrored.
+  /// Leaves of the first `count` currents what lies beyond shorter strips: for the part of a current that a corner
+  /// has mirrored.
   void subtract_currents(const KernelBatch& shorter, std::size_t count);
 };
 
 /// Everything about a strip but its electrical length.
 class Strip {
  public:
+  /// Of a wedge with the exterior angle n pi; `half_cosine` is h of the observer (grazing_half_cosine). `tier` says how erfc is
+  /// evaluated.
   Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTier tier = TransitionTier::exact);
 
-  /// Kernels for every length X; infinity gives those of the endless strip. What a length gives is independent of the others.
+  /// Kernels for every length X; infinity gives those of the untruncated strip. What a length gives is independent of the others.
   void at(std::span<const double> lengths, KernelBatch& batch) const;
 
+  /// Those of a semi-infinite strip, with nothing at its end.
   StripKernels untruncated() const;
 
  private:
@@ -54,7 +59,7 @@ class Strip {
   struct Observer;
   struct Sums;
   static Term term(double n, double source, int sign);
-  void graze(double n, bool own_face);
+  void set_grazing(double n, bool own_face);
   void find_local_part(double n, const FaceIncidence& incidence);
   double local_step(double n, bool lit) const;
   double total_strength() const;
@@ -75,7 +80,7 @@ class Strip {
   bool has_local_part_ = false;
   struct {
     double soft = 0.0, hard = 0.0, axial = 0.0;
-  } local_;  // exact minus uniform current of the endless strip
+  } local_;  // exact minus uniform current of the untruncated strip
 };
 
 }  // namespace raytube

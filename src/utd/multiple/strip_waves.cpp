@@ -6,10 +6,10 @@ namespace raytube {
 
 namespace {
 
-constexpr double thinnest = 2.0 - 1e-9;  // n of a wedge that is not a sheet, met over both sides at once
-constexpr double flattest_link = 1.02;   // n of an edge that is next to no edge at all
-constexpr double right_angle = 1e-4;     // of n: a fold that is a right one but for the rounding of its vertices
-constexpr int most_mirrors = 2;          // at the corner of three faces; between parallel folds there is no end of them
+constexpr double half_plane = 2.0 - 1e-9;  // n of an edge that a wave along its faces meets over both at once
+constexpr double flattest_link = 1.02;     // n of an edge that is next to no edge at all
+constexpr double right_angle = 1e-4;       // of n: a corner that is a right one but for the rounding of its vertices
+constexpr int most_mirrors = 2;            // where three faces meet; between parallel walls there is no end of them
 
 // The arriving strip as a wave that grazes one face of the next wedge: its own (phi' = 0) or the other one (phi' = n pi).
 FaceIncidence grazing_incidence(const Wedge& wedge, int face, bool own, const dvec3& direction, double sine) {
@@ -44,8 +44,8 @@ std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedg
                                                      const OutlineEdge& edge) {
   if (edge.wedge == no_index) return std::nullopt;
   const Wedge& next = wedges[edge.wedge];
-  const bool anew = wave.lights_far_edges && next.n < thinnest;
-  const int left = anew ? wave.left : wave.left - 1;
+  const bool anew = wave.lights_far_edges && next.n < half_plane;
+  const int left = anew ? wave.strips_left : wave.strips_left - 1;
   if (left == 0) return std::nullopt;
   const double sine = -glm::dot(wave.direction, edge.into_face);
   if (next.n < flattest_link || sine < along_edge) return std::nullopt;

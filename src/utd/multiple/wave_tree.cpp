@@ -7,7 +7,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double same_place = 1e-9;  // of the edge's length
+constexpr double same_point = 1e-9;  // of the edge's length
 
 }  // namespace
 
@@ -15,7 +15,7 @@ void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
   const Wedge& wedge = wedges_[wave.wedge];
   const double length = wedge.length();
   const dvec3 step = (wedge.end - wedge.start) / length;
-  rounding_ = same_place * length;
+  rounding_ = same_point * length;
   runs_along_edge_ = false;
   waves_.clear();
   bundles_.clear();
@@ -30,7 +30,7 @@ void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
       split(waves_[w], parent.from, parent.to);
     }
     waves_[w].end_bundle = static_cast<std::uint32_t>(bundles_.size());
-    if (continue_by_images_ || waves_[w].wave.goes_on()) go_on(w);
+    if (continue_by_images_ || waves_[w].wave.goes_on()) continue_beyond(w);
   }
 }
 
@@ -43,16 +43,16 @@ void WaveTree::split(const TreeWave& wave, double from, double to) {
   for (const double cut : cuts_) {
     const OutlineEdge* here = strip_end(outlines_, face, wave.wave, wave.line.at((last + cut) / 2));
     if (last > begin && here != edge) {
-      end(wave, begin, last, edge);
+      end_bundle(wave, begin, last, edge);
       begin = last;
     }
     edge = here;
     last = cut;
   }
-  end(wave, begin, to, edge);
+  end_bundle(wave, begin, to, edge);
 }
 
-void WaveTree::end(const TreeWave& wave, double from, double to, const OutlineEdge* edge) {
+void WaveTree::end_bundle(const TreeWave& wave, double from, double to, const OutlineEdge* edge) {
   StripBundle& bundle =
       bundles_.emplace_back(StripBundle{.from = from, .to = to, .start_rate = wave.path_rate, .end_rate = wave.path_rate});
   if (!edge) return;
@@ -63,8 +63,8 @@ void WaveTree::end(const TreeWave& wave, double from, double to, const OutlineEd
   bundle.end_rate += (glm::dot(scattered_, direction) - 1) * bundle.growth;
 }
 
-void WaveTree::go_on(std::size_t index) {
-  if (waves_[index].wave.left > 1 && meets_edge_alongside(waves_[index].wave)) runs_along_edge_ = true;
+void WaveTree::continue_beyond(std::size_t index) {
+  if (waves_[index].wave.strips_left > 1 && meets_edge_alongside(waves_[index].wave)) runs_along_edge_ = true;
   for (std::uint32_t b = waves_[index].first_bundle; b < waves_[index].end_bundle; ++b) {
     const StripBundle& bundle = bundles_[b];
     if (!bundle.edge) continue;
@@ -78,7 +78,8 @@ void WaveTree::go_on(std::size_t index) {
   }
 }
 
-// The straight path from the image of the source in the fold is l (s . sigma - s . sigma') longer, l the way to the fold.
+// The straight path from the image of the source in the corner's other face is l (s . sigma - s . sigma') longer, l the way to
+// the corner and sigma' the mirrored direction.
 void WaveTree::mirror(std::size_t index, std::uint32_t bundle) {
   const TreeWave wave = waves_[index];
   const StripBundle& before = bundles_[bundle];
@@ -101,12 +102,12 @@ void WaveTree::project_corners(const TreeWave& wave, double from, double to) {
   const WedgeFace& face = wedges_[wave.wave.wedge].faces[wave.wave.face];
   const dvec3& direction = wave.wave.direction;
   const dvec3 across = glm::cross(face.normal, direction);
-  const double per_place = 1 / glm::dot(wave.line.step, across);
+  const double per_metre = 1 / glm::dot(wave.line.step, across);
   cuts_.clear();
   for (const OutlineEdge& edge : outlines_.around(face)) {
-    const double place = glm::dot(edge.start - wave.line.origin, across) * per_place;
-    if (!(place > from + rounding_ && place < to - rounding_)) continue;
-    if (glm::dot(edge.start - wave.line.at(place), direction) > 0.0) cuts_.push_back(place);
+    const double corner = glm::dot(edge.start - wave.line.origin, across) * per_metre;
+    if (!(corner > from + rounding_ && corner < to - rounding_)) continue;
+    if (glm::dot(edge.start - wave.line.at(corner), direction) > 0.0) cuts_.push_back(corner);
   }
   std::ranges::sort(cuts_);
   cuts_.push_back(to);

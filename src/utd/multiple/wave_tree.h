@@ -1,4 +1,5 @@
 // The waves that one wave on a lit edge starts: over its face to the far edges, from there over the next faces, and so on.
+// Notation in multiple_diffraction.h; points on the first edge are named by their arc length from its start.
 #pragma once
 
 #include <span>
@@ -9,26 +10,26 @@
 
 namespace raytube {
 
-/// Places on an edge as a function of the place s on the first edge: origin + s step.
+/// Where strips start, as a function of the arc length on the first edge [m].
 struct EdgeLine {
-  dvec3 origin, step;
-  dvec3 at(double place) const { return origin + place * step; }
+  dvec3 origin, step;  // recentred coordinates [m]; change per metre
+  dvec3 at(double arc_length) const { return origin + arc_length * step; }
 };
 
-/// Neighbouring strips of one wave that end at the same edge. Their length is linear in the place s on the first edge.
+/// Neighbouring strips of one wave that end at the same edge. Their length is linear in the arc length on the first edge.
 struct StripBundle {
-  double from, to;                    // [m] on the first edge
-  const OutlineEdge* edge = nullptr;  // where they end; null if they run on for ever
-  double length = 0.0, growth = 0.0;  // the strip from s is length + growth s long [m]
+  double from, to;                    // on the first edge [m]
+  const OutlineEdge* edge = nullptr;  // where they end; null if they are semi-infinite
+  double length = 0.0, growth = 0.0;  // the strip from arc length z is length + growth z long [m]
   double start_rate, end_rate;        // change of the phase at their starts and at their ends per metre of the first edge, over k
 
-  double length_at(double place) const { return length + growth * place; }
+  double length_at(double arc_length) const { return length + growth * arc_length; }
 };
 
-/// What depends on the place on the first edge and is linear in it.
+/// What is linear in the arc length on the first edge.
 struct Linear {
   double value = 0.0, growth = 0.0;
-  double at(double place) const { return value + place * growth; }
+  double at(double arc_length) const { return value + arc_length * growth; }
 };
 
 /// One wave of the tree.
@@ -63,7 +64,7 @@ class WaveTree {
   std::span<const TreeWave> waves() const { return waves_; }
   std::span<const StripBundle> bundles() const { return bundles_; }
 
-  /// [m] Places on the first edge that are nearer to one another are one.
+  /// Points of the first edge that are nearer to one another than this are one [m].
   double rounding() const { return rounding_; }
 
   /// Whether one of the waves that go on to further edges runs exactly along an edge of its face.
@@ -71,8 +72,8 @@ class WaveTree {
 
  private:
   void split(const TreeWave& wave, double from, double to);
-  void end(const TreeWave& wave, double from, double to, const OutlineEdge* edge);
-  void go_on(std::size_t index);
+  void end_bundle(const TreeWave& wave, double from, double to, const OutlineEdge* edge);
+  void continue_beyond(std::size_t index);
   void mirror(std::size_t index, std::uint32_t bundle);
   void project_corners(const TreeWave& wave, double from, double to);
   bool meets_edge_alongside(const StripWave& wave) const;

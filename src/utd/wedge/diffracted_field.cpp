@@ -33,13 +33,13 @@ Cylindrical cylindrical(const StraightEdge& edge, const dvec3& offset) {
 
 // Of a plane wave, the direction towards its source.
 Cylindrical cylindrical(const StraightEdge& edge, const RaySource& source) {
-  return cylindrical(edge, source.spreading == Spreading::plane ? -source.direction : source.place - edge.origin);
+  return cylindrical(edge, source.spreading == Spreading::plane ? -source.direction : source.position - edge.origin);
 }
 
-void require(const Cylindrical& place, const char* what) {
-  if (!(place.distance > 0.0))
+void require(const Cylindrical& point, const char* what) {
+  if (!(point.distance > 0.0))
     throw InputError(std::string("diffracted field: the ") + what + " lies on the edge's line; move it off the edge");
-  if (place.angle < 0.0)
+  if (point.angle < 0.0)
     throw InputError(std::string("diffracted field: the ") + what + " lies inside the wedge; move it into the free space");
 }
 
@@ -52,8 +52,8 @@ void require(const StraightEdge& edge, const RaySource& source) {
 
 // The edge point in the plane where the ray is straight, and what follows from there.
 struct Unfolded {
-  double place;     // of Q
-  double cos_cone;  // of the angle between the edge and either ray
+  double arc_length;  // of Q
+  double cos_cone;    // of the angle between the edge and either ray
   double sin_cone;
   double path;  // [m]
   double spread;
@@ -62,8 +62,8 @@ struct Unfolded {
 
 Unfolded unfold_point(const Cylindrical& source, const Cylindrical& observer) {
   const double across = source.distance + observer.distance, along = observer.along - source.along;
-  const double path = std::hypot(across, along), place = source.along + along * source.distance / across;
-  return {place, along / path, across / path, path, 1 / path, source.distance * observer.distance / path};
+  const double path = std::hypot(across, along), arc_length = source.along + along * source.distance / across;
+  return {arc_length, along / path, across / path, path, 1 / path, source.distance * observer.distance / path};
 }
 
 Unfolded unfold_line(const Cylindrical& source, const Cylindrical& observer) {
@@ -73,7 +73,7 @@ Unfolded unfold_line(const Cylindrical& source, const Cylindrical& observer) {
 
 Unfolded unfold_plane(const StraightEdge& edge, const RaySource& wave, const Cylindrical& source, const Cylindrical& observer) {
   const double cosine = -source.along, sine = source.distance, length = observer.distance / sine;
-  const double start = glm::dot(wave.direction, edge.origin - wave.place);
+  const double start = glm::dot(wave.direction, edge.origin - wave.position);
   return {observer.along - length * cosine, cosine, sine, start + observer.along * cosine + observer.distance * sine, 1.0,
           observer.distance * sine};
 }
@@ -91,11 +91,11 @@ double excess(double rho, double u, double step) {
   return step * step * std::max(0.0, 1 - u / length * (2 * u + step) / sum) / sum;
 }
 
-double detour(const RaySource& wave, const Cylindrical& source, const Cylindrical& observer, double place, double end) {
-  const double step = end - place;
+double detour(const RaySource& wave, const Cylindrical& source, const Cylindrical& observer, double arc_length, double end) {
+  const double step = end - arc_length;
   if (std::isinf(step)) return std::abs(step);
-  const double after = excess(observer.distance, place - observer.along, step);
-  return wave.spreading == Spreading::point ? after + excess(source.distance, place - source.along, step) : after;
+  const double after = excess(observer.distance, arc_length - observer.along, step);
+  return wave.spreading == Spreading::point ? after + excess(source.distance, arc_length - source.along, step) : after;
 }
 
 // G / share of one end, and on which side of it the diffraction point lies.
@@ -136,8 +136,8 @@ EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3&
   require(to, "observer");
   const Unfolded u = unfold(edge, source, from, to);
   EdgeRay ray;
-  ray.place = u.place;
-  ray.point = edge.origin + u.place * edge.tangent();
+  ray.arc_length = u.arc_length;
+  ray.point = edge.origin + u.arc_length * edge.tangent();
   ray.path = u.path;
   ray.spread = u.spread;
   ray.source_angle = from.angle;
@@ -147,13 +147,13 @@ EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3&
   const auto outwards = [&](double angle) { return std::cos(angle) * edge.into_face + std::sin(angle) * edge.normal; };
   ray.arriving = u.cos_cone * edge.tangent() - u.sin_cone * outwards(from.angle);
   ray.leaving = u.cos_cone * edge.tangent() + u.sin_cone * outwards(to.angle);
-  ray.detours = {detour(source, from, to, u.place, edge.begin), detour(source, from, to, u.place, edge.end)};
+  ray.detours = {detour(source, from, to, u.arc_length, edge.begin), detour(source, from, to, u.arc_length, edge.end)};
   return ray;
 }
 
 DiffractedWave diffracted_wave(const StraightEdge& edge, const EdgeRay& ray, double wavenumber) {
-  const EndWave first = end_wave(wavenumber * ray.detours[0], ray.place > edge.begin);
-  const EndWave last = end_wave(wavenumber * ray.detours[1], ray.place < edge.end);
+  const EndWave first = end_wave(wavenumber * ray.detours[0], ray.arc_length > edge.begin);
+  const EndWave last = end_wave(wavenumber * ray.detours[1], ray.arc_length < edge.end);
   const double distance = std::sqrt(wavenumber * ray.distance_parameter);
   const EdgeWaveTerms terms = edge_wave_terms(edge.n, ray.source_angle, ray.observation_angle);
   const auto sum = [&](const std::array<EdgeWaveTerm, 2>& waves) {

@@ -9,7 +9,7 @@
 
 namespace raytube {
 
-/// A wedge with a straight edge; places on it are measured from `origin` along `tangent`. Angles as in EdgeWaveTerms, from the
+/// A wedge with a straight edge; arc length on it is measured from `origin` along `tangent`. Angles as in EdgeWaveTerms, from the
 /// face of `into_face` and `normal`.
 struct StraightEdge {
   dvec3 origin;
@@ -27,7 +27,7 @@ StraightEdge straight_edge(const Wedge& wedge);
 /// A ray from the source over the edge to the observer. Q may lie beyond the ends of the edge: what arrives then is the
 /// uniform remainder of the corner wave.
 struct EdgeRay {
-  double place;                            // of the diffraction point Q [m]
+  double arc_length;                       // of the diffraction point Q on the edge [m]
   dvec3 point;                             // Q
   dvec3 arriving, leaving;                 // s' and s, unit
   double path;                             // from source to observer over Q [m]
@@ -58,16 +58,16 @@ struct DiffractedWave {
 /// so that H = 1/2 from both sides as Q passes the end; the last factor is the share of the corner wave this edge has, of which
 /// the other edge that meets there has the rest. It is 0 on the boundary itself, so the wave ends there with the rays it
 /// completes. The idea of a uniform corner term after Sikta, Burnside, Chu and Peters (1983), IEEE Trans. AP-31, 584; this one is
-/// our own (docs/edges.md). Valid for k L above about 1.
+/// our own (docs/theory/edges.md). Valid for k L above about 1.
 DiffractedWave diffracted_wave(const StraightEdge& edge, const EdgeRay& ray, double wavenumber);
 
 /// E_d = -[b0_hat b0'_hat soft + phi_hat phi'_hat hard] . p, the edge-fixed unit vectors of Kouyoumjian and Pathak (1974):
 /// phi'_hat along -t x s', b0'_hat = s' x phi'_hat, phi_hat along t x s, b0_hat = s x phi_hat.
 ComplexVector diffracted_field(const StraightEdge& edge, const EdgeRay& ray, const ComplexVector& moment, double wavenumber);
 
-/// The same from the start. Add the source's own ray and the reflected ones where they exist, with the weight 1/2 within 1e-12
-/// rad of their boundary; for n < 1 the multiply reflected ones too. Throws InputError as edge_ray does, and if `wavenumber` is
-/// not positive.
+/// E [V/m] at `observer` by the ray over the edge. For the total field add the source's own ray and the reflected ones where they
+/// exist, with the weight 1/2 within 1e-12 rad of their boundary; for n < 1 the multiply reflected ones too. Throws InputError as
+/// edge_ray does, and if `wavenumber` is not positive.
 ComplexVector diffracted_field(const StraightEdge& edge, const RaySource& source, const dvec3& observer, double wavenumber);
 
 }  // namespace raytube

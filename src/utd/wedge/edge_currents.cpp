@@ -44,7 +44,7 @@ Terms fringe_terms(double n, const FaceIncidence& incidence, Complex g) {
   return {wedge_cotangent(n, g - source), wedge_cotangent(n, g + source)};
 }
 
-// The same without the pole cot(y/2) of forward grazing: -cot(y/2) in A+ of a lit face, +cot(y/2) in A- of a dark one.
+// These terms without the pole cot(y/2) of forward grazing: -cot(y/2) in A+ of a lit face, +cot(y/2) in A- of a dark one.
 // Both faces leave the same pole out, so that the windowed kernels still match where phi' passes pi.
 Terms regular_terms(double n, const FaceIncidence& incidence, Complex g, double y) {
   const double source = incidence.source_angle;
@@ -54,17 +54,17 @@ Terms regular_terms(double n, const FaceIncidence& incidence, Complex g, double 
 
 Terms pole_terms(const FaceIncidence& incidence) { return incidence.lit ? Terms{0.0, -1.0} : Terms{1.0, 0.0}; }
 
-FringeKernels kernels_of(const Terms& terms, const GrazingRay& glance, double constant) {
-  const Complex hard = (terms.minus + terms.plus) / (2.0 * glance.sine);
-  return {(terms.minus - terms.plus) / 2.0, hard, constant - glance.cosine * hard};
+FringeKernels kernels_of(const Terms& terms, const GrazingRay& ray, double constant) {
+  const Complex hard = (terms.minus + terms.plus) / (2.0 * ray.sine);
+  return {(terms.minus - terms.plus) / 2.0, hard, constant - ray.cosine * hard};
 }
 
 double axial_constant(double n, const FaceIncidence& incidence) { return (incidence.lit ? 1.0 : 0.0) - 1 / n; }
 
-// At g = pi (s along the glancing ray) G_h grows as 1/sin(g), while the moment turns parallel to s: what radiates depends on
-// whence s comes to the ray, and its mean over all sides is zero. That is the value on the ray. Within rounding of it (4e-16,
-// more by the shortness of an edge) 1/sin(g) fades with the fourth power, or the rounding would be seen: to below 1e-12 there,
-// and by less than 1e-8 from 1e-9 on.
+// At g = pi (s along the grazing diffracted ray) G_h grows as 1/sin(g), while the moment turns parallel to s: what radiates
+// depends on whence s comes to the ray, and its mean over all sides is zero. That is the value on the ray. Within rounding of it
+// (4e-16, more by the shortness of an edge) 1/sin(g) fades with the fourth power, or the rounding would be seen: to below 1e-12
+// there, and by less than 1e-8 from 1e-9 on.
 double sine_on_grazing_ray(double sine) {
   constexpr double width = 1e-11;
   return sine + width * std::pow(width / std::max(sine, 1e-60), 3);
@@ -103,33 +103,33 @@ double grazing_half_cosine(const dvec3& into_face, const FaceIncidence& incidenc
   return glm::length(scattered - grazing_ray) / (2 * incidence.sin_cone);
 }
 
-FringeKernels fringe_kernels(double n, const FaceIncidence& incidence, const GrazingRay& glance) {
-  return kernels_of(fringe_terms(n, incidence, glance.angle), glance, axial_constant(n, incidence));
+FringeKernels fringe_kernels(double n, const FaceIncidence& incidence, const GrazingRay& ray) {
+  return kernels_of(fringe_terms(n, incidence, ray.angle), ray, axial_constant(n, incidence));
 }
 
 // c_n(g) / sin(g) and -tan(g/2n) / (n sin g), also where g is imaginary; cot(g/2) = (1 + cos g) / sin g.
-double grazing_hard_kernel(double n, bool own_face, const GrazingRay& glance) {
-  const bool is_imaginary = glance.angle.real() == 0.0;
-  const double g = is_imaginary ? glance.angle.imag() : glance.angle.real();
-  const double sine = is_imaginary ? glance.sine.imag() : glance.sine.real();
+double grazing_hard_kernel(double n, bool own_face, const GrazingRay& ray) {
+  const bool is_imaginary = ray.angle.real() == 0.0;
+  const double g = is_imaginary ? ray.angle.imag() : ray.angle.real();
+  const double sine = is_imaginary ? ray.sine.imag() : ray.sine.real();
   const double tangent = is_imaginary ? std::tanh(g / (2 * n)) : std::tan(g / (2 * n));
   if (!own_face) return -tangent / (n * sine);
   const double sign = is_imaginary ? -1.0 : 1.0;
   if (g < series_below) return g / sine * difference_over_argument(n, sign * g * g);
-  return sign * (1 / (n * tangent) - (1 + glance.cosine.real()) / sine) / sine;
+  return sign * (1 / (n * tangent) - (1 + ray.cosine.real()) / sine) / sine;
 }
 
 SplitKernels split_kernels(double n, const FaceIncidence& incidence, double half_cosine) {
-  const GrazingRay glance = grazing_ray_at(half_cosine);
+  const GrazingRay ray = grazing_ray_at(half_cosine);
   SplitKernels result;
-  // y from the two small angles themselves: observer to the glancing ray, source to the face's own plane.
+  // y from the two small angles themselves: observer to the grazing diffracted ray, source to the face's own plane.
   const double y = -(2 * std::asin(std::min(half_cosine, 1.0)) + std::abs(pi - incidence.source_angle));
   if (y <= -1) {
-    result.regular = fringe_kernels(n, incidence, glance);
+    result.regular = fringe_kernels(n, incidence, ray);
     return result;
   }
-  result.regular = kernels_of(regular_terms(n, incidence, glance.angle, y), glance, axial_constant(n, incidence));
-  result.pole = kernels_of(pole_terms(incidence), glance, 0.0);
+  result.regular = kernels_of(regular_terms(n, incidence, ray.angle, y), ray, axial_constant(n, incidence));
+  result.pole = kernels_of(pole_terms(incidence), ray, 0.0);
   result.angle = y;
   result.active = true;
   return result;

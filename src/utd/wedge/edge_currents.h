@@ -1,11 +1,31 @@
 // Fringe currents of a wedge: exact current minus the physical-optics one, integrated across each face to infinity.
+//
+// Notation in the files of this folder:
+//   s', s           directions of incidence and of scattering, unit; k the wavenumber
+//   n               exterior angle of the wedge over pi: 2 half plane, 1.5 outer edge of a cube
+//   x_f, n_f, t     of one face: into the face, out of the metal, and x_f x n_f along the edge, opposite for the two faces
+//   beta'           angle between t and s' (beta0 where both rays lie on Keller's cone)
+//   phi', phi       angles towards source and observer, from the face through free space, in [0, n pi]
+//   U               1 on a lit face (phi' < pi), 0 on a dark one
+//   sigma           sin(beta') x_f + cos(beta') t, the grazing diffracted ray: the one that leaves along the face
+//   mu              1 - |s - sigma|^2 / (2 sin^2 beta'), never above 1; cos(phi) for an observer on the cone
+//   g, h            the observer against sigma: g = pi - arccos(mu), h = cos(g/2) = |s - sigma| / (2 sin beta')
+//   G_s, G_h, G_x   kernels of the current for unit E (soft) or eta H (hard) along the edge, see FringeKernels
+//   F(X), W(x)      transition function of Kouyoumjian and Pathak (1974), and W(x) = e^{jx^2} erfc(e^{j pi/4} x), which is F
+//                   without its root: F(X) = sqrt(pi) e^{j pi/4} x W(x), X = x^2
+//   eps             angular distance to the shadow or reflection boundary of a wave
+//   L, A            distance parameter and spreading factor of a diffracted ray
+//
+//   incidence             which faces a wave lights, at what angles
+//   edge_currents         first-order currents: the kernels of semi-infinite faces, their moment and S
+//   scaled_erfc, transition   W and F, exact or as tabulated
+//   edge_wave, edge_wave_integral   the uniform wave that leaves an edge, and integrals of it over rows of rays
+//   wedge_coefficients, ray_source, diffracted_field   rays: coefficients, sources, the field at any distance
+//
 // Sources: Ufimtsev (1957), Sov. Phys. Tech. Phys. 2, 1708, for the idea; Michaeli (1986), IEEE Trans. AP-34, 912, for strips
-// along the glancing diffracted ray and finite values on every shadow and reflection boundary.
+// along the grazing diffracted ray and finite values on every shadow and reflection boundary.
 // Valid for straight edges and planar faces of about a wavelength or more. First order: the part of the current that crosses
 // the face to its next edge radiates as if the face went on; it matters for the hard polarisation (H along the edge).
-//
-// In formulas, per face: sigma = sin(beta') x_f + cos(beta') t is the glancing ray, mu = 1 - |s - sigma|^2 / (2 sin^2 beta')
-// never exceeds 1, g = pi - arccos(mu), U = 1 on a lit face and 0 on a dark one.
 #pragma once
 
 #include "scene/sweep.h"
@@ -13,17 +33,17 @@
 
 namespace raytube {
 
-/// The look as vectors: s' and s, E and eta H of a unit incident wave for transmit V and H, and the receive basis.
+/// The look as vectors.
 struct LookVectors {
-  dvec3 incident;
-  dvec3 scattered;
-  std::array<dvec3, 2> electric;
-  std::array<dvec3, 2> magnetic;
-  std::array<dvec3, 2> receive;
+  dvec3 incident;                 // s'
+  dvec3 scattered;                // s
+  std::array<dvec3, 2> electric;  // E of a unit incident wave, transmit V and H
+  std::array<dvec3, 2> magnetic;  // eta H of that
+  std::array<dvec3, 2> receive;   // unit, receive V and H
 };
 LookVectors look_vectors(const Look& look);
 
-/// The observer relative to the glancing ray of one face: g, sin(g), cos(g) = -mu.
+/// The observer relative to the grazing diffracted ray of one face: g, sin(g), cos(g) = -mu.
 struct GrazingRay {
   Complex angle;
   Complex sine;
@@ -33,6 +53,8 @@ struct GrazingRay {
 /// `half_cosine` is cos(g/2) = |s - sigma| / (2 sin beta') >= 0, which keeps its digits when s is close to sigma.
 /// Above 1 (observer far off the Keller cone) g is imaginary; both signs give the same kernels.
 GrazingRay grazing_ray_at(double half_cosine);
+
+/// h of the observer in direction s = `scattered`; `into_face` is x_f.
 double grazing_half_cosine(const dvec3& into_face, const FaceIncidence& incidence, const dvec3& scattered);
 inline double grazing_half_cosine(const WedgeFace& face, const FaceIncidence& incidence, const dvec3& scattered) {
   return grazing_half_cosine(face.into_face, incidence, scattered);
@@ -48,11 +70,11 @@ struct FringeKernels {
 
 /// Michaeli (1986) as a difference taken term by term, so that nothing cancels at the pole mu = -cos(phi') which the exact and
 /// the physical-optics current share. Singular only where source and observer both graze the face, forward (see below).
-FringeKernels fringe_kernels(double n, const FaceIncidence& incidence, const GrazingRay& glance);
+FringeKernels fringe_kernels(double n, const FaceIncidence& incidence, const GrazingRay& ray);
 
 /// G_h of a wave that grazes the face itself (phi' = 0) or the other one (phi' = n pi), as fringe_kernels gives it; real, and G_s
 /// = 0.
-double grazing_hard_kernel(double n, bool own_face, const GrazingRay& glance);
+double grazing_hard_kernel(double n, bool own_face, const GrazingRay& ray);
 
 /// The kernels with their forward-grazing pole set apart: kernels = regular + cot(y/2) pole, with
 /// y = g + phi' - 2 pi on a lit face, g - phi' on a dark one. `active` when |y| < 1 rad; else y and pole are zero.
@@ -82,7 +104,7 @@ struct FaceMoment {
 };
 FaceMoment face_moment(const FringeKernels& kernels, const FaceIncidence& incidence, double electric, double magnetic);
 
-/// S per unit length of edge that the currents of one face with these kernels make, both polarisations.
+/// S per unit length of edge that the currents of one face with these kernels make, both polarisations (no unit).
 ScatteringMatrix face_amplitude(const FringeKernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,
                                 const LookVectors& look);
 

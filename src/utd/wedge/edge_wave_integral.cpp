@@ -142,7 +142,7 @@ void EdgeWaveIntegral::add_piece(const RayRow& row, double k, double from, doubl
 
 void EdgeWaveIntegral::add_corner(const RayRow& row, double k, double corner, double inwards, WaveIntegrals& sum) const {
   if (!std::isfinite(corner)) return;
-  const auto path_at = [&](double place) { return std::max(row.path + row.path_rate * place, 0.0); };
+  const auto path_at = [&](double arc_length) { return std::max(row.path + row.path_rate * arc_length, 0.0); };
   const double longest = std::max(path_at(row.from), path_at(row.to));
   const double path = path_at(std::clamp(corner, row.from, row.to));
   for (const double side : {-1.0, 1.0}) {
@@ -167,8 +167,8 @@ void EdgeWaveIntegral::add_beside_corner(const RayRow& row, double k, double cor
   Points at;
   Reals detour, x;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const double place = middle + half * rule.at[i], beyond = place - corner;
-    at.path[i] = std::max(row.path + row.path_rate * place, 0.0);
+    const double arc_length = middle + half * rule.at[i], beyond = arc_length - corner;
+    at.path[i] = std::max(row.path + row.path_rate * arc_length, 0.0);
     at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
     const double along = beyond + at.path[i] * cos_cone_, across = at.path[i] * sin_cone_;
     const double both = std::sqrt(along * along + across * across) + at.path[i];
@@ -176,8 +176,8 @@ void EdgeWaveIntegral::add_beside_corner(const RayRow& row, double k, double cor
     detour[i] = both > 0.0 ? std::max(k * beyond * (beyond - cos_cone_ * longer) / both, 0.0) : 0.0;
     x[i] = std::sqrt(detour[i]);
   }
-  const auto share = [&](std::size_t place, double z2) {
-    const double both = z2 + detour[place], own = both > 0.0 ? z2 / both : 1.0, faded = fading(detour[place]);
+  const auto share = [&](std::size_t lane, double z2) {
+    const double both = z2 + detour[lane], own = both > 0.0 ? z2 / both : 1.0, faded = fading(detour[lane]);
     return std::pair(faded * own, faded * own * own);
   };
   const Complexes weights = turned_back(rule.weights(k * row.phase_rate * half), unit_phasors(detour), scaled_erfc(x));

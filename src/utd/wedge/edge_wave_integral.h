@@ -1,4 +1,4 @@
-// Integrals of an edge's waves over a row of parallel rays where these meet a plane. Derived in docs/between.md.
+// Integrals of an edge's waves over a row of parallel rays where these meet a plane. Derived in docs/theory/interaction.md.
 #pragma once
 
 #include "math/lanes.h"
@@ -6,10 +6,10 @@
 
 namespace raytube {
 
-/// Rays of one azimuth that meet one plane, by their places along the edge, from <= z <= to.
+/// Rays of one azimuth that meet one plane, by the arc length z at which they leave the edge, from <= z <= to [m].
 struct RayRow {
   double from = 0.0, to = 0.0;
-  double path = 0.0, path_rate = 0.0;    // the ray at place z is path + path_rate z long, from the edge on [m]
+  double path = 0.0, path_rate = 0.0;    // the ray from z is path + path_rate z long, from the edge on [m]
   double phase = 0.0, phase_rate = 0.0;  // exponent / k there
 };
 
@@ -35,18 +35,19 @@ struct WaveIntegrals {
 ///
 /// Where the start of a ray passes an end of the piece its wave neither stops nor goes on: Fresnel's step of the detour over the
 /// end, 1 - D inside and D outside with D = e^{-jx^2} W(x) / 2, x^2 = k detour. It is divided between the two edges that meet
-/// there: z^2 / (z^2 + x^2) of it is this one's, z^2 the argument X of the wave's own transition. `corners` are the places of
-/// these ends, infinite where there is none; rays between `from` and `to` count whole.
+/// there: z^2 / (z^2 + x^2) of it is this one's, z^2 the argument X of the wave's own transition. `corners` are the arc
+/// lengths of these ends, infinite where there is none; rays between `from` and `to` count whole.
 class EdgeWaveIntegral {
  public:
   EdgeWaveIntegral(const EdgeWaveTerms& terms, double cos_cone, double sin_cone, double from, double to,
                    const std::array<double, 2>& corners)
       : terms_(terms), cos_cone_(cos_cone), sin_cone_(sin_cone), from_(from), to_(to), corners_(corners) {}
 
+  /// At the wavenumber k [rad/m].
   WaveIntegrals over(const RayRow& row, double k) const;
 
-  /// How far from an end its wave is followed, for rays up to this long [m]; `cosine` is cos(beta0), towards greater places, and
-  /// its negative towards smaller ones.
+  /// How far from an end its wave is followed, for rays up to this long [m]; `cosine` is cos(beta0) towards greater arc lengths,
+  /// and its negative towards smaller ones.
   static double reach(double path, double k, double cosine, double sin_cone);
 
  private:

@@ -5,8 +5,7 @@
 
 namespace raytube {
 
-/// The incident wave in the frame of one face: x_f into the face, n_f its normal, t = x_f x n_f along the edge. The two faces of
-/// a wedge have opposite t. In formulas: beta' = angle between t and s', phi' = source_angle.
+/// The incident wave in the frame of one face (notation in edge_currents.h). The two faces of a wedge have opposite t.
 struct FaceIncidence {
   dvec3 tangent;              // t
   double cos_cone = 0.0;      // cos(beta')

@@ -5,7 +5,7 @@
 namespace raytube {
 
 Arrival arrival(const RaySource& source, const dvec3& point) {
-  dvec3 ray = point - source.place;
+  dvec3 ray = point - source.position;
   if (source.spreading == Spreading::plane) return {source.direction, glm::dot(source.direction, ray), 1.0};
   if (source.spreading == Spreading::line) ray -= glm::dot(ray, source.direction) * source.direction;
   const double length = glm::length(ray);

@@ -7,13 +7,13 @@ namespace raytube {
 
 enum class Spreading { plane, line, point };
 
-/// Far from its place the free field of a source of moment p is (p - d (d.p)) spread e^{-jk path}, d the ray's direction:
+/// Far from it the free field of a source of moment p is (p - d (d.p)) spread e^{-jk path}, d the ray's direction:
 ///   point  spread 1/r, path r: the waves of a short dipole, p in volts
-///   line   spread 1/sqrt(rho), path rho: the same across a straight line
-///   plane  spread 1, path d . (r - place)
+///   line   spread 1/sqrt(rho), path rho, from a straight line: p in volts over the root of a metre
+///   plane  spread 1, path d . (r - position)
 struct RaySource {
   Spreading spreading = Spreading::point;
-  dvec3 place{0.0};          // of the source; of a plane wave, where its phase is zero [m]
+  dvec3 position{0.0};       // of the source; of a plane wave, where its phase is zero [m]
   dvec3 direction{0, 0, 1};  // unit: of travel of a plane wave, along a line; no meaning for a point
   ComplexVector moment;
 };
@@ -31,6 +31,7 @@ inline ComplexVector across(const ComplexVector& moment, const dvec3& direction)
   return moment - dot(moment, direction) * direction;
 }
 
+/// E at a point [V/m] that is not on the source; `wavenumber` in rad/m.
 ComplexVector free_field(const RaySource& source, const dvec3& point, double wavenumber);
 
 }  // namespace raytube

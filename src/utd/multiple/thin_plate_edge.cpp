@@ -1,4 +1,4 @@
-#include "utd/multiple/thin_edge.h"
+#include "utd/multiple/thin_plate_edge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,9 @@ namespace raytube {
 
 namespace {
 
-constexpr double half_cosine_floor = 2e-5;  // as for strips: the kernels have a removable 0/0 in the observer along the strip
-constexpr double pole_distance = 1e-6;      // cos phi + cos phi' nearer to 0 is evaluated here: the change is of the same size
+constexpr double half_cosine_floor =
+    2e-5;  // as in strip_kernels.cpp: the kernels have a removable 0/0 in the observer along the strip
+constexpr double pole_distance = 1e-6;  // cos phi + cos phi' nearer to 0 is evaluated here: the change is of the same size
 
 /// F(phi) for one direction, F(phi) F(phi') for the sums of cosines and of phi sin phi.
 Complex split_function(double kappa, double cosine, double turn) {
@@ -24,8 +25,8 @@ double source_angle(const FaceIncidence& incidence, bool direct) {
 
 }  // namespace
 
-ThinEdge::ThinEdge(const Wedge& wedge, int face, const FaceIncidence& incidence, double half_cosine, const dvec3& scattered,
-                   bool direct)
+ThinPlateCorrection::ThinPlateCorrection(const Wedge& wedge, int face, const FaceIncidence& incidence, double half_cosine,
+                             const dvec3& scattered, bool direct)
     : width_(wedge.thickness() * incidence.sin_cone),
       beyond_(std::max(half_cosine, 1.0)),
       half_cosine_(std::clamp(half_cosine, half_cosine_floor, 1.0)) {
@@ -48,9 +49,9 @@ ThinEdge::ThinEdge(const Wedge& wedge, int face, const FaceIncidence& incidence,
   lit_sign_ = direct ? (incidence.lit ? 1.0 : -1.0) : 0.0;
 }
 
-// Total field of the thick half plane, less that of the thin one, less the shift of physical optics from the middle of the sheet
-// to its sides: parts even and odd about the sheet. Every pole at cos phi + cos phi' = 0 cancels.
-FringeKernels ThinEdge::untruncated(double wavenumber) const {
+// Total field of the thick half plane, less that of the thin one, less the shift of physical optics from the middle of the plate
+// to its sides: parts even and odd about the plate. Every pole at cos phi + cos phi' = 0 cancels.
+FringeKernels ThinPlateCorrection::untruncated(double wavenumber) const {
   const double kappa = wavenumber * width_ / (2 * pi), here = pi * kappa * sine_, there = pi * kappa * source_sine_;
   const Complex both = split_function(kappa, cosine_ + source_cosine_, turn_ + source_turn_);
   const Complex side = std::polar(1.0, std::abs(there)), shift = std::cos(here) * side - 1.0;
@@ -67,7 +68,7 @@ FringeKernels ThinEdge::untruncated(double wavenumber) const {
 
 // Far from the edge the hard current is that of the half plane times F(pi) F(phi'), and ends with it. The rest lives near the
 // edge.
-void ThinEdge::correct(StripKernels& kernels, const FringeKernels& half_plane, double wavenumber, double length) const {
+void ThinPlateCorrection::correct(StripKernels& kernels, const FringeKernels& half_plane, double wavenumber, double length) const {
   const FringeKernels change = untruncated(wavenumber);
   const double kappa = wavenumber * width_ / (2 * pi), reached = std::isinf(length) ? 1.0 : -std::expm1(-length);
   Complex gain = split_function(kappa, source_cosine_ - 1, source_turn_) * std::sqrt(std::cos(pi * kappa * source_sine_)) - 1.0;
@@ -80,19 +81,19 @@ void ThinEdge::correct(StripKernels& kernels, const FringeKernels& half_plane, d
   kernels.soft_end *= 1.0 + gain;
 }
 
-bool comes_along_sheet(const Wedge& wedge, const dvec3& incident) {
+bool comes_along_plate(const Wedge& wedge, const dvec3& incident) {
   const WedgeFace& side = wedge.faces[0];
   return wedge.thickness() > 0.0 && std::abs(glm::dot(incident, side.normal)) <= lit_threshold &&
          glm::dot(incident, side.into_face) < 0.0;
 }
 
-// Across the rim flows the hard current of the edge, H(edge) = H F(phi'), from one side to the other.
-ScatteringMatrix thin_edge_face_amplitude(const Wedge& wedge, const WedgeIncidence& incidence, const LookVectors& look,
-                                          double wavenumber) {
+// Across the edge face flows the hard current of the edge, H(edge) = H F(phi'), from one side to the other.
+ScatteringMatrix edge_face_amplitude(const Wedge& wedge, const WedgeIncidence& incidence, const LookVectors& look,
+                                     double wavenumber) {
   const FaceIncidence& arriving = incidence.faces[0];
   const double source = arriving.source_angle, kappa = wavenumber * wedge.thickness() * arriving.sin_cone / (2 * pi);
   const Complex at_edge = split_function(kappa, -std::cos(source), (pi - source) * std::sin(source));
-  const dvec3 outward = glm::cross(wedge.thickness_vector, arriving.tangent);  // normal of the rim, as long as that is wide
+  const dvec3 outward = glm::cross(wedge.thickness_vector, arriving.tangent);  // normal of the edge face, as long as that is wide
   const bool lit = glm::dot(look.incident, outward) < -lit_threshold * glm::length(outward);
   const double optics = lit ? 2 * sinc(wavenumber / 2 * glm::dot(look.scattered - look.incident, wedge.thickness_vector)) : 0.0;
   const Complex factor(0.0, -incidence.weight * wavenumber / (4 * pi));

@@ -1,4 +1,4 @@
-#include "utd/multiple/panels.h"
+#include "utd/multiple/edge_panels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +13,15 @@ constexpr double beside_root = 0.05;
 
 }  // namespace
 
-void PanelPlacer::place(const WaveTree& tree, std::span<const LitInterval> lit, double length) {
+void EdgePanels::lay(const WaveTree& tree, std::span<const LitInterval> lit, double length) {
   points_.clear();
   panels_.clear();
-  rows_.clear();
+  ranges_.clear();
   for (const LitInterval& piece : lit) fill(tree, piece.begin * length, piece.end * length);
-  for (const StripBundle& bundle : tree.bundles()) rows_.push_back({first_beyond(bundle.from), first_beyond(bundle.to)});
+  for (const StripBundle& bundle : tree.bundles()) ranges_.push_back({first_beyond(bundle.from), first_beyond(bundle.to)});
 }
 
-void PanelPlacer::fill(const WaveTree& tree, double begin, double end) {
+void EdgePanels::fill(const WaveTree& tree, double begin, double end) {
   cuts_.clear();
   for (const StripBundle& bundle : tree.bundles())
     if (bundle.from >= begin && bundle.to <= end) cuts_.push_back(bundle.to);
@@ -35,22 +35,22 @@ void PanelPlacer::fill(const WaveTree& tree, double begin, double end) {
   }
 }
 
-Panel PanelPlacer::panel(const WaveTree& tree, double from, double to) const {
+Panel EdgePanels::panel(const WaveTree& tree, double from, double to) const {
   Panel result{from, to};
   const double middle = (from + to) / 2, rounding = tree.rounding(), beside = rounding + beside_root * (to - from);
   for (const StripBundle& bundle : tree.bundles()) {
     if (bundle.from > middle || bundle.to < middle) continue;
     result.path_rate = std::max({result.path_rate, std::abs(bundle.start_rate), std::abs(bundle.end_rate)});
     result.sweep = std::max(result.sweep, std::abs(bundle.growth));
-    const auto vanishes = [&](double place) { return bundle.edge && std::abs(bundle.length_at(place)) < rounding; };
+    const auto vanishes = [&](double at) { return bundle.edge && std::abs(bundle.length_at(at)) < rounding; };
     if (from - bundle.from < beside && vanishes(bundle.from)) result.root[0] = true;
     if (bundle.to - to < beside && vanishes(bundle.to)) result.root[1] = true;
   }
   return result;
 }
 
-std::uint32_t PanelPlacer::first_beyond(double place) const {
-  const auto panel = std::ranges::partition_point(panels_, [=](const Placed& placed) { return placed.middle < place; });
+std::uint32_t EdgePanels::first_beyond(double arc_length) const {
+  const auto panel = std::ranges::partition_point(panels_, [=](const LaidPanel& laid) { return laid.middle < arc_length; });
   return panel == panels_.end() ? static_cast<std::uint32_t>(points_.size()) : panel->first;
 }
 

@@ -1,9 +1,9 @@
-// What the thickness of a sheet changes in the currents of a half plane: finite and continuous everywhere, nothing when thin.
+// What the thickness of a plate changes in the currents of a half plane: finite and continuous everywhere, nothing when thin.
 #include <gtest/gtest.h>
 
 #include "mesh/features/thin_plates.h"
 #include "shapes.h"
-#include "utd/multiple/thin_edge.h"
+#include "utd/multiple/thin_plate_edge.h"
 #include "utd/shadow/edge_visibility.h"
 
 namespace raytube {
@@ -11,22 +11,23 @@ namespace {
 
 constexpr double k = 2 * pi;  // wavelength 1 m
 
-/// A sheet in y = 0, x < 0, its edge along z, both sides endless.
-Wedge sheet_edge(double thickness) {
+/// A plate in y = 0, x < 0, its edge along z, both sides semi-infinite.
+Wedge plate_edge(double thickness) {
   const dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   // t = x_f x n_f of the first side is -x x y = -z.
   return {0.5 * z, -0.5 * z, 2.0, {WedgeFace{0, -x, y, 1e30}, WedgeFace{1, -x, -y, 1e30}}, -thickness * y, 2};
 }
 
-/// S per length that the thickness adds, both sides and the rim.
+/// S per length that the thickness adds, both sides and the edge face.
 ScatteringMatrix change(const Wedge& wedge, const Look& look) {
   const LookVectors vectors = look_vectors(look);
   const WedgeIncidence incidence = incidence_on(wedge, vectors.incident);
-  ScatteringMatrix sum = thin_edge_face_amplitude(wedge, incidence, vectors, k);
+  ScatteringMatrix sum = edge_face_amplitude(wedge, incidence, vectors, k);
   for (int side = 0; side < 2; ++side) {
     const WedgeFace& face = wedge.faces[side];
     const FaceIncidence& arriving = incidence.faces[side];
-    const ThinEdge thin(wedge, side, arriving, grazing_half_cosine(face, arriving, vectors.scattered), vectors.scattered, true);
+    const ThinPlateEdge thin(wedge, side, arriving, grazing_half_cosine(face, arriving, vectors.scattered), vectors.scattered,
+                             true);
     sum += face_amplitude(thin.untruncated(k), face, arriving, vectors);
   }
   return sum;
@@ -40,7 +41,7 @@ double difference(const ScatteringMatrix& a, const ScatteringMatrix& b) {
   return std::max({std::abs(a.vv() - b.vv()), std::abs(a.vh() - b.vh()), std::abs(a.hv() - b.hv()), std::abs(a.hh() - b.hh())});
 }
 
-/// Directions on a grid with special ones on purpose: along the edge, along the sheet, square to it, and next to these.
+/// Directions on a grid with special ones on purpose: along the edge, along the plate, square to it, and next to these.
 std::vector<Direction> directions() {
   std::vector<Direction> result;
   for (const double theta : {0.0, 1e-7, 1e-4, 0.1, 0.7, pi / 2 - 1e-7, pi / 2, 2.0, pi - 1e-3, pi})
@@ -49,42 +50,42 @@ std::vector<Direction> directions() {
   return result;
 }
 
-TEST(ThinEdge, IsBoundedInEveryDirection) {
+TEST(ThinPlateEdge, IsBoundedInEveryDirection) {
   // In wavelengths. Of the order of t ln t with F(phi) at its largest, and no more than the half plane itself has off its poles.
   double worst = 0.0;
   for (const double thickness : {1e-6, 0.01, 0.099})
     for (const Direction& transmit : directions())
       for (const Direction& receive : directions())
-        worst = std::max(worst, largest(change(sheet_edge(thickness), {transmit, receive})));
+        worst = std::max(worst, largest(change(plate_edge(thickness), {transmit, receive})));
   EXPECT_LE(worst, 1.0);
 }
 
-TEST(ThinEdge, VanishesWithTheThickness) {
+TEST(ThinPlateEdge, VanishesWithTheThickness) {
   for (const Direction& transmit : directions())
-    for (const Direction& receive : directions()) ASSERT_LE(largest(change(sheet_edge(1e-9), {transmit, receive})), 1e-7);
+    for (const Direction& receive : directions()) ASSERT_LE(largest(change(plate_edge(1e-9), {transmit, receive})), 1e-7);
 }
 
-TEST(ThinEdge, IsContinuousWhereThePolesCancel) {
-  // The specular direction of the sheet, and the one straight through it.
+TEST(ThinPlateEdge, IsContinuousWhereThePolesCancel) {
+  // The specular direction of the plate, and the one straight through it.
   for (const double source : {0.3, 1.2, pi / 2, 2.8})
     for (const double pole : {pi - source, source - pi}) {
-      const auto at = [&](double offset) { return change(sheet_edge(0.05), {{pi / 2, source}, {pi / 2, pole + offset}}); };
+      const auto at = [&](double offset) { return change(plate_edge(0.05), {{pi / 2, source}, {pi / 2, pole + offset}}); };
       for (const double offset : {1e-9, 1e-7, 9e-7, 1.1e-6, 3e-6}) EXPECT_LE(difference(at(offset), at(-offset)), 5e-6) << source;
       EXPECT_LE(difference(at(0.0), at(1e-5)), 2e-5) << source;
     }
 }
 
-TEST(ThinEdge, IsTheSameSeenFromEitherSide) {
+TEST(ThinPlateEdge, DoesNotDependOnTheSideItIsSeenFrom) {
   for (const double source : {0.3, 1.2, 2.8})
     for (const double observer : {-2.0, -0.4, 0.9, 3.0}) {
-      const ScatteringMatrix above = change(sheet_edge(0.05), {{1.0, source}, {1.3, observer}});
-      const ScatteringMatrix below = change(sheet_edge(0.05), {{1.0, -source}, {1.3, -observer}});
+      const ScatteringMatrix above = change(plate_edge(0.05), {{1.0, source}, {1.3, observer}});
+      const ScatteringMatrix below = change(plate_edge(0.05), {{1.0, -source}, {1.3, -observer}});
       EXPECT_LE(std::abs(above.vv() - below.vv()) + std::abs(above.hh() - below.hh()), 1e-14);
       EXPECT_LE(std::abs(above.vh() + below.vh()) + std::abs(above.hv() + below.hv()), 1e-14);
     }
 }
 
-TEST(ThinEdge, IsSeenFromBothSidesOfTheSheet) {
+TEST(ThinPlateEdge, IsSeenFromBothSidesOfThePlate) {
   const LoadedMesh loaded = build_mesh(shapes::box({3, 2, 0.05}), 1.0);
   const std::vector<Wedge> sharp = find_wedges(loaded.mesh, 15.0 * degree);
   const std::vector<Wedge> wedges = merge_thin_plate_edges(sharp, find_thin_plate_edges(loaded.mesh, sharp), 0.1);

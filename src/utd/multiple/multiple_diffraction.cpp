@@ -1,0 +1,120 @@
+#include "utd/multiple/multiple_diffraction.h"
+
+#include <algorithm>
+
+namespace raytube {
+
+namespace {
+
+// [rad] Above the limit for "exactly along an edge", and small enough for its own square not to count.
+constexpr double small_turn = 10 * along_edge;
+
+std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
+  std::vector<double> result;
+  for (const double frequency : frequencies) result.push_back(wavenumber(frequency));
+  return result;
+}
+
+template <class Factor>
+ScatteringMatrix scaled(ScatteringMatrix matrix, Factor factor) {
+  for (auto& row : matrix.s)
+    for (Complex& value : row) value *= factor;
+  return matrix;
+}
+
+}  // namespace
+
+MultipleDiffraction::MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look,
+                                         std::span<const double> frequencies, int order, TransitionTier tier,
+                                         bool continue_by_images)
+    : scene_{wedges, look, tier},
+      order_(order),
+      band_(wavenumbers_of(frequencies)),
+      strips_{WaveTree(wedges, outlines, look.incident, look.scattered, continue_by_images),
+              EdgePanels(wavelength(*std::ranges::max_element(frequencies)))} {
+  sums_.first.resize(frequencies.size());
+  sums_.higher.resize(frequencies.size());
+  sums_.windowed.resize(frequencies.size());
+}
+
+void MultipleDiffraction::add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
+  for (int face = 0; face < 2; ++face) {
+    const FaceIncidence& arriving = incidence.faces[face];
+    if (arriving.sin_cone <= sin_cone_floor) continue;  // along the edge: strips of no width
+    start(first_wave(scene_.wedges, index, face, arriving, scene_.look.incident, order_), lit);
+  }
+}
+
+void MultipleDiffraction::start(const StripWave& wave, std::span<const LitInterval> lit) {
+  lay_out(scene_, wave, lit, strips_);
+  const bool runs_along_edge = strips_.tree.runs_along_edge();
+  add_tree({true, runs_along_edge ? 0.0 : 1.0});
+  if (runs_along_edge) start_beside(wave, lit);
+}
+
+// A wave that runs exactly along an edge at the side of a face meets it over its whole length, and yet its strips never end
+// there. Turned a little to either side they do; the limit of a vanishing turn is finite, and half of each counts.
+void MultipleDiffraction::start_beside(const StripWave& wave, std::span<const LitInterval> lit) {
+  const dvec3 aside = glm::cross(scene_.wedges[wave.wedge].faces[wave.face].normal, wave.direction);
+  for (const double turn : {-small_turn, small_turn}) {
+    StripWave turned = wave;
+    turned.direction = glm::normalize(wave.direction + turn * aside);
+    lay_out(scene_, turned, lit, strips_);
+    add_tree({false, 0.5});
+  }
+}
+
+// Of many frequencies a few are computed and the others interpolated, but not where the kernels are rough or change with k in
+// ways of their own.
+void MultipleDiffraction::add_tree(const TreeShare& share) {
+  if (strips_.tree.bundles().empty()) return;
+  for (std::size_t f = 0; f < sums_.windowed.size(); ++f)
+    if (is_windowed(strips_, band_.wavenumbers()[f])) sums_.windowed[f] = true;
+  const std::span<const PathRange> paths = paths_.find(strips_.tree, scene_.look);
+  const auto is_thin = [](const WaveFace& face) { return face.thin.has_value(); };
+  const bool smooth = scene_.tier == TransitionTier::exact && std::ranges::none_of(strips_.faces, is_thin);
+  const double half_span = std::ranges::max_element(paths, {}, &PathRange::half)->half();
+  if (const ChebyshevNodes* nodes = smooth ? band_.nodes_of_fresnel(half_span) : nullptr)
+    interpolate(*nodes, paths, share);
+  else
+    add_all(share);
+}
+
+std::size_t MultipleDiffraction::radiating_waves(const TreeShare& share) const {
+  return share.higher > 0.0 ? strips_.tree.waves().size() : 1;
+}
+
+void MultipleDiffraction::add_all(const TreeShare& share) {
+  sums_at_.clear();
+  for (std::size_t w = 0; w < radiating_waves(share); ++w) sums_at_.push_back(sums_of(w));
+  radiation_.add(strips_, scene_.look, band_.wavenumbers(), share, sums_at_);
+}
+
+// The phase of the middle of a wave's paths is taken out at the nodes and put back.
+void MultipleDiffraction::interpolate(const ChebyshevNodes& nodes, std::span<const PathRange> paths, const TreeShare& share) {
+  const std::size_t waves = radiating_waves(share);
+  samples_.resize(std::max(samples_.size(), waves));
+  sums_at_.clear();
+  for (std::size_t w = 0; w < waves; ++w) {
+    samples_[w].assign(nodes.at.size(), {});
+    sums_at_.push_back(samples_[w]);
+  }
+  radiation_.add(strips_, scene_.look, nodes.at, share, sums_at_);
+  for (std::size_t w = share.first ? 0 : 1; w < waves; ++w) {
+    for (std::size_t n = 0; n < nodes.at.size(); ++n)
+      samples_[w][n] = scaled(samples_[w][n], std::polar(1.0, -nodes.at[n] * paths[w].middle()));
+    add_interpolated(nodes, w, paths[w].middle());
+  }
+}
+
+void MultipleDiffraction::add_interpolated(const ChebyshevNodes& nodes, std::size_t wave, double path) {
+  const std::span<ScatteringMatrix> sums = sums_of(wave);
+  auto weight = nodes.weights.begin();
+  for (std::size_t f = 0; f < sums.size(); ++f) {
+    ScatteringMatrix value;
+    for (const ScatteringMatrix& sample : samples_[wave]) value += scaled(sample, *weight++);
+    sums[f] += scaled(value, std::polar(1.0, band_.wavenumbers()[f] * path));
+  }
+}
+
+}  // namespace raytube

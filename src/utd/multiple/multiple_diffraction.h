@@ -1,0 +1,75 @@
+// Multiple diffraction: edge currents that end where their face ends, and the waves that the edge there starts.
+//
+// Notation in the files of this folder, which are written like the formulas of docs/theory/edges.md:
+//   s', s           directions of incidence and of scattering, unit; k the wavenumber
+//   x_f, n_f, t     of one face of an edge: into the face, out of the metal, and x_f x n_f along the edge
+//   beta'           angle between t and s'; phi' the angle from the face through free space towards the source, in [0, n pi]
+//   sigma           sin(beta') x_f + cos(beta') t, the grazing diffracted ray: along it the current of an edge point runs over
+//                   its face, in phase with the diffracted wave. What lies on one such ray is a strip (Michaeli 1986)
+//   mu, g, h        the observer against sigma: mu = 1 - |s - sigma|^2 / (2 sin^2 beta') = -cos g, h = cos(g/2)
+//   X               k l sin^2(beta'), electrical length of a strip that is l long
+//   G_s, G_h, G_x   kernels, integrals of the fringe current (exact less physical optics) over the strip: of the soft one for
+//                   unit E along the edge, of the hard one for unit eta H along it, and of the part of that along the edge
+// A strip ends at the next edge, arrives there as a wave that grazes its face, and starts strips on both faces of that edge. So
+// one lit edge starts a tree of waves; neighbouring strips of a wave that end at the same edge are a bundle.
+//
+//   strip_waves           one wave: where its strips end, which waves follow
+//   wave_tree             all waves and bundles that one wave on a lit edge starts
+//   edge_panels           the points on that edge at which strips are taken
+//   strip_layout          what no frequency changes: faces, and where the numbers of each bundle are kept
+//   strip_kernels         one strip in closed form; thin_plate_edge what the thickness of a plate changes
+//   strip_wave_kernels    all kernels of a wave at some wavenumbers
+//   strip_radiation       S of the tree from these, and the amplitudes handed on from edge to edge
+#pragma once
+
+#include "math/chebyshev.h"
+#include "utd/multiple/path_range.h"
+#include "utd/multiple/strip_radiation.h"
+
+namespace raytube {
+
+/// What the strips of all edges radiate in one look, per frequency: S [m], phase reference the origin of the wedges' coordinates.
+struct StripSums {
+  std::vector<ScatteringMatrix> first;   // strips of the edges that the incident wave lights
+  std::vector<ScatteringMatrix> higher;  // all that follow from them
+  std::vector<bool> windowed;            // the forward-grazing window of semi-infinite strips touched the sum
+};
+
+/// Adds edge after edge of one look. Where a face ends at a convex wedge the fringe current grazes that edge and diffracts there
+/// into both of its faces; `order` counts the strips one after another, 1 or more. A strip that ends at a concave wedge ends
+/// there or, with `continue_by_images`, runs on mirrored if the angle is a right one; one that reaches a smooth crease is taken
+/// as semi-infinite. Keeps its buffers between edges. `wedges`, `outlines` and `look` must outlive it; `frequencies` [Hz], at
+/// least one.
+class MultipleDiffraction {
+ public:
+  MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look,
+                      std::span<const double> frequencies, int order, TransitionTier tier = TransitionTier::exact,
+                      bool continue_by_images = false);
+
+  /// The strips of both faces of wedge `index`, which start on its lit pieces.
+  void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
+
+  StripSums take() { return std::move(sums_); }
+
+ private:
+  void start(const StripWave& wave, std::span<const LitInterval> lit);
+  void start_beside(const StripWave& wave, std::span<const LitInterval> lit);
+  void add_tree(const TreeShare& share);
+  void add_all(const TreeShare& share);
+  void interpolate(const ChebyshevNodes& nodes, std::span<const PathRange> paths, const TreeShare& share);
+  void add_interpolated(const ChebyshevNodes& nodes, std::size_t wave, double path);
+  std::size_t radiating_waves(const TreeShare& share) const;
+  std::span<ScatteringMatrix> sums_of(std::size_t wave) { return wave == 0 ? sums_.first : sums_.higher; }
+
+  StripScene scene_;
+  int order_;
+  Band band_;
+  StripLayout strips_;  // of the present tree
+  PathRanges paths_;
+  StripRadiation radiation_;
+  std::vector<std::vector<ScatteringMatrix>> samples_;  // of each wave at the nodes
+  std::vector<std::span<ScatteringMatrix>> sums_at_;    // of each wave: where its S goes
+  StripSums sums_;
+};
+
+}  // namespace raytube

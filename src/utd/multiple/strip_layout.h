@@ -1,0 +1,76 @@
+// A tree of waves cut into strips: all of it that no frequency changes. Notation in multiple_diffraction.h.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "utd/multiple/edge_panels.h"
+#include "utd/multiple/thin_plate_edge.h"
+
+namespace raytube {
+
+/// What waves of all trees of a look have in common.
+struct StripScene {
+  std::span<const Wedge> wedges;
+  const LookVectors& look;
+  TransitionTier tier = TransitionTier::exact;  // how erfc is evaluated
+};
+
+/// S of one face for unit kernels, per receive polarisation: of the current across the edge and of that along it.
+struct FaceProjection {
+  std::array<double, 2> across, along;
+};
+
+/// The face that the strips of a wave run over, as its source and the observer see it.
+struct WaveFace {
+  Strip strip;
+  std::optional<ThinPlateCorrection> thin;  // if it is a side of a thin plate
+  FaceProjection projection;
+  std::size_t kernels = 0;  // at one wavenumber
+};
+
+/// Where the numbers of a bundle are: one for each of its points, but a single kernel where its strips are alike.
+struct StripRow {
+  std::size_t amplitude;  // index of the first where the strips start: of the first strips, or where the bundle before ended
+  std::size_t arriving;   // where they end
+  std::size_t kernel;     // among those of the wave at one wavenumber
+  std::size_t size;       // points
+  bool alike;
+};
+
+/// The unit incident waves at the first edge, per transmit polarisation.
+struct IncidentFields {
+  std::array<double, 2> magnetic;  // eta H along the edge
+  std::array<double, 2> electric;  // E along the edge
+  std::array<double, 2> lying;     // of E along the edge, what the soft current's component along the strips takes
+};
+
+/// The pole that semi-infinite strips have in forward grazing, kept finite by a window.
+struct ForwardPole {
+  SplitKernels kernels;
+  double face_width;
+
+  WindowedPole at(double wavenumber) const { return windowed_pole(kernels.angle, wavenumber, face_width); }
+};
+
+/// One tree. Filled anew by lay_out, which keeps the buffers.
+struct StripLayout {
+  WaveTree tree;
+  EdgePanels panels;
+  std::vector<WaveFace> faces{};  // of each wave
+  std::vector<StripRow> rows{};   // of each bundle
+  std::size_t arriving = 0;       // amplitudes at the ends of all strips
+  IncidentFields incident{};
+  std::optional<ForwardPole> forward_pole{};  // of the first wave, if some of its strips are semi-infinite and near that pole
+  double tip = 0.0;                           // electrical length below which strips pass less soft current on; 0: none does
+
+  std::span<const StripRow> rows_of(const TreeWave& wave) const {
+    return std::span(rows).subspan(wave.first_bundle, wave.end_bundle - wave.first_bundle);
+  }
+};
+
+/// Grows the tree of `wave`, started on the lit pieces of its edge, and lays out its strips.
+void lay_out(const StripScene& scene, const StripWave& wave, std::span<const LitInterval> lit, StripLayout& strips);
+
+}  // namespace raytube

@@ -1,0 +1,44 @@
+// What the waves of a tree radiate, from its kernels: each wave is the sum over its strips of amplitude times kernel, and leaves
+// amplitudes at the edges where its strips end, for the next ones. Notation in multiple_diffraction.h.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "utd/multiple/strip_wave_kernels.h"
+
+namespace raytube {
+
+/// What of a tree is added: its first strips, and a share of those that follow them.
+struct TreeShare {
+  bool first;
+  double higher;
+};
+
+/// At one wavenumber: quadrature weight [m], phase and field of the strips.
+struct StripAmplitudes {
+  ComplexColumn direct;                   // weight and phase of the first strips at the points of the first edge
+  std::array<ComplexColumn, 2> arriving;  // per transmit polarisation, at the ends of all strips: with eta H along the edge
+};
+
+/// Keeps its buffers from one tree to the next.
+class StripRadiation {
+ public:
+  /// Adds S [m] of wave w of the tree at wavenumbers[i] [rad/m] to sums[w][i]. There are as many sums as waves, or one if nothing
+  /// but the first strips is wanted.
+  void add(const StripLayout& strips, const LookVectors& look, std::span<const double> wavenumbers, const TreeShare& share,
+           std::span<const std::span<ScatteringMatrix>> sums);
+
+ private:
+  /// Wavenumbers whose kernels are found together.
+  static constexpr std::size_t block = lanes;
+
+  void add_wave(const StripLayout& strips, std::size_t wave, std::size_t in_block, const TreeShare& share, ScatteringMatrix& sum);
+
+  StripWaveKernels finder_;
+  std::vector<KernelBatch> kernels_;  // of each wave at a block of wavenumbers
+  StripAmplitudes amplitudes_;
+};
+
+}  // namespace raytube

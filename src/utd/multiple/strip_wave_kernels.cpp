@@ -1,0 +1,102 @@
+#include "utd/multiple/strip_wave_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raytube {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex factor) {
+  sum.soft += factor * kernels.soft;
+  sum.hard += factor * kernels.hard;
+  sum.axial += factor * kernels.axial;
+}
+
+void multiply(ComplexColumn& column, std::size_t i, Complex factor) { column.set(i, factor * column[i]); }
+
+void bound_untruncated(const ForwardPole& pole, std::size_t per_wavenumber, std::span<const double> wavenumbers,
+                       std::span<const double> lengths, KernelBatch& kernels) {
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    if (!std::isinf(lengths[i])) continue;
+    FringeKernels current = pole.kernels.regular;
+    add_product(current, pole.kernels.pole, pole.at(wavenumbers[i / per_wavenumber]).value);
+    kernels.set(i, {current, 0.0, 0.0});
+  }
+}
+
+void count_thickness(const WaveFace& face, std::span<const double> wavenumbers, std::span<const double> lengths,
+                     KernelBatch& batch) {
+  const FringeKernels untruncated = face.strip.untruncated().current;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    StripKernels kernels = batch[i];
+    face.thin->correct(kernels, untruncated, wavenumbers[i / face.kernels], lengths[i]);
+    batch.set(i, kernels);
+  }
+}
+
+// The soft current that strips hardly longer than a tip pass on.
+void fade_soft_ends(double tip, std::span<const double> lengths, KernelBatch& kernels) {
+  for (std::size_t first = 0; first < lengths.size(); first += lanes) {
+    Reals length{};
+    const std::size_t width = std::min(lanes, lengths.size() - first);
+    for (std::size_t i = 0; i < width; ++i) length[i] = lengths[first + i] / tip;
+    const Reals share = one_minus_exp(length);
+    for (std::size_t i = 0; i < width; ++i) multiply(kernels.soft_end, first + i, share[i]);
+  }
+}
+
+}  // namespace
+
+// The thickness of a plate changes what is left of a semi-infinite strip once its pole is bounded.
+void StripWaveKernels::find(const StripLayout& strips, std::size_t wave, std::span<const double> wavenumbers,
+                            KernelBatch& kernels) {
+  const TreeWave& here = strips.tree.waves()[wave];
+  const WaveFace& face = strips.faces[wave];
+  find_lengths(strips, wave, wavenumbers);
+  face.strip.at(lengths_, kernels);
+  if (wave == 0 && strips.forward_pole) bound_untruncated(*strips.forward_pole, face.kernels, wavenumbers, lengths_, kernels);
+  if (face.thin) count_thickness(face, wavenumbers, lengths_, kernels);
+  if (here.direct && strips.tip > 0.0) fade_soft_ends(strips.tip, lengths_, kernels);
+  if (here.wave.mirrors > 0) keep_mirrored_part(face, wavenumbers, kernels);
+}
+
+void StripWaveKernels::find_lengths(const StripLayout& strips, std::size_t wave, std::span<const double> wavenumbers) {
+  const TreeWave& here = strips.tree.waves()[wave];
+  for (std::vector<double>* each : {&lengths_, &behind_, &detours_}) each->clear();
+  for (const double k : wavenumbers) {
+    const double scale = k * here.wave.incidence.sin_cone * here.wave.incidence.sin_cone;
+    for (std::uint32_t b = here.first_bundle; b < here.end_bundle; ++b) {
+      const StripBundle& bundle = strips.tree.bundles()[b];
+      const StripRow& row = strips.rows[b];
+      const std::size_t count = row.alike ? std::min<std::size_t>(row.size, 1) : row.size;
+      for (const PanelPoint& point : strips.panels.points().subspan(strips.panels.ranges()[b].first, count)) {
+        behind_.push_back(scale * here.behind.at(point.place));
+        detours_.push_back(k * here.detour.at(point.place));
+        lengths_.push_back(bundle.edge ? behind_.back() + scale * std::max(bundle.length_at(point.place), 0.0) : infinity);
+      }
+    }
+  }
+}
+
+// Seen from the image of the source, the current from the corner on. A semi-infinite one, over a smooth crease, is left out: the
+// surface that stands at the corner does not go on for ever.
+void StripWaveKernels::keep_mirrored_part(const WaveFace& face, std::span<const double> wavenumbers, KernelBatch& kernels) {
+  face.strip.at(behind_, shorter_);
+  if (face.thin) count_thickness(face, wavenumbers, behind_, shorter_);
+  kernels.subtract_currents(shorter_, lengths_.size());
+  for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    const Complex turn = std::isinf(lengths_[i]) ? 0.0 : std::polar(1.0, detours_[i]);
+    for (ComplexColumn* column : {&kernels.soft, &kernels.hard, &kernels.axial, &kernels.end, &kernels.soft_end})
+      multiply(*column, i, turn);
+  }
+}
+
+bool is_windowed(const StripLayout& strips, double wavenumber) {
+  return strips.forward_pole && strips.forward_pole->at(wavenumber).touched;
+}
+
+}  // namespace raytube
