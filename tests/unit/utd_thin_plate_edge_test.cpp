@@ -93,7 +93,7 @@ TEST(ThinPlateEdge, IsSeenFromBothSidesOfThePlate) {
   for (const double elevation : {-1.2, -0.01, -1e-5, 1e-5, 0.01, 1.2})
     for (const double azimuth : {0.3, 2.0}) {
       const dvec3 towards(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
-      Visibility visibility(wedges, tracer, towards, 1.0);
+      EdgeVisibility visibility(wedges, tracer, towards, 1.0);
       for (std::uint32_t i = 0; i < wedges.size(); ++i) {
         if (wedges[i].thickness() == 0.0) continue;
         std::vector<LitInterval> lit;
