@@ -126,8 +126,8 @@ TEST(SphericalLook, FootprintIsTheLinearPartOfItsSurroundings) {
   const Beam beam = reflected_spherical(scene.incident, scene.first);
   const dvec2 at{0.1, -0.15};
   constexpr double h = 1e-4, tolerance = 1e-7;
-  const auto phase = [&](const dvec2& at) { return scene.spherical.footprint(beam, scene.first, at).phase; };
-  const auto point = [&](const dvec2& at) { return point_at(beam, at, depth_of(beam, scene.first)(at)); };
+  const auto phase = [&](const dvec2& uv) { return scene.spherical.footprint(beam, scene.first, uv).phase; };
+  const auto point = [&](const dvec2& uv) { return point_at(beam, uv, depth_of(beam, scene.first)(uv)); };
   const Footprint f = scene.spherical.footprint(beam, scene.first, at);
   EXPECT_NEAR(f.phase_u, (phase(at + dvec2(h, 0)) - phase(at - dvec2(h, 0))) / (2 * h), tolerance);
   EXPECT_NEAR(f.phase_v, (phase(at + dvec2(0, h)) - phase(at - dvec2(0, h))) / (2 * h), tolerance);

@@ -2,8 +2,8 @@
 
 namespace raytube {
 
-void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, Ray ray, Hit hit, double area,
-                     double amplitude) {
+void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, TruncatedTube tube) {
+  auto& [ray, hit, area, amplitude] = tube;
   ++sums.tubes_truncated;
   while (hit && amplitude > least_amplitude) {
     const std::uint32_t patch = tracer.mesh().triangle_patch[hit.triangle];

@@ -41,9 +41,15 @@ inline void count_truncated(TubeSums& sums, double area, double amplitude) {
   sums.add_truncated(area, amplitude);
 }
 
-/// Counts a truncated tube whose ray would have met `hit`: what a sheet there reflects, what the next one behind it does, and so
+/// A tube that was truncated on its way to `hit`.
+struct TruncatedTube {
+  Ray ray;
+  Hit hit;
+  double area, amplitude;  // across its wave [m^2]; of unit incident waves
+};
+
+/// Counts what a truncated tube would have brought: what a sheet at its hit reflects, what the next one behind it does, and so
 /// on.
-void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, Ray ray, Hit hit, double area,
-                     double amplitude);
+void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, TruncatedTube tube);
 
 }  // namespace raytube

@@ -78,8 +78,8 @@ void CellTubes::truncate() {
   tracer_.closest_hits(rays_, hits);
   for (std::size_t i = 0; i < tubes_.size(); ++i)
     if (hits[i])
-      count_truncated(sums_, tracer_, beams_.surfaces(), rays_[i], hits[i], grid_.du * grid_.dv,
-                      beams_.amplitude(tubes_[i].beam));
+      count_truncated(sums_, tracer_, beams_.surfaces(),
+                      {rays_[i], hits[i], grid_.du * grid_.dv, beams_.amplitude(tubes_[i].beam)});
   clear();
 }
 
