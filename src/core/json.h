@@ -55,10 +55,10 @@ struct JsonMember {
   JsonValue value;
 };
 
-/// With `indent` blanks a level, or on one line if it is below 0; '?' or the like stands for what is not UTF-8.
+/// With `indent` blanks a level, or on one line if it is below 0; U+FFFD stands for what is not UTF-8.
 std::string json_text(const JsonValue& value, int indent);
 
-/// Nothing if the text is not JSON, or of more levels than any file of ours.
+/// Nothing if the text is not JSON, or has more than 100 levels of lists and tables.
 std::optional<JsonValue> parsed_json(const std::string& text);
 
 }  // namespace raytube

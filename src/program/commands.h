@@ -1,4 +1,11 @@
-// What the user asked for on the command line, and the commands that answer.
+// The room of the program: the command line, and nothing that another program could want.
+//
+//     command_line  arguments -> Request;  main: Request -> command, exceptions -> sentence and exit code
+//     run, check, trace, compare, converge, sources: the commands, each in a file of its name
+//     results, look_journal, interrupt, progress_bar: how a command brings its files into place, survives being stopped and
+//                   tells how far it is
+//
+// This file: what the user asked for, and the commands that answer.
 #pragma once
 
 #include <filesystem>

@@ -32,7 +32,7 @@ class LookJournal {
   /// Takes up what an earlier run has left. Throws InputError if that was another one.
   void resume();
 
-  /// Looks to be had and to be kept. Keeps a reference to this.
+  /// The finished looks as solve() takes them: those that are kept, and where new ones go. Refers to this object.
   KeptLooks looks();
 
   /// To be called now and then: finished looks do not wait for the next one.

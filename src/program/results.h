@@ -19,7 +19,7 @@ void warn(const std::string& sentence);
 /// Throws Interrupted once Ctrl-C was pressed.
 void stop_if_interrupted();
 
-/// With a warning. Throws InputError if that cannot be.
+/// Makes the folder of the results again, with a warning, if somebody has removed it. Throws InputError if that cannot be.
 void make_again_if_gone(OutputFolder& folder);
 
 /// The names of a command's results, in the order in which they take their places: whoever finds the last table finds all.
@@ -35,10 +35,10 @@ using InputFile = std::pair<std::string, std::filesystem::path>;
 void check_output(const std::filesystem::path& folder, const ResultNames& names, const std::vector<InputFile>& inputs);
 
 /// Places the results that were written, over those of earlier commands; then removes what these have left under any other of the
-/// names, and of the names in `leftovers`. Throws with all as it was: InputError if something else has taken a place since,
-/// std::runtime_error if one cannot be had or the disk did not take the files. A plot is a convenience: one that cannot take its
-/// place costs a warning and does not hold up the tables. `placed` is called when all is done and on the disk itself, before an
-/// interrupt may say otherwise.
+/// names, and of the names in `leftovers`. Throws with all as it was: InputError if something else lies in a result's place by
+/// now, std::runtime_error if one cannot be had or the disk did not take the files. A plot is a convenience: one that cannot take
+/// its place costs a warning and does not hold up the tables. `placed` is called when all is done and on the disk itself, before
+/// an interrupt may say otherwise.
 void replace_results(NewResults& results, const std::filesystem::path& folder, const ResultNames& names,
                      const std::vector<std::string>& leftovers, const std::function<void()>& placed);
 

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "case/read_case.h"
+#include "case/resolved_case.h"
 #include "case/source_case.h"
 #include "scratch.h"
 #include "target.h"

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "case/read_case.h"
+#include "case/resolved_case.h"
 #include "core/error.h"
 #include "scratch.h"
 

@@ -1,4 +1,4 @@
-// What the target is made of: [materials], and in [target] which material is where.
+// What the target is made of: [materials].
 #pragma once
 
 #include <array>

@@ -11,7 +11,8 @@ namespace raytube {
 /// For the screen: what was compared, one column a channel, one line a measure.
 std::string comparison_text(const Comparison& comparison);
 
-/// compare.csv: one row a channel; lines that begin with '#' say what was compared and how.
+/// Writes compare.csv: one row a channel; lines that begin with '#' say what was compared and how. Throws std::runtime_error if
+/// the disk does not take it.
 void write_compare_csv(const std::filesystem::path& file, const Comparison& comparison);
 
 /// The channels whose rms error exceeds the tolerance, or that have a strong signal in the result alone: "vv 0.31 dB, vh inf dB".

@@ -34,10 +34,11 @@ struct ErrorMeasures {
   double correlation = undefined;     // Pearson's, of the levels, both raised to the floor
 };
 
-/// Of a channel whose reference is not zero throughout; near enough to its peak is within `within_db` of it.
+/// The measures of a channel whose reference is not zero throughout; rows whose reference is within `within_db` [dB] of its peak
+/// are near enough to it.
 ErrorMeasures measure_errors(const ChannelPair& pair, double within_db);
 
-/// Value below which the share `q` of the values lies, linear between neighbours in order (0.5: the median).
+/// The value below which the share `q` of the values lies, linear between neighbours in order (0.5: the median).
 double quantile(std::vector<double> values, double q);
 
 /// Pearson's correlation coefficient; NaN if one of them does not vary.

@@ -5,6 +5,7 @@
 
 namespace raytube {
 
+/// The factor, and what it was fitted to.
 struct FreeScale {
   Complex factor;
   bool phase;  // of a complex factor; without it, where no phases are to be had, it is positive
@@ -15,7 +16,7 @@ struct FreeScale {
 /// no phase in one of the tables. Throws InputError where that is not a number greater than 0.
 FreeScale fit_scale(const ResultTable& result, const ResultTable& reference, const RowMatch& match);
 
-/// Multiplies all amplitudes of a table.
+/// Multiplies all amplitudes of a table, and shifts its levels accordingly.
 void apply_scale(ResultTable& table, Complex factor);
 
 }  // namespace raytube

@@ -12,6 +12,7 @@ namespace raytube {
 inline constexpr double angle_tolerance_deg = 1e-4;
 inline constexpr double frequency_tolerance = 1e-6;  // relative
 
+/// Rows of two tables that belong together.
 struct RowMatch {
   std::array<bool, ResultTable::keys> by{};                 // keys that both tables have
   std::vector<std::pair<std::size_t, std::size_t>> common;  // row of the first table, row of the second; in the first one's order

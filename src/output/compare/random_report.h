@@ -14,15 +14,16 @@ struct RandomSummary {
   double bias, expected_bias;  // of the mean, relative to the solution; and what chance alone leaves of it
   double spread_db, bias_db;   // of the levels: rms and mean over what lies within 20 dB of the highest level of the solution
 };
+/// The figures of all runs against the deterministic solution.
 RandomSummary summarise(const RandomResult& result);
 
-/// random.csv: one row per look, frequency and channel, with mean, spread, standard error and bias of S and of its level.
+/// Writes random.csv: one row per look, frequency and channel, with mean, spread, standard error and bias of S and of its level.
 void write_random_csv(const std::filesystem::path& file, const Sweep& sweep, const RandomResult& result);
 
-/// A comment line for rcs.csv: what its values are.
+/// A comment line for rcs.csv that says what its values are: means of random runs.
 std::string random_note(const RandomOptions& options);
 
-/// Lines for the terminal.
+/// The summary as lines for the terminal.
 std::string random_text(const RandomResult& result);
 
 }  // namespace raytube

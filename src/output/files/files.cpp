@@ -43,10 +43,10 @@ std::optional<pid_t> process_of(std::string_view name) {
   constexpr std::string_view ending = ".part";
   for (const std::string_view beginning : {".results.", ".probe."}) {
     if (!name.starts_with(beginning) || !name.ends_with(ending) || name.size() <= beginning.size() + ending.size()) continue;
-    const std::string_view digits = name.substr(beginning.size(), name.size() - beginning.size() - ending.size());
-    if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string_view::npos) continue;
+    const std::string_view number = name.substr(beginning.size(), name.size() - beginning.size() - ending.size());
+    if (number.size() > 9 || number.find_first_not_of("0123456789") != std::string_view::npos) continue;
     pid_t process = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), process);
+    std::from_chars(number.data(), number.data() + number.size(), process);
     return process;
   }
   return std::nullopt;

@@ -1,4 +1,14 @@
-// Result files: all of a run are written in a hidden folder beside their place and take it together, so that nothing
+// The room of results: what is written, read back, compared and drawn. It knows results, neither meshes nor rays nor cases.
+//
+//     files    how files come to be: folders, locks, hashes, run.json, the journal of finished looks
+//     tables   rcs.csv and its relatives, written; tables from any source, read
+//     compare  two results beside each other, convergence over tube density, random runs
+//     plots    pictures through gnuplot
+//
+// Each includes only from those before it. Angles in tables are in degrees, frequencies in Hz, S in metres, sigma in dBsm;
+// channels pq = vv, vh, hv, hh name the receive polarisation first.
+//
+// This file: all results of a run are written in a hidden folder beside their place and take it together, so that nothing
 // half-written carries a result's name and earlier results stay until the new ones are complete.
 #pragma once
 
@@ -53,6 +63,7 @@ class OutputFolder {
 /// The files of one run on their way into `destination`: written in folder(), then placed. Whatever was not placed is removed.
 class NewResults {
  public:
+  /// Throws std::runtime_error if the hidden folder cannot be created.
   explicit NewResults(const std::filesystem::path& destination);
   ~NewResults();
   NewResults(const NewResults&) = delete;
@@ -67,6 +78,7 @@ class NewResults {
   /// file or the new one at any time. Throws std::runtime_error if one cannot take its place.
   void place(const std::vector<std::string>& names);
 
+  /// True for a file that place() has put there.
   bool has_placed(const std::string& name) const;
 
   /// Puts back what lay in their places before.

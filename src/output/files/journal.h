@@ -78,13 +78,13 @@ class Journal {
   mutable std::mutex mutex_;
 };
 
-/// An item in which two identities differ; of one that only one of them has, the other value is empty.
+/// An item in which two identities differ; where only one of them has it, the other value is empty.
 struct JournalDifference {
   std::string name, before, now;
   friend bool operator==(const JournalDifference&, const JournalDifference&) = default;
 };
 
-/// In the order of the first one.
+/// The items in which two identities differ, in the order of the first one.
 std::vector<JournalDifference> differences(const JournalIdentity& before, const JournalIdentity& now);
 
 }  // namespace raytube

@@ -39,7 +39,7 @@ void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, c
 void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
 
 /// parts.csv: complex S of bounce 1, 2, ..., of the edges at first order, of all their higher orders together, and of what
-/// their waves paint on other surfaces, side by side; they add up to rcs.csv. Bounce 1 has its columns even where nothing was
+/// their waves induce on other surfaces, side by side; they add up to rcs.csv. Bounce 1 has its columns even where nothing was
 /// hit. Needs a result with parts.
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
 

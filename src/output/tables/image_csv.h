@@ -8,7 +8,8 @@
 
 namespace raytube {
 
-/// One row per cell: complex S, sigma and phase of the four channels.
+/// One row per cell of the image: complex S [m], sigma [dBsm] and phase [rad] of the four channels. Throws std::runtime_error if
+/// the disk does not take it.
 void write_image_csv(const std::filesystem::path& file, const Sweep& sweep, const LookImage& image);
 
 }  // namespace raytube

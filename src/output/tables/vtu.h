@@ -1,4 +1,4 @@
-// The contributions to S painted on the target, for ParaView.
+// The contributions to S on the surface of the target, for ParaView.
 #pragma once
 
 #include <array>
