@@ -5,7 +5,7 @@
     bench/cost/cost.py renew [--program build/raytube]     writes the table and shows what changed
 
 A job is the case file of that name beside this script. Counted under valgrind's cachegrind, on one thread and with a clock that
-stands still: unlike seconds, counts repeat to about 0.01 % and depend neither on load nor on the processor, for valgrind shows every
+stands still: unlike seconds, counts repeat to about 0.05 % and depend neither on load nor on the processor, for valgrind shows every
 program the same one. They depend on the compiler, its options and the C library: `check` ends with 77, which ctest takes for
 skipped, where these are not the table's, and where valgrind is missing."""
 import argparse
