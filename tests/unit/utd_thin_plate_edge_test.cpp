@@ -26,8 +26,8 @@ ScatteringMatrix change(const Wedge& wedge, const Look& look) {
   for (int side = 0; side < 2; ++side) {
     const WedgeFace& face = wedge.faces[side];
     const FaceIncidence& arriving = incidence.faces[side];
-    const ThinPlateEdge thin(wedge, side, arriving, grazing_half_cosine(face, arriving, vectors.scattered), vectors.scattered,
-                             true);
+    const ThinPlateCorrection thin(wedge, side, arriving, grazing_half_cosine(face, arriving, vectors.scattered),
+                                   vectors.scattered, true);
     sum += face_amplitude(thin.untruncated(k), face, arriving, vectors);
   }
   return sum;
@@ -50,7 +50,7 @@ std::vector<Direction> directions() {
   return result;
 }
 
-TEST(ThinPlateEdge, IsBoundedInEveryDirection) {
+TEST(ThinPlateCorrection, IsBoundedInEveryDirection) {
   // In wavelengths. Of the order of t ln t with F(phi) at its largest, and no more than the half plane itself has off its poles.
   double worst = 0.0;
   for (const double thickness : {1e-6, 0.01, 0.099})
@@ -60,12 +60,12 @@ TEST(ThinPlateEdge, IsBoundedInEveryDirection) {
   EXPECT_LE(worst, 1.0);
 }
 
-TEST(ThinPlateEdge, VanishesWithTheThickness) {
+TEST(ThinPlateCorrection, VanishesWithTheThickness) {
   for (const Direction& transmit : directions())
     for (const Direction& receive : directions()) ASSERT_LE(largest(change(plate_edge(1e-9), {transmit, receive})), 1e-7);
 }
 
-TEST(ThinPlateEdge, IsContinuousWhereThePolesCancel) {
+TEST(ThinPlateCorrection, IsContinuousWhereThePolesCancel) {
   // The specular direction of the plate, and the one straight through it.
   for (const double source : {0.3, 1.2, pi / 2, 2.8})
     for (const double pole : {pi - source, source - pi}) {
@@ -75,7 +75,7 @@ TEST(ThinPlateEdge, IsContinuousWhereThePolesCancel) {
     }
 }
 
-TEST(ThinPlateEdge, DoesNotDependOnTheSideItIsSeenFrom) {
+TEST(ThinPlateCorrection, DoesNotDependOnTheSideItIsSeenFrom) {
   for (const double source : {0.3, 1.2, 2.8})
     for (const double observer : {-2.0, -0.4, 0.9, 3.0}) {
       const ScatteringMatrix above = change(plate_edge(0.05), {{1.0, source}, {1.3, observer}});
@@ -85,7 +85,7 @@ TEST(ThinPlateEdge, DoesNotDependOnTheSideItIsSeenFrom) {
     }
 }
 
-TEST(ThinPlateEdge, IsSeenFromBothSidesOfThePlate) {
+TEST(ThinPlateCorrection, IsSeenFromBothSidesOfThePlate) {
   const LoadedMesh loaded = build_mesh(shapes::box({3, 2, 0.05}), 1.0);
   const std::vector<Wedge> sharp = find_wedges(loaded.mesh, 15.0 * degree);
   const std::vector<Wedge> wedges = merge_thin_plate_edges(sharp, find_thin_plate_edges(loaded.mesh, sharp), 0.1);

@@ -57,7 +57,8 @@ void ThicknessPass::add_sides(const Wedge& wedge, const WedgeIncidence& incidenc
   for (int side = 0; side < 2; ++side) {
     const WedgeFace& face = wedge.faces[side];
     const FaceIncidence& arriving = incidence.faces[side];
-    const ThinPlateCorrection thin(wedge, side, arriving, grazing_half_cosine(face, arriving, look_.scattered), look_.scattered, true);
+    const ThinPlateCorrection thin(wedge, side, arriving, grazing_half_cosine(face, arriving, look_.scattered), look_.scattered,
+                                   true);
     const auto amplitude = [&](double k) { return face_amplitude(thin.untruncated(k), face, arriving, look_); };
     add(wedge, lit, amplitude, incidence.weight);
   }

@@ -9,9 +9,6 @@ namespace raytube {
 
 namespace {
 
-// Observer along the strip itself: the kernels have a removable 0/0 there. At this distance the digits lost to it (1e-16/h) and
-// the change of the kernels (h) are both small; the moment is then parallel to s and radiates no more than h itself.
-constexpr double half_cosine_floor = 2e-5;
 // Source in the plane of the face: phi' keeps to its own side of pi by at least the lit threshold.
 constexpr double closest_to_plane = lit_threshold;
 // The soft current is singular at its edge, as 1/r; a strip without length starts and ends there.

@@ -14,6 +14,11 @@
 
 namespace raytube {
 
+/// Least cos(g/2) of an observer along the strip itself, where the kernels have a removable 0/0. At this distance the digits lost
+/// to it (1e-16/h) and the change of the kernels (h) are both small; the moment is then parallel to s and radiates no more than
+/// h.
+inline constexpr double half_cosine_floor = 2e-5;
+
 /// One strip: integrals over the fringe current for unit E or eta H along the edge, as FringeKernels are for an untruncated one,
 /// and half the fringe current at the end, with the phase of what radiates from there: H_fr(X) e^{jX mu} / 2 of the hard current
 /// and, over cos(beta'), the part of the soft one that flows along the strip.

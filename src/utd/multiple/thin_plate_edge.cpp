@@ -8,8 +8,6 @@ namespace raytube {
 
 namespace {
 
-constexpr double half_cosine_floor =
-    2e-5;  // as in strip_kernels.cpp: the kernels have a removable 0/0 in the observer along the strip
 constexpr double pole_distance = 1e-6;  // cos phi + cos phi' nearer to 0 is evaluated here: the change is of the same size
 
 /// F(phi) for one direction, F(phi) F(phi') for the sums of cosines and of phi sin phi.
@@ -26,7 +24,7 @@ double source_angle(const FaceIncidence& incidence, bool direct) {
 }  // namespace
 
 ThinPlateCorrection::ThinPlateCorrection(const Wedge& wedge, int face, const FaceIncidence& incidence, double half_cosine,
-                             const dvec3& scattered, bool direct)
+                                         const dvec3& scattered, bool direct)
     : width_(wedge.thickness() * incidence.sin_cone),
       beyond_(std::max(half_cosine, 1.0)),
       half_cosine_(std::clamp(half_cosine, half_cosine_floor, 1.0)) {
@@ -68,7 +66,8 @@ FringeKernels ThinPlateCorrection::untruncated(double wavenumber) const {
 
 // Far from the edge the hard current is that of the half plane times F(pi) F(phi'), and ends with it. The rest lives near the
 // edge.
-void ThinPlateCorrection::correct(StripKernels& kernels, const FringeKernels& half_plane, double wavenumber, double length) const {
+void ThinPlateCorrection::correct(StripKernels& kernels, const FringeKernels& half_plane, double wavenumber,
+                                  double length) const {
   const FringeKernels change = untruncated(wavenumber);
   const double kappa = wavenumber * width_ / (2 * pi), reached = std::isinf(length) ? 1.0 : -std::expm1(-length);
   Complex gain = split_function(kappa, source_cosine_ - 1, source_turn_) * std::sqrt(std::cos(pi * kappa * source_sine_)) - 1.0;

@@ -19,7 +19,7 @@ class ThinPlateCorrection {
   /// `half_cosine` is h of the observer, as for Strip, `scattered` is s. `direct`: the wave comes from outside; else it came over
   /// one side and grazes this face (lit) or the other one (dark).
   ThinPlateCorrection(const Wedge& wedge, int face, const FaceIncidence& incidence, double half_cosine, const dvec3& scattered,
-                bool direct);
+                      bool direct);
 
   /// The change of a semi-infinite face's kernels at `wavenumber` [rad/m].
   FringeKernels untruncated(double wavenumber) const;
