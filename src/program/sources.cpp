@@ -13,6 +13,7 @@
 #include "core/threads.h"
 #include "output/tables/sources_files.h"
 #include "point_source/launch_limit.h"
+#include "point_source/ray_hits.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 #include "program/memory.h"
