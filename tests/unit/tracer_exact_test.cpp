@@ -18,7 +18,7 @@ std::uint32_t by_trying_all(const TriangleMesh& mesh, const ExactHit& exact, con
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (exact.patch(t) == ray.source_patch || !exact.ahead(ray, t) || !exact.contains(ray, t)) continue;
     const double depth = exact.depth(ray, t);
-    if (depth >= -exact.sampling_variance() && (!best || depth < best.distance)) best = {t, depth};
+    if (depth >= -exact.edge_uncertainty() && (!best || depth < best.distance)) best = {t, depth};
   }
   return best ? exact.front_of(ray, best, nothing_ignored).triangle : no_index;
 }
@@ -116,7 +116,7 @@ TEST(ExactHits, GrazedFacetsOfPatchesThatAreNotQuiteFlat) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto point = [&] { return dvec3(uniform(generator), uniform(generator), uniform(generator)); };
   PolygonSoup soup;
-  for (std::uint32_t sheet = 0; sheet < 40; ++sheet) {
+  for (std::uint32_t plate = 0; plate < 40; ++plate) {
     const dvec3 middle = point(), u = 0.3 * point(), v = 0.3 * point();
     const auto first = static_cast<std::uint32_t>(soup.points.size());
     for (int i = 0; i < 9; ++i) soup.points.push_back(middle + (i / 3 - 1.0) * u + (i % 3 - 1.0) * v + 2e-7 * point());

@@ -40,7 +40,7 @@ struct Target {
     const dvec3 over = faces[0].into_face - faces[1].into_face;
     dvec3 from =
         axis.origin + position * axis.tangent + sideways * (axis.wedge->n == 2.0 ? faces[0].into_face : glm::normalize(over));
-    IgnoredPatches ignored{axis.wedge->faces[0].patch, axis.wedge->faces[1].patch, axis.wedge->rim};
+    IgnoredPatches ignored{axis.wedge->faces[0].patch, axis.wedge->faces[1].patch, axis.wedge->border_patch};
     for (std::size_t left = mirrors.size();; --left) {
       const auto [patch, distance] = first(from, backwards, ignored);
       if (left == 0) return patch == no_index;

@@ -15,7 +15,7 @@ constexpr double k = 2 * pi;  // wavelength 1 m
 Wedge plate_edge(double thickness) {
   const dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   // t = x_f x n_f of the first side is -x x y = -z.
-  return {0.5 * z, -0.5 * z, 2.0, {WedgeFace{0, -x, y, 1e30}, WedgeFace{1, -x, -y, 1e30}}, -thickness * y, 2};
+  return {0.5 * z, -0.5 * z, 2.0, {WedgeFace{0, -x, y, 1e30}, WedgeFace{1, -x, -y, 1e30}}, false, no_index, -thickness * y, 2};
 }
 
 /// S per length that the thickness adds, both sides and the edge face.

@@ -55,7 +55,7 @@ struct Wedge {
 /// Around every welded edge the incident facets are sorted by angle; each sector of free space between two exposed facet
 /// sides is a wedge. So a border is one half plane (n = 2), an edge of a closed body one wedge, a crease in an open surface two
 /// (n and 2 - n), and an edge where several open surfaces meet one per free sector. Collinear neighbours with the same faces
-/// merge. Vertices in recentred coordinates [m], in the order of the mesh's edges.
+/// merge. In the order of the mesh's edges, each run where its first edge stands.
 std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle);
 
 }  // namespace raytube

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene/random_result.h"
+#include "scene/sweep.h"
 
 namespace raytube {
 
