@@ -25,7 +25,8 @@ struct EdgeTarget {
     const double frequencies[] = {frequency};
     const EdgeLookResult r = fringe_scattering(edges(), look, frequencies, {order});
     windowed = windowed || r.windowed[0];
-    ScatteringMatrix s = r.scattering[0] + r.higher[0];
+    ScatteringMatrix s = r.scattering[0];
+    if (order > 1) s += r.higher[0];
     if (look.transmit == look.receive) s.at(0, 1) = s.at(1, 0) = 0.5 * (s.vh() + s.hv());  // as solve() does
     return s;
   }
