@@ -19,9 +19,7 @@ constexpr double frequencies[] = {speed_of_light, 6 * speed_of_light};
 class CornerScene {
  public:
   CornerScene(PolygonSoup soup, bool quadrant)
-      : quadrant_(quadrant),
-        loaded_(build_mesh(std::move(soup), 1.0)),
-        target_(loaded_.mesh, options(EdgeMethod::fringe).edges) {}
+      : quadrant_(quadrant), loaded_(build_mesh(std::move(soup), 1.0)), target_(loaded_.mesh) {}
 
   /// Strips of the free edges of the face where x, and with `quadrant` y, are positive.
   ScatteringMatrix strips(const LookVectors& look, int order, bool continue_by_images) const {
@@ -144,7 +142,7 @@ TEST(ImageContinuation, OfADihedralIsThatInTwoDimensions) {
   // (hard).
   constexpr double w = 3.0, height = 2.0;
   const LoadedMesh loaded = build_mesh(shapes::dihedral(w, height), 1.0);
-  const Target target(loaded.mesh, options(EdgeMethod::fringe).edges);
+  const Target target(loaded.mesh);
   const auto outer = std::ranges::find_if(
       target.wedges, [&](const Wedge& wedge) { return std::min(wedge.start.x, wedge.end.x) + loaded.mesh.center.x > w - 1e-9; });
   ASSERT_NE(outer, target.wedges.end());

@@ -16,8 +16,7 @@ using namespace raytube::testing;
 constexpr double frequencies[] = {speed_of_light, 1.3 * speed_of_light};
 
 struct Scene {
-  explicit Scene(PolygonSoup soup)
-      : loaded(build_mesh(std::move(soup), 1.0)), target(loaded.mesh, options(EdgeMethod::fringe).edges) {}
+  explicit Scene(PolygonSoup soup) : loaded(build_mesh(std::move(soup), 1.0)), target(loaded.mesh) {}
 
   EdgeScene edges() const { return {target.wedges, target.outlines, target.tracer}; }
 
