@@ -51,11 +51,13 @@ std::optional<JsonValue> case_of_run(const fs::path& folder) {
 }
 
 // What a run with this resolved case writes. It does not say whether parts.csv or random.csv were asked for: their heads do.
+// Nothing if the case has another type of output than a run writes there.
 std::set<std::string> results_of_run(const fs::path& folder, const JsonValue& resolved) {
+  const JsonValue* output = resolved.find("output");
+  if (output && output->kind != JsonValue::Kind::table) return {};
   std::set<std::string> names = {"rcs.csv", "channels.csv", "run.json"};
   for (const char* table : {"parts.csv", "random.csv"})
     if (head_of(folder / table).starts_with("# Time factor exp(+j omega t); a wave travels as exp(-j k r).")) names.insert(table);
-  const JsonValue* output = resolved.find("output");
   const JsonValue* plots = output ? output->find("plots") : nullptr;
   if (plots && plots->boolean) names.insert({"rcs.png", "rcs.svg"});
   if (output && output->find("image_look")) names.merge(names_of_images(folder));
