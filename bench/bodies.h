@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "case/read_case.h"
+#include "solve/solve.h"
 
 namespace raytube::bench {
 

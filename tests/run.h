@@ -35,7 +35,7 @@ inline SweepResult solve_soup(PolygonSoup soup, const Sweep& sweep, const SolveO
   return solve(Target(build_mesh(std::move(soup), 1.0).mesh, wedges), sweep, o);
 }
 
-/// Prints a measured figure among the test's output; docs/accuracy.md says how to collect them.
+/// Prints a measured figure among the test's output; docs/theory/accuracy.md says how to collect them.
 inline void measured(const char* what, double value, const char* unit) {
   std::printf("measured: %s = %.5g %s\n", what, value, unit);
 }

@@ -8,7 +8,7 @@ namespace raytube {
 
 namespace {
 
-constexpr int count = lanes;
+constexpr int orders = lanes;
 // Below it the Gauss rule itself is exact to rounding.
 constexpr double slow = 0.3;
 
@@ -17,20 +17,20 @@ std::array<double, lanes> spherical_bessel(double x) {
   std::array<double, lanes> j;
   j[0] = std::sin(x) / x;
   j[1] = (j[0] - std::cos(x)) / x;
-  if (std::abs(x) >= count) {
-    for (int n = 1; n + 1 < count; ++n) j[n + 1] = (2 * n + 1) / x * j[n] - j[n - 1];
+  if (std::abs(x) >= orders) {
+    for (int n = 1; n + 1 < orders; ++n) j[n + 1] = (2 * n + 1) / x * j[n] - j[n - 1];
     return j;
   }
   std::array<double, lanes> shape;
   double above = 0.0, here = 1e-60;
   for (int n = 30; n >= 0; --n) {
-    if (n < count) shape[n] = here;
+    if (n < orders) shape[n] = here;
     const double below = (2 * n + 1) / x * here - above;
     above = here;
     here = below;
   }
   const double scale = std::abs(j[0]) > std::abs(j[1]) ? j[0] / shape[0] : j[1] / shape[1];
-  for (int n = 0; n < count; ++n) j[n] = scale * shape[n];
+  for (int n = 0; n < orders; ++n) j[n] = scale * shape[n];
   return j;
 }
 
@@ -47,7 +47,7 @@ FilonRule::FilonRule() {
     at[i] = 2 * rule[i].place - 1;
     gauss_[i] = 2 * rule[i].weight;
     double before = 0.0, value = 1.0;
-    for (int n = 0; n < count; ++n) {
+    for (int n = 0; n < orders; ++n) {
       legendre_[n][i] = (n % 4 < 2 ? 1 : -1) * gauss_[i] * (2 * n + 1) * value;
       const double next = ((2 * n + 1) * at[i] * value - n * before) / (n + 1);
       before = value;
@@ -69,7 +69,7 @@ Complexes FilonRule::weights(double theta) const {
   }
   Complexes result{};
   const std::array<double, lanes> bessel = spherical_bessel(theta);
-  for (int n = 0; n < count; n += 2)
+  for (int n = 0; n < orders; n += 2)
     for (std::size_t i = 0; i < lanes; ++i) {
       result.re[i] += bessel[n] * legendre_[n][i];
       result.im[i] += bessel[n + 1] * legendre_[n + 1][i];

@@ -111,7 +111,7 @@ TEST(BadMeshes, TurnedInsideOutIsTheSame) {
   }
   expect_stable({"all facets of a file turned over: change beyond the estimated error",
                  "boxes, cylinders, plates, spheres through one another", worst, 1e-9,
-                 "winding is mended, sheets have two sides"});
+                 "winding is mended, open surfaces have two sides"});
 }
 
 }  // namespace

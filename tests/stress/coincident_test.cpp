@@ -120,7 +120,7 @@ TEST(Coincident, DoubleSheetsAreOne) {
     }
   }
   expect_stable({"drawn twice, 0 to 1e-9 m apart; all edges", "plate twice, from one side and from both", same_corners, 1e-9,
-                 "nearer than the weld distance, 1e-7 D, they are one sheet"});
+                 "nearer than the weld distance, 1e-7 D, they are one surface"});
   expect_stable({"the same, triangles cut otherwise too; no edges, and order 1", "the same", all, 1e-9,
                  "the nearest surface counts, the lower triangle where two coincide"});
 }

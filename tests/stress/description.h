@@ -199,7 +199,7 @@ inline void expect_unseen(const std::string& what, int trials, const Changing& c
                  1e-9, "the same"});
   const double along = worst_of_changes(flat, {order_3()}, exact_looks(), trials, changing);
   const double between = worst_of_changes(flat, {everything()}, all_looks(), trials, changing);
-  expect_stable({"the same; order 3 along edges, waves between surfaces", flat_names, std::max(along, between), 1e-6,
+  expect_stable({"the same; order 3 along edges, edge-face interaction", flat_names, std::max(along, between), 1e-6,
                  "strips of strips along edges see 1e-16 / (1e-5)^2; other points of a rule good to 1e-4 wavelengths"});
 }
 inline std::vector<NamedSoup> as_they_are(std::vector<NamedSoup> targets) { return targets; }

@@ -212,10 +212,11 @@ TEST(Looks, EdgesMonostatic) {
   expect_stable({fmt::format("{}: change beyond slope times step, over the peak", around), "plate; edges, monostatic",
                  plate.at_look, 1e-5, "continuous; quadrature of strips that end at a corner"});
   expect_stable({"the same", fmt::format("{}; edges, monostatic", bodies), others.at_look, 0.03,
-                 "a hard wave over a grazed face depends on the way it is approached (docs/edges.md)"});
-  expect_stable({"the same", fmt::format("{}; waves between surfaces, monostatic", bodies), waves.at_look, 0.06,
-                 "waves that a fold mirrors end in the plane of its face: 0.3 wavelengths of a trihedral (docs/between.md)"});
-  expect_stable({beside, fmt::format("{}; edges, waves between surfaces, monostatic", targets),
+                 "a hard wave over a grazed face depends on the way it is approached (docs/theory/edges.md)"});
+  expect_stable(
+      {"the same", fmt::format("{}; edge-face interaction, monostatic", bodies), waves.at_look, 0.06,
+       "waves mirrored in a corner end in the plane of its face: 0.3 wavelengths of a trihedral (docs/theory/interaction.md)"});
+  expect_stable({beside, fmt::format("{}; edges, edge-face interaction, monostatic", targets),
                  std::max({plate.beside, others.beside, waves.beside}), 1e-5, "continuous"});
 }
 
@@ -237,8 +238,8 @@ TEST(Looks, EdgesBistatic) {
                  std::max(edges.at_look, waves.at_look), 0.33, "steps of the currents where a face is grazed"});
   expect_stable({beside, fmt::format("{}; bistatic, edges off and on", targets), edges.beside, 1e-5, "continuous"});
   if (size_of_run(false, true))
-    expect_stable({beside, fmt::format("{}; bistatic, waves between surfaces", targets), waves.beside, 0.023,
-                   "0.14 wavelengths where the look crosses a plane of symmetry of a fold (docs/between.md)"});
+    expect_stable({beside, fmt::format("{}; bistatic, edge-face interaction", targets), waves.beside, 0.023,
+                   "0.14 wavelengths where the look crosses a plane of symmetry of a corner (docs/theory/interaction.md)"});
 }
 
 TEST(Looks, WholeTurnsAndMinusZero) {

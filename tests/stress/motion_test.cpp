@@ -103,7 +103,7 @@ TEST(Motion, ShiftedWithTheirPhase) {
     expect_stable({what + "; no edges and order 1", std::string(flat_names) + ", open cylinder",
                    worst_shift(shift.distance, targets, no_strips(), all_looks()), 4e-15 * shift.distance * 1970 + 1e-10,
                    "coordinates round to 1e-16 of the distance, phases to 2 k times that, ten bounces"});
-    expect_stable({"the same; edges of order 3, waves between surfaces", flat_names,
+    expect_stable({"the same; edges of order 3, edge-face interaction", flat_names,
                    worst_shift(shift.distance, flat_targets(), {order_3(), everything()}, all_looks()),
                    1e-6 + 2e-9 * shift.distance,
                    "edges turned by 2e-14 of the distance in m; strips along them are found at 1e-5"});

@@ -1,9 +1,10 @@
-// What the stress suite measures, kept for the table of docs/stability.md. Every test states a change that physics says must not
-// matter, measures the worst relative change of S, and judges it here.
+// What the stress suite measures, kept for the table of docs/theory/stability.md. Every test states a change that physics says
+// must not matter, measures the worst relative change of S, and judges it here.
 //
 //   build/stress_tests                                              the quick suite, as ctest runs it
 //   build-stress/stress_tests                                       the full one (preset stress)
-//   RAYTUBE_STABILITY_TABLE=docs/stability.md build-stress/stress_tests     the same, and the table in that file is replaced;
+//   RAYTUBE_STABILITY_TABLE=docs/theory/stability.md build-stress/stress_tests     the same, and the table in that file is
+//   replaced;
 //                                                                         refused with --gtest_filter
 #pragma once
 

@@ -106,7 +106,7 @@ TEST(WedgeAngles, StripsOfEveryLength) {
           }
         }
       }
-  expect_stable({"n = 1.001 ... 2 and 1e-12 ... 1e-6 beside: change beyond slope times step", "strips of 1e-12 ... endless",
+  expect_stable({"n = 1.001 ... 2 and 1e-12 ... 1e-6 beside: change beyond slope times step", "strips of 1e-12 ... semi-infinite",
                  worst, 1e-9, "smooth in n"});
 }
 
@@ -162,8 +162,8 @@ TEST(WedgeAngles, Bodies) {
                  0.0, "counts"});
   expect_stable({"the same: change with the angle by 1e-10 of itself, over the peak", "prism, edges of order 3", sharp, 3e-7,
                  "phases 3e-8, ten times that at edges along the look"});
-  expect_stable({"the same, thin sheets counted as such", "prism, edges of order 3", thin, 1e-3,
-                 "panels of strips that end at a rim's corners are laid out anew: 0.01 dB"});
+  expect_stable({"the same, thin plates counted as such", "prism, edges of order 3", thin, 1e-3,
+                 "panels of strips that end at corners of a thin-plate edge are laid out anew: 0.01 dB"});
 }
 
 }  // namespace

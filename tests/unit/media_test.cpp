@@ -70,7 +70,7 @@ TEST(Media, SkinDepthOfCopper) {
   EXPECT_NEAR(depth, 0.652e-6, 0.001e-6);
 }
 
-// What docs/media.md says of one medium, as text.
+// What docs/reference/media.md says of one medium, as text.
 struct Row {
   std::string name;
   double lowest_ghz, highest_ghz;
@@ -78,7 +78,7 @@ struct Row {
 };
 
 std::vector<Row> page() {
-  std::ifstream in(RAYTUBE_SOURCE_DIR "/docs/media.md");
+  std::ifstream in(RAYTUBE_SOURCE_DIR "/docs/reference/media.md");
   std::vector<Row> rows;
   for (std::string line; std::getline(in, line);) {
     if (!line.starts_with("| `")) continue;

@@ -59,7 +59,7 @@ TEST(Curved, EstimateCoversTheError) {
   EXPECT_GE(covered, 15);
 }
 
-// Broadside of a cylinder of radius a and length b: (2) of docs/method.md over the lit half circle, by quadrature.
+// Broadside of a cylinder of radius a and length b: (2) of docs/theory/method.md over the lit half circle, by quadrature.
 Complex po_cylinder_broadside(double a, double b) {
   Complex sum = 0.0;
   constexpr int steps = 20000;

@@ -1,4 +1,4 @@
-// Media with published permittivities: docs/media.md.
+// Media with published permittivities: docs/reference/media.md.
 #pragma once
 
 #include <optional>

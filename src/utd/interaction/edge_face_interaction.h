@@ -1,5 +1,5 @@
 // Edge-face interaction: waves that edges send to faces other than their own, where physical optics has none of them.
-// Derived in docs/between.md.
+// Derived in docs/theory/interaction.md.
 //
 // In formulas: s' is the direction of the wave that arrives at an edge, s the one the target scatters to, beta0 the angle between
 // s' and the edge, phi' and phi the azimuths of source and observer about it, from its first face on, n pi the outer angle of the

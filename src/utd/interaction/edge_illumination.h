@@ -1,5 +1,5 @@
 // Edge-diffracted illumination: the waves of a lit edge excite currents of physical optics on other faces, which radiate.
-// Derived in docs/between.md; notation: edge_face_interaction.h.
+// Derived in docs/theory/interaction.md; notation: edge_face_interaction.h.
 #pragma once
 
 #include <vector>
