@@ -5,7 +5,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "case/read_case.h"
 #include "case/target.h"
+#include "solve/solve.h"
 #include "timing.h"
 
 namespace {
@@ -36,7 +38,7 @@ double solve_time(const Target& target, const Case& c, const Way& way, int threa
   if (way.mode == TubeMode::uniform) options.tubes.per_wavelength = 10.0;
   options.edges.method = way.method;
   options.edges.order = way.order;
-  options.edges.interaction = way.interaction;
+  options.edges.interaction = way.between;
   return solve(target, c.sweep, options).statistics.solve_s;
 }
 

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bare_embree.h"
+#include "case/read_case.h"
 #include "case/target.h"
 #include "timing.h"
 

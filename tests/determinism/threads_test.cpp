@@ -1,4 +1,6 @@
 // The same bytes for any number of threads, from the library and from the program.
+#include "core/threads.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -87,7 +89,7 @@ TEST(Threads, DiffractionBetweenSurfacesGivesTheSameBits) {
     o.threads = threads;
     const SweepResult many = solve_soup(shapes::dihedral(0.1, 0.12), sweep, o);
     EXPECT_TRUE(same_bytes(one.total, many.total)) << threads << " threads";
-    EXPECT_TRUE(same_bytes(one.between, many.between)) << threads << " threads";
+    EXPECT_TRUE(same_bytes(one.interaction, many.interaction)) << threads << " threads";
     EXPECT_EQ(one.error, many.error) << threads << " threads";
   }
 }

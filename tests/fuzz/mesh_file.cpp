@@ -1,5 +1,7 @@
 #include "mesh_file.h"
 
+#include "mesh/repair/build_mesh.h"
+
 namespace raytube::fuzz {
 
 namespace {

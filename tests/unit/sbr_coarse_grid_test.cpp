@@ -4,6 +4,7 @@
 
 #include "closed_forms.h"
 #include "run.h"
+#include "sbr/sbr.h"
 #include "shapes.h"
 
 namespace raytube {

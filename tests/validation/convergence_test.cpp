@@ -5,6 +5,7 @@
 
 #include <regex>
 
+#include "case/read_case.h"
 #include "case/target.h"
 #include "closed_forms.h"
 #include "run.h"

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
+#include "core/error.h"
 #include "mesh/load.h"
 #include "run.h"
 #include "shapes.h"

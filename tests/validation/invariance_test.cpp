@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "run.h"
+#include "sbr/sbr.h"
 #include "shapes.h"
 
 namespace raytube {

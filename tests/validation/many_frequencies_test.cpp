@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "run.h"
+#include "sbr/sbr.h"
 #include "shapes.h"
 
 namespace raytube {

@@ -1,8 +1,11 @@
 // edges.method = "utd": rays in the place of currents, at a finite distance.
+#include "utd/gtd/ray_fields.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "core/error.h"
 #include "run.h"
 #include "shapes.h"
 #include "utd/wedge/diffracted_field.h"

@@ -5,6 +5,7 @@
 
 #include "case/source_case.h"
 #include "core/random.h"
+#include "mesh/load.h"
 #include "source_scene.h"
 
 namespace raytube {
