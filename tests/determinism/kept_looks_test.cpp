@@ -135,7 +135,7 @@ TEST(LookBytes, HoldEveryBit) {
   EXPECT_EQ(again->tubes.hits, look.tubes.hits);
   EXPECT_EQ(again->edges.windowed, look.edges.windowed);
   EXPECT_TRUE(again->edges.lit);
-  EXPECT_TRUE(again->between.scattering.empty());
+  EXPECT_TRUE(again->interaction.scattering.empty());
 }
 
 TEST(LookBytes, OtherBytesAreNoLook) {
