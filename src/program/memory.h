@@ -22,7 +22,7 @@ std::string memory_text(double bytes);
 /// grow with its rows.
 void check_memory(const SolvePlan& plan, const Case& c, const RandomOptions* random, double kept = 0.0);
 
-/// The same for something else, of which `what` and `remedy` tell: "the run", "split the sweep".
+/// Throws InputError for any other work of so many bytes if they are not to be had: "PLACE: WHAT would take ...; REMEDY".
 void require_memory(double bytes, const std::string& place, const std::string& what, const std::string& remedy);
 
 }  // namespace raytube
