@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "case/names.h"
+#include "case/data/names.h"
 #include "solve/solve.h"
 #include "utd/fringe/edges.h"
 #include "utd/multiple/strip_kernels.h"

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <span>
 
+#include "case/data/names.h"
 #include "case/directions/looks.h"
 #include "case/directions/radar.h"
 #include "case/materials/materials.h"
-#include "case/names.h"
 #include "case/text/document.h"
 #include "case/text/keys.h"
 #include "case/text/values.h"

@@ -1,6 +1,6 @@
 #include "case/resolved_case.h"
 
-#include "case/names.h"
+#include "case/data/names.h"
 #include "core/decimal.h"
 #include "core/json.h"
 

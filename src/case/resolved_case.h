@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "case/case.h"
+#include "case/data/case.h"
 
 namespace raytube {
 

@@ -1,7 +1,7 @@
 // The target of a case: all its mesh files, with their materials.
 #pragma once
 
-#include "case/case.h"
+#include "case/data/case.h"
 #include "mesh/load.h"
 
 namespace raytube {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "case/names.h"
+#include "case/data/names.h"
 #include "case/read_case.h"
 #include "case/target.h"
 #include "core/decimal.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "case/case.h"
+#include "case/data/case.h"
 #include "program/commands.h"
 #include "program/results.h"
 #include "solve/plan.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "case/case.h"
+#include "case/data/case.h"
 #include "solve/solve.h"
 
 namespace raytube {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "case/case.h"
+#include "case/data/case.h"
 #include "scene/random_result.h"
 #include "solve/plan.h"
 

@@ -1,7 +1,7 @@
 // Whether a case can be solved once its mesh is read, and how: the same answer for whoever asks.
 #pragma once
 
-#include "case/case.h"
+#include "case/data/case.h"
 #include "core/error.h"
 #include "solve/plan.h"
 

@@ -64,13 +64,18 @@ const Rooms may_include = {
     {"solve", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "utd", "utd/fringe",
                                            "utd/interaction", "utd/gtd"}},
 
-    {"case", {"core", "scene", "mesh", "mesh/model"}},
+    {"case/data", {"core", "scene"}},
+    {"case/text", {"core", "mesh/model"}},
+    {"case/directions", {"core", "scene", "case/data", "case/text"}},
+    {"case/materials", {"core", "scene", "case/data", "case/text"}},
+    {"case", {"core", "scene", "mesh", "mesh/model", "case/data", "case/text", "case/directions", "case/materials"}},
     {"output/files", {"core", "scene"}},
     {"output/tables", {"core", "scene", "output/files"}},
     {"output/compare", {"core", "scene", "output/files", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
-    {"program", base + std::set<std::string>{"case", "mesh", "output/compare", "output/files", "output/plots", "output/tables",
-                                             "point_source", "sbr", "sbr/launch", "solve", "utd/shadow", "utd/wedge"}},
+    {"program",
+     base + std::set<std::string>{"case", "case/data", "case/materials", "mesh", "output/compare", "output/files", "output/plots",
+                                  "output/tables", "point_source", "sbr", "sbr/launch", "solve", "utd/shadow", "utd/wedge"}},
 };
 
 struct SourceFile {

@@ -1,7 +1,7 @@
 // The directions a case asks for.
 #pragma once
 
-#include "case/case.h"
+#include "case/data/case.h"
 #include "case/text/document.h"
 
 namespace raytube {

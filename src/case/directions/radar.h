@@ -1,7 +1,7 @@
 // Antennas at a finite distance: the [radar] section.
 #pragma once
 
-#include "case/case.h"
+#include "case/data/case.h"
 #include "case/text/document.h"
 
 namespace raytube {

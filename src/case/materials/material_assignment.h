@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "case/case.h"
+#include "case/data/case.h"
 #include "case/text/document.h"
 
 namespace raytube {

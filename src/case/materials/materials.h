@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "case/case.h"
+#include "case/data/case.h"
 #include "case/text/document.h"
 
 namespace raytube {
