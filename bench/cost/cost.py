@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Counts the processor's instructions of eight small jobs that stand for all paths, against table.csv (standard library only).
 
-    bench/cost/cost.py check [--program build/raytube]     exit 1 if a job costs over 3 % more than the table says
+    bench/cost/cost.py check [--program build/raytube]     exit 1 if a job costs over 1 % more than the table says
     bench/cost/cost.py renew [--program build/raytube]     writes the table and shows what changed
 
 A job is the case file of that name beside this script. Counted under valgrind's cachegrind, on one thread and with a clock that
@@ -107,7 +107,7 @@ def values_of(path, pattern):
 
 def build_of(program):
     """One line that says what counts depend on besides the source; of a program outside its build folder: skipped."""
-    cache = values_of(program.parent / "CMakeCache.txt", r"^(CMAKE_\w+):\w+=(.*)$")
+    cache = values_of(program.parent / "CMakeCache.txt", r"^((?:CMAKE|RAYTUBE)_\w+):\w+=(.*)$")
     compilers = sorted((program.parent / "CMakeFiles").glob("*/CMakeCXXCompiler.cmake"))
     if not cache or not compilers:
         leave(SKIPPED, f"{program} does not stand in its build folder, so that its compiler is not known")
@@ -115,7 +115,7 @@ def build_of(program):
     kind = cache.get("CMAKE_BUILD_TYPE", "")
     options = " ".join(f"{cache.get('CMAKE_CXX_FLAGS', '')} {cache.get('CMAKE_CXX_FLAGS_' + kind.upper(), '')}".split())
     return (f"{compiler['CMAKE_CXX_COMPILER_ID']} {compiler['CMAKE_CXX_COMPILER_VERSION']}, {kind} {options}, "
-            f"{' '.join(platform.libc_ver())}, {platform.machine()}")
+            f"by room {cache.get('RAYTUBE_BY_ROOM', 'OFF')}, {' '.join(platform.libc_ver())}, {platform.machine()}")
 
 
 def needed_build(program):
