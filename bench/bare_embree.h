@@ -1,4 +1,4 @@
-// What bare Embree takes for the rays of the uniform grid: the yardstick of every throughput here.
+// What bare Embree takes for the rays of the uniform grid: what every throughput here is compared with.
 #pragma once
 
 #include "solve/solve.h"

@@ -44,7 +44,7 @@ class Dihedral2d {
     const int panels = static_cast<int>(std::ceil(3 * w));
     for (int panel = 0; panel < panels; ++panel)
       for (const GaussPoint& point : gauss_rule(8))
-        points_.push_back({w * (panel + point.place) / panels, w * point.weight / panels});
+        points_.push_back({w * (panel + point.node) / panels, w * point.weight / panels});
   }
 
   /// Physical optics of every bounce: a beam that leaves one plate lights a part of the other.
@@ -78,7 +78,7 @@ class Dihedral2d {
     Complex sum = 0.0;
     const Plate& target = plates_[1 - light.plate];
     for (const GaussPoint& point : points_) {
-      const dvec2 position = point.place * target.along;
+      const dvec2 position = point.node * target.along;
       sum += point.weight * edge_current(light, position, target.normal, exact_slope, Boundaries::both) *
              phase(direction_at(to), position);
     }
@@ -92,7 +92,7 @@ class Dihedral2d {
     const double height = glm::dot(edge, mirror.normal);
     Complex sum = 0.0;
     for (const GaussPoint& point : points_) {
-      const dvec2 position = point.place * target.along, image = mirrored(position, 1 - light.plate), way = image - edge;
+      const dvec2 position = point.node * target.along, image = mirrored(position, 1 - light.plate), way = image - edge;
       const double reflection = glm::dot(edge - height / glm::dot(way, mirror.normal) * way, mirror.along);
       const dvec2 ray = mirrored(glm::normalize(way), 1 - light.plate);
       if (reflection <= 0.0 || reflection >= w_ || glm::dot(ray, target.normal) >= 0.0) continue;
@@ -110,7 +110,7 @@ class Dihedral2d {
     for (const EdgeLight& light : edge_lights(from, 0)) {
       const int target = 1 - light.plate;
       for (const GaussPoint& point : points_) {
-        const dvec2 position = point.place * plates_[target].along;
+        const dvec2 position = point.node * plates_[target].along;
         const Complex current = edge_current(light, position, plates_[target].normal, true, boundaries) +
                                 half_plane_optics(light, position, plates_[target].normal, boundaries);
         sum += radiation(target, to) * point.weight * current * phase(direction_at(to), position);
@@ -166,8 +166,8 @@ class Dihedral2d {
     const Plate& plate = plates_[beam.plate];
     Complex sum = 0.0;
     for (const GaussPoint& point : points_)
-      if (point.place >= beam.from && point.place <= beam.to)
-        sum += point.weight * phase(direction_at(to) - beam.direction, point.place * plate.along);
+      if (point.node >= beam.from && point.node <= beam.to)
+        sum += point.weight * phase(direction_at(to) - beam.direction, point.node * plate.along);
     return beam.amplitude * radiation(beam.plate, to) * current_of(beam.direction, plate.normal) * sum;
   }
 
@@ -247,10 +247,10 @@ class Dihedral2d {
   Complex closed_part(const Strip& inner, double width, double mu) const {
     Complex sum = 0.0;
     for (const GaussPoint& point : gauss_rule(48)) {  // in the root of the distance, 1e-12 at 5 wavelengths
-      const double distance = width * point.place * point.place, root = std::sqrt(2 * distance);
+      const double distance = width * point.node * point.node, root = std::sqrt(2 * distance);
       const Complex closing = 1.0 - std::polar(1.0, -root * root) * scaled_erfc(root);
       const Complex current = 2.0 * kernels_at(inner, 2 * width - distance).end * std::polar(1.0, mu * (2 * width - distance));
-      sum += point.weight * 2 * width * point.place * closing * current * std::polar(1.0, mu * distance);
+      sum += point.weight * 2 * width * point.node * closing * current * std::polar(1.0, mu * distance);
     }
     return sum / Complex(0, 2);
   }

@@ -98,7 +98,7 @@ class PointDiffraction {
   Complex operator()(double psi) const {
     Complex sum = 0.0;
     for (double end = 6.4; end > 1e-9; end /= 2)
-      for (const GaussPoint& point : gauss_rule(24)) sum += end / 2 * point.weight * integrand(psi, end / 2 * (1 + point.place));
+      for (const GaussPoint& point : gauss_rule(24)) sum += end / 2 * point.weight * integrand(psi, end / 2 * (1 + point.node));
     return -std::polar(1.0, -k_ * shortest_) / (2 * pi * n_) * sum;
   }
 

@@ -1,3 +1,4 @@
+// Bad input and interruption: the two things that solver and program throw.
 #pragma once
 
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// Progress of work that many threads share.
 #pragma once
 
 #include <functional>

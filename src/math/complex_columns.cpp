@@ -12,7 +12,7 @@ constexpr std::size_t stride = 4;  // sums side by side: rows are short, and wha
 struct PartialSums {
   double re[stride]{}, im[stride]{};
 
-  [[gnu::always_inline]] void add_product(std::size_t lane, ColumnPlace a, ColumnPlace b, std::size_t i) {
+  [[gnu::always_inline]] void add_product(std::size_t lane, ColumnView a, ColumnView b, std::size_t i) {
     re[lane] += a.re[i] * b.re[i] - a.im[i] * b.im[i];
     im[lane] += a.re[i] * b.im[i] + a.im[i] * b.re[i];
   }
@@ -49,7 +49,7 @@ void add_products(Complexes& sum, const Complexes& a, const Complexes& b) {
   }
 }
 
-Complex sum(ColumnPlace values, std::size_t count) {
+Complex sum(ColumnView values, std::size_t count) {
   PartialSums sums;
   for_each(count, [&](std::size_t lane, std::size_t i) {
     sums.re[lane] += values.re[i];
@@ -58,13 +58,13 @@ Complex sum(ColumnPlace values, std::size_t count) {
   return sums.total();
 }
 
-Complex sum_of_products(ColumnPlace a, ColumnPlace b, std::size_t count) {
+Complex sum_of_products(ColumnView a, ColumnView b, std::size_t count) {
   PartialSums sums;
   for_each(count, [&](std::size_t lane, std::size_t i) { sums.add_product(lane, a, b, i); });
   return sums.total();
 }
 
-PairSums sums_of_products(const std::array<ColumnPlace, 2>& a, const std::array<ColumnPlace, 2>& b, std::size_t count) {
+PairSums sums_of_products(const std::array<ColumnView, 2>& a, const std::array<ColumnView, 2>& b, std::size_t count) {
   PartialSums first, second, third, fourth;
   for_each(count, [&](std::size_t lane, std::size_t i) {
     first.add_product(lane, a[0], b[0], i);
@@ -75,11 +75,11 @@ PairSums sums_of_products(const std::array<ColumnPlace, 2>& a, const std::array<
   return {{{first.total(), second.total()}, {third.total(), fourth.total()}}};
 }
 
-void scale(ColumnPlace a, Complex factor, std::size_t count, ComplexColumn& to, std::size_t first) {
+void scale(ColumnView a, Complex factor, std::size_t count, ComplexColumn& to, std::size_t first) {
   for (std::size_t i = 0; i < count; ++i) to.set(first + i, factor * Complex(a.re[i], a.im[i]));
 }
 
-void multiply(ColumnPlace a, ColumnPlace b, std::size_t count, ComplexColumn& to, std::size_t first) {
+void multiply(ColumnView a, ColumnView b, std::size_t count, ComplexColumn& to, std::size_t first) {
   for (std::size_t i = 0; i < count; ++i) to.set(first + i, Complex(a.re[i], a.im[i]) * Complex(b.re[i], b.im[i]));
 }
 

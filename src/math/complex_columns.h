@@ -21,9 +21,9 @@ struct ComplexColumn {
 };
 
 /// A number of a column, and those that follow it.
-struct ColumnPlace {
+struct ColumnView {
   const double *re, *im;
-  ColumnPlace(const ComplexColumn& column, std::size_t first) : re(column.re.data() + first), im(column.im.data() + first) {}
+  ColumnView(const ComplexColumn& column, std::size_t first) : re(column.re.data() + first), im(column.im.data() + first) {}
 };
 
 void store(const Complexes& values, ComplexColumn& column, std::size_t first);
@@ -32,15 +32,15 @@ void store(const Complexes& values, ComplexColumn& column, std::size_t first);
 void add_products(Complexes& sum, const Complexes& a, const Complexes& b);
 
 /// Sum of `count` numbers, and of the products of as many pairs.
-Complex sum(ColumnPlace values, std::size_t count);
-Complex sum_of_products(ColumnPlace a, ColumnPlace b, std::size_t count);
+Complex sum(ColumnView values, std::size_t count);
+Complex sum_of_products(ColumnView a, ColumnView b, std::size_t count);
 
 /// The products of two rows with two others: [p][q] is the sum over a[p] b[q].
 using PairSums = std::array<std::array<Complex, 2>, 2>;
-PairSums sums_of_products(const std::array<ColumnPlace, 2>& a, const std::array<ColumnPlace, 2>& b, std::size_t count);
+PairSums sums_of_products(const std::array<ColumnView, 2>& a, const std::array<ColumnView, 2>& b, std::size_t count);
 
 /// to[first + i] = factor a[i]; factor a[i] b[i].
-void scale(ColumnPlace a, Complex factor, std::size_t count, ComplexColumn& to, std::size_t first);
-void multiply(ColumnPlace a, ColumnPlace b, std::size_t count, ComplexColumn& to, std::size_t first);
+void scale(ColumnView a, Complex factor, std::size_t count, ComplexColumn& to, std::size_t first);
+void multiply(ColumnView a, ColumnView b, std::size_t count, ComplexColumn& to, std::size_t first);
 
 }  // namespace raytube

@@ -44,7 +44,7 @@ const FilonRule& FilonRule::get() {
 FilonRule::FilonRule() {
   const std::span<const GaussPoint> rule = gauss_rule(lanes);
   for (std::size_t i = 0; i < lanes; ++i) {
-    at[i] = 2 * rule[i].place - 1;
+    at[i] = 2 * rule[i].node - 1;
     gauss_[i] = 2 * rule[i].weight;
     double before = 0.0, value = 1.0;
     for (int n = 0; n < orders; ++n) {

@@ -8,7 +8,7 @@ namespace raytube {
 inline constexpr int most_gauss_points = 48;
 
 struct GaussPoint {
-  double place;   // in (0, 1)
+  double node;    // in (0, 1)
   double weight;  // the weights of a rule add up to 1
 };
 

@@ -37,7 +37,7 @@ std::optional<double> place_to_cut(const Panel& panel, double wavelength) {
 
 /// A position on [0, 1] as a polynomial of the rule's variable in which roots of the distance to the ends are smooth.
 struct Mapped {
-  double place, slope;
+  double arc_length, slope;
 };
 Mapped mapped(double x, const std::array<bool, 2>& root) {
   if (root[0] && root[1]) return {x * x * (3 - 2 * x), 6 * x * (1 - x)};
@@ -59,8 +59,8 @@ void add_points(const Panel& panel, double wavelength, std::vector<PanelPoint>& 
   }
   const double width = panel.to - panel.from;
   for (const GaussPoint& point : gauss_rule(static_cast<int>(point_count(panel, wavelength)))) {
-    const Mapped at = mapped(point.place, panel.root);
-    points.push_back({panel.from + width * at.place, width * at.slope * point.weight});
+    const Mapped at = mapped(point.node, panel.root);
+    points.push_back({panel.from + width * at.arc_length, width * at.slope * point.weight});
   }
 }
 

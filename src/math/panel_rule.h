@@ -15,8 +15,8 @@ struct Panel {
 };
 
 struct PanelPoint {
-  double place;   // [m] along the edge
-  double weight;  // [m]; the weights add up to to - from
+  double arc_length;  // [m] along the edge
+  double weight;      // [m]; the weights add up to to - from
 };
 
 /// Appends the points of a rule that is good to some 1e-4 of a wavelength in S for an edge of some wavelengths, and converges

@@ -46,7 +46,7 @@ double largest_share(const LaunchFace& face, const dvec3& eye, const dvec3& a, c
 double gap_rule(double tangent, double begin, double end) {
   double sum = 0.0;
   for (const GaussPoint& point : gauss_rule(8))
-    sum += point.weight * (pi / 2 - std::atan(tangent * std::cos(begin + (end - begin) * point.place)));
+    sum += point.weight * (pi / 2 - std::atan(tangent * std::cos(begin + (end - begin) * point.node)));
   return (end - begin) * sum;
 }
 

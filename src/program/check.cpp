@@ -171,7 +171,7 @@ void print_thin_plate_edges(const Case& c, std::span<const ThinPlateEdge> rims) 
   const auto [lowest, highest] = std::ranges::minmax(c.sweep.frequencies);
   if (c.edges.method != EdgeMethod::fringe || count_thin(rims, lowest) == 0) return;
   const auto print = [&](double frequency) {
-    fmt::print("  {} half planes at {} GHz: rims of sheets thinner than {:.4g} mm, a tenth of the wavelength\n",
+    fmt::print("  {} half planes at {} GHz: edges of plates thinner than {:.4g} mm, a tenth of the wavelength\n",
                count_thin(rims, frequency), number_text(frequency / 1e9), thin_limit(frequency) * 1e3);
   };
   print(lowest);

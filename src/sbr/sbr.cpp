@@ -84,13 +84,16 @@ class LookTracer {
     const std::uint64_t rays_before = part.sums.rays;
     part.sums = {};
     if (grid.cells() == 0) progress_.add(share);
+    std::optional<SphericalLook> spherical;
+    if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
     const std::size_t count = grid.cells() > 0 ? wavenumbers_.size() : 0,
                       together = sheets_ && !map ? most_frequencies_with_sheets : wavenumbers_.size();
     for (std::size_t first = 0; first < count; first += together) {
       SpectralSurfaces surfaces{scene_.materials, wavenumbers_, first};
       surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
       const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
-      TubeSums sums = trace(part.kind, grid, surfaces, part_of_share, map);
+      TubeSums sums =
+          trace_part(part.kind, tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map), progress_, part_of_share);
       if (first == 0)
         part.sums = std::move(sums);
       else
@@ -126,25 +129,23 @@ class LookTracer {
  private:
   const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
 
-  TubeSums trace(PartKind kind, const LaunchGrid& grid, const SpectralSurfaces& surfaces, double share, CurrentMap* map) const {
-    std::optional<SphericalLook> spherical;
-    if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
-    const TubeLook look{.tracer = scene_.tracer,
-                        .faces = scene_.faces,
-                        .grid = grid,
-                        .transmit = transmit_,
-                        .receive = receive_,
-                        .surfaces = surfaces,
-                        .spherical = spherical ? &*spherical : nullptr,
-                        .smooth = scene_.smooth,
-                        .sheets = sheets_ ? &*sheets_ : nullptr,
-                        .map = map,
-                        .convexity = convexity_,
-                        .phase_tolerance = phase_tolerance(tolerance_),
-                        .max_bounces = options_.max_bounces,
-                        .clip = options_.clip,
-                        .skip = options_.skip};
-    return trace_part(kind, look, progress_, share);
+  TubeLook tube_look(const LaunchGrid& grid, const SpectralSurfaces& surfaces, const SphericalLook* spherical,
+                     CurrentMap* map) const {
+    return {.tracer = scene_.tracer,
+            .faces = scene_.faces,
+            .grid = grid,
+            .transmit = transmit_,
+            .receive = receive_,
+            .surfaces = surfaces,
+            .spherical = spherical,
+            .smooth = scene_.smooth,
+            .sheets = sheets_ ? &*sheets_ : nullptr,
+            .map = map,
+            .convexity = convexity_,
+            .phase_tolerance = phase_tolerance(tolerance_),
+            .max_bounces = options_.max_bounces,
+            .clip = options_.clip,
+            .skip = options_.skip};
   }
 
   const TubeScene& scene_;

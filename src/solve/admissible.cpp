@@ -69,8 +69,8 @@ void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptio
   if (sweep.frequencies.empty() || sweep.looks.empty()) throw InputError("the sweep has no frequency or no look");
   for (const double f : sweep.frequencies)
     if (!(f > 0.0) || !std::isfinite(f)) throw InputError("every frequency must be a positive number of hertz");
-  if (!(tubes.per_wavelength > 0.0) || !(tubes.max_per_wavelength > 0.0))
-    throw InputError("tubes.per_wavelength must be positive");
+  if (!(tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
+  if (!(tubes.max_per_wavelength > 0.0)) throw InputError("tubes.max_per_wavelength must be positive");
   if (edges.order < 1 || edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
   if (tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
   if (!all_far(sweep)) check_near(sweep, tubes, edges);

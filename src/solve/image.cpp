@@ -75,7 +75,7 @@ LookImage image_of(const SolvePlan& plan, std::size_t index, const ImageLattice&
   const Look& look = plan.sweep.looks[index];
   const LookSolver solver(plan);
   CurrentMap map(plan.target.faces, lattice, frequency_index, wavenumber(frequency));
-  const TubeSums tubes = solver.tubes(look, progress, 1.0, &map);
+  const TubeSums tubes = solver.tubes(look, progress, map);
   LookImage image{index, frequency, cells, map.take_cells(), map.take_triangles(), {}};
   image.edges = edge_pieces(solver, look, frequency_index, lattice, tubes);
   for (const ImageEdge& piece : image.edges)

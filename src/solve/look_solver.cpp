@@ -36,7 +36,11 @@ void make_reciprocal(LookResult& look) {
 }  // namespace
 
 LookSolver::LookSolver(const SolvePlan& plan)
-    : plan_(plan), edges_(edge_setup(plan)), edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
+    : plan_(plan),
+      tube_scene_{plan.target.tracer,    plan.target.faces,    plan.smooth.get(),
+                  plan.target.convexity, plan.sweep.materials, plan.sweep.radar},
+      edges_(edge_setup(plan)),
+      edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
   if (plan.mechanisms.rays) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
 }
 
@@ -44,18 +48,15 @@ LookResult LookSolver::solve(std::size_t index, Progress& progress, double share
   const Look& look = plan_.sweep.looks[index];
   if (plan_.mechanisms.rays) return rays(look, progress, share);
   LookResult result;
-  result.tubes = tubes(look, progress, share);
+  result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, share});
   result.edges = edges_of(look);
   result.interaction = interaction(look, result.tubes);
   if (!plan_.sweep.bistatic) make_reciprocal(result);
   return result;
 }
 
-TubeSums LookSolver::tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const {
-  const Target& target = plan_.target;
-  const TubeScene scene{target.tracer,    target.faces,          plan_.smooth.get(),
-                        target.convexity, plan_.sweep.materials, plan_.sweep.radar};
-  return sbr_scattering(scene, look, plan_.sweep.frequencies, plan_.tubes, {progress, share, map});
+TubeSums LookSolver::tubes(const Look& look, Progress& progress, CurrentMap& map) const {
+  return sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, 1.0, &map});
 }
 
 EdgeLookResult LookSolver::edges_of(const Look& look) const {

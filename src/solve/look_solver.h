@@ -23,8 +23,8 @@ class LookSolver {
   /// distance: the origin of its coordinates). Adds `share` to `progress` by and by.
   LookResult solve(std::size_t index, Progress& progress, double share) const;
 
-  /// The tubes alone; `map`, if any, is told where on the target the currents at one frequency are.
-  TubeSums tubes(const Look& look, Progress& progress, double share, CurrentMap* map = nullptr) const;
+  /// The tubes alone; `map` takes their currents at one frequency, with where on the target they are.
+  TubeSums tubes(const Look& look, Progress& progress, CurrentMap& map) const;
 
   /// Whether edges are asked for their fringe currents.
   bool edges_count() const { return edges_count_; }
@@ -39,6 +39,7 @@ class LookSolver {
   InteractionResult interaction(const Look& look, const TubeSums& tubes) const;
 
   const SolvePlan& plan_;
+  TubeScene tube_scene_;
   EdgeSets edges_;
   bool edges_count_;
   std::optional<RayFields> ray_fields_;

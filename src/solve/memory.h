@@ -9,7 +9,7 @@ namespace raytube {
 struct MemoryEstimate {
   double rows = 0.0;   // what a row takes times their number, and of each look a little
   double sums = 0.0;   // of looks under way, on all threads
-  double edges = 0.0;  // sets of edges, one for all frequencies at which the same rims are thin
+  double edges = 0.0;  // sets of edges, one for all frequencies at which the same plates are thin
 
   double total() const { return rows + sums + edges; }
 };

@@ -92,7 +92,7 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
                        count([](const Wedge& w) { return w.convex() && !w.conducting(); })});
   const std::vector<Wedge> merged =
       merge_thin_plate_edges(wedges, plan.target.thin_plate_edges, thin_limit(std::ranges::min(plan.sweep.frequencies)));
-  skipped.push_back({"wedges", "across the rim of a thin sheet, no longer than it is thick", thin_plate_corners(merged)});
+  skipped.push_back({"wedges", "across the edge of a thin plate, no longer than it is thick", thin_plate_corners(merged)});
   return skipped;
 }
 

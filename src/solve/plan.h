@@ -28,6 +28,8 @@ struct SolvePlan {
   /// Throws InputError, naming the remedy, for whatever cannot be solved: an empty or non-physical sweep, options out of range or
   /// that do not go together, antennas that do not have all of the target in front, grids too dense.
   SolvePlan(const Target& target, const Sweep& sweep, const SolveOptions& options);
+  SolvePlan(const Target& target, Sweep&& sweep, const SolveOptions& options) = delete;
+  SolvePlan(Target&& target, const Sweep& sweep, const SolveOptions& options) = delete;
 
   const Target& target;
   const Sweep& sweep;

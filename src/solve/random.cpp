@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <cmath>
 
@@ -101,6 +100,7 @@ Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, cons
 void check(const SolvePlan& plan, const RandomOptions& random) {
   if (!all_far(plan.sweep)) throw InputError("random tubes are parts of a plane wave; remove [radar]");
   if (plan.mechanisms.rays) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
+  if (!plan.keep_parts) throw InputError("random tubes take the place of tubes alone: the plan must keep parts");
   if (random.samples < 1) throw InputError("random tubes: a look needs at least 1");
   if (random.runs < 2) throw InputError("random tubes: a spread needs at least 2 runs");
 }
@@ -110,7 +110,6 @@ void check(const SolvePlan& plan, const RandomOptions& random) {
 RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions& random,
                                      const std::function<bool(double)>& callback) {
   check(plan, random);
-  assert(plan.keep_parts);
   const auto first_half = [&](double done) { return callback(solution_share * done); };
   RandomResult result{random, {}, solve(plan, callback ? first_half : std::function<bool(double)>()), {}, 0.0};
 

@@ -24,7 +24,8 @@ class AllInstructionSets : public ::testing::Test {
  protected:
   ~AllInstructionSets() override { limit_instruction_set(name_of(widest_instruction_set())); }
 
-  // Rays spread over the curved limb and along edges: what single precision could mistake is in every one of these looks.
+  // Rays spread over curved shadow boundaries and along edges: what single precision could mistake is in every one of these
+  // looks.
   static void expect_same_bytes(const PolygonSoup& soup, TubeMode mode) {
     Sweep sweep{{9e9, 10e9}, {}, true};
     for (int i = 0; i < 7; ++i) sweep.looks.push_back({{0.3 + 0.2 * i, 0.7 * i}, {0.5 + 0.2 * i, 0.7 * i}});

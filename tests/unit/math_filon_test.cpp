@@ -57,7 +57,7 @@ TEST(Filon, AgreesWithManyGaussPoints) {
     const int panels = 20;  // of at most 20 rad, which 48 points resolve to rounding
     for (int panel = 0; panel < panels; ++panel)
       for (const GaussPoint& point : gauss_rule(48)) {
-        const double x = 2 * (panel + point.place) / panels - 1;
+        const double x = 2 * (panel + point.node) / panels - 1;
         fine += 2 * point.weight / panels / (2 + x) * std::polar(1.0, theta * x);
       }
     EXPECT_LE(std::abs(sum - fine), 10 * std::pow(2 + std::sqrt(3.0), -count)) << theta;

@@ -16,8 +16,8 @@ Complex mean_by_quadrature(const std::array<double, 3>& x, int i, int j) {
   Complex sum = 0.0;
   for (const GaussPoint& s : gauss_rule(40))
     for (const GaussPoint& t : gauss_rule(40)) {
-      const std::array<double, 3> l{1.0 - s.place, s.place * (1.0 - t.place), s.place * t.place};
-      sum += 2.0 * s.weight * t.weight * s.place * l[i] * l[j] * std::polar(1.0, x[0] * l[0] + x[1] * l[1] + x[2] * l[2]);
+      const std::array<double, 3> l{1.0 - s.node, s.node * (1.0 - t.node), s.node * t.node};
+      sum += 2.0 * s.weight * t.weight * s.node * l[i] * l[j] * std::polar(1.0, x[0] * l[0] + x[1] * l[1] + x[2] * l[2]);
     }
   return sum;
 }

@@ -138,7 +138,7 @@ class Setting {
       const int parts = 1 + static_cast<int>(width / 0.05);
       for (int part = 0; part < parts; ++part)
         for (const GaussPoint& point : gauss_rule(24)) {
-          illumination.at(cuts[i - 1] + width * (part + point.place) / parts, density);
+          illumination.at(cuts[i - 1] + width * (part + point.node) / parts, density);
           sum += density[0] *= point.weight * width / parts;
         }
     }
@@ -187,7 +187,7 @@ class Setting {
         for (const GaussPoint& u : gauss_rule(12))
           for (const GaussPoint& v : gauss_rule(12)) {
             const dvec3 r =
-                target.center + (2 * (iu + u.place) / panels - 1) * target.a + (2 * (iv + v.place) / panels - 1) * target.b;
+                target.center + (2 * (iu + u.node) / panels - 1) * target.a + (2 * (iv + v.node) / panels - 1) * target.b;
             const double area = 4 * glm::length(glm::cross(target.a, target.b)) * u.weight * v.weight / (panels * panels);
             add(look, edge, r, target.normal(), area, mirror, sum);
           }

@@ -75,7 +75,7 @@ WaveSums by_points(const Example& example, const std::array<EdgeWaveTerm, 2>& te
       for (const bool mirrored : {false, true})
         for (int part = 0; part < 8; ++part)
           for (const GaussPoint& point : gauss_rule(24)) {
-            const double width = (panels[i - 1] - panels[i]) / 8, u = panels[i] + width * (part + point.place);
+            const double width = (panels[i - 1] - panels[i]) / 8, u = panels[i] + width * (part + point.node);
             const double length = cuts[c] - cuts[c - 1], z = mirrored ? cuts[c] - u * length : cuts[c - 1] + u * length;
             const double path = row.path + row.path_rate * z;
             const Complex phase = std::polar(point.weight * width * length, k * (row.phase + row.phase_rate * z));

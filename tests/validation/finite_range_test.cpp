@@ -120,7 +120,7 @@ TEST(FiniteRange, UniformTubesConvergeToTheSame) {
 }
 
 // Geometrical optics of a sphere from its centre's distance R: pi a^2 (R / (R - a))^2, the image of the antenna in it. Physical
-// optics differs by its limb, .04 dB at ka = 100. Its facets are taken as the sphere.
+// optics differs by its shadow boundary, .04 dB at ka = 100. Its facets are taken as the sphere.
 TEST(FiniteRange, SphereSpreadsFromItsImage) {
   const Scene scene(shapes::icosphere(4));
   for (const double ka : {100.0, 200.0})

@@ -117,7 +117,7 @@ Complex phase_integral(const CurvedFootprint& f, double k, const dvec2& size) {
   Complex mean = 0.0;
   for (const GaussPoint& x : rule)
     for (const GaussPoint& y : rule) {
-      const dvec2 w = (2.0 * dvec2(x.place, y.place) - 1.0) * half;
+      const dvec2 w = (2.0 * dvec2(x.node, y.node) - 1.0) * half;
       mean += std::polar(x.weight * y.weight, k * (glm::dot(f.slope, w) + 0.5 * glm::dot(w, f.curvature * w)));
     }
   return size.x * size.y * mean;

@@ -174,9 +174,9 @@ void for_points(double low, double high, bool at_shadow_boundary, double phase_r
   const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
   for (const GaussPoint& point : gauss_rule(points_for(at_shadow_boundary ? 1.6 * phase_range + 8.0 : phase_range))) {
     if (at_shadow_boundary)
-      function(middle - half * std::cos(pi * point.place), half * pi * std::sin(pi * point.place) * point.weight);
+      function(middle - half * std::cos(pi * point.node), half * pi * std::sin(pi * point.node) * point.weight);
     else
-      function(middle + half * (2.0 * point.place - 1.0), 2.0 * half * point.weight);
+      function(middle + half * (2.0 * point.node - 1.0), 2.0 * half * point.weight);
   }
 }
 
@@ -221,8 +221,8 @@ std::vector<ScatteringMatrix> integrate(Accumulator sums, const Illumination& li
     const double twice_area = a.x * b.y - a.y * b.x;
     for (const GaussPoint& x : rule)
       for (const GaussPoint& y : rule)
-        if (const dvec2 at = origin + x.place * (a + y.place * (b - a)); piece.shadow_boundary()(at) > 0.0)
-          sums.add(at, twice_area * x.weight * x.place * y.weight);
+        if (const dvec2 at = origin + x.node * (a + y.node * (b - a)); piece.shadow_boundary()(at) > 0.0)
+          sums.add(at, twice_area * x.weight * x.node * y.weight);
   }
   return sums.far_field();
 }

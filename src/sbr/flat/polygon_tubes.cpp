@@ -26,8 +26,8 @@ constexpr std::uint64_t few_cells = 16;
 // With more tubes than this under way, or more faces to meet, tubes smaller than a cell are no longer worth their number.
 constexpr std::size_t many_tubes = 256, many_faces = 2048;
 
-class FaceTrace {
- public:
+// The tubes of some faces, bounce by bounce: state of trace_faces() and its steps.
+struct FaceTrace {
   explicit FaceTrace(const TubeLook& look)
       : look_(look),
         beams_(look.faces.mesh(), look.surfaces, look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
@@ -36,35 +36,6 @@ class FaceTrace {
     if (look.sheets) line_of_sight_.emplace(*look.sheets, look.faces, look.tracer, visible_, beams_);
   }
 
-  TubeSums run(std::uint32_t begin, std::uint32_t end) {
-    std::vector<std::uint32_t> faces;
-    for (std::uint32_t face = begin; face < end; ++face)
-      if (!look_.smooth || look_.smooth->region(look_.faces.faces()[face].triangle) == no_index) faces.push_back(face);
-    const Beam& incident = beams_.beam(BeamTree::root);
-    if (look_.convexity.no_shadow)
-      visible_.of_whole_faces(incident, faces, parts_);
-    else
-      visible_.of_faces(incident, faces, parts_);
-    reflect(BeamTree::root, 0);
-    sums_.rays = sums_.tubes = sums_.hits.empty() ? 0 : sums_.hits[0];
-    count_faces_away(begin, end);
-    for (int bounce = 1; !look_.convexity.no_reflection && !(reflected_.empty() && cell_tubes_.empty()); ++bounce) {
-      beams_.next_bounce();
-      if (bounce < look_.max_bounces) thin_randomly();
-      if (beams_.spectral()) end_weakest();
-      cell_tubes_.advance(bounce);
-      std::swap(tubes_, reflected_);
-      reflected_.clear();
-      send_middle_rays();
-      for (std::size_t i = 0; i < tubes_.size(); ++i) follow(tubes_[i], in_middle_[i], bounce);
-      sums_.rays += tubes_.size();
-    }
-    count_thinned();
-    sums_.sliver_area = visible_.sliver_area();
-    return std::move(sums_);
-  }
-
- private:
   void count_faces_away(std::uint32_t begin, std::uint32_t end) {
     const TriangleMesh& mesh = look_.faces.mesh();
     for (const Face& face : look_.faces.faces().subspan(begin, end - begin))
@@ -194,34 +165,33 @@ class FaceTrace {
     return cells;
   }
 
+  // The PO integral over a part of a face, and over what of it the receiver has through sheets.
   void integrate(std::uint32_t node, const VisiblePart& part, int bounce) {
-    const ConvexPolygon& outline = part.outline;
     std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers().size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
-    if (look_.spherical) return look_.spherical->add(sums_, bounce, beams_.beam(node), beams_.patch(node), outline);
-    radiate(beams_.footprint(node), part, blocks_, sums);
-    if (line_of_sight_) radiate_through_sheets(node, part, sums);
-    const Footprint& footprint = beams_.footprint(node);
+    if (look_.spherical) return look_.spherical->add(sums_, bounce, beams_.beam(node), beams_.patch(node), part.outline);
+    const auto radiate = [&](const Footprint& footprint, const VisiblePart& of, std::span<const CellBlock> blocks) {
+      for (std::size_t f = 0; f < sums.size(); ++f) {
+        const double k = look_.wavenumbers()[f];
+        add_far_field(sums[f], footprint, f, k,
+                      look_.clip ? phase_integral(footprint, k, of.outline) : over_cells(footprint, k, blocks));
+      }
+      if (look_.map) add_to_map(footprint, of, blocks);
+    };
+    radiate(beams_.footprint(node), part, blocks_);
+    if (line_of_sight_) {
+      for (ScreenedPart& screened : line_of_sight_->through_sheets(node, part.outline)) {
+        if (!look_.clip) cells_under(look_.grid, screened.outline, screened_blocks_);
+        radiate(beams_.footprint(screened.node), {part.face, std::move(screened.outline)}, screened_blocks_);
+      }
+    }
+    add_to_estimates(beams_.footprint(node), part.outline);
+  }
+
+  void add_to_estimates(const Footprint& footprint, const ConvexPolygon& outline) {
     if (!look_.clip) count_staircase(footprint, outline);
     if (footprint.outgoing.spectrum && look_.surfaces.any_rough())
       sums_.add_incoherent(*footprint.outgoing.spectrum, look_.clip ? area(outline) : cell_area());
-  }
-
-  void radiate(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks,
-               std::vector<ScatteringMatrix>& sums) {
-    for (std::size_t f = 0; f < sums.size(); ++f) {
-      const double k = look_.wavenumbers()[f];
-      add_far_field(sums[f], footprint, f, k,
-                    look_.clip ? phase_integral(footprint, k, part.outline) : over_cells(footprint, k, blocks));
-    }
-    if (look_.map) add_to_map(footprint, part, blocks);
-  }
-
-  void radiate_through_sheets(std::uint32_t node, const VisiblePart& part, std::vector<ScatteringMatrix>& sums) {
-    for (ScreenedPart& screened : line_of_sight_->through_sheets(node, part.outline)) {
-      if (!look_.clip) cells_under(look_.grid, screened.outline, screened_blocks_);
-      radiate(beams_.footprint(screened.node), {part.face, std::move(screened.outline)}, screened_blocks_, sums);
-    }
   }
 
   void add_to_map(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks) {
@@ -280,6 +250,33 @@ class FaceTrace {
 
 }  // namespace
 
-TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t end) { return FaceTrace(look).run(begin, end); }
+TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t end) {
+  FaceTrace trace(look);
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t face = begin; face < end; ++face)
+    if (!look.smooth || look.smooth->region(look.faces.faces()[face].triangle) == no_index) faces.push_back(face);
+  const Beam& incident = trace.beams_.beam(BeamTree::root);
+  if (look.convexity.no_shadow)
+    trace.visible_.of_whole_faces(incident, faces, trace.parts_);
+  else
+    trace.visible_.of_faces(incident, faces, trace.parts_);
+  trace.reflect(BeamTree::root, 0);
+  trace.sums_.rays = trace.sums_.tubes = trace.sums_.hits.empty() ? 0 : trace.sums_.hits[0];
+  trace.count_faces_away(begin, end);
+  for (int bounce = 1; !look.convexity.no_reflection && !(trace.reflected_.empty() && trace.cell_tubes_.empty()); ++bounce) {
+    trace.beams_.next_bounce();
+    if (bounce < look.max_bounces) trace.thin_randomly();
+    if (trace.beams_.spectral()) trace.end_weakest();
+    trace.cell_tubes_.advance(bounce);
+    std::swap(trace.tubes_, trace.reflected_);
+    trace.reflected_.clear();
+    trace.send_middle_rays();
+    for (std::size_t i = 0; i < trace.tubes_.size(); ++i) trace.follow(trace.tubes_[i], trace.in_middle_[i], bounce);
+    trace.sums_.rays += trace.tubes_.size();
+  }
+  trace.count_thinned();
+  trace.sums_.sliver_area = trace.visible_.sliver_area();
+  return std::move(trace.sums_);
+}
 
 }  // namespace raytube

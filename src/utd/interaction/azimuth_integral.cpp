@@ -26,7 +26,7 @@ struct Rule {
   explicit Rule(int count) : points(gauss_rule(count)) {
     for (std::vector<double>& term : tail) term.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double x = 2 * points[i].place - 1;
+      const double x = 2 * points[i].node - 1;
       double before = 1.0, value = x;
       for (int n = 2; n < count; ++n) {
         const double next = ((2 * n - 1) * x * value - (n - 1) * before) / n;
@@ -86,7 +86,7 @@ class Integrator {
 
   void sample(const Rule& rule, double from, double to) {
     samples_.resize(rule.points.size());
-    for (std::size_t i = 0; i < samples_.size(); ++i) density_.at(from + rule.points[i].place * (to - from), samples_[i]);
+    for (std::size_t i = 0; i < samples_.size(); ++i) density_.at(from + rule.points[i].node * (to - from), samples_[i]);
   }
 
   // The series goes on after the terms the rule resolves about as it ends, and of what follows a Gauss rule of n points misses

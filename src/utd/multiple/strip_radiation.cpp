@@ -24,7 +24,7 @@ void find_phases(const StripLayout& strips, const LookVectors& look, double wave
   for (std::size_t first = 0; first < points.size(); first += lanes) {
     Reals angle{};
     const std::size_t width = std::min(lanes, points.size() - first);
-    for (std::size_t i = 0; i < width; ++i) angle[i] = start + step * points[first + i].place;
+    for (std::size_t i = 0; i < width; ++i) angle[i] = start + step * points[first + i].arc_length;
     const Complexes phasors = unit_phasors(angle);
     for (std::size_t i = 0; i < width; ++i) direct.set(first + i, points[first + i].weight * phasors[i]);
   }
@@ -35,7 +35,7 @@ Complex direct_sum(const WaveKernels& here, const ComplexColumn& kernels, const 
   Complex total = 0.0;
   for (const StripRow& row : here.rows) {
     if (row.size == 0) continue;
-    const ColumnPlace weights(direct, row.amplitude);
+    const ColumnView weights(direct, row.amplitude);
     const std::size_t kernel = here.first + row.kernel;
     total += row.alike ? sum(weights, row.size) * kernels[kernel] : sum_of_products(weights, {kernels, kernel}, row.size);
   }
@@ -49,8 +49,8 @@ PairSums arriving_sums(const WaveKernels& here, const std::array<ComplexColumn, 
   for (const StripRow& row : here.rows) {
     if (row.size == 0) continue;
     const std::size_t kernel = here.first + row.kernel;
-    const std::array<ColumnPlace, 2> weights{ColumnPlace(arriving[0], row.amplitude), ColumnPlace(arriving[1], row.amplitude)};
-    const std::array<ColumnPlace, 2> kernels{ColumnPlace(here.batch.hard, kernel), ColumnPlace(here.batch.axial, kernel)};
+    const std::array<ColumnView, 2> weights{ColumnView(arriving[0], row.amplitude), ColumnView(arriving[1], row.amplitude)};
+    const std::array<ColumnView, 2> kernels{ColumnView(here.batch.hard, kernel), ColumnView(here.batch.axial, kernel)};
     if (!row.alike) {
       const PairSums sums = sums_of_products(weights, kernels, row.size);
       for (int transmit = 0; transmit < 2; ++transmit)
@@ -108,7 +108,7 @@ void pass_on_arriving(const WaveKernels& here, std::array<ComplexColumn, 2>& arr
     if (row.size == 0) continue;
     const std::size_t kernel = here.first + row.kernel;
     for (ComplexColumn& column : arriving) {
-      const ColumnPlace amplitudes(column, row.amplitude);
+      const ColumnView amplitudes(column, row.amplitude);
       if (row.alike)
         scale(amplitudes, here.batch.end[kernel], row.size, column, row.arriving);
       else

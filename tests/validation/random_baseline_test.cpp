@@ -31,7 +31,7 @@ void expect_unbiased(const RandomResult& result, std::size_t row, int channel, C
   EXPECT_LE(std::abs(result.mean.total[row].at(channel, channel) - truth), 4.0 * error) << row << ", channel " << channel;
 }
 
-TEST(Yardstick, APlateIsUnbiased) {
+TEST(RandomBaseline, APlateIsUnbiased) {
   const double side = 5.0 * lambda, turn = 33.0 * degree;
   const Sweep sweep = monostatic({{0.05, 0.3}, {0.2, 1.9}, {0.5, 4.0}}, frequency);
   const RandomResult result = by_chance(shapes::plate(side, turn), sweep, {2000, 5, 100});
@@ -40,7 +40,7 @@ TEST(Yardstick, APlateIsUnbiased) {
       expect_unbiased(result, row, channel, closed_forms::plate(side, k, sweep.looks[row].transmit, turn));
 }
 
-TEST(Yardstick, BothBouncesOfADihedralAreUnbiased) {
+TEST(RandomBaseline, BothBouncesOfADihedralAreUnbiased) {
   const double side = 5.0 * lambda;
   const Sweep sweep = monostatic({{pi / 2, 20 * degree}, {pi / 2, 43 * degree}, {pi / 2, 71 * degree}}, frequency);
   const RandomResult result = by_chance(shapes::dihedral(side, side), sweep, {2000, 7, 100});
@@ -55,7 +55,7 @@ TEST(Yardstick, BothBouncesOfADihedralAreUnbiased) {
 // A plate that fills the launch rectangle: the integrand has the same magnitude everywhere, so one run's variance is
 // (|S in phase|^2 - |S|^2) / samples. The sample variance of `runs` complex values has at least runs - 1 degrees of freedom, so
 // it is off by sqrt(2 / (runs - 1)) in the mean: 10 % for 200 runs; 4 of these.
-TEST(Yardstick, SpreadOfAPlateIsThatOfMonteCarloIntegration) {
+TEST(RandomBaseline, SpreadOfAPlateIsThatOfMonteCarloIntegration) {
   const double side = 5.0 * lambda;
   const Direction look{0.3, 0.0};
   const double in_phase = side * side / lambda * std::cos(look.theta), s = std::abs(closed_forms::plate(side, k, look));
@@ -69,7 +69,7 @@ TEST(Yardstick, SpreadOfAPlateIsThatOfMonteCarloIntegration) {
 }
 
 // Face on every sample has the same phase and the plate fills the rectangle: whatever the places, the sum is exact to rounding.
-TEST(Yardstick, APlateFaceOnHasNoSpread) {
+TEST(RandomBaseline, APlateFaceOnHasNoSpread) {
   const double side = 5.0 * lambda;
   const RandomResult result = by_chance(shapes::plate(side), monostatic({{0.0, 0.0}}, frequency), {100, 3, 10});
   const double s = side * side / lambda;
@@ -79,7 +79,7 @@ TEST(Yardstick, APlateFaceOnHasNoSpread) {
 }
 
 // The rectangle along the sides of a turned plate is filled by it, too; the default one is not.
-TEST(Yardstick, TheLaunchRectangleFollowsUp) {
+TEST(RandomBaseline, TheLaunchRectangleFollowsUp) {
   const double turn = 33.0 * degree;
   const LoadedMesh loaded = build_mesh(shapes::plate(5.0 * lambda, turn), 1.0);
   SolveOptions o = options(EdgeMethod::none);
@@ -92,7 +92,7 @@ TEST(Yardstick, TheLaunchRectangleFollowsUp) {
 }
 
 // One look at many frequencies is one set of rays: each row is what its frequency alone would give.
-TEST(Yardstick, FrequenciesShareTheRays) {
+TEST(RandomBaseline, FrequenciesShareTheRays) {
   Sweep both{{frequency, 1.01 * frequency}, {{{0.4, 0.2}, {0.4, 0.2}}}, false}, second = both;
   second.frequencies = {1.01 * frequency};
   const RandomResult a = by_chance(shapes::trihedral(5 * lambda), both, {500, 1, 2}),
@@ -102,13 +102,13 @@ TEST(Yardstick, FrequenciesShareTheRays) {
 }
 
 // The mesh's origin far from its middle: the phase reference is the one of the deterministic solution.
-TEST(Yardstick, PhaseReferenceIsTheOriginOfTheMesh) {
+TEST(RandomBaseline, PhaseReferenceIsTheOriginOfTheMesh) {
   PolygonSoup soup = shapes::transformed(shapes::plate(5.0 * lambda), glm::dmat3(1.0), 1.0, dvec3(1.0, 2.0, 3.0));
   const RandomResult result = by_chance(std::move(soup), monostatic({{0.1, 0.4}}, frequency), {4000, 1, 20});
   expect_unbiased(result, 0, 0, result.deterministic.total[0].vv());
 }
 
-TEST(Yardstick, EdgesAreThoseOfTheDeterministicSolution) {
+TEST(RandomBaseline, EdgesAreThoseOfTheDeterministicSolution) {
   const Sweep sweep = monostatic({{0.3, 0.2}}, frequency);
   const RandomResult with = by_chance(shapes::cube(3 * lambda), sweep, {1000, 1, 4}, EdgeMethod::fringe),
                      without = by_chance(shapes::cube(3 * lambda), sweep, {1000, 1, 4});
@@ -119,7 +119,7 @@ TEST(Yardstick, EdgesAreThoseOfTheDeterministicSolution) {
             1e-12 * s);
 }
 
-TEST(Yardstick, SeedsAndRunsDrawOtherPlaces) {
+TEST(RandomBaseline, SeedsAndRunsDrawOtherPlaces) {
   const Sweep sweep = monostatic({{0.3, 0.2}}, frequency);
   const RandomResult a = by_chance(shapes::plate(5 * lambda), sweep, {100, 1, 2}),
                      b = by_chance(shapes::plate(5 * lambda), sweep, {100, 2, 2});
@@ -127,13 +127,13 @@ TEST(Yardstick, SeedsAndRunsDrawOtherPlaces) {
   EXPECT_GT(a.spread[0][0][0].amplitude, 0.0);
 }
 
-TEST(Yardstick, NothingSeenEdgeOnIsNothing) {
+TEST(RandomBaseline, NothingSeenEdgeOnIsNothing) {
   const RandomResult result = by_chance(shapes::plate(5 * lambda), monostatic({{pi / 2, 0.0}}, frequency), {100, 1, 2});
   EXPECT_EQ(largest_amplitude(result.mean.total[0]), 0.0);
   EXPECT_EQ(result.mean.error[0][0][0], 0.0);
 }
 
-TEST(Yardstick, BadOptionsAreRefused) {
+TEST(RandomBaseline, BadOptionsAreRefused) {
   const Sweep sweep = monostatic({{0.3, 0.2}}, frequency);
   EXPECT_THROW(by_chance(shapes::plate(0.1), sweep, {0, 1, 2}), InputError);
   EXPECT_THROW(by_chance(shapes::plate(0.1), sweep, {10, 1, 1}), InputError);

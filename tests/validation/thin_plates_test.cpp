@@ -107,7 +107,7 @@ void report(double thickness, const EdgeSettings& settings, const StripErrors& e
   measured((name + ", hard, rms").c_str(), errors.hard_db, "dB");
 }
 
-TEST(ThinSheets, StripsAgainstBoundaryElements) {
+TEST(ThinPlates, StripsAgainstBoundaryElements) {
   // A half plane alone has |P| of about 0.5. The limits are what the theory leaves, of second order in the thickness, plus 0.009
   // of soft currents cut at the far edge and the ends of the body. Two rims are off by 0.04 to 0.1 at order 3 whatever the
   // thickness.
@@ -133,8 +133,8 @@ TEST(ThinSheets, StripsAgainstBoundaryElements) {
   }
 }
 
-TEST(ThinSheets, ObliqueStripsAgainstBoundaryElements) {
-  // As before, and nothing is cross-polarised on the cone of an endless body; of this one its ends are, by 0.009.
+TEST(ThinPlates, ObliqueStripsAgainstBoundaryElements) {
+  // As before, and nothing is cross-polarised on the cone of an infinitely long body; of this one its ends are, by 0.009.
   for (const double cone : {75.0, 60.0, 40.0})
     for (const double thickness : {0.01, 0.05}) {
       const StripErrors errors = strip_errors(thickness, cone * degree, {3, true});
@@ -144,7 +144,7 @@ TEST(ThinSheets, ObliqueStripsAgainstBoundaryElements) {
     }
 }
 
-TEST(ThinSheets, WithTubesToo) {
+TEST(ThinPlates, WithTubesToo) {
   // The whole solver, physical optics by tubes: at 20 per wavelength the grid adds 0.01 to 0.02 of its own.
   const double thickness = 0.05, length = 30.0;
   const Truth truth(thickness);
@@ -173,7 +173,7 @@ double largest_difference(std::size_t rows, First first, Second second) {
   return largest;
 }
 
-TEST(ThinSheets, BecomesTheOpenSheetAsItThins) {
+TEST(ThinPlates, BecomesTheOpenPlateAsItThins) {
   // Physical optics is the open sheet's but for its shift and the rims, so the sums are compared. The difference falls as t ln t,
   // at 1e-4 wavelengths some 1e-3; where a look is near edge-on the quadrature of order 3 leaves 3e-3 of its own.
   Sweep sweep{{frequency}, {}, true};
@@ -192,7 +192,7 @@ TEST(ThinSheets, BecomesTheOpenSheetAsItThins) {
     }
 }
 
-TEST(ThinSheets, EdgeOnIsNoStep) {
+TEST(ThinPlates, EdgeOnIsNoStep) {
   // As for the open sheet: at order 3 the far edge, met exactly along the sheet, lacks 0.003 wavelengths of what it has 1e-7
   // above it.
   const dvec3 sides(3, 3, 0.05);
@@ -212,7 +212,7 @@ TEST(ThinSheets, EdgeOnIsNoStep) {
   }
 }
 
-TEST(ThinSheets, SweepAcrossTheThresholdEqualsSingleFrequencies) {
+TEST(ThinPlates, SweepAcrossTheThresholdEqualsSingleFrequencies) {
   // Rims of 0.05 m are thin at 0.9 m of wavelength and not at 0.4 m; each set is computed as if it were alone.
   const std::vector<double> frequencies = {speed_of_light / 0.4, speed_of_light / 0.9};
   for (const bool bistatic : {false, true})

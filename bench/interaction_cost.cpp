@@ -1,5 +1,5 @@
 // Time of waves between surfaces beside that of tubes and edge currents, in one run, everything in turn.
-//   between_cost CASE.toml [--repeat N] [--threads N]
+//   interaction_cost CASE.toml [--repeat N] [--threads N]
 // Prints medians as ratios to the tubes' time, adaptive and on the uniform grid. No timing is asserted.
 #include <fmt/format.h>
 
