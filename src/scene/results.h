@@ -17,6 +17,14 @@ struct Skipped {
   std::uint64_t count = 0;
 };
 
+/// Rows in which a mechanism exceeds what the size of the target allows it (solve/physical_bound.h): they are wrong.
+struct BeyondBound {
+  std::string part;         // the mechanism
+  std::uint64_t rows = 0;   // so many
+  std::uint64_t worst = 0;  // the one that exceeds it most
+  double ratio = 0.0;       // of the amplitude there to its bound
+};
+
 /// What happened during a solve; every ray is accounted for.
 struct Statistics {
   std::uint64_t tubes = 0;            // launched
@@ -32,6 +40,7 @@ struct Statistics {
   std::uint64_t windowed_rows = 0;        // rows touched by the forward-grazing window of the fringe currents
   double ray_range = 0.0;                 // [m]: edges.method utd, amplitudes are apparent ones at this range; else 0
   std::vector<Skipped> skipped;
+  std::vector<BeyondBound> beyond_bound;  // none in a sound solve
   double solve_s = 0.0;  // mesh and BVH ready -> last sum
 };
 

@@ -1,7 +1,11 @@
 #include "solve/rows.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "solve/phase_reference.h"
 
@@ -9,17 +13,33 @@ namespace raytube {
 
 namespace {
 
+// Parts that have a bound each, in the words of whoever reads about them.
+enum Part : std::size_t { first_bounce, later_bounces, edges_first, edges_higher, interaction };
+const std::vector<BeyondBound> parts{{"the first bounce"},
+                                     {"later bounces"},
+                                     {"edges, first order"},
+                                     {"edges, higher orders (edges.order)"},
+                                     {"waves between surfaces (edges.between)"}};
+
 ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) { return matrix *= factor; }
+
+void add_errors(const std::vector<ChannelErrors>& errors, std::size_t frequency_index, ChannelErrors& sum) {
+  if (errors.empty()) return;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) sum[p][q] += errors[frequency_index][p][q];
+}
 
 }  // namespace
 
-RowCollector::RowCollector(const SolvePlan& plan)
+RowCollector::RowCollector(const SolvePlan& plan, std::vector<double> edge_lengths)
     : plan_(plan),
       sweep_(plan.sweep),
       first_(plan.looks.computed.size() + 1),
       following_(sweep_.looks.size()),
       sliver_areas_(plan.looks.computed.size()),
-      skipped_(plan.skips) {
+      skipped_(plan.skips),
+      bounds_(plan, std::move(edge_lengths)),
+      beyond_bound_(parts) {
   for (const LookSource& source : plan.looks.sources) ++first_[source.index + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   std::vector<std::size_t> next = first_;
@@ -70,32 +90,39 @@ void RowCollector::add_rows(std::size_t look, const LookResult& part, const Look
 void RowCollector::add_row(std::size_t look, std::size_t frequency_index, const LookResult& part, const LookSource& source) {
   const std::size_t row = sweep_.row(look, frequency_index);
   const Complex factor = to_mesh_origin(plan_.target.mesh, sweep_.looks[look], sweep_.frequencies[frequency_index]);
+  const PhysicalBound bound = bounds_.of(sweep_.looks[look], frequency_index);
   result_.error[row] = part.tubes.error[frequency_index];
   for (std::size_t b = 0; b < part.tubes.bounces.size(); ++b) {
     const ScatteringMatrix bounce = scaled(from_source(part.tubes.bounces[b][frequency_index], source), factor);
+    compare(b == 0 ? first_bounce : later_bounces, row, bounce, b == 0 ? bound.first_bounce : bound.later_bounces);
     result_.total[row] += bounce;
     if (!plan_.keep_parts) continue;
     if (result_.bounces.size() <= b) result_.bounces.emplace_back(sweep_.rows());
     result_.bounces[b][row] = bounce;
   }
-  add_interaction(row, frequency_index, part, source, factor);
-  if (part.edges.scattering.empty()) return;
-  add_edges(row, scaled(from_source(part.edges.scattering[frequency_index], source), factor), result_.edges_first);
-  if (part.edges.higher.empty()) return;
-  add_edges(row, scaled(from_source(part.edges.higher[frequency_index], source), factor), result_.edges_higher);
+  const auto add = [&](const std::vector<ScatteringMatrix>& found, std::vector<ScatteringMatrix>& kept, Part name, double most) {
+    if (found.empty()) return;
+    const ScatteringMatrix s = scaled(from_source(found[frequency_index], source), factor);
+    compare(name, row, s, most);
+    result_.total[row] += s;
+    if (plan_.keep_parts) kept[row] = s;
+  };
+  add(part.interaction.scattering, result_.interaction, interaction, bound.interaction);
+  add_errors(part.interaction.error, frequency_index, result_.error[row]);
+  add(part.edges.scattering, result_.edges_first, edges_first, bound.edges_first);
+  add(part.edges.higher, result_.edges_higher, edges_higher, bound.edges_higher);
 }
 
-void RowCollector::add_interaction(std::size_t row, std::size_t frequency_index, const LookResult& part, const LookSource& source,
-                                   Complex factor) {
-  if (part.interaction.scattering.empty()) return;
-  add_edges(row, scaled(from_source(part.interaction.scattering[frequency_index], source), factor), result_.interaction);
-  for (int p = 0; p < 2; ++p)
-    for (int q = 0; q < 2; ++q) result_.error[row][p][q] += part.interaction.error[frequency_index][p][q];
-}
-
-void RowCollector::add_edges(std::size_t row, const ScatteringMatrix& edges, std::vector<ScatteringMatrix>& part) {
-  result_.total[row] += edges;
-  if (plan_.keep_parts) part[row] = edges;
+// Ranges of rays and their edges have laws of their own. What cannot be compared, no number, is beyond any bound.
+void RowCollector::compare(std::size_t part, std::size_t row, const ScatteringMatrix& s, double bound) {
+  const double largest = largest_amplitude(s);
+  if (plan_.mechanisms.rays || largest <= bound || largest == 0.0) return;
+  BeyondBound& beyond = beyond_bound_[part];
+  const double ratio = std::isnan(largest) ? std::numeric_limits<double>::infinity() : largest / bound;
+  if (beyond.rows++ == 0 || ratio > beyond.ratio || (ratio == beyond.ratio && row < beyond.worst)) {
+    beyond.ratio = ratio;
+    beyond.worst = row;
+  }
 }
 
 SweepResult RowCollector::finish() {
@@ -105,6 +132,8 @@ SweepResult RowCollector::finish() {
   all.skipped.insert(all.skipped.end(), plan_.skipped_wedges.begin(), plan_.skipped_wedges.end());
   if (plan_.tubes.skip && plan_.target.convexity.no_reflection && !all.hits.empty()) skipped_.reflected_tubes = all.hits[0];
   for (const Skipped& item : skipped_items(skipped_)) all.skipped.push_back(item);
+  std::ranges::copy_if(beyond_bound_, std::back_inserter(all.beyond_bound),
+                       [](const BeyondBound& each) { return each.rows > 0; });
   all.wedges = plan_.target.wedges.size();
   all.ray_range = plan_.ray_range;
   if (plan_.mechanisms.fringe) count_thin_plate_edges();

@@ -5,6 +5,7 @@
 
 #include "scene/skipped.h"
 #include "solve/look_result.h"
+#include "solve/physical_bound.h"
 #include "solve/plan.h"
 
 namespace raytube {
@@ -13,7 +14,8 @@ namespace raytube {
 /// that no look is held longer than it takes. Refers to the plan.
 class RowCollector {
  public:
-  explicit RowCollector(const SolvePlan& plan);
+  /// `edge_lengths`: of the edges that radiate, all in all, per frequency [m].
+  RowCollector(const SolvePlan& plan, std::vector<double> edge_lengths);
 
   /// The result of plan.looks.computed[index]; each once, in any order, from any thread.
   void add(std::size_t index, const LookResult& look);
@@ -25,9 +27,7 @@ class RowCollector {
   void count(std::size_t index, const LookResult& look);
   void add_rows(std::size_t look, const LookResult& part, const LookSource& source);
   void add_row(std::size_t look, std::size_t frequency_index, const LookResult& part, const LookSource& source);
-  void add_interaction(std::size_t row, std::size_t frequency_index, const LookResult& part, const LookSource& source,
-                       Complex factor);
-  void add_edges(std::size_t row, const ScatteringMatrix& edges, std::vector<ScatteringMatrix>& part);
+  void compare(std::size_t part, std::size_t row, const ScatteringMatrix& s, double bound);
   void count_thin_plate_edges();
 
   const SolvePlan& plan_;
@@ -37,6 +37,8 @@ class RowCollector {
   std::vector<double> sliver_areas_;  // of each computed look: the one count whose sum depends on its order
   std::uint64_t looks_without_tubes_ = 0;
   SkipCounts skipped_;
+  PhysicalBounds bounds_;
+  std::vector<BeyondBound> beyond_bound_;  // of each part
   SweepResult result_;
   std::mutex mutex_;
 };

@@ -28,7 +28,7 @@ SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& call
   const std::size_t looks = plan.looks.computed.size();
   if (kept.begin) kept.begin(looks);
   const LookSolver solver(plan);
-  RowCollector rows(plan);
+  RowCollector rows(plan, solver.edges().radiating_lengths());
   Progress progress(callback);
   const double share = 1.0 / static_cast<double>(looks);
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "mesh/features/resolved_wedges.h"
 #include "utd/fringe/near_edges.h"
 
 namespace raytube {
@@ -19,23 +20,26 @@ EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup) {
 
 void EdgeSets::group_frequencies() {
   for (std::size_t f = 0; f < setup_.frequencies.size(); ++f) {
-    const std::size_t thin = count_thin(setup_.thin_plate_edges, setup_.frequencies[f]);
-    auto set = std::ranges::find(sets_, thin, &Set::thin_edges);
-    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, {}, {}, {}, {}, {}});
+    const double frequency = setup_.frequencies[f], limit = detail_limit(frequency);
+    const std::size_t thin = count_thin(setup_.thin_plate_edges, frequency);
+    const double details = has_details(setup_.wedges, limit) ? limit : 0.0;
+    auto set =
+        std::ranges::find_if(sets_, [&](const Set& known) { return known.thin_edges == thin && known.detail_limit == details; });
+    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}});
     set->indices.push_back(f);
     set->frequencies.push_back(setup_.frequencies[f]);
   }
-  std::ranges::sort(sets_, {}, &Set::thin_edges);
+  std::ranges::sort(sets_, {}, [](const Set& set) { return std::pair(set.thin_edges, set.detail_limit); });
 }
 
 void EdgeSets::find_wedges(Set& set) const {
-  if (set.thin_edges == 0) {
-    set.wedges.assign(setup_.wedges.begin(), setup_.wedges.end());
-    set.outlines = setup_.outlines;
-  } else {
+  const TriangleMesh& mesh = setup_.tracer.mesh();
+  set.wedges.assign(setup_.wedges.begin(), setup_.wedges.end());
+  if (set.thin_edges > 0)
     set.wedges = merge_thin_plate_edges(setup_.wedges, setup_.thin_plate_edges, thin_limit(set.frequencies.front()));
-    set.outlines = Outlines(setup_.tracer.mesh(), set.wedges, setup_.min_wedge_angle);
-  }
+  if (set.detail_limit > 0.0) resolve_details(mesh, set.wedges, set.detail_limit, setup_.min_wedge_angle);
+  const bool as_given = set.thin_edges == 0 && set.detail_limit == 0.0;
+  set.outlines = as_given ? setup_.outlines : Outlines(mesh, set.wedges, setup_.min_wedge_angle);
   if (setup_.skip_enclosed) return;
   for (Wedge& wedge : set.wedges) wedge.enclosed = false;
 }
@@ -76,6 +80,17 @@ void EdgeSets::prepare_interaction() {
 bool EdgeSets::radiate() const {
   const auto one_does = [](const Wedge& wedge) { return wedge.radiates(); };
   return std::ranges::any_of(sets_, [&](const Set& set) { return std::ranges::any_of(set.wedges, one_does); });
+}
+
+std::vector<double> EdgeSets::radiating_lengths() const {
+  std::vector<double> lengths(setup_.frequencies.size());
+  for (const Set& set : sets_) {
+    double sum = 0.0;
+    for (const Wedge& wedge : set.wedges)
+      if (wedge.radiates()) sum += wedge.length();
+    for (const std::size_t index : set.indices) lengths[index] = sum;
+  }
+  return lengths;
 }
 
 EdgeScene EdgeSets::scene(const Set& set) const {

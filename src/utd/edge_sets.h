@@ -38,6 +38,9 @@ class EdgeSets {
   /// Whether any edge does, in any look.
   bool radiate() const;
 
+  /// How long all edges that do are together, per frequency [m].
+  std::vector<double> radiating_lengths() const;
+
   /// The fringe currents of one look at all frequencies, in their order; the lit wedges are counted at the highest. `radar` is
   /// that of antennas at a finite distance.
   EdgeLookResult scattering(const Look& look, const Radar& radar) const;
@@ -55,6 +58,7 @@ class EdgeSets {
  private:
   struct Set {
     std::size_t thin_edges = 0;
+    double detail_limit = 0.0;         // of unresolved details [m]; 0: there are none
     std::vector<std::size_t> indices;  // in the list of frequencies
     std::vector<double> frequencies;
     std::vector<Wedge> wedges;

@@ -53,7 +53,8 @@ void Outlines::add(std::size_t side, const OutlineEdge& edge) {
 void Outlines::add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int face) {
   const Wedge& w = wedges[wedge];
   const std::size_t side = side_index(w.faces[face].patch, w.faces[face].back);
-  add(side, {w.start, w.end, w.faces[face].into_face, w.conducting() ? wedge : no_index, face, false});
+  const std::uint32_t there = w.conducting() && !w.flat ? wedge : no_index;
+  add(side, {w.start, w.end, w.faces[face].into_face, there, face, w.flat});
   if (w.replaced_by == no_index || !wanted_[side]) return;
   OutlineEdge& edge = edges_[side].back();
   edge.wedge = no_index;

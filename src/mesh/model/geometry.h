@@ -14,8 +14,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Vertices closer than this fraction of the bounding box's diagonal are one: a few roundings of a single-precision file.
 inline constexpr double weld_fraction = 1e-7;
-/// Vertices this fraction of the diagonal beside a plane or a line lie on it.
-inline constexpr double flat_fraction = 2e-7;
+/// Vertices this fraction of the diagonal beside a plane or a line lie on it: what six digits of a text file leave of flat faces.
+inline constexpr double flat_fraction = 2e-6;
 
 struct Box {
   dvec3 low{std::numeric_limits<double>::infinity()};

@@ -139,12 +139,13 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
 //                               + cos(beta0) E_h [rho_hat du_h/d(rho) + phi_hat du_h/(rho d(phi))]}      (Maxwell's equations).
 void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const {
   const FaceIncidence& in = source_.incidence;
+  const double weight = source_.weight * source_.edge->wedge->share;
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     const double k = wavenumbers_[f];
     const WaveIntegrals sums = waves.over(on.row, k);
     const WaveSums soft_waves = sums.incident - sums.reflected, hard_waves = sums.incident + sums.reflected;
-    const Complex ray(0.0, source_.weight * on.area * k / (4 * pi));
-    const double slope = source_.weight * on.area / (4 * pi * in.sin_cone);
+    const Complex ray(0.0, weight * on.area * k / (4 * pi));
+    const double slope = weight * on.area / (4 * pi * in.sin_cone);
     for (int p = 0; p < 2; ++p) {
       const std::array<double, components>& current = on.current[p];
       const Complex of_soft = ray * current[soft] * soft_waves.value +

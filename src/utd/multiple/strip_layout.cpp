@@ -7,18 +7,19 @@ namespace raytube {
 
 namespace {
 
-// Where a wave of the tree runs along an edge, with a sine below `alongside`, strips shorter than up to this electrical length
-// are a tip that passes no soft current on.
-constexpr double longest_tip = 1.0 / 30, alongside = 0.1;
+// Strips shorter than this electrical length are a tip that passes no soft current on: always, and where a wave of the tree runs
+// along an edge, with a sine below `alongside`.
+constexpr double shortest_tip = 1e-4, longest_tip = 1.0 / 30, alongside = 0.1;
 constexpr double same_length = 1e-13;  // relative; strips between parallel edges share their kernels
 
 // The soft current is singular at its edge: a strip next to a corner, hardly longer than nothing, hands on the more the shorter
-// it is. What starts there lies the closer to the next edge the smaller its sine delta, and S grew as 1 / root(delta). A tip
-// grows from none at delta = `alongside`, so that nothing jumps.
+// it is: beside a corner that is integrable, but where rounding leaves a strip no length at all it knew no bound. What starts
+// there lies the closer to the next edge the smaller its sine delta, and S grew as 1 / root(delta). A tip grows from the shortest
+// one at delta = `alongside`, so that nothing jumps.
 double tip_of(const WaveTree& tree) {
   double sine = alongside;
   for (const TreeWave& wave : tree.waves().subspan(1)) sine = std::min(sine, wave.wave.incidence.sin_cone);
-  return longest_tip * (1 - sine / alongside) * (1 - sine / alongside);
+  return std::max(shortest_tip, longest_tip * (1 - sine / alongside) * (1 - sine / alongside));
 }
 
 FaceProjection projection(const StripWave& wave, const LookVectors& look) {
@@ -83,11 +84,12 @@ IncidentFields incident_fields(const StripScene& scene, const StripWave& first) 
   const dvec3 across = glm::cross(scene.wedges[first.wedge].faces[first.face].normal, look.incident);
   const double squared = glm::dot(across, across);
   const double share = squared > 0.0 ? glm::dot(across, incidence.tangent) * incidence.cos_cone / squared : 0.0;
+  const double weight = scene.wedges[first.wedge].share;
   IncidentFields result;
   for (int transmit = 0; transmit < 2; ++transmit) {
-    result.magnetic[transmit] = glm::dot(look.magnetic[transmit], incidence.tangent);
-    result.electric[transmit] = glm::dot(look.electric[transmit], incidence.tangent);
-    result.lying[transmit] = glm::dot(look.electric[transmit], across) * share;
+    result.magnetic[transmit] = weight * glm::dot(look.magnetic[transmit], incidence.tangent);
+    result.electric[transmit] = weight * glm::dot(look.electric[transmit], incidence.tangent);
+    result.lying[transmit] = weight * glm::dot(look.electric[transmit], across) * share;
   }
   return result;
 }

@@ -8,6 +8,7 @@ namespace raytube {
 
 namespace {
 
+constexpr double far_from_tip = 40.0;  // in lengths of it: 1 - e^{-x} is 1 to the bit
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex factor) {
@@ -43,6 +44,7 @@ void fade_soft_ends(double tip, std::span<const double> lengths, KernelBatch& ke
   for (std::size_t first = 0; first < lengths.size(); first += lanes) {
     Reals length{};
     const std::size_t width = std::min(lanes, lengths.size() - first);
+    if (std::ranges::min(lengths.subspan(first, width)) > far_from_tip * tip) continue;
     for (std::size_t i = 0; i < width; ++i) length[i] = lengths[first + i] / tip;
     const Reals share = one_minus_exp(length);
     for (std::size_t i = 0; i < width; ++i) multiply(kernels.soft_end, first + i, share[i]);
@@ -60,7 +62,7 @@ void StripWaveKernels::find(const StripLayout& strips, std::size_t wave, std::sp
   face.strip.at(lengths_, kernels);
   if (wave == 0 && strips.forward_pole) bound_untruncated(*strips.forward_pole, face.kernels, wavenumbers, lengths_, kernels);
   if (face.thin) count_thickness(face, wavenumbers, lengths_, kernels);
-  if (here.direct && strips.tip > 0.0) fade_soft_ends(strips.tip, lengths_, kernels);
+  if (here.direct) fade_soft_ends(strips.tip, lengths_, kernels);
   if (here.wave.mirrors > 0) keep_mirrored_part(face, wavenumbers, kernels);
 }
 

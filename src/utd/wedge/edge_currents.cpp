@@ -164,15 +164,16 @@ ScatteringMatrix face_amplitude(const FringeKernels& kernels, const WedgeFace& f
 }
 
 EdgeAmplitude edge_amplitude(const Wedge& wedge, const WedgeIncidence& incidence, const LookVectors& look) {
+  const double weight = wedge.share * incidence.weight;
   EdgeAmplitude result;
   for (int side = 0; side < 2; ++side) {
     const WedgeFace& face = wedge.faces[side];
     const FaceIncidence& arriving = incidence.faces[side];
     const SplitKernels kernels = split_kernels(wedge.n, arriving, grazing_half_cosine(face, arriving, look.scattered));
-    add_scaled(result.regular, incidence.weight, face_amplitude(kernels.regular, face, arriving, look));
+    add_scaled(result.regular, weight, face_amplitude(kernels.regular, face, arriving, look));
     if (!kernels.active) continue;
     result.poles[side] = {.amplitude = {}, .angle = kernels.angle, .face_width = face.width, .active = true};
-    add_scaled(result.poles[side].amplitude, incidence.weight, face_amplitude(kernels.pole, face, arriving, look));
+    add_scaled(result.poles[side].amplitude, weight, face_amplitude(kernels.pole, face, arriving, look));
   }
   return result;
 }

@@ -1,0 +1,23 @@
+// Wedges as a wave sees them that resolves nothing below some distance: a fold between facets narrower than that is part of what
+// these facets make up together.
+#pragma once
+
+#include "mesh/features/wedges.h"
+
+namespace raytube {
+
+/// Details finer than this are not resolved at `frequency` [Hz]: the power of two between wavelength / 100 and wavelength / 50
+/// that lies there [m], so that the frequencies of an octave share their wedges.
+double detail_limit(double frequency);
+
+/// Whether a face of any wedge that radiates is so narrow that resolve_details could change it.
+bool has_details(std::span<const Wedge> wedges, double limit);
+
+/// Gives each wedge, thin plates' half planes apart, with a face narrower than `limit` [m] the faces that stand for its
+/// surroundings: chords of the surface's cross-section through its middle, `limit` long on either side. Where these differ from a
+/// plane by less than `min_wedge_angle` [rad] the wedge is flat. Of several convex wedges within `limit` each counts for its
+/// share. Nothing changes beside faces that are at least `limit` wide at the middle of the wedge, and everything is continuous in
+/// the corners of the mesh but for the angle at which a wedge begins. Without such wedges they come back as they are.
+void resolve_details(const TriangleMesh& mesh, std::span<Wedge> wedges, double limit, double min_wedge_angle);
+
+}  // namespace raytube
