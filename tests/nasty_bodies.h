@@ -77,7 +77,7 @@ inline std::vector<std::pair<std::string, PolygonSoup>> nasty_bodies() {
       {"boxes through one another", boxes(0.7)},
       {"boxes that reach 1e-6 into one another", boxes(1.0 - 1e-6)},
       {"boxes 1e-6 apart", boxes(1.0 + 1e-6)},
-      {"block with a slit of 1e-3", slit_block(0.0, 1e-3)},
+      {"block with a slit of 1e-3", slit_block(1e-3)},
       {"block with a slit of 1e-6", slit_block(1e-6)},
       {"box with a flap", box_with_flap()},
       {"block with a closed slit", slit_block(0.0)},
