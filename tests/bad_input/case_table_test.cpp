@@ -100,7 +100,7 @@ std::vector<BadRow> value_rows() {
       set("frequency_zero", "frequency.ghz=0", "frequency.ghz must be greater than 0 (found 0)"),
       set("frequency_of_a_list_negative", "frequency.ghz=[1,-2]", "frequency.ghz must be greater than 0 (found -2)"),
       set("frequency_nan", "frequency.ghz=nan", "frequency.ghz must be a finite number"),
-      set("frequency_1e300", "frequency.ghz=1e300", "frequency.ghz is too large (found 1e+300); "),
+      set("frequency_1e300", "frequency.ghz=1e300", "frequency.ghz is too large (found 1e+300): above 1e+09"),
       set("frequency_1e_300", "frequency.ghz=1e-300",
           "frequency.ghz is too small (found 1e-300): below 1e-06 (1 kHz) there are no"),
       set("frequency_least_number", "frequency.ghz=5e-324", "frequency.ghz is too small (found 5e-324)"),

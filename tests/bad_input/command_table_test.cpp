@@ -45,7 +45,7 @@ std::vector<BadRow> looks_rows() {
       looks("looks_below_zero", header + "-0.001,0\n", ", line 2: theta must lie in 0 to 180 degrees"),
       looks("looks_of_1e308", header + "1,1e308\n", ", line 2: phi_deg is 1e+308, where numbers lie 2e+292 degrees apart"),
       looks("looks_received_at_1e20", "theta_deg,phi_deg,rx_theta_deg,rx_phi_deg\n1,2,3,1e20\n",
-            ", line 2: rx_phi_deg is 100000000000000000000, where numbers lie"),
+            ", line 2: rx_phi_deg is 1e+20, where numbers lie"),
       looks("looks_in_utf16", in_utf16(header + "1,2\n"), ": is text in UTF-16; save it as UTF-8"),
       looks("looks_with_nul", header + std::string("1\0,2\n", 5), ", line 2, column theta_deg: \"1?\" is not a finite number"),
       looks("looks_line_of_2e6_bytes", header + std::string(2000000, '1') + ",2\n",

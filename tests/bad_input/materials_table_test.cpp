@@ -282,7 +282,7 @@ std::vector<BadRow> section_rows() {
       set("part_misspelt", "target.part.roof=pec", "unknown key \"target.part\"; did you mean \"target.parts\"?"),
       set("mesh_of_no_files", "target.mesh=[]", "target.mesh is an empty list; give at least one mesh file"),
       set("mesh_of_a_number", "target.mesh=[\"mesh.off\", 3]", "every entry of target.mesh must be a text in double quotes"),
-      set("mesh_of_an_empty_name", "target.mesh=[\"mesh.off\", \"\"]", "every entry of target.mesh is empty; give the mesh file"),
+      set("mesh_of_an_empty_name", "target.mesh=[\"mesh.off\", \"\"]", "entry 2 of target.mesh is empty; give the mesh file"),
       set("mesh_second_missing", "target.mesh=[\"mesh.off\", \"none.stl\"]", "none.stl': not found; check the path"),
       with_file("materials_in_a_case_of_sources", "bad.toml", "[materials.steel]\nkind = \"pec\"\n", "sources bad.toml",
                 ", line 1: [materials] belongs to a case for raytube run; run it with that command"),

@@ -176,7 +176,7 @@ std::vector<BadRow> ply_rows() {
       mesh("ply_faces_without_a_list", "ply", ply("ascii", "element face 1\nproperty int vertex_indices\n", "1\n"),
            "its faces lack the list vertex_indices"),
       mesh("ply_only_the_first_word", "ply", "ply", "the header has no 'end_header'"),
-      mesh("ply_of_another_format", "ply", "OFF\n0 0 0\n", "a PLY file starts with the word 'ply'"),
+      mesh("ply_of_another_format", "ply", "OFF\n0 0 0\n", "looks like an OFF file; give its name the ending .off"),
   };
 }
 
@@ -267,7 +267,8 @@ std::vector<BadRow> gzip_rows() {
   damaged.replace(12, 4, "\xFF\xFF\xFF\xFF");
   wrong_sum[packed.size() - 8] = static_cast<char>(wrong_sum[packed.size() - 8] ^ 1);
   return {
-      mesh("gzip_not_packed", "off.gz", off, "is not gzip data, which the ending .gz stands for; rename it"),
+      mesh("gzip_not_packed", "off.gz", off, "looks like an OFF file; give its name the ending .off\n"),
+      mesh("gzip_of_noise", "off.gz", "nothing in particular", "is not gzip data, which the ending .gz stands for; rename it"),
       mesh("gzip_is_a_png", "stl.gz", "\x89PNG\r\n", "is a PNG image; name the mesh file"),
       mesh("gzip_of_no_ending", "gz", packed, "looks like an OFF file; give its name the ending .off.gz"),
       mesh("gzip_of_another_ending", "dat.gz", gzipped("1 2 3"), "the ending '.dat' is not a known mesh format; use .stl"),

@@ -16,7 +16,7 @@ namespace raytube::shapes {
 namespace {
 
 /// Mesh files in a folder of their own, removed in the end.
-class MeshRead : public testing::Test {
+class MeshRead : public ::testing::Test {
  protected:
   MeshRead() { std::filesystem::create_directories(folder_); }
   ~MeshRead() override { std::filesystem::remove_all(folder_); }
@@ -362,12 +362,10 @@ TEST_F(MeshRead, GzipIsUnpacked) {
   const std::string off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
                     obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
   const PolygonSoup plain = read("a.off", off);
-  const std::string several =
-      raytube::testing::gzipped(off.substr(0, 11)) + raytube::testing::gzipped("") + raytube::testing::gzipped(off.substr(11));
+  const std::string several = testing::gzipped(off.substr(0, 11)) + testing::gzipped("") + testing::gzipped(off.substr(11));
   for (const PolygonSoup& packed :
-       {read("a.off.gz", raytube::testing::gzipped(off)), read("B.OFF.GZ", raytube::testing::gzipped(off)),
-        read("c.off.gz", several), read("d.off.gz", several + std::string(512, '\0')),
-        read("e.obj.gz", raytube::testing::gzipped(obj))}) {
+       {read("a.off.gz", testing::gzipped(off)), read("B.OFF.GZ", testing::gzipped(off)), read("c.off.gz", several),
+        read("d.off.gz", several + std::string(512, '\0')), read("e.obj.gz", testing::gzipped(obj))}) {
     EXPECT_EQ(packed.points, plain.points);
     EXPECT_EQ(packed.polygons, plain.polygons);
   }
@@ -380,7 +378,7 @@ TEST_F(MeshRead, GzipOfALargeRegularMeshIsNoBomb) {
     for (int k = 0; k < 300; ++k) obj += "v " + std::to_string(k) + " " + std::to_string(i) + " 0\n";
   for (int i = 1; i < 90000 - 301; ++i)
     obj += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 301) + "\n";
-  EXPECT_EQ(read("grid.obj.gz", raytube::testing::gzipped(obj)).points.size(), 90000u);
+  EXPECT_EQ(read("grid.obj.gz", testing::gzipped(obj)).points.size(), 90000u);
 }
 
 }  // namespace
