@@ -118,7 +118,7 @@ std::vector<BadRow> obj_rows() {
            "\x7f"
            "ELF\x02\x01\x01" +
                std::string(5000, '\xE9'),
-           "holds no facets"),
+           "is a program; name the mesh file"),
       mesh("obj_backslash_at_the_end", "obj", v + "f 1 2 \\", "the corner '\\' is not a vertex number"),
   };
 }
