@@ -21,16 +21,18 @@ namespace raytube {
 
 namespace {
 
-void read_mesh(const CaseValue& value, const std::string& key, Case& c) {
+void read_mesh(const CaseValue& value, const std::string& key, const std::string& empty, Case& c) {
   c.meshes.push_back(read_text(value, key));
-  if (c.meshes.back().empty()) reject(value, key + " is empty; give the mesh file, relative to the case file");
+  if (c.meshes.back().empty()) reject(value, empty + " is empty; give the mesh file, relative to the case file");
   c.mesh_files.push_back((c.file.parent_path() / c.meshes.back()).lexically_normal());
 }
 
 void read_meshes(const CaseValue& value, Case& c) {
-  if (value.kind != CaseValue::Kind::list) return read_mesh(value, "target.mesh", c);
+  c.mesh_location = value.location;
+  if (value.kind != CaseValue::Kind::list) return read_mesh(value, "target.mesh", "target.mesh", c);
   if (value.items.empty()) reject(value, "target.mesh is an empty list; give at least one mesh file");
-  for (const CaseValue& item : value.items) read_mesh(item, "every entry of target.mesh", c);
+  for (std::size_t i = 0; i < value.items.size(); ++i)
+    read_mesh(value.items[i], "every entry of target.mesh", fmt::format("entry {} of target.mesh", i + 1), c);
 }
 
 void read_target(const CaseValue& root, Case& c) {
@@ -40,13 +42,25 @@ void read_target(const CaseValue& root, Case& c) {
   c.metres_per_unit = read_unit(unit, "target.unit");
 }
 
+// Radio waves begin at some kilohertz. Waves of 300 km see no target at all, those of 0.3 nm no surface but atoms.
+constexpr double lowest_ghz = 1e-6, highest_ghz = 1e9;
+
+void check_frequency(const CaseValue& value, double ghz) {
+  if (!(ghz > 0.0)) reject(value, fmt::format("frequency.ghz must be greater than 0 (found {})", ghz));
+  if (ghz < lowest_ghz)
+    reject(value,
+           fmt::format("frequency.ghz is too small (found {}): below {:g} (1 kHz) there are no radar waves; give gigahertz", ghz,
+                       lowest_ghz));
+  if (ghz > highest_ghz)
+    reject(value, fmt::format("frequency.ghz is too large (found {}): above {:g} waves are shorter than atoms; give gigahertz",
+                              ghz, highest_ghz));
+}
+
 void read_frequencies(const CaseValue& root, Case& c) {
   const CaseValue& value = require(root, "frequency", "ghz", "ghz = a number, a list or { start, stop, count }");
   for (const double ghz : read_counted(value, "frequency.ghz")) {
-    if (!(ghz > 0.0)) reject(value, fmt::format("frequency.ghz must be greater than 0 (found {})", ghz));
+    check_frequency(value, ghz);
     c.sweep.frequencies.push_back(rounded_to_15_digits(ghz * 1e9));
-    if (!std::isfinite(c.sweep.frequencies.back()))
-      reject(value, fmt::format("frequency.ghz is too large (found {}); give gigahertz", ghz));
   }
 }
 
@@ -82,7 +96,7 @@ void read_tubes(const CaseValue& root, Case& c) {
   }
   const bool clipped = c.tubes.refines();
   if (const CaseValue* density = find(root, "tubes", "per_wavelength"))
-    (clipped ? c.tubes.max_per_wavelength : c.tubes.per_wavelength) = read_positive(*density, "tubes.per_wavelength");
+    (clipped ? c.tubes.max_per_wavelength : c.tubes.per_wavelength) = read_density(*density, "tubes.per_wavelength");
   if (const CaseValue* curved = find(root, "tubes", "curved")) {
     if (!clipped)
       reject(*curved, {mode, clip}, "tubes.curved needs adaptive tubes with clip; the others see facets, so remove it");
@@ -130,7 +144,7 @@ void read_edges(const CaseValue& root, Case& c) {
   if (const CaseValue* range = find(root, "edges", "utd_range_m")) {
     if (c.edges.method != EdgeMethod::utd)
       reject(*range, {method}, "edges.utd_range_m needs edges.method = \"utd\"; currents radiate to infinity, so remove it");
-    c.edges.utd_range = read_positive(*range, "edges.utd_range_m");
+    c.edges.utd_range = read_between(*range, "edges.utd_range_m", 0.0, farthest);
   }
   if (const CaseValue* order = find(root, "edges", "order")) c.edges.order = read_whole(*order, "edges.order", 1, 3);
   if (const CaseValue* between = find(root, "edges", "between")) c.edges.interaction = read_flag(*between, "edges.between");
@@ -184,7 +198,11 @@ void read_output(const CaseValue& root, Case& c) {
   }
   if (const CaseValue* looks = find(root, "output", "image_look")) read_image_looks(root, *looks, c);
   if (const CaseValue* density = find(root, "output", "image_per_wavelength"))
-    c.image_per_wavelength = read_positive(*density, "output.image_per_wavelength");
+    c.image_per_wavelength = read_density(*density, "output.image_per_wavelength");
+}
+
+std::string name_of_mesh(const std::filesystem::path& file) {
+  return (lower_case(file.extension().string()) == ".gz" ? file.stem() : file).stem().string();
 }
 
 }  // namespace
@@ -203,7 +221,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   read_radar(root, c);
   read_output(root, c);
   const CaseValue* title = root.find("title");
-  c.title = title ? read_text(*title, "title") : c.mesh_files.front().stem().string();
+  c.title = title ? read_text(*title, "title") : name_of_mesh(c.mesh_files.front());
   return c;
 }
 

@@ -45,8 +45,15 @@ class NamedMaterials {
 
   [[noreturn]] void reject_unknown(const Part& part) const {
     const std::vector<std::string>& names = soup_.names.all();
+    const std::string_view nearest = nearest_name(part.name, names);
+    // The mesh that had the name may have gone.
+    if (is_override(case_.mesh_location) && !is_override(part.location))
+      throw InputError(
+          fmt::format("{}: this mesh has no part \"{}\", to which {} gives a material in target.parts; did you mean \"{}\" "
+                      "there? To do without these parts add --set 'target.parts={{}}'",
+                      case_.mesh_location, quotable(part.name), part.location, quotable(nearest)));
     const std::string where = fmt::format("{}: target.parts.{} is no name in the mesh", part.location, quotable(part.name));
-    throw InputError(fmt::format("{}; did you mean \"{}\"?", where, quotable(nearest_name(part.name, names))));
+    throw InputError(fmt::format("{}; did you mean \"{}\"?", where, quotable(nearest)));
   }
 
   [[noreturn]] static void reject_two(std::size_t polygon, const Part& first, const Part& second) {
@@ -68,11 +75,17 @@ std::unordered_map<std::string_view, std::uint32_t> numbers_of(const std::vector
   return numbers;
 }
 
-void check_last_facet(const std::vector<MaterialAssignment::Facets>& facets, std::size_t polygons) {
-  for (const auto& [first, last, material, location] : facets)
-    if (last >= polygons)
-      throw InputError(fmt::format("{}: target.facets.{} names facet {}, but the mesh has {}, counted from 0; choose among these",
-                                   location, quotable(material), last, polygons));
+void check_last_facet(const Case& c, std::size_t polygons) {
+  for (const auto& [first, last, material, location] : c.assignment.facets) {
+    if (last < polygons) continue;
+    if (is_override(c.mesh_location) && !is_override(location))
+      throw InputError(
+          fmt::format("{}: this mesh has {} facets, counted from 0, but target.facets.{} names facet {} ({}); add --set "
+                      "'target.facets={{}}', or choose among its own facets there",
+                      c.mesh_location, polygons, quotable(material), last, location));
+    throw InputError(fmt::format("{}: target.facets.{} names facet {}, but the mesh has {}, counted from 0; choose among these",
+                                 location, quotable(material), last, polygons));
+  }
 }
 
 // Names take memory, and are of use to parts alone.
@@ -99,7 +112,7 @@ void assign_materials(PolygonSoup& soup, const Case& c) {
   };
   soup.materials.resize(soup.polygons.size());
   for (std::size_t i = 0; i < soup.polygons.size(); ++i) soup.materials[i] = number_of(by_name.material_of(i));
-  check_last_facet(c.assignment.facets, soup.polygons.size());
+  check_last_facet(c, soup.polygons.size());
   for (const auto& [first, last, material, location] : c.assignment.facets)
     std::fill(soup.materials.begin() + first, soup.materials.begin() + last + 1, number_of(material));
   if (numbers.empty()) soup.materials.clear();

@@ -41,6 +41,17 @@ std::vector<BadRow> material_rows() {
       glass("thickness_negative", sheet + "eps_r = 2\nthickness_mm = -4\n", "thickness_mm must be greater than 0 (found -4)"),
       glass("thickness_endless", sheet + "eps_r = 2\nthickness_mm = inf\n", "thickness_mm must be a finite number"),
       glass("thickness_of_1e300", sheet + "eps_r = 2\nthickness_mm = 1e300\n", "thickness_mm must be at most 1e+15"),
+      glass("thickness_of_1e_300", sheet + "eps_r = 2\nthickness_mm = 1e-300\n",
+            "thickness_mm must be at least 1e-07 (found 1e-300)"),
+      glass("roughness_of_1e300", "kind = \"pec\"\nroughness_rms_mm = 1e300\n",
+            "materials.glass.roughness_rms_mm must be at most 1e+06 (found 1e+300)"),
+      glass("of_negative_permittivity", half_space + "eps_r = -1\n",
+            ", line 12: materials.glass.eps_r: eps_r is below 0 at 10 GHz and has no loss, which no medium is; correct the sign, "
+            "or "
+            "write [real part, loss]"),
+      glass("of_negative_permeability", half_space + "eps_r = 2\nmu_r = -3\n",
+            "materials.glass.eps_r: mu_r is below 0 at 10 GHz and has no loss, which no medium is; correct the sign"),
+      glass("medium_empty", half_space + "medium = \"\"\n", "materials.glass.medium \"\" is not in the library; write aluminium"),
       glass("layers_and_thickness", sheet + "thickness_mm = 2\nlayers = [ { thickness_mm = 1, eps_r = 2 } ]\n",
             ", line 12: materials.glass.thickness_mm cannot go with layers; write it inside each layer"),
       glass("layers_and_medium", coat + "medium = \"glass\"\nlayers = [ { thickness_mm = 1, eps_r = 2 } ]\n",
@@ -151,6 +162,7 @@ std::vector<BadRow> table_rows() {
       table("without_rows", header, ": a table of a medium needs at least two rows; write eps_r"),
       table("of_one_row", header + "10,4,0\n", ": a table of a medium needs at least two rows; write eps_r"),
       table("row_short", header + "1,4,0\n20,4\n", ", line 3: 2 values where the header names 3 columns; correct the line"),
+      table("row_of_1e300_ghz", header + "1,4,0\n1e300,4,0\n", ", line 3: freq_ghz is too large; write the frequency in GHz"),
       table("row_of_text", header + "1,four,0\n20,4,0\n", ", line 2, column eps_real: \"four\" is not a finite number; write"),
       table("row_of_nan", header + "1,4,nan\n20,4,0\n", ", line 2, column eps_loss: \"nan\" is not a finite number; write"),
       table("descending", header + "20,4,0\n1,4,0\n", ", line 3: freq_ghz must ascend; sort the rows and drop repeated ones"),
@@ -175,12 +187,21 @@ std::vector<BadRow> table_rows() {
 
 const std::string named_mesh = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng roof\nusemtl tar\nf 1 2 3\ng door\nusemtl wood\nf 1 3 4\n";
 
+const std::string named_target = "[target]\nmesh = \"mesh.obj\"\nunit = \"mm\"\n";
+
 // A run of a mesh with names and two materials, glass and paint.
 BadRow place(const std::string& name, const std::string& keys, const std::string& says) {
-  return with_file(
-      "place_" + name, "bad.toml",
-      good_case + "[materials.glass]\nkind = \"sheet\"\nresistance_ohm = 9\n[materials.paint]\nkind = \"absorber\"\n" + keys,
-      "run bad.toml --set target.mesh=mesh.obj", says);
+  return with_file("place_" + name, "bad.toml",
+                   named_target + frequency + look +
+                       "[materials.glass]\nkind = \"sheet\"\nresistance_ohm = 9\n[materials.paint]\nkind = \"absorber\"\n" + keys,
+                   "run bad.toml", says);
+}
+
+// The same with another mesh from the command line.
+BadRow other_mesh(const std::string& name, const std::string& keys, const std::string& says) {
+  BadRow row = place(name, keys, says);
+  row.words += " --set target.mesh=mesh.off";
+  return row;
 }
 
 std::vector<BadRow> with_mesh(std::vector<BadRow> rows) {
@@ -202,6 +223,16 @@ std::vector<BadRow> place_rows() {
             ", line 15: target.parts.rof is no name in the mesh; did you mean \"roof\"?"),
       place("file_is_not_there", parts + "\"mesh.ob\" = \"glass\"\n",
             "target.parts.mesh.ob is no name in the mesh; did you mean \"mesh.obj\"?"),
+      other_mesh(
+          "part_went_with_its_mesh", parts + "door = \"glass\"\n",
+          "raytube: --set target.mesh=mesh.off: this mesh has no part \"door\", to which bad.toml, line 15 gives a material in "
+          "target.parts; did you mean"),
+      other_mesh("file_went_with_its_parts", parts + "\"mesh.obj\" = \"glass\"\n",
+                 "did you mean \"mesh.off\" there? To do without these parts add --set 'target.parts={}'"),
+      other_mesh(
+          "facet_went_with_its_mesh", facets + "paint = [[0, 5]]\n",
+          "raytube: --set target.mesh=mesh.off: this mesh has 2 facets, counted from 0, but target.facets.paint names facet 5 "
+          "(bad.toml, line 15); add --set 'target.facets={}'"),
       place("names_of_two_materials", parts + "roof = \"glass\"\ntar = \"paint\"\n",
             ": facet 0 of the mesh goes by the names \"roof\" and \"tar\", which have the materials \"glass\" and \"paint\" in "
             "target.parts; remove one of them there"),
@@ -251,7 +282,7 @@ std::vector<BadRow> section_rows() {
       set("part_misspelt", "target.part.roof=pec", "unknown key \"target.part\"; did you mean \"target.parts\"?"),
       set("mesh_of_no_files", "target.mesh=[]", "target.mesh is an empty list; give at least one mesh file"),
       set("mesh_of_a_number", "target.mesh=[\"mesh.off\", 3]", "every entry of target.mesh must be a text in double quotes"),
-      set("mesh_of_an_empty_name", "target.mesh=[\"mesh.off\", \"\"]", "every entry of target.mesh is empty; give the mesh file"),
+      set("mesh_of_an_empty_name", "target.mesh=[\"mesh.off\", \"\"]", "entry 2 of target.mesh is empty; give the mesh file"),
       set("mesh_second_missing", "target.mesh=[\"mesh.off\", \"none.stl\"]", "none.stl': not found; check the path"),
       with_file("materials_in_a_case_of_sources", "bad.toml", "[materials.steel]\nkind = \"pec\"\n", "sources bad.toml",
                 ", line 1: [materials] belongs to a case for raytube run; run it with that command"),

@@ -2,12 +2,14 @@
 #include <cmath>
 #include <limits>
 
+#include "gzipped.h"
 #include "table.h"
 
 namespace raytube::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::string_view_literals;
 
 // A run of the case with the mesh in `file`.
 std::string run_with(const std::string& file) { return "run case.toml --set 'target.mesh=\"" + file + "\"'"; }
@@ -103,15 +105,20 @@ std::vector<BadRow> obj_rows() {
       mesh("obj_comma_for_a_point", "obj", "v 0,5 0 0\n", "line 1: '0,5' is not a number"),
       mesh("obj_coordinates_of_1e308", "obj", "v 1e308 0 0\nv -1e308 0 0\nv 0 1e308 0\nf 1 2 3\n", "coordinates are too large"),
       mesh("obj_coordinates_of_1e160", "obj", "v 1e160 0 0\nv -1e160 0 0\nv 0 1e160 0\nf 1 2 3\n", "coordinates are too large"),
-      mesh("obj_coordinates_of_1e_320", "obj", "v 1e-320 0 0\nv 0 1e-320 0\nv 0 0 0\nf 1 2 3\n", "no facet has an area"),
-      mesh("obj_coordinates_of_1e_170", "obj", "v 1e-170 0 0\nv 0 1e-170 0\nv 0 0 0\nf 1 2 3\n", "no facet has an area"),
+      mesh("obj_coordinates_of_1e_320", "obj", "v 1e-320 0 0\nv 0 1e-320 0\nv 0 0 0\nf 1 2 3\n",
+           " m across, less than 1e-09 m, and no surface"),
+      mesh("obj_coordinates_of_1e_170", "obj", "v 1e-170 0 0\nv 0 1e-170 0\nv 0 0 0\nf 1 2 3\n",
+           "the target is 1e-173 m across, less than 1e-09 m, and no surface is as small as that; check target.unit"),
+      mesh("obj_coordinates_of_1e_40", "obj", "v 1e-40 0 0\nv 0 1e-40 0\nv 0 0 0\nf 1 2 3\n",
+           "the target is 1e-43 m across, less"),
+      mesh("obj_far_from_the_origin", "obj", "v 1e20 0 0\nv 1e20 1e19 0\nv 1e20 0 1e19\nf 1 2 3\n", "coordinates are too large"),
       mesh("obj_of_one_point", "obj", "v 1 2 3\nf 1 1 1\n", "no facet has an area"),
       mesh("obj_word_of_1e6_letters", "obj", "v " + std::string(1000000, 'x') + "\n", "line 1: 'xxx"),
       mesh("obj_of_noise", "obj",
            "\x7f"
            "ELF\x02\x01\x01" +
                std::string(5000, '\xE9'),
-           "holds no facets"),
+           "is a program; name the mesh file"),
       mesh("obj_backslash_at_the_end", "obj", v + "f 1 2 \\", "the corner '\\' is not a vertex number"),
   };
 }
@@ -169,7 +176,7 @@ std::vector<BadRow> ply_rows() {
       mesh("ply_faces_without_a_list", "ply", ply("ascii", "element face 1\nproperty int vertex_indices\n", "1\n"),
            "its faces lack the list vertex_indices"),
       mesh("ply_only_the_first_word", "ply", "ply", "the header has no 'end_header'"),
-      mesh("ply_of_another_format", "ply", "OFF\n0 0 0\n", "a PLY file starts with the word 'ply'"),
+      mesh("ply_of_another_format", "ply", "OFF\n0 0 0\n", "looks like an OFF file; give its name the ending .off"),
   };
 }
 
@@ -213,11 +220,71 @@ std::vector<BadRow> file_rows() {
       {"mesh_name_of_5000_letters", run_with(std::string(5000, 'm') + ".stl"), "not found; check the path"},
       {"mesh_without_ending", run_with("."), "mesh file '.': is a folder"},
       with_file("mesh_of_another_program", "bad.step", "ISO-10303-21;", run_with("bad.step"),
-                "the ending '.step' is not a known mesh format; use .stl, .obj, .ply or .off"),
+                "is a STEP model; export its surface as STL, OBJ, PLY or OFF"),
+      with_file("mesh_of_unknown_ending", "bad.dat", "1 2 3", run_with("bad.dat"),
+                "the ending '.dat' is not a known mesh format; use .stl, .obj, .ply or .off, or one of these and .gz"),
       {"mesh_in_kilometres", "run case.toml --set target.unit=km", "target.unit \"km\" is unknown; write \"m\", \"cm\""},
   };
 }
 
+// Files that are something else than their names say.
+std::vector<BadRow> contents_rows() {
+  const std::string obj = "# a plate\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                    triangle = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
+  const std::string_view png = "\x89PNG\r\n\x1A\n\0\0\0\rIHDR"sv, xz = "\xFD"
+                                                                       "7zXZ\0\0"sv;
+  return {
+      mesh("gzip_named_stl", "stl", gzipped(text_stl(triangle)), "mesh file 'bad.stl': is gzip data; add .gz to its name"),
+      mesh("gzip_named_obj", "obj", gzipped(obj), "mesh file 'bad.obj': is gzip data; add .gz to its name"),
+      mesh("zip_named_stl", "stl", "PK\x03\x04" + std::string(200, 'x'), "is a zip archive; unpack it first"),
+      mesh("bzip2_named_ply", "ply", "BZh91AY&SY", "is bzip2 data; unpack it first"),
+      mesh("xz_named_off", "off", std::string(xz), "is xz data; unpack it first"),
+      mesh("png_named_stl", "stl", std::string(png), "is a PNG image; name the mesh file"),
+      mesh("jpeg_named_obj", "obj", "\xFF\xD8\xFF\xE0 JFIF", "is a JPEG image; name the mesh file"),
+      mesh("pdf_named_stl", "stl", "%PDF-1.7\n", "is a PDF document; name the mesh file"),
+      mesh("hdf5_named_ply", "ply", "\x89HDF\r\n\x1A\n", "is HDF5 data; convert it to STL, OBJ, PLY or OFF"),
+      mesh("page_named_stl", "stl", "\n<!DOCTYPE html>\n<html>", "is a page of HTML; download the file itself"),
+      mesh("pointer_named_stl", "stl", "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
+           "is a pointer of Git LFS, not the file itself; fetch it with git lfs pull"),
+      mesh("obj_named_stl", "stl", obj, "looks like OBJ text; give its name the ending .obj"),
+      mesh("obj_named_off", "off", obj, "looks like OBJ text; give its name the ending .obj"),
+      mesh("obj_named_txt", "txt", obj, "looks like OBJ text; give its name the ending .obj"),
+      mesh("stl_named_obj", "obj", text_stl(triangle), "looks like an STL file; give its name the ending .stl"),
+      mesh("binary_stl_named_ply", "ply", stl(two_facets, 2), "looks like an STL file; give its name the ending .stl"),
+      mesh("binary_stl_named_off", "off", stl(two_facets, 2, "OFF"), "looks like an STL file; give its name the ending .stl"),
+      mesh("ply_named_stl", "stl", ply("ascii", vertices_and_faces("3", "1"), corners + "3 0 1 2\n"),
+           "looks like a PLY file; give its name the ending .ply"),
+      mesh("off_named_obj", "obj", "OFF\n3 1 0\n" + corners + "3 0 1 2\n",
+           "looks like an OFF file; give its name the ending .off"),
+      mesh("off_in_gzip_named_stl", "stl.gz", gzipped("OFF\n3 1 0\n" + corners + "3 0 1 2\n"),
+           "looks like an OFF file; give its name the ending .off.gz"),
+  };
+}
+
+std::vector<BadRow> gzip_rows() {
+  const std::string off = "OFF\n3 1 0\n" + corners + "3 0 1 2\n", packed = gzipped(off);
+  std::string damaged = packed, wrong_sum = packed;
+  damaged.replace(12, 4, "\xFF\xFF\xFF\xFF");
+  wrong_sum[packed.size() - 8] = static_cast<char>(wrong_sum[packed.size() - 8] ^ 1);
+  return {
+      mesh("gzip_not_packed", "off.gz", off, "looks like an OFF file; give its name the ending .off\n"),
+      mesh("gzip_of_noise", "off.gz", "nothing in particular", "is not gzip data, which the ending .gz stands for; rename it"),
+      mesh("gzip_is_a_png", "stl.gz", "\x89PNG\r\n", "is a PNG image; name the mesh file"),
+      mesh("gzip_of_no_ending", "gz", packed, "looks like an OFF file; give its name the ending .off.gz"),
+      mesh("gzip_of_another_ending", "dat.gz", gzipped("1 2 3"), "the ending '.dat' is not a known mesh format; use .stl"),
+      mesh("gzip_cut", "off.gz", packed.substr(0, packed.size() - 12), "its gzip data ends early; it is cut short"),
+      mesh("gzip_cut_in_its_header", "off.gz", packed.substr(0, 5), "its gzip data ends early; it is cut short"),
+      mesh("gzip_damaged", "off.gz", damaged, "its gzip data is damaged; copy or compress it again"),
+      mesh("gzip_of_a_wrong_sum", "off.gz", wrong_sum, "its gzip data is damaged; copy or compress it again"),
+      mesh("gzip_goes_on", "off.gz", packed + "hello", "goes on after its gzip data; compress the mesh again"),
+      mesh("gzip_of_nothing", "stl.gz", gzipped(""), "is too short for an STL file"),
+      mesh("gzip_of_zeros_without_end", "stl.gz", gzipped(std::string(1 << 20, '\0'), 1 << 8),
+           "unpacks to more than 200 times its "),
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(MeshContents, BadTable, ::testing::ValuesIn(contents_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Gzip, BadTable, ::testing::ValuesIn(gzip_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Stl, BadTable, ::testing::ValuesIn(stl_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Obj, BadTable, ::testing::ValuesIn(obj_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Ply, BadTable, ::testing::ValuesIn(ply_rows()), row_name);

@@ -9,13 +9,14 @@
 #include <limits>
 
 #include "core/error.h"
+#include "gzipped.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {
 namespace {
 
 /// Mesh files in a folder of their own, removed in the end.
-class MeshRead : public testing::Test {
+class MeshRead : public ::testing::Test {
  protected:
   MeshRead() { std::filesystem::create_directories(folder_); }
   ~MeshRead() override { std::filesystem::remove_all(folder_); }
@@ -355,6 +356,29 @@ TEST_F(MeshRead, FormatsAgreeOnTheMesh) {
   const LoadedMesh rounded = load("e.stl", stl_binary(soup));
   EXPECT_EQ(rounded.report.patches, 6u);
   EXPECT_EQ(wedges_of(rounded).size(), 12u);
+}
+
+TEST_F(MeshRead, GzipIsUnpacked) {
+  const std::string off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
+                    obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+  const PolygonSoup plain = read("a.off", off);
+  const std::string several = testing::gzipped(off.substr(0, 11)) + testing::gzipped("") + testing::gzipped(off.substr(11));
+  for (const PolygonSoup& packed :
+       {read("a.off.gz", testing::gzipped(off)), read("B.OFF.GZ", testing::gzipped(off)), read("c.off.gz", several),
+        read("d.off.gz", several + std::string(512, '\0')), read("e.obj.gz", testing::gzipped(obj))}) {
+    EXPECT_EQ(packed.points, plain.points);
+    EXPECT_EQ(packed.polygons, plain.polygons);
+  }
+}
+
+TEST_F(MeshRead, GzipOfALargeRegularMeshIsNoBomb) {
+  // A flat grid in rows of text: the same digits again and again.
+  std::string obj;
+  for (int i = 0; i < 300; ++i)
+    for (int k = 0; k < 300; ++k) obj += "v " + std::to_string(k) + " " + std::to_string(i) + " 0\n";
+  for (int i = 1; i < 90000 - 301; ++i)
+    obj += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 301) + "\n";
+  EXPECT_EQ(read("grid.obj.gz", testing::gzipped(obj)).points.size(), 90000u);
 }
 
 }  // namespace

@@ -79,6 +79,7 @@ struct Case {
   std::string title;
   std::filesystem::path file;
   std::vector<std::string> meshes;                // as written, relative to the case's folder
+  std::string mesh_location;                      // of target.mesh: file and line, or option
   std::vector<std::filesystem::path> mesh_files;  // resolved against it
   std::string unit;                               // as written
   double metres_per_unit = 1.0;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "case/directions/looks_csv.h"
 #include "case/directions/radar.h"
 #include "case/directions/row_limit.h"
@@ -11,6 +13,8 @@
 namespace raytube {
 
 namespace {
+
+constexpr double finest_step = 1e-12;  // [deg]: less is lost beside the 1 of a cosine
 
 std::string theta_sentence(const std::string& key, double theta_deg) {
   return fmt::format("{} must lie in 0 to 180 degrees, from +z (found {})", key, theta_deg);
@@ -24,6 +28,11 @@ std::vector<double> read_angles(const CaseValue& root, const CaseValue& section,
     throw InputError(fmt::format("{}: {} is missing; add {} = a number, a list or {{ start, stop, step }} under [{}]",
                                  root.location, key, name, section_name));
   std::vector<double> angles = read_stepped(*value, key);
+  if (value->kind == CaseValue::Kind::table && angles.size() > 1 && std::abs(angles[1] - angles[0]) < finest_step)
+    reject(*value, fmt::format("{}.step {:.3g} is finer than any direction; write at least {:g} degrees", key,
+                               angles[1] - angles[0], finest_step));
+  for (const double angle : angles)
+    if (const std::string sentence = unresolved_angle(key, angle); !sentence.empty()) reject(*value, sentence);
   for (const double angle : angles)
     if (name == "theta_deg" && (angle < 0.0 || angle > 180.0)) reject(*value, theta_sentence(key, angle));
   return angles;
@@ -57,7 +66,7 @@ void fill_from_list(const CaseValue& look, const CaseValue* receive, Case& c) {
   if (receive)
     reject(*receive, {&name},
            "[receive] cannot go with look.looks_csv; give the columns rx_theta_deg, rx_phi_deg in the list instead");
-  c.looks.looks_csv = read_text(name, "look.looks_csv");
+  c.looks.looks_csv = read_file_name(name, "look.looks_csv", "look list");
   c.sweep.looks = read_looks_csv(c.file.parent_path() / c.looks.looks_csv, c.sweep.bistatic);
   check_rows(look, static_cast<double>(c.sweep.looks.size()), c.sweep.frequencies.size());
 }

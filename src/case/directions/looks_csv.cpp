@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "case/directions/row_limit.h"
+#include "case/text/values.h"
 #include "core/csv_reader.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -24,6 +25,8 @@ void check_header(const CsvReader& reader) {
 
 double angle(const CsvReader& reader, std::size_t column) {
   const double value = reader.finite_number(column, "write angles in degrees, separated by commas");
+  if (const std::string sentence = unresolved_angle(look_columns[column], value); !sentence.empty())
+    throw InputError(fmt::format("{}: {}", reader.location(), sentence));
   return value == 0.0 ? 0.0 : value;  // never -0
 }
 

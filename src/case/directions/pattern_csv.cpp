@@ -22,7 +22,9 @@ void read_pattern_csv(const std::filesystem::path& file, AntennaPattern& pattern
   if (reader.columns() != std::vector<std::string>{"angle_deg", "azimuth_db", "elevation_db"})
     throw InputError(fmt::format("{}: the header must be \"angle_deg,azimuth_db,elevation_db\"", file.string()));
   while (reader.next()) {
-    const double angle = reader.finite_number(0, "write angles off the axis in degrees") * degree;
+    const double degrees = reader.finite_number(0, "write angles off the axis in degrees"), angle = degrees * degree;
+    if (std::abs(degrees) > 360.0)
+      throw InputError(fmt::format("{}: angle_deg must lie in -360 to 360 degrees (found {})", reader.location(), degrees));
     if (!pattern.azimuth.angles.empty() && angle <= pattern.azimuth.angles.back())
       throw InputError(reader.location() + ": angle_deg must ascend; sort the rows and drop repeated ones");
     pattern.azimuth.angles.push_back(angle);

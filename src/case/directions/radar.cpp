@@ -14,6 +14,8 @@ namespace raytube {
 
 namespace {
 
+constexpr double narrowest_beam = 1e-6;  // [deg]: of an antenna of 10^8 wavelengths
+
 double read_distance(const CaseValue& value, const std::string& key) {
   const double range = read_positive(value, key);
   if (range > farthest)
@@ -42,12 +44,11 @@ void read_beamwidth(const CaseValue& value, Case& c) {
   const std::string key = "radar.beamwidth_deg";
   if (value.kind == CaseValue::Kind::list) {
     if (value.items.size() != 2) reject(value, key + " must be one angle, or [azimuth, elevation]");
-    for (const CaseValue& item : value.items) c.radar.beamwidth_deg.push_back(read_positive(item, "every entry of " + key));
+    for (const CaseValue& item : value.items)
+      c.radar.beamwidth_deg.push_back(read_between(item, "every entry of " + key, narrowest_beam, 180.0));
   } else {
-    c.radar.beamwidth_deg = {read_positive(value, key)};
+    c.radar.beamwidth_deg = {read_between(value, key, narrowest_beam, 180.0)};
   }
-  for (const double width : c.radar.beamwidth_deg)
-    if (width > 180.0) reject(value, fmt::format("{} must be at most 180 (found {})", key, width));
   c.sweep.radar.pattern.azimuth_beamwidth = c.radar.beamwidth_deg.front() * degree;
   c.sweep.radar.pattern.elevation_beamwidth = c.radar.beamwidth_deg.back() * degree;
 }
@@ -102,7 +103,7 @@ void read_radar(const CaseValue& root, Case& c) {
   if (const CaseValue* aim = section->find("aim_m")) c.sweep.radar.aim = read_vector(*aim, "radar.aim_m");
   if (const CaseValue* width = section->find("beamwidth_deg")) read_beamwidth(*width, c);
   if (const CaseValue* pattern = section->find("pattern_csv")) {
-    c.radar.pattern_csv = read_text(*pattern, "radar.pattern_csv");
+    c.radar.pattern_csv = read_file_name(*pattern, "radar.pattern_csv", "antenna pattern");
     read_pattern_csv(c.file.parent_path() / c.radar.pattern_csv, c.sweep.radar.pattern);
   }
   if (c.tubes.mode == TubeMode::adaptive && !c.tubes.clip)

@@ -37,6 +37,7 @@ void check_name(const CaseValue& value, const std::string& sentence, const std::
 
 std::string read_name(const CaseValue& value, const std::string& key, const std::vector<std::string>& names) {
   const std::string name = read_text(value, key);
+  if (name.empty()) reject(value, key + " is empty; write \"pec\", \"absorber\" or the NAME of a [materials.NAME]");
   check_name(value, fmt::format("{} \"{}\"", key, quotable(name)), name, names);
   return name;
 }
@@ -121,6 +122,7 @@ std::vector<MaterialAssignment::Part> read_parts(const CaseValue& section, const
   std::vector<MaterialAssignment::Part> parts;
   for (std::size_t i = 0; i < section.keys.size(); ++i) {
     const CaseValue& value = section.items[i];
+    if (section.keys[i].empty()) reject(value, "target.parts has a part without a name; give the name that the mesh has for it");
     if (value.kind == Kind::table) reject_dots(section.keys[i], value);
     parts.push_back({section.keys[i], read_name(value, "target.parts." + quotable(section.keys[i]), names), value.location});
   }

@@ -18,6 +18,8 @@ constexpr std::array<std::string_view, 5> kinds = {"pec", "absorber", "dielectri
 constexpr std::array<const char*, 6> medium_keys = {"eps_r",     "mu_r",  "loss_tangent", "conductivity_s_per_m",
                                                     "table_csv", "medium"};
 
+constexpr double thinnest_mm = 1e-7, roughest_mm = 1e6;  // one atom; no target is rough by more than a kilometre
+
 /// A table of [materials], or a layer in it, and its dotted name.
 struct Entry {
   const CaseValue& table;
@@ -55,14 +57,18 @@ double read_at_least_zero(const CaseValue& value, const std::string& key) {
   return number;
 }
 
+double read_roughness(const CaseValue& value, const std::string& key) {
+  const double mm = read_at_least_zero(value, key);
+  if (mm > roughest_mm) reject(value, fmt::format("{} must be at most {:g} (found {})", key, roughest_mm, mm));
+  return mm;
+}
+
 LayerChoice read_layer(const Entry& entry) {
   const CaseValue* thickness = entry.find("thickness_mm");
   if (!thickness)
     reject(entry.table, {entry.find("kind")},
            entry.key("thickness_mm") + " is missing; add the thickness of the layer in millimetres");
-  const double mm = read_positive(*thickness, entry.key("thickness_mm"));
-  if (mm > farthest * 1e3)
-    reject(*thickness, fmt::format("{} must be at most {:g} (found {})", entry.key("thickness_mm"), farthest * 1e3, mm));
+  const double mm = read_between(*thickness, entry.key("thickness_mm"), thinnest_mm, farthest * 1e3);
   return {mm, read_medium(entry.table, entry.path)};
 }
 
@@ -114,7 +120,7 @@ MaterialChoice read_material(const Entry& entry, const std::string& name) {
   if (const CaseValue* value = entry.find("conductance_s"))
     material.conductance = read_at_least_zero(*value, entry.key("conductance_s"));
   if (const CaseValue* value = entry.find("roughness_rms_mm"))
-    material.roughness_mm = read_at_least_zero(*value, entry.key("roughness_rms_mm"));
+    material.roughness_mm = read_roughness(*value, entry.key("roughness_rms_mm"));
   return material;
 }
 
@@ -122,6 +128,7 @@ void read_definitions(const CaseValue& section, Case& c) {
   for (std::size_t i = 0; i < section.keys.size(); ++i) {
     const std::string& name = section.keys[i];
     const Entry entry{section.items[i], "materials." + quotable(name)};
+    if (name.empty()) reject(entry.table, "a material has no name; write [materials.NAME]");
     if (std::ranges::find(own_materials, name) != own_materials.end())
       reject(entry.table, entry.path + " is defined already; choose another name");
     c.materials.push_back(read_material(entry, name));

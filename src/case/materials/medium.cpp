@@ -135,11 +135,19 @@ void check_size(const Complex& relative, std::string_view name, const MediumChoi
 void check_medium(const Medium& medium, const MediumChoice& choice, double frequency) {
   check_size(medium.permittivity, "eps_r", choice, frequency);
   check_size(medium.permeability, "mu_r", choice, frequency);
-  // Only a loss tells waves that go on from waves that come back, and those would be a gain.
   const bool lossless = medium.permittivity.imag() == 0.0 && medium.permeability.imag() == 0.0;
-  if (lossless && medium.permittivity.real() < 0.0 && medium.permeability.real() < 0.0)
+  if (!lossless) return;
+  // Only a loss tells waves that go on from waves that come back, and those would be a gain.
+  const bool negative_eps = medium.permittivity.real() < 0.0, negative_mu = medium.permeability.real() < 0.0;
+  if (negative_eps && negative_mu)
     throw InputError(fmt::format("{}: eps_r and mu_r are both below 0 at {} GHz; give one of them a loss", location_of(choice),
                                  number_text(frequency / 1e9)));
+  // Legal, but no medium: what is below 0 is near a resonance or a plasma, and these have losses. A wrong sign is far likelier.
+  if (negative_eps || negative_mu)
+    throw InputError(
+        fmt::format("{}: {} is below 0 at {} GHz and has no loss, which no medium is; correct the sign, or write "
+                    "[real part, loss] with a loss above 0",
+                    location_of(choice), negative_eps ? "eps_r" : "mu_r", number_text(frequency / 1e9)));
 }
 
 }  // namespace

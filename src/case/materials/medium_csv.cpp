@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/csv_reader.h"
 #include "core/decimal.h"
@@ -25,6 +26,7 @@ void check_medium_header(const CsvReader& reader, const std::filesystem::path& f
 double read_frequency(const CsvReader& reader, const MediumTable& table) {
   const double hertz = rounded_to_15_digits(reader.finite_number(0, "write the frequency in GHz") * 1e9);
   if (!(hertz > 0.0)) throw InputError(reader.location() + ": freq_ghz must be greater than 0; correct the line");
+  if (!std::isfinite(hertz)) throw InputError(reader.location() + ": freq_ghz is too large; write the frequency in GHz");
   if (!table.frequencies.empty() && hertz <= table.frequencies.back())
     throw InputError(reader.location() + ": freq_ghz must ascend; sort the rows and drop repeated ones");
   return hertz;

@@ -208,10 +208,11 @@ CaseValue override_tree(const std::string& option) {
   if (equals == 0 || equals == std::string::npos)
     throw InputError(source.name + ": no KEY=VALUE; write for example --set tubes.per_wavelength=20");
   const std::string key = option.substr(0, equals), word = option.substr(equals + 1);
+  if (option.find_first_of("\n\r") != std::string::npos)
+    throw InputError(source.name + ": holds a line break; write KEY=VALUE in one line, and a --set for each key");
   if (!is_utf8(option)) throw InputError(source.name + ": is not text in UTF-8; write it so");
   if (line_of_deep_key(option)) reject_deep_key(source.name);
-  std::optional<CaseValue> root;
-  if (word.find('\n') == std::string::npos) root = parsed_override(key + " = " + word, source);
+  const std::optional<CaseValue> root = parsed_override(key + " = " + word, source);
   return root ? *root : override_with_bare_word(key, word, source);
 }
 

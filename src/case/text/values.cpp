@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/csv_reader.h"
@@ -18,6 +19,8 @@ namespace {
 using Kind = CaseValue::Kind;
 
 constexpr double most_values = 1e6;
+constexpr double least_density = 1e-3;
+constexpr double coarsest_angle = 1e-6;  // [deg]: the finest lobes there are, of 10^6 wavelengths, are thirty times as wide
 
 struct Unit {
   std::string_view name;
@@ -49,12 +52,15 @@ void check_count(const CaseValue& table, const std::string& key, double count, s
                               most_values, third));
 }
 
-std::vector<double> equally_spaced(double start, double step, std::size_t count) {
+std::vector<double> equally_spaced(const CaseValue& table, const std::string& key, double start, double step, std::size_t count) {
   const double larger_end = std::max(std::abs(start), std::abs(start + step * static_cast<double>(count - 1)));
   std::vector<double> values(count);
   // Not start += step, which would add up rounding errors.
   for (std::size_t i = 0; i < count; ++i) values[i] = rounded_at_scale(start + static_cast<double>(i) * step, larger_end);
   values.front() = start;
+  if (step != 0.0 && std::ranges::adjacent_find(values) != values.end())
+    reject(table, fmt::format("{} has steps of {}, which numbers of the size of {} do not resolve; choose larger steps", key,
+                              number_text(step), number_text(larger_end)));
   return values;
 }
 
@@ -67,7 +73,7 @@ std::vector<double> stepped_range(const CaseValue& table, const std::string& key
            fmt::format("{}.step {} leads away from stop (start {}, stop {}); write step = {}", key, step, start, stop, -step));
   const double whole = std::floor(steps + 1e-9);
   check_count(table, key, whole + 1.0, "step");
-  std::vector<double> values = equally_spaced(start, step, static_cast<std::size_t>(whole) + 1);
+  std::vector<double> values = equally_spaced(table, key, start, step, static_cast<std::size_t>(whole) + 1);
   if (std::abs(steps - whole) <= 1e-9) values.back() = stop;
   return values;
 }
@@ -79,7 +85,7 @@ std::vector<double> counted_range(const CaseValue& table, const std::string& key
   check_count(table, key, count, "count");
   if (count == 1.0 && start != stop) reject(table, key + ".count of 1 cannot hold both start and stop; write count = 2 or more");
   if (count == 1.0) return {start};
-  std::vector<double> values = equally_spaced(start, (stop - start) / (count - 1.0), static_cast<std::size_t>(count));
+  std::vector<double> values = equally_spaced(table, key, start, (stop - start) / (count - 1.0), static_cast<std::size_t>(count));
   values.back() = stop;
   return values;
 }
@@ -125,10 +131,34 @@ double read_number(const CaseValue& value, const std::string& key) {
   return value.number == 0.0 ? 0.0 : value.number;  // never -0
 }
 
+std::string unresolved_angle(const std::string& key, double degrees) {
+  const double apart = std::nextafter(std::abs(degrees), std::numeric_limits<double>::infinity()) - std::abs(degrees);
+  if (apart <= coarsest_angle) return {};
+  return fmt::format(
+      "{} is {}, where numbers lie {:.1g} degrees apart, so that it is no direction; write an angle from -360 to 360", key,
+      degrees, apart);
+}
+
 double read_positive(const CaseValue& value, const std::string& key) {
   const double number = read_number(value, key);
   if (number <= 0.0) reject(value, fmt::format("{} must be greater than 0 (found {})", key, number));
   return number;
+}
+
+double read_between(const CaseValue& value, const std::string& key, double least, double most) {
+  const double number = read_positive(value, key);
+  if (number < least) reject(value, fmt::format("{} must be at least {:g} (found {})", key, least, number));
+  if (number > most) reject(value, fmt::format("{} must be at most {:g} (found {})", key, most, number));
+  return number;
+}
+
+double read_density(const CaseValue& value, const std::string& key) {
+  const double density = read_positive(value, key);
+  if (density < least_density)
+    reject(value, fmt::format("{} must be at least {:g} (found {}), for what is sampled more coarsely than in a thousand "
+                              "wavelengths is not sampled; write for example 10",
+                              key, least_density, density));
+  return density;
 }
 
 int read_whole(const CaseValue& value, const std::string& key, int least, int most) {
@@ -162,6 +192,12 @@ std::vector<dvec3> read_vectors(const CaseValue& value, const std::string& key) 
 std::string read_text(const CaseValue& value, const std::string& key) {
   if (value.kind != Kind::text) reject(value, key + " must be a text in double quotes");
   return value.text;
+}
+
+std::string read_file_name(const CaseValue& value, const std::string& key, const std::string& what) {
+  std::string name = read_text(value, key);
+  if (name.empty()) reject(value, fmt::format("{} is empty; give the file of the {}, relative to the case file", key, what));
+  return name;
 }
 
 double read_unit(const CaseValue& value, const std::string& key) {

@@ -12,8 +12,15 @@ inline constexpr double farthest = 1e12;
 
 /// A finite number, never -0.
 double read_number(const CaseValue& value, const std::string& key);
+/// The sentence about an angle so large that the numbers beside it lie more than a millionth of a degree apart, so that it points
+/// nowhere; empty for others.
+std::string unresolved_angle(const std::string& key, double degrees);
 /// A number greater than 0.
 double read_positive(const CaseValue& value, const std::string& key);
+/// A number greater than 0, from `least` to `most`.
+double read_between(const CaseValue& value, const std::string& key, double least, double most);
+/// Tubes or cells of an image per wavelength; read_positive() for one that is more than a thousandth.
+double read_density(const CaseValue& value, const std::string& key);
 /// A whole number from `least` to `most`.
 int read_whole(const CaseValue& value, const std::string& key, int least, int most);
 /// true or false.
@@ -24,6 +31,8 @@ dvec3 read_vector(const CaseValue& value, const std::string& key);
 std::vector<dvec3> read_vectors(const CaseValue& value, const std::string& key);
 /// A text in quotes.
 std::string read_text(const CaseValue& value, const std::string& key);
+/// The name of a file, relative to the case's folder; `what` it holds is for the sentence about an empty one.
+std::string read_file_name(const CaseValue& value, const std::string& key, const std::string& what);
 
 /// Metres of the unit of length that the text names: m, cm, mm, um, in, ft.
 double read_unit(const CaseValue& value, const std::string& key);

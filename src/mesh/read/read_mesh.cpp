@@ -8,9 +8,13 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "core/error.h"
+#include "core/text.h"
+#include "mesh/read/file_contents.h"
 #include "mesh/read/formats.h"
+#include "mesh/read/gzip.h"
 
 namespace raytube {
 
@@ -37,14 +41,31 @@ MeshFile read_bytes(const std::filesystem::path& path) {
   return file;
 }
 
-MeshParser parser_of(const MeshFile& file, std::string ending) {
+std::string ending_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+MeshParser parser_of(std::string_view ending) {
   if (ending == ".stl") return parse_stl;
   if (ending == ".obj") return parse_obj;
   if (ending == ".ply") return parse_ply;
   if (ending == ".off") return parse_off;
-  file.reject(fmt::format("the ending '{}' is not a known mesh format; use .stl, .obj, .ply or .off", ending));
+  return nullptr;
+}
+
+std::string_view format_name(std::string_view ending) {
+  return ending == ".stl" ? "an STL file" : ending == ".obj" ? "OBJ text" : ending == ".ply" ? "a PLY file" : "an OFF file";
+}
+
+/// Throws InputError if the file shows that it is something else than its ending says; `behind` follows each ending.
+void reject_other_contents(const MeshFile& file, std::string_view ending, std::string_view behind) {
+  if (is_gzip(file.bytes)) file.reject("is gzip data; add .gz to its name");
+  if (const std::string other = other_contents(file.bytes); !other.empty()) file.reject(other);
+  if (const std::string_view meant = mesh_ending_of(file.bytes); !meant.empty() && meant != ending)
+    file.reject(fmt::format("looks like {}; give its name the ending {}{}", format_name(meant), meant, behind));
 }
 
 bool is_finite(const dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
@@ -72,8 +93,26 @@ PolygonSoup read_polygon_soup(const MeshFile& file, MeshParser parse) {
 }
 
 PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
-  const MeshFile file = read_bytes(path);
-  return read_polygon_soup(file, parser_of(file, path.extension().string()));
+  MeshFile file = read_bytes(path);
+  std::string ending = ending_of(path);
+  const std::string packed = ending == ".gz" ? ending : "";
+  if (!packed.empty()) {
+    if (!is_gzip(file.bytes)) reject_other_contents(file, ending, "");
+    file = unpacked(file, installed_memory());
+    ending = ending_of(path.stem());
+  }
+  const MeshParser parse = parser_of(ending);
+  if (!parse) {
+    reject_other_contents(file, ending, packed);
+    file.reject(fmt::format("the ending '{}' is not a known mesh format; use .stl, .obj, .ply or .off, or one of these and .gz",
+                            quotable(ending)));
+  }
+  try {
+    return read_polygon_soup(file, parse);
+  } catch (const InputError&) {
+    reject_other_contents(file, ending, packed);  // says more than the first word that is not of the format
+    throw;
+  }
 }
 
 }  // namespace raytube

@@ -7,8 +7,9 @@
 
 namespace raytube {
 
-/// Reads STL (ASCII, binary), OBJ, PLY or OFF, chosen by the file name's ending. Keeps every facet.
-/// Throws InputError: unreadable, unknown format, no facets, corner index out of range, coordinate not finite.
+/// Reads STL (ASCII, binary), OBJ, PLY or OFF, chosen by the file name's ending; with .gz behind that, one compressed with gzip.
+/// Keeps every facet. Throws InputError: unreadable, something else than the ending says, unknown format, no facets, corner index
+/// out of range, coordinate not finite.
 PolygonSoup read_polygon_soup(const std::filesystem::path& file);
 
 }  // namespace raytube

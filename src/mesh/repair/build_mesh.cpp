@@ -121,6 +121,22 @@ void report_as_traced(const TriangleMesh& mesh, MeshReport& report) {
   throw InputError(fmt::format("mesh file '{}': no facet has an area; export the surface again", name));
 }
 
+// An atom is a tenth of a nanometre: nothing smaller has a surface. And no coordinate may lie farther off than other places do.
+constexpr double smallest_target = 1e-9, farthest_target = 1e12;  // [m]
+
+void check_size(const std::string& name, const Box& box, const dvec3& center) {
+  if (!(std::isfinite(box.diagonal()) && glm::length(center) + box.diagonal() < farthest_target))
+    throw InputError(fmt::format("mesh file '{}': coordinates are too large; check target.unit", name));
+  const dvec3 sides = box.high - box.low;
+  const double longest = std::max({sides.x, sides.y, sides.z});  // whose square may be 0
+  if (longest > 0.0 && longest < smallest_target)
+    throw InputError(
+        fmt::format("mesh file '{}': the target is {:.3g} m across, less than {:g} m, and no surface is as small as "
+                    "that; check target.unit and the coordinates",
+                    name, longest, smallest_target));
+  if (longest == 0.0) reject_without_area(name);
+}
+
 }  // namespace
 
 LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::string& name, std::span<const Material> materials) {
@@ -132,10 +148,10 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
 
   drop_unused_points(soup.points, soup.polygons);
   mesh.center = recentre(soup.points, metres_per_unit);
-  const double diagonal = soup.points.empty() ? 0.0 : bounding_box(soup.points).diagonal();
-  if (!std::isfinite(diagonal))
-    throw InputError(fmt::format("mesh file '{}': coordinates are too large; check target.unit", name));
-  if (diagonal == 0.0) reject_without_area(name);
+  if (soup.points.empty()) reject_without_area(name);
+  const Box box = bounding_box(soup.points);
+  check_size(name, box, mesh.center);
+  const double diagonal = box.diagonal();
   report.weld_distance = weld_fraction * diagonal;
 
   Facets facets = split_polygons(soup, report);

@@ -67,8 +67,8 @@ class ExactHit {
   /// index.
   Hit nearest_around(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
 
-  /// A ray that touches a ridge of a closed body meets both faces there, and rounding says which is the nearer one. If `hit` is
-  /// on the one turned away, the hit on the other one; else `hit`.
+  /// A ray that touches a ridge of a closed body, or two of its facets that lie upon one another, meets both faces there, and
+  /// rounding says which is the nearer one. If `hit` is on the one turned away, the hit on the other one; else `hit`.
   Hit front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const;
 
  private:

@@ -25,6 +25,9 @@ constexpr std::size_t packet_width = 16;  // of what is loaded and decided toget
 constexpr double start_behind = 4e-6;
 // A ray from afar starts this far from the middle of the mesh, so that single precision places it as well as the others.
 constexpr double start_from = 2.0;
+// Embree takes components of a direction below 1e-18 as +1e-18. In a packet with a negative one that is not what its sign says,
+// and surfaces that other rays of the packet meet are passed over.
+constexpr double least_component = 1e-17;
 // Of the proxy triangles: twenty times the distance by which single precision can mistake a point.
 constexpr double proxy_margin = 2e-5;
 
@@ -130,6 +133,8 @@ double start_of(const Ray& ray, double scale, bool from_behind) {
   return towards > 0.0 ? towards : from_behind || ray.source_patch != no_index ? -start_behind : 0.0;
 }
 
+float direction_component(double x) { return std::abs(x) < least_component ? 0.0f : static_cast<float>(x); }
+
 void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_behind) {
   RTCRay16& to = packet.rays.ray;
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
@@ -139,9 +144,9 @@ void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_beh
     to.org_x[lane] = static_cast<float>(ray.origin.x * scale + start * ray.direction.x);
     to.org_y[lane] = static_cast<float>(ray.origin.y * scale + start * ray.direction.y);
     to.org_z[lane] = static_cast<float>(ray.origin.z * scale + start * ray.direction.z);
-    to.dir_x[lane] = static_cast<float>(ray.direction.x);
-    to.dir_y[lane] = static_cast<float>(ray.direction.y);
-    to.dir_z[lane] = static_cast<float>(ray.direction.z);
+    to.dir_x[lane] = direction_component(ray.direction.x);
+    to.dir_y[lane] = direction_component(ray.direction.y);
+    to.dir_z[lane] = direction_component(ray.direction.z);
     to.id[lane] = static_cast<unsigned>(index);
   }
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
@@ -182,9 +187,9 @@ RTCRayHit single_ray(const Ray& ray, double scale, double start) {
   query.ray.org_x = static_cast<float>(origin.x);
   query.ray.org_y = static_cast<float>(origin.y);
   query.ray.org_z = static_cast<float>(origin.z);
-  query.ray.dir_x = static_cast<float>(ray.direction.x);
-  query.ray.dir_y = static_cast<float>(ray.direction.y);
-  query.ray.dir_z = static_cast<float>(ray.direction.z);
+  query.ray.dir_x = direction_component(ray.direction.x);
+  query.ray.dir_y = direction_component(ray.direction.y);
+  query.ray.dir_z = direction_component(ray.direction.z);
   query.ray.tfar = std::numeric_limits<float>::infinity();
   query.ray.mask = 0xffffffffu;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -273,7 +278,7 @@ void Tracer::Scene::closest(std::span<const Ray> rays, const IgnoredPatches& ign
     if (!is_inside(rays[lane], packet, lane))
       found[lane] = decide(rays[lane], ignored, {found[lane], (packet.start[lane] + packet.rays.ray.tfar[lane]) / scale});
     else if (!exact.is_alone(found[lane]))
-      found[lane] = exact.nearest_near_coincident(rays[lane], found[lane], ignored).triangle;
+      found[lane] = exact.front_of(rays[lane], exact.nearest_near_coincident(rays[lane], found[lane], ignored), ignored).triangle;
   }
 }
 

@@ -1,0 +1,109 @@
+#include "mesh/read/file_contents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <cstring>
+
+#include "core/text.h"
+
+namespace raytube {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Signature {
+  std::string_view begins_with, is, remedy;
+};
+
+constexpr std::string_view unpack = "unpack it first", name_mesh = "name the mesh file, STL, OBJ, PLY or OFF",
+                           convert = "convert it to STL, OBJ, PLY or OFF", download = "download the file itself";
+constexpr std::array<Signature, 20> signatures = {{
+    {"PK\x03\x04", "is a zip archive", unpack},
+    {"BZh", "is bzip2 data", unpack},
+    {"\xFD"
+     "7zXZ\0"sv,
+     "is xz data", unpack},
+    {"\x28\xB5\x2F\xFD", "is zstd data", unpack},
+    {"7z\xBC\xAF\x27\x1C", "is a 7z archive", unpack},
+    {"\x89PNG", "is a PNG image", name_mesh},
+    {"\xFF\xD8\xFF", "is a JPEG image", name_mesh},
+    {"GIF8", "is a GIF image", name_mesh},
+    {"%PDF", "is a PDF document", name_mesh},
+    {"\x7F"
+     "ELF",
+     "is a program", name_mesh},
+    {"\x89HDF\r\n", "is HDF5 data", convert},
+    {"glTF", "is a glTF scene", convert},
+    {"Kaydara FBX", "is an FBX scene", convert},
+    {"BLENDER", "is a Blender scene", convert},
+    {"ISO-10303-21", "is a STEP model", "export its surface as STL, OBJ, PLY or OFF"},
+    {"version https://git-lfs", "is a pointer of Git LFS, not the file itself", "fetch it with git lfs pull"},
+    {"<!DOCTYPE html", "is a page of HTML", download},
+    {"<!doctype html", "is a page of HTML", download},
+    {"<html", "is a page of HTML", download},
+    {"<?xml", "is XML", convert},
+}};
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+
+std::string_view without_mark(std::string_view bytes) {
+  return bytes.starts_with(byte_order_mark) ? bytes.substr(byte_order_mark.size()) : bytes;
+}
+
+// The first word of the first line that is neither empty nor a comment.
+std::string_view first_word(std::string_view bytes) {
+  for (bytes = without_mark(bytes);;) {
+    const std::size_t begin = bytes.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return {};
+    bytes.remove_prefix(begin);
+    if (bytes.front() != '#') return bytes.substr(0, bytes.find_first_of(blanks));
+    bytes.remove_prefix(std::min(bytes.find('\n'), bytes.size()));
+  }
+}
+
+std::string lower_case_word(std::string_view word) {
+  std::string lower(word);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+// 84 bytes, of which the last four count facets of 50 bytes each.
+bool is_binary_stl(std::string_view bytes) {
+  std::uint32_t facets = 0;
+  if (bytes.size() < 84) return false;
+  std::memcpy(&facets, bytes.data() + 80, sizeof facets);
+  return facets > 0 && bytes.size() == 84 + std::size_t{50} * facets;
+}
+
+bool is_obj(std::string_view bytes) {
+  static constexpr std::array words = {"v"sv, "vn"sv, "vt"sv, "f"sv, "o"sv, "g"sv, "s"sv, "mtllib"sv, "usemtl"sv};
+  const bool has_vertex = bytes.starts_with("v ") || bytes.find("\nv ") != std::string_view::npos;
+  return has_vertex && std::ranges::find(words, first_word(bytes)) != words.end();
+}
+
+}  // namespace
+
+std::string_view mesh_ending_of(std::string_view bytes) {
+  if (is_binary_stl(bytes)) return ".stl";
+  const std::string_view word = first_word(bytes);
+  if (word == "ply") return ".ply";
+  if (word.size() < 8 && word.ends_with("OFF")) return ".off";
+  if (lower_case_word(word.substr(0, 8)) == "solid" && bytes.find("vertex") != std::string_view::npos) return ".stl";
+  return is_obj(bytes) ? ".obj" : "";
+}
+
+std::string other_contents(std::string_view bytes) {
+  const std::string_view text = without_mark(bytes),
+                         from_first = text.substr(std::min(text.find_first_not_of(blanks), text.size()));
+  const auto found = std::ranges::find_if(signatures, [&](const Signature& s) { return from_first.starts_with(s.begins_with); });
+  return found == signatures.end() ? "" : fmt::format("{}; {}", found->is, found->remedy);
+}
+
+bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1F\x8B"); }
+
+}  // namespace raytube
