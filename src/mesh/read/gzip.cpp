@@ -14,7 +14,7 @@ namespace raytube {
 
 namespace {
 
-// Tables of numbers shrink to a third or a tenth, those of a flat plate to a fiftieth; deflate itself can reach 1/1032 (zlib,
+// Tables of numbers shrink to a third or a tenth, regular grids in a plane to a twentieth; deflate itself reaches 1/1032 (zlib,
 // technical details), of zeros.
 constexpr std::uintmax_t most_expansion = 200;
 constexpr std::uintmax_t always_allowed = 1 << 20;  // [bytes]: the bound is for what can do harm
