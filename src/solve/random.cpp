@@ -88,10 +88,14 @@ void describe(RandomResult& result, const std::vector<Rows>& runs, std::size_t r
 Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, const std::vector<RandomSums>& drawn,
                          const RandomOptions& random) {
   RandomSums sum;
-  for (const RandomSums& look : drawn) sum += look;
   Statistics s = solution;  // of wedges
+  s.truncated = {};
+  for (const RandomSums& look : drawn) {
+    sum += look;
+    add_look(s.truncated, look.truncated);
+  }
   s.tubes = random.samples * drawn.size();
-  s.rays = sum.rays, s.hits = sum.hits, s.lost_rays = sum.lost_rays, s.tubes_truncated = sum.tubes_truncated;
+  s.rays = sum.rays, s.hits = sum.hits, s.lost_rays = sum.lost_rays;
   s.sliver_area = 0.0;
   s.skipped = plan.skipped_wedges;
   return s;

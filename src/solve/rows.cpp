@@ -46,7 +46,7 @@ void RowCollector::count(std::size_t index, const LookResult& look) {
   all.tubes += look.tubes.tubes;
   all.rays += look.tubes.rays;
   all.lost_rays += look.tubes.lost_rays;
-  all.tubes_truncated += look.tubes.tubes_truncated;
+  add_look(all.truncated, look.tubes.truncated);
   sliver_areas_[index] = look.tubes.sliver_area;
   if (all.hits.size() < look.tubes.hits.size()) all.hits.resize(look.tubes.hits.size());
   for (std::size_t b = 0; b < look.tubes.hits.size(); ++b) all.hits[b] += look.tubes.hits[b];

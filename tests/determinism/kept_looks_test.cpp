@@ -53,7 +53,10 @@ void expect_same(const SweepResult& one, const SweepResult& other) {
   EXPECT_EQ(a.tubes, b.tubes);
   EXPECT_EQ(a.rays, b.rays);
   EXPECT_EQ(a.hits, b.hits);
-  EXPECT_EQ(a.tubes_truncated, b.tubes_truncated);
+  for (const Truncation reason : truncations) {
+    EXPECT_EQ(a.truncated[reason].tubes, b.truncated[reason].tubes);
+    EXPECT_EQ(a.truncated[reason].sigma, b.truncated[reason].sigma);
+  }
   EXPECT_EQ(a.sliver_area, b.sliver_area);
   EXPECT_EQ(a.wedges_lit, b.wedges_lit);
   EXPECT_EQ(a.illuminating_pieces, b.illuminating_pieces);

@@ -72,10 +72,11 @@ const Rooms may_include = {
     {"output/files", {"core", "scene"}},
     {"output/tables", {"core", "scene", "output/files"}},
     {"output/compare", {"core", "scene", "output/files", "output/tables"}},
+    {"output/words", {"core", "scene", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
-    {"program",
-     base + std::set<std::string>{"case", "case/data", "case/materials", "mesh", "output/compare", "output/files", "output/plots",
-                                  "output/tables", "point_source", "sbr", "sbr/launch", "solve", "utd/shadow", "utd/wedge"}},
+    {"program", base + std::set<std::string>{"case", "case/data", "case/materials", "mesh", "output/compare", "output/files",
+                                             "output/plots", "output/words", "output/tables", "point_source", "sbr", "sbr/launch",
+                                             "solve", "utd/shadow", "utd/wedge"}},
 };
 
 struct SourceFile {

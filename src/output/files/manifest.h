@@ -34,6 +34,7 @@ struct Manifest {
   int threads = 1;
   std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written
   std::vector<std::pair<std::string, double>> mesh_notes;   // sentence and count
+  std::vector<std::string> warnings;                        // about features too small and steps too wide
   std::optional<RandomRuns> random;                         // with --launch random
   Statistics statistics;
   Timing time;

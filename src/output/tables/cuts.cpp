@@ -60,8 +60,14 @@ CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowCoordin
   return cut;
 }
 
+std::vector<CutRows> cuts_of(std::vector<std::vector<std::size_t>> groups, Quantity axis, const RowCoordinates& coordinates) {
+  std::vector<CutRows> cuts;
+  for (auto& group : groups) cuts.push_back(cut_rows(std::move(group), axis, coordinates));
+  return cuts;
+}
+
 Cut curves_of(const CutRows& rows, const SweepResult& result) {
-  Cut cut{rows.fixed, rows.x, {}};
+  Cut cut{rows.fixed, rows.x, {}, rows.rows};
   for (const std::size_t row : rows.rows) {
     const ScatteringMatrix& s = result.total[row];
     for (int channel = 0; channel < 4; ++channel) cut.sigma_dbsm[channel].push_back(sigma_dbsm(s.at(channel / 2, channel % 2)));
@@ -89,6 +95,10 @@ RowCoordinates coordinates_of_rows(const Sweep& sweep) {
   return coordinates;
 }
 
+std::vector<CutRows> cuts_along(Quantity quantity, const RowCoordinates& coordinates) {
+  return cuts_of(groups_along(quantity, coordinates.rows), quantity, coordinates);
+}
+
 CutPlan plan_cuts(const RowCoordinates& coordinates) {
   const std::vector<Values>& rows = coordinates.rows;
   Quantity axis = RowCoordinates::phi;
@@ -97,9 +107,7 @@ CutPlan plan_cuts(const RowCoordinates& coordinates) {
        {RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta, RowCoordinates::frequency})
     if (auto grouped = groups_along(other, rows); grouped.size() < groups.size()) axis = other, groups = std::move(grouped);
   if (rows.size() > 1 && 2 * groups.size() > rows.size()) groups = groups_along(axis = RowCoordinates::look_number, rows);
-  CutPlan plan{axis, axis_labels[axis], {}};
-  for (auto& group : groups) plan.cuts.push_back(cut_rows(std::move(group), axis, coordinates));
-  return plan;
+  return {axis, axis_labels[axis], cuts_of(std::move(groups), axis, coordinates)};
 }
 
 std::string coordinates_text(const RowCoordinates& coordinates, std::size_t row) {

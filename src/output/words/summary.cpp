@@ -1,0 +1,113 @@
+#include "output/words/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/decimal.h"
+#include "core/text.h"
+#include "output/tables/csv.h"
+
+namespace raytube {
+
+namespace {
+
+// Amplitudes this share of the largest of their row's four and less are told by themselves: a small error is large against them.
+constexpr double low_share = 0.1;
+constexpr int low_db = 20;
+
+std::string line(const char* name, const std::string& text) { return fmt::format("{:<18} {}\n", name, text); }
+
+double peak_sigma_dbsm(const SweepResult& result) {
+  double peak = sigma_dbsm(0.0);
+  for (const ScatteringMatrix& s : result.total)
+    for (const int channel : {0, 1, 2, 3}) peak = std::max(peak, sigma_dbsm(s.at(channel / 2, channel % 2)));
+  return peak;
+}
+
+// The largest levels [dB] of each kind of channel; below zero: there is none.
+struct LargestErrors {
+  double co = -1.0, cross = -1.0, low = -1.0;
+  std::size_t rows_above = 0;
+};
+
+LargestErrors largest_errors(const SweepResult& result, double tolerance_db) {
+  LargestErrors found;
+  for (std::size_t row = 0; row < result.total.size(); ++row) {
+    const ScatteringMatrix& s = result.total[row];
+    const double largest = largest_amplitude(s);
+    if (largest == 0.0) continue;  // no level is relative to nothing
+    const std::array<double, 4> levels = error_levels_db(s, result.error[row]);
+    for (const int channel : {0, 1, 2, 3}) {
+      const bool low = std::abs(s.at(channel / 2, channel % 2)) < low_share * largest;
+      double& kind = low ? found.low : channel == 0 || channel == 3 ? found.co : found.cross;
+      kind = std::max(kind, levels[static_cast<std::size_t>(channel)]);
+    }
+    found.rows_above += std::ranges::max(levels) > tolerance_db ? 1 : 0;
+  }
+  return found;
+}
+
+std::string remedy(const SweepResult& result, const RunFacts& facts) {
+  std::vector<std::string> handles{fmt::format("tubes.per_wavelength ({})", number_text(facts.tubes.max_per_wavelength))};
+  if (facts.materials && result.statistics.truncated[Truncation::bounces].tubes > 0)
+    handles.push_back(fmt::format("tubes.max_bounces ({})", facts.tubes.max_bounces));
+  return "raise " + joined(handles, " or ");
+}
+
+std::string error_lines(const SweepResult& result, const RunFacts& facts) {
+  const LargestErrors errors = largest_errors(result, facts.tubes.tolerance_db);
+  std::vector<std::string> kinds;
+  if (errors.co >= 0.0) kinds.push_back(fmt::format("VV, HH {:.2g} dB", errors.co));
+  if (errors.cross >= 0.0) kinds.push_back(fmt::format("VH, HV {:.2g} dB", errors.cross));
+  if (errors.low >= 0.0)
+    kinds.push_back(fmt::format("{:.2g} dB where {} dB and more below the strongest channel", errors.low, low_db));
+  if (kinds.empty()) kinds.emplace_back("0 dB: nothing comes back");
+  std::string text = line("numerical error", "at most " + joined(kinds, "; "));
+  if (facts.tubes.refines() && errors.rows_above > 0)
+    text +=
+        line("above tolerance", fmt::format("{} of {} rows (accuracy.tolerance_db = {}): {}", errors.rows_above,
+                                            result.total.size(), number_text(facts.tubes.tolerance_db), remedy(result, facts)));
+  return text;
+}
+
+// By reason: how many, what is left of those of a look, where that counts, and what would make them fewer.
+std::string truncated_lines(const TruncatedSums& truncated, const RunFacts& facts) {
+  const std::array reasons{fmt::format("after tubes.max_bounces = {}", facts.tubes.max_bounces),
+                           std::string("too wide off curved surfaces"), std::string("too many between sheets")};
+  constexpr std::array handles{": raise it", ": raise tubes.per_wavelength", ""};
+  std::string text;
+  for (const Truncation reason : truncations) {
+    const auto i = static_cast<std::size_t>(reason);
+    if (const TruncatedSum& sum = truncated[reason]; sum.tubes > 0)
+      text +=
+          line("cut tubes", fmt::format("{} {}, {:.1f} dBsm of a look left at most, {} the numerical error{}", sum.tubes,
+                                        reasons[i], 10.0 * std::log10(sum.sigma), facts.materials ? "in" : "not in", handles[i]));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary_text(const SweepResult& result, const RunFacts& facts) {
+  const Statistics& s = result.statistics;
+  const bool paths = s.ray_range > 0.0;
+  std::string text = line("rays", fmt::format("{} in {} {}, {:.2f} s on {} thread{}", s.rays, s.tubes, paths ? "paths" : "tubes",
+                                              s.solve_s, facts.threads, facts.threads == 1 ? "" : "s"));
+  if (paths) text += line("range", fmt::format("{:.6g} m: amplitudes are apparent ones (edges.method \"utd\")", s.ray_range));
+  if (facts.looks_resumed)
+    text += line("resumed", fmt::format("{} looks were computed before, and are not in that time", facts.looks_resumed));
+  text += line("lost rays", fmt::format("{}", s.lost_rays));
+  if (paths && s.truncated.tubes())
+    text += line("cut search", fmt::format("in {} looks: too many sequences of mirrors", s.truncated.tubes()));
+  if (!paths) text += truncated_lines(s.truncated, facts);
+  for (const Skipped& skipped : s.skipped)
+    text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, skipped.why));
+  text += line("peak sigma", fmt::format("{:.2f} dBsm", peak_sigma_dbsm(result)));
+  if (!paths && !facts.random) text += error_lines(result, facts);
+  if (facts.warnings) text += line("warnings", fmt::format("{}, at the beginning and in run.json", facts.warnings));
+  return text + line("results", facts.folder);
+}
+
+}  // namespace raytube
