@@ -19,6 +19,7 @@
 #include "program/wedge_list.h"
 #include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
+#include "scene/sampling.h"
 #include "scene/skipped.h"
 #include "solve/image.h"
 
@@ -212,7 +213,7 @@ void print_skipped(const MeshReport& r, const SolvePlan& plan) {
 }
 
 void print_warnings(const SolvePlan& plan) {
-  const std::vector<std::string> sentences = warnings_of(plan);
+  const std::vector<std::string> sentences = warnings_of(plan, outermost_points(plan.target.mesh.vertices));
   fmt::print("\nwarnings\n");
   for (const std::string& sentence : sentences) fmt::print("  {}\n", sentence);
   if (sentences.empty()) fmt::print("  none\n");

@@ -86,8 +86,8 @@ void write_tables(const fs::path& folder, const Case& c, const Solved& solved, b
   stop_if_interrupted();
 }
 
-void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result, const SolvePlan& plan) {
-  const std::string trouble = plot_rcs(folder, c.title, c.sweep, result, outermost_points(plan.target.mesh.vertices));
+void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result, std::span<const dvec3> outermost) {
+  const std::string trouble = plot_rcs(folder, c.title, c.sweep, result, outermost);
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
 }
@@ -185,6 +185,7 @@ class Run {
       : request_(request),
         case_(c),
         plan_(plan),
+        outermost_(outermost_points(plan.target.mesh.vertices)),
         manifest_(manifest),
         folder_(destination),
         journal_(
@@ -198,6 +199,8 @@ class Run {
   /// If it does not come to its end it leaves the finished looks for another one to resume.
   void run(const Stopwatch& total) {
     const InterruptFlag interrupt_flag([this] { return last_words(); });
+    manifest_.warnings = warnings_of(plan_, outermost_);
+    for (const std::string& sentence : manifest_.warnings) warn(sentence);
     try {
       const Solved solved = solve_with_progress(plan_, request_, journal_);
       journal_.keep_all();
@@ -237,7 +240,7 @@ class Run {
     manifest_.peak_rss_bytes = peak_rss_bytes();
     manifest_.time.total_s = total.seconds() - drawing_s;
     write_manifest(results.folder() / "run.json", manifest_);
-    if (case_.plots) draw_plots(results.folder(), case_, result, plan_);
+    if (case_.plots) draw_plots(results.folder(), case_, result, outermost_);
     replace_results(results, folder_.path(), names_of_results(request_, case_), names_of_earlier_results(folder_.path()),
                     [this] { complete_ = true; });
     journal_.remove();
@@ -273,6 +276,7 @@ class Run {
   const Request& request_;
   const Case& case_;
   const SolvePlan& plan_;
+  std::vector<dvec3> outermost_;  // points of the target as wide as all of it
   Manifest& manifest_;
   OutputFolder folder_;
   LookJournal journal_;
@@ -313,8 +317,7 @@ void run_command(const Request& request) {
   manifest.embree_instruction_set = name_of(allowed_instruction_set());
   manifest.own_instruction_set = name_of(std::max(allowed_instruction_set(), InstructionSet::avx2));
   check_memory(plan, c, request.random ? &*request.random : nullptr);
-  manifest.warnings = warnings_of(plan);
-  for (const std::string& sentence : manifest.warnings) warn(sentence);
+  if (request.random) check_random_tubes(plan, *request.random);
   Run(request, c, plan, destination, manifest).run(total);
 }
 

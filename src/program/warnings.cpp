@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "output/words/warnings.h"
-#include "scene/sampling.h"
 #include "solve/validity.h"
 
 namespace raytube {
 
-std::vector<std::string> warnings_of(const SolvePlan& plan) {
-  const std::vector<dvec3> outermost = outermost_points(plan.target.mesh.vertices);
+std::vector<std::string> warnings_of(const SolvePlan& plan, std::span<const dvec3> outermost) {
   std::vector<std::string> sentences = validity_warnings(validity_of(plan.target, plan.sweep, outermost));
   std::ranges::copy(sampling_warnings(coarse_steps(plan.sweep, outermost)), std::back_inserter(sentences));
   return sentences;

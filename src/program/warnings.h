@@ -1,6 +1,7 @@
 // What a case asks that its target does not bear out.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,8 @@
 
 namespace raytube {
 
-/// Sentences about features too small for the methods and about steps too wide for the lobes, each with its remedy.
-std::vector<std::string> warnings_of(const SolvePlan& plan);
+/// Sentences about features too small for the methods and about steps too wide for the lobes, each with its remedy; of a target
+/// as wide as these points of it (scene/sampling.h).
+std::vector<std::string> warnings_of(const SolvePlan& plan, std::span<const dvec3> outermost);
 
 }  // namespace raytube

@@ -101,7 +101,9 @@ Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, cons
   return s;
 }
 
-void check(const SolvePlan& plan, const RandomOptions& random) {
+}  // namespace
+
+void check_random_tubes(const SolvePlan& plan, const RandomOptions& random) {
   if (!all_far(plan.sweep)) throw InputError("random tubes are parts of a plane wave; remove [radar]");
   if (plan.mechanisms.rays) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
   if (!plan.keep_parts) throw InputError("random tubes take the place of tubes alone: the plan must keep parts");
@@ -109,11 +111,9 @@ void check(const SolvePlan& plan, const RandomOptions& random) {
   if (random.runs < 2) throw InputError("random tubes: a spread needs at least 2 runs");
 }
 
-}  // namespace
-
 RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions& random,
                                      const std::function<bool(double)>& callback) {
-  check(plan, random);
+  check_random_tubes(plan, random);
   const auto first_half = [&](double done) { return callback(solution_share * done); };
   RandomResult result{random, {}, solve(plan, callback ? first_half : std::function<bool(double)>()), {}, 0.0};
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numeric>
 
 #include "scene/sampling.h"
 
@@ -12,7 +12,8 @@ namespace {
 
 using Quantity = RowCoordinates::Quantity;
 
-constexpr std::size_t least_values = 4, most_groups = 100, most_steps = 1000;
+constexpr std::size_t least_values = 4, most_sweeps = 100, most_steps = 1000;
+constexpr std::size_t most_looks = 100000;  // the first ones tell what is swept, and sorting them takes memory
 
 double turn_between(const Sweep& sweep, std::span<const dvec3> outermost, std::size_t a, std::size_t b) {
   const std::size_t count = sweep.frequencies.size();
@@ -27,30 +28,66 @@ bool in_even_steps(std::span<const double> x) {
   return true;
 }
 
-std::optional<CoarseSteps> coarse_steps(const Sweep& sweep, std::span<const dvec3> outermost, Quantity quantity,
-                                        const std::vector<CutRows>& cuts) {
-  CoarseSteps worst{quantity, 0.0, 0.0};
-  double most = 0.0;
-  for (const std::size_t chosen : spread_choice(cuts.size(), most_groups)) {
-    const auto& [fixed, rows, x] = cuts[chosen];
-    if (x.size() < least_values || !in_even_steps(x)) continue;
+// The widest steps of one quantity so far, by the phase they turn.
+class Widest {
+ public:
+  Widest(const Sweep& sweep, std::span<const dvec3> outermost, Quantity quantity)
+      : sweep_(sweep), outermost_(outermost), found_{quantity, 0.0, 0.0} {}
+
+  void add(std::span<const std::size_t> rows, std::span<const double> x) {
+    if (x.size() < least_values || !in_even_steps(x)) return;
     for (const std::size_t i : spread_choice(rows.size() - 1, most_steps)) {
-      const double turn = turn_between(sweep, outermost, rows[i], rows[i + 1]), step = x[i + 1] - x[i];
-      if (turn > most) most = turn, worst.step = step, worst.limit = step * most_turn / turn;
+      const double turn = turn_between(sweep_, outermost_, rows[i], rows[i + 1]), step = x[i + 1] - x[i];
+      if (turn > turn_) turn_ = turn, found_.step = step, found_.limit = step * most_turn / turn;
     }
   }
-  if (resolved(most)) return {};
-  return worst;
+
+  void tell(std::vector<CoarseSteps>& all) const {
+    if (!resolved(turn_)) all.push_back(found_);
+  }
+
+ private:
+  const Sweep& sweep_;
+  std::span<const dvec3> outermost_;
+  CoarseSteps found_;
+  double turn_ = 0.0;
+};
+
+// Lobes are narrowest at the highest frequency.
+void add_angles(const Sweep& sweep, std::span<const dvec3> outermost, std::vector<CoarseSteps>& all) {
+  Sweep looks{{std::ranges::max(sweep.frequencies)}, {}, sweep.bistatic};
+  const auto count = static_cast<std::ptrdiff_t>(std::min(sweep.looks.size(), most_looks));
+  looks.looks.assign(sweep.looks.begin(), sweep.looks.begin() + count);
+  const RowCoordinates coordinates = coordinates_of_rows(looks);
+  for (const Quantity quantity : {RowCoordinates::phi, RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta}) {
+    const std::vector<CutRows> cuts = cuts_along(quantity, coordinates);
+    Widest widest(looks, outermost, quantity);
+    for (const std::size_t i : spread_choice(cuts.size(), most_sweeps)) widest.add(cuts[i].rows, cuts[i].x);
+    widest.tell(all);
+  }
+}
+
+void add_frequencies(const Sweep& sweep, std::span<const dvec3> outermost, std::vector<CoarseSteps>& all) {
+  std::vector<std::size_t> order(sweep.frequencies.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t f) { return sweep.frequencies[f]; });
+  std::vector<double> gigahertz;
+  for (const std::size_t f : order) gigahertz.push_back(sweep.frequencies[f] / 1e9);
+  Widest widest(sweep, outermost, RowCoordinates::frequency);
+  for (const std::size_t look : spread_choice(sweep.looks.size(), most_sweeps)) {
+    std::vector<std::size_t> rows;
+    for (const std::size_t f : order) rows.push_back(sweep.row(look, f));
+    widest.add(rows, gigahertz);
+  }
+  widest.tell(all);
 }
 
 }  // namespace
 
 std::vector<CoarseSteps> coarse_steps(const Sweep& sweep, std::span<const dvec3> outermost) {
-  const RowCoordinates coordinates = coordinates_of_rows(sweep);
   std::vector<CoarseSteps> all;
-  for (const Quantity quantity :
-       {RowCoordinates::phi, RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta, RowCoordinates::frequency})
-    if (const auto found = coarse_steps(sweep, outermost, quantity, cuts_along(quantity, coordinates))) all.push_back(*found);
+  add_angles(sweep, outermost, all);
+  add_frequencies(sweep, outermost, all);
   return all;
 }
 

@@ -13,9 +13,9 @@ namespace raytube {
 
 namespace {
 
-// Amplitudes this share of the largest of their row's four and less are told by themselves: a small error is large against them.
-constexpr double low_share = 0.1;
+// Channels so far below the strongest of their row are told by themselves: a small error is large against them.
 constexpr int low_db = 20;
+constexpr double low_share = 0.1;
 
 std::string line(const char* name, const std::string& text) { return fmt::format("{:<18} {}\n", name, text); }
 
@@ -32,13 +32,13 @@ struct LargestErrors {
   std::size_t rows_above = 0;
 };
 
-LargestErrors largest_errors(const SweepResult& result, double tolerance_db) {
+LargestErrors largest_errors(const SweepResult& result, const std::vector<ChannelErrors>& errors, double tolerance_db) {
   LargestErrors found;
   for (std::size_t row = 0; row < result.total.size(); ++row) {
     const ScatteringMatrix& s = result.total[row];
     const double largest = largest_amplitude(s);
     if (largest == 0.0) continue;  // no level is relative to nothing
-    const std::array<double, 4> levels = error_levels_db(s, result.error[row]);
+    const std::array<double, 4> levels = error_levels_db(s, errors[row]);
     for (const int channel : {0, 1, 2, 3}) {
       const bool low = std::abs(s.at(channel / 2, channel % 2)) < low_share * largest;
       double& kind = low ? found.low : channel == 0 || channel == 3 ? found.co : found.cross;
@@ -49,27 +49,28 @@ LargestErrors largest_errors(const SweepResult& result, double tolerance_db) {
   return found;
 }
 
-std::string remedy(const SweepResult& result, const RunFacts& facts) {
-  std::vector<std::string> handles{fmt::format("tubes.per_wavelength ({})", number_text(facts.tubes.max_per_wavelength))};
-  if (facts.materials && result.statistics.truncated[Truncation::bounces].tubes > 0)
-    handles.push_back(fmt::format("tubes.max_bounces ({})", facts.tubes.max_bounces));
-  return "raise " + joined(handles, " or ");
-}
-
-std::string error_lines(const SweepResult& result, const RunFacts& facts) {
-  const LargestErrors errors = largest_errors(result, facts.tubes.tolerance_db);
+std::string levels_text(const LargestErrors& errors) {
   std::vector<std::string> kinds;
   if (errors.co >= 0.0) kinds.push_back(fmt::format("VV, HH {:.2g} dB", errors.co));
   if (errors.cross >= 0.0) kinds.push_back(fmt::format("VH, HV {:.2g} dB", errors.cross));
   if (errors.low >= 0.0)
     kinds.push_back(fmt::format("{:.2g} dB where {} dB and more below the strongest channel", errors.low, low_db));
-  if (kinds.empty()) kinds.emplace_back("0 dB: nothing comes back");
-  std::string text = line("numerical error", "at most " + joined(kinds, "; "));
-  if (facts.tubes.refines() && errors.rows_above > 0)
-    text +=
-        line("above tolerance", fmt::format("{} of {} rows (accuracy.tolerance_db = {}): {}", errors.rows_above,
-                                            result.total.size(), number_text(facts.tubes.tolerance_db), remedy(result, facts)));
-  return text;
+  return kinds.empty() ? "0 dB: nothing comes back" : "at most " + joined(kinds, "; ");
+}
+
+std::string remedy(const SweepResult& result, const RunFacts& facts) {
+  const std::string text = fmt::format("raise tubes.per_wavelength ({})", number_text(facts.tubes.max_per_wavelength));
+  if (!facts.materials || result.statistics.truncated[Truncation::bounces].tubes == 0) return text;
+  return text + fmt::format(" or tubes.max_bounces ({})", facts.tubes.max_bounces);
+}
+
+std::string error_lines(const SweepResult& result, const RunFacts& facts) {
+  const LargestErrors errors = largest_errors(result, result.error, facts.tubes.tolerance_db);
+  const std::string text = line("numerical error", levels_text(errors));
+  if (!facts.tubes.refines() || errors.rows_above == 0) return text;
+  return text +
+         line("above tolerance", fmt::format("{} of {} rows (accuracy.tolerance_db = {}): {}", errors.rows_above,
+                                             result.total.size(), number_text(facts.tubes.tolerance_db), remedy(result, facts)));
 }
 
 // By reason: how many, what is left of those of a look, where that counts, and what would make them fewer.
@@ -79,19 +80,17 @@ std::string truncated_lines(const TruncatedSums& truncated, const RunFacts& fact
   constexpr std::array handles{": raise it", ": raise tubes.per_wavelength", ""};
   std::string text;
   for (const Truncation reason : truncations) {
+    const auto& [tubes, sigma] = truncated[reason];
     const auto i = static_cast<std::size_t>(reason);
-    if (const TruncatedSum& sum = truncated[reason]; sum.tubes > 0)
-      text +=
-          line("cut tubes", fmt::format("{} {}, {:.1f} dBsm of a look left at most, {} the numerical error{}", sum.tubes,
-                                        reasons[i], 10.0 * std::log10(sum.sigma), facts.materials ? "in" : "not in", handles[i]));
+    if (tubes == 0) continue;
+    const std::string left = sigma > 0.0 ? fmt::format("{:.1f} dBsm", 10.0 * std::log10(sigma)) : "nothing";
+    text += line("cut tubes", fmt::format("{} {}, {} of a look left at most, {} the numerical error{}", tubes, reasons[i], left,
+                                          facts.materials ? "in" : "not in", handles[i]));
   }
   return text;
 }
 
-}  // namespace
-
-std::string summary_text(const SweepResult& result, const RunFacts& facts) {
-  const Statistics& s = result.statistics;
+std::string work_lines(const Statistics& s, const RunFacts& facts) {
   const bool paths = s.ray_range > 0.0;
   std::string text = line("rays", fmt::format("{} in {} {}, {:.2f} s on {} thread{}", s.rays, s.tubes, paths ? "paths" : "tubes",
                                               s.solve_s, facts.threads, facts.threads == 1 ? "" : "s"));
@@ -101,11 +100,17 @@ std::string summary_text(const SweepResult& result, const RunFacts& facts) {
   text += line("lost rays", fmt::format("{}", s.lost_rays));
   if (paths && s.truncated.tubes())
     text += line("cut search", fmt::format("in {} looks: too many sequences of mirrors", s.truncated.tubes()));
-  if (!paths) text += truncated_lines(s.truncated, facts);
-  for (const Skipped& skipped : s.skipped)
+  return paths ? text : text + truncated_lines(s.truncated, facts);
+}
+
+}  // namespace
+
+std::string summary_text(const SweepResult& result, const RunFacts& facts) {
+  std::string text = work_lines(result.statistics, facts);
+  for (const Skipped& skipped : result.statistics.skipped)
     text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, skipped.why));
   text += line("peak sigma", fmt::format("{:.2f} dBsm", peak_sigma_dbsm(result)));
-  if (!paths && !facts.random) text += error_lines(result, facts);
+  if (result.statistics.ray_range == 0.0 && !facts.random) text += error_lines(result, facts);
   if (facts.warnings) text += line("warnings", fmt::format("{}, at the beginning and in run.json", facts.warnings));
   return text + line("results", facts.folder);
 }
