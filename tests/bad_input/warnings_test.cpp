@@ -47,7 +47,7 @@ TEST_F(Warnings, StepsTooWideForTheLobes) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.complaint,
               HasSubstr("raytube: sampling: steps of 5 deg in phi are too wide for this target's lobes, which ask "
-                        "for 1.7 or less; take finer steps, or read each row by itself"));
+                        "for 1.7 deg or less; take finer steps, or read each row by itself"));
   EXPECT_EQ(told().size(), 1u);
   EXPECT_EQ(raytube("run case.toml" + metres + "--set 'look.phi_deg={start=0,stop=45,step=1.5}'").code, 0);
   EXPECT_EQ(told().size(), 0u);
@@ -55,14 +55,14 @@ TEST_F(Warnings, StepsTooWideForTheLobes) {
 
 TEST_F(Warnings, FiveDegreesAt94GHz) {
   EXPECT_EQ(raytube("check case.toml" + metres + five_degrees + "--set frequency.ghz=94").code, 0);
-  EXPECT_THAT(output(), HasSubstr("steps of 5 deg in phi are too wide for this target's lobes, which ask for 0.18 or less"));
+  EXPECT_THAT(output(), HasSubstr("steps of 5 deg in phi are too wide for this target's lobes, which ask for 0.18 deg or less"));
 }
 
 TEST_F(Warnings, FrequenciesTooFarApart) {
   EXPECT_EQ(raytube("check case.toml" + metres + "--set look.theta_deg=60 --set 'frequency.ghz={start=10,stop=11,count=5}'").code,
             0);
   EXPECT_THAT(output(),
-              HasSubstr("steps of 0.25 GHz in frequency are too wide for this target's lobes, which ask for 0.086 or less"));
+              HasSubstr("steps of 0.25 GHz in frequency are too wide for this target's lobes, which ask for 0.086 GHz or less"));
 }
 
 TEST_F(Warnings, AListOfLooksIsNoSweep) {

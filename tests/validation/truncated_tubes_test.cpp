@@ -124,20 +124,35 @@ TEST(TruncatedTubes, WhatIsLeftAfterTheLastBounceIsTheAreaOfItsTubes) {
   }
 }
 
-// What passes a small ball close by goes down to a plate far below it, as wide there as the plate itself.
+// What a small ball reflects sideways meets a wide plate far away, each tube there wider than a few wavelengths.
 TEST(TruncatedTubes, TubesWiderThanTheirMiddleSaysAreCountedByThemselves) {
   const PolygonSoup ball = shapes::icosphere(4, lambda),
-                    below = shapes::transformed(shapes::plate(30.0 * lambda), glm::dmat3(1.0), 1.0, {0.0, 0.0, -60.0 * lambda});
+                    above = shapes::transformed(shapes::plate(120.0 * lambda), glm::dmat3(1.0), 1.0, {0.0, 0.0, 60.0 * lambda});
   TubeOptions tubes;
   tubes.curved = CurvedSurfaces::always;
   tubes.max_per_wavelength = tubes.per_wavelength;
-  const TruncatedSums sums = truncated(shapes::joined(ball, below), {deg(0.0, 0.0), deg(0.0, 0.0)}, tubes);
-  const double cell = std::pow(lambda / tubes.per_wavelength, 2);
+  const TruncatedSums sums = truncated(shapes::joined(ball, above), {deg(85.0, 0.0), deg(85.0, 0.0)}, tubes);
+  const double cells = static_cast<double>(sums[Truncation::width].tubes) * std::pow(lambda / tubes.per_wavelength, 2);
   EXPECT_GT(sums[Truncation::width].tubes, 0u);
-  // Cells are a whole number of times in the rectangle: no larger than asked for, and hardly smaller.
-  EXPECT_LE(sums[Truncation::width].sigma, static_cast<double>(sums[Truncation::width].tubes) * cell * (1.0 + 1e-9));
-  EXPECT_GE(sums[Truncation::width].sigma, static_cast<double>(sums[Truncation::width].tubes) * cell * 0.95);
+  // A whole number of cells fills the rectangle: they are no larger than asked for, and hardly smaller.
+  EXPECT_LE(sums[Truncation::width].sigma, cells * (1.0 + 1e-9));
+  EXPECT_GE(sums[Truncation::width].sigma, cells * 0.95);
   EXPECT_EQ(sums.tubes(), sums[Truncation::width].tubes);
+}
+
+// Between two walls of glass on either side more than 15 times as many tubes are under way as a tile has cells, 48 by 45.
+TEST(TruncatedTubes, OfTooManyTheWeakestAreCountedByThemselves) {
+  PolygonSoup boxes = shapes::joined(shapes::cube(6.0 * lambda), shapes::cube(4.0 * lambda));
+  boxes.materials.assign(boxes.polygons.size(), 0);
+  TubeOptions tubes;
+  tubes.mode = TubeMode::uniform;
+  tubes.max_bounces = 12;
+  const Look look{deg(70.0, 20.0), deg(70.0, 20.0)};
+  const TruncatedSums sums = solved(boxes, glass, {frequency}, {look}, tubes).statistics.truncated;
+  EXPECT_GT(sums[Truncation::number].tubes, 0u);
+  EXPECT_GT(sums[Truncation::number].sigma, 0.0);
+  EXPECT_GT(sums[Truncation::bounces].tubes, 0u);
+  EXPECT_EQ(sums[Truncation::width].tubes, 0u);
 }
 
 TEST(TruncatedTubes, TheStrongestGoOn) {

@@ -24,12 +24,12 @@ std::string at_wavelength(const Validity& v) {
 std::string percent(const SmallFeatures& features) { return fmt::format("{:.2g} %", 100.0 * features.share); }
 
 std::string sentence(const CoarseSteps& steps) {
-  const bool frequency = steps.quantity == RowCoordinates::frequency;
+  const char* const unit = steps.quantity == RowCoordinates::frequency ? "GHz" : "deg";
   return fmt::format(
-      "sampling: steps of {:.4g} {} in {} are too wide for this target's lobes, which ask for {:.2g} or less; take finer steps, "
-      "or "
-      "read each row by itself (plots show points, not lines)",
-      steps.step, frequency ? "GHz" : "deg", names[steps.quantity], rounded_down(steps.limit));
+      "sampling: steps of {:.4g} {} in {} are too wide for this target's lobes, which ask for {:.2g} {} or less; take finer "
+      "steps, "
+      "or read each row by itself (plots show points, not lines)",
+      steps.step, unit, names[steps.quantity], rounded_down(steps.limit), unit);
 }
 
 }  // namespace
