@@ -36,6 +36,7 @@ struct Manifest {
   std::vector<std::pair<std::string, double>> mesh_notes;   // sentence and count
   std::optional<RandomRuns> random;                         // with --launch random
   Statistics statistics;
+  std::vector<ModelPart> model_parts;  // of the model uncertainty; their rows are not written
   Timing time;
   std::uint64_t looks_resumed = 0;  // computed by earlier runs, whose time is not in solve_s
   std::uint64_t peak_rss_bytes = 0;
