@@ -32,7 +32,8 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
 void ModelUncertainty::find_edges(std::size_t frequency) {
   const double limit = thin_limit(plan_.sweep.frequencies[frequency]);
   const std::vector<Wedge> wedges = merge_thin_plate_edges(plan_.target.wedges, plan_.target.thin_plate_edges, limit);
-  edges_.push_back(find_edge_features(wedges, curved_, edge_currents(frequency)));
+  const double lowest = std::ranges::min(plan_.sweep.frequencies);
+  edges_.push_back(find_edge_features(wedges, curved_, edge_currents(frequency), wavelength(lowest)));
 }
 
 EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
@@ -53,6 +54,9 @@ RowEvidence ModelUncertainty::evidence(const LookResult& result, std::size_t fre
   row.has_interaction = plan_.mechanisms.interaction && !plan_.interaction_above_limit[frequency];
   row.edge_order = plan_.mechanisms.fringe ? plan_.edges.order : 0;
   row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated : 0.0;  // else it is in the numerical error
+  const std::vector<double>& met = result.tubes.met;
+  for (std::size_t m = 1; m < std::min<std::size_t>(met.size(), 3) && met[0] > 0.0; ++m)
+    row.reflected_share += std::min(1.0, met[m] / met[0]);
   row.wavelength = wavelength(plan_.sweep.frequencies[frequency]);
   return row;
 }

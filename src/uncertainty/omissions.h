@@ -48,8 +48,11 @@ struct RowEvidence {
   ScatteringMatrix edges{}, higher{}, interaction{};
   bool has_interaction = false;  // edge-face interaction was computed
   int edge_order = 3;            // edges in a row that a current passes; 0: there are no edge currents
+  double reflected_share = 0.0;  // of the power that is reflected: that meets a second surface, and a third one, 0 ... 2
   double truncated = 0.0;        // area across the wave times squared amplitude of truncated tubes [m^2]
   double wavelength = 0.0;       // [m]
+
+  ScatteringMatrix total() const;
 };
 
 /// Valid for plane waves; reciprocal if `look` is.

@@ -23,10 +23,12 @@ struct WedgeEnd {
 
 auto order_of(const dvec3& p) { return std::tuple(p.x, p.y, p.z); }
 
+bool counts(const Wedge& wedge) { return wedge.stands_alone() && !wedge.enclosed; }
+
 std::vector<WedgeEnd> ends_of(std::span<const Wedge> wedges) {
   std::vector<WedgeEnd> ends;
   for (std::uint32_t i = 0; i < wedges.size(); ++i) {
-    if (!wedges[i].stands_alone() || wedges[i].enclosed) continue;
+    if (!counts(wedges[i])) continue;
     const dvec3 along = glm::normalize(wedges[i].end - wedges[i].start);
     ends.push_back({wedges[i].start, along, i});
     ends.push_back({wedges[i].end, -along, i});
@@ -78,12 +80,12 @@ double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
 }
 
 // The share of an edge's currents that goes wrong because its faces are curved: they are taken as planes.
-constexpr double curved_faces_share = 0.3;
+constexpr double curved_faces_share = 0.5;
 
 class EdgeFinder {
  public:
-  EdgeFinder(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents)
-      : wedges_(wedges), curved_(curved), currents_(currents) {}
+  EdgeFinder(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents, double wavelength)
+      : wedges_(wedges), curved_(curved), currents_(currents), wavelength_(wavelength) {}
 
   EdgeFeatures find() {
     const std::vector<WedgeEnd> ends = ends_of(wedges_);
@@ -101,25 +103,41 @@ class EdgeFinder {
     for_each_point(ends, [&](std::span<const WedgeEnd> here) {
       if (goes_on(here)) parents[find_root(parents, here[1].wedge)] = find_root(parents, here[0].wedge);
     });
+    join_beside_narrow_faces(parents);
     return number_sets(std::move(parents));
   }
 
+  void join_beside_narrow_faces(std::vector<std::uint32_t>& parents) const {
+    std::vector<std::uint32_t> first(curved_.patches.size(), no_index);
+    for (std::uint32_t i = 0; i < wedges_.size(); ++i)
+      for (const WedgeFace& face : wedges_[i].faces) {
+        if (!counts(wedges_[i]) || face.patch == no_index || !is_narrow(face.width, wavelength_)) continue;
+        std::uint32_t& other = first[face.patch];
+        if (other == no_index) other = i;
+        parents[find_root(parents, i)] = find_root(parents, other);
+      }
+  }
+
   void add_edge(const Wedge& wedge, std::uint32_t run) {
-    if (!wedge.stands_alone() || wedge.enclosed) return;
+    if (!counts(wedge)) return;
     const auto is_curved = [&](const WedgeFace& face) { return face.patch != no_index && curved_.patches[face.patch]; };
     const double curved = std::ranges::any_of(wedge.faces, is_curved) ? curved_faces_share : 0.0;
-    const double strength = std::min(wedge.n - 1.0, 1.0) * std::max(missing_share(wedge, currents_), curved);
-    if (strength == 0.0) return;
+    const double missing = std::max(missing_share(wedge, currents_), curved);
+    const double width = std::min(wedge.faces[0].width, wedge.faces[1].width);
+    if (missing == 0.0 && !is_narrow(width, wavelength_)) return;
     features_.edges.push_back({0.5 * (wedge.start + wedge.end),
                                0.5 * (wedge.end - wedge.start),
                                {wedge.faces[0].normal, wedge.faces[1].normal},
-                               strength,
+                               std::min(wedge.n - 1.0, 1.0),
+                               missing,
+                               width,
                                run});
   }
 
   std::span<const Wedge> wedges_;
   const CurvedParts& curved_;
   const EdgeCurrents& currents_;
+  double wavelength_;
   EdgeFeatures features_;
 };
 
@@ -157,8 +175,12 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
     if (angle < flat_crease || angle >= min_wedge_angle) continue;
     const std::uint32_t a = edges[e].sides[0].triangle, b = edges[e].sides[1].triangle;
     const double along = glm::distance(mesh.vertices[edges[e].low], mesh.vertices[edges[e].high]);
-    const double step = (triangle_area(mesh, a) + triangle_area(mesh, b)) / along;  // mean width of the two across the crease
-    parts.creases.push_back({{a, b}, static_cast<float>(along), static_cast<float>(step / angle)});
+    const double area = triangle_area(mesh, a) + triangle_area(mesh, b), step = area / along;  // mean width across the crease
+    parts.creases.push_back({{a, b},
+                             static_cast<float>(along),
+                             static_cast<float>(step / angle),
+                             static_cast<float>(angle),
+                             static_cast<float>(0.5 * area)});
     risen += along * step * angle / 8.0;  // sagitta of a chord
     length += along;
     parts.patches[mesh.triangle_patch[a]] = parts.patches[mesh.triangle_patch[b]] = true;
@@ -168,8 +190,9 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
   return parts;
 }
 
-EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents) {
-  return EdgeFinder(wedges, curved, currents).find();
+EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents,
+                                double wavelength) {
+  return EdgeFinder(wedges, curved, currents, wavelength).find();
 }
 
 }  // namespace raytube

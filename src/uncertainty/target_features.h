@@ -19,14 +19,18 @@ struct SharpCorner {
 struct WeakEdge {
   dvec3 middle, half;  // recentred coordinates; vector from the middle to the end [m]
   std::array<dvec3, 2> normals;
-  double strength;    // n - 1, times the share of its currents that is missing
-  std::uint32_t run;  // edges of one run go on in one another without a corner
+  double sharpness;   // n - 1, at most 1
+  double missing;     // share of its currents that is missing, whatever the wavelength
+  double width;       // of its narrower face: currents on faces below a wavelength are not those of a wedge [m]
+  std::uint32_t run;  // edges of one run go on in one another without a corner, or lie beside one narrow face
 };
 
 /// A crease of a tessellation: between two facets of a curved surface.
 struct SmoothCrease {
   std::array<std::uint32_t, 2> triangles;
   float length, radius;  // of the crease; of curvature across it [m]
+  float angle;           // between the facets' normals [rad]
+  float area;            // half of the two facets [m^2]
 };
 
 /// What of a target is curved.
@@ -54,7 +58,11 @@ struct EdgeCurrents {
 /// Creases flatter than `min_wedge_angle` [rad] are curvature.
 CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle);
 
-/// `wedges` as they are at the wavelengths in question.
-EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents);
+/// `wedges` as they are at the wavelengths in question, of which `wavelength` [m] is the longest.
+EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents,
+                                double wavelength);
+
+/// Whether a face of this width [m] is narrow: below half a wavelength.
+constexpr bool is_narrow(double width, double wavelength) { return width < 0.5 * wavelength; }
 
 }  // namespace raytube
