@@ -230,6 +230,8 @@ class Run {
   void write_into_folder(const Solved& solved, const Stopwatch& total) {
     const auto& [result, by_chance] = solved;
     manifest_.statistics = result.statistics;
+    manifest_.model_parts = result.model_parts;
+    for (ModelPart& part : manifest_.model_parts) part.rows.clear();
     manifest_.looks_resumed = journal_.resumed();
     if (by_chance) manifest_.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
     make_again_if_gone(folder_);

@@ -78,12 +78,26 @@ struct Statistics {
   double solve_s = 0.0;  // mesh and BVH ready -> last sum
 };
 
+/// One of the things that the asymptotic physics leaves out, over the rows of a sweep. An estimate, as of SweepResult::model.
+struct ModelPart {
+  std::string name;                   // one word
+  std::string what;                   // it is
+  std::string remedy;                 // the handle that makes it less
+  double rms = 0.0;                   // over rows, of the two co-polar channels together [m]
+  double share = 0.0;                 // of the sum of the squares of all parts, 0 ... 1
+  std::uint64_t rows_largest = 0;     // rows in which no other part is larger
+  std::vector<ChannelErrors> rows{};  // [row] [m]; empty unless parts are kept
+};
+
 /// Complex amplitudes of a sweep, one entry per row (Sweep::row), kept apart by mechanism. At a finite distance they are apparent
 /// ones: what would make the same signal if it lay at the origin of the mesh's own coordinates (Antenna).
 struct SweepResult {
   std::vector<ScatteringMatrix> total;  // sum of all mechanisms
   /// Estimated numerical error of |S_pq| by tubes and by edge-diffracted waves on faces [m]; not by the edges' own currents.
   std::vector<ChannelErrors> error;
+  /// Model uncertainty: what the asymptotic physics may leave out in |S_pq| [m], root of the sum of the squares of its parts.
+  std::vector<ChannelErrors> model;
+  std::vector<ModelPart> model_parts;  // those that are not zero in every row, the largest share first
 
   // The mechanisms; empty unless parts are kept.
   std::vector<std::vector<ScatteringMatrix>> bounces;  // bounces[m][row]: PO currents of bounce m + 1

@@ -128,6 +128,7 @@ RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions&
   for (std::size_t run = 0; run < static_cast<std::size_t>(random.runs); ++run)
     runs.push_back(rows_of_run(sweep, fixed, &drawn[run * sweep.looks.size()]));
   result.mean.total.resize(sweep.rows()), result.mean.error.resize(sweep.rows()), result.spread.resize(sweep.rows());
+  result.mean.model = result.deterministic.model, result.mean.model_parts = result.deterministic.model_parts;
   for (std::size_t row = 0; row < sweep.rows(); ++row)
     for (const int channel : {0, 1, 2, 3}) describe(result, runs, row, channel / 2, channel % 2);
   result.mean.statistics = statistics_of(plan, result.deterministic.statistics, drawn, random);

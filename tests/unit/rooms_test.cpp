@@ -61,8 +61,10 @@ const Rooms may_include = {
     {"utd/gtd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe"}},
     {"utd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe", "utd/interaction", "utd/gtd"}},
 
+    {"uncertainty", base},
+
     {"solve", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "utd", "utd/fringe",
-                                           "utd/interaction", "utd/gtd"}},
+                                           "uncertainty", "utd/interaction", "utd/gtd"}},
 
     {"case/data", {"core", "scene"}},
     {"case/text", {"core", "mesh/model"}},

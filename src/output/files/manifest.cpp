@@ -45,6 +45,18 @@ JsonValue counts_json(const Statistics& statistics) {
   return json;
 }
 
+JsonValue model_json(const std::vector<ModelPart>& parts) {
+  JsonValue json = std::vector<JsonValue>();
+  for (const ModelPart& part : parts)
+    json.append({{"part", part.name},
+                 {"what", part.what},
+                 {"remedy", part.remedy},
+                 {"rms_m", part.rms},
+                 {"share", part.share},
+                 {"rows_largest", part.rows_largest}});
+  return json;
+}
+
 JsonValue mesh_json(const Manifest& manifest) {
   const std::vector<std::string>& hashes = manifest.mesh_sha256;
   JsonValue json = {{"sha256", hashes.size() == 1 ? JsonValue(hashes.front()) : JsonValue(hashes)}};
@@ -86,6 +98,7 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   if (manifest.random) json["launch"] = launch_json(*manifest.random);
   json["warnings"] = manifest.warnings;
   json["counts"] = counts_json(manifest.statistics);
+  json["model_uncertainty"] = model_json(manifest.model_parts);
   json["time"] = time_json(manifest.time, manifest.statistics.solve_s, manifest.looks_resumed);
   json["peak_rss_bytes"] = manifest.peak_rss_bytes;
   json["rcs_csv_sha256"] = manifest.rcs_csv_sha256;

@@ -37,6 +37,7 @@ struct Manifest {
   std::vector<std::string> warnings;                        // about features too small and steps too wide
   std::optional<RandomRuns> random;                         // with --launch random
   Statistics statistics;
+  std::vector<ModelPart> model_parts;  // of the model uncertainty; their rows are not written
   Timing time;
   std::uint64_t looks_resumed = 0;  // computed by earlier runs, whose time is not in solve_s
   std::uint64_t peak_rss_bytes = 0;
