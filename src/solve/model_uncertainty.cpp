@@ -53,7 +53,7 @@ RowEvidence ModelUncertainty::evidence(const LookResult& result, std::size_t fre
   if (!result.interaction.scattering.empty()) row.interaction = result.interaction.scattering[frequency];
   row.has_interaction = plan_.mechanisms.interaction && !plan_.interaction_above_limit[frequency];
   row.edge_order = plan_.mechanisms.fringe ? plan_.edges.order : 0;
-  row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated : 0.0;  // else it is in the numerical error
+  row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated.sigma() : 0.0;  // else it is in the numerical error
   const std::vector<double>& met = result.tubes.met;
   for (std::size_t m = 1; m < std::min<std::size_t>(met.size(), 3) && met[0] > 0.0; ++m)
     row.reflected_share += std::min(1.0, met[m] / met[0]);

@@ -86,7 +86,7 @@ TEST_F(Warnings, TruncatedTubesAreTold) {
   EXPECT_EQ(raytube(corner + "--set tubes.max_bounces=1").code, 0);
   // The opening of the corner is sqrt(2) m^2: 1.5 dBsm.
   EXPECT_THAT(output(),
-              HasSubstr(" after tubes.max_bounces = 1, 1.5 dBsm of a look left at most, not in the numerical error: raise it\n"));
+              HasSubstr(" after tubes.max_bounces = 1, 1.5 dBsm of a look left at most, in the model uncertainty: raise it\n"));
   const auto counts = nlohmann::json::parse(text_of(scratch / "out/run.json"))["counts"];
   EXPECT_GT(counts["tubes_cut_at_max_bounces"], 0);
   EXPECT_EQ(counts["tubes_cut_by_width"], 0);

@@ -61,11 +61,23 @@ TEST(Summary, TruncatedTubesByReason) {
   result.statistics.truncated[Truncation::width] = {3, 0.001};
   EXPECT_THAT(
       summary_text(result, facts()),
-      AllOf(
-          HasSubstr("cut tubes          12 after tubes.max_bounces = 8, -20.0 dBsm of a look left at most, not in the numerical "
-                    "error: raise it\n"),
-          HasSubstr("cut tubes          3 too wide off curved surfaces, -30.0 dBsm of a look left at most"),
-          Not(HasSubstr("too many"))));
+      AllOf(HasSubstr("cut tubes          12 after tubes.max_bounces = 8, -20.0 dBsm of a look left at most, in the model "
+                      "uncertainty: raise it\n"),
+            HasSubstr("cut tubes          3 too wide off curved surfaces, -30.0 dBsm of a look left at most"),
+            Not(HasSubstr("too many"))));
+}
+
+// 20 log10(1 + 0.5) = 3.5 dB of the model beside 0.0087 dB of the numbers.
+TEST(Summary, ModelUncertaintyIsNeverMixedWithTheNumericalError) {
+  SweepResult result = rows({{1.0, 0.0, 0.0, 1.0}}, {{0.001, 0.0, 0.0, 0.001}});
+  EXPECT_THAT(summary_text(result, facts()), Not(HasSubstr("model uncertainty")));
+  result.model = {{{{0.5, 0.0}, {0.0, 0.5}}}};
+  result.model_parts = {{"corners", "waves from corners", "none", 0.5, 0.62, 1},
+                        {"edges", "waves from edges", "none", 0.1, 0.38, 0}};
+  EXPECT_THAT(
+      summary_text(result, facts()),
+      AllOf(HasSubstr("numerical error    at most VV, HH 0.0087 dB;"), HasSubstr("model uncertainty  at most VV, HH 3.5 dB;"),
+            HasSubstr("\n                   mostly waves from corners (62 %); remedy: none\n"), Not(HasSubstr("edges (38"))));
 }
 
 TEST(Summary, OfManyLooksCountsAddUpAndTheLargestRemainsStays) {

@@ -73,6 +73,15 @@ std::string error_lines(const SweepResult& result, const RunFacts& facts) {
                                              result.total.size(), number_text(facts.tubes.tolerance_db), remedy(result, facts)));
 }
 
+// What it is mostly, and the handle that makes it less.
+std::string model_lines(const SweepResult& result, const RunFacts& facts) {
+  if (result.model.empty()) return "";
+  std::string text = line("model uncertainty", levels_text(largest_errors(result, result.model, facts.tubes.tolerance_db)));
+  if (result.model_parts.empty()) return text;
+  const ModelPart& largest = result.model_parts.front();
+  return text + line("", fmt::format("mostly {} ({:.0f} %); remedy: {}", largest.what, 100.0 * largest.share, largest.remedy));
+}
+
 // By reason: how many, what is left of those of a look, where that counts, and what would make them fewer.
 std::string truncated_lines(const TruncatedSums& truncated, const RunFacts& facts) {
   const std::array reasons{fmt::format("after tubes.max_bounces = {}", facts.tubes.max_bounces),
@@ -84,8 +93,8 @@ std::string truncated_lines(const TruncatedSums& truncated, const RunFacts& fact
     const auto i = static_cast<std::size_t>(reason);
     if (tubes == 0) continue;
     const std::string left = sigma > 0.0 ? fmt::format("{:.1f} dBsm", 10.0 * std::log10(sigma)) : "nothing";
-    text += line("cut tubes", fmt::format("{} {}, {} of a look left at most, {} the numerical error{}", tubes, reasons[i], left,
-                                          facts.materials ? "in" : "not in", handles[i]));
+    text += line("cut tubes", fmt::format("{} {}, {} of a look left at most, in the {}{}", tubes, reasons[i], left,
+                                          facts.materials ? "numerical error" : "model uncertainty", handles[i]));
   }
   return text;
 }
@@ -111,6 +120,7 @@ std::string summary_text(const SweepResult& result, const RunFacts& facts) {
     text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, skipped.why));
   text += line("peak sigma", fmt::format("{:.2f} dBsm", peak_sigma_dbsm(result)));
   if (result.statistics.ray_range == 0.0 && !facts.random) text += error_lines(result, facts);
+  text += model_lines(result, facts);
   if (facts.warnings) text += line("warnings", fmt::format("{}, at the beginning and in run.json", facts.warnings));
   return text + line("results", facts.folder);
 }
