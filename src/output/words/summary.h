@@ -10,13 +10,13 @@ namespace raytube {
 
 /// What of a run the result does not tell.
 struct RunFacts {
-  TubeOptions tubes;
+  TubeOptions tubes{};
   bool materials = false;  // other than perfect conductors: the numerical error holds what truncated tubes may bring
   bool random = false;     // the mean of random tubes, whose error is told elsewhere
   int threads = 1;
   std::uint64_t looks_resumed = 0;
   std::size_t warnings = 0;
-  std::string folder;
+  std::string folder{};
 };
 
 /// Lines of a name and what is to be said of it.
