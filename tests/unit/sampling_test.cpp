@@ -57,19 +57,19 @@ TEST(Sampling, FrequencyCountsByTheExtentAlong) {
 TEST(Sampling, FewPointsAreAsWideAsAll) {
   const PolygonSoup ball = shapes::icosphere(5);
   const std::vector<dvec3> outermost = outermost_points(ball.points);
-  EXPECT_LE(outermost.size(), 200u);
+  EXPECT_LE(outermost.size(), 80u);
   EXPECT_NEAR(largest_extent(outermost), 2.0, 1e-3);  // opposite vertices are among them
   for (int i = 0; i < 50; ++i) {
     const dvec3 along = spherical_basis({std::acos(1.0 - 0.02 * i), 2.4 * i}).radial;
     const double width = phase_turn(outermost, dvec3(0.0), along);
     EXPECT_LE(width, 2.0 + 1e-12);
-    EXPECT_GE(width, 2.0 * 0.98);  // as promised
+    EXPECT_GE(width, 2.0 * 0.95);  // as promised
   }
 }
 
 Sweep sweep_of_phi(std::size_t count, double step_deg, std::vector<double> frequencies = {frequency}) {
   Sweep sweep{std::move(frequencies), {}};
-  for (std::size_t i = 0; i < count; ++i) sweep.looks.push_back(monostatic(0.5 * pi, (80.0 + step_deg * i) * degree));
+  for (std::size_t i = 0; i < count; ++i) sweep.looks.push_back(monostatic(0.5 * pi, (80.0 + step_deg * static_cast<double>(i)) * degree));
   return sweep;
 }
 

@@ -52,18 +52,16 @@ std::string fixed_values(Quantity axis, const Values& row, const std::array<bool
   return text;
 }
 
-CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowCoordinates& coordinates) {
+void sort_along(Quantity axis, const RowCoordinates& coordinates, std::vector<std::size_t>& group) {
   std::stable_sort(group.begin(), group.end(),
                    [&](std::size_t a, std::size_t b) { return coordinates.rows[a][axis] < coordinates.rows[b][axis]; });
+}
+
+CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowCoordinates& coordinates) {
+  sort_along(axis, coordinates, group);
   CutRows cut{fixed_values(axis, coordinates.rows[group.front()], coordinates.told), std::move(group), {}};
   for (const std::size_t row : cut.rows) cut.x.push_back(coordinates.rows[row][axis]);
   return cut;
-}
-
-std::vector<CutRows> cuts_of(std::vector<std::vector<std::size_t>> groups, Quantity axis, const RowCoordinates& coordinates) {
-  std::vector<CutRows> cuts;
-  for (auto& group : groups) cuts.push_back(cut_rows(std::move(group), axis, coordinates));
-  return cuts;
 }
 
 Cut curves_of(const CutRows& rows, const SweepResult& result) {
@@ -95,8 +93,10 @@ RowCoordinates coordinates_of_rows(const Sweep& sweep) {
   return coordinates;
 }
 
-std::vector<CutRows> cuts_along(Quantity quantity, const RowCoordinates& coordinates) {
-  return cuts_of(groups_along(quantity, coordinates.rows), quantity, coordinates);
+std::vector<std::vector<std::size_t>> rows_along(Quantity quantity, const RowCoordinates& coordinates) {
+  std::vector<std::vector<std::size_t>> groups = groups_along(quantity, coordinates.rows);
+  for (std::vector<std::size_t>& group : groups) sort_along(quantity, coordinates, group);
+  return groups;
 }
 
 CutPlan plan_cuts(const RowCoordinates& coordinates) {
@@ -107,7 +107,9 @@ CutPlan plan_cuts(const RowCoordinates& coordinates) {
        {RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta, RowCoordinates::frequency})
     if (auto grouped = groups_along(other, rows); grouped.size() < groups.size()) axis = other, groups = std::move(grouped);
   if (rows.size() > 1 && 2 * groups.size() > rows.size()) groups = groups_along(axis = RowCoordinates::look_number, rows);
-  return {axis, axis_labels[axis], cuts_of(std::move(groups), axis, coordinates)};
+  CutPlan plan{axis, axis_labels[axis], {}};
+  for (auto& group : groups) plan.cuts.push_back(cut_rows(std::move(group), axis, coordinates));
+  return plan;
 }
 
 std::string coordinates_text(const RowCoordinates& coordinates, std::size_t row) {

@@ -33,8 +33,8 @@ struct CutPlan {
   std::vector<CutRows> cuts;
 };
 
-/// The rows that differ in this quantity only.
-std::vector<CutRows> cuts_along(RowCoordinates::Quantity quantity, const RowCoordinates& coordinates);
+/// Rows that differ in this quantity only, ordered by it; the groups in the order of their first row.
+std::vector<std::vector<std::size_t>> rows_along(RowCoordinates::Quantity quantity, const RowCoordinates& coordinates);
 
 /// Takes the quantity that leaves the fewest cuts as the axis, or the look's number if no quantity orders the looks.
 CutPlan plan_cuts(const RowCoordinates& coordinates);

@@ -53,16 +53,25 @@ class Widest {
   double turn_ = 0.0;
 };
 
+std::vector<double> values_of(const RowCoordinates& coordinates, Quantity quantity, std::span<const std::size_t> rows) {
+  std::vector<double> values;
+  for (const std::size_t row : rows) values.push_back(coordinates.rows[row][quantity]);
+  return values;
+}
+
 // Lobes are narrowest at the highest frequency.
 void add_angles(const Sweep& sweep, std::span<const dvec3> outermost, std::vector<CoarseSteps>& all) {
   Sweep looks{{std::ranges::max(sweep.frequencies)}, {}, sweep.bistatic};
   const auto count = static_cast<std::ptrdiff_t>(std::min(sweep.looks.size(), most_looks));
   looks.looks.assign(sweep.looks.begin(), sweep.looks.begin() + count);
+  if (looks.looks.size() < least_values) return;
   const RowCoordinates coordinates = coordinates_of_rows(looks);
   for (const Quantity quantity : {RowCoordinates::phi, RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta}) {
-    const std::vector<CutRows> cuts = cuts_along(quantity, coordinates);
+    if (!coordinates.told[quantity]) continue;
+    const auto groups = rows_along(quantity, coordinates);
     Widest widest(looks, outermost, quantity);
-    for (const std::size_t i : spread_choice(cuts.size(), most_sweeps)) widest.add(cuts[i].rows, cuts[i].x);
+    for (const std::size_t i : spread_choice(groups.size(), most_sweeps))
+      widest.add(groups[i], values_of(coordinates, quantity, groups[i]));
     widest.tell(all);
   }
 }
