@@ -74,13 +74,18 @@ double strength_of(const WedgeFace& face, const EdgeCurrents& currents) {
   return face.material == no_index ? 1.0 : currents.material_strengths[face.material];
 }
 
+// Of edges of other materials, over their strength; with the heuristic's currents half of it.
+constexpr double material_share = 0.6;
+constexpr double heuristic_share = 0.3;
+
 double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
-  if (wedge.conducting() ? currents.conductors : currents.materials) return 0.0;
-  return std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
+  if (wedge.conducting()) return currents.conductors ? 0.0 : 1.0;
+  if (currents.materials) return heuristic_share;
+  return material_share * std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
 }
 
 // The share of an edge's currents that goes wrong because its faces are curved: they are taken as planes.
-constexpr double curved_faces_share = 0.5;
+constexpr double curved_faces_share = 0.3;
 
 class EdgeFinder {
  public:
