@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::array<OmissionText, omissions> texts = {{
     {"corners", "waves that start at corners of edges", "none: it falls with the wavelength beside the target"},
-    {"edge_orders", "diffraction at more edges in a row than are followed", "edges.order = 3"},
-    {"edges", "edges without currents, or with curved faces", "edges.method = \"fringe\", edges.materials = \"luebbers\""},
-    {"interaction", "edge-face interaction over further edges and faces, or where it is off", "edges.between = true"},
+    {"edge_orders", "diffraction at more edges in a row than are followed", "edges.order = 3, the most there is"},
+    {"edges", "edges without currents, or with curved faces", "edges.method = \"fringe\", edges.materials = \"luebbers\", where they are not set"},
+    {"interaction", "edge-face interaction over further edges and faces, or where it is off", "edges.between = true, where it is off or left out"},
     {"cavities", "waves that were reflected more than three times", "none: a full-wave method for the cavity"},
     {"smooth_surfaces", "creeping and travelling waves, shadow boundaries on curved surfaces",
      "none: it falls with k times radius"},

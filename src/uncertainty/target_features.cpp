@@ -21,7 +21,8 @@ struct WedgeEnd {
   std::uint32_t wedge;
 };
 
-auto order_of(const dvec3& p) { return std::tuple(p.x, p.y, p.z); }
+// In single precision: what thin plates are merged into ends at the same points to rounding only.
+auto order_of(const dvec3& p) { return std::tuple(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)); }
 
 bool counts(const Wedge& wedge) { return wedge.stands_alone() && !wedge.enclosed; }
 
@@ -42,7 +43,7 @@ template <class Visit>
 void for_each_point(std::span<const WedgeEnd> ends, Visit visit) {
   for (std::size_t first = 0; first < ends.size();) {
     std::size_t last = first + 1;
-    while (last < ends.size() && ends[last].point == ends[first].point) ++last;
+    while (last < ends.size() && order_of(ends[last].point) == order_of(ends[first].point)) ++last;
     visit(ends.subspan(first, last - first));
     first = last;
   }
