@@ -45,7 +45,7 @@ double lit_corners(const EdgeFeatures& target, const Phases& phases) {
 
 // n - 1 times the share of the edge's currents that is missing.
 double strength(const WeakEdge& edge, double k) {
-  const double narrow = is_narrow(edge.width, 2.0 * pi / k) ? std::min(1.0, 2.0 / (1.0 + k * edge.width)) : 0.0;
+  const double narrow = is_narrow(edge.width, 2.0 * pi / k) ? 1.0 / (1.0 + k * edge.width) : 0.0;
   return edge.sharpness * std::max(edge.missing, narrow);
 }
 
@@ -78,9 +78,10 @@ class BoundaryShare {
     across_ = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   }
 
-  double operator()(double kr) const {
+  double soft(double kr) const { return 1.0 / (turns_ * turns_ * kr + 2.0); }
+  double hard(double kr) const {
     const double width = std::cbrt(2.0 * kr * kr);  // times k
-    return 1.0 / (turns_ * turns_ * kr + 2.0) + 0.5 * across_ / (turns_ + 1.0 / (1.0 + width));
+    return 0.5 * across_ / (turns_ + 1.0 / (1.0 + width));
   }
 
  private:
@@ -97,9 +98,9 @@ constexpr double least_curvature = 20.0;
 
 // What creases of curved surfaces add up to, seen from one antenna.
 struct CreaseSums {
-  Complex boundary = 0.0;  // pieces of the line on which the surface turns away [m]
-  Complex curved = 0.0;    // currents of PO times the share that curvature changes [m]
-  Complex rims = 0.0;      // creases that turn so sharply that they are edges [m]
+  Complex soft = 0.0, hard = 0.0;  // pieces of the line on which the surface turns away [m]
+  Complex curved = 0.0;            // currents of PO times the share that curvature changes [m]
+  Complex rims = 0.0;              // creases that turn so sharply that they are edges [m]
 };
 
 // The leading corrections to geometrical optics at a cylinder of radius R are 5/16 and 11/16 of 1/kR (Bowman, Senior & Uslenghi
@@ -121,7 +122,9 @@ CreaseSums add_creases(const TargetFeatures& target, const Phases& phases, const
     const double kr = phases.k * crease.radius;
     if ((a > 0.0) != (b > 0.0)) {
       const dvec3 start = center_of(mesh, first), point = start + a / (a - b) * (center_of(mesh, second) - start);
-      sums.boundary += crease.length * share(kr) * std::polar(1.0, glm::dot(phases.difference, point));
+      const Complex piece = static_cast<double>(crease.length) * std::polar(1.0, glm::dot(phases.difference, point));
+      sums.soft += share.soft(kr) * piece;
+      sums.hard += share.hard(kr) * piece;
     }
     const double facing_both = 0.5 * (a + b);
     if (kr > least_curvature || facing_both < darkest_rim) continue;
@@ -133,14 +136,30 @@ CreaseSums add_creases(const TargetFeatures& target, const Phases& phases, const
   return sums;
 }
 
+// How much of V and H of an antenna lies in the plane of both directions, as power; no less than a fifth, for surfaces that turn
+// what meets them.
+std::array<double, 2> shares_in_plane(const Direction& antenna, const dvec3& other) {
+  const SphericalBasis basis = spherical_basis(antenna);
+  const dvec3 across = glm::cross(basis.radial, other);
+  const double square = glm::dot(across, across);
+  if (square < 1e-12) return {1.0, 1.0};
+  const auto share = [&](const dvec3& e) { return std::max(0.2, 1.0 - glm::dot(e, across) * glm::dot(e, across) / square); };
+  return {share(basis.theta_hat), share(basis.phi_hat)};
+}
+
 // Means over both antennas.
-void find_creases(const TargetFeatures& target, const Phases& phases, LookFeatures& look) {
+void find_creases(const TargetFeatures& target, const Look& look, const Phases& phases, LookFeatures& features) {
   if (target.curved.creases.empty()) return;
   const CreaseSums transmit = add_creases(target, phases, phases.transmit);
   const CreaseSums receive = phases.monostatic() ? transmit : add_creases(target, phases, phases.receive);
-  look.shadow_boundaries = std::sqrt(0.5 * (std::norm(transmit.boundary) + std::norm(receive.boundary))) / (2.0 * pi);
-  look.tight_curves = std::sqrt(0.5 * (std::norm(transmit.curved) + std::norm(receive.curved))) / (2.0 * pi);
-  look.rims = std::sqrt(0.5 * (std::norm(transmit.rims) + std::norm(receive.rims))) / (2.0 * pi);
+  const auto mean = [](Complex a, Complex b) { return std::sqrt(0.5 * (std::norm(a) + std::norm(b))) / (2.0 * pi); };
+  const double soft = mean(transmit.soft, receive.soft), hard = mean(transmit.hard, receive.hard);
+  const std::array<double, 2> sent = shares_in_plane(look.transmit, phases.receive);
+  const std::array<double, 2> received = shares_in_plane(look.receive, phases.transmit);
+  for (std::size_t p = 0; p < 2; ++p)
+    for (std::size_t q = 0; q < 2; ++q) features.shadow_boundaries[p][q] = soft + hard * std::sqrt(received[p] * sent[q]);
+  features.tight_curves = mean(transmit.curved, receive.curved);
+  features.rims = mean(transmit.rims, receive.rims);
 }
 
 }  // namespace
@@ -148,7 +167,7 @@ void find_creases(const TargetFeatures& target, const Phases& phases, LookFeatur
 LookFeatures find_look_features(const TargetFeatures& target, const Look& look, double frequency) {
   const Phases phases(look, frequency);
   LookFeatures features{.corners = lit_corners(target.edges, phases), .edges = lit_edges(target.edges, phases)};
-  find_creases(target, phases, features);
+  find_creases(target, look, phases, features);
   return features;
 }
 

@@ -17,9 +17,9 @@ struct TargetFeatures {
 struct LookFeatures {
   double corners = 0.0;  // root of the sum of squares over lit corners of weight times the wavelength, or the reach if shorter
   double edges = 0.0;    // of weak edges: their length in phase over 2 pi, root of the sum of squares over runs
-  double shadow_boundaries = 0.0;  // of curved surfaces: length in phase over 2 pi, times the share of a sharp edge's field
-  double tight_curves = 0.0;       // PO currents of curved surfaces times the share that curvature changes, in phase
-  double rims = 0.0;               // of curved surfaces whose radius is below a wavelength, as edges
+  double tight_curves = 0.0;          // PO currents of curved surfaces times the share that curvature changes, in phase
+  double rims = 0.0;                  // of curved surfaces whose radius is below a wavelength, as edges: as `edges`
+  ChannelErrors shadow_boundaries{};  // of curved surfaces: as `edges`, times the share of a sharp edge's field
 };
 
 /// Shadows that parts of the target cast on others are left out: what is turned to an antenna counts.

@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::array<OmissionText, omissions> texts = {{
     {"corners", "waves that start at corners of edges", "none: it falls with the wavelength beside the target"},
-    {"edge_orders", "diffraction at more edges in a row than are followed", "edges.order = 3"},
-    {"edges", "edges without currents, or with curved faces", "edges.method = \"fringe\", edges.materials = \"luebbers\""},
-    {"interaction", "edge-face interaction over further edges and faces, or where it is off", "edges.between = true"},
+    {"edge_orders", "diffraction at more edges in a row than are followed", "edges.order = 3, the most there is"},
+    {"edges", "edges without currents, or with curved faces", "edges.method = \"fringe\", edges.materials = \"luebbers\", where they are not set"},
+    {"interaction", "edge-face interaction over further edges and faces, or where it is off", "edges.between = true, where it is off or left out"},
     {"cavities", "waves that were reflected more than three times", "none: a full-wave method for the cavity"},
     {"smooth_surfaces", "creeping and travelling waves, shadow boundaries on curved surfaces",
      "none: it falls with k times radius"},
@@ -22,11 +22,13 @@ constexpr std::array<OmissionText, omissions> texts = {{
 
 constexpr double corner_amplitude = 0.06;    // of a sharp corner, over the wavelength
 constexpr double next_order = 0.3;           // what further edges add, over what the last ones have
-constexpr double edge_amplitude = 0.7;       // of an edge's field, over its length in phase / 2 pi
+constexpr double second_order = 0.5;         // at first order: what the next one adds, over the first
+constexpr double endless_faces = 1.5;        // at first order: corners, where faces end that are taken as endless
+constexpr double edge_amplitude = 1.2;       // of an edge's field, over its length in phase / 2 pi
 constexpr double further_interaction = 0.3;  // over what edge-face interaction has
-constexpr double mirror_spread = 0.6;        // of a wave reflected by a face, over (wavelength / width)^{1/2}
-constexpr double boundary_amplitude = 1.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
-constexpr double rim_amplitude = 3.0;        // of a sharply curved rim, over the same
+constexpr double mirror_spread = 0.8;        // of a wave reflected by a face, over (wavelength / width)^{1/2}
+constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
+constexpr double rim_amplitude = 5.0;        // of a sharply curved rim, over the same
 constexpr int interacting_bounces = 3;       // that edge-face interaction mends
 
 double square(double x) { return x * x; }
@@ -51,10 +53,9 @@ class RowEstimate {
 
   OmissionErrors all() {
     // Seen over reflections, on the way there and back, a corner counts again.
-    set(Omission::corners, everywhere(corner_amplitude * (1.0 + row_.reflected_share) * look_.corners));
+    const double amplitude = corner_amplitude * (row_.edge_order > 1 ? 1.0 : endless_faces) * (1.0 + row_.reflected_share);
+    set(Omission::corners, everywhere(amplitude * look_.corners));
     set(Omission::edges, everywhere(edge_amplitude * look_.edges));
-    set(Omission::smooth_surfaces,
-        everywhere(boundary_amplitude * std::hypot(look_.shadow_boundaries, look_.tight_curves, rim_amplitude * look_.rims)));
     set(Omission::cut_tubes, everywhere(std::sqrt(row_.truncated / (4.0 * pi))));
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q) set_channel(p, q);
@@ -67,7 +68,7 @@ class RowEstimate {
 
   void set_channel(int p, int q) {
     const double higher = typical(row_.higher, p, q), first = typical(row_.edges, p, q);
-    if (row_.edge_order > 0) at(Omission::edge_orders)[p][q] = next_order * (row_.edge_order > 1 ? higher : first);
+    at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_order * higher;
     double early = 0.0, late = 0.0;
     for (std::size_t m = 1; m < row_.bounces.size(); ++m) {
       const double here = square(spread(std::abs(row_.bounces[m].at(p, q)), row_.wavelength));
@@ -76,6 +77,8 @@ class RowEstimate {
     at(Omission::interaction)[p][q] =
         row_.has_interaction ? further_interaction * typical(row_.interaction, p, q) : std::sqrt(early);
     at(Omission::cavities)[p][q] = std::sqrt(late);
+    at(Omission::smooth_surfaces)[p][q] = std::hypot(boundary_amplitude * look_.shadow_boundaries[p][q],
+                                                     boundary_amplitude * look_.tight_curves, rim_amplitude * look_.rims);
     set_facets(p, q);
     set_small_target(p, q);
   }

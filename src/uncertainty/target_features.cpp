@@ -21,7 +21,8 @@ struct WedgeEnd {
   std::uint32_t wedge;
 };
 
-auto order_of(const dvec3& p) { return std::tuple(p.x, p.y, p.z); }
+// In single precision: what thin plates are merged into ends at the same points to rounding only.
+auto order_of(const dvec3& p) { return std::tuple(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)); }
 
 bool counts(const Wedge& wedge) { return wedge.stands_alone() && !wedge.enclosed; }
 
@@ -42,7 +43,7 @@ template <class Visit>
 void for_each_point(std::span<const WedgeEnd> ends, Visit visit) {
   for (std::size_t first = 0; first < ends.size();) {
     std::size_t last = first + 1;
-    while (last < ends.size() && ends[last].point == ends[first].point) ++last;
+    while (last < ends.size() && order_of(ends[last].point) == order_of(ends[first].point)) ++last;
     visit(ends.subspan(first, last - first));
     first = last;
   }
@@ -74,13 +75,18 @@ double strength_of(const WedgeFace& face, const EdgeCurrents& currents) {
   return face.material == no_index ? 1.0 : currents.material_strengths[face.material];
 }
 
+// Of edges of other materials, over their strength; with the heuristic's currents half of it.
+constexpr double material_share = 0.6;
+constexpr double heuristic_share = 0.3;
+
 double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
-  if (wedge.conducting() ? currents.conductors : currents.materials) return 0.0;
-  return std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
+  if (wedge.conducting()) return currents.conductors ? 0.0 : 1.0;
+  if (currents.materials) return heuristic_share;
+  return material_share * std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
 }
 
 // The share of an edge's currents that goes wrong because its faces are curved: they are taken as planes.
-constexpr double curved_faces_share = 0.5;
+constexpr double curved_faces_share = 0.3;
 
 class EdgeFinder {
  public:
