@@ -15,9 +15,11 @@
 #include "program/material_report.h"
 #include "program/memory.h"
 #include "program/solvable.h"
+#include "program/warnings.h"
 #include "program/wedge_list.h"
 #include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
+#include "scene/sampling.h"
 #include "scene/skipped.h"
 #include "solve/image.h"
 
@@ -210,6 +212,13 @@ void print_skipped(const MeshReport& r, const SolvePlan& plan) {
   for (const std::string& line : lines) fmt::print("  {}\n", line);
 }
 
+void print_warnings(const SolvePlan& plan) {
+  const std::vector<std::string> sentences = warnings_of(plan, outermost_points(plan.target.mesh.vertices));
+  fmt::print("\nwarnings\n");
+  for (const std::string& sentence : sentences) fmt::print("  {}\n", sentence);
+  if (sentences.empty()) fmt::print("  none\n");
+}
+
 LaunchGrid grid_of(const SolvePlan& plan, std::size_t look) {
   return grid_of_look(plan.target.mesh, plan.sweep.looks[look], plan.shortest_wavelength(), plan.tubes.per_wavelength,
                       plan.tubes.up);
@@ -285,6 +294,7 @@ void check_command(const Request& request) {
   print_material_edges(c.edges, target.wedges);
   print_thin_plate_edges(c, target.thin_plate_edges);
   print_skipped(loaded.report, plan);
+  print_warnings(plan);
   print_cost(plan);
   print_memory(plan, c);
   if (!request.wedges_csv.empty()) {

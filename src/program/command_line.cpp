@@ -97,6 +97,10 @@ void add_machine_options(CLI::App& command, Request& request) {
       ->type_name("NAME");
 }
 
+void add_quiet_option(CLI::App& command, Request& request, const char* summary) {
+  command.add_flag("--quiet", request.quiet, fmt::format("No progress, no {}; warnings are told all the same", summary));
+}
+
 CLI::App* add_command(CLI::App& app, const char* name, const char* description, const char* examples) {
   CLI::App* command = app.add_subcommand(name, description);
   command->footer(examples);
@@ -144,7 +148,7 @@ CLI::App* add_run(CLI::App& app, Request& request) {
   add_machine_options(*run, request);
   run->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
   run->add_flag("--resume", request.resume, "Go on with the looks that a run stopped before has left in the folder");
-  run->add_flag("--quiet", request.quiet, "No progress bar, no summary");
+  add_quiet_option(*run, request, "summary");
   add_random_options(*run, request);
   return run;
 }
@@ -220,6 +224,7 @@ CLI::App* add_converge(CLI::App& app, Request& request) {
   add_machine_options(*converge, request);
   converge->add_option("--densities", request.densities, "Tubes per wavelength, at least three; default 2,4,8,16,32,64")
       ->type_name("N,N,...");
+  add_quiet_option(*converge, request, "table");
   return converge;
 }
 
@@ -228,7 +233,7 @@ CLI::App* add_sources(CLI::App& app, Request& request) {
   add_case_options(*sources, request);
   add_output_option(*sources, request, "Folder for the results; default <case folder>/out");
   add_machine_options(*sources, request);
-  sources->add_flag("--quiet", request.quiet, "No progress bar, no summary");
+  add_quiet_option(*sources, request, "table");
   return sources;
 }
 

@@ -1,6 +1,5 @@
 // raytube converge: the same case with finer and finer tubes.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -98,7 +97,7 @@ class DensityStudy {
         destination_(destination),
         folder_(destination),
         densities_(densities.size()),
-        bar_(isatty(STDERR_FILENO) != 0),
+        bar_(request.quiet, fmt::format("solving {} looks at {} densities", c.sweep.looks.size(), densities.size())),
         study_{c.title, c.sweep, {}, {}} {
     options_ = options_of(c, request);
     for (const double density : densities) whole_ += work(density);
@@ -195,7 +194,7 @@ void converge_command(const Request& request) {
       study.write(false);
     }
     if (c.plots) study.write(true);
-    fmt::print("{}results         {}\n", study.text(), study.folder().string());
+    if (!request.quiet) fmt::print("{}results         {}\n", study.text(), study.folder().string());
   } catch (const Interrupted&) {
     throw Interrupted(study.interrupted_sentence());
   }

@@ -1,14 +1,17 @@
-// A line on the terminal that shows how much is done and how long the rest will take.
+// How much is done and how long the rest will take, on stderr: a bar on a terminal, else a line now and then.
 #pragma once
 
 #include <chrono>
 #include <string>
 
+#include "core/progress_lines.h"
+
 namespace raytube {
 
 class ProgressBar {
  public:
-  explicit ProgressBar(bool visible);
+  /// `work` says in a line at the start, where there is no terminal, what will be done. Shows nothing if `quiet`.
+  ProgressBar(bool quiet, const std::string& work);
   ~ProgressBar();  // leaves a clean line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -20,8 +23,13 @@ class ProgressBar {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool visible_;
+  enum class Kind { none, lines, bar };
+
+  void draw(double share, double elapsed) const;
+
+  Kind kind_;
   Clock::time_point start_, last_;
+  ProgressLines lines_;
 };
 
 }  // namespace raytube

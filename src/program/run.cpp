@@ -1,7 +1,6 @@
 // raytube run: case -> mesh -> solve -> files.
 #include <fmt/ranges.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -21,6 +20,7 @@
 #include "output/files/unlisted_results.h"
 #include "output/plots/plot.h"
 #include "output/tables/csv.h"
+#include "output/words/summary.h"
 #include "program/commands.h"
 #include "program/images.h"
 #include "program/interrupt.h"
@@ -30,6 +30,8 @@
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "program/solvable.h"
+#include "program/warnings.h"
+#include "scene/sampling.h"
 #include "solve/random.h"
 #include "solve/solve.h"
 
@@ -53,8 +55,15 @@ struct Solved {
   std::optional<RandomResult> by_chance = {};
 };
 
+std::string work_text(const SolvePlan& plan) {
+  const std::size_t looks = plan.looks.computed.size(), frequencies = plan.sweep.frequencies.size();
+  const int threads = plan.threads > 0 ? plan.threads : all_threads();
+  return fmt::format("solving {} look{} at {} frequenc{} on {} thread{}", looks, looks == 1 ? "" : "s", frequencies,
+                     frequencies == 1 ? "y" : "ies", threads, threads == 1 ? "" : "s");
+}
+
 Solved solve_with_progress(const SolvePlan& plan, const Request& request, LookJournal& journal) {
-  ProgressBar bar(!request.quiet && isatty(STDERR_FILENO) != 0);
+  ProgressBar bar(request.quiet, work_text(plan));
   const auto progress = [&](double share) {
     bar.show(share);
     journal.write_now_and_then();
@@ -77,8 +86,8 @@ void write_tables(const fs::path& folder, const Case& c, const Solved& solved, b
   stop_if_interrupted();
 }
 
-void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result) {
-  const std::string trouble = plot_rcs(folder, c.title, c.sweep, result);
+void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result, std::span<const dvec3> outermost) {
+  const std::string trouble = plot_rcs(folder, c.title, c.sweep, result, outermost);
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
 }
@@ -150,47 +159,6 @@ JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
   return identity;
 }
 
-double peak_sigma_dbsm(const SweepResult& result) {
-  double peak = sigma_dbsm(0.0);
-  for (const ScatteringMatrix& s : result.total)
-    for (const int channel : {0, 1, 2, 3}) peak = std::max(peak, sigma_dbsm(s.at(channel / 2, channel % 2)));
-  return peak;
-}
-
-void print_errors(const SweepResult& result, const TubeOptions& tubes) {
-  double largest = 0.0;
-  std::size_t above = 0;
-  for (std::size_t row = 0; row < result.total.size(); ++row) {
-    if (largest_amplitude(result.total[row]) == 0.0) continue;  // no level is relative to nothing
-    const double level = std::ranges::max(error_levels_db(result.total[row], result.error[row]));
-    largest = std::max(largest, level);
-    above += level > tubes.tolerance_db ? 1 : 0;
-  }
-  fmt::print("error       {:.2g} dB at most, by the estimate", largest);
-  if (tubes.refines() && above > 0) fmt::print("; {} of {} rows above accuracy.tolerance_db", above, result.total.size());
-  fmt::print("\n");
-}
-
-void print_summary(const SweepResult& result, const Case& c, const Manifest& manifest, const fs::path& folder) {
-  const Statistics& s = result.statistics;
-  const bool paths = s.ray_range > 0.0;
-  fmt::print("rays        {} in {} {}, {:.2f} s on {} thread{}\n", s.rays, s.tubes, paths ? "paths" : "tubes", s.solve_s,
-             manifest.threads, manifest.threads == 1 ? "" : "s");
-  if (paths) fmt::print("range       {:.6g} m: amplitudes are apparent ones (edges.method \"utd\")\n", s.ray_range);
-  if (manifest.looks_resumed)
-    fmt::print("resumed     {} looks were computed before, and are not in that time\n", manifest.looks_resumed);
-  fmt::print("lost rays   {}\n", s.lost_rays);
-  if (paths && s.tubes_truncated) fmt::print("cut search  in {} looks: too many sequences of mirrors\n", s.tubes_truncated);
-  if (!paths && s.tubes_truncated)
-    fmt::print(
-        "cut tubes   {} still bounced after tubes.max_bounces, or grew too wide or too many; the error {}\n", s.tubes_truncated,
-        c.sweep.materials.empty() ? "does not know of them" : "has what they may bring: more of tubes.max_bounces makes it less");
-  for (const Skipped& skipped : s.skipped) fmt::print("skipped     {} ({}): {}\n", skipped.what, skipped.count, skipped.why);
-  fmt::print("peak sigma  {:.2f} dBsm\n", peak_sigma_dbsm(result));
-  if (!paths && !manifest.random) print_errors(result, c.tubes);
-  fmt::print("results     {}\n", folder.string());
-}
-
 ResultNames names_of_results(const Request& request, const Case& c) {
   ResultNames names = image_names(c);
   if (c.plots) names.pictures.insert(names.pictures.end(), {"rcs.png", "rcs.svg"});
@@ -217,6 +185,7 @@ class Run {
       : request_(request),
         case_(c),
         plan_(plan),
+        outermost_(outermost_points(plan.target.mesh.vertices)),
         manifest_(manifest),
         folder_(destination),
         journal_(
@@ -230,9 +199,12 @@ class Run {
   /// If it does not come to its end it leaves the finished looks for another one to resume.
   void run(const Stopwatch& total) {
     const InterruptFlag interrupt_flag([this] { return last_words(); });
+    manifest_.warnings = warnings_of(plan_, outermost_);
+    for (const std::string& sentence : manifest_.warnings) warn(sentence);
     try {
       const Solved solved = solve_with_progress(plan_, request_, journal_);
       journal_.keep_all();
+      for (const BeyondBound& part : solved.result.statistics.beyond_bound) warn(beyond_bound_sentence(part));
       write(solved, total);
       if (!request_.quiet) print(solved);
     } catch (const Interrupted&) {
@@ -259,6 +231,8 @@ class Run {
   void write_into_folder(const Solved& solved, const Stopwatch& total) {
     const auto& [result, by_chance] = solved;
     manifest_.statistics = result.statistics;
+    manifest_.model_parts = result.model_parts;
+    for (ModelPart& part : manifest_.model_parts) part.rows.clear();
     manifest_.looks_resumed = journal_.resumed();
     if (by_chance) manifest_.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
     make_again_if_gone(folder_);
@@ -269,7 +243,7 @@ class Run {
     manifest_.peak_rss_bytes = peak_rss_bytes();
     manifest_.time.total_s = total.seconds() - drawing_s;
     write_manifest(results.folder() / "run.json", manifest_);
-    if (case_.plots) draw_plots(results.folder(), case_, result);
+    if (case_.plots) draw_plots(results.folder(), case_, result, outermost_);
     replace_results(results, folder_.path(), names_of_results(request_, case_), names_of_earlier_results(folder_.path()),
                     [this] { complete_ = true; });
     journal_.remove();
@@ -277,7 +251,17 @@ class Run {
 
   void print(const Solved& solved) const {
     if (solved.by_chance) fmt::print("{}", random_text(*solved.by_chance));
-    print_summary(solved.result, case_, manifest_, folder_.path());
+    fmt::print("{}", summary_text(solved.result, facts()));
+  }
+
+  RunFacts facts() const {
+    return {case_.tubes,
+            !case_.sweep.materials.empty(),
+            request_.random.has_value(),
+            manifest_.threads,
+            manifest_.looks_resumed,
+            manifest_.warnings.size(),
+            folder_.path().string()};
   }
 
   std::string interrupted_sentence() {
@@ -295,6 +279,7 @@ class Run {
   const Request& request_;
   const Case& case_;
   const SolvePlan& plan_;
+  std::vector<dvec3> outermost_;  // points of the target as wide as all of it
   Manifest& manifest_;
   OutputFolder folder_;
   LookJournal journal_;
@@ -335,6 +320,7 @@ void run_command(const Request& request) {
   manifest.embree_instruction_set = name_of(allowed_instruction_set());
   manifest.own_instruction_set = name_of(std::max(allowed_instruction_set(), InstructionSet::avx2));
   check_memory(plan, c, request.random ? &*request.random : nullptr);
+  if (request.random) check_random_tubes(plan, *request.random);
   Run(request, c, plan, destination, manifest).run(total);
 }
 

@@ -1,6 +1,5 @@
 // raytube sources: a scene traced from a point by any launch model, and what each part is hit by.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -259,7 +258,7 @@ void sources_command(const Request& request) {
   OutputFolder folder(destination);
   AllOrNothing ending(folder);
   const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
-  ProgressBar bar(!request.quiet && isatty(STDERR_FILENO) != 0);
+  ProgressBar bar(request.quiet, "tracing rays from the source");
   const auto go_on = [&](double share) {
     bar.show(share);
     return !InterruptFlag::raised();

@@ -53,7 +53,8 @@ class Block {
 
   RandomSums run(int max_bounces) {
     for (int bounce = 0; bounce < max_bounces && !rays_.empty(); ++bounce) advance();
-    sums_.tubes_truncated += trace();
+    const std::size_t alive = trace();
+    for (std::size_t i = 0; i < alive; ++i) truncate(i, Truncation::bounces);
     return std::move(sums_);
   }
 
@@ -119,10 +120,14 @@ class Block {
     std::iota(kept.begin(), kept.end(), std::size_t{0});
     raytube::end_weakest(
         kept, most_tubes, [&](std::size_t i) { return beams_.amplitude(samples_[i].beam); },
-        [&](std::size_t) { ++sums_.tubes_truncated; });
+        [&](std::size_t i) { truncate(i, Truncation::number); });
     for (std::size_t i = 0; i < kept.size(); ++i) samples_[i] = samples_[kept[i]], rays_[i] = rays_[kept[i]];
     samples_.resize(kept.size());
     rays_.resize(kept.size());
+  }
+
+  void truncate(std::size_t i, Truncation reason) {
+    count_truncated(sums_.truncated[reason], scene_.area_of_tube, beams_.amplitude(samples_[i].beam));
   }
 
   bool from_inside(const Ray& ray, const Hit& hit) const {
@@ -175,7 +180,7 @@ RandomSums& RandomSums::operator+=(const RandomSums& other) {
   for (std::size_t i = 0; i < scattering.size(); ++i) scattering[i] += other.scattering[i];
   if (hits.size() < other.hits.size()) hits.resize(other.hits.size());
   for (std::size_t i = 0; i < other.hits.size(); ++i) hits[i] += other.hits[i];
-  rays += other.rays, lost_rays += other.lost_rays, tubes_truncated += other.tubes_truncated;
+  rays += other.rays, lost_rays += other.lost_rays, truncated += other.truncated;
   return *this;
 }
 

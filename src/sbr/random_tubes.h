@@ -8,6 +8,7 @@
 
 #include "mesh/trace/tracer.h"
 #include "sbr/sbr.h"
+#include "scene/results.h"
 #include "scene/sweep.h"
 
 namespace raytube {
@@ -21,7 +22,8 @@ struct RandomLaunch {
 struct RandomSums {
   std::vector<ScatteringMatrix> scattering;  // [frequency] S [m], phase reference at the origin of the mesh's coordinates
   std::vector<std::uint64_t> hits;           // [bounce]
-  std::uint64_t rays = 0, lost_rays = 0, tubes_truncated = 0;  // as of Statistics
+  std::uint64_t rays = 0, lost_rays = 0;
+  TruncatedSums truncated;  // of this look
 
   RandomSums& operator+=(const RandomSums& other);
 };

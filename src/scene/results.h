@@ -1,6 +1,7 @@
 // What comes out of a solve: amplitudes by mechanism, counts, and what was left out. Plain data only.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -25,16 +26,58 @@ struct BeyondBound {
   double ratio = 0.0;       // of the amplitude there to its bound
 };
 
+/// Why a tube was truncated.
+enum class Truncation : std::uint8_t {
+  bounces,  // it would have met a surface after the last bounce
+  width,    // a curved surface made it wider than what holds about its middle
+  number    // there were too many at once, and it was among the weakest
+};
+inline constexpr std::array truncations{Truncation::bounces, Truncation::width, Truncation::number};
+
+/// Tubes that were truncated for one reason.
+struct TruncatedSum {
+  std::uint64_t tubes = 0;
+  double sigma =
+      0.0;  // [m^2] area times squared amplitude of unit incident waves: what is left of them, into all directions alike
+
+  void add(double area, double amplitude) { sigma += area * amplitude * amplitude; }
+};
+
+/// Truncated tubes by reason.
+struct TruncatedSums {
+  std::array<TruncatedSum, truncations.size()> of{};
+
+  TruncatedSum& operator[](Truncation reason) { return of[static_cast<std::size_t>(reason)]; }
+  const TruncatedSum& operator[](Truncation reason) const { return of[static_cast<std::size_t>(reason)]; }
+  std::uint64_t tubes() const { return of[0].tubes + of[1].tubes + of[2].tubes; }
+  double sigma() const { return of[0].sigma + of[1].sigma + of[2].sigma; }
+
+  /// Other tubes of the same look.
+  TruncatedSums& operator+=(const TruncatedSums& other) {
+    for (const Truncation reason : truncations)
+      (*this)[reason].tubes += other[reason].tubes, (*this)[reason].sigma += other[reason].sigma;
+    return *this;
+  }
+};
+
+/// Takes in the tubes of another look: counts are added up, of sigma the largest stays.
+inline void add_look(TruncatedSums& all, const TruncatedSums& look) {
+  for (const Truncation reason : truncations) {
+    all[reason].tubes += look[reason].tubes;
+    all[reason].sigma = std::max(all[reason].sigma, look[reason].sigma);
+  }
+}
+
 /// What happened during a solve; every ray is accounted for.
 struct Statistics {
-  std::uint64_t tubes = 0;            // launched
-  std::uint64_t rays = 0;             // segments traced: launched tubes and every reflected segment
-  std::vector<std::uint64_t> hits;    // hits[m]: tubes that met a surface at bounce m + 1
-  std::uint64_t lost_rays = 0;        // rays that met a closed body from inside (a leak); their tube ends there
-  std::uint64_t tubes_truncated = 0;  // tubes that still hit a surface after max_bounces, or that curved surfaces made too wide
-  double sliver_area = 0.0;      // [m^2], sum over looks: parts of adaptive tubes too thin to be more than rounding, left out
-  std::uint64_t wedges = 0;      // wedges of the target, convex and concave
-  std::uint64_t wedges_lit = 0;  // sum over looks of the convex wedges at least partly lit, at the highest frequency
+  std::uint64_t tubes = 0;          // launched
+  std::uint64_t rays = 0;           // segments traced: launched tubes and every reflected segment
+  std::vector<std::uint64_t> hits;  // hits[m]: tubes that met a surface at bounce m + 1
+  std::uint64_t lost_rays = 0;      // rays that met a closed body from inside (a leak); their tube ends there
+  TruncatedSums truncated;          // tubes: sum over looks; sigma: the largest one of a look
+  double sliver_area = 0.0;         // [m^2], sum over looks: parts of adaptive tubes too thin to be more than rounding, left out
+  std::uint64_t wedges = 0;         // wedges of the target, convex and concave
+  std::uint64_t wedges_lit = 0;     // sum over looks of the convex wedges at least partly lit, at the highest frequency
   std::uint64_t thin_plate_edges_lowest = 0, thin_plate_edges_highest = 0;  // half planes at the lowest and the highest frequency
   std::uint64_t illuminating_pieces = 0;  // sum over looks: pieces of edges that light other surfaces, once for each wave on them
   std::uint64_t windowed_rows = 0;        // rows touched by the forward-grazing window of the fringe currents
@@ -44,12 +87,26 @@ struct Statistics {
   double solve_s = 0.0;  // mesh and BVH ready -> last sum
 };
 
+/// One of the things that the asymptotic physics leaves out, over the rows of a sweep. An estimate, as of SweepResult::model.
+struct ModelPart {
+  std::string name;                   // one word
+  std::string what;                   // it is
+  std::string remedy;                 // the handle that makes it less
+  double rms = 0.0;                   // over rows, of the two co-polar channels together [m]
+  double share = 0.0;                 // of the sum of the squares of all parts, 0 ... 1
+  std::uint64_t rows_largest = 0;     // rows in which no other part is larger
+  std::vector<ChannelErrors> rows{};  // [row] [m]; empty unless parts are kept
+};
+
 /// Complex amplitudes of a sweep, one entry per row (Sweep::row), kept apart by mechanism. At a finite distance they are apparent
 /// ones: what would make the same signal if it lay at the origin of the mesh's own coordinates (Antenna).
 struct SweepResult {
   std::vector<ScatteringMatrix> total;  // sum of all mechanisms
   /// Estimated numerical error of |S_pq| by tubes and by edge-diffracted waves on faces [m]; not by the edges' own currents.
   std::vector<ChannelErrors> error;
+  /// Model uncertainty: what the asymptotic physics may leave out in |S_pq| [m], root of the sum of the squares of its parts.
+  std::vector<ChannelErrors> model;
+  std::vector<ModelPart> model_parts;  // those that are not zero in every row, the largest share first
 
   // The mechanisms; empty unless parts are kept.
   std::vector<std::vector<ScatteringMatrix>> bounces;  // bounces[m][row]: PO currents of bounce m + 1

@@ -94,7 +94,7 @@ LookResult LookSolver::rays(const Look& look, Progress& progress, double share) 
   result.tubes.tubes = std::accumulate(found.paths.begin(), found.paths.end(), found.edge_rays);
   result.tubes.hits = std::move(found.paths);
   result.tubes.rays = found.rays;
-  result.tubes.tubes_truncated = found.cut ? 1 : 0;
+  result.tubes.truncated[Truncation::number].tubes = found.cut ? 1 : 0;
   result.edges.wedges_lit = found.edge_rays;
   result.edges.scattering = std::move(found.edges);
   progress.add(share);

@@ -8,19 +8,20 @@
 #include "sbr/curved/curved_cells.h"
 #include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
+#include "uncertainty/omissions.h"
 
 namespace raytube {
 
 namespace {
 
 // A look, its directions, its place in the plan and in the collector, and the plan's key of it in a hash table.
-constexpr double bytes_per_look = sizeof(Look) + sizeof(LookSource) + 4 * sizeof(std::size_t) + 80;
+constexpr double bytes_per_look = sizeof(Look) + sizeof(LookSource) + 4 * sizeof(std::size_t) + 80 + omissions * sizeof(double);
 constexpr double edge_parts = 3;             // first order, higher, between
 constexpr double outlines_per_wedges = 1.0;  // the outlines of the faces beside them take about as much as the wedges
 
 double bytes_per_row(int bounces, bool keep_parts) {
-  const double parts = keep_parts ? bounces + edge_parts : 0.0;
-  return sizeof(ChannelErrors) + (1.0 + parts) * sizeof(ScatteringMatrix);
+  const double parts = keep_parts ? bounces + edge_parts : 0.0, model = keep_parts ? 1.0 + omissions : 1.0;
+  return (1.0 + model) * sizeof(ChannelErrors) + (1.0 + parts) * sizeof(ScatteringMatrix);
 }
 
 double edge_set_bytes(const SolvePlan& plan) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ranges>
 
+#include "mesh/features/resolved_wedges.h"
 #include "mesh/features/symmetry.h"
 #include "solve/admissible.h"
 #include "utd/gtd/ray_fields.h"
@@ -90,9 +91,12 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
   if (!plan.mechanisms.material_edges)
     skipped.push_back({"wedges", "a face is no perfect conductor (edges.materials)",
                        count([](const Wedge& w) { return w.convex() && !w.conducting(); })});
-  const std::vector<Wedge> merged =
-      merge_thin_plate_edges(wedges, plan.target.thin_plate_edges, thin_limit(std::ranges::min(plan.sweep.frequencies)));
+  const double lowest = std::ranges::min(plan.sweep.frequencies);
+  std::vector<Wedge> merged = merge_thin_plate_edges(wedges, plan.target.thin_plate_edges, thin_limit(lowest));
   skipped.push_back({"wedges", "across the edge of a thin plate, no longer than it is thick", thin_plate_corners(merged)});
+  resolve_details(plan.target.mesh, merged, detail_limit(lowest), plan.target.options.min_wedge_angle);
+  skipped.push_back({"wedges", "flat at the scale of wavelength / 50: steps, slivers, ripples",
+                     static_cast<std::uint64_t>(std::ranges::count_if(merged, [](const Wedge& w) { return w.flat; }))});
   return skipped;
 }
 

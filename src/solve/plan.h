@@ -44,7 +44,7 @@ struct SolvePlan {
   LookPlan looks;                                // which are computed, and which follow from these
   std::vector<bool> interaction_above_limit;  // [frequency] too many edges and faces; empty where there is no interaction at all
   SkipCounts skips;                           // known beforehand
-  std::vector<Skipped> skipped_wedges;        // that carry no fringe current, and why; of thin plates at the lowest frequency
+  std::vector<Skipped> skipped_wedges;        // that carry no fringe current, and why; of thin plates and details at the lowest frequency
   double seconds = 0.0;                       // that planning took
 
   double shortest_wavelength() const;  // [m]

@@ -88,16 +88,22 @@ void describe(RandomResult& result, const std::vector<Rows>& runs, std::size_t r
 Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, const std::vector<RandomSums>& drawn,
                          const RandomOptions& random) {
   RandomSums sum;
-  for (const RandomSums& look : drawn) sum += look;
   Statistics s = solution;  // of wedges
+  s.truncated = {};
+  for (const RandomSums& look : drawn) {
+    sum += look;
+    add_look(s.truncated, look.truncated);
+  }
   s.tubes = random.samples * drawn.size();
-  s.rays = sum.rays, s.hits = sum.hits, s.lost_rays = sum.lost_rays, s.tubes_truncated = sum.tubes_truncated;
+  s.rays = sum.rays, s.hits = sum.hits, s.lost_rays = sum.lost_rays;
   s.sliver_area = 0.0;
   s.skipped = plan.skipped_wedges;
   return s;
 }
 
-void check(const SolvePlan& plan, const RandomOptions& random) {
+}  // namespace
+
+void check_random_tubes(const SolvePlan& plan, const RandomOptions& random) {
   if (!all_far(plan.sweep)) throw InputError("random tubes are parts of a plane wave; remove [radar]");
   if (plan.mechanisms.rays) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
   if (!plan.keep_parts) throw InputError("random tubes take the place of tubes alone: the plan must keep parts");
@@ -105,11 +111,9 @@ void check(const SolvePlan& plan, const RandomOptions& random) {
   if (random.runs < 2) throw InputError("random tubes: a spread needs at least 2 runs");
 }
 
-}  // namespace
-
 RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions& random,
                                      const std::function<bool(double)>& callback) {
-  check(plan, random);
+  check_random_tubes(plan, random);
   const auto first_half = [&](double done) { return callback(solution_share * done); };
   RandomResult result{random, {}, solve(plan, callback ? first_half : std::function<bool(double)>()), {}, 0.0};
 
@@ -124,6 +128,7 @@ RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions&
   for (std::size_t run = 0; run < static_cast<std::size_t>(random.runs); ++run)
     runs.push_back(rows_of_run(sweep, fixed, &drawn[run * sweep.looks.size()]));
   result.mean.total.resize(sweep.rows()), result.mean.error.resize(sweep.rows()), result.spread.resize(sweep.rows());
+  result.mean.model = result.deterministic.model, result.mean.model_parts = result.deterministic.model_parts;
   for (std::size_t row = 0; row < sweep.rows(); ++row)
     for (const int channel : {0, 1, 2, 3}) describe(result, runs, row, channel / 2, channel % 2);
   result.mean.statistics = statistics_of(plan, result.deterministic.statistics, drawn, random);

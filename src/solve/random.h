@@ -6,10 +6,14 @@
 
 namespace raytube {
 
+/// Throws InputError, naming the remedy, for what random tubes cannot do: antennas at a finite distance, rays in the place of
+/// currents, too few of them.
+void check_random_tubes(const SolvePlan& plan, const RandomOptions& random);
+
 /// Solves the plan, which keeps parts, then repeats it with random tubes (sbr/random_tubes.h) in the place of the solver's.
 /// Whatever edges add is taken over from the solution: the two differ by tubes alone. Random tubes see flat facets. Runs differ
-/// in their random numbers; the same bytes for any number of threads. Throws InputError for antennas at a finite distance and for
-/// rays in the place of currents; Interrupted when `progress` (as for solve()) says stop.
+/// in their random numbers; the same bytes for any number of threads. Throws InputError as check_random_tubes() does, Interrupted
+/// when `progress` (as for solve()) says stop.
 RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions& random,
                                      const std::function<bool(double)>& progress = {});
 

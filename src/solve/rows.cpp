@@ -21,6 +21,9 @@ const std::vector<BeyondBound> parts{{"the first bounce"},
                                      {"edges, higher orders (edges.order)"},
                                      {"waves between surfaces (edges.between)"}};
 
+// Mean over the two co-polar channels [m^2].
+double co_polar_square(const ChannelErrors& errors) { return 0.5 * (errors[0][0] * errors[0][0] + errors[1][1] * errors[1][1]); }
+
 ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) { return matrix *= factor; }
 
 void add_errors(const std::vector<ChannelErrors>& errors, std::size_t frequency_index, ChannelErrors& sum) {
@@ -34,9 +37,11 @@ void add_errors(const std::vector<ChannelErrors>& errors, std::size_t frequency_
 RowCollector::RowCollector(const SolvePlan& plan, std::vector<double> edge_lengths)
     : plan_(plan),
       sweep_(plan.sweep),
+      model_uncertainty_(plan),
       first_(plan.looks.computed.size() + 1),
       following_(sweep_.looks.size()),
       sliver_areas_(plan.looks.computed.size()),
+      model_squares_(plan.looks.computed.size()),
       skipped_(plan.skips),
       bounds_(plan, std::move(edge_lengths)),
       beyond_bound_(parts) {
@@ -46,16 +51,21 @@ RowCollector::RowCollector(const SolvePlan& plan, std::vector<double> edge_lengt
   for (std::size_t i = 0; i < following_.size(); ++i) following_[next[plan.looks.sources[i].index]++] = i;
   result_.total.resize(sweep_.rows());
   result_.error.resize(sweep_.rows());
+  result_.model.resize(sweep_.rows());
+  result_.model_parts.resize(omissions);
   if (any_rough(sweep_.materials)) result_.incoherent.resize(sweep_.rows());
   if (!plan.keep_parts) return;
+  for (ModelPart& part : result_.model_parts) part.rows.resize(sweep_.rows());
   result_.edges_first.resize(sweep_.rows());
   result_.edges_higher.resize(sweep_.rows());
   result_.interaction.resize(sweep_.rows());
 }
 
 void RowCollector::add(std::size_t index, const LookResult& look) {
+  const std::vector<OmissionErrors> errors = model_uncertainty_.of(sweep_.looks[plan_.looks.computed[index]], look);
   const std::lock_guard lock(mutex_);
   count(index, look);
+  for (std::size_t f = 0; f < errors.size(); ++f) add_model(index, f, errors[f]);
   for (std::size_t i = first_[index]; i < first_[index + 1]; ++i)
     add_rows(following_[i], look, plan_.looks.sources[following_[i]]);
 }
@@ -66,12 +76,44 @@ void RowCollector::count(std::size_t index, const LookResult& look) {
   all.tubes += look.tubes.tubes;
   all.rays += look.tubes.rays;
   all.lost_rays += look.tubes.lost_rays;
-  all.tubes_truncated += look.tubes.tubes_truncated;
+  add_look(all.truncated, look.tubes.truncated);
   sliver_areas_[index] = look.tubes.sliver_area;
   if (all.hits.size() < look.tubes.hits.size()) all.hits.resize(look.tubes.hits.size());
   for (std::size_t b = 0; b < look.tubes.hits.size(); ++b) all.hits[b] += look.tubes.hits[b];
   skipped_.empty_cells += look.tubes.empty_cells;
   skipped_.faces_away += look.tubes.faces_away;
+}
+
+// The same for every look that follows from this one.
+void RowCollector::add_model(std::size_t index, std::size_t frequency_index, const OmissionErrors& errors) {
+  const std::span following(following_.data() + first_[index], first_[index + 1] - first_[index]);
+  std::array<double, omissions> squares{};
+  for (std::size_t i = 0; i < omissions; ++i) squares[i] = co_polar_square(errors[i]);
+  for (std::size_t i = 0; i < omissions; ++i) model_squares_[index][i] += static_cast<double>(following.size()) * squares[i];
+  const auto largest = static_cast<std::size_t>(std::ranges::max_element(squares) - squares.begin());
+  if (squares[largest] > 0.0) result_.model_parts[largest].rows_largest += following.size();
+  for (const std::size_t look : following) {
+    const std::size_t row = sweep_.row(look, frequency_index);
+    result_.model[row] = root_sum_square(errors);
+    for (std::size_t i = 0; plan_.keep_parts && i < omissions; ++i) result_.model_parts[i].rows[row] = errors[i];
+  }
+}
+
+// In index order, so that sums do not depend on that of the looks.
+void RowCollector::finish_model() {
+  std::array<double, omissions> sums{};
+  for (const std::array<double, omissions>& look : model_squares_)
+    for (std::size_t part = 0; part < omissions; ++part) sums[part] += look[part];
+  const double all = std::accumulate(sums.begin(), sums.end(), 0.0);
+  for (std::size_t i = 0; i < omissions; ++i) {
+    const OmissionText& text = text_of(static_cast<Omission>(i));
+    ModelPart& part = result_.model_parts[i];
+    part.name = text.name, part.what = text.what, part.remedy = text.remedy;
+    part.rms = std::sqrt(sums[i] / static_cast<double>(sweep_.rows()));
+    part.share = all > 0.0 ? sums[i] / all : 0.0;
+  }
+  std::erase_if(result_.model_parts, [](const ModelPart& part) { return part.rms == 0.0; });
+  std::ranges::stable_sort(result_.model_parts, std::ranges::greater{}, &ModelPart::share);
 }
 
 void RowCollector::add_rows(std::size_t look, const LookResult& part, const LookSource& source) {
@@ -126,6 +168,7 @@ void RowCollector::compare(std::size_t part, std::size_t row, const ScatteringMa
 }
 
 SweepResult RowCollector::finish() {
+  finish_model();
   Statistics& all = result_.statistics;
   all.sliver_area = std::accumulate(sliver_areas_.begin(), sliver_areas_.end(), 0.0);
   if (looks_without_tubes_) all.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});

@@ -5,6 +5,7 @@
 
 #include "scene/skipped.h"
 #include "solve/look_result.h"
+#include "solve/model_uncertainty.h"
 #include "solve/physical_bound.h"
 #include "solve/plan.h"
 
@@ -25,6 +26,8 @@ class RowCollector {
 
  private:
   void count(std::size_t index, const LookResult& look);
+  void add_model(std::size_t index, std::size_t frequency_index, const OmissionErrors& errors);
+  void finish_model();
   void add_rows(std::size_t look, const LookResult& part, const LookSource& source);
   void add_row(std::size_t look, std::size_t frequency_index, const LookResult& part, const LookSource& source);
   void compare(std::size_t part, std::size_t row, const ScatteringMatrix& s, double bound);
@@ -32,9 +35,11 @@ class RowCollector {
 
   const SolvePlan& plan_;
   const Sweep& sweep_;
+  ModelUncertainty model_uncertainty_;
   std::vector<std::size_t> first_,
       following_;                     // looks that follow from computed look i: following_[first_[i]...first_[i + 1] - 1]
   std::vector<double> sliver_areas_;  // of each computed look: the one count whose sum depends on its order
+  std::vector<std::array<double, omissions>> model_squares_;  // of each computed look: sums over its rows, too [m^2]
   std::uint64_t looks_without_tubes_ = 0;
   SkipCounts skipped_;
   PhysicalBounds bounds_;

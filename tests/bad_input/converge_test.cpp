@@ -33,7 +33,8 @@ TEST_F(ConvergeProgram, WithoutPlotsNoneOfAnEarlierStudyIsLeft) {
 // The first density takes milliseconds, the second one hours.
 TEST_F(ConvergeProgram, AnInterruptKeepsWhatIsFinished) {
   const std::string hours =
-      "--set target.unit=m --set 'look.phi_deg={start=0,stop=90,step=0.05}' --set edges.method=none --densities 0.1,2000,2001";
+      "--set target.unit=m --set 'look.phi_deg={start=0,stop=90,step=0.05}' --set edges.method=none --densities 0.1,2000,2001 "
+      "--quiet";
   const Outcome outcome = raytube("converge case.toml " + hours, "timeout --preserve-status -s INT -k 5 2 ");
   EXPECT_EQ(outcome.code, 130);
   EXPECT_EQ(outcome.complaint, "raytube: interrupted; converge.csv in out holds the 1 of 3 densities that were finished\n");
@@ -42,7 +43,8 @@ TEST_F(ConvergeProgram, AnInterruptKeepsWhatIsFinished) {
 }
 
 TEST_F(ConvergeProgram, AnInterruptBeforeTheFirstIsFinishedLeavesNothing) {
-  const std::string hours = "--set target.unit=m --set 'look.phi_deg={start=0,stop=90,step=0.05}' --densities 1000,2000,2001";
+  const std::string hours =
+      "--set target.unit=m --set 'look.phi_deg={start=0,stop=90,step=0.05}' --densities 1000,2000,2001 --quiet";
   const Outcome outcome = raytube("converge case.toml " + hours, "timeout --preserve-status -s INT -k 5 1 ");
   EXPECT_EQ(outcome.code, 130);
   EXPECT_EQ(outcome.complaint, "raytube: interrupted; no results written\n");

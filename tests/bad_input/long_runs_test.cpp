@@ -133,7 +133,7 @@ TEST_F(LongRuns, AFullDiskLeavesEarlierResultsAlone) {
 }
 
 TEST_F(LongRuns, AJournalThatFindsNoRoomCostsOneWarning) {
-  const Outcome outcome = interrupted_once_there_is("stderr.txt", "ulimit -f 1; exec ");
+  const Outcome outcome = interrupted_once_there_is("stderr.txt", "ulimit -f 1; exec ", "--quiet ");
   EXPECT_EQ(outcome.code, 130);
   EXPECT_THAT(outcome.complaint,
               AllOf(HasSubstr("finished looks are no longer kept"), HasSubstr(".raytube.journal: File too large")));

@@ -78,15 +78,15 @@ TEST_F(MaterialReport, ABodyOfSheetsIsClosedButLetsWavesPass) {
 }
 
 const std::string in_one_plane =
-    "pairs of facets of different materials lie upon one another in one plane, for example \"film\" and \"pec\" near (0.0005, "
-    "0.0005, 0) m: only one of the two is seen, by their order in the file and by rounding; write kind = \"coated\" for a layer "
+    "pairs of facets of different materials lie upon one another in one plane, for example \"film\" and \"pec\" near (0.5, "
+    "0.5, 0) m: only one of the two is seen, by their order in the file and by rounding; write kind = \"coated\" for a layer "
     "on a conductor, or leave one of the two out of the mesh";
 
-// A film drawn upon the middle of a plate of 1 mm.
+// A film drawn upon the middle of a plate of 1 m.
 TEST_F(MaterialReport, TellsOfASheetDrawnUponAConductor) {
   scratch.write("film.off", "OFF\n3 1 0\n0.4 0.4 0\n0.7 0.4 0\n0.4 0.7 0\n3 0 1 2\n");
   const std::string both =
-      " case.toml --set 'target.mesh=[\"film.off\",\"mesh.off\"]' --set target.unit=mm --set materials.film.kind=sheet --set "
+      " case.toml --set 'target.mesh=[\"film.off\",\"mesh.off\"]' --set target.unit=m --set materials.film.kind=sheet --set "
       "materials.film.resistance_ohm=9" +
       no_plots;
   const std::string drawn = both + " --set 'target.parts.\"film.off\"=film'";
@@ -103,7 +103,7 @@ TEST_F(MaterialReport, TellsOfASheetDrawnUponAConductor) {
 
 // The same corners, so that the second one is left out.
 TEST_F(MaterialReport, TellsOfFacetsLeftOutForOthers) {
-  const std::string twice = "run case.toml --quiet --set 'target.mesh=[\"mesh.off\",\"b.off\"]'" + no_plots;
+  const std::string twice = "run case.toml --quiet --set target.unit=m --set 'target.mesh=[\"mesh.off\",\"b.off\"]'" + no_plots;
   scratch.write("b.off", plate);
   EXPECT_EQ(raytube(twice + " --set 'target.parts.\"b.off\"=absorber'").complaint,
             "raytube: mesh.off, b.off: 2 facets are left out, as others with the same corners come before them, but are made of "

@@ -168,7 +168,7 @@ const std::string half_a_picture = R"sh(printf '\211PNG half' >"$(sed -n "s/^set
 
 TEST_F(Places, HalfAPictureIsNone) {
   stand_in_for_gnuplot(half_a_picture);
-  const Outcome outcome = raytube("run case.toml", with_gnuplot_from_here);
+  const Outcome outcome = raytube("run case.toml --quiet --set target.unit=m", with_gnuplot_from_here);
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.complaint, "raytube: no plot: gnuplot left half a picture; rcs.csv holds the same curves\n");
   EXPECT_FALSE(fs::exists(scratch / "out/rcs.png"));

@@ -13,7 +13,7 @@ using namespace raytube::testing;
 using ::testing::HasSubstr;
 
 TEST_F(BadInput, TheGoodCaseIsGood) {
-  const Outcome outcome = raytube("run case.toml --set output.plots=false");
+  const Outcome outcome = raytube("run case.toml --quiet --set target.unit=m --set output.plots=false");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.complaint, "");
   EXPECT_TRUE(fs::exists(scratch / "out/rcs.csv"));

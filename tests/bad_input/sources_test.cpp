@@ -43,7 +43,8 @@ TEST_F(SourcesProgram, SeveralPositionsMakeOneTableAndAResponse) {
 }
 
 TEST_F(SourcesProgram, AnInterruptLeavesNothing) {
-  const Outcome outcome = raytube("sources case.toml --set source.rays=20000000", "timeout --preserve-status -s INT -k 5 1 ");
+  const Outcome outcome =
+      raytube("sources case.toml --quiet --set source.rays=20000000", "timeout --preserve-status -s INT -k 5 1 ");
   EXPECT_EQ(outcome.code, 130);
   EXPECT_EQ(outcome.complaint, "raytube: interrupted; no results written\n");
   EXPECT_FALSE(fs::exists(scratch / "out"));

@@ -44,6 +44,14 @@ bool same_bytes(const std::vector<Values>& a, const std::vector<Values>& b) {
 void expect_same(const SweepResult& one, const SweepResult& other) {
   EXPECT_TRUE(same_bytes(one.total, other.total));
   EXPECT_TRUE(same_bytes(one.error, other.error));
+  EXPECT_TRUE(same_bytes(one.model, other.model));
+  ASSERT_EQ(one.model_parts.size(), other.model_parts.size());
+  for (std::size_t i = 0; i < one.model_parts.size(); ++i) {
+    EXPECT_EQ(one.model_parts[i].name, other.model_parts[i].name);
+    EXPECT_EQ(one.model_parts[i].rms, other.model_parts[i].rms);
+    EXPECT_EQ(one.model_parts[i].rows_largest, other.model_parts[i].rows_largest);
+    EXPECT_TRUE(same_bytes(one.model_parts[i].rows, other.model_parts[i].rows));
+  }
   ASSERT_EQ(one.bounces.size(), other.bounces.size());
   for (std::size_t b = 0; b < one.bounces.size(); ++b) EXPECT_TRUE(same_bytes(one.bounces[b], other.bounces[b]));
   EXPECT_TRUE(same_bytes(one.edges_first, other.edges_first));
@@ -53,7 +61,10 @@ void expect_same(const SweepResult& one, const SweepResult& other) {
   EXPECT_EQ(a.tubes, b.tubes);
   EXPECT_EQ(a.rays, b.rays);
   EXPECT_EQ(a.hits, b.hits);
-  EXPECT_EQ(a.tubes_truncated, b.tubes_truncated);
+  for (const Truncation reason : truncations) {
+    EXPECT_EQ(a.truncated[reason].tubes, b.truncated[reason].tubes);
+    EXPECT_EQ(a.truncated[reason].sigma, b.truncated[reason].sigma);
+  }
   EXPECT_EQ(a.sliver_area, b.sliver_area);
   EXPECT_EQ(a.wedges_lit, b.wedges_lit);
   EXPECT_EQ(a.illuminating_pieces, b.illuminating_pieces);
@@ -117,6 +128,8 @@ LookResult some_look() {
   look.tubes.error[1][1][0] = 5e-324;
   look.tubes.hits = {7, 5, 3};
   look.tubes.rays = 15;
+  look.tubes.met = {0.3, 0.1};
+  look.tubes.truncated = 1e-300;
   look.tubes.sliver_area = 1e-17;
   look.edges.scattering.resize(2);
   look.edges.windowed = {false, true};
@@ -133,6 +146,8 @@ TEST(LookBytes, HoldEveryBit) {
   EXPECT_TRUE(std::signbit(again->tubes.bounces[2][1].vh().imag()));
   EXPECT_EQ(again->tubes.error[1][1][0], 5e-324);
   EXPECT_EQ(again->tubes.hits, look.tubes.hits);
+  EXPECT_EQ(again->tubes.met, look.tubes.met);
+  EXPECT_EQ(again->tubes.truncated, 1e-300);
   EXPECT_EQ(again->edges.windowed, look.edges.windowed);
   EXPECT_TRUE(again->edges.lit);
   EXPECT_TRUE(again->interaction.scattering.empty());

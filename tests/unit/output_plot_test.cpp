@@ -11,6 +11,7 @@ namespace raytube {
 namespace {
 
 using namespace raytube::testing;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -89,6 +90,22 @@ TEST(Plot, RoundingDustDoesNotStretchTheAxis) {
 }
 
 TEST(Plot, TitleIsTakenLiterally) { EXPECT_THAT(script(1.0, 1.0, "it's\n`ls`"), HasSubstr("title 'it''s `ls`'")); }
+
+// A rod of 1 m seen across: at 10 GHz its lobes ask for 0.43 degrees.
+TEST(Plot, StepsTooWideForTheLobesAreNotJoined) {
+  const std::vector<dvec3> rod{{0.0, -0.5, 0.0}, {0.0, 0.5, 0.0}};
+  const auto drawn = [&](double step, const std::vector<double>& theta) {
+    const Sweep sweep = grid(theta, {0, step, 2 * step}, {10});
+    return rcs_plot_script("svg", "x.svg", "t", sweep, constant(sweep, 1.0, 1e-9), rod);
+  };
+  EXPECT_THAT(drawn(0.42, {90}), AllOf(HasSubstr("using 1:2 with linespoints"), Not(HasSubstr("not joined"))));
+  EXPECT_THAT(drawn(0.44, {90}),
+              AllOf(HasSubstr("using 1:2 with points"), HasSubstr("keyentry with points"), Not(HasSubstr("with lines")),
+                    HasSubstr("set title '10 GHz, θ = 90°; points not joined: steps too wide for the lobes'")));
+  // Near the pole phi turns the direction less: one panel is joined, the other is not.
+  EXPECT_THAT(drawn(0.44, {30, 90}),
+              AllOf(HasSubstr("$cut0 using 1:2 with linespoints"), HasSubstr("$cut1 using 1:2 with points")));
+}
 
 // A stand-in for gnuplot that is content and draws nothing.
 TEST(Plot, AMissingPictureIsNoticed) {

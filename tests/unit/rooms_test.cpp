@@ -61,8 +61,10 @@ const Rooms may_include = {
     {"utd/gtd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe"}},
     {"utd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe", "utd/interaction", "utd/gtd"}},
 
+    {"uncertainty", base},
+
     {"solve", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "utd", "utd/fringe",
-                                           "utd/interaction", "utd/gtd"}},
+                                           "uncertainty", "utd/interaction", "utd/gtd"}},
 
     {"case/data", {"core", "scene"}},
     {"case/text", {"core", "mesh/model"}},
@@ -72,10 +74,11 @@ const Rooms may_include = {
     {"output/files", {"core", "scene"}},
     {"output/tables", {"core", "scene", "output/files"}},
     {"output/compare", {"core", "scene", "output/files", "output/tables"}},
+    {"output/words", {"core", "scene", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
-    {"program",
-     base + std::set<std::string>{"case", "case/data", "case/materials", "mesh", "output/compare", "output/files", "output/plots",
-                                  "output/tables", "point_source", "sbr", "sbr/launch", "solve", "utd/shadow", "utd/wedge"}},
+    {"program", base + std::set<std::string>{"case", "case/data", "case/materials", "mesh", "output/compare", "output/files",
+                                             "output/plots", "output/words", "output/tables", "point_source", "sbr", "sbr/launch",
+                                             "solve", "utd/shadow", "utd/wedge"}},
 };
 
 struct SourceFile {

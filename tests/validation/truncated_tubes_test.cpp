@@ -100,6 +100,61 @@ TEST(TruncatedTubes, ManyFrequenciesAreEachAsTheyAreAlone) {
   }
 }
 
+TruncatedSums truncated(const PolygonSoup& soup, const Look& look, const TubeOptions& tubes) {
+  SolveOptions options{tubes, {}, 1, false, {}};
+  options.edges.method = EdgeMethod::none;
+  return solve(Target(build_mesh(soup, 1.0, "test").mesh), {{frequency}, {look}}, options).statistics.truncated;
+}
+
+// Along its bisector every tube that meets a face of a right-angled corner meets the other one next: what is left after one
+// bounce is as wide as the corner's opening.
+TEST(TruncatedTubes, WhatIsLeftAfterTheLastBounceIsTheAreaOfItsTubes) {
+  const double a = 2.0 * lambda, h = 3.0 * lambda, opening = std::sqrt(2.0) * a * h;
+  for (const TubeMode mode : {TubeMode::adaptive, TubeMode::uniform}) {
+    TubeOptions tubes;
+    tubes.mode = mode;
+    tubes.max_bounces = 1;
+    const TruncatedSums sums = truncated(shapes::dihedral(a, h), {deg(90.0, 45.0), deg(90.0, 45.0)}, tubes);
+    EXPECT_GT(sums[Truncation::bounces].tubes, 0u);
+    // Uniform tubes end at cells: two rows of them along each side, 0.1 wavelength wide, of some 30 by 30.
+    EXPECT_NEAR(sums[Truncation::bounces].sigma, opening, (mode == TubeMode::adaptive ? 1e-9 : 0.15) * opening);
+    EXPECT_EQ(sums.tubes(), sums[Truncation::bounces].tubes);
+    tubes.max_bounces = 2;
+    EXPECT_EQ(truncated(shapes::dihedral(a, h), {deg(90.0, 45.0), deg(90.0, 45.0)}, tubes).tubes(), 0u);
+  }
+}
+
+// What a small ball reflects sideways meets a wide plate far away, each tube there wider than a few wavelengths.
+TEST(TruncatedTubes, TubesWiderThanTheirMiddleSaysAreCountedByThemselves) {
+  const PolygonSoup ball = shapes::icosphere(4, lambda),
+                    above = shapes::transformed(shapes::plate(120.0 * lambda), glm::dmat3(1.0), 1.0, {0.0, 0.0, 60.0 * lambda});
+  TubeOptions tubes;
+  tubes.curved = CurvedSurfaces::always;
+  tubes.max_per_wavelength = tubes.per_wavelength;
+  const TruncatedSums sums = truncated(shapes::joined(ball, above), {deg(85.0, 0.0), deg(85.0, 0.0)}, tubes);
+  const double cells = static_cast<double>(sums[Truncation::width].tubes) * std::pow(lambda / tubes.per_wavelength, 2);
+  EXPECT_GT(sums[Truncation::width].tubes, 0u);
+  // A whole number of cells fills the rectangle: they are no larger than asked for, and hardly smaller.
+  EXPECT_LE(sums[Truncation::width].sigma, cells * (1.0 + 1e-9));
+  EXPECT_GE(sums[Truncation::width].sigma, cells * 0.95);
+  EXPECT_EQ(sums.tubes(), sums[Truncation::width].tubes);
+}
+
+// Between two walls of glass on either side more than 15 times as many tubes are under way as a tile has cells, 48 by 45.
+TEST(TruncatedTubes, OfTooManyTheWeakestAreCountedByThemselves) {
+  PolygonSoup boxes = shapes::joined(shapes::cube(6.0 * lambda), shapes::cube(4.0 * lambda));
+  boxes.materials.assign(boxes.polygons.size(), 0);
+  TubeOptions tubes;
+  tubes.mode = TubeMode::uniform;
+  tubes.max_bounces = 12;
+  const Look look{deg(70.0, 20.0), deg(70.0, 20.0)};
+  const TruncatedSums sums = solved(boxes, glass, {frequency}, {look}, tubes).statistics.truncated;
+  EXPECT_GT(sums[Truncation::number].tubes, 0u);
+  EXPECT_GT(sums[Truncation::number].sigma, 0.0);
+  EXPECT_GT(sums[Truncation::bounces].tubes, 0u);
+  EXPECT_EQ(sums[Truncation::width].tubes, 0u);
+}
+
 TEST(TruncatedTubes, TheStrongestGoOn) {
   std::vector<int> tubes{3, 1, 2, 3, 0, 2, 2}, ended;
   end_weakest(

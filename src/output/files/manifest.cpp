@@ -1,5 +1,8 @@
 #include "output/files/manifest.h"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <cmath>
 
 #include "core/json.h"
@@ -8,6 +11,9 @@
 namespace raytube {
 
 namespace {
+
+// As truncations stand.
+constexpr std::array truncated_names{"at_max_bounces", "by_width", "by_number"};
 
 // Counts are whole; only lengths carry a fraction.
 JsonValue count_or_length(double value) {
@@ -20,7 +26,11 @@ JsonValue counts_json(const Statistics& statistics) {
   json["tubes"] = statistics.tubes;
   json["hits_per_bounce"] = statistics.hits;
   json["lost_rays"] = statistics.lost_rays;
-  json["tubes_cut_at_max_bounces"] = statistics.tubes_truncated;
+  for (const Truncation reason : truncations) {
+    const char* const name = truncated_names[static_cast<std::size_t>(reason)];
+    json[fmt::format("tubes_cut_{}", name)] = statistics.truncated[reason].tubes;
+    json["tubes_cut_sigma_m2"][name] = statistics.truncated[reason].sigma;
+  }
   json["sliver_area_m2"] = statistics.sliver_area;
   json["wedges"] = statistics.wedges;
   json["wedges_lit"] = statistics.wedges_lit;
@@ -29,9 +39,24 @@ JsonValue counts_json(const Statistics& statistics) {
                        {"highest_frequency", statistics.thin_plate_edges_highest}};
   json["windowed_rows"] = statistics.windowed_rows;
   if (statistics.ray_range > 0.0) json["utd_range_m"] = statistics.ray_range;
+  json["beyond_bound"] = std::vector<JsonValue>();
+  for (const BeyondBound& part : statistics.beyond_bound)
+    json["beyond_bound"].append({{"part", part.part}, {"rows", part.rows}, {"worst_row", part.worst}, {"ratio", part.ratio}});
   json["skipped"] = std::vector<JsonValue>();
   for (const Skipped& skipped : statistics.skipped)
     json["skipped"].append({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});
+  return json;
+}
+
+JsonValue model_json(const std::vector<ModelPart>& parts) {
+  JsonValue json = std::vector<JsonValue>();
+  for (const ModelPart& part : parts)
+    json.append({{"part", part.name},
+                 {"what", part.what},
+                 {"remedy", part.remedy},
+                 {"rms_m", part.rms},
+                 {"share", part.share},
+                 {"rows_largest", part.rows_largest}});
   return json;
 }
 
@@ -74,7 +99,9 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["instruction_sets"] = {{"embree", manifest.embree_instruction_set}, {"raytube", manifest.own_instruction_set}};
   json["threads"] = manifest.threads;
   if (manifest.random) json["launch"] = launch_json(*manifest.random);
+  json["warnings"] = manifest.warnings;
   json["counts"] = counts_json(manifest.statistics);
+  json["model_uncertainty"] = model_json(manifest.model_parts);
   json["time"] = time_json(manifest.time, manifest.statistics.solve_s, manifest.looks_resumed);
   json["peak_rss_bytes"] = manifest.peak_rss_bytes;
   json["rcs_csv_sha256"] = manifest.rcs_csv_sha256;

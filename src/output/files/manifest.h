@@ -34,8 +34,10 @@ struct Manifest {
   int threads = 1;
   std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written
   std::vector<std::pair<std::string, double>> mesh_notes;   // sentence and count
+  std::vector<std::string> warnings;                        // about features too small and steps too wide
   std::optional<RandomRuns> random;                         // with --launch random
   Statistics statistics;
+  std::vector<ModelPart> model_parts;  // of the model uncertainty; their rows are not written
   Timing time;
   std::uint64_t looks_resumed = 0;  // computed by earlier runs, whose time is not in solve_s
   std::uint64_t peak_rss_bytes = 0;

@@ -42,7 +42,10 @@ std::string shown_level(double sigma_dbsm, const Scale& scale) {
   return fmt::format("{:.4f}", std::max(sigma_dbsm, scale.bottom - 20.0));
 }
 
-const char* curve_style(std::size_t points) { return points == 1 ? "points" : points <= 60 ? "linespoints" : "lines"; }
+const char* curve_style(std::size_t points, bool joined) {
+  if (points == 1 || !joined) return "points";
+  return points <= 60 ? "linespoints" : "lines";
+}
 
 std::string xrange_of(const Cut& cut) {
   const double margin = cut.x.front() < cut.x.back() ? 0.0 : 1.0;

@@ -29,8 +29,8 @@ Scale scale_of(std::span<const Cut> cuts);
 /// A value under the floor (a null, or -inf) is moved just out of the picture, so that its line leaves through the bottom.
 std::string shown_level(double sigma_dbsm, const Scale& scale);
 
-/// "points", "linespoints" or "lines", as the number of points asks for.
-const char* curve_style(std::size_t points);
+/// "points", "linespoints" or "lines", as the number of points asks for; never lines where they may not be joined.
+const char* curve_style(std::size_t points, bool joined = true);
 
 /// The command that makes the horizontal axis as wide as the curve.
 std::string xrange_of(const Cut& cut);

@@ -20,6 +20,7 @@ constexpr const char* wave_conventions =
     "# sigma_pq = 4 pi |S_pq|^2; dBsm is 10 log10(sigma / 1 m^2). vh is receive V, transmit H.\n"
     "# err_pq_db = 20 log10(1 + error / max(|S_pq|, S_max / 100)): estimated numerical error of |S_pq|; S_max is the row's "
     "largest.\n"
+    "# model_pq_db: the same of model uncertainty, the estimate of what asymptotic physics leaves out in |S_pq|.\n"
     "# Directions point from the target: theta from +z, phi from +x towards +y; theta_deg, phi_deg to the "
     "transmitter, rx_ to the receiver.\n"
     "# V is theta-hat and H is phi-hat of each one's own direction, for the transmitter and for the receiver.\n";
@@ -69,6 +70,7 @@ std::string rcs_header(const Sweep& sweep) {
   std::string header = key_columns + complex_columns("");
   for (const char* channel : channel_names) header += fmt::format(",sigma_{}_dbsm", channel);
   for (const char* channel : channel_names) header += fmt::format(",err_{}_db", channel);
+  for (const char* channel : channel_names) header += fmt::format(",model_{}_db", channel);
   if (!sweep.looks.front().far()) header += ",range_m,rx_range_m";
   return header + '\n';
 }
@@ -76,6 +78,13 @@ std::string rcs_header(const Sweep& sweep) {
 std::string complex_values(const ScatteringMatrix& s) {
   std::string text;
   for (const Complex value : channels(s)) text += ',' + complex_text(value);
+  return text;
+}
+
+std::string error_values(const ChannelErrors& errors) {
+  std::string text;
+  for (const std::array<double, 2>& receive : errors)
+    for (const double value : receive) text += ',' + number_text(value);
   return text;
 }
 
@@ -113,6 +122,7 @@ void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const 
     std::string line = key_text(frequency, look) + complex_values(s);
     for (const Complex value : channels(s)) line += ',' + number_text(sigma_dbsm(value));
     for (const double level : error_levels_db(s, result.error[row])) line += ',' + number_text(level);
+    for (const double level : error_levels_db(s, result.model[row])) line += ',' + number_text(level);
     out.write(line + range_text(look) + '\n');
   });
   out.commit();
@@ -153,14 +163,18 @@ void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, cons
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
   std::string header = conventions(result) + antenna_note(sweep) + key_columns;
   for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
-  out.write(header + complex_columns("_edges_first_order") + complex_columns("_edges_second_order") +
-            complex_columns("_between") + '\n');
+  header += complex_columns("_edges_first_order") + complex_columns("_edges_second_order") + complex_columns("_between");
+  for (const ModelPart& part : result.model_parts)
+    for (const char* channel : channel_names) header += fmt::format(",model_{}_{}_m", part.name, channel);
+  out.write(header + '\n');
   for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
     std::string line = key_text(frequency, look);
     for (std::size_t m = 0; m < bounces; ++m)
       line += complex_values(m < result.bounces.size() ? result.bounces[m][row] : ScatteringMatrix{});
-    out.write(line + complex_values(result.edges_first[row]) + complex_values(result.edges_higher[row]) +
-              complex_values(result.interaction[row]) + '\n');
+    line += complex_values(result.edges_first[row]) + complex_values(result.edges_higher[row]) +
+            complex_values(result.interaction[row]);
+    for (const ModelPart& part : result.model_parts) line += error_values(part.rows[row]);
+    out.write(line + '\n');
   });
   out.commit();
 }

@@ -40,7 +40,7 @@ void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep,
 
 /// parts.csv: complex S of bounce 1, 2, ..., of the edges at first order, of all their higher orders together, and of what
 /// their waves induce on other surfaces, side by side; they add up to rcs.csv. Bounce 1 has its columns even where nothing was
-/// hit. Needs a result with parts.
+/// hit. Then the parts of the model uncertainty [m]. Needs a result with parts.
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
 
 }  // namespace raytube

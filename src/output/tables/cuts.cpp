@@ -52,16 +52,20 @@ std::string fixed_values(Quantity axis, const Values& row, const std::array<bool
   return text;
 }
 
-CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowCoordinates& coordinates) {
+void sort_along(Quantity axis, const RowCoordinates& coordinates, std::vector<std::size_t>& group) {
   std::stable_sort(group.begin(), group.end(),
                    [&](std::size_t a, std::size_t b) { return coordinates.rows[a][axis] < coordinates.rows[b][axis]; });
+}
+
+CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowCoordinates& coordinates) {
+  sort_along(axis, coordinates, group);
   CutRows cut{fixed_values(axis, coordinates.rows[group.front()], coordinates.told), std::move(group), {}};
   for (const std::size_t row : cut.rows) cut.x.push_back(coordinates.rows[row][axis]);
   return cut;
 }
 
 Cut curves_of(const CutRows& rows, const SweepResult& result) {
-  Cut cut{rows.fixed, rows.x, {}};
+  Cut cut{rows.fixed, rows.x, {}, rows.rows};
   for (const std::size_t row : rows.rows) {
     const ScatteringMatrix& s = result.total[row];
     for (int channel = 0; channel < 4; ++channel) cut.sigma_dbsm[channel].push_back(sigma_dbsm(s.at(channel / 2, channel % 2)));
@@ -87,6 +91,12 @@ RowCoordinates coordinates_of_rows(const Sweep& sweep) {
     }
   }
   return coordinates;
+}
+
+std::vector<std::vector<std::size_t>> rows_along(Quantity quantity, const RowCoordinates& coordinates) {
+  std::vector<std::vector<std::size_t>> groups = groups_along(quantity, coordinates.rows);
+  for (std::vector<std::size_t>& group : groups) sort_along(quantity, coordinates, group);
+  return groups;
 }
 
 CutPlan plan_cuts(const RowCoordinates& coordinates) {

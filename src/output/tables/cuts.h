@@ -33,6 +33,9 @@ struct CutPlan {
   std::vector<CutRows> cuts;
 };
 
+/// Rows that differ in this quantity only, ordered by it; the groups in the order of their first row.
+std::vector<std::vector<std::size_t>> rows_along(RowCoordinates::Quantity quantity, const RowCoordinates& coordinates);
+
 /// Takes the quantity that leaves the fewest cuts as the axis, or the look's number if no quantity orders the looks.
 CutPlan plan_cuts(const RowCoordinates& coordinates);
 
@@ -47,6 +50,7 @@ struct Cut {
   std::string fixed;  // "10 GHz, θ = 90°"
   std::vector<double> x;
   std::array<std::vector<double>, 4> sigma_dbsm;  // VV, VH, HV, HH
+  std::vector<std::size_t> rows{};                // of the sweep; empty: not told
 };
 
 struct Cuts {

@@ -52,7 +52,7 @@ class TruncatedTubes {
  public:
   explicit TruncatedTubes(const TubeSums& sums) : sums_(sums), first_(first_of_last(sums.bounces.size())) {
     const double before = first_ < sums.met.size() ? sums.met[first_] : 0.0;
-    const double share = before > 0.0 ? std::min(std::sqrt(sums.truncated / before), most) : most;
+    const double share = before > 0.0 ? std::min(std::sqrt(sums.truncated.sigma() / before), most) : most;
     series_ = share / (1.0 - share);
   }
 
@@ -65,7 +65,7 @@ class TruncatedTubes {
       for (std::size_t receive = 0; receive < 2; ++receive) power[receive] += std::norm(s[receive][q]);
     }
     const double all = power[0] + power[1], polarised = all > 0.0 ? power[p] / all : 0.5;
-    return std::hypot(series_ * last, std::sqrt(polarised * sums_.truncated / (4.0 * pi)));
+    return std::hypot(series_ * last, std::sqrt(polarised * sums_.truncated.sigma() / (4.0 * pi)));
   }
 
  private:
@@ -82,7 +82,7 @@ class TruncatedTubes {
 }  // namespace
 
 void add_truncated_tubes(TubeSums& sums) {
-  if (sums.truncated == 0.0) return;
+  if (sums.truncated.sigma() == 0.0) return;
   const TruncatedTubes truncated(sums);
   for (std::size_t f = 0; f < sums.error.size(); ++f)
     for (std::size_t p = 0; p < 2; ++p)

@@ -2,13 +2,13 @@
 
 namespace raytube {
 
-void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, TruncatedTube tube) {
+void count_truncated(TruncatedSum& sum, const Tracer& tracer, const SpectralSurfaces& surfaces, TruncatedTube tube) {
   auto& [ray, hit, area, amplitude] = tube;
-  ++sums.tubes_truncated;
+  ++sum.tubes;
   while (hit && amplitude > least_amplitude) {
     const std::uint32_t patch = tracer.mesh().triangle_patch[hit.triangle];
     const auto [reflected, transmitted] = surfaces.strongest(tracer.mesh().patches[patch], ray.direction);
-    sums.add_truncated(area, amplitude * reflected);
+    sum.add(area, amplitude * reflected);
     amplitude *= transmitted;
     ray = {ray.origin + hit.distance * ray.direction, ray.direction, patch};
     tracer.closest_hits({&ray, 1}, {&hit, 1});

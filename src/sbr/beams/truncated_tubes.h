@@ -36,9 +36,9 @@ void end_weakest(std::vector<Tube>& tubes, std::size_t most, Weight weight, End 
 }
 
 /// Counts a truncated tube of this area [m^2] and amplitude.
-inline void count_truncated(TubeSums& sums, double area, double amplitude) {
-  ++sums.tubes_truncated;
-  sums.add_truncated(area, amplitude);
+inline void count_truncated(TruncatedSum& sum, double area, double amplitude) {
+  ++sum.tubes;
+  sum.add(area, amplitude);
 }
 
 /// A tube that was truncated on its way to `hit`.
@@ -50,6 +50,6 @@ struct TruncatedTube {
 
 /// Counts what a truncated tube would have brought: what a sheet at its hit reflects, what the next one behind it does, and so
 /// on.
-void count_truncated(TubeSums& sums, const Tracer& tracer, const SpectralSurfaces& surfaces, TruncatedTube tube);
+void count_truncated(TruncatedSum& sum, const Tracer& tracer, const SpectralSurfaces& surfaces, TruncatedTube tube);
 
 }  // namespace raytube

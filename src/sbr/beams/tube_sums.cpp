@@ -70,7 +70,6 @@ void TubeSums::add(const TubeSums& other) {
   tubes += other.tubes;
   rays += other.rays;
   lost_rays += other.lost_rays;
-  tubes_truncated += other.tubes_truncated;
   empty_cells += other.empty_cells;
   faces_away += other.faces_away;
   sliver_area += other.sliver_area;
@@ -92,8 +91,11 @@ void TubeSums::append(TubeSums further) {
   join(coarse, further.coarse), join(pieces, further.pieces), join(quadrature, further.quadrature);
   join(incoherent, further.incoherent);
   rays += further.rays;
-  tubes_truncated = std::max(tubes_truncated, further.tubes_truncated);
-  truncated = std::max(truncated, further.truncated);
+  for (const Truncation reason : truncations) {
+    TruncatedSum& sum = truncated[reason];
+    sum.tubes = std::max(sum.tubes, further.truncated[reason].tubes);
+    sum.sigma = std::max(sum.sigma, further.truncated[reason].sigma);
+  }
 }
 
 }  // namespace raytube

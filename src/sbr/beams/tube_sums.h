@@ -6,6 +6,7 @@
 
 #include "core/field.h"
 #include "sbr/beams/spectrum.h"
+#include "scene/results.h"
 
 namespace raytube {
 
@@ -36,18 +37,16 @@ struct TubeSums {
   std::vector<ChannelErrors> error;               // [frequency], estimate for the whole look [m]; empty in its parts
   std::vector<std::uint64_t> hits;                // [bounce]
   std::vector<double> met;                        // [bounce] area times squared amplitude of the waves that met surfaces [m^2]
-  std::uint64_t tubes = 0, rays = 0, lost_rays = 0, tubes_truncated = 0;
-  double truncated = 0.0;                         // area times squared amplitude of truncated tubes [m^2]
+  std::uint64_t tubes = 0, rays = 0, lost_rays = 0;
+  TruncatedSums truncated;                        // of this look
   std::uint64_t empty_cells = 0, faces_away = 0;  // not traced: see SkipCounts
   double sliver_area = 0.0;                       // [m^2] of the launch plane, left out by adaptive tubes
 
   /// The sums [frequency] of a bounce, counted from 0; they and their counter of hits are made when first asked for.
   std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);
 
-  /// A tube of this area across its wave [m^2], of this amplitude of unit incident ones, met a surface; or was truncated before
-  /// it did.
+  /// A tube of this area across its wave [m^2], of this amplitude of unit incident ones, met a surface.
   void meet(int bounce, double area, double amplitude);
-  void add_truncated(double area, double amplitude) { truncated += area * amplitude * amplitude; }
 
   /// What the currents of this wave scatter incoherently from so much area across it.
   void add_incoherent(const Spectrum& spectrum, double area);

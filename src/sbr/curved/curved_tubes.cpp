@@ -53,7 +53,7 @@ class CurvedTubes {
       find_hits();
       if (bounce == look_.max_bounces) {
         for (const Hit& hit : hits_)
-          if (hit) truncate();
+          if (hit) truncate(Truncation::bounces);
         break;
       }
       keep([&](const Tube& tube, const Hit& hit) {
@@ -72,7 +72,7 @@ class CurvedTubes {
     CurvedFootprint footprint{};
   };
 
-  void truncate() { count_truncated(sums_, look_.grid.du * look_.grid.dv, 1.0); }
+  void truncate(Truncation reason) { count_truncated(sums_.truncated[reason], look_.grid.du * look_.grid.dv, 1.0); }
 
   void find_hits() {
     hits_.resize(rays_.size());
@@ -98,7 +98,7 @@ class CurvedTubes {
           curved_footprint(tube.beam, surface(tube.beam, hit.triangle), look_.receive, look_.surfaces, mesh.patches[patch]);
       if (!take(tube, hit)) continue;
       if (is_too_wide(tube.footprint)) {
-        truncate();
+        truncate(Truncation::width);
         continue;
       }
       tube.beam = tube.footprint.outgoing;

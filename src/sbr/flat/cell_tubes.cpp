@@ -78,7 +78,7 @@ void CellTubes::truncate() {
   tracer_.closest_hits(rays_, hits);
   for (std::size_t i = 0; i < tubes_.size(); ++i)
     if (hits[i])
-      count_truncated(sums_, tracer_, beams_.surfaces(),
+      count_truncated(sums_.truncated[Truncation::bounces], tracer_, beams_.surfaces(),
                       {rays_[i], hits[i], grid_.du * grid_.dv, beams_.amplitude(tubes_[i].beam)});
   clear();
 }
@@ -86,8 +86,9 @@ void CellTubes::truncate() {
 void CellTubes::end_weakest() {
   if (!beams_.spectral() || tubes_.size() <= most_tubes) return;
   const auto amplitude = [&](const Tube& tube) { return beams_.amplitude(tube.beam); };
-  raytube::end_weakest(tubes_, most_tubes, amplitude,
-                       [&](const Tube& tube) { count_truncated(sums_, grid_.du * grid_.dv, amplitude(tube)); });
+  raytube::end_weakest(tubes_, most_tubes, amplitude, [&](const Tube& tube) {
+    count_truncated(sums_.truncated[Truncation::number], grid_.du * grid_.dv, amplitude(tube));
+  });
   rays_.clear();
   for (const Tube& tube : tubes_) rays_.push_back(reflected_ray(tube.column, tube.row, tube.beam, beams_.patch_index(tube.beam)));
 }

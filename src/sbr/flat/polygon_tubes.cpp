@@ -56,7 +56,7 @@ struct FaceTrace {
       if (line_of_sight_)
         truncate(tube, in_middle);
       else if (in_middle)
-        count_truncated(sums_, area(tube.outline), beams_.amplitude(tube.beam));
+        count_truncated(sums_.truncated[Truncation::bounces], area(tube.outline), beams_.amplitude(tube.beam));
       return;
     }
     visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, parts_);
@@ -64,9 +64,10 @@ struct FaceTrace {
   }
 
   void truncate(const PolygonTube& tube, const Hit& in_middle) {
-    const double before = sums_.truncated;
+    TruncatedSum& sum = sums_.truncated[Truncation::bounces];
+    const double before = sum.sigma;
     add_truncated(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, beams_.amplitude(tube.beam));
-    if (sums_.truncated > before) ++sums_.tubes_truncated;
+    if (sum.sigma > before) ++sum.tubes;
   }
 
   // What sheets would reflect of a truncated tube, and what it would meet behind them.
@@ -77,7 +78,7 @@ struct FaceTrace {
     for (const VisiblePart& part : parts) {
       const std::uint32_t patch = look_.faces.faces()[part.face].patch;
       const auto [reflected, transmitted] = look_.surfaces.strongest(look_.faces.mesh().patches[patch], beam.direction);
-      sums_.add_truncated(area(part.outline), amplitude * reflected);
+      sums_.truncated[Truncation::bounces].add(area(part.outline), amplitude * reflected);
       if (amplitude * transmitted > least_amplitude) add_truncated(beam, patch, part.outline, {}, amplitude * transmitted);
     }
   }
@@ -122,7 +123,7 @@ struct FaceTrace {
   void end_weakest() {
     const auto weight = [&](const PolygonTube& tube) { return area(tube.outline) * beams_.amplitude(tube.beam); };
     raytube::end_weakest(reflected_, most_tubes, weight, [&](const PolygonTube& tube) {
-      count_truncated(sums_, area(tube.outline), beams_.amplitude(tube.beam));
+      count_truncated(sums_.truncated[Truncation::number], area(tube.outline), beams_.amplitude(tube.beam));
     });
   }
 

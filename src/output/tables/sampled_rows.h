@@ -1,0 +1,24 @@
+// Which sweeps of a case are too coarse for its target's lobes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "output/tables/cuts.h"
+
+namespace raytube {
+
+/// Steps of a swept quantity that do not resolve lobes, and the widest that would [degrees or GHz].
+struct CoarseSteps {
+  RowCoordinates::Quantity quantity;
+  double step, limit;
+};
+
+/// One for each swept quantity whose steps are too wide somewhere: a sweep is four values or more in even steps, with all other
+/// quantities held fixed; single directions and lists are none.
+std::vector<CoarseSteps> coarse_steps(const Sweep& sweep, std::span<const dvec3> outermost);
+
+/// Whether the rows, in this order, are close enough to be joined by a line; so are those of a target not known, without points.
+bool can_be_joined(const Sweep& sweep, std::span<const dvec3> outermost, std::span<const std::size_t> rows);
+
+}  // namespace raytube

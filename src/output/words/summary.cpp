@@ -1,0 +1,145 @@
+#include "output/words/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/decimal.h"
+#include "core/text.h"
+#include "output/tables/csv.h"
+
+namespace raytube {
+
+namespace {
+
+// Channels so far below the strongest of their row are told by themselves: a small error is large against them.
+constexpr int low_db = 20;
+constexpr double low_share = 0.1;
+
+std::string line(const char* name, const std::string& text) { return fmt::format("{:<18} {}\n", name, text); }
+
+double peak_sigma_dbsm(const SweepResult& result) {
+  double peak = sigma_dbsm(0.0);
+  for (const ScatteringMatrix& s : result.total)
+    for (const int channel : {0, 1, 2, 3}) peak = std::max(peak, sigma_dbsm(s.at(channel / 2, channel % 2)));
+  return peak;
+}
+
+// The largest levels [dB] of each kind of channel; below zero: there is none.
+struct LargestErrors {
+  double co = -1.0, cross = -1.0, low = -1.0;
+  std::size_t rows_above = 0;
+};
+
+LargestErrors largest_errors(const SweepResult& result, const std::vector<ChannelErrors>& errors, double tolerance_db) {
+  LargestErrors found;
+  for (std::size_t row = 0; row < result.total.size(); ++row) {
+    const ScatteringMatrix& s = result.total[row];
+    const double largest = largest_amplitude(s);
+    if (largest == 0.0) continue;  // no level is relative to nothing
+    const std::array<double, 4> levels = error_levels_db(s, errors[row]);
+    for (const int channel : {0, 1, 2, 3}) {
+      const bool low = std::abs(s.at(channel / 2, channel % 2)) < low_share * largest;
+      double& kind = low ? found.low : channel == 0 || channel == 3 ? found.co : found.cross;
+      kind = std::max(kind, levels[static_cast<std::size_t>(channel)]);
+    }
+    found.rows_above += std::ranges::max(levels) > tolerance_db ? 1 : 0;
+  }
+  return found;
+}
+
+std::string levels_text(const LargestErrors& errors) {
+  std::vector<std::string> kinds;
+  if (errors.co >= 0.0) kinds.push_back(fmt::format("VV, HH {:.2g} dB", errors.co));
+  if (errors.cross >= 0.0) kinds.push_back(fmt::format("VH, HV {:.2g} dB", errors.cross));
+  if (errors.low >= 0.0)
+    kinds.push_back(fmt::format("{:.2g} dB where {} dB and more below the strongest channel", errors.low, low_db));
+  return kinds.empty() ? "0 dB: nothing comes back" : "at most " + joined(kinds, "; ");
+}
+
+std::string remedy(const SweepResult& result, const RunFacts& facts) {
+  const std::string text = fmt::format("raise tubes.per_wavelength ({})", number_text(facts.tubes.max_per_wavelength));
+  if (!facts.materials || result.statistics.truncated[Truncation::bounces].tubes == 0) return text;
+  return text + fmt::format(" or tubes.max_bounces ({})", facts.tubes.max_bounces);
+}
+
+std::string error_lines(const SweepResult& result, const RunFacts& facts) {
+  const LargestErrors errors = largest_errors(result, result.error, facts.tubes.tolerance_db);
+  const std::string text = line("numerical error", levels_text(errors));
+  if (!facts.tubes.refines() || errors.rows_above == 0) return text;
+  return text +
+         line("above tolerance", fmt::format("{} of {} rows (accuracy.tolerance_db = {}): {}", errors.rows_above,
+                                             result.total.size(), number_text(facts.tubes.tolerance_db), remedy(result, facts)));
+}
+
+// What it is mostly, and the handle that makes it less.
+std::string model_lines(const SweepResult& result, const RunFacts& facts) {
+  if (result.model.empty()) return "";
+  std::string text = line("model uncertainty", levels_text(largest_errors(result, result.model, facts.tubes.tolerance_db)));
+  if (result.model_parts.empty()) return text;
+  const ModelPart& largest = result.model_parts.front();
+  return text + line("", fmt::format("mostly {} ({:.0f} %); remedy: {}", largest.what, 100.0 * largest.share, largest.remedy));
+}
+
+// By reason: how many, what is left of those of a look, where that counts, and what would make them fewer.
+std::string truncated_lines(const TruncatedSums& truncated, const RunFacts& facts) {
+  const std::array reasons{fmt::format("after tubes.max_bounces = {}", facts.tubes.max_bounces),
+                           std::string("too wide off curved surfaces"), std::string("too many between sheets")};
+  constexpr std::array handles{": raise it", ": raise tubes.per_wavelength", ""};
+  std::string text;
+  for (const Truncation reason : truncations) {
+    const auto& [tubes, sigma] = truncated[reason];
+    const auto i = static_cast<std::size_t>(reason);
+    if (tubes == 0) continue;
+    const std::string left = sigma > 0.0 ? fmt::format("{:.1f} dBsm", 10.0 * std::log10(sigma)) : "nothing";
+    text += line("cut tubes", fmt::format("{} {}, {} of a look left at most, in the {}{}", tubes, reasons[i], left,
+                                          facts.materials ? "numerical error" : "model uncertainty", handles[i]));
+  }
+  return text;
+}
+
+std::string work_lines(const Statistics& s, const RunFacts& facts) {
+  const bool paths = s.ray_range > 0.0;
+  std::string text = line("rays", fmt::format("{} in {} {}, {:.2f} s on {} thread{}", s.rays, s.tubes, paths ? "paths" : "tubes",
+                                              s.solve_s, facts.threads, facts.threads == 1 ? "" : "s"));
+  if (paths) text += line("range", fmt::format("{:.6g} m: amplitudes are apparent ones (edges.method \"utd\")", s.ray_range));
+  if (facts.looks_resumed)
+    text += line("resumed", fmt::format("{} looks were computed before, and are not in that time", facts.looks_resumed));
+  text += line("lost rays", fmt::format("{}", s.lost_rays));
+  if (paths && s.truncated.tubes())
+    text += line("cut search", fmt::format("in {} looks: too many sequences of mirrors", s.truncated.tubes()));
+  return paths ? text : text + truncated_lines(s.truncated, facts);
+}
+
+std::string beyond_bound_lines(const Statistics& statistics) {
+  std::string text;
+  for (const BeyondBound& part : statistics.beyond_bound)
+    text +=
+        line("beyond bound", fmt::format("{} in {} row{}: do not use these", part.part, part.rows, part.rows == 1 ? "" : "s"));
+  return text;
+}
+
+}  // namespace
+
+std::string beyond_bound_sentence(const BeyondBound& part) {
+  return fmt::format(
+      "{}: {} row{} with more than the size of the target allows, row {} by {:.1f} dB (rows count from 0); this is a fault of "
+      "the "
+      "program or of the mesh, do not use these rows (docs/theory/bounds.md)",
+      part.part, part.rows, part.rows == 1 ? "" : "s", part.worst, 20.0 * std::log10(part.ratio));
+}
+
+std::string summary_text(const SweepResult& result, const RunFacts& facts) {
+  std::string text = work_lines(result.statistics, facts);
+  for (const Skipped& skipped : result.statistics.skipped)
+    text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, skipped.why));
+  text += line("peak sigma", fmt::format("{:.2f} dBsm", peak_sigma_dbsm(result)));
+  if (result.statistics.ray_range == 0.0 && !facts.random) text += error_lines(result, facts);
+  text += model_lines(result, facts);
+  text += beyond_bound_lines(result.statistics);
+  if (facts.warnings) text += line("warnings", fmt::format("{}, at the beginning and in run.json", facts.warnings));
+  return text + line("results", facts.folder);
+}
+
+}  // namespace raytube

@@ -1,0 +1,28 @@
+// The words at the end of a run.
+#pragma once
+
+#include <string>
+
+#include "scene/options.h"
+#include "scene/results.h"
+
+namespace raytube {
+
+/// What of a run the result does not tell.
+struct RunFacts {
+  TubeOptions tubes{};
+  bool materials = false;  // other than perfect conductors: the numerical error holds what truncated tubes may bring
+  bool random = false;     // the mean of random tubes, whose error is told elsewhere
+  int threads = 1;
+  std::uint64_t looks_resumed = 0;
+  std::size_t warnings = 0;
+  std::string folder{};
+};
+
+/// What is to be said, once a solve is done, of a mechanism that exceeds its bound.
+std::string beyond_bound_sentence(const BeyondBound& part);
+
+/// Lines of a name and what is to be said of it.
+std::string summary_text(const SweepResult& result, const RunFacts& facts);
+
+}  // namespace raytube

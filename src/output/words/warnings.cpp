@@ -1,0 +1,69 @@
+#include "output/words/warnings.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+constexpr std::array<const char*, 5> names = {"phi", "theta", "receiver phi", "receiver theta", "frequency"};
+
+// Two digits, never above the value.
+double rounded_down(double value) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / digit * (1.0 + 1e-9)) * digit;
+}
+
+std::string at_wavelength(const Validity& v) {
+  return fmt::format("a wavelength at {:.4g} GHz ({:.3g} mm)", v.frequency / 1e9, wavelength(v.frequency) * 1e3);
+}
+
+std::string percent(const SmallFeatures& features) { return fmt::format("{:.2g} %", 100.0 * features.share); }
+
+std::string sentence(const CoarseSteps& steps) {
+  const char* const unit = steps.quantity == RowCoordinates::frequency ? "GHz" : "deg";
+  return fmt::format(
+      "sampling: steps of {:.4g} {} in {} are too wide for this target's lobes, which ask for {:.2g} {} or less; take finer "
+      "steps, "
+      "or read each row by itself (plots show points, not lines)",
+      steps.step, unit, names[steps.quantity], rounded_down(steps.limit), unit);
+}
+
+}  // namespace
+
+std::vector<std::string> validity_warnings(const Validity& v) {
+  if (too_small(v))
+    return {
+        fmt::format("validity: the target's largest extent, {:.4g} mm, is {:.2g} wavelengths at {:.4g} GHz, and the methods ask "
+                    "for {:.0f}; below {:.4g} GHz take results as rough, or use a full-wave program",
+                    v.extent * 1e3, v.extent / wavelength(v.frequency), v.frequency / 1e9, least_wavelengths,
+                    least_wavelengths * speed_of_light / v.extent / 1e9)};
+  std::vector<std::string> sentences;
+  if (matters(v.parts))
+    sentences.push_back(
+        fmt::format("validity: {} separate parts, {} of the surface, are smaller than {}; take what they return as rough, or "
+                    "raise the frequency",
+                    v.parts.count, percent(v.parts), at_wavelength(v)));
+  if (matters(v.faces))
+    sentences.push_back(fmt::format(
+        "validity: {} faces between edges, {} of the surface, are smaller than {}; take what they return as rough, or, "
+        "where they stand for a curved surface, mesh it finer, with creases below edges.min_wedge_deg",
+        v.faces.count, percent(v.faces), at_wavelength(v)));
+  if (matters(v.radii))
+    sentences.push_back(fmt::format(
+        "validity: {} of the surface is bent to radii smaller than {}, round which waves creep that are not computed; "
+        "take what comes from there as rough, or raise the frequency",
+        percent(v.radii), at_wavelength(v)));
+  return sentences;
+}
+
+std::vector<std::string> sampling_warnings(const std::vector<CoarseSteps>& steps) {
+  std::vector<std::string> sentences;
+  for (const CoarseSteps& coarse : steps) sentences.push_back(sentence(coarse));
+  return sentences;
+}
+
+}  // namespace raytube

@@ -1,0 +1,16 @@
+#include "program/warnings.h"
+
+#include <algorithm>
+
+#include "output/words/warnings.h"
+#include "solve/validity.h"
+
+namespace raytube {
+
+std::vector<std::string> warnings_of(const SolvePlan& plan, std::span<const dvec3> outermost) {
+  std::vector<std::string> sentences = validity_warnings(validity_of(plan.target, plan.sweep, outermost));
+  std::ranges::copy(sampling_warnings(coarse_steps(plan.sweep, outermost)), std::back_inserter(sentences));
+  return sentences;
+}
+
+}  // namespace raytube

@@ -1,0 +1,75 @@
+#include "solve/model_uncertainty.h"
+
+#include <algorithm>
+#include <map>
+
+namespace raytube {
+
+namespace {
+
+// How much of a conductor's edge currents the edge of such a material has: what it takes from a wave of normal incidence, in
+// front or behind.
+double edge_strength(const Material& material, std::size_t frequency, double wavenumber) {
+  if (!material.transmits()) return 1.0;
+  const SurfaceResponse response = smooth_response(material, frequency, wavenumber, 1.0, false);
+  return std::min(1.0, std::max(std::abs(response.reflected.te), std::abs(1.0 - response.transmitted.te)));
+}
+
+}  // namespace
+
+ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
+    : plan_(plan), curved_(find_curved_parts(plan.target.mesh, plan.target.options.min_wedge_angle)) {
+  std::map<std::size_t, std::size_t> known;  // by the number of thin plates' edges
+  for (std::size_t f = 0; f < plan.sweep.frequencies.size(); ++f) {
+    const auto [found, is_new] =
+        known.emplace(count_thin(plan.target.thin_plate_edges, plan.sweep.frequencies[f]), edges_.size());
+    if (is_new) find_edges(f);
+    edges_at_.push_back(found->second);
+  }
+  if (!plan.smooth) flat_rise_ = curved_.rise;
+}
+
+void ModelUncertainty::find_edges(std::size_t frequency) {
+  const double limit = thin_limit(plan_.sweep.frequencies[frequency]);
+  const std::vector<Wedge> wedges = merge_thin_plate_edges(plan_.target.wedges, plan_.target.thin_plate_edges, limit);
+  const double lowest = std::ranges::min(plan_.sweep.frequencies);
+  edges_.push_back(find_edge_features(wedges, curved_, edge_currents(frequency), wavelength(lowest)));
+}
+
+EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
+  EdgeCurrents currents{plan_.mechanisms.fringe, plan_.mechanisms.material_edges, {}};
+  for (const Material& material : plan_.sweep.materials)
+    currents.material_strengths.push_back(edge_strength(material, frequency, wavenumber(plan_.sweep.frequencies[frequency])));
+  return currents;
+}
+
+RowEvidence ModelUncertainty::evidence(const LookResult& result, std::size_t frequency,
+                                       std::vector<ScatteringMatrix>& bounces) const {
+  bounces.clear();
+  for (const std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) bounces.push_back(bounce[frequency]);
+  RowEvidence row{curved_.share, flat_rise_, plan_.target.mesh.radius, bounces};
+  if (!result.edges.scattering.empty()) row.edges = result.edges.scattering[frequency];
+  if (!result.edges.higher.empty()) row.higher = result.edges.higher[frequency];
+  if (!result.interaction.scattering.empty()) row.interaction = result.interaction.scattering[frequency];
+  row.has_interaction = !result.interaction.scattering.empty() && !plan_.interaction_above_limit[frequency];
+  row.edge_order = plan_.mechanisms.fringe ? plan_.edges.order : 0;
+  row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated.sigma() : 0.0;  // else it is in the numerical error
+  const std::vector<double>& met = result.tubes.met;
+  for (std::size_t m = 1; m < std::min<std::size_t>(met.size(), 3) && met[0] > 0.0; ++m)
+    row.reflected_share += std::min(1.0, met[m] / met[0]);
+  row.wavelength = wavelength(plan_.sweep.frequencies[frequency]);
+  return row;
+}
+
+std::vector<OmissionErrors> ModelUncertainty::of(const Look& look, const LookResult& result) const {
+  std::vector<OmissionErrors> errors;
+  std::vector<ScatteringMatrix> bounces;
+  for (std::size_t f = 0; f < plan_.sweep.frequencies.size(); ++f) {
+    const LookFeatures features =
+        find_look_features({plan_.target.mesh, curved_, edges_[edges_at_[f]]}, look, plan_.sweep.frequencies[f]);
+    errors.push_back(estimate_omissions(features, evidence(result, f, bounces)));
+  }
+  return errors;
+}
+
+}  // namespace raytube

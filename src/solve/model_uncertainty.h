@@ -1,0 +1,32 @@
+// What the asymptotic physics leaves out in the rows of a plan, estimated (uncertainty/omissions.h).
+#pragma once
+
+#include <vector>
+
+#include "solve/look_result.h"
+#include "solve/plan.h"
+#include "uncertainty/omissions.h"
+
+namespace raytube {
+
+/// What all looks share is found once. Refers to the plan. Thread-safe.
+class ModelUncertainty {
+ public:
+  explicit ModelUncertainty(const SolvePlan& plan);
+
+  /// [frequency] of a look that was computed; looks that follow from it have the same.
+  std::vector<OmissionErrors> of(const Look& look, const LookResult& result) const;
+
+ private:
+  void find_edges(std::size_t frequency);
+  EdgeCurrents edge_currents(std::size_t frequency) const;
+  RowEvidence evidence(const LookResult& result, std::size_t frequency, std::vector<ScatteringMatrix>& bounces) const;
+
+  const SolvePlan& plan_;
+  CurvedParts curved_;
+  std::vector<EdgeFeatures> edges_;
+  std::vector<std::size_t> edges_at_;  // [frequency] in edges_: frequencies at which the same plates are thin share them
+  double flat_rise_ = 0.0;             // of curved surfaces that count as their facets [m]
+};
+
+}  // namespace raytube

@@ -1,0 +1,127 @@
+#include "uncertainty/omissions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+constexpr std::array<OmissionText, omissions> texts = {{
+    {"corners", "waves that start at corners of edges", "none: it falls with the wavelength beside the target"},
+    {"edge_orders", "diffraction at more edges in a row than are followed", "edges.order = 3, the most there is"},
+    {"edges", "edges without currents, or with curved faces", "edges.method = \"fringe\", edges.materials = \"luebbers\", where they are not set"},
+    {"interaction", "edge-face interaction over further edges and faces, or where it is off", "edges.between = true, where it is off or left out"},
+    {"cavities", "waves that were reflected more than three times", "none: a full-wave method for the cavity"},
+    {"smooth_surfaces", "creeping and travelling waves, shadow boundaries on curved surfaces",
+     "none: it falls with k times radius"},
+    {"facets", "flat facets in the place of curved surfaces", "a finer mesh, or tubes.curved = \"always\""},
+    {"cut_tubes", "bounces after tubes.max_bounces, tubes too wide or too many", "more tubes.max_bounces"},
+    {"small_target", "a target that is not large against the wavelength", "a full-wave method"},
+}};
+
+constexpr double corner_amplitude = 0.06;    // of a sharp corner, over the wavelength
+constexpr double next_order = 0.3;           // what further edges add, over what the last ones have
+constexpr double second_order = 0.5;         // at first order: what the next one adds, over the first
+constexpr double endless_faces = 1.5;        // at first order: corners, where faces end that are taken as endless
+constexpr double edge_amplitude = 1.2;       // of an edge's field, over its length in phase / 2 pi
+constexpr double further_interaction = 0.3;  // over what edge-face interaction has
+constexpr double mirror_spread = 0.8;        // of a wave reflected by a face, over (wavelength / width)^{1/2}
+constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
+constexpr double rim_amplitude = 5.0;        // of a sharply curved rim, over the same
+constexpr int interacting_bounces = 3;       // that edge-face interaction mends
+
+double square(double x) { return x * x; }
+
+ChannelErrors everywhere(double value) { return {{{value, value}, {value, value}}}; }
+
+// What the edges of the faces take from waves reflected at bounce 2 and later: they are not as wide as the faces. S = A / lambda
+// of a face of area A in phase, whose width is sqrt(A).
+double spread(double amplitude, double wavelength) {
+  return amplitude * std::min(1.0, mirror_spread * std::pow(wavelength / std::max(amplitude, 1e-6 * wavelength), 0.25));
+}
+
+// What one channel lacks is no less than what the other of its kind has: |S_pq|, or the mean of the two co-polar or cross-polar
+// channels if that is larger.
+double typical(const ScatteringMatrix& s, int p, int q) {
+  return std::max(std::abs(s.at(p, q)), std::sqrt(0.5 * (std::norm(s.at(p, q)) + std::norm(s.at(1 - p, 1 - q)))));
+}
+
+class RowEstimate {
+ public:
+  RowEstimate(const LookFeatures& look, const RowEvidence& row) : look_(look), row_(row) {}
+
+  OmissionErrors all() {
+    // Seen over reflections, on the way there and back, a corner counts again.
+    const double amplitude = corner_amplitude * (row_.edge_order > 1 ? 1.0 : endless_faces) * (1.0 + row_.reflected_share);
+    set(Omission::corners, everywhere(amplitude * look_.corners));
+    set(Omission::edges, everywhere(edge_amplitude * look_.edges));
+    set(Omission::cut_tubes, everywhere(std::sqrt(row_.truncated / (4.0 * pi))));
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) set_channel(p, q);
+    return errors_;
+  }
+
+ private:
+  ChannelErrors& at(Omission omission) { return errors_[static_cast<std::size_t>(omission)]; }
+  void set(Omission omission, const ChannelErrors& errors) { at(omission) = errors; }
+
+  void set_channel(int p, int q) {
+    const double higher = typical(row_.higher, p, q), first = typical(row_.edges, p, q);
+    at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_order * higher;
+    double early = 0.0, late = 0.0;
+    for (std::size_t m = 1; m < row_.bounces.size(); ++m) {
+      const double here = square(spread(std::abs(row_.bounces[m].at(p, q)), row_.wavelength));
+      (static_cast<int>(m) < interacting_bounces ? early : late) += here;
+    }
+    at(Omission::interaction)[p][q] =
+        row_.has_interaction ? further_interaction * typical(row_.interaction, p, q) : std::sqrt(early);
+    at(Omission::cavities)[p][q] = std::sqrt(late);
+    at(Omission::smooth_surfaces)[p][q] = std::hypot(boundary_amplitude * look_.shadow_boundaries[p][q],
+                                                     boundary_amplitude * look_.tight_curves, rim_amplitude * look_.rims);
+    set_facets(p, q);
+    set_small_target(p, q);
+  }
+
+  void set_facets(int p, int q) {
+    if (row_.bounces.empty()) return;
+    const double phase = 4.0 * pi / row_.wavelength * row_.rise;
+    at(Omission::facets)[p][q] = row_.curved_share * std::min(1.0, phase) * std::abs(row_.bounces[0].at(p, q));
+  }
+
+  // Rayleigh's limit: a body of half extent a much below the wavelength has |S| about k^2 a^3, whatever it is like. Too much is
+  // as wrong as too little: S^2 over that limit makes the level so many decibels uncertain.
+  void set_small_target(int p, int q) {
+    const double a = row_.half_extent, k = 2.0 * pi / row_.wavelength, rayleigh = k * k * a * a * a;
+    const double s = std::abs(row_.total().at(p, q));
+    if (rayleigh > 0.0) at(Omission::small_target)[p][q] = std::exp(-square(k * a)) * (s + rayleigh + s * s / rayleigh);
+  }
+
+  const LookFeatures& look_;
+  const RowEvidence& row_;
+  OmissionErrors errors_{};
+};
+
+}  // namespace
+
+const OmissionText& text_of(Omission omission) { return texts[static_cast<std::size_t>(omission)]; }
+
+ScatteringMatrix RowEvidence::total() const {
+  ScatteringMatrix sum = edges + higher + interaction;
+  for (const ScatteringMatrix& bounce : bounces) sum += bounce;
+  return sum;
+}
+
+OmissionErrors estimate_omissions(const LookFeatures& look, const RowEvidence& row) { return RowEstimate(look, row).all(); }
+
+ChannelErrors root_sum_square(const OmissionErrors& errors) {
+  ChannelErrors sum{};
+  for (const ChannelErrors& part : errors)
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) sum[p][q] += part[p][q] * part[p][q];
+  for (std::array<double, 2>& row : sum)
+    for (double& value : row) value = std::sqrt(value);
+  return sum;
+}
+
+}  // namespace raytube

@@ -1,0 +1,64 @@
+// What the asymptotic physics leaves out, by name, and how large it may be in one row.
+//
+// Every omission has an estimate in metres of |S|, made of lengths, counts and amplitudes that are there already:
+//   target_features.h   corners, edges without currents, creases of curved surfaces: found once for a target and a wavelength
+//   look_features.h     which of them a look lights, with what phases
+//   omissions.h         the estimates of a row, from these and from the amplitudes of its mechanisms
+// Sources and constants, and how well they hold: docs/theory/model_uncertainty.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/field.h"
+#include "uncertainty/look_features.h"
+
+namespace raytube {
+
+enum class Omission {
+  corners,          // no tip diffraction, and edge currents of half their strength at the corners they run into
+  edge_orders,      // diffraction at further edges
+  edges,            // edges that have no currents of their own
+  interaction,      // edge-face interaction: further edges and reflections of a path, or all of it
+  cavities,         // waves that were reflected often, as if every face were a mirror that is lit evenly
+  smooth_surfaces,  // creeping and travelling waves, and what starts at shadow boundaries
+  facets,           // flat facets that stand for curvature
+  cut_tubes,        // bounces that were not followed
+  small_target      // a target, or what there is of it, below a wavelength
+};
+inline constexpr std::size_t omissions = 9;
+
+/// How an omission is called in files, what it is, and what makes it less.
+struct OmissionText {
+  const char* name;
+  const char* what;
+  const char* remedy;
+};
+const OmissionText& text_of(Omission omission);
+
+/// Estimates [m] of what is missing in |S_pq|, by omission.
+using OmissionErrors = std::array<ChannelErrors, omissions>;
+
+/// What a row is made of, and how.
+struct RowEvidence {
+  double curved_share = 0.0, rise = 0.0;      // of facets: CurvedParts; the rise of those that are taken as flat [m]
+  double half_extent = 0.0;                   // half of the target's longest dimension [m]
+  std::span<const ScatteringMatrix> bounces;  // PO currents of bounce 1, 2, ... [m]
+  ScatteringMatrix edges{}, higher{}, interaction{};
+  bool has_interaction = false;  // edge-face interaction was computed
+  int edge_order = 3;            // edges in a row that a current passes; 0: there are no edge currents
+  double reflected_share = 0.0;  // of the power that is reflected: that meets a second surface, and a third one, 0 ... 2
+  double truncated = 0.0;        // area across the wave times squared amplitude of truncated tubes [m^2]
+  double wavelength = 0.0;       // [m]
+
+  ScatteringMatrix total() const;
+};
+
+/// Valid for plane waves; reciprocal if `look` is.
+OmissionErrors estimate_omissions(const LookFeatures& look, const RowEvidence& row);
+
+/// The root of the sum of their squares.
+ChannelErrors root_sum_square(const OmissionErrors& errors);
+
+}  // namespace raytube

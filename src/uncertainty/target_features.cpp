@@ -1,0 +1,204 @@
+#include "uncertainty/target_features.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "mesh/model/edge_table.h"
+
+namespace raytube {
+
+namespace {
+
+// Flatter creases are the rounding of coordinates.
+constexpr double flat_crease = 1e-4;
+// Wedges that turn less where they meet are one curved edge [rad].
+constexpr double least_turn = 15.0 * degree;
+
+// The end of a wedge.
+struct WedgeEnd {
+  dvec3 point, away;  // unit vector along the wedge, away from it
+  std::uint32_t wedge;
+};
+
+// In single precision: what thin plates are merged into ends at the same points to rounding only.
+auto order_of(const dvec3& p) { return std::tuple(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)); }
+
+bool counts(const Wedge& wedge) { return wedge.stands_alone() && !wedge.enclosed; }
+
+std::vector<WedgeEnd> ends_of(std::span<const Wedge> wedges) {
+  std::vector<WedgeEnd> ends;
+  for (std::uint32_t i = 0; i < wedges.size(); ++i) {
+    if (!counts(wedges[i])) continue;
+    const dvec3 along = glm::normalize(wedges[i].end - wedges[i].start);
+    ends.push_back({wedges[i].start, along, i});
+    ends.push_back({wedges[i].end, -along, i});
+  }
+  std::ranges::sort(ends, {}, [](const WedgeEnd& e) { return std::tuple(order_of(e.point), e.wedge); });
+  return ends;
+}
+
+// Calls visit(ends) for every point at which wedges end.
+template <class Visit>
+void for_each_point(std::span<const WedgeEnd> ends, Visit visit) {
+  for (std::size_t first = 0; first < ends.size();) {
+    std::size_t last = first + 1;
+    while (last < ends.size() && order_of(ends[last].point) == order_of(ends[first].point)) ++last;
+    visit(ends.subspan(first, last - first));
+    first = last;
+  }
+}
+
+// Two wedges that go on in one another, more or less.
+bool goes_on(std::span<const WedgeEnd> ends) {
+  return ends.size() == 2 && glm::length(ends[0].away + ends[1].away) < 2.0 * std::sin(0.5 * least_turn);
+}
+
+void add_corner(EdgeFeatures& features, std::span<const Wedge> wedges, std::span<const WedgeEnd> ends) {
+  if (goes_on(ends)) return;
+  dvec3 sum{0.0};
+  SharpCorner corner{0.0, 0.0, static_cast<std::uint32_t>(features.corner_normals.size()), 0};
+  for (const WedgeEnd& end : ends) {
+    const Wedge& wedge = wedges[end.wedge];
+    sum += end.away;
+    corner.weight = std::max(corner.weight, std::min(wedge.n - 1.0, 1.0));
+    corner.reach = std::max(corner.reach, wedge.length());
+    for (const WedgeFace& face : wedge.faces) features.corner_normals.push_back(face.normal);
+  }
+  corner.weight *= std::min(glm::length(sum), 1.0);
+  corner.last_normal = static_cast<std::uint32_t>(features.corner_normals.size());
+  features.corners.push_back(corner);
+}
+
+// The share of a face's edge currents that is missing if none are computed.
+double strength_of(const WedgeFace& face, const EdgeCurrents& currents) {
+  return face.material == no_index ? 1.0 : currents.material_strengths[face.material];
+}
+
+// Of edges of other materials, over their strength; with the heuristic's currents half of it.
+constexpr double material_share = 0.6;
+constexpr double heuristic_share = 0.3;
+
+double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
+  if (wedge.conducting()) return currents.conductors ? 0.0 : 1.0;
+  if (currents.materials) return heuristic_share;
+  return material_share * std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
+}
+
+// The share of an edge's currents that goes wrong because its faces are curved: they are taken as planes.
+constexpr double curved_faces_share = 0.3;
+
+class EdgeFinder {
+ public:
+  EdgeFinder(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents, double wavelength)
+      : wedges_(wedges), curved_(curved), currents_(currents), wavelength_(wavelength) {}
+
+  EdgeFeatures find() {
+    const std::vector<WedgeEnd> ends = ends_of(wedges_);
+    for_each_point(ends, [&](std::span<const WedgeEnd> here) { add_corner(features_, wedges_, here); });
+    const std::vector<std::uint32_t> runs = find_runs(ends);
+    for (std::size_t i = 0; i < wedges_.size(); ++i) add_edge(wedges_[i], runs[i]);
+    std::ranges::stable_sort(features_.edges, {}, &WeakEdge::run);
+    return std::move(features_);
+  }
+
+ private:
+  std::vector<std::uint32_t> find_runs(std::span<const WedgeEnd> ends) const {
+    std::vector<std::uint32_t> parents(wedges_.size());
+    std::iota(parents.begin(), parents.end(), 0u);
+    for_each_point(ends, [&](std::span<const WedgeEnd> here) {
+      if (goes_on(here)) parents[find_root(parents, here[1].wedge)] = find_root(parents, here[0].wedge);
+    });
+    join_beside_narrow_faces(parents);
+    return number_sets(std::move(parents));
+  }
+
+  void join_beside_narrow_faces(std::vector<std::uint32_t>& parents) const {
+    std::vector<std::uint32_t> first(curved_.patches.size(), no_index);
+    for (std::uint32_t i = 0; i < wedges_.size(); ++i)
+      for (const WedgeFace& face : wedges_[i].faces) {
+        if (!counts(wedges_[i]) || face.patch == no_index || !is_narrow(face.width, wavelength_)) continue;
+        std::uint32_t& other = first[face.patch];
+        if (other == no_index) other = i;
+        parents[find_root(parents, i)] = find_root(parents, other);
+      }
+  }
+
+  void add_edge(const Wedge& wedge, std::uint32_t run) {
+    if (!counts(wedge)) return;
+    const auto is_curved = [&](const WedgeFace& face) { return face.patch != no_index && curved_.patches[face.patch]; };
+    const double curved = std::ranges::any_of(wedge.faces, is_curved) ? curved_faces_share : 0.0;
+    const double missing = std::max(missing_share(wedge, currents_), curved);
+    const double width = std::min(wedge.faces[0].width, wedge.faces[1].width);
+    if (missing == 0.0 && !is_narrow(width, wavelength_)) return;
+    features_.edges.push_back({0.5 * (wedge.start + wedge.end),
+                               0.5 * (wedge.end - wedge.start),
+                               {wedge.faces[0].normal, wedge.faces[1].normal},
+                               std::min(wedge.n - 1.0, 1.0),
+                               missing,
+                               width,
+                               run});
+  }
+
+  std::span<const Wedge> wedges_;
+  const CurvedParts& curved_;
+  const EdgeCurrents& currents_;
+  double wavelength_;
+  EdgeFeatures features_;
+};
+
+double triangle_area(const TriangleMesh& mesh, std::uint32_t triangle) {
+  return 0.5 * glm::length(area_vector(mesh.vertices, mesh.triangles[triangle]));
+}
+
+// Angle between the normals of the two patches at an edge; 0 where more or fewer than two triangles meet [rad].
+double crease_angle(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
+  if (edge.sides.size() != 2) return 0.0;
+  const dvec3& a = mesh.patches[mesh.triangle_patch[edge.sides[0].triangle]].normal;
+  const dvec3& b = mesh.patches[mesh.triangle_patch[edge.sides[1].triangle]].normal;
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+double share_of_patches(const TriangleMesh& mesh, const std::vector<bool>& patches) {
+  double all = 0.0, part = 0.0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double area = triangle_area(mesh, t);
+    all += area;
+    if (patches[mesh.triangle_patch[t]]) part += area;
+  }
+  return all > 0.0 ? part / all : 0.0;
+}
+
+}  // namespace
+
+CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) {
+  CurvedParts parts;
+  parts.patches.resize(mesh.patches.size());
+  const EdgeTable edges(mesh.triangles, mesh.vertices.size());
+  double risen = 0.0, length = 0.0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const double angle = crease_angle(mesh, edges[e]);
+    if (angle < flat_crease || angle >= min_wedge_angle) continue;
+    const std::uint32_t a = edges[e].sides[0].triangle, b = edges[e].sides[1].triangle;
+    const double along = glm::distance(mesh.vertices[edges[e].low], mesh.vertices[edges[e].high]);
+    const double area = triangle_area(mesh, a) + triangle_area(mesh, b), step = area / along;  // mean width across the crease
+    parts.creases.push_back({{a, b},
+                             static_cast<float>(along),
+                             static_cast<float>(step / angle),
+                             static_cast<float>(angle),
+                             static_cast<float>(0.5 * area)});
+    risen += along * step * angle / 8.0;  // sagitta of a chord
+    length += along;
+    parts.patches[mesh.triangle_patch[a]] = parts.patches[mesh.triangle_patch[b]] = true;
+  }
+  if (length > 0.0) parts.rise = risen / length;
+  parts.share = share_of_patches(mesh, parts.patches);
+  return parts;
+}
+
+EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents,
+                                double wavelength) {
+  return EdgeFinder(wedges, curved, currents, wavelength).find();
+}
+
+}  // namespace raytube

@@ -1,0 +1,68 @@
+// Features of a target that asymptotic physics has no waves for, or none of their own.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/features/wedges.h"
+
+namespace raytube {
+
+/// A point at which wedges end or turn.
+struct SharpCorner {
+  double weight;                            // 0 ... 1: how sharp its wedges are (n - 1), times how far they turn there
+  double reach;                             // longest of its wedges [m]
+  std::uint32_t first_normal, last_normal;  // of the faces at it: TargetFeatures::corner_normals[first ... last - 1]
+};
+
+/// A wedge, or a straight part of one, whose currents are missing or are those of other faces than it has.
+struct WeakEdge {
+  dvec3 middle, half;  // recentred coordinates; vector from the middle to the end [m]
+  std::array<dvec3, 2> normals;
+  double sharpness;   // n - 1, at most 1
+  double missing;     // share of its currents that is missing, whatever the wavelength
+  double width;       // of its narrower face: currents on faces below a wavelength are not those of a wedge [m]
+  std::uint32_t run;  // edges of one run go on in one another without a corner, or lie beside one narrow face
+};
+
+/// A crease of a tessellation: between two facets of a curved surface.
+struct SmoothCrease {
+  std::array<std::uint32_t, 2> triangles;
+  float length, radius;  // of the crease; of curvature across it [m]
+  float angle;           // between the facets' normals [rad]
+  float area;            // half of the two facets [m^2]
+};
+
+/// What of a target is curved.
+struct CurvedParts {
+  std::vector<SmoothCrease> creases;
+  std::vector<bool> patches;  // [patch] it is a facet of a curved surface
+  double share = 0.0;         // of the target's area
+  double rise = 0.0;          // mean height of the surface over the middles of its facets [m]
+};
+
+/// Corners, and edges whose currents are missing or wrong, at wavelengths at which the same plates are thin.
+struct EdgeFeatures {
+  std::vector<SharpCorner> corners;
+  std::vector<dvec3> corner_normals;
+  std::vector<WeakEdge> edges;  // run after run
+};
+
+/// Which edges have currents of their own.
+struct EdgeCurrents {
+  bool conductors = true;                    // of wedges between perfect conductors
+  bool materials = false;                    // of all others
+  std::vector<double> material_strengths{};  // of each material: 0 is as if it were not there, 1 a conductor
+};
+
+/// Creases flatter than `min_wedge_angle` [rad] are curvature.
+CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle);
+
+/// `wedges` as they are at the wavelengths in question, of which `wavelength` [m] is the longest.
+EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents,
+                                double wavelength);
+
+/// Whether a face of this width [m] is narrow: below half a wavelength.
+constexpr bool is_narrow(double width, double wavelength) { return width < 0.5 * wavelength; }
+
+}  // namespace raytube

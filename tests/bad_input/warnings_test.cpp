@@ -1,0 +1,100 @@
+// What run and check say of targets too small, steps too wide and the work under way; and the words at the end.
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+// The plate is 1 mm wide, or with this 1 m: 47 wavelengths along its diagonal.
+const std::string metres = " --set target.unit=m --set output.plots=false --set edges.method=none ";
+const std::string five_degrees = "--set 'look.phi_deg={start=0,stop=45,step=5}' ";
+
+class Warnings : public BadInput {
+ protected:
+  std::string output() const { return text_of(scratch / "stdout.txt"); }
+  nlohmann::json told() const { return nlohmann::json::parse(text_of(scratch / "out/run.json"))["warnings"]; }
+};
+
+TEST_F(Warnings, ATargetUnderThreeWavelengths) {
+  const std::string sentence =
+      "validity: the target's largest extent, 1.414 mm, is 0.047 wavelengths at 10 GHz, and the methods ask for 3; below 636 GHz "
+      "take results as rough, or use a full-wave program";
+  EXPECT_EQ(raytube("check case.toml").code, 0);
+  EXPECT_THAT(output(), HasSubstr("\nwarnings\n  " + sentence + "\n"));
+  const Outcome outcome = raytube("run case.toml --set output.plots=false");
+  EXPECT_THAT(outcome.complaint, StartsWith("raytube: " + sentence + "\n"));
+  EXPECT_EQ(told(), nlohmann::json::array({sentence}));
+  EXPECT_THAT(output(), HasSubstr("warnings           1, at the beginning and in run.json\n"));
+}
+
+TEST_F(Warnings, QuietKeepsThem) {
+  const Outcome outcome = raytube("run case.toml --quiet --set output.plots=false");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.complaint, AllOf(HasSubstr("validity: "), Not(HasSubstr("solving"))));
+  EXPECT_EQ(output(), "");
+}
+
+// At theta 10 degrees the plate of 1 m is wide across phi by its diagonal times sin(10 degrees) at most.
+TEST_F(Warnings, StepsTooWideForTheLobes) {
+  const Outcome outcome = raytube("run case.toml" + metres + five_degrees);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.complaint,
+              HasSubstr("raytube: sampling: steps of 5 deg in phi are too wide for this target's lobes, which ask "
+                        "for 1.7 deg or less; take finer steps, or read each row by itself"));
+  EXPECT_EQ(told().size(), 1u);
+  EXPECT_EQ(raytube("run case.toml" + metres + "--set 'look.phi_deg={start=0,stop=45,step=1.5}'").code, 0);
+  EXPECT_EQ(told().size(), 0u);
+}
+
+TEST_F(Warnings, FiveDegreesAt94GHz) {
+  EXPECT_EQ(raytube("check case.toml" + metres + five_degrees + "--set frequency.ghz=94").code, 0);
+  EXPECT_THAT(output(), HasSubstr("steps of 5 deg in phi are too wide for this target's lobes, which ask for 0.18 deg or less"));
+}
+
+TEST_F(Warnings, FrequenciesTooFarApart) {
+  EXPECT_EQ(raytube("check case.toml" + metres + "--set look.theta_deg=60 --set 'frequency.ghz={start=10,stop=11,count=5}'").code,
+            0);
+  EXPECT_THAT(output(),
+              HasSubstr("steps of 0.25 GHz in frequency are too wide for this target's lobes, which ask for 0.086 GHz or less"));
+}
+
+TEST_F(Warnings, AListOfLooksIsNoSweep) {
+  scratch.write("looks.csv", "theta_deg,phi_deg\n10,0\n20,30\n45,60\n70,10\n80,80\n");
+  scratch.write("listed.toml", target + frequency + "[look]\nlooks_csv = \"looks.csv\"\n");
+  EXPECT_EQ(raytube("check listed.toml" + metres).code, 0);
+  EXPECT_THAT(output(), HasSubstr("\nwarnings\n  none\n"));
+}
+
+TEST_F(Warnings, WithoutATerminalALineSaysWhatIsDone) {
+  EXPECT_EQ(raytube("run case.toml --threads 1" + metres).complaint, "raytube: solving 1 look at 1 frequency on 1 thread\n");
+  EXPECT_EQ(raytube("run case.toml --quiet" + metres).complaint, "");
+  EXPECT_EQ(raytube("converge case.toml --densities 2,3,4" + metres).complaint, "raytube: solving 1 looks at 3 densities\n");
+  EXPECT_EQ(raytube("converge case.toml --quiet --densities 2,3,4" + metres).complaint, "");
+  EXPECT_EQ(output(), "");
+}
+
+TEST_F(Warnings, TruncatedTubesAreTold) {
+  scratch.write("mesh.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n1 0 1\n0 0 1\n0 1 0\n0 1 1\n4 0 1 2 3\n4 0 3 5 4\n");
+  const std::string corner = "run case.toml --set look.theta_deg=90 --set look.phi_deg=45" + metres;
+  EXPECT_EQ(raytube(corner + "--set tubes.max_bounces=1").code, 0);
+  // The opening of the corner is sqrt(2) m^2: 1.5 dBsm.
+  EXPECT_THAT(output(),
+              HasSubstr(" after tubes.max_bounces = 1, 1.5 dBsm of a look left at most, in the model uncertainty: raise it\n"));
+  const auto counts = nlohmann::json::parse(text_of(scratch / "out/run.json"))["counts"];
+  EXPECT_GT(counts["tubes_cut_at_max_bounces"], 0);
+  EXPECT_EQ(counts["tubes_cut_by_width"], 0);
+  EXPECT_EQ(counts["tubes_cut_by_number"], 0);
+  EXPECT_NEAR(counts["tubes_cut_sigma_m2"]["at_max_bounces"].get<double>(), std::sqrt(2.0), 1e-9);
+  EXPECT_EQ(raytube(corner).code, 0);
+  EXPECT_THAT(output(), Not(HasSubstr("cut tubes")));
+}
+
+}  // namespace
+}  // namespace raytube

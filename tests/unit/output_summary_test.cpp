@@ -1,0 +1,93 @@
+// The words at the end of a run.
+#include <gmock/gmock.h>
+
+#include "output/words/summary.h"
+
+namespace raytube {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Rows of these amplitudes, and errors that are shares of them.
+SweepResult rows(const std::vector<std::array<double, 4>>& amplitudes, const std::vector<std::array<double, 4>>& shares) {
+  SweepResult result;
+  for (std::size_t i = 0; i < amplitudes.size(); ++i) {
+    const auto& [vv, vh, hv, hh] = amplitudes[i];
+    result.total.push_back({{{{Complex(vv), Complex(vh)}, {Complex(hv), Complex(hh)}}}});
+    ChannelErrors error{};
+    for (std::size_t c = 0; c < 4; ++c) error[c / 2][c % 2] = shares[i][c] * amplitudes[i][c];
+    result.error.push_back(error);
+  }
+  return result;
+}
+
+RunFacts facts() { return {.folder = "out"}; }
+
+// 20 log10(1 + x) of shares 0.01, 0.02, 0.5 and 0.001: 0.086, 0.17, 3.5 and 0.0087 dB.
+TEST(Summary, LowChannelsAreToldApart) {
+  const SweepResult result =
+      rows({{1.0, 0.11, 0.11, 1.0}, {1.0, 0.09, 0.09, 0.05}}, {{0.01, 0.02, 0.01, 0.01}, {0.001, 0.1, 0.5, 0.1}});
+  EXPECT_THAT(
+      summary_text(result, facts()),
+      HasSubstr("numerical error    at most VV, HH 0.086 dB; VH, HV 0.17 dB; 3.5 dB where 20 dB and more below the strongest "
+                "channel\n"));
+  EXPECT_THAT(summary_text(rows({{1.0, 0.0, 0.0, 1.0}}, {{0.001, 0.0, 0.0, 0.001}}), facts()),
+              HasSubstr("numerical error    at most VV, HH 0.0087 dB; 0 dB where"));
+  EXPECT_THAT(summary_text(rows({{0.0, 0.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0, 0.0}}), facts()), HasSubstr("nothing comes back"));
+}
+
+TEST(Summary, RowsAboveTheToleranceComeWithTheRemedy) {
+  const auto text = [](double share, const RunFacts& run) {
+    SweepResult result = rows({{1.0, 0.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 1.0}}, {{share, 0.0, 0.0, 0.0}, {}});
+    result.statistics.truncated[Truncation::bounces] = {3, 0.1};
+    return summary_text(result, run);
+  };
+  RunFacts run = facts();
+  const double limit = std::pow(10.0, run.tubes.tolerance_db / 20.0) - 1.0;
+  EXPECT_THAT(text(0.999 * limit, run), Not(HasSubstr("above tolerance")));
+  EXPECT_THAT(text(1.001 * limit, run),
+              HasSubstr("above tolerance    1 of 2 rows (accuracy.tolerance_db = 0.1): raise tubes.per_wavelength (40)\n"));
+  run.materials = true;
+  EXPECT_THAT(text(1.001 * limit, run), HasSubstr("raise tubes.per_wavelength (40) or tubes.max_bounces (8)\n"));
+  run.tubes.mode = TubeMode::uniform;
+  EXPECT_THAT(text(1.001 * limit, run), Not(HasSubstr("above tolerance")));
+}
+
+TEST(Summary, TruncatedTubesByReason) {
+  SweepResult result = rows({{1.0, 0.0, 0.0, 1.0}}, {{}});
+  result.statistics.truncated[Truncation::bounces] = {12, 0.01};
+  result.statistics.truncated[Truncation::width] = {3, 0.001};
+  EXPECT_THAT(
+      summary_text(result, facts()),
+      AllOf(HasSubstr("cut tubes          12 after tubes.max_bounces = 8, -20.0 dBsm of a look left at most, in the model "
+                      "uncertainty: raise it\n"),
+            HasSubstr("cut tubes          3 too wide off curved surfaces, -30.0 dBsm of a look left at most"),
+            Not(HasSubstr("too many"))));
+}
+
+// 20 log10(1 + 0.5) = 3.5 dB of the model beside 0.0087 dB of the numbers.
+TEST(Summary, ModelUncertaintyIsNeverMixedWithTheNumericalError) {
+  SweepResult result = rows({{1.0, 0.0, 0.0, 1.0}}, {{0.001, 0.0, 0.0, 0.001}});
+  EXPECT_THAT(summary_text(result, facts()), Not(HasSubstr("model uncertainty")));
+  result.model = {{{{0.5, 0.0}, {0.0, 0.5}}}};
+  result.model_parts = {{"corners", "waves from corners", "none", 0.5, 0.62, 1},
+                        {"edges", "waves from edges", "none", 0.1, 0.38, 0}};
+  EXPECT_THAT(
+      summary_text(result, facts()),
+      AllOf(HasSubstr("numerical error    at most VV, HH 0.0087 dB;"), HasSubstr("model uncertainty  at most VV, HH 3.5 dB;"),
+            HasSubstr("\n                   mostly waves from corners (62 %); remedy: none\n"), Not(HasSubstr("edges (38"))));
+}
+
+TEST(Summary, OfManyLooksCountsAddUpAndTheLargestRemainsStays) {
+  TruncatedSums all, first, second;
+  first[Truncation::number] = {2, 0.5};
+  second[Truncation::number] = {3, 0.25};
+  add_look(all, first), add_look(all, second);
+  EXPECT_EQ(all.tubes(), 5u);
+  EXPECT_EQ(all.sigma(), 0.5);
+}
+
+}  // namespace
+}  // namespace raytube
