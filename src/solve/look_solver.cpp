@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/work.h"
 #include "sbr/beams/tolerances.h"
 #include "solve/phase_reference.h"
 #include "utd/fringe/material_edges.h"
@@ -17,8 +18,7 @@ EdgeSetup edge_setup(const SolvePlan& plan) {
   EdgeSetup setup{
       target.tracer, target.faces, target.wedges, target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
   setup.frequencies = plan.sweep.frequencies;
-  setup.interaction = plan.interaction_above_limit;
-  setup.interaction.flip();
+  if (plan.mechanisms.interaction) setup.interaction.assign(plan.sweep.frequencies.size(), true);
   if (plan.mechanisms.screens) setup.screens = plan.sweep.materials;
   setup.skip_enclosed = plan.tubes.skip;
   setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};
@@ -50,7 +50,7 @@ LookResult LookSolver::solve(std::size_t index, Progress& progress, double share
   LookResult result;
   result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, share});
   result.edges = edges_of(look);
-  result.interaction = interaction(look, result.tubes);
+  result.interaction = interaction(look, result);
   if (!plan_.sweep.bistatic) make_reciprocal(result);
   return result;
 }
@@ -68,8 +68,17 @@ EdgeLookResult LookSolver::edges_of(const Look& look) const {
   return result;
 }
 
-InteractionResult LookSolver::interaction(const Look& look, const TubeSums& tubes) const {
-  InteractionResult result = edges_.interaction(look, interaction_tolerance(tubes));
+// Counted, of tubes and edges.
+double LookSolver::other_work(const LookResult& look) const {
+  const auto frequencies = static_cast<double>(plan_.sweep.frequencies.size());
+  const double met = static_cast<double>(std::accumulate(look.tubes.hits.begin(), look.tubes.hits.end(), std::uint64_t{0}));
+  return work::tube * static_cast<double>(look.tubes.rays) + work::tube_frequency * met * frequencies + look.edges.work;
+}
+
+InteractionResult LookSolver::interaction(const Look& look, const LookResult& others) const {
+  if (!edges_.interact()) return {};
+  const double work = plan_.edges.interaction_budget * other_work(others);
+  InteractionResult result = edges_.interaction(look, {interaction_tolerance(others.tubes), work});
   for (std::size_t f = 0; !look.far() && f < result.scattering.size(); ++f)
     result.scattering[f] *= from_plane_waves(plan_.target.mesh, look, plan_.sweep.radar, plan_.sweep.frequencies[f]);
   return result;

@@ -36,7 +36,8 @@ class LookSolver {
  private:
   LookResult rays(const Look& look, Progress& progress, double share) const;
   EdgeLookResult edges_of(const Look& look) const;
-  InteractionResult interaction(const Look& look, const TubeSums& tubes) const;
+  InteractionResult interaction(const Look& look, const LookResult& others) const;
+  double other_work(const LookResult& look) const;
 
   const SolvePlan& plan_;
   TubeScene tube_scene_;

@@ -3,11 +3,19 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "utd/fringe/near_edges.h"
 
 namespace raytube {
+
+namespace {
+
+// Pairs of an edge and a face up to which a body has few parts: it is computed whole, as corner reflectors are.
+constexpr std::size_t few_pairs = 64;
+
+}  // namespace
 
 // Screens count only where edges are asked for their currents.
 EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup) {
@@ -21,7 +29,7 @@ void EdgeSets::group_frequencies() {
   for (std::size_t f = 0; f < setup_.frequencies.size(); ++f) {
     const std::size_t thin = count_thin(setup_.thin_plate_edges, setup_.frequencies[f]);
     auto set = std::ranges::find(sets_, thin, &Set::thin_edges);
-    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, {}, {}, {}, {}, {}});
+    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, {}, {}, {}, {}, {}, {}});
     set->indices.push_back(f);
     set->frequencies.push_back(setup_.frequencies[f]);
   }
@@ -58,7 +66,8 @@ void EdgeSets::prepare_interaction() {
   for (Set& set : sets_) {
     std::vector<bool> wanted, illuminating(set.indices.size());
     for (const std::size_t index : set.indices) wanted.push_back(setup_.interaction[index]);
-    for (const InteractionGroup& group : interaction_groups(mesh, set.wedges, set.frequencies, wanted))
+    InteractionParts parts(mesh, set.wedges);
+    for (const InteractionGroup& group : interaction_groups(parts, set.frequencies, wanted))
       for (const std::size_t index : group.indices) illuminating[index] = true;
     if (std::ranges::find(illuminating, true) == illuminating.end()) continue;
     if (std::ranges::find(illuminating, false) != illuminating.end()) {
@@ -67,7 +76,8 @@ void EdgeSets::prepare_interaction() {
       illuminating.flip();
       without.back().keep(illuminating);
     }
-    set.interaction = interaction_groups(mesh, set.wedges, set.frequencies, std::vector<bool>(set.indices.size(), true));
+    set.parts = std::move(parts);
+    set.interaction = interaction_groups(set.parts, set.frequencies, std::vector<bool>(set.indices.size(), true));
   }
   std::ranges::move(without, std::back_inserter(sets_));
   std::ranges::sort(sets_, std::ranges::greater{}, [](const Set& set) { return std::ranges::max(set.frequencies); });
@@ -117,45 +127,71 @@ std::vector<ImageEdge> EdgeSets::pieces(const Look& look, std::size_t frequency_
   return {};
 }
 
+bool EdgeSets::interact() const {
+  return std::ranges::any_of(sets_, [](const Set& set) { return !set.interaction.empty(); });
+}
+
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {
-  return {{set.wedges, set.outlines, setup_.tracer}, {setup_.faces, group.large, group.corners}, group.axes};
+  const InteractionParts& parts = set.parts;
+  const ReceivingFaces faces{setup_.faces, group.large, parts.corners, {}, std::span(parts.by_area).first(group.large_faces)};
+  return {{set.wedges, set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches};
 }
 
-InteractionOptions EdgeSets::interaction_options(double tolerance) const {
-  return {setup_.fringe.order, setup_.fringe.transition, tolerance};
+InteractionOptions EdgeSets::interaction_options(const InteractionLimits& limits) const {
+  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, limits.work};
 }
 
-InteractionResult EdgeSets::interaction(const Look& look, double tolerance) const {
+// Each group of frequencies gets its share of the work that the groups before have left.
+InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimits& limits) const {
   InteractionResult all;
+  double work = limits.work;
+  std::size_t left = 0;
+  for (const Set& set : sets_)
+    for (const InteractionGroup& group : set.interaction) left += group.indices.size();
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction) {
-      const InteractionScene here = interaction_scene(set, group);
-      const InteractionResult part = interaction_scattering(here, look, group.frequencies, interaction_options(tolerance));
-      if (part.scattering.empty()) continue;
-      all.scattering.resize(setup_.frequencies.size());
-      all.error.resize(setup_.frequencies.size());
-      all.illuminating_pieces = std::max(all.illuminating_pieces, part.illuminating_pieces);
-      for (std::size_t i = 0; i < group.indices.size(); ++i) {
-        all.scattering[set.indices[group.indices[i]]] = part.scattering[i];
-        all.error[set.indices[group.indices[i]]] = part.error[i];
-      }
+      InteractionOptions options = interaction_options(limits);
+      options.work = std::max(0.0, work) * static_cast<double>(group.indices.size()) / static_cast<double>(left);
+      if (group.axes * group.large_faces <= few_pairs) options.work = std::numeric_limits<double>::infinity();
+      const InteractionResult part = interaction_scattering(interaction_scene(set, group), look, group.frequencies, options);
+      left -= group.indices.size();
+      work -= part.work;
+      put(set, group, part, all);
     }
   return all;
 }
 
+void EdgeSets::put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const {
+  all.work += part.work;
+  all.skipped += part.skipped;
+  if (part.scattering.empty()) return;
+  all.scattering.resize(setup_.frequencies.size());
+  all.error.resize(setup_.frequencies.size());
+  all.illuminating_pieces = std::max(all.illuminating_pieces, part.illuminating_pieces);
+  if (!part.left_out.empty()) all.left_out.resize(setup_.frequencies.size());
+  for (std::size_t i = 0; i < group.indices.size(); ++i) {
+    const std::size_t index = set.indices[group.indices[i]];
+    all.scattering[index] = part.scattering[i];
+    all.error[index] = part.error[i];
+    if (!part.left_out.empty()) all.left_out[index] = part.left_out[i];
+  }
+}
+
 std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_t frequency_index, double tolerance) const {
+  const InteractionLimits all{tolerance, std::numeric_limits<double>::infinity()};
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction)
       for (std::size_t i = 0; i < group.indices.size(); ++i) {
         if (set.indices[group.indices[i]] != frequency_index) continue;
         const InteractionScene here = interaction_scene(set, group);
-        return raytube::interaction_pieces(here, look, group.frequencies, i, interaction_options(tolerance));
+        return raytube::interaction_pieces(here, look, group.frequencies, i, interaction_options(all));
       }
   return {};
 }
 
 void EdgeSets::put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all) {
   all.lit = all.lit || part.lit;
+  all.work += part.work;
   if (all.wedges_lit == 0) all.wedges_lit = part.wedges_lit;
   for (std::size_t i = 0; i < set.indices.size(); ++i) {
     all.scattering[set.indices[i]] = part.scattering[i];

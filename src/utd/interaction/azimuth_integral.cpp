@@ -52,6 +52,8 @@ class Integrator {
   }
 
   void add(double from, double to, double tolerance, int halvings) {
+    if (density_.used_up && density_.used_up()) result_.complete = false;
+    if (!result_.complete) return;
     const std::optional<std::size_t> first = first_rule(from, to);
     if (!first) return;
     for (std::size_t rule = *first; rule < counts.size(); ++rule) {
@@ -134,11 +136,13 @@ class Integrator {
 }  // namespace
 
 AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequency_count,
-                                       const std::vector<double>& cuts, double tolerance) {
+                                       const std::vector<double>& cuts, double tolerance, std::span<const AzimuthRange> wanted) {
   Integrator integrator(density, frequency_count);
   const double range = cuts.back() - cuts.front();
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     const double width = cuts[i] - cuts[i - 1];
+    const auto reaches = [&](const AzimuthRange& range) { return range.from < cuts[i] && range.to > cuts[i - 1]; };
+    if (!wanted.empty() && std::ranges::none_of(wanted, reaches)) continue;
     integrator.add(cuts[i - 1], cuts[i], tolerance * width / range, 0);
   }
   return integrator.take();
