@@ -12,8 +12,8 @@ inline constexpr double face_in_fan = 40.0;       // one face cut by the fan's p
 inline constexpr double order_in_fan = 2.0;       // one face compared at one place
 inline constexpr double ray_row = 1200.0;         // waves over one face, at one frequency (utd/wedge/edge_wave_integral)
 inline constexpr double azimuth_cut = 60.0;       // one azimuth where rays may jump
-inline constexpr double pair_bound = 300.0;       // the bound of one edge and one face
-inline constexpr double edge_light = 1500.0;      // which parts of one edge a wave lights
+inline constexpr double pair_bound = 700.0;       // the bound of one edge and one face
+inline constexpr double edge_light = 6000.0;      // which parts of one edge a wave lights
 inline constexpr double reflected_pair = 3000.0;  // which parts of one edge a wave lights after a reflection
 
 // Fringe currents (utd/fringe, utd/multiple).
@@ -23,7 +23,8 @@ inline constexpr double strip_point = 60.0;      // one point of the quadrature 
 inline constexpr double edge_amplitude = 300.0;  // one edge at first order, at one frequency
 
 // Tubes (sbr).
-inline constexpr double tube = 2000.0;          // one tube or cell launched
+inline constexpr double tube = 4000.0;          // one tube or cell launched
+inline constexpr double tube_ray = 1500.0;      // one of its rays
 inline constexpr double tube_frequency = 60.0;  // its current, at one frequency
 
 }  // namespace raytube::work

@@ -68,17 +68,17 @@ EdgeLookResult LookSolver::edges_of(const Look& look) const {
   return result;
 }
 
-// Counted, of tubes and edges.
-double LookSolver::other_work(const LookResult& look) const {
+InteractionLimits LookSolver::interaction_limits(const TubeSums& tubes, double edge_work) const {
   const auto frequencies = static_cast<double>(plan_.sweep.frequencies.size());
-  const double met = static_cast<double>(std::accumulate(look.tubes.hits.begin(), look.tubes.hits.end(), std::uint64_t{0}));
-  return work::tube * static_cast<double>(look.tubes.rays) + work::tube_frequency * met * frequencies + look.edges.work;
+  const auto met = static_cast<double>(std::accumulate(tubes.hits.begin(), tubes.hits.end(), std::uint64_t{0}));
+  const double tube_work = work::tube * static_cast<double>(tubes.tubes) + work::tube_ray * static_cast<double>(tubes.rays) +
+                           work::tube_frequency * met * frequencies;
+  return {interaction_tolerance(tubes), plan_.edges.interaction_budget * (tube_work + edge_work)};
 }
 
 InteractionResult LookSolver::interaction(const Look& look, const LookResult& others) const {
   if (!edges_.interact()) return {};
-  const double work = plan_.edges.interaction_budget * other_work(others);
-  InteractionResult result = edges_.interaction(look, {interaction_tolerance(others.tubes), work});
+  InteractionResult result = edges_.interaction(look, interaction_limits(others.tubes, others.edges.work));
   for (std::size_t f = 0; !look.far() && f < result.scattering.size(); ++f)
     result.scattering[f] *= from_plane_waves(plan_.target.mesh, look, plan_.sweep.radar, plan_.sweep.frequencies[f]);
   return result;

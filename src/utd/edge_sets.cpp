@@ -137,26 +137,31 @@ InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGr
   return {{set.wedges, set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches};
 }
 
-InteractionOptions EdgeSets::interaction_options(const InteractionLimits& limits) const {
-  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, limits.work};
+// `share` of the work allowed, for a group of frequencies.
+InteractionOptions EdgeSets::interaction_options(const InteractionGroup& group, const InteractionLimits& limits,
+                                                 double share) const {
+  const bool few = group.axes * group.large_faces <= few_pairs;
+  const double work = few ? std::numeric_limits<double>::infinity() : limits.work * share;
+  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work};
 }
 
-// Each group of frequencies gets its share of the work that the groups before have left.
+std::size_t EdgeSets::interacting_frequencies() const {
+  std::size_t count = 0;
+  for (const Set& set : sets_)
+    for (const InteractionGroup& group : set.interaction) count += group.indices.size();
+  return count;
+}
+
 InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimits& limits) const {
   InteractionResult all;
-  double work = limits.work;
-  std::size_t left = 0;
-  for (const Set& set : sets_)
-    for (const InteractionGroup& group : set.interaction) left += group.indices.size();
+  const auto frequencies = static_cast<double>(interacting_frequencies());
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction) {
-      InteractionOptions options = interaction_options(limits);
-      options.work = std::max(0.0, work) * static_cast<double>(group.indices.size()) / static_cast<double>(left);
-      if (group.axes * group.large_faces <= few_pairs) options.work = std::numeric_limits<double>::infinity();
-      const InteractionResult part = interaction_scattering(interaction_scene(set, group), look, group.frequencies, options);
-      left -= group.indices.size();
-      work -= part.work;
-      put(set, group, part, all);
+      const double share = static_cast<double>(group.indices.size()) / frequencies;
+      put(set, group,
+          interaction_scattering(interaction_scene(set, group), look, group.frequencies,
+                                 interaction_options(group, limits, share)),
+          all);
     }
   return all;
 }
@@ -177,14 +182,16 @@ void EdgeSets::put(const Set& set, const InteractionGroup& group, const Interact
   }
 }
 
-std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_t frequency_index, double tolerance) const {
-  const InteractionLimits all{tolerance, std::numeric_limits<double>::infinity()};
+std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_t frequency_index,
+                                                    const InteractionLimits& limits) const {
+  const auto frequencies = static_cast<double>(interacting_frequencies());
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction)
       for (std::size_t i = 0; i < group.indices.size(); ++i) {
         if (set.indices[group.indices[i]] != frequency_index) continue;
-        const InteractionScene here = interaction_scene(set, group);
-        return raytube::interaction_pieces(here, look, group.frequencies, i, interaction_options(all));
+        const double share = static_cast<double>(group.indices.size()) / frequencies;
+        return raytube::interaction_pieces(interaction_scene(set, group), look, group.frequencies, i,
+                                           interaction_options(group, limits, share));
       }
   return {};
 }

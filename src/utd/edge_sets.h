@@ -59,7 +59,7 @@ class EdgeSets {
   bool interact() const;
 
   /// Edge-face interaction of one look at one of the frequencies, by pieces of edges: see interaction_pieces().
-  std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, double tolerance) const;
+  std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits) const;
 
  private:
   struct Set {
@@ -81,7 +81,8 @@ class EdgeSets {
   EdgeScene scene(const Set& set) const;
   FringeOptions options(const Set& set) const;
   InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;
-  InteractionOptions interaction_options(const InteractionLimits& limits) const;
+  InteractionOptions interaction_options(const InteractionGroup& group, const InteractionLimits& limits, double share) const;
+  std::size_t interacting_frequencies() const;
   void put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const;
   static void put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all);
 

@@ -65,39 +65,30 @@ class InteractionLook {
 
   InteractionResult solve(const InteractionOptions& options) {
     InteractionResult result;
-    if (jobs_.empty()) return result;
-    result.scattering.resize(frequencies_.size());
-    result.illuminating_pieces = jobs_.size();
-    if (most_work_ < std::numeric_limits<double>::infinity()) {
-      add_strongest(options, result);
-    } else {
-      add(illuminate_all({scene_.faces, look_, wavenumbers_}, jobs_, share_of(options.tolerance)), result);
-      if (options.order > 1) add_fringe(options, result);
-    }
     result.skipped.reflected_pairs = reflected_pairs_left_out_;
+    if (!jobs_.empty()) {
+      result.scattering.resize(frequencies_.size());
+      result.illuminating_pieces = jobs_.size();
+      add(illuminate(options, {}, result), result);
+      const double fringe_squares = options.order > 1 ? add_fringe(options, result) : 0.0;
+      estimate_left_out(fringe_squares, result);
+    }
     result.work = work_;
     return result;
   }
 
-  std::vector<ImageEdge> pieces(const InteractionOptions& options, std::size_t frequency_index) const {
-    std::vector<ImageEdge> result;
-    for (const IlluminationJob& job : jobs_) {
-      const IlluminatedFaces part =
-          illuminated_faces(scene_.faces, look_, wavenumbers_, *job.piece, {job.reflections, share_of(options.tolerance)});
-      result.push_back(image_of(*job.piece, part.scattering[frequency_index]));
-    }
-    if (options.order == 1) return result;
-    for (const ReflectedWave& wave : reflected_) {
-      if (wave.patches.size() != 1) continue;
-      ReflectedLook look = reflected_look(wave, look_, scene_.edges.wedges.data());
-      const std::vector<LitWedge> lit = std::exchange(look.edges, {});
-      for (std::size_t i = 0; i < lit.size(); ++i) {
-        look.edges = {lit[i]};
-        const EdgeLookResult part = fringe(std::span(&look, 1), options);
-        result.push_back(image_of(wave.lit[i], part.scattering[frequency_index] + part.higher[frequency_index]));
-      }
-    }
-    return result;
+  std::vector<ImageEdge> pieces(const InteractionOptions& options, std::size_t frequency_index) {
+    std::vector<ImageEdge> images;
+    InteractionResult result;
+    if (jobs_.empty()) return images;
+    const IlluminationSum sum = illuminate(options, frequency_index, result);
+    work_ += sum.work;
+    for (std::size_t i = 0; i < jobs_.size(); ++i) images.push_back(image_of(*jobs_[i].piece, sum.of_jobs[i]));
+    if (options.order == 1) return images;
+    for_each_fringe(options, 1, result, [&](const EdgeLookResult& part, std::span<const LitEdgePiece> pieces) {
+      images.push_back(image_of(pieces.front(), part.scattering[frequency_index] + part.higher[frequency_index]));
+    });
+    return images;
   }
 
  private:
@@ -152,72 +143,84 @@ class InteractionLook {
   // Of the tolerance, for each job.
   double share_of(double tolerance) const { return std::max(tolerance, least()) / std::sqrt(static_cast<double>(jobs_.size())); }
 
+  bool is_limited() const { return most_work_ < std::numeric_limits<double>::infinity(); }
+
   void add(const IlluminationSum& sum, InteractionResult& result) {
     work_ += sum.work;
-    ChannelErrors error{{{least(), least()}, {least(), least()}}};
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) error[p][q] += sum.error[p][q];
     for (std::size_t f = 0; f < frequencies_.size(); ++f) result.scattering[f] += sum.scattering[f];
-    result.error.assign(frequencies_.size(), error);
+    result.error.assign(frequencies_.size(), sum.error);
   }
 
-  // What pairs leave out is taken to be as large a share of their bounds, root mean square, as what was computed is of its own.
-  void add_strongest(const InteractionOptions& options, InteractionResult& result) {
-    const double wavenumber = std::ranges::max(wavenumbers_);
-    PairChoice choice = choose_pairs(jobs_, scene_.faces.tree.mesh(), scene_.extents, scene_.faces.by_area,
-                                     {wavenumber, options.tolerance, bound_share * most_work_});
+  // All pairs of edge and face, or the strongest of them; what is left out is noted.
+  IlluminationSum illuminate(const InteractionOptions& options, std::optional<std::size_t> jobs_at, InteractionResult& result) {
+    const IlluminationLook look{scene_.faces, look_, wavenumbers_, least(), jobs_at};
+    if (!is_limited()) return illuminate_all(look, jobs_, share_of(options.tolerance));
+    const PairLimits limits{{std::ranges::max(wavenumbers_), look_.scattered}, options.tolerance, bound_share * most_work_};
+    const PairChoice choice = choose_pairs(jobs_, scene_.faces.tree.mesh(), scene_.extents, scene_.faces.by_area, limits);
     work_ += choice.work;
     const double for_pairs = std::max(0.0, pair_share * (most_work_ - work_));
-    IlluminationSum sum = illuminate_strongest({scene_.faces, look_, wavenumbers_}, jobs_, choice.strongest,
-                                               share_of(options.tolerance), for_pairs);
-    add(sum, result);
+    IlluminationSum sum = illuminate_strongest(look, jobs_, choice.strongest, share_of(options.tolerance), for_pairs);
     result.skipped.weak_pairs = choice.weak.count;
     result.skipped.pairs = choice.beyond.count + sum.beyond.count + axes_left_out_ * scene_.faces.by_area.size();
-    const double all = sum.bound_squares + sum.beyond.squares + choice.beyond.squares + choice.weak.squares;
-    const double squares = sum.beyond.squares + choice.beyond.squares + choice.weak.squares + left_out_axes_ * all;
-    const double fringe_squares = options.order > 1 ? add_fringe_within_work(options, result) : 0.0;
-    if (squares == 0.0 && fringe_squares == 0.0) return;
+    known_squares_ = sum.squares;
+    expected_squares_ = sum.bound_squares;
+    const double left = sum.beyond.squares + choice.beyond.squares + choice.weak.squares;
+    left_out_squares_ = left + left_out_axes_ * (left + sum.bound_squares);
+    return sum;
+  }
+
+  // What pairs leave out is taken to be as large a share of what is expected of them, root mean square, as with those computed.
+  void estimate_left_out(double fringe_squares, InteractionResult& result) const {
+    if (left_out_squares_ == 0.0 && fringe_squares == 0.0) return;
     for (std::size_t f = 0; f < frequencies_.size(); ++f) {
-      const double known = sum.bound_squares > 0.0 ? std::sqrt(sum.squares[f] / sum.bound_squares) : typical_share;
+      const double known = expected_squares_ > 0.0 ? std::sqrt(known_squares_[f] / expected_squares_) : typical_share;
       const double share = std::max(least_share, known);
-      result.left_out.push_back(std::sqrt(share * share * squares + fringe_squares));
+      result.left_out.push_back(std::sqrt(share * share * left_out_squares_ + fringe_squares));
     }
   }
 
-  void add_fringe(const InteractionOptions& options, InteractionResult& result) {
+  // Of waves reflected once: all at a time, or as long as there is work for them. Returns the sum of squares of what the others
+  // may add [m^2].
+  double add_fringe(const InteractionOptions& options, InteractionResult& result) {
+    const auto add = [&](const EdgeLookResult& sum, std::span<const LitEdgePiece>) {
+      for (std::size_t f = 0; f < frequencies_.size(); ++f) {
+        result.scattering[f] += sum.scattering[f];
+        result.scattering[f] += sum.higher[f];
+      }
+    };
+    if (is_limited()) return for_each_fringe(options, edges_at_a_time, result, add);
     std::vector<ReflectedLook> looks;
     for (const ReflectedWave& wave : reflected_)
       if (wave.patches.size() == 1) looks.push_back(reflected_look(wave, look_, scene_.edges.wedges.data()));
-    add(fringe(looks, options), result);
-  }
-
-  void add(const EdgeLookResult& sum, InteractionResult& result) {
+    const EdgeLookResult sum = fringe(looks, options);
     work_ += sum.work;
-    for (std::size_t f = 0; f < frequencies_.size(); ++f) {
-      result.scattering[f] += sum.scattering[f];
-      result.scattering[f] += sum.higher[f];
-    }
+    add(sum, {});
+    return 0.0;
   }
 
-  // Waves in their order, a few edges at a time, as long as there is work for them. Returns the sum of squares of what the others
-  // may add [m^2].
-  double add_fringe_within_work(const InteractionOptions& options, InteractionResult& result) {
+  // Calls use(sum, pieces) for a few lit pieces at a time, in their order.
+  template <class Use>
+  double for_each_fringe(const InteractionOptions& options, std::size_t at_a_time, InteractionResult& result, Use use) {
     double squares = 0.0, each = first_guess_of_fringe, begun = work_;
     std::size_t done = 0;
     for (const ReflectedWave& wave : reflected_) {
       if (wave.patches.size() != 1) continue;
       ReflectedLook look = reflected_look(wave, look_, scene_.edges.wedges.data());
       const std::vector<LitWedge> lit = std::exchange(look.edges, {});
-      for (std::size_t first = 0; first < lit.size(); first += edges_at_a_time) {
-        const std::size_t end = std::min(first + edges_at_a_time, lit.size());
-        if (work_ + each * static_cast<double>(end - first) > most_work_) {
-          result.skipped.fringe_pieces += end - first;
-          for (std::size_t i = first; i < end; ++i) squares += std::pow(typical_share * fringe_bound(wave.lit[i]), 2);
+      for (std::size_t first = 0; first < lit.size(); first += at_a_time) {
+        const std::size_t count = std::min(at_a_time, lit.size() - first);
+        const std::span<const LitEdgePiece> pieces = std::span(wave.lit).subspan(first, count);
+        if (work_ + each * static_cast<double>(count) > most_work_) {
+          result.skipped.fringe_pieces += count;
+          for (const LitEdgePiece& piece : pieces) squares += std::pow(typical_share * fringe_bound(piece), 2);
           continue;
         }
-        look.edges.assign(lit.begin() + static_cast<std::ptrdiff_t>(first), lit.begin() + static_cast<std::ptrdiff_t>(end));
-        add(fringe(std::span(&look, 1), options), result);
-        done += end - first;
+        look.edges.assign(lit.begin() + static_cast<std::ptrdiff_t>(first),
+                          lit.begin() + static_cast<std::ptrdiff_t>(first + count));
+        const EdgeLookResult sum = fringe(std::span(&look, 1), options);
+        work_ += sum.work;
+        use(sum, pieces);
+        done += count;
         each = (work_ - begun) / static_cast<double>(done);
       }
     }
@@ -240,6 +243,9 @@ class InteractionLook {
   std::vector<double> wavenumbers_;
   std::uint64_t axes_left_out_ = 0, reflected_pairs_left_out_ = 0;
   double left_out_axes_ = 0.0;  // sum of their squared lengths, over that of those looked at
+  // Sums of squares [m^2]: of what was computed, per frequency; of what was expected of that; of what is expected of the others.
+  std::vector<double> known_squares_;
+  double expected_squares_ = 0.0, left_out_squares_ = 0.0;
 };
 
 }  // namespace
@@ -253,7 +259,7 @@ InteractionResult interaction_scattering(const InteractionScene& scene, const Lo
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                           std::size_t frequency_index, const InteractionOptions& options) {
   if (scene.axes.empty()) return {};
-  return InteractionLook(scene, look, frequencies).pieces(options, frequency_index);
+  return InteractionLook(scene, look, frequencies, options.work).pieces(options, frequency_index);
 }
 
 }  // namespace raytube

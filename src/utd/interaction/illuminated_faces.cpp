@@ -60,15 +60,20 @@ ChannelErrors worst_of(const std::vector<ChannelErrors>& errors) {
 
 }  // namespace
 
+// A single wavenumber needs no others that stand for it.
 IlluminatedFaces illuminated_faces(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
                                    const LitEdgePiece& source, const IlluminationLimits& limits) {
   EdgeIllumination illumination(faces, look, wavenumbers, source, limits.reflections);
-  const std::vector<double> cuts = azimuth_cuts(faces.tree.mesh(), faces.corners, source);
-  const double cutting = work::azimuth_cut * static_cast<double>(cuts.size());
-  const auto range = paths(illumination, cuts, limits.wanted, std::ranges::max(wavenumbers));
-  if (!range) return {std::vector<ScatteringMatrix>(wavenumbers.size()), {}, cutting + illumination.work()};
+  const std::vector<double> cuts = azimuth_cuts(faces.tree.mesh(), faces.corners, source, limits.wanted);
+  const double cutting = work::azimuth_cut * static_cast<double>(faces.corners.size() + cuts.size());
   Band band(wavenumbers);
-  const ChebyshevNodes* nodes = band.nodes_of_fresnel(wider * (range->high - range->low) / 2);
+  const ChebyshevNodes* nodes = nullptr;
+  std::optional<PhaseRange> range;
+  if (wavenumbers.size() > 1) {
+    range = paths(illumination, cuts, limits.wanted, std::ranges::max(wavenumbers));
+    if (!range) return {std::vector<ScatteringMatrix>(wavenumbers.size()), {}, cutting + illumination.work()};
+    nodes = band.nodes_of_fresnel(wider * (range->high - range->low) / 2);
+  }
   if (!nodes) {
     AzimuthIntegral all =
         integrate_over_azimuth(density_of(illumination, limits.work), wavenumbers.size(), cuts, limits.tolerance, limits.wanted);

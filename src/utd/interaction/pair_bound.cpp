@@ -90,6 +90,25 @@ bool only_behind(const LitEdgePiece& source, const Patch& plane, double beyond) 
   return true;
 }
 
+// Of the face, as large a part as is in phase: along the edge that over which the phase of neighbouring rays turns by one radian
+// (at a fixed azimuth it turns evenly, with the rate of EdgeIllumination), across it a Fresnel zone.
+double share_in_phase(const LitEdgePiece& source, const Patch& plane, const PatchExtent& face, const AboutEdge& box,
+                      const PairView& view) {
+  const dvec3& t = source.edge->tangent;
+  const dvec3 size = face.high - face.low, middle = (face.low + face.high) / 2.0 - source.edge->origin;
+  const double along = std::max(touching, glm::dot(glm::abs(t), size)), across = std::max(touching, face.area / along);
+  const dvec3 upright = middle - glm::dot(middle, t) * t;
+  const double distance = glm::length(upright), sine = source.incidence.sin_cone, cosine = source.incidence.cos_cone;
+  const dvec3 ray = cosine * t + (distance > 0.0 ? sine / distance : 0.0) * upright;
+  const double facing = glm::dot(plane.normal, ray);
+  const double growth = std::abs(facing) > touching ? -glm::dot(plane.normal, t) / facing : 0.0;
+  const double rate = glm::dot(view.scattered, t + growth * ray) - cosine - growth;
+  const double in_phase = 2.0 / (view.wavenumber * std::max(touching, std::abs(rate)));
+  const double zone = std::sqrt(2 * pi * box.farthest / view.wavenumber);
+  const double lit = std::min(along, source.to - source.from + zone);
+  return std::min(lit, in_phase) / along * std::min(1.0, zone / across);
+}
+
 }  // namespace
 
 std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh) {
@@ -110,14 +129,15 @@ std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh) {
 
 // |S| <= (k / 4 pi) integral of |eta J| <= (k / 2 pi) integral of |eta H| over the face, as |2 n x H| <= 2 |H|; each mirror shows
 // the same waves to one face more.
-PairBound pair_bound(const LitEdgePiece& source, const Patch& plane, const PatchExtent& face, double k, int reflections) {
-  const double beyond = source.to - source.from;
+PairBound pair_bound(const LitEdgePiece& source, const Patch& plane, const PatchExtent& face, const PairView& view,
+                     int reflections) {
+  const double beyond = source.to - source.from, k = view.wavenumber;
   if (face.closed && only_behind(source, plane, beyond)) return {};
   const AboutEdge box = about_edge(*source.edge, face);
   const AzimuthRange range = in_free_space(box, source.edge->wedge->n * pi);
   if (!(range.from < range.to)) return {};
-  const double waves = with_slopes * (1 + reflections) * source.weight * wave_bound(source, box, range, k);
-  return {k / (2 * pi) * waves * face.area, range};
+  const double one = k / (2 * pi) * source.weight * wave_bound(source, box, range, k) * face.area;
+  return {with_slopes * (1 + reflections) * one, one * share_in_phase(source, plane, face, box, view), range};
 }
 
 // Of a half plane the current along the edge is (2 / jk) E at most, half of it fringe, and S is k / 4 pi times its length

@@ -19,12 +19,19 @@ std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh);
 
 struct PairBound {
   double amplitude = 0.0;           // |S_pq| is no larger [m]; 0: the waves never meet the face first
+  double expected = 0.0;            // as large as it is where phases cancel as they do on most faces [m]; no bound
   AzimuthRange azimuths{0.0, 0.0};  // about the edge, between which the face lies
 };
 
-/// Bound of what the waves of `source` excite on a face that they meet first, and after up to `reflections` reflections by it, at
-/// the wavenumber k [rad/m].
-PairBound pair_bound(const LitEdgePiece& source, const Patch& plane, const PatchExtent& face, double k, int reflections);
+/// Where a bound is asked for.
+struct PairView {
+  double wavenumber;  // [rad/m]
+  dvec3 scattered;    // unit, towards the receiver
+};
+
+/// Bound of what the waves of `source` excite on a face that they meet first, and after up to `reflections` reflections by it.
+PairBound pair_bound(const LitEdgePiece& source, const Patch& plane, const PatchExtent& face, const PairView& view,
+                     int reflections);
 
 /// Bound of |S_pq| of the fringe current of a lit piece of an edge, of any length [m].
 double fringe_bound(const LitEdgePiece& source);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t least_patches = 8;  // beside every piece that is looked at
 
 bool stronger(const EdgeFacePair& a, const EdgeFacePair& b) {
-  return std::tuple(-a.bound.amplitude, a.job, a.patch) < std::tuple(-b.bound.amplitude, b.job, b.patch);
+  return std::tuple(-a.bound.expected, a.job, a.patch) < std::tuple(-b.bound.expected, b.job, b.patch);
 }
 
 double length_of(const IlluminationJob& job) { return job.piece->weight * (job.piece->to - job.piece->from); }
@@ -92,9 +92,9 @@ PairChoice choose_pairs(std::span<const IlluminationJob> jobs, const TriangleMes
     const std::array<WedgeFace, 2>& own = piece.edge->wedge->faces;
     for (const std::uint32_t patch : near) {
       if (patch == own[0].patch || patch == own[1].patch) continue;
-      const PairBound bound = pair_bound(piece, mesh.patches[patch], extents[patch], limits.wavenumber, jobs[job].reflections);
+      const PairBound bound = pair_bound(piece, mesh.patches[patch], extents[patch], limits.view, jobs[job].reflections);
       if (bound.amplitude == 0.0) continue;
-      squares += bound.amplitude * bound.amplitude;
+      squares += bound.expected * bound.expected;
       list.add({job, patch, bound});
     }
   }

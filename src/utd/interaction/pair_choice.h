@@ -19,12 +19,12 @@ struct EdgeFacePair {
   PairBound bound;
 };
 
-/// Pairs left out: how many, and the sum of the squares of their bounds [m^2].
+/// Pairs left out: how many, and the sum of the squares of what is expected of them [m^2].
 struct LeftOut {
   std::uint64_t count = 0;
   double squares = 0.0;
 
-  void add(const EdgeFacePair& pair) { ++count, squares += pair.bound.amplitude * pair.bound.amplitude; }
+  void add(const EdgeFacePair& pair) { ++count, squares += pair.bound.expected * pair.bound.expected; }
 };
 
 struct PairChoice {
@@ -35,9 +35,9 @@ struct PairChoice {
 
 /// What may be chosen from.
 struct PairLimits {
-  double wavenumber;  // [rad/m]
-  double tolerance;   // pairs whose bounds add up to less than this are too weak to matter [m]
-  double work;        // that finding the bounds may take
+  PairView view;
+  double tolerance;  // pairs whose bounds add up to less than this are too weak to matter [m]
+  double work;       // that finding the bounds may take
 };
 
 /// Pairs that are kept at a time.
