@@ -13,11 +13,11 @@ inline constexpr double order_in_fan = 2.0;       // one face compared at one pl
 inline constexpr double ray_row = 1200.0;         // waves over one face, at one frequency (utd/wedge/edge_wave_integral)
 inline constexpr double azimuth_cut = 60.0;       // one azimuth where rays may jump
 inline constexpr double pair_bound = 700.0;       // the bound of one edge and one face
-inline constexpr double edge_light = 6000.0;      // which parts of one edge a wave lights
+inline constexpr double edge_light = 5000.0;      // which parts of one edge a wave lights
 inline constexpr double reflected_pair = 3000.0;  // which parts of one edge a wave lights after a reflection
 
 // Fringe currents (utd/fringe, utd/multiple).
-inline constexpr double strip_tree = 1500.0;     // one wave on one face of an edge
+inline constexpr double strip_tree = 1000.0;     // one wave on one face of an edge
 inline constexpr double strip_corner = 8.0;      // one corner of a face, projected along a wave
 inline constexpr double strip_point = 60.0;      // one point of the quadrature in one wave, at one frequency
 inline constexpr double edge_amplitude = 300.0;  // one edge at first order, at one frequency

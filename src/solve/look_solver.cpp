@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/work.h"
@@ -73,7 +74,9 @@ InteractionLimits LookSolver::interaction_limits(const TubeSums& tubes, double e
   const auto met = static_cast<double>(std::accumulate(tubes.hits.begin(), tubes.hits.end(), std::uint64_t{0}));
   const double tube_work = work::tube * static_cast<double>(tubes.tubes) + work::tube_ray * static_cast<double>(tubes.rays) +
                            work::tube_frequency * met * frequencies;
-  return {interaction_tolerance(tubes), plan_.edges.interaction_budget * (tube_work + edge_work)};
+  const double budget = plan_.edges.interaction_budget;
+  const bool limited = budget < unlimited_interaction_budget;
+  return {interaction_tolerance(tubes), limited ? budget * (tube_work + edge_work) : std::numeric_limits<double>::infinity()};
 }
 
 InteractionResult LookSolver::interaction(const Look& look, const LookResult& others) const {

@@ -13,6 +13,9 @@
 
 namespace raytube {
 
+/// A budget of edge-face interaction from which on it has no limit, and nothing is left out.
+inline constexpr double unlimited_interaction_budget = 1e6;
+
 /// Computes the looks of a plan. What all looks share is made once. Refers to the plan. Thread-safe.
 class LookSolver {
  public:

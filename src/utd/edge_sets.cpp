@@ -12,7 +12,7 @@ namespace raytube {
 
 namespace {
 
-// Pairs of an edge and a face up to which a body has few parts: it is computed whole, as corner reflectors are.
+// Pairs of an edge and a face, large or not, up to which a body has few parts: it is computed whole, as corner reflectors are.
 constexpr std::size_t few_pairs = 64;
 
 }  // namespace
@@ -138,9 +138,8 @@ InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGr
 }
 
 // `share` of the work allowed, for a group of frequencies.
-InteractionOptions EdgeSets::interaction_options(const InteractionGroup& group, const InteractionLimits& limits,
-                                                 double share) const {
-  const bool few = group.axes * group.large_faces <= few_pairs;
+InteractionOptions EdgeSets::interaction_options(const Set& set, const InteractionLimits& limits, double share) const {
+  const bool few = set.parts.axes.size() * set.parts.patches.size() <= few_pairs;
   const double work = few ? std::numeric_limits<double>::infinity() : limits.work * share;
   return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work};
 }
@@ -159,8 +158,7 @@ InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimit
     for (const InteractionGroup& group : set.interaction) {
       const double share = static_cast<double>(group.indices.size()) / frequencies;
       put(set, group,
-          interaction_scattering(interaction_scene(set, group), look, group.frequencies,
-                                 interaction_options(group, limits, share)),
+          interaction_scattering(interaction_scene(set, group), look, group.frequencies, interaction_options(set, limits, share)),
           all);
     }
   return all;
@@ -191,7 +189,7 @@ std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_
         if (set.indices[group.indices[i]] != frequency_index) continue;
         const double share = static_cast<double>(group.indices.size()) / frequencies;
         return raytube::interaction_pieces(interaction_scene(set, group), look, group.frequencies, i,
-                                           interaction_options(group, limits, share));
+                                           interaction_options(set, limits, share));
       }
   return {};
 }

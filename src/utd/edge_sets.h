@@ -81,7 +81,7 @@ class EdgeSets {
   EdgeScene scene(const Set& set) const;
   FringeOptions options(const Set& set) const;
   InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;
-  InteractionOptions interaction_options(const InteractionGroup& group, const InteractionLimits& limits, double share) const;
+  InteractionOptions interaction_options(const Set& set, const InteractionLimits& limits, double share) const;
   std::size_t interacting_frequencies() const;
   void put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const;
   static void put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all);

@@ -41,7 +41,7 @@ struct PairLimits {
 };
 
 /// Pairs that are kept at a time.
-inline constexpr std::size_t most_pairs_kept = 65536;
+inline constexpr std::size_t most_pairs_kept = 16384;
 
 /// Bounds of all pairs of a job and one of `patches`, the large ones from the largest on. Where there are too many for the work
 /// allowed it is the longest pieces and the largest patches that are looked at, and of the others it is taken that their bounds
