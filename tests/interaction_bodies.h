@@ -3,6 +3,7 @@
 
 #include "run.h"
 #include "shapes.h"
+#include "solve/look_solver.h"
 
 namespace raytube::testing::interaction {
 
@@ -14,6 +15,7 @@ inline SolveOptions adaptive(bool interaction, int order = 3) {
   SolveOptions o = options(EdgeMethod::fringe, 40.0);
   o.tubes.mode = TubeMode::adaptive;
   o.edges.interaction = interaction;
+  o.edges.interaction_budget = unlimited_interaction_budget;  // what it gives is tested, not what it may cost
   o.edges.order = order;
   return o;
 }

@@ -148,6 +148,11 @@ void read_edges(const CaseValue& root, Case& c) {
   }
   if (const CaseValue* order = find(root, "edges", "order")) c.edges.order = read_whole(*order, "edges.order", 1, 3);
   if (const CaseValue* between = find(root, "edges", "between")) c.edges.interaction = read_flag(*between, "edges.between");
+  if (const CaseValue* budget = find(root, "edges", "between_budget")) {
+    c.edges.interaction_budget = read_number(*budget, "edges.between_budget");
+    if (!(c.edges.interaction_budget >= 0.0))
+      reject(*budget, "edges.between_budget is negative; write how many times the other work of a look it may take, or 0");
+  }
   if (const CaseValue* shadow = find(root, "edges", "receiver_shadow"))
     c.edges.receiver_shadow = read_flag(*shadow, "edges.receiver_shadow");
   if (const CaseValue* transition = find(root, "edges", "transition")) c.edges.transition = read_transition(*transition);

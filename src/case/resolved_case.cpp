@@ -36,6 +36,7 @@ JsonValue edges_json(const EdgeOptions& edges, const WedgeOptions& wedges, bool 
   JsonValue json = {{"method", edge_method_name(edges.method)},
                     {"order", edges.order},
                     {"between", edges.interaction},
+                    {"between_budget", edges.interaction_budget},
                     {"receiver_shadow", edges.receiver_shadow},
                     {"transition", transition_name(edges.transition)},
                     {"thin_sheets", wedges.thin_plates},

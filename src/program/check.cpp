@@ -22,15 +22,14 @@
 #include "scene/sampling.h"
 #include "scene/skipped.h"
 #include "solve/image.h"
+#include "solve/probe.h"
 
 namespace raytube {
 
 namespace {
 
-// Between a cube (half of it) and a finely tessellated sphere (twice) on one core of 2024; edges and large meshes add to it.
-constexpr double seconds_per_tube = 2e-7;
-constexpr double seconds_per_tube_and_frequency = 2e-8;
-constexpr std::size_t most_sampled_looks = 64;
+// Looks are timed for so long, and the first ones given up after so long [s].
+constexpr double probe_seconds = 1.5, probe_patience = 8.0;
 constexpr std::size_t most_lines = 10;
 
 std::string values_text(const std::vector<double>& values) {
@@ -237,26 +236,11 @@ void print_rays(const SolvePlan& plan) {
              plan.target.mesh.patches.size(), plan.target.wedges.size());
 }
 
-// Exact for few looks; a mean over evenly spread ones for many.
-double tubes_of_all_looks(const SolvePlan& plan) {
-  const std::size_t looks = plan.looks.computed.size(), sampled = std::min(looks, most_sampled_looks);
-  double tubes = 0.0;
-  for (std::size_t i = 0; i < sampled; ++i)
-    tubes += static_cast<double>(grid_of(plan, plan.looks.computed[i * looks / sampled]).cells());
-  return tubes * static_cast<double>(looks) / static_cast<double>(sampled);
-}
-
 void print_grid_cost(const SolvePlan& plan) {
   const LaunchGrid first = grid_of(plan, 0);
-  const double tubes = tubes_of_all_looks(plan);
-  const auto frequencies = static_cast<double>(plan.sweep.frequencies.size());
-  const double per_tube = seconds_per_tube + seconds_per_tube_and_frequency * frequencies;
-  fmt::print("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm\n", first.columns, first.rows, first.du * 1e3,
-             first.dv * 1e3);
-  fmt::print("  looks computed: {}\n  all of them: {}{:.4g} tubes, very roughly {:.2g} s on {} thread{}{}\n",
-             plan.looks.computed.size(), plan.looks.computed.size() > most_sampled_looks ? "about " : "", tubes,
-             tubes * per_tube / plan.threads, plan.threads, plan.threads == 1 ? "" : "s",
-             plan.tubes.mode == TubeMode::adaptive ? "; adaptive tubes are mostly far fewer" : "");
+  fmt::print("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm{}\n  looks computed: {}\n", first.columns, first.rows,
+             first.du * 1e3, first.dv * 1e3, plan.tubes.mode == TubeMode::adaptive ? "; adaptive tubes are mostly far fewer" : "",
+             plan.looks.computed.size());
 }
 
 void print_cost(const SolvePlan& plan) {
@@ -266,6 +250,23 @@ void print_cost(const SolvePlan& plan) {
     print_clipped_cost(plan);
   else
     print_grid_cost(plan);
+}
+
+std::string seconds_text(double seconds) {
+  if (seconds < 120.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.3g} h", seconds / 3600.0);
+}
+
+void print_time(const SolvePlan& plan) {
+  const TimePrediction time = predict_time(plan, probe_seconds, probe_patience);
+  const std::string threads = fmt::format("{} thread{}", plan.threads, plan.threads == 1 ? "" : "s");
+  if (time.at_least)
+    fmt::print("\ntime\n  more than {} on {}: a look takes more than {}\n", seconds_text(time.solve_s), threads,
+               seconds_text(time.look_s));
+  else
+    fmt::print("\ntime\n  about {} on {}, about {} a look ({} tried)\n", seconds_text(time.solve_s), threads,
+               seconds_text(time.look_s), time.looks);
 }
 
 void print_memory(const SolvePlan& plan, const Case& c) {
@@ -303,6 +304,7 @@ void check_command(const Request& request) {
     write_wedges_csv(request.wedges_csv, target.mesh, used, c.sweep);
   }
   check_memory(plan, c, nullptr);  // as a run would
+  print_time(plan);
 }
 
 }  // namespace raytube

@@ -55,9 +55,10 @@ enum class MaterialEdgeMethod { none, luebbers };
 
 struct EdgeOptions {
   EdgeMethod method = EdgeMethod::fringe;
-  int order = 3;                 // edges in a row that a current passes, 1 to 3; 1 takes every face as semi-infinite
-  bool interaction = true;       // edges light other surfaces: diffraction between surfaces
-  bool receiver_shadow = false;  // an edge hidden from the receiver does not count
+  int order = 3;                    // edges in a row that a current passes, 1 to 3; 1 takes every face as semi-infinite
+  bool interaction = true;          // edges light other surfaces: diffraction between surfaces
+  double interaction_budget = 4.0;  // work that this may take in a look, in units of all its other work; 0: none
+  bool receiver_shadow = false;     // an edge hidden from the receiver does not count
   TransitionTier transition = TransitionTier::exact;  // plays a part at order 2 and 3 only
   MaterialEdgeMethod materials = MaterialEdgeMethod::none;
   double utd_range = 0.0;  // of transmitter and receiver with method utd [m]; 0: default_ray_range

@@ -72,6 +72,8 @@ void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptio
   if (!(tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
   if (!(tubes.max_per_wavelength > 0.0)) throw InputError("tubes.max_per_wavelength must be positive");
   if (edges.order < 1 || edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
+  if (!(edges.interaction_budget >= 0.0) || !std::isfinite(edges.interaction_budget))
+    throw InputError("edges.between_budget must be a finite number of at least 0");
   if (tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
   if (!all_far(sweep)) check_near(sweep, tubes, edges);
   check_with_materials(sweep, tubes, edges);

@@ -47,7 +47,10 @@ std::vector<ImageEdge> edge_pieces(const LookSolver& solver, const Look& look, s
                                    const ImageLattice& lattice, const TubeSums& tubes) {
   std::vector<ImageEdge> pieces;
   if (solver.edges_count()) pieces = solver.edges().pieces(look, frequency_index, lattice);
-  for (const ImageEdge& piece : solver.edges().interaction_pieces(look, frequency_index, solver.interaction_tolerance(tubes)))
+  if (!solver.edges().interact()) return pieces;
+  // The budget of the look as a solve has it.
+  const InteractionLimits limits = solver.interaction_limits(tubes, solver.edge_work(look));
+  for (const ImageEdge& piece : solver.edges().interaction_pieces(look, frequency_index, limits))
     add_cut_up(piece, lattice, pieces);
   return pieces;
 }

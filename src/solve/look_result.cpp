@@ -93,6 +93,7 @@ void visit(Archive& archive, Look& look) {
   archive(edges.scattering), archive(edges.higher), archive(edges.windowed);
   archive(edges.wedges_lit), archive(edges.lit);
   archive(between.scattering), archive(between.error), archive(between.illuminating_pieces);
+  archive(between.left_out), archive(between.skipped), archive(between.work), archive(edges.work);
 }
 
 bool has_frequencies(const LookResult& look, std::size_t count) {
@@ -101,7 +102,7 @@ bool has_frequencies(const LookResult& look, std::size_t count) {
     if (bounce.size() != count) return false;
   return look.tubes.error.size() == count && none_or_all(look.tubes.incoherent) && none_or_all(look.edges.scattering) &&
          none_or_all(look.edges.higher) && none_or_all(look.edges.windowed) && none_or_all(look.interaction.scattering) &&
-         look.interaction.error.size() == look.interaction.scattering.size();
+         look.interaction.error.size() == look.interaction.scattering.size() && none_or_all(look.interaction.left_out);
 }
 
 }  // namespace

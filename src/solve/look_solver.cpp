@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "core/work.h"
 #include "sbr/beams/tolerances.h"
 #include "solve/phase_reference.h"
 #include "utd/fringe/material_edges.h"
@@ -17,8 +19,7 @@ EdgeSetup edge_setup(const SolvePlan& plan) {
   EdgeSetup setup{
       target.tracer, target.faces, target.wedges, target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
   setup.frequencies = plan.sweep.frequencies;
-  setup.interaction = plan.interaction_above_limit;
-  setup.interaction.flip();
+  if (plan.mechanisms.interaction) setup.interaction.assign(plan.sweep.frequencies.size(), true);
   if (plan.mechanisms.screens) setup.screens = plan.sweep.materials;
   setup.skip_enclosed = plan.tubes.skip;
   setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};
@@ -50,7 +51,7 @@ LookResult LookSolver::solve(std::size_t index, Progress& progress, double share
   LookResult result;
   result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, share});
   result.edges = edges_of(look);
-  result.interaction = interaction(look, result.tubes);
+  result.interaction = interaction(look, result);
   if (!plan_.sweep.bistatic) make_reciprocal(result);
   return result;
 }
@@ -68,8 +69,19 @@ EdgeLookResult LookSolver::edges_of(const Look& look) const {
   return result;
 }
 
-InteractionResult LookSolver::interaction(const Look& look, const TubeSums& tubes) const {
-  InteractionResult result = edges_.interaction(look, interaction_tolerance(tubes));
+InteractionLimits LookSolver::interaction_limits(const TubeSums& tubes, double edge_work) const {
+  const auto frequencies = static_cast<double>(plan_.sweep.frequencies.size());
+  const auto met = static_cast<double>(std::accumulate(tubes.hits.begin(), tubes.hits.end(), std::uint64_t{0}));
+  const double tube_work = work::tube * static_cast<double>(tubes.tubes) + work::tube_ray * static_cast<double>(tubes.rays) +
+                           work::tube_frequency * met * frequencies;
+  const double budget = plan_.edges.interaction_budget;
+  const bool limited = budget < unlimited_interaction_budget;
+  return {interaction_tolerance(tubes), limited ? budget * (tube_work + edge_work) : std::numeric_limits<double>::infinity()};
+}
+
+InteractionResult LookSolver::interaction(const Look& look, const LookResult& others) const {
+  if (!edges_.interact()) return {};
+  InteractionResult result = edges_.interaction(look, interaction_limits(others.tubes, others.edges.work));
   for (std::size_t f = 0; !look.far() && f < result.scattering.size(); ++f)
     result.scattering[f] *= from_plane_waves(plan_.target.mesh, look, plan_.sweep.radar, plan_.sweep.frequencies[f]);
   return result;

@@ -13,6 +13,9 @@
 
 namespace raytube {
 
+/// A budget of edge-face interaction from which on it has no limit, and nothing is left out.
+inline constexpr double unlimited_interaction_budget = 1e6;
+
 /// Computes the looks of a plan. What all looks share is made once. Refers to the plan. Thread-safe.
 class LookSolver {
  public:
@@ -30,13 +33,16 @@ class LookSolver {
   bool edges_count() const { return edges_count_; }
   const EdgeSets& edges() const { return edges_; }
 
-  /// What the quadrature of edge-face interaction may leave beside these tubes [m].
-  double interaction_tolerance(const TubeSums& tubes) const;
+  /// Counted work of the edges of a look (core/work.h).
+  double edge_work(const Look& look) const { return edges_of(look).work; }
+  /// What edge-face interaction may leave and take beside these tubes and edges, whose counted work is given (core/work.h).
+  InteractionLimits interaction_limits(const TubeSums& tubes, double edge_work) const;
 
  private:
   LookResult rays(const Look& look, Progress& progress, double share) const;
   EdgeLookResult edges_of(const Look& look) const;
-  InteractionResult interaction(const Look& look, const TubeSums& tubes) const;
+  InteractionResult interaction(const Look& look, const LookResult& others) const;
+  double interaction_tolerance(const TubeSums& tubes) const;
 
   const SolvePlan& plan_;
   TubeScene tube_scene_;

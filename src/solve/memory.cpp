@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "core/threads.h"
+#include "mesh/features/resolved_wedges.h"
 #include "sbr/curved/curved_cells.h"
 #include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
 #include "uncertainty/omissions.h"
+#include "utd/interaction/illumination_rounds.h"
+#include "utd/interaction/interaction_groups.h"
+#include "utd/interaction/reflected_light.h"
 
 namespace raytube {
 
@@ -24,11 +29,34 @@ double bytes_per_row(int bounces, bool keep_parts) {
   return (1.0 + model) * sizeof(ChannelErrors) + (1.0 + parts) * sizeof(ScatteringMatrix);
 }
 
+std::size_t edge_sets(const SolvePlan& plan) {
+  std::set<std::pair<std::size_t, double>> sets;
+  for (const double frequency : plan.sweep.frequencies)
+    sets.emplace(count_thin(plan.target.thin_plate_edges, frequency), known_details(plan.target.wedges, frequency));
+  return sets.size();
+}
+
 double edge_set_bytes(const SolvePlan& plan) {
   if (!plan.mechanisms.fringe) return 0.0;
-  std::set<std::size_t> sets;
-  for (const double frequency : plan.sweep.frequencies) sets.insert(count_thin(plan.target.thin_plate_edges, frequency));
-  return static_cast<double>(sets.size() * plan.target.wedges.size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
+  return static_cast<double>(edge_sets(plan) * plan.target.wedges.size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
+}
+
+// The edges and faces of each set as edge-face interaction sees them, and which of them count at each frequency.
+double interaction_set_bytes(const SolvePlan& plan) {
+  if (!plan.mechanisms.interaction) return 0.0;
+  const auto patches = static_cast<double>(plan.target.mesh.patches.size());
+  const double parts =
+      static_cast<double>(plan.target.wedges.size()) * sizeof(EdgeAxis) + patches * (sizeof(PatchExtent) + sizeof(std::uint32_t));
+  const auto frequencies = static_cast<double>(plan.sweep.frequencies.size());
+  return static_cast<double>(edge_sets(plan)) * parts + frequencies * (patches / 8 + sizeof(InteractionGroup));
+}
+
+double interaction_look_bytes(const SolvePlan& plan) {
+  if (!plan.mechanisms.interaction) return 0.0;
+  const auto wedges = static_cast<double>(plan.target.wedges.size());
+  const double pieces = wedges + 2.0 * most_reflected_pairs;
+  return illumination_bytes(plan.sweep.frequencies.size(), pieces * static_cast<double>(plan.target.mesh.patches.size())) +
+         wedges * sizeof(LitEdgePiece);
 }
 
 // In which the launch grid has the most cells, by the box round the target: quicker than by all of its vertices. From nearby the
@@ -73,8 +101,9 @@ MemoryEstimate estimate_memory(const SolvePlan& plan) {
   const auto under_way = std::min<std::size_t>(plan.threads > 0 ? plan.threads : all_threads(), plan.sweep.looks.size());
   const double edge_sums = edge_parts * static_cast<double>(frequencies) * sizeof(ScatteringMatrix);
   return {rows * bytes_per_row(bounces, plan.keep_parts) + looks * bytes_per_look,
-          static_cast<double>(under_way) * (look_sum_bytes(most_tiles(plan), bounces, frequencies) + edge_sums),
-          edge_set_bytes(plan)};
+          static_cast<double>(under_way) *
+              (look_sum_bytes(most_tiles(plan), bounces, frequencies) + edge_sums + interaction_look_bytes(plan)),
+          edge_set_bytes(plan) + interaction_set_bytes(plan)};
 }
 
 }  // namespace raytube

@@ -51,7 +51,8 @@ RowEvidence ModelUncertainty::evidence(const LookResult& result, std::size_t fre
   if (!result.edges.scattering.empty()) row.edges = result.edges.scattering[frequency];
   if (!result.edges.higher.empty()) row.higher = result.edges.higher[frequency];
   if (!result.interaction.scattering.empty()) row.interaction = result.interaction.scattering[frequency];
-  row.has_interaction = !result.interaction.scattering.empty() && !plan_.interaction_above_limit[frequency];
+  row.has_interaction = !result.interaction.scattering.empty();
+  if (!result.interaction.left_out.empty()) row.left_out = result.interaction.left_out[frequency];
   row.edge_order = plan_.mechanisms.fringe ? plan_.edges.order : 0;
   row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated.sigma() : 0.0;  // else it is in the numerical error
   const std::vector<double>& met = result.tubes.met;

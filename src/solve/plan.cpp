@@ -27,7 +27,8 @@ Mechanisms mechanisms_of(const SolvePlan& plan) {
           .fringe = fringe,
           .material_edges = fringe && plan.edges.materials == MaterialEdgeMethod::luebbers,
           .screens = fringe && std::ranges::any_of(plan.sweep.materials, &Material::transmits),
-          .interaction = fringe && plan.edges.interaction && !plan.target.convexity.no_reflection && plane_conductors};
+          .interaction = fringe && plan.edges.interaction && plan.edges.interaction_budget > 0.0 &&
+                         !plan.target.convexity.no_reflection && plane_conductors};
 }
 
 double ray_range_of(const SolvePlan& plan) {
@@ -70,11 +71,22 @@ LookPlan looks_of(const SolvePlan& plan) {
   return plan_looks(sweep.looks, find_symmetry_planes(plan.target.mesh, plan.target.wedges, plan.smooth != nullptr));
 }
 
+// What takes no part in edge-face interaction for its size.
+void count_too_small(const SolvePlan& plan, SkipCounts& counts) {
+  const std::vector<double>& frequencies = plan.sweep.frequencies;
+  const TooSmall small = too_small_to_interact(plan.target.mesh, plan.target.wedges, std::ranges::min(frequencies));
+  counts.short_edges = small.edges;
+  counts.small_faces = small.faces;
+  counts.frequencies_without_large =
+      std::ranges::count_if(frequencies, [&](double frequency) { return wavelength(frequency) > small.longest; });
+}
+
 SkipCounts skips_of(const SolvePlan& plan) {
   const bool asked = plan.edges.interaction && plan.edges.method == EdgeMethod::fringe && !plan.target.convexity.no_reflection;
   const std::uint64_t looks = plan.sweep.looks.size();
   SkipCounts counts{.repeated_looks = plan.looks.repeated, .mirrored_looks = plan.looks.mirrored};
-  counts.frequencies_above_interaction_limit = std::ranges::count(plan.interaction_above_limit, true);
+  if (asked && plan.edges.interaction_budget == 0.0) counts.unbudgeted_looks = looks;
+  if (plan.mechanisms.interaction) count_too_small(plan, counts);
   if (asked && !waves_are_plane(plan.target.mesh, plan.sweep)) counts.near_looks = looks;
   if (asked && !plan.sweep.materials.empty()) counts.material_looks = looks;
   if (plan.tubes.skip && plan.edges.method != EdgeMethod::none) counts.enclosed_wedges = plan.target.wedges_enclosed;
@@ -122,7 +134,6 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
   ray_range = ray_range_of(*this);
   smooth = smooth_surfaces(*this);
   looks = looks_of(*this);
-  if (mechanisms.interaction) interaction_above_limit = interaction_limit_exceeded(target.mesh, target.wedges, sweep.frequencies);
   skips = skips_of(*this);
   skipped_wedges = skipped_wedges_of(*this);
   std::erase_if(skipped_wedges, [](const Skipped& item) { return item.count == 0; });

@@ -19,7 +19,7 @@ struct Mechanisms {
   bool fringe = false;          // fringe currents of edges between perfect conductors
   bool material_edges = false;  // edges of other materials, by a heuristic
   bool screens = false;         // edges are lit, and radiate, through sheets that let waves through
-  bool interaction = false;     // edge-face interaction, at the frequencies not above its limit
+  bool interaction = false;     // edge-face interaction
 };
 
 /// Looks, frequencies and mechanisms of a solve, with the reasons for what is left out. Refers to `target` and `sweep`, which
@@ -42,10 +42,9 @@ struct SolvePlan {
   double ray_range = 0.0;                        // of transmitter and receiver where rays stand for currents [m], else 0
   std::shared_ptr<const SmoothSurfaces> smooth;  // curved surfaces that tubes see as such; null: all are flat facets
   LookPlan looks;                                // which are computed, and which follow from these
-  std::vector<bool> interaction_above_limit;  // [frequency] too many edges and faces; empty where there is no interaction at all
-  SkipCounts skips;                           // known beforehand
-  std::vector<Skipped> skipped_wedges;        // that carry no fringe current, and why; of thin plates and details at the lowest frequency
-  double seconds = 0.0;                       // that planning took
+  SkipCounts skips;                              // known beforehand
+  std::vector<Skipped> skipped_wedges;           // that carry no fringe current, and why; of thin plates and details at the lowest frequency
+  double seconds = 0.0;                          // that planning took
 
   double shortest_wavelength() const;  // [m]
   /// Bounces that tubes can have on this target.

@@ -82,6 +82,13 @@ void RowCollector::count(std::size_t index, const LookResult& look) {
   for (std::size_t b = 0; b < look.tubes.hits.size(); ++b) all.hits[b] += look.tubes.hits[b];
   skipped_.empty_cells += look.tubes.empty_cells;
   skipped_.faces_away += look.tubes.faces_away;
+  skipped_.weak_pairs += look.interaction.skipped.weak_pairs;
+  skipped_.pairs_beyond_budget += look.interaction.skipped.pairs;
+  skipped_.reflections_beyond_budget += look.interaction.skipped.reflected_pairs;
+  skipped_.fringe_beyond_budget += look.interaction.skipped.fringe_pieces;
+  if (plan_.mechanisms.interaction && plan_.skips.frequencies_without_large < sweep_.frequencies.size() &&
+      look.interaction.scattering.empty())
+    ++skipped_.dark_interaction_looks;
 }
 
 // The same for every look that follows from this one.

@@ -10,13 +10,16 @@ namespace {
 constexpr std::array<OmissionText, omissions> texts = {{
     {"corners", "waves that start at corners of edges", "none: it falls with the wavelength beside the target"},
     {"edge_orders", "diffraction at more edges in a row than are followed", "edges.order = 3, the most there is"},
-    {"edges", "edges without currents, or with curved faces", "edges.method = \"fringe\", edges.materials = \"luebbers\", where they are not set"},
-    {"interaction", "edge-face interaction over further edges and faces, or where it is off", "edges.between = true, where it is off or left out"},
+    {"edges", "edges without currents, or with curved faces",
+     "edges.method = \"fringe\", edges.materials = \"luebbers\", where they are not set"},
+    {"interaction", "edge-face interaction over further edges and faces, or where it is off",
+     "edges.between = true, a larger edges.between_budget, where it is off or left out"},
     {"cavities", "waves that were reflected more than three times", "none: a full-wave method for the cavity"},
     {"smooth_surfaces", "creeping and travelling waves, shadow boundaries on curved surfaces",
      "none: it falls with k times radius"},
     {"facets", "flat facets in the place of curved surfaces", "a finer mesh, or tubes.curved = \"always\""},
-    {"cut_tubes", "bounces after tubes.max_bounces, tubes too wide or too many", "more tubes.max_bounces"},
+    {"cut_tubes", "bounces after tubes.max_bounces, tubes too wide or too many",
+     "more tubes.max_bounces, or tubes.per_wavelength where they are too wide"},
     {"small_target", "a target that is not large against the wavelength", "a full-wave method"},
 }};
 
@@ -74,8 +77,8 @@ class RowEstimate {
       const double here = square(spread(std::abs(row_.bounces[m].at(p, q)), row_.wavelength));
       (static_cast<int>(m) < interacting_bounces ? early : late) += here;
     }
-    at(Omission::interaction)[p][q] =
-        row_.has_interaction ? further_interaction * typical(row_.interaction, p, q) : std::sqrt(early);
+    const double further = row_.has_interaction ? further_interaction * typical(row_.interaction, p, q) : std::sqrt(early);
+    at(Omission::interaction)[p][q] = std::hypot(further, row_.left_out);
     at(Omission::cavities)[p][q] = std::sqrt(late);
     at(Omission::smooth_surfaces)[p][q] = std::hypot(boundary_amplitude * look_.shadow_boundaries[p][q],
                                                      boundary_amplitude * look_.tight_curves, rim_amplitude * look_.rims);

@@ -47,6 +47,7 @@ struct RowEvidence {
   std::span<const ScatteringMatrix> bounces;  // PO currents of bounce 1, 2, ... [m]
   ScatteringMatrix edges{}, higher{}, interaction{};
   bool has_interaction = false;  // edge-face interaction was computed
+  double left_out = 0.0;         // of it, for the sake of its budget [m]
   int edge_order = 3;            // edges in a row that a current passes; 0: there are no edge currents
   double reflected_share = 0.0;  // of the power that is reflected: that meets a second surface, and a third one, 0 ... 2
   double truncated = 0.0;        // area across the wave times squared amplitude of truncated tubes [m^2]

@@ -3,12 +3,20 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "mesh/features/resolved_wedges.h"
 #include "utd/fringe/near_edges.h"
 
 namespace raytube {
+
+namespace {
+
+// Pairs of an edge and a face, large or not, up to which a body has few parts: it is computed whole, as corner reflectors are.
+constexpr std::size_t few_pairs = 64;
+
+}  // namespace
 
 // Screens count only where edges are asked for their currents.
 EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup) {
@@ -20,12 +28,11 @@ EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup) {
 
 void EdgeSets::group_frequencies() {
   for (std::size_t f = 0; f < setup_.frequencies.size(); ++f) {
-    const double frequency = setup_.frequencies[f], limit = detail_limit(frequency);
+    const double frequency = setup_.frequencies[f], details = known_details(setup_.wedges, frequency);
     const std::size_t thin = count_thin(setup_.thin_plate_edges, frequency);
-    const double details = has_details(setup_.wedges, limit) ? limit : 0.0;
     auto set =
         std::ranges::find_if(sets_, [&](const Set& known) { return known.thin_edges == thin && known.detail_limit == details; });
-    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}});
+    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}, {}});
     set->indices.push_back(f);
     set->frequencies.push_back(setup_.frequencies[f]);
   }
@@ -62,7 +69,8 @@ void EdgeSets::prepare_interaction() {
   for (Set& set : sets_) {
     std::vector<bool> wanted, illuminating(set.indices.size());
     for (const std::size_t index : set.indices) wanted.push_back(setup_.interaction[index]);
-    for (const InteractionGroup& group : interaction_groups(mesh, set.wedges, set.frequencies, wanted))
+    InteractionParts parts(mesh, set.wedges);
+    for (const InteractionGroup& group : interaction_groups(parts, set.frequencies, wanted))
       for (const std::size_t index : group.indices) illuminating[index] = true;
     if (std::ranges::find(illuminating, true) == illuminating.end()) continue;
     if (std::ranges::find(illuminating, false) != illuminating.end()) {
@@ -71,7 +79,8 @@ void EdgeSets::prepare_interaction() {
       illuminating.flip();
       without.back().keep(illuminating);
     }
-    set.interaction = interaction_groups(mesh, set.wedges, set.frequencies, std::vector<bool>(set.indices.size(), true));
+    set.parts = std::move(parts);
+    set.interaction = interaction_groups(set.parts, set.frequencies, std::vector<bool>(set.indices.size(), true));
   }
   std::ranges::move(without, std::back_inserter(sets_));
   std::ranges::sort(sets_, std::ranges::greater{}, [](const Set& set) { return std::ranges::max(set.frequencies); });
@@ -132,45 +141,76 @@ std::vector<ImageEdge> EdgeSets::pieces(const Look& look, std::size_t frequency_
   return {};
 }
 
+bool EdgeSets::interact() const {
+  return std::ranges::any_of(sets_, [](const Set& set) { return !set.interaction.empty(); });
+}
+
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {
-  return {{set.wedges, set.outlines, setup_.tracer}, {setup_.faces, group.large, group.corners}, group.axes};
+  const InteractionParts& parts = set.parts;
+  const ReceivingFaces faces{setup_.faces, group.large, parts.corners, {}, std::span(parts.by_area).first(group.large_faces)};
+  return {{set.wedges, set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches};
 }
 
-InteractionOptions EdgeSets::interaction_options(double tolerance) const {
-  return {setup_.fringe.order, setup_.fringe.transition, tolerance};
+// `share` of the work allowed, for a group of frequencies.
+InteractionOptions EdgeSets::interaction_options(const Set& set, const InteractionLimits& limits, double share) const {
+  const bool few = set.parts.axes.size() * set.parts.patches.size() <= few_pairs;
+  const double work = few ? std::numeric_limits<double>::infinity() : limits.work * share;
+  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work};
 }
 
-InteractionResult EdgeSets::interaction(const Look& look, double tolerance) const {
+std::size_t EdgeSets::interacting_frequencies() const {
+  std::size_t count = 0;
+  for (const Set& set : sets_)
+    for (const InteractionGroup& group : set.interaction) count += group.indices.size();
+  return count;
+}
+
+InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimits& limits) const {
   InteractionResult all;
+  const auto frequencies = static_cast<double>(interacting_frequencies());
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction) {
-      const InteractionScene here = interaction_scene(set, group);
-      const InteractionResult part = interaction_scattering(here, look, group.frequencies, interaction_options(tolerance));
-      if (part.scattering.empty()) continue;
-      all.scattering.resize(setup_.frequencies.size());
-      all.error.resize(setup_.frequencies.size());
-      all.illuminating_pieces = std::max(all.illuminating_pieces, part.illuminating_pieces);
-      for (std::size_t i = 0; i < group.indices.size(); ++i) {
-        all.scattering[set.indices[group.indices[i]]] = part.scattering[i];
-        all.error[set.indices[group.indices[i]]] = part.error[i];
-      }
+      const double share = static_cast<double>(group.indices.size()) / frequencies;
+      put(set, group,
+          interaction_scattering(interaction_scene(set, group), look, group.frequencies, interaction_options(set, limits, share)),
+          all);
     }
   return all;
 }
 
-std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_t frequency_index, double tolerance) const {
+void EdgeSets::put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const {
+  all.work += part.work;
+  all.skipped += part.skipped;
+  if (part.scattering.empty()) return;
+  all.scattering.resize(setup_.frequencies.size());
+  all.error.resize(setup_.frequencies.size());
+  all.illuminating_pieces = std::max(all.illuminating_pieces, part.illuminating_pieces);
+  if (!part.left_out.empty()) all.left_out.resize(setup_.frequencies.size());
+  for (std::size_t i = 0; i < group.indices.size(); ++i) {
+    const std::size_t index = set.indices[group.indices[i]];
+    all.scattering[index] = part.scattering[i];
+    all.error[index] = part.error[i];
+    if (!part.left_out.empty()) all.left_out[index] = part.left_out[i];
+  }
+}
+
+std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_t frequency_index,
+                                                    const InteractionLimits& limits) const {
+  const auto frequencies = static_cast<double>(interacting_frequencies());
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction)
       for (std::size_t i = 0; i < group.indices.size(); ++i) {
         if (set.indices[group.indices[i]] != frequency_index) continue;
-        const InteractionScene here = interaction_scene(set, group);
-        return raytube::interaction_pieces(here, look, group.frequencies, i, interaction_options(tolerance));
+        const double share = static_cast<double>(group.indices.size()) / frequencies;
+        return raytube::interaction_pieces(interaction_scene(set, group), look, group.frequencies, i,
+                                           interaction_options(set, limits, share));
       }
   return {};
 }
 
 void EdgeSets::put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all) {
   all.lit = all.lit || part.lit;
+  all.work += part.work;
   if (all.wedges_lit == 0) all.wedges_lit = part.wedges_lit;
   for (std::size_t i = 0; i < set.indices.size(); ++i) {
     all.scattering[set.indices[i]] = part.scattering[i];

@@ -29,6 +29,12 @@ struct EdgeSetup {
   FringeOptions fringe{};                           // continue_by_images is set where edges illuminate other faces
 };
 
+/// What edge-face interaction of one look may leave and take.
+struct InteractionLimits {
+  double tolerance;  // of its quadrature [m]
+  double work;       // counted (core/work.h); bodies of few parts are computed whole
+};
+
 /// Frequencies at which the same plates are thin share a set of edges; no set depends on the others.
 class EdgeSets {
  public:
@@ -48,12 +54,15 @@ class EdgeSets {
   /// The fringe currents of one look at one of the frequencies, piece by piece: see fringe_pieces().
   std::vector<ImageEdge> pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice) const;
 
-  /// Edge-face interaction of one look at all frequencies, its quadrature to `tolerance` [m]; zero at frequencies where it is not
-  /// asked for, empty if there is none at any.
-  InteractionResult interaction(const Look& look, double tolerance) const;
+  /// Edge-face interaction of one look at all frequencies; zero at frequencies where it is not asked for, empty if there is none
+  /// at any.
+  InteractionResult interaction(const Look& look, const InteractionLimits& limits) const;
+
+  /// Whether there is any, at any frequency.
+  bool interact() const;
 
   /// Edge-face interaction of one look at one of the frequencies, by pieces of edges: see interaction_pieces().
-  std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, double tolerance) const;
+  std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits) const;
 
  private:
   struct Set {
@@ -64,6 +73,7 @@ class EdgeSets {
     std::vector<Wedge> wedges;
     Outlines outlines;
     std::vector<InteractionGroup> interaction;  // its indices are those of the set's frequencies
+    InteractionParts parts;                     // empty where there is no interaction
 
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);
@@ -75,7 +85,9 @@ class EdgeSets {
   EdgeScene scene(const Set& set) const;
   FringeOptions options(const Set& set) const;
   InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;
-  InteractionOptions interaction_options(double tolerance) const;
+  InteractionOptions interaction_options(const Set& set, const InteractionLimits& limits, double share) const;
+  std::size_t interacting_frequencies() const;
+  void put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const;
   static void put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all);
 
   EdgeSetup setup_;

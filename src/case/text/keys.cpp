@@ -13,7 +13,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 40> known_keys = {"title",
+constexpr std::array<std::string_view, 41> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -36,6 +36,7 @@ constexpr std::array<std::string_view, 40> known_keys = {"title",
                                                          "edges.method",
                                                          "edges.order",
                                                          "edges.between",
+                                                         "edges.between_budget",
                                                          "edges.receiver_shadow",
                                                          "edges.transition",
                                                          "edges.materials",

@@ -33,12 +33,17 @@ void resolve(const SurfaceProfiles& profiles, double limit, double min_wedge_ang
     wedge.flat = true;
 }
 
+bool has_details(std::span<const Wedge> wedges, double limit) {
+  return std::ranges::any_of(wedges, [limit](const Wedge& wedge) { return is_narrow(wedge, limit); });
+}
+
 }  // namespace
 
 double detail_limit(double frequency) { return std::exp2(std::floor(std::log2(wavelength(frequency) / 50))); }
 
-bool has_details(std::span<const Wedge> wedges, double limit) {
-  return std::ranges::any_of(wedges, [limit](const Wedge& wedge) { return is_narrow(wedge, limit); });
+double known_details(std::span<const Wedge> wedges, double frequency) {
+  const double limit = detail_limit(frequency);
+  return has_details(wedges, limit) ? limit : 0.0;
 }
 
 void resolve_details(const TriangleMesh& mesh, std::span<Wedge> wedges, double limit, double min_wedge_angle) {

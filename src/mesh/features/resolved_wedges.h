@@ -10,8 +10,8 @@ namespace raytube {
 /// that lies there [m], so that the frequencies of an octave share their wedges.
 double detail_limit(double frequency);
 
-/// Whether a face of any wedge that radiates is so narrow that resolve_details could change it.
-bool has_details(std::span<const Wedge> wedges, double limit);
+/// That limit, or 0 if no wedge has a face so narrow that resolve_details could change it.
+double known_details(std::span<const Wedge> wedges, double frequency);
 
 /// Gives each wedge, thin plates' half planes apart, with a face narrower than `limit` [m] the faces that stand for its
 /// surroundings: chords of the surface's cross-section through its middle, `limit` long on either side. Where these differ from a

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/work.h"
+
 namespace raytube {
 
 void find_phases(const Wedge& wedge, std::span<const LitInterval> lit, const LookVectors& look, std::vector<EdgePhase>& pieces) {
@@ -90,6 +92,7 @@ void FirstOrderEdges::add(std::uint32_t index, const EdgeMeeting& meeting, std::
   thickness_.add_sides(wedge, meeting.incidence, lit);
   ++result_.wedges_lit;
   find_phases(wedge, lit, look_, pieces_);
+  result_.work += work::edge_amplitude * static_cast<double>(frequencies_.size());
   radiate(edge_amplitude(wedge, meeting.incidence, look_));
 }
 
@@ -136,6 +139,7 @@ EdgeLookResult StripEdges::take() {
   thickness_.add_to(result_.scattering);
   result_.higher = std::move(sums.higher);
   result_.windowed = std::move(sums.windowed);
+  result_.work += sums.work;
   return std::move(result_);
 }
 

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "core/threads.h"
+#include "core/work.h"
 #include "utd/fringe/edge_pass.h"
 #include "utd/shadow/lit_edges.h"
 
@@ -12,10 +14,17 @@ namespace {
 // All lit edges, in their order.
 template <class Edges>
 EdgeLookResult sum_of(Edges edges, std::size_t count, LitEdges& light) {
-  for (std::uint32_t index = 0; index < count; ++index)
-    if (const auto meeting = edges.meeting(index); meeting && light.find(index, meeting->incidence))
-      edges.add(index, *meeting, light.lit());
-  return edges.take();
+  double found = 0.0;
+  for (std::uint32_t index = 0; index < count; ++index) {
+    stop_if_cancelled();
+    const auto meeting = edges.meeting(index);
+    if (!meeting) continue;
+    found += work::edge_light;
+    if (light.find(index, meeting->incidence)) edges.add(index, *meeting, light.lit());
+  }
+  EdgeLookResult result = edges.take();
+  result.work += found;
+  return result;
 }
 
 }  // namespace

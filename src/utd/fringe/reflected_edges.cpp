@@ -28,6 +28,7 @@ void add_weighted(EdgeLookResult& sum, const EdgeLookResult& part, double path, 
   }
   sum.lit = sum.lit || part.lit;
   sum.wedges_lit += part.wedges_lit;
+  sum.work += part.work;
 }
 
 }  // namespace

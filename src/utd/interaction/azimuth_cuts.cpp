@@ -15,11 +15,14 @@ constexpr double widest_panel = 0.4;    // [rad]
 
 class CutFinder {
  public:
-  CutFinder(const TriangleMesh& mesh, std::span<const dvec3> corners, const LitEdgePiece& source)
-      : mesh_(mesh), corners_(corners), source_(source) {
-    const Wedge& wedge = *source.edge->wedge;
-    end_ = wedge.n * pi;
-    cuts_ = {0.0, end_};
+  CutFinder(const TriangleMesh& mesh, std::span<const dvec3> corners, const LitEdgePiece& source,
+            std::span<const AzimuthRange> wanted)
+      : mesh_(mesh), corners_(corners), source_(source), end_(source.edge->wedge->n * pi), cuts_{0.0, end_} {
+    if (wanted.empty()) return;
+    first_ = std::ranges::min(wanted, {}, &AzimuthRange::from).from;
+    last_ = std::ranges::max(wanted, {}, &AzimuthRange::to).to;
+    keep(first_);
+    keep(last_);
   }
 
   std::vector<double> find() {
@@ -41,16 +44,20 @@ class CutFinder {
     cuts.push_back(to);
   }
 
+  void keep(double azimuth) {
+    if (azimuth >= first_ && azimuth <= last_) cuts_.push_back(azimuth);
+  }
+
   // Shadow and reflection boundaries: the diffracted waves jump there.
   void add_boundaries() {
     const double arriving = source_.incidence.source_angle, n = source_.edge->wedge->n;
     for (const double azimuth : {arriving + pi, arriving - pi, pi - arriving, (2 * n - 1) * pi - arriving})
-      if (azimuth > 0.0 && azimuth < end_) cuts_.push_back(azimuth);
+      if (azimuth > 0.0 && azimuth < end_) keep(azimuth);
   }
 
   void add_corners() {
     for (const dvec3& corner : corners_) add(corner);
-    if (corners_.size() * mesh_.patches.size() > most_images) return;
+    if (std::max(corners_.size(), mesh_.patches.size()) * mesh_.patches.size() > most_images) return;
     for (const Patch& plane : mesh_.patches) {
       add_grazing(plane.normal);
       for (const Patch& mirror : mesh_.patches)
@@ -71,7 +78,7 @@ class CutFinder {
     const double middle = std::atan2(y, x), aside = std::acos(std::clamp(along / across, -1.0, 1.0));
     for (double azimuth : {middle - aside, middle + aside}) {
       azimuth -= 2 * pi * std::floor(azimuth / (2 * pi));
-      if (azimuth < end_) cuts_.push_back(azimuth);
+      if (azimuth < end_) keep(azimuth);
     }
   }
 
@@ -81,20 +88,21 @@ class CutFinder {
     const double x = glm::dot(from_edge, face.into_face), y = glm::dot(from_edge, face.normal);
     if (std::hypot(x, y) < flat_fraction * mesh_.radius) return;
     const double azimuth = std::atan2(y, x);
-    cuts_.push_back(std::clamp(azimuth < 0.0 ? azimuth + 2 * pi : azimuth, 0.0, end_));
+    keep(std::clamp(azimuth < 0.0 ? azimuth + 2 * pi : azimuth, 0.0, end_));
   }
 
   const TriangleMesh& mesh_;
   std::span<const dvec3> corners_;
   const LitEdgePiece& source_;
-  double end_;
+  double end_, first_ = 0.0, last_ = 2 * pi;
   std::vector<double> cuts_;
 };
 
 }  // namespace
 
-std::vector<double> azimuth_cuts(const TriangleMesh& mesh, std::span<const dvec3> corners, const LitEdgePiece& source) {
-  return CutFinder(mesh, corners, source).find();
+std::vector<double> azimuth_cuts(const TriangleMesh& mesh, std::span<const dvec3> corners, const LitEdgePiece& source,
+                                 std::span<const AzimuthRange> wanted) {
+  return CutFinder(mesh, corners, source, wanted).find();
 }
 
 }  // namespace raytube

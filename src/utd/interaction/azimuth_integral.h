@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/field.h"
@@ -14,21 +15,30 @@ struct PhaseRange {
   double low, high;  // [rad]
 };
 
+/// [rad]
+struct AzimuthRange {
+  double from, to;
+};
+
 /// An integrand: S per radian of azimuth, at all frequencies.
 struct AzimuthDensity {
   std::function<void(double azimuth, std::vector<ScatteringMatrix>& density)> at;  // sets `density`
   std::function<std::optional<PhaseRange>(double azimuth)> survey;                 // none where it vanishes
+  std::function<bool()> used_up{};  // whether no more work may be done; none: as much as it takes
 };
 
 struct AzimuthIntegral {
   std::vector<ScatteringMatrix> value;  // per frequency
   std::vector<ChannelErrors> error;     // estimated, per frequency
+  bool complete = true;                 // false: the work was used up before the end, and the value is none
 };
 
 /// Integral over panels between ascending `cuts` [rad]. A Gauss rule of as many points as the phases of the integrand ask for,
 /// then of more, then half the panel, until the estimated error is below the panel's share of `tolerance`. A panel with nothing
-/// at its middle and close to its ends is passed over. `tolerance` is that of the Frobenius norm of the sum.
+/// at its middle and close to its ends is passed over. `tolerance` is that of the Frobenius norm of the sum. Of the panels none
+/// is left out but those that `wanted` [rad], if not empty, does not reach.
 AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequency_count,
-                                       const std::vector<double>& cuts, double tolerance);
+                                       const std::vector<double>& cuts, double tolerance,
+                                       std::span<const AzimuthRange> wanted = {});
 
 }  // namespace raytube

@@ -1,13 +1,14 @@
 #include "utd/interaction/edge_face_interaction.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <utility>
 
-#include "core/threads.h"
+#include "core/work.h"
 #include "utd/fringe/reflected_edges.h"
+#include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/reflected_light.h"
 #include "utd/shadow/lit_edges.h"
 
@@ -18,11 +19,12 @@ namespace {
 constexpr int reflected_order = 2;        // of fringe currents by reflected light: the third order no longer shows
 constexpr double least_tolerance = 1e-4;  // [wavelengths] the rules along the rays are no better; part of the estimate
 
-// What one lit piece of an edge illuminates.
-struct Job {
-  const LitEdgePiece* piece;
-  int reflections;
-};
+// Shares of the work: of finding direct light, reflected light, the bounds of pairs, and of the pairs themselves.
+constexpr double light_share = 0.15, reflected_share = 0.15, bound_share = 0.1, pair_share = 0.75;
+constexpr std::size_t edges_at_a_time = 8;                      // whose fringe currents are found together where work is limited
+constexpr double first_guess_of_fringe = 4 * work::strip_tree;  // of one edge
+// Of its bound that an unknown contribution has, root mean square, and that it has at least (measured: docs).
+constexpr double typical_share = 0.1, least_share = 0.01;
 
 LitInterval along_wedge(const LitEdgePiece& piece) {
   const EdgeAxis& axis = *piece.edge;
@@ -43,12 +45,17 @@ ReflectedLook reflected_look(const ReflectedWave& wave, const LookVectors& look,
 // All waves that light edges in one look, and what these radiate.
 class InteractionLook {
  public:
-  InteractionLook(const InteractionScene& scene, const Look& look, std::span<const double> frequencies)
-      : scene_(scene), look_(look_vectors(look)), incident_{look_.incident, look_.electric, 0.0}, frequencies_(frequencies) {
-    const double shortest = wavelength(std::ranges::max(frequencies));
-    LitEdges edges(scene.edges.wedges, scene.edges.tracer, look_, shortest, false);
-    for (const EdgeAxis& axis : scene.axes) add_direct_light(axis, edges);
-    reflected_ = ReflectedLight(scene.faces, scene.axes, incident_, shortest).waves(most_reflections);
+  InteractionLook(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
+                  double most_work = std::numeric_limits<double>::infinity())
+      : scene_(scene),
+        look_(look_vectors(look)),
+        incident_{look_.incident, look_.electric, 0.0},
+        frequencies_(frequencies),
+        most_work_(most_work),
+        shortest_axis_(scene.shortest_axis) {
+    for (const double frequency : frequencies_) wavenumbers_.push_back(wavenumber(frequency));
+    find_direct_light();
+    find_reflected_light();
     for (const LitEdgePiece& piece : direct_) jobs_.push_back({&piece, most_reflections});
     for (const ReflectedWave& wave : reflected_)
       for (const LitEdgePiece& piece : wave.lit)
@@ -58,37 +65,59 @@ class InteractionLook {
 
   InteractionResult solve(const InteractionOptions& options) {
     InteractionResult result;
-    if (jobs_.empty()) return result;
-    result.scattering.resize(frequencies_.size());
-    result.illuminating_pieces = jobs_.size();
-    add_illuminated(options.tolerance, result);
-    if (options.order > 1) add_fringe(options, result);
+    result.skipped.reflected_pairs = reflected_pairs_left_out_;
+    if (!jobs_.empty()) {
+      result.scattering.resize(frequencies_.size());
+      result.illuminating_pieces = jobs_.size();
+      add(illuminate(options, {}, result), result);
+      const double fringe_squares = options.order > 1 ? add_fringe(options, result) : 0.0;
+      estimate_left_out(fringe_squares, result);
+    }
+    result.work = work_;
     return result;
   }
 
-  std::vector<ImageEdge> pieces(const InteractionOptions& options, std::size_t frequency_index) const {
-    std::vector<ImageEdge> result;
-    const std::vector<IlluminatedFaces> parts = illuminate(options.tolerance);
-    for (std::size_t i = 0; i < jobs_.size(); ++i)
-      result.push_back(image_of(*jobs_[i].piece, parts[i].scattering[frequency_index]));
-    if (options.order == 1) return result;
-    for (const ReflectedWave& wave : reflected_) {
-      if (wave.patches.size() != 1) continue;
-      ReflectedLook look = reflected_look(wave, look_, scene_.edges.wedges.data());
-      const std::vector<LitWedge> lit = std::exchange(look.edges, {});
-      for (std::size_t i = 0; i < lit.size(); ++i) {
-        look.edges = {lit[i]};
-        const EdgeLookResult part = fringe(std::span(&look, 1), options);
-        result.push_back(image_of(wave.lit[i], part.scattering[frequency_index] + part.higher[frequency_index]));
-      }
-    }
-    return result;
+  std::vector<ImageEdge> pieces(const InteractionOptions& options, std::size_t frequency_index) {
+    std::vector<ImageEdge> images;
+    InteractionResult result;
+    if (jobs_.empty()) return images;
+    const IlluminationSum sum = illuminate(options, frequency_index, result);
+    work_ += sum.work;
+    for (std::size_t i = 0; i < jobs_.size(); ++i) images.push_back(image_of(*jobs_[i].piece, sum.of_jobs[i]));
+    if (options.order == 1) return images;
+    for_each_fringe(options, 1, result, [&](const EdgeLookResult& part, std::span<const LitEdgePiece> pieces) {
+      images.push_back(image_of(pieces.front(), part.scattering[frequency_index] + part.higher[frequency_index]));
+    });
+    return images;
   }
 
  private:
   static ImageEdge image_of(const LitEdgePiece& piece, const ScatteringMatrix& s) {
     const EdgeAxis& axis = *piece.edge;
     return {axis.origin + piece.from * axis.tangent, axis.origin + piece.to * axis.tangent, s};
+  }
+
+  // Of the longest edges, where there are more than may be looked at.
+  void find_direct_light() {
+    keep_longest_axes(light_share * most_work_ / work::edge_light);
+    LitEdges edges(scene_.edges.wedges, scene_.edges.tracer, look_, shortest_wavelength(), false);
+    for (const EdgeAxis& axis : scene_.axes)
+      if (axis.length >= shortest_axis_) add_direct_light(axis, edges);
+  }
+
+  void keep_longest_axes(double most) {
+    std::vector<double> lengths;
+    for (const EdgeAxis& axis : scene_.axes)
+      if (axis.length >= shortest_axis_) lengths.push_back(axis.length);
+    const auto count = static_cast<std::size_t>(std::min(static_cast<double>(lengths.size()), std::max(1.0, most)));
+    work_ += work::edge_light * static_cast<double>(count);
+    if (count == lengths.size()) return;
+    std::ranges::nth_element(lengths, lengths.begin() + static_cast<std::ptrdiff_t>(count - 1), std::ranges::greater{});
+    const auto squares = [](double sum, double length) { return sum + length * length; };
+    const auto end = lengths.begin() + static_cast<std::ptrdiff_t>(count);
+    left_out_axes_ = std::accumulate(end, lengths.end(), 0.0, squares) / std::accumulate(lengths.begin(), end, 0.0, squares);
+    axes_left_out_ = lengths.size() - count;
+    shortest_axis_ = lengths[count - 1];
   }
 
   void add_direct_light(const EdgeAxis& axis, LitEdges& edges) {
@@ -101,40 +130,101 @@ class InteractionLook {
     }
   }
 
-  double least() const { return least_tolerance * wavelength(std::ranges::max(frequencies_)); }
-
-  // Of every job, each integrated to its share of the tolerance.
-  std::vector<IlluminatedFaces> illuminate(double tolerance) const {
-    std::vector<double> wavenumbers;
-    for (const double frequency : frequencies_) wavenumbers.push_back(wavenumber(frequency));
-    const double share = std::max(tolerance, least()) / std::sqrt(static_cast<double>(jobs_.size()));
-    std::vector<IlluminatedFaces> parts(jobs_.size());
-    tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
-      parts[i] = illuminated_faces(scene_.faces, look_, wavenumbers, *jobs_[i].piece, {jobs_[i].reflections, share});
-    });
-    stop_if_cancelled();
-    return parts;
+  void find_reflected_light() {
+    ReflectedLight light(scene_.faces, scene_.axes, incident_, shortest_wavelength(), shortest_axis_);
+    reflected_ = light.waves(most_reflections, reflected_share * most_work_);
+    work_ += light.work();
+    reflected_pairs_left_out_ = light.pairs_left_out();
   }
 
-  void add_illuminated(double tolerance, InteractionResult& result) const {
-    ChannelErrors error{{{least(), least()}, {least(), least()}}};
-    for (const IlluminatedFaces& part : illuminate(tolerance)) {
-      for (std::size_t f = 0; f < frequencies_.size(); ++f) result.scattering[f] += part.scattering[f];
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) error[p][q] += part.error[p][q];
+  double shortest_wavelength() const { return wavelength(std::ranges::max(frequencies_)); }
+  double least() const { return least_tolerance * shortest_wavelength(); }
+
+  // Of the tolerance, for each job.
+  double share_of(double tolerance) const { return std::max(tolerance, least()) / std::sqrt(static_cast<double>(jobs_.size())); }
+
+  bool is_limited() const { return most_work_ < std::numeric_limits<double>::infinity(); }
+
+  void add(const IlluminationSum& sum, InteractionResult& result) {
+    work_ += sum.work;
+    for (std::size_t f = 0; f < frequencies_.size(); ++f) result.scattering[f] += sum.scattering[f];
+    result.error.assign(frequencies_.size(), sum.error);
+  }
+
+  // All pairs of edge and face, or the strongest of them; what is left out is noted.
+  IlluminationSum illuminate(const InteractionOptions& options, std::optional<std::size_t> jobs_at, InteractionResult& result) {
+    const IlluminationLook look{scene_.faces, look_, wavenumbers_, least(), jobs_at};
+    if (!is_limited()) return illuminate_all(look, jobs_, share_of(options.tolerance));
+    const PairLimits limits{{std::ranges::max(wavenumbers_), look_.scattered}, options.tolerance, bound_share * most_work_};
+    const PairChoice choice = choose_pairs(jobs_, scene_.faces.tree.mesh(), scene_.extents, scene_.faces.by_area, limits);
+    work_ += choice.work;
+    const double for_pairs = std::max(0.0, pair_share * (most_work_ - work_));
+    IlluminationSum sum = illuminate_strongest(look, jobs_, choice.strongest, share_of(options.tolerance), for_pairs);
+    result.skipped.weak_pairs = choice.weak.count;
+    result.skipped.pairs = choice.beyond.count + sum.beyond.count + axes_left_out_ * scene_.faces.by_area.size();
+    known_squares_ = sum.squares;
+    expected_squares_ = sum.bound_squares;
+    const double left = sum.beyond.squares + choice.beyond.squares + choice.weak.squares;
+    left_out_squares_ = left + left_out_axes_ * (left + sum.bound_squares);
+    return sum;
+  }
+
+  // What pairs leave out is taken to be as large a share of what is expected of them, root mean square, as with those computed.
+  void estimate_left_out(double fringe_squares, InteractionResult& result) const {
+    if (left_out_squares_ == 0.0 && fringe_squares == 0.0) return;
+    for (std::size_t f = 0; f < frequencies_.size(); ++f) {
+      const double known = expected_squares_ > 0.0 ? std::sqrt(known_squares_[f] / expected_squares_) : typical_share;
+      const double share = std::max(least_share, known);
+      result.left_out.push_back(std::sqrt(share * share * left_out_squares_ + fringe_squares));
     }
-    result.error.assign(frequencies_.size(), error);
   }
 
-  void add_fringe(const InteractionOptions& options, InteractionResult& result) const {
+  // Of waves reflected once: all at a time, or as long as there is work for them. Returns the sum of squares of what the others
+  // may add [m^2].
+  double add_fringe(const InteractionOptions& options, InteractionResult& result) {
+    const auto add = [&](const EdgeLookResult& sum, std::span<const LitEdgePiece>) {
+      for (std::size_t f = 0; f < frequencies_.size(); ++f) {
+        result.scattering[f] += sum.scattering[f];
+        result.scattering[f] += sum.higher[f];
+      }
+    };
+    if (is_limited()) return for_each_fringe(options, edges_at_a_time, result, add);
     std::vector<ReflectedLook> looks;
     for (const ReflectedWave& wave : reflected_)
       if (wave.patches.size() == 1) looks.push_back(reflected_look(wave, look_, scene_.edges.wedges.data()));
     const EdgeLookResult sum = fringe(looks, options);
-    for (std::size_t f = 0; f < frequencies_.size(); ++f) {
-      result.scattering[f] += sum.scattering[f];
-      result.scattering[f] += sum.higher[f];
+    work_ += sum.work;
+    add(sum, {});
+    return 0.0;
+  }
+
+  // Calls use(sum, pieces) for a few lit pieces at a time, in their order.
+  template <class Use>
+  double for_each_fringe(const InteractionOptions& options, std::size_t at_a_time, InteractionResult& result, Use use) {
+    double squares = 0.0, each = first_guess_of_fringe, begun = work_;
+    std::size_t done = 0;
+    for (const ReflectedWave& wave : reflected_) {
+      if (wave.patches.size() != 1) continue;
+      ReflectedLook look = reflected_look(wave, look_, scene_.edges.wedges.data());
+      const std::vector<LitWedge> lit = std::exchange(look.edges, {});
+      for (std::size_t first = 0; first < lit.size(); first += at_a_time) {
+        const std::size_t count = std::min(at_a_time, lit.size() - first);
+        const std::span<const LitEdgePiece> pieces = std::span(wave.lit).subspan(first, count);
+        if (work_ + each * static_cast<double>(count) > most_work_) {
+          result.skipped.fringe_pieces += count;
+          for (const LitEdgePiece& piece : pieces) squares += std::pow(typical_share * fringe_bound(piece), 2);
+          continue;
+        }
+        look.edges.assign(lit.begin() + static_cast<std::ptrdiff_t>(first),
+                          lit.begin() + static_cast<std::ptrdiff_t>(first + count));
+        const EdgeLookResult sum = fringe(std::span(&look, 1), options);
+        work_ += sum.work;
+        use(sum, pieces);
+        done += count;
+        each = (work_ - begun) / static_cast<double>(done);
+      }
     }
+    return squares;
   }
 
   EdgeLookResult fringe(std::span<const ReflectedLook> looks, const InteractionOptions& options) const {
@@ -147,7 +237,15 @@ class InteractionLook {
   std::span<const double> frequencies_;
   std::vector<LitEdgePiece> direct_;
   std::deque<ReflectedWave> reflected_;
-  std::vector<Job> jobs_;
+  std::vector<IlluminationJob> jobs_;
+  double most_work_, work_ = 0.0;
+  double shortest_axis_;
+  std::vector<double> wavenumbers_;
+  std::uint64_t axes_left_out_ = 0, reflected_pairs_left_out_ = 0;
+  double left_out_axes_ = 0.0;  // sum of their squared lengths, over that of those looked at
+  // Sums of squares [m^2]: of what was computed, per frequency; of what was expected of that; of what is expected of the others.
+  std::vector<double> known_squares_;
+  double expected_squares_ = 0.0, left_out_squares_ = 0.0;
 };
 
 }  // namespace
@@ -155,13 +253,13 @@ class InteractionLook {
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options) {
   if (scene.axes.empty()) return {};
-  return InteractionLook(scene, look, frequencies).solve(options);
+  return InteractionLook(scene, look, frequencies, options.work).solve(options);
 }
 
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                           std::size_t frequency_index, const InteractionOptions& options) {
   if (scene.axes.empty()) return {};
-  return InteractionLook(scene, look, frequencies).pieces(options, frequency_index);
+  return InteractionLook(scene, look, frequencies, options.work).pieces(options, frequency_index);
 }
 
 }  // namespace raytube

@@ -14,35 +14,63 @@
 //   edge_illumination.h  dS / d(phi) of one lit piece: the integral along z over each face is closed (utd/wedge)
 //   azimuth_cuts.h, azimuth_integral.h, illuminated_faces.h   the integral over phi
 //   interaction_groups.h which edges and faces are large enough, at each frequency
+//   pair_bound.h         what an edge and a face can give at most
+//   pair_choice.h, illumination_rounds.h   the strongest pairs first, where a look may not take all
 // To these currents come, at order 2 and 3, the fringe currents of edges lit by a wave reflected once (utd/fringe).
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "scene/image.h"
 #include "utd/fringe/edge_scene.h"
 #include "utd/interaction/edge_axes.h"
 #include "utd/interaction/illuminated_faces.h"
+#include "utd/interaction/pair_bound.h"
 
 namespace raytube {
+
+/// What one look did without, for the sake of its budget.
+struct InteractionSkips {
+  std::uint64_t weak_pairs = 0;       // of an edge and a face: their bounds together are below the tolerance
+  std::uint64_t pairs = 0;            // of an edge and a face
+  std::uint64_t reflected_pairs = 0;  // of an edge and a mirror by way of which light might reach it
+  std::uint64_t fringe_pieces = 0;    // pieces of edges lit by a reflected wave, whose fringe currents were left out
+
+  InteractionSkips& operator+=(const InteractionSkips& other) {
+    weak_pairs += other.weak_pairs, pairs += other.pairs;
+    reflected_pairs += other.reflected_pairs, fringe_pieces += other.fringe_pieces;
+    return *this;
+  }
+};
 
 struct InteractionResult {
   std::vector<ScatteringMatrix> scattering;  // per frequency [m]; phase reference: centre of the mesh. Empty: nothing is lit
   std::vector<ChannelErrors> error;          // per frequency, estimated, of its quadrature [m]
   std::uint64_t illuminating_pieces = 0;     // lit pieces of edges, each once per wave that lights it
+
+  /// Per frequency [m]: what the pairs that `skipped` counts would add to |S_pq| of the co-polar channels, by root sum of squares
+  /// (docs/theory/interaction.md). Empty: nothing was left out.
+  std::vector<double> left_out;
+  InteractionSkips skipped{};
+  double work = 0.0;  // counted (core/work.h)
 };
 
 /// A target as diffracted waves meet it.
 struct InteractionScene {
   EdgeScene edges;
-  ReceivingFaces faces;            // those that are large are mirrors, too
-  std::span<const EdgeAxis> axes;  // of edges that illuminate others; into edges.wedges
+  ReceivingFaces faces;                    // those that are large are mirrors, too
+  std::span<const EdgeAxis> axes;          // of edges that illuminate others; into edges.wedges
+  double shortest_axis = 0.0;              // of those that count [m]
+  std::span<const PatchExtent> extents{};  // of the mesh's patches, and faces.by_area: needed where work is limited
 };
 
 struct InteractionOptions {
   int order = 3;  // of the fringe currents
   TransitionTier transition = TransitionTier::exact;
-  double tolerance = 0.0;  // at which quadrature stops, as far as it can tell [m]
+  double tolerance = 0.0;                                 // at which quadrature stops, as far as it can tell [m]
+  double work = std::numeric_limits<double>::infinity();  // that a look may take (core/work.h), or little more
 };
 
 /// Reflections of a path from the transmitter over an edge to the last face it illuminates, before and after the edge together.
@@ -50,6 +78,8 @@ inline constexpr int most_reflections = 2;
 
 /// S of the currents that diffracted waves excite on faces other than those of their own edge, at most one edge a path; at order
 /// 2 and 3 also of the fringe currents of edges that light reaches after one reflection. Not symmetric in a monostatic look.
+/// Where the work allowed is not enough for all, the strongest pairs of an edge and a face come first, by their bounds, and those
+/// that together stay below the tolerance not at all. What is computed depends on counted steps alone.
 /// Plane waves only; `frequencies` [Hz] must not be empty.
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options);

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "core/work.h"
+
 namespace raytube {
 
 EdgeIllumination::EdgeIllumination(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
                                    const LitEdgePiece& source, int reflections)
     : tree_(faces.tree),
       large_(faces.large),
+      first_met_(faces.first_met),
       look_(look),
       wavenumbers_(wavenumbers),
       source_(source),
@@ -37,6 +40,7 @@ void EdgeIllumination::follow(const Rays& rays, const IgnoredPatches& ignored, i
   for (const FanHit& hit : hits) {
     const std::uint32_t patch = tree_.faces()[hit.face].patch;
     if (!large_[patch]) continue;
+    if (reflections == reflections_ && !first_met_.empty() && !std::ranges::binary_search(first_met_, patch)) continue;
     const Patch& plane = tree_.mesh().patches[patch];
     visit(footprint(rays, hit, plane));
     if (reflections == 0) continue;
@@ -137,7 +141,8 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
 // u_h), the diffracted E being minus the sum of the waves; the slopes of E_z and eta H_z, both -sin(beta0) of E_s and E_h, add
 //   eta H = (j / k sin(beta0)) {E_s [phi_hat du_s/d(rho) - rho_hat du_s/(rho d(phi))]
 //                               + cos(beta0) E_h [rho_hat du_h/d(rho) + phi_hat du_h/(rho d(phi))]}      (Maxwell's equations).
-void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const {
+void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) {
+  work_ += work::ray_row * static_cast<double>(wavenumbers_.size());
   const FaceIncidence& in = source_.incidence;
   const double weight = source_.weight * source_.edge->wedge->share;
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {

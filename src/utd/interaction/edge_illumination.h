@@ -42,9 +42,11 @@ struct LitEdgePiece {
 
 /// The faces that edges may illuminate. What is referred to must outlive it.
 struct ReceivingFaces {
-  const FaceTree& tree;            // of all faces: any of them may stand in the way
-  const std::vector<bool>& large;  // the patches that receive, and are mirrors
-  std::span<const dvec3> corners;  // where the faces jump or bend as seen from an edge; may be left out
+  const FaceTree& tree;                        // of all faces: any of them may stand in the way
+  const std::vector<bool>& large;              // the patches that receive, and are mirrors
+  std::span<const dvec3> corners;              // where the faces jump or bend as seen from an edge; may be left out
+  std::span<const std::uint32_t> first_met{};  // the only patches from which waves of edges count, ascending; empty: all
+  std::span<const std::uint32_t> by_area{};    // the large patches, the largest first; needed only where work is limited
 };
 
 /// Adds up, azimuth by azimuth about the edge, the far field of the currents that the waves of one lit piece excite on all they
@@ -61,6 +63,9 @@ class EdgeIllumination {
   void at(double azimuth, std::vector<ScatteringMatrix>& density);
   /// Between which phases the density lies there; none if the rays meet nothing.
   std::optional<PhaseRange> survey(double azimuth);
+
+  /// Counted so far (core/work.h).
+  double work() const { return work_ + tracer_.work(); }
 
  private:
   /// Components of H that the waves of an edge have along them: that of a ray, of a soft and of a hard wave, and what their
@@ -88,10 +93,11 @@ class EdgeIllumination {
   template <class Visit>
   void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, Visit visit);
   Footprint footprint(const Rays& rays, const FanHit& hit, const Patch& plane) const;
-  void radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) const;
+  void radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density);
 
   const FaceTree& tree_;
   const std::vector<bool>& large_;
+  std::span<const std::uint32_t> first_met_;
   const LookVectors& look_;
   std::span<const double> wavenumbers_;
   const LitEdgePiece& source_;
@@ -100,6 +106,7 @@ class EdgeIllumination {
   std::array<std::vector<FanHit>, 3> hits_;        // by reflections left
   std::array<std::array<double, 2>, 2> arriving_;  // [transmit][soft, hard]: components of E at the edge
   EdgeWaveTerms terms_;                            // of the azimuth at hand
+  double work_ = 0.0;
 };
 
 }  // namespace raytube

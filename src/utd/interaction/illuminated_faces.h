@@ -1,6 +1,7 @@
 // The far field of the currents that one lit piece of an edge excites on other faces, at all frequencies.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "utd/interaction/edge_illumination.h"
@@ -10,11 +11,15 @@ namespace raytube {
 struct IlluminatedFaces {
   std::vector<ScatteringMatrix> scattering;  // per wavenumber [m]; phase reference: origin of the mesh's coordinates
   ChannelErrors error{};                     // estimated, of quadrature, at the worst of them [m]
+  double work = 0.0;                         // counted (core/work.h)
+  bool complete = true;                      // false: the work was used up before the end, and `scattering` is none
 };
 
 struct IlluminationLimits {
-  int reflections;   // after the edge
-  double tolerance;  // at which the integral over the azimuth stops, as far as it can tell [m]
+  int reflections;                         // after the edge
+  double tolerance;                        // at which the integral over the azimuth stops, as far as it can tell [m]
+  std::span<const AzimuthRange> wanted{};  // where there is anything to illuminate; empty: all round
+  double work = std::numeric_limits<double>::infinity();  // that may be done, or little more
 };
 
 /// The integral of EdgeIllumination over all azimuths. Of many wavenumbers a few are computed if the paths of the rays differ by

@@ -1,23 +1,18 @@
 #include "utd/interaction/interaction_groups.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
 #include <tuple>
 
 namespace raytube {
 
 namespace {
 
-constexpr std::size_t most_interacting_pairs = 1024;
 constexpr std::size_t most_corners = 200;
 
-std::vector<double> patch_areas(const TriangleMesh& mesh) {
-  std::vector<double> areas(mesh.patches.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    areas[mesh.triangle_patch[t]] += glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
-  return areas;
-}
-
-// The ends of the wedges: vertices inside a plane face or a straight edge are no corners.
+// Vertices inside a plane face or a straight edge are no corners.
 std::vector<dvec3> find_corners(std::span<const Wedge> wedges) {
   std::vector<dvec3> corners;
   for (const Wedge& wedge : wedges) corners.insert(corners.end(), {wedge.start, wedge.end});
@@ -28,42 +23,52 @@ std::vector<dvec3> find_corners(std::span<const Wedge> wedges) {
   return corners;
 }
 
-std::size_t at_least(std::span<const double> values, double least) {
-  return static_cast<std::size_t>(std::ranges::count_if(values, [&](double value) { return value >= least; }));
+// So many of the patches, and which.
+void mark_large(const InteractionParts& parts, double least_area, InteractionGroup& group) {
+  const auto small = [&](std::uint32_t patch) { return parts.patches[patch].area < least_area; };
+  group.large_faces = static_cast<std::size_t>(std::ranges::find_if(parts.by_area, small) - parts.by_area.begin());
+  group.large.resize(parts.patches.size());
+  for (std::size_t i = 0; i < group.large_faces; ++i) group.large[parts.by_area[i]] = true;
 }
 
 }  // namespace
 
-std::vector<bool> interaction_limit_exceeded(const TriangleMesh& mesh, std::span<const Wedge> wedges,
-                                             std::span<const double> frequencies) {
-  const std::vector<double> areas = patch_areas(mesh);
-  std::vector<double> lengths;
-  for (const Wedge& wedge : wedges)
-    if (wedge.radiates()) lengths.push_back(wedge.length());
-  std::vector<bool> above_limit;
-  for (const double frequency : frequencies) {
-    const double least = wavelength(frequency);
-    above_limit.push_back(at_least(lengths, least) * at_least(areas, least * least) > most_interacting_pairs);
-  }
-  return above_limit;
+InteractionParts::InteractionParts(const TriangleMesh& mesh, std::span<const Wedge> wedges)
+    : axes(edge_axes(mesh, wedges)), corners(find_corners(wedges)), patches(patch_extents(mesh)), by_area(patches.size()) {
+  std::iota(by_area.begin(), by_area.end(), 0u);
+  std::ranges::stable_sort(by_area, std::ranges::greater{}, [&](std::uint32_t patch) { return patches[patch].area; });
 }
 
-std::vector<InteractionGroup> interaction_groups(const TriangleMesh& mesh, std::span<const Wedge> wedges,
-                                                 std::span<const double> frequencies, const std::vector<bool>& wanted) {
-  const std::vector<double> areas = patch_areas(mesh);
-  const std::vector<EdgeAxis> axes = edge_axes(mesh, wedges);
-  const std::vector<dvec3> corners = find_corners(wedges);
+TooSmall too_small_to_interact(const TriangleMesh& mesh, std::span<const Wedge> wedges, double frequency) {
+  const double least = wavelength(frequency);
+  const std::vector<PatchExtent> patches = patch_extents(mesh);
+  TooSmall result;
+  double longest = 0.0, largest = 0.0;
+  for (const Wedge& wedge : wedges) {
+    if (!wedge.radiates()) continue;
+    longest = std::max(longest, wedge.length());
+    if (wedge.length() < least) ++result.edges;
+  }
+  for (const PatchExtent& patch : patches) {
+    largest = std::max(largest, patch.area);
+    if (patch.area < least * least) ++result.faces;
+  }
+  result.longest = std::min(longest, std::sqrt(largest));
+  return result;
+}
+
+std::vector<InteractionGroup> interaction_groups(const InteractionParts& parts, std::span<const double> frequencies,
+                                                 const std::vector<bool>& wanted) {
   std::vector<InteractionGroup> groups;
   for (std::size_t f = 0; f < frequencies.size(); ++f) {
     if (!wanted[f]) continue;
     const double least = wavelength(frequencies[f]);
-    InteractionGroup group{{f}, {frequencies[f]}, {}, corners, {}};
-    for (const EdgeAxis& axis : axes)
-      if (axis.length >= least) group.axes.push_back(axis);
-    for (const double area : areas) group.large.push_back(area >= least * least);
-    if (group.axes.empty() || std::ranges::none_of(group.large, std::identity{})) continue;
+    InteractionGroup group{{f}, {frequencies[f]}, least, 0, 0, {}};
+    group.axes = std::ranges::count_if(parts.axes, [&](const EdgeAxis& axis) { return axis.length >= least; });
+    mark_large(parts, least * least, group);
+    if (group.axes == 0 || group.large_faces == 0) continue;
     const auto same = std::ranges::find_if(groups, [&](const InteractionGroup& other) {
-      return other.axes.size() == group.axes.size() && other.large == group.large;
+      return other.axes == group.axes && other.large_faces == group.large_faces;
     });
     if (same == groups.end()) {
       groups.push_back(std::move(group));

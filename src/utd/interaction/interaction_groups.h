@@ -1,29 +1,46 @@
 // Which edges and faces are large enough for edge-face interaction, at each frequency.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "utd/interaction/edge_axes.h"
+#include "utd/interaction/pair_bound.h"
 
 namespace raytube {
+
+/// The edges and faces of a target as edge-face interaction sees them at every frequency.
+struct InteractionParts {
+  std::vector<EdgeAxis> axes;          // that may illuminate others; they point into the wedges
+  std::vector<dvec3> corners;          // of the target; none if there are more than 200
+  std::vector<PatchExtent> patches;    // of the mesh
+  std::vector<std::uint32_t> by_area;  // these, the largest first
+
+  InteractionParts() = default;
+  InteractionParts(const TriangleMesh& mesh, std::span<const Wedge> wedges);
+};
 
 /// Frequencies at which the same edges and faces count.
 struct InteractionGroup {
   std::vector<std::size_t> indices;  // in the list of frequencies
   std::vector<double> frequencies;   // [Hz]
-  std::vector<EdgeAxis> axes;        // of a wavelength or more; they point into the wedges
-  std::vector<dvec3> corners;        // of the target; none if there are more than 200
-  std::vector<bool> large;  // the patches of at least a wavelength squared: others stand in the way, but neither receive waves
-                            // nor reflect them
+  double shortest_axis = 0.0;        // edges of a wavelength or more count [m]
+  std::size_t axes = 0;              // so many
+  std::size_t large_faces = 0;       // patches of at least a wavelength squared: the first of `by_area`
+  std::vector<bool> large;           // the same: others stand in the way, but neither receive waves nor reflect them
 };
 
-/// Whether at each of these frequencies [Hz] more than 1024 pairs of an edge and a patch are large enough: bodies of so many
-/// parts do without edge-face interaction.
-std::vector<bool> interaction_limit_exceeded(const TriangleMesh& mesh, std::span<const Wedge> wedges,
-                                             std::span<const double> frequencies);
+/// What of a target has no size that counts, at one frequency.
+struct TooSmall {
+  std::uint64_t edges = 0;  // that radiate, shorter than a wavelength
+  std::uint64_t faces = 0;  // patches smaller than a wavelength squared
+  double longest = 0.0;     // wavelength up to which there are an edge and a patch that are large enough [m]
+};
+
+TooSmall too_small_to_interact(const TriangleMesh& mesh, std::span<const Wedge> wedges, double frequency);
 
 /// The groups of the `wanted` ones among the frequencies [Hz], without those at which there is nothing to illuminate.
-std::vector<InteractionGroup> interaction_groups(const TriangleMesh& mesh, std::span<const Wedge> wedges,
-                                                 std::span<const double> frequencies, const std::vector<bool>& wanted);
+std::vector<InteractionGroup> interaction_groups(const InteractionParts& parts, std::span<const double> frequencies,
+                                                 const std::vector<bool>& wanted);
 
 }  // namespace raytube

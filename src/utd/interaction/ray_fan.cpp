@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/work.h"
+
 namespace raytube {
 
 namespace {
@@ -22,8 +24,10 @@ RayFan reflected(const RayFan& fan, const FanHit& hit, const dvec3& normal) {
 void RayFanTracer::trace(const RayFan& fan, const IgnoredPatches& ignored_patches, std::vector<FanHit>& hits) {
   hits.clear();
   gather(fan, ignored_patches);
+  work_ += work::fan + work::face_in_fan * static_cast<double>(near_.size());
   if (crossed_.empty()) return;
   cut();
+  work_ += work::order_in_fan * static_cast<double>(cuts_.size() * crossed_.size());
   const double least = same_position * tree_.mesh().radius;
   for (std::size_t i = 1; i < cuts_.size(); ++i) {
     if (cuts_[i] - cuts_[i - 1] <= least) continue;

@@ -33,6 +33,9 @@ class RayFanTracer {
   /// what both cover.
   void trace(const RayFan& fan, const IgnoredPatches& ignored_patches, std::vector<FanHit>& hits);
 
+  /// Counted, of all traces so far (core/work.h).
+  double work() const { return work_; }
+
  private:
   void gather(const RayFan& fan, const IgnoredPatches& ignored_patches);
   void intersect(const RayFan& fan, std::uint32_t face);
@@ -43,6 +46,7 @@ class RayFanTracer {
   std::vector<std::uint32_t> near_;
   std::vector<FanHit> crossed_;  // each face by itself
   std::vector<double> cuts_;
+  double work_ = 0.0;
 };
 
 }  // namespace raytube

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "core/work.h"
 #include "utd/interaction/edge_axes.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double border_share = 0.04;  // of an edge's length: within it a beam's border fades
-constexpr double shortest = 1e-3;      // [wavelengths] pieces of an edge that count, and gaps between them
-constexpr std::size_t most_reflected_pairs = 20000;
+constexpr double border_share = 0.04;   // of an edge's length: within it a beam's border fades
+constexpr double shortest = 1e-3;       // [wavelengths] pieces of an edge that count, and gaps between them
 constexpr double grazing = 1e-9;        // cosine between wave and normal of a mirror
 constexpr double along_surface = 1e-7;  // sine below which light runs along a surface
 
@@ -29,6 +30,18 @@ PlaneWave reflected(const PlaneWave& wave, const Patch& plane) {
   return result;
 }
 
+ReflectedLight::ReflectedLight(const ReceivingFaces& faces, std::span<const EdgeAxis> axes, const PlaneWave& incident,
+                               double wavelength, double shortest_axis)
+    : tree_(faces.tree),
+      large_(faces.large),
+      by_area_(faces.by_area),
+      axes_(axes),
+      incident_(incident),
+      wavelength_(wavelength),
+      shortest_axis_(shortest_axis),
+      axis_count_(std::ranges::count_if(axes, [&](const EdgeAxis& axis) { return axis.length >= shortest_axis; })),
+      tracer_(faces.tree) {}
+
 void ReflectedLight::find_mirrors() {
   const TriangleMesh& mesh = tree_.mesh();
   std::vector<bool> closed(mesh.patches.size());
@@ -37,16 +50,50 @@ void ReflectedLight::find_mirrors() {
     if (large_[patch]) mirrors_.push_back({patch, closed[patch]});
 }
 
-std::deque<ReflectedWave> ReflectedLight::waves(int most) {
+// Of single reflections, so many that their pairs may be looked at within the work.
+void ReflectedLight::keep_largest(double most_work) {
+  const auto pairs = static_cast<double>(axis_count_ * mirrors_.size()), fit = most_work / work::reflected_pair;
+  if (pairs <= fit) return;
+  all_ = false;
+  const auto at_least_one = [](double count) { return static_cast<std::size_t>(std::max(1.0, count)); };
+  const std::size_t mirrors = at_least_one(static_cast<double>(mirrors_.size()) * std::sqrt(fit / pairs));
+  const std::size_t axes = std::min(axis_count_, at_least_one(fit / static_cast<double>(mirrors)));
+  std::vector<bool> kept(large_.size());
+  for (const std::uint32_t patch : by_area_.first(mirrors)) kept[patch] = true;
+  std::erase_if(mirrors_, [&](const Mirror& mirror) { return !kept[mirror.patch]; });
+  std::vector<double> lengths;
+  for (const EdgeAxis& axis : axes_) lengths.push_back(axis.length);
+  const auto last = lengths.begin() + static_cast<std::ptrdiff_t>(axes - 1);
+  std::ranges::nth_element(lengths, last, std::ranges::greater{});
+  shortest_axis_ = *last;
+  axis_count_ = axes;
+  pairs_left_out_ += static_cast<std::uint64_t>(pairs) - mirrors * axes;
+}
+
+// Further reflections of some mirrors alone would be worth little.
+bool ReflectedLight::too_many(std::size_t sequences, int reflection, double most_work) {
+  const std::size_t pairs = axis_count_ * sequences * mirrors_.size();
+  const double predicted = tracer_.work() + work::reflected_pair * static_cast<double>(pairs);
+  if (pairs <= most_reflected_pairs && (reflection == 0 || (all_ && predicted <= most_work))) return false;
+  pairs_left_out_ += pairs;
+  return true;
+}
+
+std::deque<ReflectedWave> ReflectedLight::waves(int most, double most_work) {
   find_mirrors();
+  keep_largest(most_work);
   std::vector<ReflectedWave> last{{incident_, {}, {}}}, next;
   std::deque<ReflectedWave> all;
   for (int reflection = 0; reflection < most; ++reflection) {
-    if (axes_.size() * last.size() * mirrors_.size() > most_reflected_pairs) break;
+    if (too_many(last.size(), reflection, most_work)) break;
     next.clear();
     for (const ReflectedWave& before : last)
       for (const Mirror& mirror : mirrors_) {
         const Patch& plane = tree_.mesh().patches[mirror.patch];
+        if (tracer_.work() > 2 * most_work) {
+          pairs_left_out_ += axis_count_;
+          continue;
+        }
         const bool again = !before.patches.empty() && before.patches.back() == mirror.patch;
         if (again || !reflects(plane, mirror.closed, before.wave.direction)) continue;
         ReflectedWave wave{reflected(before.wave, plane), before.patches, {}};
@@ -64,6 +111,7 @@ std::deque<ReflectedWave> ReflectedLight::waves(int most) {
 void ReflectedLight::find_lit(ReflectedWave& wave) {
   for (const EdgeAxis& axis : axes_) {
     const Wedge& wedge = *axis.wedge;
+    if (axis.length < shortest_axis_) continue;
     if (wedge.faces[0].patch == wave.patches.back() || wedge.faces[1].patch == wave.patches.back()) continue;
     const WedgeIncidence incidence = incidence_on(wedge, wave.wave.direction);
     const double weight = incidence_weight(wedge, incidence);

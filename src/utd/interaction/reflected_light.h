@@ -1,12 +1,17 @@
 // Pieces of edges that a plane wave lights after reflections.
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <limits>
 #include <vector>
 
 #include "utd/interaction/edge_illumination.h"
 
 namespace raytube {
+
+/// Pairs of an edge and a sequence of mirrors that may be looked at.
+inline constexpr std::size_t most_reflected_pairs = 20000;
 
 /// A reflected wave and what it lights.
 struct ReflectedWave {
@@ -21,15 +26,22 @@ PlaneWave reflected(const PlaneWave& wave, const Patch& plane);
 /// Follows the light of an incident wave back from edges over planar patches. Keeps references to what it is made with.
 class ReflectedLight {
  public:
-  /// `wavelength` [m] is the shortest of the look; the large ones among the faces are the mirrors.
-  ReflectedLight(const ReceivingFaces& faces, std::span<const EdgeAxis> axes, const PlaneWave& incident, double wavelength)
-      : tree_(faces.tree), large_(faces.large), axes_(axes), incident_(incident), wavelength_(wavelength), tracer_(faces.tree) {}
+  /// `wavelength` [m] is the shortest of the look; the large ones among the faces are the mirrors. Axes shorter than
+  /// `shortest_axis` [m] do not count.
+  ReflectedLight(const ReceivingFaces& faces, std::span<const EdgeAxis> axes, const PlaneWave& incident, double wavelength,
+                 double shortest_axis = 0.0);
 
   /// The waves that light any edge after 1 to `most` reflections. Where one reflection more would make more than 20 000 pairs of
-  /// an edge and a sequence of mirrors, the shorter sequences are all. Light does not end at the border of a beam: within a
-  /// twenty-fifth of the edge's length to either side of it the weight of a piece goes smoothly from 1 to 0, so that it jumps in
-  /// no look; it is 1/2 on the border itself.
-  std::deque<ReflectedWave> waves(int most);
+  /// an edge and a sequence of mirrors, or more than `most_work` (core/work.h), the shorter sequences are all; of single
+  /// reflections it is then the largest mirrors and the longest edges that count. Light does not end at the border of a beam:
+  /// within a twenty-fifth of the edge's length to either side of it the weight of a piece goes smoothly from 1 to 0, so that it
+  /// jumps in no look; it is 1/2 on the border itself.
+  std::deque<ReflectedWave> waves(int most, double most_work = std::numeric_limits<double>::infinity());
+
+  /// Counted so far (core/work.h).
+  double work() const { return tracer_.work(); }
+  /// Pairs of an edge and a sequence of mirrors that waves() did not look at.
+  std::uint64_t pairs_left_out() const { return pairs_left_out_; }
 
  private:
   struct LitPiece {
@@ -41,6 +53,8 @@ class ReflectedLight {
   };
 
   void find_mirrors();
+  void keep_largest(double most_work);
+  bool too_many(std::size_t sequences, int reflection, double most_work);
   void find_lit(ReflectedWave& wave);
   std::vector<LitPiece> blended(const ReflectedWave& wave, const EdgeAxis& axis, std::span<const LitPiece> over,
                                 std::span<const LitPiece> under);
@@ -54,10 +68,14 @@ class ReflectedLight {
 
   const FaceTree& tree_;
   const std::vector<bool>& large_;  // the mirrors
+  std::span<const std::uint32_t> by_area_;
   std::span<const EdgeAxis> axes_;
   const PlaneWave& incident_;
-  double wavelength_;
+  double wavelength_, shortest_axis_;
+  std::size_t axis_count_;  // not shorter than that
+  bool all_ = true;         // mirrors and edges are looked at
   RayFanTracer tracer_;
+  std::uint64_t pairs_left_out_ = 0;
   std::vector<Mirror> mirrors_;
   std::vector<LitPiece> pieces_;
 };

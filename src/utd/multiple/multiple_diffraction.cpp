@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/work.h"
+
 namespace raytube {
 
 namespace {
@@ -47,6 +49,7 @@ void MultipleDiffraction::add(std::uint32_t index, const WedgeIncidence& inciden
 
 void MultipleDiffraction::start(const StripWave& wave, std::span<const LitInterval> lit) {
   lay_out(scene_, wave, lit, strips_);
+  sums_.work += strips_.tree.work();
   const bool runs_along_edge = strips_.tree.runs_along_edge();
   add_tree({true, runs_along_edge ? 0.0 : 1.0});
   if (runs_along_edge) start_beside(wave, lit);
@@ -60,6 +63,7 @@ void MultipleDiffraction::start_beside(const StripWave& wave, std::span<const Li
     StripWave turned = wave;
     turned.direction = glm::normalize(wave.direction + turn * aside);
     lay_out(scene_, turned, lit, strips_);
+    sums_.work += strips_.tree.work();
     add_tree({false, 0.5});
   }
 }
@@ -87,7 +91,12 @@ std::size_t MultipleDiffraction::radiating_waves(const TreeShare& share) const {
 void MultipleDiffraction::add_all(const TreeShare& share) {
   sums_at_.clear();
   for (std::size_t w = 0; w < radiating_waves(share); ++w) sums_at_.push_back(sums_of(w));
-  radiation_.add(strips_, scene_.look, band_.wavenumbers(), share, sums_at_);
+  radiate(band_.wavenumbers(), share);
+}
+
+void MultipleDiffraction::radiate(std::span<const double> wavenumbers, const TreeShare& share) {
+  radiation_.add(strips_, scene_.look, wavenumbers, share, sums_at_);
+  sums_.work += work::strip_point * static_cast<double>(strips_.arriving * wavenumbers.size());
 }
 
 // The phase of the middle of a wave's paths is taken out at the nodes and put back.
@@ -99,7 +108,7 @@ void MultipleDiffraction::interpolate(const ChebyshevNodes& nodes, std::span<con
     samples_[w].assign(nodes.at.size(), {});
     sums_at_.push_back(samples_[w]);
   }
-  radiation_.add(strips_, scene_.look, nodes.at, share, sums_at_);
+  radiate(nodes.at, share);
   for (std::size_t w = share.first ? 0 : 1; w < waves; ++w) {
     for (std::size_t n = 0; n < nodes.at.size(); ++n)
       samples_[w][n] = scaled(samples_[w][n], std::polar(1.0, -nodes.at[n] * paths[w].middle()));

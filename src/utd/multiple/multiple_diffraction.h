@@ -33,6 +33,7 @@ struct StripSums {
   std::vector<ScatteringMatrix> first;   // strips of the edges that the incident wave lights
   std::vector<ScatteringMatrix> higher;  // all that follow from them
   std::vector<bool> windowed;            // the forward-grazing window of semi-infinite strips touched the sum
+  double work = 0.0;                     // counted (core/work.h)
 };
 
 /// Adds edge after edge of one look. Where a face ends at a convex wedge the fringe current grazes that edge and diffracts there
@@ -58,6 +59,7 @@ class MultipleDiffraction {
   void add_all(const TreeShare& share);
   void interpolate(const ChebyshevNodes& nodes, std::span<const PathRange> paths, const TreeShare& share);
   void add_interpolated(const ChebyshevNodes& nodes, std::size_t wave, double path);
+  void radiate(std::span<const double> wavenumbers, const TreeShare& share);
   std::size_t radiating_waves(const TreeShare& share) const;
   std::span<ScatteringMatrix> sums_of(std::size_t wave) { return wave == 0 ? sums_.first : sums_.higher; }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/work.h"
+
 namespace raytube {
 
 namespace {
@@ -17,6 +19,7 @@ void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
   const dvec3 step = (wedge.end - wedge.start) / length;
   rounding_ = same_point * length;
   runs_along_edge_ = false;
+  work_ = 0.0;
   waves_.clear();
   bundles_.clear();
   waves_.push_back({wave, {wedge.start, step}, glm::dot(scattered_ - incident_, step)});
@@ -38,6 +41,7 @@ void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
 void WaveTree::split(const TreeWave& wave, double from, double to) {
   const WedgeFace& face = wedges_[wave.wave.wedge].faces[wave.wave.face];
   project_corners(wave, from, to);
+  work_ += work::strip_tree + work::strip_corner * static_cast<double>((1 + cuts_.size()) * outlines_.around(face).size());
   double begin = from, last = from;
   const OutlineEdge* edge = nullptr;
   for (const double cut : cuts_) {

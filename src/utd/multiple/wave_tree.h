@@ -70,6 +70,9 @@ class WaveTree {
   /// Whether one of the waves that go on to further edges runs exactly along an edge of its face.
   bool runs_along_edge() const { return runs_along_edge_; }
 
+  /// Counted, of growing this tree (core/work.h).
+  double work() const { return work_; }
+
  private:
   void split(const TreeWave& wave, double from, double to);
   void end_bundle(const TreeWave& wave, double from, double to, const OutlineEdge* edge);
@@ -87,6 +90,7 @@ class WaveTree {
   std::vector<StripBundle> bundles_;
   std::vector<double> cuts_;
   bool runs_along_edge_ = false;
+  double work_ = 0.0;
 };
 
 }  // namespace raytube

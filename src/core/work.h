@@ -1,0 +1,30 @@
+// Work in counted steps: what a look costs, the same on every machine and at every run.
+//
+// A unit is about a nanosecond of one core of 2024. What a step costs was measured, with bench/interaction_budget.py, and is a
+// constant; what decides a result is how often it was done, never how long it took.
+#pragma once
+
+namespace raytube::work {
+
+// Rays of one azimuth about an edge (utd/interaction/ray_fan).
+inline constexpr double fan = 400.0;              // the search for faces
+inline constexpr double face_in_fan = 40.0;       // one face cut by the fan's plane
+inline constexpr double order_in_fan = 2.0;       // one face compared at one place
+inline constexpr double ray_row = 1200.0;         // waves over one face, at one frequency (utd/wedge/edge_wave_integral)
+inline constexpr double azimuth_cut = 60.0;       // one azimuth where rays may jump
+inline constexpr double pair_bound = 700.0;       // the bound of one edge and one face
+inline constexpr double edge_light = 5000.0;      // which parts of one edge a wave lights
+inline constexpr double reflected_pair = 3000.0;  // which parts of one edge a wave lights after a reflection
+
+// Fringe currents (utd/fringe, utd/multiple).
+inline constexpr double strip_tree = 1000.0;     // one wave on one face of an edge
+inline constexpr double strip_corner = 8.0;      // one corner of a face, projected along a wave
+inline constexpr double strip_point = 60.0;      // one point of the quadrature in one wave, at one frequency
+inline constexpr double edge_amplitude = 300.0;  // one edge at first order, at one frequency
+
+// Tubes (sbr).
+inline constexpr double tube = 4000.0;          // one tube or cell launched
+inline constexpr double tube_ray = 1500.0;      // one of its rays
+inline constexpr double tube_frequency = 60.0;  // its current, at one frequency
+
+}  // namespace raytube::work

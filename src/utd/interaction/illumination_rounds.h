@@ -1,0 +1,43 @@
+// Edge-diffracted illumination of more pairs of edge and face than a look may take: strongest first, until the work is used up.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "utd/interaction/illuminated_faces.h"
+#include "utd/interaction/pair_choice.h"
+
+namespace raytube {
+
+struct IlluminationSum {
+  std::vector<ScatteringMatrix> scattering;  // per wavenumber [m]
+  std::vector<ScatteringMatrix> of_jobs;     // of each job at the wavenumber asked for [m]; empty: none is
+  ChannelErrors error{};                     // of quadrature [m]
+  std::vector<double> squares;               // per wavenumber: sum over what was computed of the largest |S_pq|^2 [m^2]
+  double bound_squares = 0.0;                // of the same pairs [m^2]
+  LeftOut beyond;                            // pairs for which no work was left
+  double work = 0.0;                         // counted (core/work.h)
+};
+
+/// What all illuminations of a look have in common.
+struct IlluminationLook {
+  const ReceivingFaces& faces;
+  const LookVectors& look;
+  std::span<const double> wavenumbers;
+  double least_error;                    // of each channel, that the error begins with [m]
+  std::optional<std::size_t> jobs_at{};  // the wavenumber at which the sum is also kept job by job; none: at none
+};
+
+/// Sum over all jobs, each on all faces, with its share `tolerance` of the error.
+IlluminationSum illuminate_all(const IlluminationLook& look, std::span<const IlluminationJob> jobs, double tolerance);
+
+/// Sum over the pairs from the first on, in rounds of known cost: the mean cost of the pairs before says how many the next round
+/// takes, and a pair that would take a multiple of it is given up. Where not even the strongest can be had nothing more is tried.
+/// `work` is exceeded by a point of quadrature a job at most.
+IlluminationSum illuminate_strongest(const IlluminationLook& look, std::span<const IlluminationJob> jobs,
+                                     std::span<const EdgeFacePair> pairs, double tolerance, double work);
+
+/// Bytes that one look under way takes at most, for so many frequencies and pairs of an edge and a face.
+double illumination_bytes(std::size_t frequencies, double pairs);
+
+}  // namespace raytube

@@ -1,0 +1,202 @@
+// What edge-face interaction may cost: bounds of pairs, work counted, what is left out and told.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "interaction_bodies.h"
+#include "solve/look_solver.h"
+#include "utd/interaction/illumination_rounds.h"
+#include "utd/interaction/interaction_groups.h"
+
+namespace raytube::testing::interaction {
+namespace {
+
+double largest(const ScatteringMatrix& s) {
+  double most = 0.0;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) most = std::max(most, std::abs(s.at(p, q)));
+  return most;
+}
+
+/// A square plate of 2 wavelengths, and a rectangle anywhere near it.
+PolygonSoup plate_and_another(std::mt19937& random) {
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const auto vector = [&] { return dvec3(any(random), any(random), any(random)); };
+  PolygonSoup soup{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}, {4, 5, 6, 7}}};
+  const dvec3 side = glm::normalize(vector()), other = glm::normalize(glm::cross(side, vector()));
+  const dvec3 middle = 4.0 * vector(), a = (0.6 + std::abs(any(random))) * side, b = (0.6 + std::abs(any(random))) * other;
+  for (const dvec3& corner : {-a - b, a - b, a + b, -a + b}) soup.points.push_back(middle + corner);
+  for (dvec3& point : soup.points) point *= lambda;
+  return soup;
+}
+
+Look any_look(std::mt19937& random) {
+  std::uniform_real_distribution<double> theta(0.1, pi - 0.1), phi(-pi, pi);
+  return {{theta(random), phi(random)}, {theta(random), phi(random)}};
+}
+
+// Boxes side by side: more pairs than a body of few parts has.
+PolygonSoup boxes(int count, double side) {
+  PolygonSoup all;
+  for (int i = 0; i < count; ++i) {
+    PolygonSoup box = shapes::box(dvec3(side));
+    const auto first = static_cast<std::uint32_t>(all.points.size());
+    for (const dvec3& p : box.points)
+      all.points.push_back(p + dvec3(1.7 * side * (i % 4), 1.7 * side * (i / 4), 0.3 * side * (i % 3)));
+    for (auto polygon : box.polygons) {
+      for (std::uint32_t& corner : polygon) corner += first;
+      all.polygons.push_back(polygon);
+    }
+  }
+  return all;
+}
+
+std::uint64_t skipped(const SweepResult& result, const std::string& what, const std::string& why) {
+  for (const Skipped& item : result.statistics.skipped)
+    if (item.what == what && item.why.starts_with(why)) return item.count;
+  return 0;
+}
+
+TEST(PairBound, HoldsForRandomPairsAndTheirAzimuthsMissNothing) {
+  std::mt19937 random(7);
+  double closest = 0.0;
+  int met = 0;
+  for (int body = 0; body < 60; ++body) {
+    const Target target(build_mesh(plate_and_another(random), 1.0).mesh);
+    const Look look = any_look(random);
+    const LookVectors vectors = look_vectors(look);
+    const PlaneWave wave{vectors.incident, vectors.electric, 0.0};
+    const InteractionParts parts(target.mesh, target.wedges);
+    const std::vector<double> wavenumbers{wavenumber(frequency)};
+    const std::vector<bool> large(target.mesh.patches.size(), true);
+    for (const EdgeAxis& axis : parts.axes) {
+      const WedgeIncidence incidence = incidence_on(*axis.wedge, vectors.incident);
+      const double weight = incidence_weight(*axis.wedge, incidence);
+      if (weight == 0.0) continue;
+      const LitEdgePiece piece{&axis, &wave, incidence.faces[0], 0.0, axis.length, weight};
+      for (std::uint32_t patch = 0; patch < large.size(); ++patch) {
+        if (patch == axis.wedge->faces[0].patch) continue;
+        const PairBound bound =
+            pair_bound(piece, target.mesh.patches[patch], parts.patches[patch], {wavenumbers[0], vectors.scattered}, 0);
+        const std::vector<std::uint32_t> only{patch};
+        const std::vector<AzimuthRange> range{bound.azimuths};
+        const ReceivingFaces faces{target.faces, large, parts.corners, only};
+        const double tolerance = 1e-6 * lambda;
+        const IlluminatedFaces all = illuminated_faces(faces, vectors, wavenumbers, piece, {0, tolerance});
+        const double size = largest(all.scattering[0]);
+        EXPECT_LE(size, bound.amplitude + tolerance) << "body " << body;
+        if (bound.amplitude == 0.0) continue;
+        closest = std::max(closest, size / bound.amplitude);
+        met += size > 0.0 ? 1 : 0;
+        const IlluminatedFaces within = illuminated_faces(faces, vectors, wavenumbers, piece, {0, tolerance, range});
+        ScatteringMatrix difference = all.scattering[0];
+        difference += ScatteringMatrix(within.scattering[0]) *= -1.0;
+        EXPECT_LT(largest(difference), 1e-4 * lambda) << "body " << body;  // rules of other panels, as large as their own limit
+      }
+    }
+  }
+  EXPECT_GT(met, 100);
+  measured("largest share of its bound that a pair has", closest, "");
+}
+
+TEST(InteractionBudget, CountedWorkStaysWithinIt) {
+  const Target target(build_mesh(boxes(8, 2 * lambda), 1.0).mesh);
+  const Sweep sweep = monostatic({{1.1, 0.4}, {1.5, 0.8}, {0.7, 2.5}}, frequency);
+  for (const double budget : {0.5, 2.0, 8.0}) {
+    SolveOptions o = adaptive(true);
+    o.edges.interaction_budget = budget;
+    const SolvePlan plan(target, sweep, o);
+    const LookSolver solver(plan);
+    for (std::size_t look = 0; look < sweep.looks.size(); ++look) {
+      Progress none({});
+      const LookResult result = solver.solve(look, none, 1.0);
+      const double allowed = solver.interaction_limits(result.tubes, result.edges.work).work;
+      EXPECT_GT(allowed, 0.0);
+      EXPECT_GT(result.interaction.work, 0.0);
+      // Pairs are given up between points of a rule, mirrors between edges: a little more than allowed.
+      EXPECT_LT(result.interaction.work, 1.25 * allowed) << "budget " << budget << ", look " << look;
+      EXPECT_GT(result.interaction.skipped.pairs, 0u);
+      ASSERT_EQ(result.interaction.left_out.size(), 1u);
+      EXPECT_GT(result.interaction.left_out[0], 0.0);
+      EXPECT_TRUE(std::isfinite(result.interaction.left_out[0]));
+    }
+  }
+}
+
+// The estimate is one for what many pairs add with phases of their own: root mean square over looks.
+TEST(InteractionBudget, WhatIsLeftOutIsNoLargerThanItSays) {
+  const Target target(build_mesh(two_boxes(2 * lambda, lambda), 1.0).mesh);
+  std::vector<Direction> directions;
+  for (int i = 0; i < 12; ++i) directions.push_back({1.0 + 0.07 * i, 0.2 + 0.5 * i});
+  const Sweep sweep = monostatic(directions, frequency);
+  const auto solved = [&](double budget) {
+    SolveOptions o = adaptive(true);
+    o.edges.interaction_budget = budget;
+    const SolvePlan plan(target, sweep, o);
+    const LookSolver solver(plan);
+    std::vector<LookResult> results;
+    for (std::size_t look = 0; look < directions.size(); ++look) {
+      Progress none({});
+      results.push_back(solver.solve(look, none, 1.0));
+    }
+    return results;
+  };
+  const std::vector<LookResult> whole = solved(unlimited_interaction_budget), part = solved(4.0);
+  std::vector<double> missing, estimate;
+  for (std::size_t look = 0; look < directions.size(); ++look) {
+    EXPECT_EQ(whole[look].interaction.skipped.pairs, 0u);
+    if (part[look].interaction.left_out.empty()) continue;
+    ScatteringMatrix difference = whole[look].interaction.scattering[0];
+    difference += ScatteringMatrix(part[look].interaction.scattering[0]) *= -1.0;
+    missing.push_back(std::max(std::abs(difference.at(0, 0)), std::abs(difference.at(1, 1))));
+    estimate.push_back(part[look].interaction.left_out[0]);
+  }
+  ASSERT_GT(missing.size(), 6u);
+  measured("left out, rms", rms(missing) / lambda, "wavelengths");
+  measured("its estimate, rms", rms(estimate) / lambda, "wavelengths");
+  EXPECT_LT(rms(missing), 1.5 * rms(estimate));   // a root mean square of a dozen is known to about a fifth
+  EXPECT_GT(rms(missing), 0.02 * rms(estimate));  // and no estimate that says nothing
+}
+
+TEST(InteractionBudget, AnActiveOneGivesTheSameBytesOnAnyThreads) {
+  const Target target(build_mesh(boxes(8, 2 * lambda), 1.0).mesh);
+  const Sweep sweep = monostatic({{1.1, 0.4}, {1.5, 0.8}, {0.7, 2.5}}, frequency);
+  SolveOptions o = adaptive(true);
+  o.edges.interaction_budget = EdgeOptions{}.interaction_budget;
+  o.threads = 1;
+  const SweepResult one = solve(target, sweep, o);
+  EXPECT_GT(skipped(one, "pairs of edge and face", "beyond edges.between_budget"), 0u);
+  o.threads = 2;
+  const SweepResult two = solve(target, sweep, o);
+  EXPECT_EQ(std::memcmp(one.total.data(), two.total.data(), one.total.size() * sizeof one.total[0]), 0);
+  EXPECT_EQ(one.error, two.error);
+}
+
+TEST(InteractionBudget, NoneLeavesTheInteractionOut) {
+  const Sweep sweep = monostatic({{1.2, 0.5}}, frequency);
+  SolveOptions o = adaptive(true);
+  o.edges.interaction_budget = 0.0;
+  const SweepResult none = solve_soup(shapes::dihedral(3 * lambda, 3 * lambda), sweep, o);
+  EXPECT_EQ(skipped(none, "looks without waves between surfaces", "edges.between_budget is 0"), 1u);
+  const SweepResult without = solve_soup(shapes::dihedral(3 * lambda, 3 * lambda), sweep, adaptive(false));
+  EXPECT_EQ(none.total[0].s, without.total[0].s);
+  o.edges.interaction_budget = -1.0;
+  EXPECT_THROW(solve_soup(shapes::dihedral(3 * lambda, 3 * lambda), sweep, o), InputError);
+}
+
+TEST(InteractionBudget, WhatIsTooSmallIsTold) {
+  const Sweep sweep = monostatic({{1.2, 0.5}}, frequency);
+  const SweepResult small = solve_soup(shapes::dihedral(0.9 * lambda, 0.9 * lambda), sweep, adaptive(true));
+  EXPECT_EQ(skipped(small, "frequencies without waves between surfaces", "no edge"), 1u);
+  EXPECT_EQ(skipped(small, "edges without waves to other surfaces", "shorter"), 7u);  // six rims, and the back of the fold
+  EXPECT_EQ(skipped(small, "faces without waves from edges", "smaller"), 2u);
+}
+
+TEST(InteractionBudget, MemoryDoesNotGrowWithThePairs) {
+  EXPECT_EQ(illumination_bytes(1, 1e6), illumination_bytes(1, 1e12));
+  EXPECT_LT(illumination_bytes(1, 1e12), 20e6);
+}
+
+}  // namespace
+}  // namespace raytube::testing::interaction
