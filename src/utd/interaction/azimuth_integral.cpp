@@ -144,12 +144,12 @@ class Integrator {
 AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequency_count,
                                        const std::vector<double>& cuts, double tolerance, std::span<const AzimuthRange> wanted) {
   Integrator integrator(density, frequency_count);
-  const double range = cuts.back() - cuts.front();
+  const double whole = cuts.back() - cuts.front();
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     const double width = cuts[i] - cuts[i - 1];
     const auto reaches = [&](const AzimuthRange& range) { return range.from < cuts[i] && range.to > cuts[i - 1]; };
     if (!wanted.empty() && std::ranges::none_of(wanted, reaches)) continue;
-    integrator.add(cuts[i - 1], cuts[i], tolerance * width / range, 0);
+    integrator.add(cuts[i - 1], cuts[i], tolerance * width / whole, 0);
   }
   return integrator.take();
 }

@@ -7,8 +7,8 @@ namespace raytube {
 
 namespace {
 
-// Strips shorter than this electrical length are a tip that passes no soft current on: always, and where a wave of the tree runs
-// along an edge, with a sine below `alongside`.
+// Strips shorter than 1e-4 / k are a tip that passes no soft current on; where a wave of the tree runs along an edge, with a sine
+// below `alongside`, so are those of up to this electrical length.
 constexpr double shortest_tip = 1e-4, longest_tip = 1.0 / 30, alongside = 0.1;
 constexpr double same_length = 1e-13;  // relative; strips between parallel edges share their kernels
 
@@ -19,7 +19,8 @@ constexpr double same_length = 1e-13;  // relative; strips between parallel edge
 double tip_of(const WaveTree& tree) {
   double sine = alongside;
   for (const TreeWave& wave : tree.waves().subspan(1)) sine = std::min(sine, wave.wave.incidence.sin_cone);
-  return std::max(shortest_tip, longest_tip * (1 - sine / alongside) * (1 - sine / alongside));
+  const double cone = tree.waves()[0].wave.incidence.sin_cone;
+  return std::max(shortest_tip * cone * cone, longest_tip * (1 - sine / alongside) * (1 - sine / alongside));
 }
 
 FaceProjection projection(const StripWave& wave, const LookVectors& look) {
