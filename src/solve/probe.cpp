@@ -21,6 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double least_seconds = 0.2;  // looks are timed again where all of them together take less [s]
+
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // Cancels work that is not done in time.
@@ -98,7 +100,11 @@ TimePrediction timed_looks(const SolvePlan& plan, const LookSolver& solver, doub
   const auto start = Clock::now();
   TimePrediction result;
   double sum = 0.0;
-  for (std::size_t done = 0; done < looks && seconds_since(start) < seconds; done += batch) {
+  const auto goes_on = [&](std::size_t done) {
+    const double passed = seconds_since(start);
+    return (done < looks && passed < seconds) || passed < least_seconds;
+  };
+  for (std::size_t done = 0; goes_on(done); done += batch) {
     const std::optional<double> took = probe.batch(batch, std::max(patience - seconds_since(start), seconds));
     if (!took) {
       result.at_least = result.looks == 0;

@@ -81,6 +81,7 @@ inline NamedOptions tubes_and_edges(TubeMode mode, int order, bool between) {
   o.tubes.up = dvec3(0.2, 0.1, 1.0);
   o.edges.order = std::max(order, 1);
   o.edges.interaction = between;
+  o.edges.interaction_budget = unlimited_interaction_budget;  // what it gives is tested, not what it may cost
   const std::string edges = order == 0 ? "no edges" : "order " + std::to_string(order) + (between ? " and between" : "");
   return {(mode == TubeMode::uniform ? "uniform, " : "adaptive, ") + edges, o};
 }

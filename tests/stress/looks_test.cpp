@@ -4,6 +4,7 @@
 
 #include "run.h"
 #include "shapes.h"
+#include "solve/look_solver.h"
 #include "stress/stability.h"
 
 namespace raytube::testing {
@@ -38,6 +39,7 @@ SolveOptions setting(TubeMode mode, int order) {
   o.tubes.skip = false;  // every look for itself
   o.edges.order = std::clamp(order, 1, 3);
   o.edges.interaction = order == interaction_waves;
+  o.edges.interaction_budget = unlimited_interaction_budget;  // what it gives is tested, not what it may cost
   return o;
 }
 

@@ -52,6 +52,7 @@ const Bad bad_values[] = {
     {"tubes.curved=yes", "\"yes\" is unknown; write \"convex\", \"always\" or \"never\""},
     {"edges.method=gtd", "not in this version; write \"fringe\", \"none\" or \"utd\""},
     {"edges.utd_range_m=5", "needs edges.method = \"utd\"; currents radiate to infinity, so remove it"},
+    {"edges.between_budget=-1", "edges.between_budget is negative"},
     {"edges.order=0", "from 1 to 3"},
     {"edges.order=4", "from 1 to 3"},
     {"edges.transition=rough", "\"rough\" is unknown; write \"exact\", \"kouyoumjian-pathak\" or \"as-printed\""},
