@@ -10,8 +10,10 @@ namespace {
 constexpr std::array<OmissionText, omissions> texts = {{
     {"corners", "waves that start at corners of edges", "none: it falls with the wavelength beside the target"},
     {"edge_orders", "diffraction at more edges in a row than are followed", "edges.order = 3, the most there is"},
-    {"edges", "edges without currents, or with curved faces", "edges.method = \"fringe\", edges.materials = \"luebbers\", where they are not set"},
-    {"interaction", "edge-face interaction over further edges and faces, or where it is off", "edges.between = true, where it is off or left out"},
+    {"edges", "edges without currents, or with curved faces",
+     "edges.method = \"fringe\", edges.materials = \"luebbers\", where they are not set"},
+    {"interaction", "edge-face interaction over further edges and faces, or where it is off",
+     "edges.between = true, where it is off or left out"},
     {"cavities", "waves that were reflected more than three times", "none: a full-wave method for the cavity"},
     {"smooth_surfaces", "creeping and travelling waves, shadow boundaries on curved surfaces",
      "none: it falls with k times radius"},
@@ -26,7 +28,8 @@ constexpr double second_order = 0.5;         // at first order: what the next on
 constexpr double endless_faces = 1.5;        // at first order: corners, where faces end that are taken as endless
 constexpr double edge_amplitude = 1.2;       // of an edge's field, over its length in phase / 2 pi
 constexpr double further_interaction = 0.3;  // over what edge-face interaction has
-constexpr double mirror_spread = 0.8;        // of a wave reflected by a face, over (wavelength / width)^{1/2}
+constexpr double missing_interaction = 1.2;  // of a wave reflected by a face, over (wavelength / width)^{1/2}
+constexpr double cavity_spread = 0.8;        // the same after some reflections, whose errors no longer add up
 constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
 constexpr double rim_amplitude = 5.0;        // of a sharply curved rim, over the same
 constexpr int interacting_bounces = 3;       // that edge-face interaction mends
@@ -37,8 +40,8 @@ ChannelErrors everywhere(double value) { return {{{value, value}, {value, value}
 
 // What the edges of the faces take from waves reflected at bounce 2 and later: they are not as wide as the faces. S = A / lambda
 // of a face of area A in phase, whose width is sqrt(A).
-double spread(double amplitude, double wavelength) {
-  return amplitude * std::min(1.0, mirror_spread * std::pow(wavelength / std::max(amplitude, 1e-6 * wavelength), 0.25));
+double spread(double amplitude, double wavelength, double share) {
+  return amplitude * std::min(1.0, share * std::pow(wavelength / std::max(amplitude, 1e-6 * wavelength), 0.25));
 }
 
 // What one channel lacks is no less than what the other of its kind has: |S_pq|, or the mean of the two co-polar or cross-polar
@@ -71,8 +74,9 @@ class RowEstimate {
     at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_order * higher;
     double early = 0.0, late = 0.0;
     for (std::size_t m = 1; m < row_.bounces.size(); ++m) {
-      const double here = square(spread(std::abs(row_.bounces[m].at(p, q)), row_.wavelength));
-      (static_cast<int>(m) < interacting_bounces ? early : late) += here;
+      const bool is_early = static_cast<int>(m) < interacting_bounces;
+      const double amplitude = std::abs(row_.bounces[m].at(p, q));
+      (is_early ? early : late) += square(spread(amplitude, row_.wavelength, is_early ? missing_interaction : cavity_spread));
     }
     at(Omission::interaction)[p][q] =
         row_.has_interaction ? further_interaction * typical(row_.interaction, p, q) : std::sqrt(early);
