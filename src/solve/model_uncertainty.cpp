@@ -1,11 +1,18 @@
 #include "solve/model_uncertainty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace raytube {
 
 namespace {
+
+// Features of looks are found at powers of this, in hertz: an estimate of size need not follow every lobe of a wide sweep. Which
+// other frequencies a sweep has changes nothing.
+constexpr double band_ratio = 1.1;
+
+double middle_of_band(double frequency) { return std::pow(band_ratio, std::round(std::log(frequency) / std::log(band_ratio))); }
 
 // How much of a conductor's edge currents the edge of such a material has: what it takes from a wave of normal incidence, in
 // front or behind.
@@ -24,7 +31,9 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
     const auto [found, is_new] =
         known.emplace(count_thin(plan.target.thin_plate_edges, plan.sweep.frequencies[f]), edges_.size());
     if (is_new) find_edges(f);
-    edges_at_.push_back(found->second);
+    const Band band{middle_of_band(plan.sweep.frequencies[f]), found->second};
+    band_of_.push_back(static_cast<std::size_t>(std::ranges::find(bands_, band) - bands_.begin()));
+    if (band_of_.back() == bands_.size()) bands_.push_back(band);
   }
   if (!plan.smooth) flat_rise_ = curved_.rise;
 }
@@ -63,13 +72,13 @@ RowEvidence ModelUncertainty::evidence(const LookResult& result, std::size_t fre
 }
 
 std::vector<OmissionErrors> ModelUncertainty::of(const Look& look, const LookResult& result) const {
+  std::vector<LookFeatures> features;
+  for (const Band& band : bands_)
+    features.push_back(find_look_features({plan_.target.mesh, curved_, edges_[band.edges]}, look, band.frequency));
   std::vector<OmissionErrors> errors;
   std::vector<ScatteringMatrix> bounces;
-  for (std::size_t f = 0; f < plan_.sweep.frequencies.size(); ++f) {
-    const LookFeatures features =
-        find_look_features({plan_.target.mesh, curved_, edges_[edges_at_[f]]}, look, plan_.sweep.frequencies[f]);
-    errors.push_back(estimate_omissions(features, evidence(result, f, bounces)));
-  }
+  for (std::size_t f = 0; f < plan_.sweep.frequencies.size(); ++f)
+    errors.push_back(estimate_omissions(features[band_of_[f]], evidence(result, f, bounces)));
   return errors;
 }
 

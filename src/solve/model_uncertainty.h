@@ -18,6 +18,12 @@ class ModelUncertainty {
   std::vector<OmissionErrors> of(const Look& look, const LookResult& result) const;
 
  private:
+  // Frequencies that have their features of a look from one.
+  struct Band {
+    double frequency;   // [Hz]
+    std::size_t edges;  // in edges_
+    bool operator==(const Band&) const = default;
+  };
   void find_edges(std::size_t frequency);
   EdgeCurrents edge_currents(std::size_t frequency) const;
   RowEvidence evidence(const LookResult& result, std::size_t frequency, std::vector<ScatteringMatrix>& bounces) const;
@@ -25,8 +31,9 @@ class ModelUncertainty {
   const SolvePlan& plan_;
   CurvedParts curved_;
   std::vector<EdgeFeatures> edges_;
-  std::vector<std::size_t> edges_at_;  // [frequency] in edges_: frequencies at which the same plates are thin share them
-  double flat_rise_ = 0.0;             // of curved surfaces that count as their facets [m]
+  std::vector<Band> bands_;
+  std::vector<std::size_t> band_of_;  // [frequency] in bands_
+  double flat_rise_ = 0.0;            // of curved surfaces that count as their facets [m]
 };
 
 }  // namespace raytube

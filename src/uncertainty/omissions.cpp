@@ -29,7 +29,8 @@ constexpr double second_order = 0.5;         // at first order: what the next on
 constexpr double endless_faces = 1.5;        // at first order: corners, where faces end that are taken as endless
 constexpr double edge_amplitude = 1.2;       // of an edge's field, over its length in phase / 2 pi
 constexpr double further_interaction = 0.3;  // over what edge-face interaction has
-constexpr double mirror_spread = 0.8;        // of a wave reflected by a face, over (wavelength / width)^{1/2}
+constexpr double missing_interaction = 1.2;  // of a wave reflected by a face, over (wavelength / width)^{1/2}
+constexpr double cavity_spread = 0.8;        // the same after some reflections, whose errors no longer add up
 constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
 constexpr double rim_amplitude = 5.0;        // of a sharply curved rim, over the same
 constexpr int interacting_bounces = 3;       // that edge-face interaction mends
@@ -40,8 +41,8 @@ ChannelErrors everywhere(double value) { return {{{value, value}, {value, value}
 
 // What the edges of the faces take from waves reflected at bounce 2 and later: they are not as wide as the faces. S = A / lambda
 // of a face of area A in phase, whose width is sqrt(A).
-double spread(double amplitude, double wavelength) {
-  return amplitude * std::min(1.0, mirror_spread * std::pow(wavelength / std::max(amplitude, 1e-6 * wavelength), 0.25));
+double spread(double amplitude, double wavelength, double share) {
+  return amplitude * std::min(1.0, share * std::pow(wavelength / std::max(amplitude, 1e-6 * wavelength), 0.25));
 }
 
 // What one channel lacks is no less than what the other of its kind has: |S_pq|, or the mean of the two co-polar or cross-polar
@@ -74,8 +75,9 @@ class RowEstimate {
     at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_order * higher;
     double early = 0.0, late = 0.0;
     for (std::size_t m = 1; m < row_.bounces.size(); ++m) {
-      const double here = square(spread(std::abs(row_.bounces[m].at(p, q)), row_.wavelength));
-      (static_cast<int>(m) < interacting_bounces ? early : late) += here;
+      const bool is_early = static_cast<int>(m) < interacting_bounces;
+      const double amplitude = std::abs(row_.bounces[m].at(p, q));
+      (is_early ? early : late) += square(spread(amplitude, row_.wavelength, is_early ? missing_interaction : cavity_spread));
     }
     const double further = row_.has_interaction ? further_interaction * typical(row_.interaction, p, q) : std::sqrt(early);
     at(Omission::interaction)[p][q] = std::hypot(further, row_.left_out);

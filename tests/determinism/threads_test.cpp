@@ -91,6 +91,9 @@ TEST(Threads, DiffractionBetweenSurfacesGivesTheSameBits) {
     EXPECT_TRUE(same_bytes(one.total, many.total)) << threads << " threads";
     EXPECT_TRUE(same_bytes(one.interaction, many.interaction)) << threads << " threads";
     EXPECT_EQ(one.error, many.error) << threads << " threads";
+    EXPECT_EQ(one.model, many.model) << threads << " threads";
+    ASSERT_EQ(one.model_parts.size(), many.model_parts.size());
+    for (std::size_t i = 0; i < one.model_parts.size(); ++i) EXPECT_EQ(one.model_parts[i].rms, many.model_parts[i].rms);
   }
 }
 

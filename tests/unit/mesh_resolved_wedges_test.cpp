@@ -13,7 +13,7 @@ std::vector<Wedge> resolved(const LoadedMesh& loaded) {
 }
 
 /// A closed prism, 1 wide, on this outline in the plane of x and y.
-LoadedMesh profile(const std::vector<dvec2>& outline) { return build(prism(outline, 0.0, 1.0)); }
+LoadedMesh profile(const std::vector<dvec2>& outline) { return build(prism(outline, 1.0)); }
 
 /// Those of the prism's long edges that radiate near this line.
 std::vector<Wedge> long_edges(const std::vector<Wedge>& wedges, const dvec3& center, const dvec2& at) {

@@ -48,7 +48,7 @@ const std::string levels = "phi_deg,sigma_vv_dbsm\n0,10\n1,8\n2,-inf\n";
 TEST_F(Compared, ReadsItsOwnTables) {
   const Sweep sweep{{1e9, 2e9}, {{{0.5, 0.1}, {0.5, 0.1}}, {{0.5, 0.2}, {0.5, 0.2}}}, false};
   SweepResult result;
-  result.error.resize(4);
+  result.error.resize(4), result.model.resize(4);
   for (int i = 1; i <= 4; ++i) result.total.push_back({{{{Complex(i, -1.0), 0.0}, {0.0, Complex(0.1 * i)}}}});
   write_rcs_csv(scratch / "rcs.csv", sweep, result);
   const ResultTable read = read_result_table(scratch / "rcs.csv");

@@ -28,6 +28,7 @@ SweepResult small_result(const Sweep& sweep) {
   SweepResult result;
   for (std::size_t row = 0; row < sweep.rows(); ++row) result.total.push_back(matrix(static_cast<double>(row + 1)));
   result.error.assign(sweep.rows(), {{{0.01, 0.002}, {0.0, 0.5}}});
+  result.model.assign(sweep.rows(), {{{0.5, 0.0}, {0.004, 0.02}}});
   result.bounces = {result.total, std::vector<ScatteringMatrix>(sweep.rows())};
   result.edges_first.resize(sweep.rows());
   result.edges_higher.resize(sweep.rows());
@@ -51,7 +52,8 @@ TEST(OutputCsv, RcsHasTheColumnsAndStatesTheConventions) {
   EXPECT_EQ(header_of(text),
             "freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,re_vv,im_vv,re_vh,im_vh,re_hv,im_hv,re_hh,im_hh,"
             "sigma_vv_dbsm,sigma_vh_dbsm,sigma_hv_dbsm,sigma_hh_dbsm,"
-            "err_vv_db,err_vh_db,err_hv_db,err_hh_db");
+            "err_vv_db,err_vh_db,err_hv_db,err_hh_db,"
+            "model_vv_db,model_vh_db,model_hv_db,model_hh_db");
   for (const char* word : {"exp(+j omega t)", "origin", "4 pi |S_pq|^2", "theta-hat", "dBsm"})
     EXPECT_NE(text.find(word), std::string::npos) << word;
 }
@@ -95,6 +97,9 @@ TEST(OutputCsv, ErrorsAreLevelsAboveTheAmplitude) {
   EXPECT_NEAR(table.number(2, "err_vh_db"), level(0.002, 0.01 * largest_amplitude(s)), rounding);
   EXPECT_EQ(table.number(2, "err_hv_db"), 0.0);
   EXPECT_NEAR(table.number(2, "err_hh_db"), level(0.5, std::abs(s.hh())), rounding);
+  EXPECT_NEAR(table.number(2, "model_vv_db"), level(0.5, std::abs(s.vv())), rounding);
+  EXPECT_EQ(table.number(2, "model_vh_db"), 0.0);
+  EXPECT_NEAR(table.number(2, "model_hh_db"), level(0.02, std::abs(s.hh())), rounding);
 }
 
 TEST(OutputCsv, SigmaDoesNotUnderflow) {
@@ -153,12 +158,26 @@ TEST(OutputCsv, PartsAddUpToTheTotal) {
   }
 }
 
+TEST(OutputCsv, PartsEndWithThoseOfTheModelUncertainty) {
+  const Scratch scratch;
+  const Sweep sweep = small_sweep(false);
+  SweepResult result = small_result(sweep);
+  result.model_parts.push_back({"corners", "", "", 0.1, 1.0, 4, result.model});
+  write_parts_csv(scratch / "parts.csv", sweep, result);
+  EXPECT_THAT(header_of(text_of(scratch / "parts.csv")),
+              ::testing::EndsWith(",model_corners_vv_m,model_corners_vh_m,model_corners_hv_m,model_corners_hh_m"));
+  const Table table((scratch / "parts.csv").string());
+  EXPECT_EQ(table.number(3, "model_corners_vv_m"), 0.5);
+  EXPECT_EQ(table.number(3, "model_corners_hv_m"), 0.004);
+}
+
 TEST(OutputCsv, PartsStateTheConventionsAndKeepTheirColumnsWhereNothingIsHit) {
   const Scratch scratch;
   const Sweep sweep = small_sweep(false);
   SweepResult nothing;
   nothing.total.resize(sweep.rows());
   nothing.error.resize(sweep.rows());
+  nothing.model.resize(sweep.rows());
   nothing.edges_first.resize(sweep.rows());
   nothing.edges_higher.resize(sweep.rows());
   nothing.interaction.resize(sweep.rows());

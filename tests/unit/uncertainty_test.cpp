@@ -67,7 +67,7 @@ TEST(Uncertainty, EdgesWithoutCurrentsAddUpInPhase) {
 TEST(Uncertainty, EdgesBesideNarrowFacesAreWeak) {
   // A box of 4 x 4 x 0.3 wavelengths is no thin plate, but its narrow faces do not carry the currents of wedges.
   const Found box(shapes::box({4.0, 4.0, 0.3}));
-  EXPECT_EQ(box.edges.edges.size(), 12u);
+  EXPECT_EQ(box.edges.edges.size(), 8u);  // the short ones stand between broad faces
   EXPECT_TRUE(Found(shapes::box({4.0, 4.0, 0.6})).edges.edges.empty());
 }
 

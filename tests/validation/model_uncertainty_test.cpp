@@ -108,17 +108,24 @@ TEST(ModelUncertainty, LooksThatFollowFromOthersHaveTheSame) {
   EXPECT_EQ(rows, looks.size());
 }
 
-TEST(ModelUncertainty, FallsWithTheMechanismsThatAreOn) {
+TEST(ModelUncertainty, KnowsWhichMechanismsAreOff) {
   const Target target(build_mesh(shapes::dihedral(0.1, 0.1), 1.0).mesh);
-  const auto rms_of = [&](auto change) {
+  std::vector<Direction> looks;
+  for (const double phi : {35.0, 40.0, 45.0, 50.0}) looks.push_back({90.0 * degree, phi * degree});  // into the corner
+  const auto rms_of = [&](const std::string& name, auto change) {
     SolveOptions o;
     change(o.edges);
-    const SweepResult result = solve(target, monostatic({{80.0 * degree, 40.0 * degree}}, 10e9), o);
-    return std::hypot(result.model[0][0][0], result.model[0][1][1]);
+    const SweepResult result = solve(target, monostatic(looks, 10e9), o);
+    const auto part = std::ranges::find(result.model_parts, name, &ModelPart::name);
+    return part == result.model_parts.end() ? 0.0 : part->rms;
   };
-  const double all = rms_of([](EdgeOptions&) {});
-  EXPECT_GT(rms_of([](EdgeOptions& edges) { edges.interaction = false; }), all);
-  EXPECT_GT(rms_of([](EdgeOptions& edges) { edges.method = EdgeMethod::none; }), all);
+  const auto nothing = [](EdgeOptions&) {};
+  const double interaction = rms_of("interaction", nothing);
+  EXPECT_GT(interaction, 0.0);
+  EXPECT_GT(rms_of("interaction", [](EdgeOptions& edges) { edges.interaction = false; }), interaction);
+  EXPECT_EQ(rms_of("edges", nothing), 0.0);
+  EXPECT_GT(rms_of("edges", [](EdgeOptions& edges) { edges.method = EdgeMethod::none; }), 0.0);
+  EXPECT_GT(rms_of("corners", [](EdgeOptions& edges) { edges.order = 1; }), rms_of("corners", nothing));
 }
 
 }  // namespace

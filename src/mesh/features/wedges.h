@@ -33,13 +33,13 @@ struct Wedge {
   bool enclosed = false;                 // inside a closed body, where no wave comes (mark_enclosed)
   std::uint32_t replaced_by = no_index;  // of an edge of a thin plate's border face: the half plane that stands for it
 
-  // Where its faces are details that a wave does not resolve (resolve_details):
-  double share = 1.0;  // of several wedges that the wave sees as one, this one's
-  bool flat = false;   // the wave sees no wedge at all
-
   // Of a half plane that stands for the border face of a thin plate (merge_thin_plate_edges); else 0 and no_index.
   dvec3 thickness_vector{0.0};            // from one side of the plate to the other over the border face [m]
   std::uint32_t border_patch = no_index;  // the border face; of a wedge with unresolved details the narrow face beside it
+
+  // Where its faces are details that a wave does not resolve (resolve_details):
+  double share = 1.0;  // of several wedges that the wave sees as one, this one's
+  bool flat = false;   // the wave sees no wedge at all
 
   bool convex() const { return n > 1.0; }
   /// Both faces are perfect conductors.
