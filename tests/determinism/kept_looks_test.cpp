@@ -129,7 +129,7 @@ LookResult some_look() {
   look.tubes.hits = {7, 5, 3};
   look.tubes.rays = 15;
   look.tubes.met = {0.3, 0.1};
-  look.tubes.truncated = 1e-300;
+  look.tubes.truncated[Truncation::width] = {3, 1e-300};
   look.tubes.sliver_area = 1e-17;
   look.edges.scattering.resize(2);
   look.edges.windowed = {false, true};
@@ -147,7 +147,7 @@ TEST(LookBytes, HoldEveryBit) {
   EXPECT_EQ(again->tubes.error[1][1][0], 5e-324);
   EXPECT_EQ(again->tubes.hits, look.tubes.hits);
   EXPECT_EQ(again->tubes.met, look.tubes.met);
-  EXPECT_EQ(again->tubes.truncated, 1e-300);
+  EXPECT_EQ(again->tubes.truncated[Truncation::width].sigma, 1e-300);
   EXPECT_EQ(again->edges.windowed, look.edges.windowed);
   EXPECT_TRUE(again->edges.lit);
   EXPECT_TRUE(again->interaction.scattering.empty());
