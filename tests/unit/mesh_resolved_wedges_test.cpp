@@ -43,43 +43,41 @@ TEST(ResolvedWedges, AStepIsFlatAndABluntEdgeIsOne) {
   EXPECT_TRUE(long_edges(resolved(step), step.mesh.center, {1, 0}).empty());
   EXPECT_EQ(long_edges(resolved(step), step.mesh.center, {2, 0}).size(), 1u);
 
-  // A right-angled corner cut off at 45 degrees: two edges of n = 1.25, together one of n = 1.5. Its chords are turned by the
-  // small side's share in the limit of resolution, small / limit.
+  // A right-angled corner cut off at 45 degrees: two edges of n = 1.25, together one of n = 1.5.
   const LoadedMesh blunt = profile({{0, -1}, {1, -1}, {1, -small}, {1 - small, 0}, {0, 0}});
   const std::vector<Wedge> edges = long_edges(resolved(blunt), blunt.mesh.center, {1, 0});
   ASSERT_EQ(edges.size(), 2u);
   for (const Wedge& edge : edges) {
-    EXPECT_NEAR(edge.n, 1.5, 2 * small / limit);
-    EXPECT_NEAR(edge.share, 0.5, small / limit);
+    EXPECT_NEAR(edge.n, 1.5, 1e-12);
+    EXPECT_EQ(edge.share, 0.5);
     for (const WedgeFace& face : edge.faces) {
-      EXPECT_NEAR(std::abs(glm::dot(face.into_face, blunt.mesh.patches[face.patch].normal)), 0.0, 2 * small / limit);
+      EXPECT_NEAR(std::abs(glm::dot(face.into_face, blunt.mesh.patches[face.patch].normal)), 0.0, 1e-12);
       EXPECT_GT(face.width, 0.9);
       EXPECT_NEAR(glm::dot(face.into_face, face.normal), 0.0, 1e-15);
     }
   }
 }
 
-TEST(ResolvedWedges, NothingJumpsAsAFaceBecomesNarrow) {
-  const auto wedges_at = [](double width) {
-    const LoadedMesh blunt = profile({{0, -1}, {1, -1}, {1, -width}, {1 - width, 0}, {0, 0}});
-    return long_edges(resolved(blunt), blunt.mesh.center, {1, 0});
-  };
-  const double side = limit / std::sqrt(2.0);  // the small face is as wide as the limit
-  const std::vector<Wedge> wide = wedges_at(side * (1 + 1e-6)), narrow = wedges_at(side * (1 - 1e-6));
-  ASSERT_EQ(wide.size(), 2u);
-  ASSERT_EQ(narrow.size(), 2u);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_NEAR(wide[i].n, narrow[i].n, 1e-5);
-    EXPECT_NEAR(wide[i].share, narrow[i].share, 1e-5);
-    EXPECT_NEAR(wide[i].n, 1.25, 1e-5);
+TEST(ResolvedWedges, AFaceOfMoreThanHalfTheLimitIsItself) {
+  for (const double width : {1.1 * limit, 0.6 * limit, 0.4 * limit}) {
+    const double side = width / std::sqrt(2.0);
+    const LoadedMesh blunt = profile({{0, -1}, {1, -1}, {1, -side}, {1 - side, 0}, {0, 0}});
+    const std::vector<Wedge> edges = long_edges(resolved(blunt), blunt.mesh.center, {1, 0});
+    ASSERT_EQ(edges.size(), 2u) << width;
+    for (const Wedge& edge : edges) {
+      EXPECT_NEAR(edge.n, width > 0.5 * limit ? 1.25 : 1.5, 1e-9) << width;
+      EXPECT_EQ(edge.share, width > 0.5 * limit ? 1.0 : 0.5) << width;
+    }
   }
 }
 
 TEST(ResolvedWedges, ARibbonCountsByItsWidth) {
   for (const double width : {1e-4, 1e-3, 0.9 * limit}) {
     PolygonSoup ribbon{{{0, 0, 0}, {1, 0, 0}, {1, width, 0}, {0, width, 0}}, {{0, 1, 2, 3}}};
-    for (const Wedge& wedge : resolved(build(ribbon)))
-      if (wedge.length() > 0.5) EXPECT_NEAR(wedge.share, width / limit, 1e-12) << width;
+    for (const Wedge& wedge : resolved(build(ribbon))) {
+      if (wedge.length() < 0.5) continue;
+      EXPECT_NEAR(wedge.share, width / limit, 1e-12) << width;
+    }
   }
 }
 

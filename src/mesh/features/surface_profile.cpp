@@ -86,9 +86,9 @@ double SurfaceProfiles::bend(const Section& section, const Step& from, const Ste
   return std::atan2(before.x * after.y - before.y * after.x, glm::dot(before, after));
 }
 
-WedgeFace SurfaceProfiles::chord_face(const Section& section, const Step& last, const dvec2& chord) const {
+// The patch of `last` in the section: along the surface from the wedge onwards, or along the chord where no facet is wide enough.
+WedgeFace SurfaceProfiles::face_at_end(const Section& section, const Step& last, const dvec2& along) const {
   const WedgeFace& own = section.face;
-  const dvec2 along = glm::normalize(chord);
   const std::uint32_t patch = mesh_.triangle_patch[last.triangle];
   WedgeFace result{patch,
                    along.x * own.into_face + along.y * own.normal,
@@ -101,31 +101,38 @@ WedgeFace SurfaceProfiles::chord_face(const Section& section, const Step& last, 
   return result;
 }
 
+// What makes up more than half of the profile is its direction: the first facet, or the last one; else the chord.
+void SurfaceProfiles::end_profile(const Section& section, const Step& last, const dvec2& chord, const PatchLengths& lengths,
+                                  SurfaceProfile& profile) const {
+  const double half = 0.5 * (lengths.total + lengths.in_last);
+  if (lengths.on_first || lengths.first > half) return;
+  if (glm::length(chord) < turned_back * 2 * half) return;
+  const dvec2 along = glm::normalize(lengths.in_last > half ? last.to - last.from : chord);
+  profile.face = face_at_end(section, last, along);
+  profile.turn = std::atan2(along.y, along.x);
+}
+
 SurfaceProfile SurfaceProfiles::find(const Wedge& wedge, int side, double length) const {
   const Section section(wedge, side);
   SurfaceProfile result{section.face};
   const Step first = first_step(section);
+  PatchLengths lengths;
   Step step = first;
-  double reached = 0.0;
-  bool on_own_face = true;
   for (int count = 0; step.triangle != no_index && count < most_steps; ++count) {
-    const double width = glm::length(step.to - step.from);
+    const double width = glm::length(step.to - step.from), reached = lengths.total + lengths.in_last;
     if (reached + width >= length) {
-      if (on_own_face) return result;
-      const dvec2 chord = step.from + (length - reached) / width * (step.to - step.from);
-      if (glm::length(chord) < turned_back * length) break;
-      result.face = chord_face(section, step, chord);
-      result.turn = std::atan2(chord.y, chord.x);
+      lengths.in_last += length - reached;
+      end_profile(section, step, step.from + (length - reached) / width * (step.to - step.from), lengths, result);
       return result;
     }
-    reached += width;
+    lengths.in_last += width;
     const Step next = next_step(section, step);
     if (next.triangle == no_index || next.triangle == first.triangle) {
-      result.reached = reached / length;
+      result.reached = (reached + width) / length;
       break;
     }
-    if (bend(section, step, next) <= -min_wedge_angle_) result.others += 1.0 - reached / length;
-    on_own_face = on_own_face && mesh_.triangle_patch[next.triangle] == section.face.patch;
+    if (reached + width < 0.5 * length && bend(section, step, next) <= -min_wedge_angle_) ++result.others;
+    if (mesh_.triangle_patch[next.triangle] != mesh_.triangle_patch[step.triangle]) lengths.leave();
     step = next;
   }
   return result;

@@ -14,7 +14,7 @@ namespace raytube {
 struct SurfaceProfile {
   WedgeFace face;        // from the edge to where the profile ends: direction and normal of the chord, patch of the end
   double turn = 0.0;     // of the chord against the wedge's own face, towards the free space [rad]
-  double others = 0.0;   // further convex edges passed, each counted 1 at the wedge and 0 at the end of the profile
+  int others = 0;        // further convex edges in its first half
   double reached = 1.0;  // of the length; less if it ends at a border, where several surfaces meet, or back where it began
 };
 
@@ -45,12 +45,27 @@ class SurfaceProfiles {
     bool back = false;  // the free space is on the triangle's back
   };
 
+  /// How far the profile has come [m].
+  struct PatchLengths {
+    double first = 0.0, total = 0.0, in_last = 0.0;  // in the first patch; in all but the last; in the last
+    bool on_first = true;
+
+    void leave() {
+      if (on_first) first = in_last;
+      on_first = false;
+      total += in_last;
+      in_last = 0.0;
+    }
+  };
+
   dvec2 crossing(const Section& section, std::uint32_t triangle, int corner) const;
   std::vector<int> crossed_sides(const Section& section, std::uint32_t triangle) const;
   Step first_step(const Section& section) const;
   Step next_step(const Section& section, const Step& step) const;
   double bend(const Section& section, const Step& from, const Step& to) const;
-  WedgeFace chord_face(const Section& section, const Step& last, const dvec2& chord) const;
+  WedgeFace face_at_end(const Section& section, const Step& last, const dvec2& along) const;
+  void end_profile(const Section& section, const Step& last, const dvec2& chord, const PatchLengths& lengths,
+                   SurfaceProfile& profile) const;
 
   const TriangleMesh& mesh_;
   double min_wedge_angle_;

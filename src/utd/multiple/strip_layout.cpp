@@ -7,9 +7,9 @@ namespace raytube {
 
 namespace {
 
-// Strips shorter than 1e-4 / k are a tip that passes no soft current on; where a wave of the tree runs along an edge, with a sine
-// below `alongside`, so are those of up to this electrical length.
-constexpr double shortest_tip = 1e-4, longest_tip = 1.0 / 30, alongside = 0.1;
+// Strips shorter than 1e-8 / k, of which rounding has left nothing, are a tip that passes no soft current on; where a wave of the
+// tree runs along an edge, with a sine below `alongside`, so are those of up to this electrical length.
+constexpr double shortest_tip = 1e-8, longest_tip = 1.0 / 30, alongside = 0.1;
 constexpr double same_length = 1e-13;  // relative; strips between parallel edges share their kernels
 
 // The soft current is singular at its edge: a strip next to a corner, hardly longer than nothing, hands on the more the shorter
