@@ -82,8 +82,13 @@ InteractionLimits LookSolver::interaction_limits(const TubeSums& tubes, double e
 InteractionResult LookSolver::interaction(const Look& look, const LookResult& others) const {
   if (!edges_.interact()) return {};
   InteractionResult result = edges_.interaction(look, interaction_limits(others.tubes, others.edges.work));
-  for (std::size_t f = 0; !look.far() && f < result.scattering.size(); ++f)
-    result.scattering[f] *= from_plane_waves(plan_.target.mesh, look, plan_.sweep.radar, plan_.sweep.frequencies[f]);
+  for (std::size_t f = 0; !look.far() && f < result.scattering.size(); ++f) {
+    const Complex factor = from_plane_waves(plan_.target.mesh, look, plan_.sweep.radar, plan_.sweep.frequencies[f]);
+    result.scattering[f] *= factor;
+    for (std::array<double, 2>& errors : result.error[f])
+      for (double& error : errors) error *= std::abs(factor);
+    if (!result.left_out.empty()) result.left_out[f] *= std::abs(factor);
+  }
   return result;
 }
 

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
+#include <tuple>
+
+#include "mesh/features/resolved_wedges.h"
 
 namespace raytube {
 
@@ -22,27 +26,56 @@ double edge_strength(const Material& material, std::size_t frequency, double wav
   return std::min(1.0, std::max(std::abs(response.reflected.te), std::abs(1.0 - response.transmitted.te)));
 }
 
+const char* remedy_of_edges(const SolvePlan& plan) {
+  if (plan.edges.method == EdgeMethod::none) return "edges.method = \"fringe\"";
+  if (!plan.sweep.materials.empty() && plan.edges.materials == MaterialEdgeMethod::none) return "edges.materials = \"luebbers\"";
+  return "none: a full-wave method where such edges matter";
+}
+
+const char* remedy_of_interaction(const SolvePlan& plan, const SkipCounts& skips) {
+  if (!plan.edges.interaction) return "edges.between = true";
+  if (skips.pairs_beyond_budget + skips.reflections_beyond_budget + skips.fringe_beyond_budget + skips.unbudgeted_looks > 0)
+    return "a larger edges.between_budget";
+  return "none: a full-wave method where faces see one another";
+}
+
+const char* remedy_of_cut_tubes(const TruncatedSums& truncated) {
+  const bool by_bounces = truncated[Truncation::bounces].sigma >= truncated[Truncation::width].sigma;
+  return by_bounces ? "more tubes.max_bounces" : "more tubes.per_wavelength";
+}
+
 }  // namespace
+
+std::string remedy_of(Omission omission, const SolvePlan& plan, const SkipCounts& skips, const TruncatedSums& truncated) {
+  if (omission == Omission::edges) return remedy_of_edges(plan);
+  if (omission == Omission::interaction) return remedy_of_interaction(plan, skips);
+  if (omission == Omission::cut_tubes) return remedy_of_cut_tubes(truncated);
+  if (omission == Omission::edge_orders && plan.edges.order < 3) return "edges.order = 3";
+  return text_of(omission).remedy;
+}
 
 ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
     : plan_(plan), curved_(find_curved_parts(plan.target.mesh, plan.target.options.min_wedge_angle)) {
-  std::map<std::size_t, std::size_t> known;  // by the number of thin plates' edges
+  std::map<std::tuple<std::size_t, double, double>, std::size_t> known;
   for (std::size_t f = 0; f < plan.sweep.frequencies.size(); ++f) {
-    const auto [found, is_new] =
-        known.emplace(count_thin(plan.target.thin_plate_edges, plan.sweep.frequencies[f]), edges_.size());
-    if (is_new) find_edges(f);
-    const Band band{middle_of_band(plan.sweep.frequencies[f]), found->second};
+    const double frequency = plan.sweep.frequencies[f], middle = middle_of_band(frequency);
+    const std::size_t thin = count_thin(plan.target.thin_plate_edges, frequency);
+    const auto [found, is_new] = known.try_emplace({thin, middle, plan.sweep.materials.empty() ? 0.0 : frequency}, edges_.size());
+    if (is_new) find_edges(f, wavelength(middle));
+    const Band band{middle, found->second};
     band_of_.push_back(static_cast<std::size_t>(std::ranges::find(bands_, band) - bands_.begin()));
     if (band_of_.back() == bands_.size()) bands_.push_back(band);
   }
   if (!plan.smooth) flat_rise_ = curved_.rise;
 }
 
-void ModelUncertainty::find_edges(std::size_t frequency) {
-  const double limit = thin_limit(plan_.sweep.frequencies[frequency]);
-  const std::vector<Wedge> wedges = merge_thin_plate_edges(plan_.target.wedges, plan_.target.thin_plate_edges, limit);
-  const double lowest = std::ranges::min(plan_.sweep.frequencies);
-  edges_.push_back(find_edge_features(wedges, curved_, edge_currents(frequency), wavelength(lowest)));
+void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
+  const Target& target = plan_.target;
+  const double here = plan_.sweep.frequencies[frequency];
+  std::vector<Wedge> wedges = merge_thin_plate_edges(target.wedges, target.thin_plate_edges, thin_limit(here));
+  resolve_details(target.mesh, wedges, detail_limit(here), target.options.min_wedge_angle);
+  std::erase_if(wedges, [](const Wedge& wedge) { return wedge.flat; });
+  edges_.push_back(find_edge_features(wedges, curved_, edge_currents(frequency), wavelength));
 }
 
 EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
@@ -60,7 +93,8 @@ RowEvidence ModelUncertainty::evidence(const LookResult& result, std::size_t fre
   if (!result.edges.scattering.empty()) row.edges = result.edges.scattering[frequency];
   if (!result.edges.higher.empty()) row.higher = result.edges.higher[frequency];
   if (!result.interaction.scattering.empty()) row.interaction = result.interaction.scattering[frequency];
-  row.has_interaction = !result.interaction.scattering.empty();
+  const bool none_afforded = result.interaction.skipped.pairs > 0 && frobenius_norm(row.interaction) == 0.0;
+  row.has_interaction = !result.interaction.scattering.empty() && !none_afforded;
   if (!result.interaction.left_out.empty()) row.left_out = result.interaction.left_out[frequency];
   row.edge_order = plan_.mechanisms.fringe ? plan_.edges.order : 0;
   row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated.sigma() : 0.0;  // else it is in the numerical error

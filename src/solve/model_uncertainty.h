@@ -1,6 +1,7 @@
 // What the asymptotic physics leaves out in the rows of a plan, estimated (uncertainty/omissions.h).
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "solve/look_result.h"
@@ -24,7 +25,7 @@ class ModelUncertainty {
     std::size_t edges;  // in edges_
     bool operator==(const Band&) const = default;
   };
-  void find_edges(std::size_t frequency);
+  void find_edges(std::size_t frequency, double wavelength);
   EdgeCurrents edge_currents(std::size_t frequency) const;
   RowEvidence evidence(const LookResult& result, std::size_t frequency, std::vector<ScatteringMatrix>& bounces) const;
 
@@ -35,5 +36,8 @@ class ModelUncertainty {
   std::vector<std::size_t> band_of_;  // [frequency] in bands_
   double flat_rise_ = 0.0;            // of curved surfaces that count as their facets [m]
 };
+
+/// What would make a part of the model uncertainty less in this solve, once it is done: a key of the case, or "none: ...".
+std::string remedy_of(Omission omission, const SolvePlan& plan, const SkipCounts& skips, const TruncatedSums& truncated);
 
 }  // namespace raytube

@@ -107,7 +107,7 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
   std::vector<Wedge> merged = merge_thin_plate_edges(wedges, plan.target.thin_plate_edges, thin_limit(lowest));
   skipped.push_back({"wedges", "across the edge of a thin plate, no longer than it is thick", thin_plate_corners(merged)});
   resolve_details(plan.target.mesh, merged, detail_limit(lowest), plan.target.options.min_wedge_angle);
-  skipped.push_back({"wedges", "flat at the scale of wavelength / 50: steps, slivers, ripples",
+  skipped.push_back({"wedges", "flat to the wave: steps, slivers and ripples finer than wavelength / 100",
                      static_cast<std::uint64_t>(std::ranges::count_if(merged, [](const Wedge& w) { return w.flat; }))});
   return skipped;
 }

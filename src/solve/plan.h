@@ -43,8 +43,9 @@ struct SolvePlan {
   std::shared_ptr<const SmoothSurfaces> smooth;  // curved surfaces that tubes see as such; null: all are flat facets
   LookPlan looks;                                // which are computed, and which follow from these
   SkipCounts skips;                              // known beforehand
-  std::vector<Skipped> skipped_wedges;           // that carry no fringe current, and why; of thin plates and details at the lowest frequency
-  double seconds = 0.0;                          // that planning took
+  std::vector<Skipped>
+      skipped_wedges;    // that carry no fringe current, and why; of thin plates and details at the lowest frequency
+  double seconds = 0.0;  // that planning took
 
   double shortest_wavelength() const;  // [m]
   /// Bounces that tubes can have on this target.

@@ -95,7 +95,8 @@ void RowCollector::count(std::size_t index, const LookResult& look) {
 void RowCollector::add_model(std::size_t index, std::size_t frequency_index, const OmissionErrors& errors) {
   const std::span following(following_.data() + first_[index], first_[index + 1] - first_[index]);
   std::array<double, omissions> squares{};
-  for (std::size_t i = 0; i < omissions; ++i) squares[i] = co_polar_square(errors[i]);
+  for (std::size_t i = 0; i < omissions; ++i)
+    if (const double square = co_polar_square(errors[i]); std::isfinite(square)) squares[i] = square;
   for (std::size_t i = 0; i < omissions; ++i) model_squares_[index][i] += static_cast<double>(following.size()) * squares[i];
   const auto largest = static_cast<std::size_t>(std::ranges::max_element(squares) - squares.begin());
   if (squares[largest] > 0.0) result_.model_parts[largest].rows_largest += following.size();
@@ -115,7 +116,8 @@ void RowCollector::finish_model() {
   for (std::size_t i = 0; i < omissions; ++i) {
     const OmissionText& text = text_of(static_cast<Omission>(i));
     ModelPart& part = result_.model_parts[i];
-    part.name = text.name, part.what = text.what, part.remedy = text.remedy;
+    part.name = text.name, part.what = text.what;
+    part.remedy = remedy_of(static_cast<Omission>(i), plan_, skipped_, result_.statistics.truncated);
     part.rms = std::sqrt(sums[i] / static_cast<double>(sweep_.rows()));
     part.share = all > 0.0 ? sums[i] / all : 0.0;
   }
@@ -165,9 +167,10 @@ void RowCollector::add_row(std::size_t look, std::size_t frequency_index, const 
 // Ranges of rays and their edges have laws of their own. What cannot be compared, no number, is beyond any bound.
 void RowCollector::compare(std::size_t part, std::size_t row, const ScatteringMatrix& s, double bound) {
   const double largest = largest_amplitude(s);
-  if (plan_.mechanisms.rays || largest <= bound || largest == 0.0) return;
+  const bool finite = std::isfinite(frobenius_norm(s));
+  if (plan_.mechanisms.rays || (finite && (largest <= bound || largest == 0.0))) return;
   BeyondBound& beyond = beyond_bound_[part];
-  const double ratio = std::isnan(largest) ? std::numeric_limits<double>::infinity() : largest / bound;
+  const double ratio = finite ? largest / bound : std::numeric_limits<double>::infinity();
   if (beyond.rows++ == 0 || ratio > beyond.ratio || (ratio == beyond.ratio && row < beyond.worst)) {
     beyond.ratio = ratio;
     beyond.worst = row;

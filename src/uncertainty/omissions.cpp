@@ -7,19 +7,17 @@ namespace raytube {
 
 namespace {
 
+constexpr const char* falls_with_wavelength = "none: it falls with the wavelength beside the target";
 constexpr std::array<OmissionText, omissions> texts = {{
-    {"corners", "waves that start at corners of edges", "none: it falls with the wavelength beside the target"},
-    {"edge_orders", "diffraction at more edges in a row than are followed", "edges.order = 3, the most there is"},
-    {"edges", "edges without currents, or with curved faces",
-     "edges.method = \"fringe\", edges.materials = \"luebbers\", where they are not set"},
-    {"interaction", "edge-face interaction over further edges and faces, or left out",
-     "edges.between = true if it is off, a larger edges.between_budget if that cut it short; else none"},
+    {"corners", "waves that start at corners of edges", falls_with_wavelength},
+    {"edge_orders", "diffraction at more edges in a row than are followed", falls_with_wavelength},
+    {"edges", "edges without currents, or with curved faces", "none"},
+    {"interaction", "edge-face interaction that is not computed", "none"},
     {"cavities", "waves that were reflected more than three times", "none: a full-wave method for the cavity"},
     {"smooth_surfaces", "creeping and travelling waves, shadow boundaries on curved surfaces",
      "none: it falls with k times radius"},
     {"facets", "flat facets in the place of curved surfaces", "a finer mesh, or tubes.curved = \"always\""},
-    {"cut_tubes", "bounces after tubes.max_bounces, tubes too wide or too many",
-     "more tubes.max_bounces, or tubes.per_wavelength where they are too wide"},
+    {"cut_tubes", "bounces after tubes.max_bounces, tubes too wide or too many", "more tubes.max_bounces"},
     {"small_target", "a target that is not large against the wavelength", "a full-wave method"},
 }};
 

@@ -154,9 +154,11 @@ double triangle_area(const TriangleMesh& mesh, std::uint32_t triangle) {
 // Angle between the normals of the two patches at an edge; 0 where more or fewer than two triangles meet [rad].
 double crease_angle(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
   if (edge.sides.size() != 2) return 0.0;
-  const dvec3& a = mesh.patches[mesh.triangle_patch[edge.sides[0].triangle]].normal;
-  const dvec3& b = mesh.patches[mesh.triangle_patch[edge.sides[1].triangle]].normal;
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  const EdgeTable::Side &first = edge.sides[0], &second = edge.sides[1];
+  const dvec3& a = mesh.patches[mesh.triangle_patch[first.triangle]].normal;
+  const dvec3& b = mesh.patches[mesh.triangle_patch[second.triangle]].normal;
+  const bool turned = mesh.triangles[first.triangle][first.corner] == mesh.triangles[second.triangle][second.corner];
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, turned ? -b : b));
 }
 
 double share_of_patches(const TriangleMesh& mesh, const std::vector<bool>& patches) {

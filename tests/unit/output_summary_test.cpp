@@ -76,7 +76,8 @@ TEST(Summary, ModelUncertaintyIsNeverMixedWithTheNumericalError) {
                         {"edges", "waves from edges", "none", 0.1, 0.38, 0}};
   EXPECT_THAT(
       summary_text(result, facts()),
-      AllOf(HasSubstr("numerical error    at most VV, HH 0.0087 dB;"), HasSubstr("model uncertainty  at most VV, HH 3.5 dB;"),
+      AllOf(HasSubstr("numerical error    at most VV, HH 0.0087 dB;"),
+            HasSubstr("model uncertainty  median 3.5 dB within 40 dB of the peak; at most VV, HH 3.5 dB;"),
             HasSubstr("\n                   mostly waves from corners (62 %); remedy: none\n"), Not(HasSubstr("edges (38"))));
 }
 
@@ -87,6 +88,13 @@ TEST(Summary, OfManyLooksCountsAddUpAndTheLargestRemainsStays) {
   add_look(all, first), add_look(all, second);
   EXPECT_EQ(all.tubes(), 5u);
   EXPECT_EQ(all.sigma(), 0.5);
+}
+
+TEST(Summary, PartsBeyondTheirBoundAreNamed) {
+  EXPECT_THAT(beyond_bound_sentence({"later bounces", 2, 7, 10.0}),
+              ::testing::HasSubstr("2 rows with more than the size of the target allows, row 7 by 20.0 dB"));
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(beyond_bound_sentence({"later bounces", 1, 7, infinity}), ::testing::HasSubstr("1 row without a number"));
 }
 
 }  // namespace

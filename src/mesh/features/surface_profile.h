@@ -1,7 +1,6 @@
 // The cross-section of a surface beside an edge: how it goes on over facets that are narrower than some distance.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "mesh/features/patch_borders.h"

@@ -17,6 +17,8 @@ namespace {
 constexpr double depth_uncertainty = 2e-6, line_uncertainty = 1e-5, narrow_angle = 0.25;
 // Sine of the angle between ray and plane below which single precision may put the hit in any triangle of a patch.
 constexpr double grazing = 1e-3;
+// Of the target's radius: fronts so close behind a facet met from its back are met in its place.
+constexpr double facing_distance = 8e-7;
 
 }  // namespace
 
@@ -210,7 +212,7 @@ Hit ExactHit::front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ign
   if (!front) return hit;
   const double least = std::min(std::abs(glm::dot(mesh_.patches[patch(hit.triangle)].normal, ray.direction)),
                                 std::abs(glm::dot(mesh_.patches[patch(front.triangle)].normal, ray.direction)));
-  return (front.distance - hit.distance) * least <= 4.0 * flat_fraction * mesh_.radius ? front : hit;
+  return (front.distance - hit.distance) * least <= facing_distance * mesh_.radius ? front : hit;
 }
 
 }  // namespace raytube

@@ -37,7 +37,7 @@ LargestErrors largest_errors(const SweepResult& result, const std::vector<Channe
   for (std::size_t row = 0; row < result.total.size(); ++row) {
     const ScatteringMatrix& s = result.total[row];
     const double largest = largest_amplitude(s);
-    if (largest == 0.0) continue;  // no level is relative to nothing
+    if (largest == 0.0 || !std::isfinite(frobenius_norm(s))) continue;  // no level is relative to nothing
     const std::array<double, 4> levels = error_levels_db(s, errors[row]);
     for (const int channel : {0, 1, 2, 3}) {
       const bool low = std::abs(s.at(channel / 2, channel % 2)) < low_share * largest;
@@ -74,9 +74,26 @@ std::string error_lines(const SweepResult& result, const RunFacts& facts) {
 }
 
 // What it is mostly, and the handle that makes it less.
+// Median of the co-polar levels [dB] of what is within 40 dB of the sweep's largest amplitude.
+double typical_level_db(const SweepResult& result, const std::vector<ChannelErrors>& errors) {
+  double peak = 0.0;
+  for (const ScatteringMatrix& s : result.total) peak = std::max({peak, std::abs(s.vv()), std::abs(s.hh())});
+  std::vector<double> levels;
+  for (std::size_t row = 0; row < result.total.size(); ++row)
+    for (const int channel : {0, 3})
+      if (std::abs(result.total[row].at(channel / 3, channel / 3)) >= 0.01 * peak && peak > 0.0)
+        levels.push_back(error_levels_db(result.total[row], errors[row])[static_cast<std::size_t>(channel)]);
+  if (levels.empty()) return 0.0;
+  const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
+  std::ranges::nth_element(levels, middle);
+  return *middle;
+}
+
 std::string model_lines(const SweepResult& result, const RunFacts& facts) {
   if (result.model.empty()) return "";
-  std::string text = line("model uncertainty", levels_text(largest_errors(result, result.model, facts.tubes.tolerance_db)));
+  const std::string levels = levels_text(largest_errors(result, result.model, facts.tubes.tolerance_db));
+  std::string text = line("model uncertainty", fmt::format("median {:.2g} dB within 40 dB of the peak; {}",
+                                                           typical_level_db(result, result.model), levels));
   if (result.model_parts.empty()) return text;
   const ModelPart& largest = result.model_parts.front();
   return text + line("", fmt::format("mostly {} ({:.0f} %); remedy: {}", largest.what, 100.0 * largest.share, largest.remedy));
@@ -123,6 +140,11 @@ std::string beyond_bound_lines(const Statistics& statistics) {
 }  // namespace
 
 std::string beyond_bound_sentence(const BeyondBound& part) {
+  if (std::isinf(part.ratio))
+    return fmt::format(
+        "{}: {} row{} without a number or beyond its bound, row {} first (rows count from 0); this is a fault of the program "
+        "or of the mesh, do not use these rows (docs/theory/bounds.md)",
+        part.part, part.rows, part.rows == 1 ? "" : "s", part.worst);
   return fmt::format(
       "{}: {} row{} with more than the size of the target allows, row {} by {:.1f} dB (rows count from 0); this is a fault of "
       "the "

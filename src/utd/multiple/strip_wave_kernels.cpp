@@ -76,7 +76,7 @@ void StripWaveKernels::find_lengths(const StripLayout& strips, std::size_t wave,
       const StripRow& row = strips.rows[b];
       const std::size_t count = row.alike ? std::min<std::size_t>(row.size, 1) : row.size;
       for (const PanelPoint& point : strips.panels.points().subspan(strips.panels.ranges()[b].first, count)) {
-        behind_.push_back(scale * here.behind.at(point.arc_length));
+        behind_.push_back(scale * std::max(here.behind.at(point.arc_length), 0.0));
         detours_.push_back(k * here.detour.at(point.arc_length));
         lengths_.push_back(bundle.edge ? behind_.back() + scale * std::max(bundle.length_at(point.arc_length), 0.0) : infinity);
       }
