@@ -73,7 +73,7 @@ void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
   const Target& target = plan_.target;
   const double here = plan_.sweep.frequencies[frequency];
   std::vector<Wedge> wedges = merge_thin_plate_edges(target.wedges, target.thin_plate_edges, thin_limit(here));
-  resolve_details(target.mesh, wedges, detail_limit(here), target.options.min_wedge_angle);
+  if (plan_.mechanisms.fringe) resolve_details(target.mesh, wedges, detail_limit(here), target.options.min_wedge_angle);
   std::erase_if(wedges, [](const Wedge& wedge) { return wedge.flat; });
   edges_.push_back(find_edge_features(wedges, curved_, edge_currents(frequency), wavelength));
 }
