@@ -235,6 +235,7 @@ std::vector<BadRow> contents_rows() {
                                                                        "7zXZ\0\0"sv;
   return {
       mesh("gzip_named_stl", "stl", gzipped(text_stl(triangle)), "mesh file 'bad.stl': is gzip data; add .gz to its name"),
+      mesh("gzip_twice", "stl.gz", gzipped(gzipped(text_stl(triangle))), "was compressed twice; unpack it once"),
       mesh("gzip_named_obj", "obj", gzipped(obj), "mesh file 'bad.obj': is gzip data; add .gz to its name"),
       mesh("zip_named_stl", "stl", "PK\x03\x04" + std::string(200, 'x'), "is a zip archive; unpack it first"),
       mesh("bzip2_named_ply", "ply", "BZh91AY&SY", "is bzip2 data; unpack it first"),
@@ -278,7 +279,7 @@ std::vector<BadRow> gzip_rows() {
       mesh("gzip_of_a_wrong_sum", "off.gz", wrong_sum, "its gzip data is damaged; copy or compress it again"),
       mesh("gzip_goes_on", "off.gz", packed + "hello", "goes on after its gzip data; compress the mesh again"),
       mesh("gzip_of_nothing", "stl.gz", gzipped(""), "is too short for an STL file"),
-      mesh("gzip_of_zeros_without_end", "stl.gz", gzipped(std::string(1 << 20, '\0'), 1 << 8),
+      mesh("gzip_of_zeros_without_end", "stl.gz", gzipped(std::string(1 << 20, '\0'), 1 << 2),
            "unpacks to more than 200 times its "),
   };
 }

@@ -15,8 +15,8 @@ namespace {
 constexpr int looks_of_a_body = 4;
 constexpr int interaction_every = 5;   // bodies: with edge-face interaction and images in right-angled corners, too
 constexpr double displacement = 1e-6;  // [wavelengths] of each corner: less than any detail that a wave could tell
-// S is a length: of bodies that are hardly larger than the displacement itself it may change by a hundred times as much as that.
-constexpr double least_bound = 100 * displacement / 0.01;
+// S is a length: of bodies that are hardly larger than the displacement itself it may change by ten times as much as that.
+constexpr double least_bound = 10 * displacement / 0.01;
 
 SolveOptions with_order(int order, bool interaction) {
   SolveOptions result;
@@ -84,7 +84,7 @@ TEST(EdgeBounds, NoBodyBeyondItsBoundAndNoCliff) {
         first.take(largest_amplitude(here.result.edges_first[i]) / bound.edges_first, name);
         if (order > 1) higher.take(largest_amplitude(here.result.edges_higher[i]) / bound.edges_higher, name);
         const double change_here = largest_amplitude(here.result.total[i] - there.result.total[i]);
-        const double share = change_here / std::max(sum(bound), least_bound);
+        const double share = change_here / std::max({sum(bound), sum(there.bounds[i]), least_bound});
         if (share > 0.01) fmt::print("cliff of {:.2g} at {}\n", share, name);
         cliffs += share > 0.01 ? 1 : 0;
         change.take(share, name);

@@ -27,7 +27,8 @@ TEST(MeshPatches, CurvedSurfacesAreNotFlattened) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Patch& patch = mesh.patches[mesh.triangle_patch[i]];
     for (const std::uint32_t v : mesh.triangles[i])
-      EXPECT_NEAR(glm::dot(patch.normal, mesh.vertices[v]), patch.offset, 1e-5);  // 2e-6 of the diagonal, 3.46, and how far planes move as they grow
+      // 2e-6 of the diagonal, 3.46, and how far planes move as they grow.
+      EXPECT_NEAR(glm::dot(patch.normal, mesh.vertices[v]), patch.offset, 1e-5);
   }
 }
 

@@ -99,6 +99,7 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
   if (!packed.empty()) {
     if (!is_gzip(file.bytes)) reject_other_contents(file, ending, "");
     file = unpacked(file, installed_memory());
+    if (is_gzip(file.bytes)) file.reject("was compressed twice; unpack it once");
     ending = ending_of(path.stem());
   }
   const MeshParser parse = parser_of(ending);
