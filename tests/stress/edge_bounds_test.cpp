@@ -15,8 +15,9 @@ namespace {
 constexpr int looks_of_a_body = 4;
 constexpr int interaction_every = 5;   // bodies: with edge-face interaction and images in right-angled corners, too
 constexpr double displacement = 1e-6;  // [wavelengths] of each corner: less than any detail that a wave could tell
-// S is a length: of bodies that are hardly larger than the displacement itself it may change by ten times as much as that.
-constexpr double least_bound = 10 * displacement / 0.01;
+// S is a length: of bodies that are hardly larger than the displacement itself, wires of some of it, it may change by a hundred
+// times as much as that, a ten thousandth of a wavelength.
+constexpr double least_bound = 100 * displacement / 0.01;
 
 SolveOptions with_order(int order, bool interaction) {
   SolveOptions result;
