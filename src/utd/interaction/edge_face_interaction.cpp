@@ -9,6 +9,7 @@
 #include "core/work.h"
 #include "utd/fringe/reflected_edges.h"
 #include "utd/interaction/illumination_rounds.h"
+#include "utd/interaction/penumbra_fringe.h"
 #include "utd/interaction/reflected_light.h"
 #include "utd/shadow/lit_edges.h"
 
@@ -42,6 +43,13 @@ ReflectedLook reflected_look(const ReflectedWave& wave, const LookVectors& look,
   return result;
 }
 
+// Of reflected light by geometrical optics: all of it, none, and half on the border of its beam. Less the share that counts.
+double beyond_smooth_light(const LitEdgePiece& piece) {
+  constexpr double on_border = 2e-6;  // about the 1e-7 rad within which the waves at rims have no side
+  const double aside = piece.light - 0.5, sharp = std::abs(aside) < on_border ? 0.5 : aside > 0.0 ? 1.0 : 0.0;
+  return piece.weight / piece.light * (sharp - piece.light);
+}
+
 // All waves that light edges in one look, and what these radiate.
 class InteractionLook {
  public:
@@ -70,7 +78,7 @@ class InteractionLook {
       result.scattering.resize(frequencies_.size());
       result.illuminating_pieces = jobs_.size();
       add(illuminate(options, {}, result), result);
-      const double fringe_squares = options.order > 1 ? add_fringe(options, result) : 0.0;
+      const double fringe_squares = options.order > 1 ? add_fringe(options, result) + add_penumbra(result) : 0.0;
       estimate_left_out(fringe_squares, result);
     }
     result.work = work_;
@@ -85,6 +93,7 @@ class InteractionLook {
     work_ += sum.work;
     for (std::size_t i = 0; i < jobs_.size(); ++i) images.push_back(image_of(*jobs_[i].piece, sum.of_jobs[i]));
     if (options.order == 1) return images;
+    add_penumbra(frequency_index, images);
     for_each_fringe(options, 1, result, [&](const EdgeLookResult& part, std::span<const LitEdgePiece> pieces) {
       images.push_back(image_of(pieces.front(), part.scattering[frequency_index] + part.higher[frequency_index]));
     });
@@ -92,6 +101,8 @@ class InteractionLook {
   }
 
  private:
+  static bool has_penumbra(const IlluminationJob& job) { return job.reflections > 0; }
+
   static ImageEdge image_of(const LitEdgePiece& piece, const ScatteringMatrix& s) {
     const EdgeAxis& axis = *piece.edge;
     return {axis.origin + piece.from * axis.tangent, axis.origin + piece.to * axis.tangent, s};
@@ -225,6 +236,37 @@ class InteractionLook {
       }
     }
     return squares;
+  }
+
+  // The same of the fringe currents on the rims of other faces, by waves of edges that light reaches after one reflection at
+  // most.
+  double add_penumbra(InteractionResult& result) {
+    PenumbraFringe penumbra(scene_.edges.tracer, scene_.axes, shortest_axis_, look_, wavenumbers_);
+    double squares = 0.0;
+    for (const IlluminationJob& job : jobs_) {
+      if (!has_penumbra(job)) continue;
+      if (is_limited() && work_ + penumbra.work() + penumbra.work_of(*job.piece) > most_work_) {
+        ++result.skipped.fringe_pieces;
+        squares += std::pow(typical_share * fringe_bound(*job.piece), 2);
+      } else {
+        penumbra.add(*job.piece, result.scattering);
+        penumbra.add_step(*job.piece, beyond_smooth_light(*job.piece), result.scattering);
+      }
+    }
+    work_ += penumbra.work();
+    return squares;
+  }
+
+  void add_penumbra(std::size_t frequency_index, std::vector<ImageEdge>& images) const {
+    PenumbraFringe penumbra(scene_.edges.tracer, scene_.axes, shortest_axis_, look_,
+                            std::span(wavenumbers_).subspan(frequency_index, 1));
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      if (!has_penumbra(jobs_[i])) continue;
+      std::vector<ScatteringMatrix> sum(1);
+      penumbra.add(*jobs_[i].piece, sum);
+      penumbra.add_step(*jobs_[i].piece, beyond_smooth_light(*jobs_[i].piece), sum);
+      images[i].s += sum[0];
+    }
   }
 
   EdgeLookResult fringe(std::span<const ReflectedLook> looks, const InteractionOptions& options) const {

@@ -16,7 +16,8 @@
 //   interaction_groups.h which edges and faces are large enough, at each frequency
 //   pair_bound.h         what an edge and a face can give at most
 //   pair_choice.h, illumination_rounds.h   the strongest pairs first, where a look may not take all
-// To these currents come, at order 2 and 3, the fringe currents of edges lit by a wave reflected once (utd/fringe).
+// To these currents come, at order 2 and 3, the fringe currents of edges lit by a wave reflected once (utd/fringe), and of the
+// rims of other faces that waves of edges reach (penumbra_fringe.h).
 #pragma once
 
 #include <cstdint>
@@ -77,7 +78,8 @@ struct InteractionOptions {
 inline constexpr int most_reflections = 2;
 
 /// S of the currents that diffracted waves excite on faces other than those of their own edge, at most one edge a path; at order
-/// 2 and 3 also of the fringe currents of edges that light reaches after one reflection. Not symmetric in a monostatic look.
+/// 2 and 3 also of the fringe currents of edges that light reaches after one reflection, and of those that waves of other edges
+/// reach. Not symmetric in a monostatic look.
 /// Where the work allowed is not enough for all, the strongest pairs of an edge and a face come first, by their bounds, and those
 /// that together stay below the tolerance not at all. What is computed depends on counted steps alone.
 /// Plane waves only; `frequencies` [Hz] must not be empty.

@@ -38,6 +38,7 @@ struct LitEdgePiece {
   FaceIncidence incidence;  // on the first face
   double from, to;          // positions along the edge [m]
   double weight = 1.0;      // of the wave
+  double light = 1.0;       // share in it that a border of reflected light leaves, smooth across that border
 };
 
 /// The faces that edges may illuminate. What is referred to must outlive it.

@@ -122,7 +122,7 @@ void ReflectedLight::find_lit(ReflectedWave& wave) {
     find_pieces(wave, axis, -aside);
     const std::vector<LitPiece> under = pieces_;
     for (const LitPiece& piece : blended(wave, axis, over, under))
-      wave.lit.push_back({&axis, &wave.wave, incidence.faces[0], piece.from, piece.to, weight * piece.weight});
+      wave.lit.push_back({&axis, &wave.wave, incidence.faces[0], piece.from, piece.to, weight * piece.weight, piece.weight});
   }
 }
 

@@ -1,0 +1,222 @@
+#include "utd/interaction/penumbra_fringe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/work.h"
+#include "math/filon.h"
+#include "utd/interaction/edge_axes.h"
+#include "utd/wedge/diffracted_field.h"
+
+namespace raytube {
+
+namespace {
+
+// Panels of a rim grow from its ends, where it may meet the edge that lights it, to its middle; the first in wavelengths.
+constexpr double first_panel = 0.5, panel_growth = 4.0;
+constexpr double end_inset = 1e-7;    // of a lit piece: its ends belong to other faces, too
+constexpr double beside_face = 4e-6;  // of the target's radius
+constexpr double along_face = 1e-7;   // sine
+constexpr double undecided = 1e-7;    // [rad] beside a boundary
+
+bool share_a_face(const Wedge& one, const Wedge& other) {
+  return std::ranges::any_of(
+      one.faces, [&](const WedgeFace& face) { return face.patch == other.faces[0].patch || face.patch == other.faces[1].patch; });
+}
+
+// Sum of the normals of the faces of a wedge that a ray to or from it runs along.
+dvec3 grazed_side(const Wedge& wedge, const dvec3& direction) {
+  dvec3 side(0.0);
+  for (const WedgeFace& face : wedge.faces)
+    if (std::abs(glm::dot(direction, face.normal)) < along_face) side += face.normal;
+  return side;
+}
+
+// The observation angle, on a shadow or reflection boundary if it is so close to one that rounding decides the side.
+double settled_angle(double n, double source, double observation) {
+  for (const double boundary : {source + pi, source - pi, pi - source, (2 * n - 1) * pi - source})
+    if (std::abs(observation - boundary) < undecided) return boundary;
+  return observation;
+}
+
+StraightEdge lit_edge(const LitEdgePiece& piece) {
+  const WedgeFace& face = piece.edge->wedge->faces[0];
+  return {piece.edge->origin, face.into_face, face.normal, piece.edge->wedge->n, piece.from, piece.to};
+}
+
+// Where panels end [m].
+std::vector<double> panels_of(double length, double first) {
+  std::vector<double> ends{0.0};
+  for (double end = first; end < 0.45 * length; end *= panel_growth) ends.push_back(end);
+  const std::size_t half = ends.size();
+  ends.push_back(length / 2);
+  for (std::size_t i = half; i-- > 0;) ends.push_back(length - ends[i]);
+  return ends;
+}
+
+}  // namespace
+
+// The diffracted wave at a point as a look at the rim there, E = -[b0_hat b0'_hat soft + phi_hat phi'_hat hard] . E_i
+// (Kouyoumjian and Pathak 1974): in the place of V and H are b0_hat and phi_hat.
+struct PenumbraFringe::ArrivingWave {
+  LookVectors look;
+  std::array<std::array<double, 2>, 2> incident;  // [transmit][soft, hard]: -b0'_hat . E_i, -phi'_hat . E_i
+
+  ArrivingWave(const StraightEdge& edge, const EdgeRay& ray, const PlaneWave& wave, const LookVectors& of_target)
+      : look(of_target) {
+    const dvec3 phi_source = -glm::cross(edge.tangent(), ray.arriving) / ray.sin_cone;
+    const dvec3 phi = glm::cross(edge.tangent(), ray.leaving) / ray.sin_cone;
+    const dvec3 cone_source = glm::cross(ray.arriving, phi_source);
+    look.incident = ray.leaving;
+    look.electric = {glm::cross(ray.leaving, phi), phi};
+    for (int c = 0; c < 2; ++c) look.magnetic[c] = glm::cross(ray.leaving, look.electric[c]);
+    for (int q = 0; q < 2; ++q) incident[q] = {-glm::dot(cone_source, wave.electric[q]), -glm::dot(phi_source, wave.electric[q])};
+  }
+
+  void add(const DiffractedWave& wave, const ScatteringMatrix& amplitude, Complex phase, ScatteringMatrix& sum) const {
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q)
+        sum.at(p, q) +=
+            phase * (amplitude.at(p, 0) * wave.soft * incident[q][0] + amplitude.at(p, 1) * wave.hard * incident[q][1]);
+  }
+};
+
+struct PenumbraFringe::RimPoint {
+  EdgeRay ray;   // to it, its path counted in `phase`
+  double phase;  // over k [m]
+  double share;
+  ArrivingWave wave;
+  EdgeAmplitude amplitude;
+
+  void add(const StraightEdge& source, double wavenumber, Complex weight, ScatteringMatrix& sum) const;
+};
+
+struct PenumbraFringe::Source {
+  const LitEdgePiece& piece;
+  StraightEdge edge;
+  RaySource wave;
+};
+
+PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> axes, double shortest_axis,
+                               const LookVectors& look, std::span<const double> wavenumbers)
+    : tracer_(tracer),
+      axes_(axes),
+      shortest_axis_(shortest_axis),
+      look_(look),
+      wavenumbers_(wavenumbers),
+      shortest_wavelength_(2 * pi / std::ranges::max(wavenumbers)) {}
+
+void PenumbraFringe::add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums) {
+  const Source from{source, lit_edge(source), {Spreading::plane, {}, source.wave->direction, {}}};
+  for (const EdgeAxis& rim : axes_) {
+    if (rim.length < shortest_axis_ || share_a_face(*source.edge->wedge, *rim.wedge)) continue;
+    add_rim(from, rim, sums);
+    work_ += work_of_rim(rim);
+  }
+}
+
+void PenumbraFringe::add_step(const LitEdgePiece& lit, double weight, std::vector<ScatteringMatrix>& sums) const {
+  if (weight == 0.0) return;
+  const Wedge& wedge = *lit.edge->wedge;
+  LookVectors look = look_;
+  look.incident = lit.wave->direction;
+  look.electric = lit.wave->electric;
+  for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(look.incident, look.electric[q]);
+  const EdgeAmplitude amplitude = edge_amplitude(wedge, incidence_on(wedge, look.incident), look);
+  const dvec3 difference = look.scattered - look.incident,
+              middle = lit.edge->origin + (lit.from + lit.to) / 2 * lit.edge->tangent;
+  const double length = lit.to - lit.from, half_span = length / 2 * glm::dot(difference, lit.edge->tangent);
+  const double path = glm::dot(difference, middle) - lit.wave->path;
+  bool windowed = false;
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+    const double k = wavenumbers_[f];
+    ScatteringMatrix sum = amplitude_at(amplitude, k, windowed);
+    sums[f] += sum *= std::polar(weight * wedge.share * length * sinc(k * half_span), k * path);
+  }
+}
+
+double PenumbraFringe::work_of(const LitEdgePiece& source) const {
+  double sum = 0.0;
+  for (const EdgeAxis& rim : axes_)
+    if (rim.length >= shortest_axis_ && !share_a_face(*source.edge->wedge, *rim.wedge)) sum += work_of_rim(rim);
+  return sum;
+}
+
+double PenumbraFringe::work_of_rim(const EdgeAxis& rim) const {
+  const double panels = static_cast<double>(panels_of(rim.length, first_panel * shortest_wavelength_).size() - 1);
+  const double frequencies = static_cast<double>(wavenumbers_.size());
+  return panels * lanes * (work::tube_ray + work::edge_amplitude * (1 + frequencies));
+}
+
+void PenumbraFringe::add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums) {
+  const std::vector<double> ends = panels_of(rim.length, first_panel * shortest_wavelength_);
+  for (std::size_t panel = 0; panel + 1 < ends.size(); ++panel) add_panel(source, rim, ends[panel], ends[panel + 1], sums);
+}
+
+// By Filon's rule: the phase of the rays' paths is close to linear, what remains changes slowly. Shadows end between points.
+void PenumbraFringe::add_panel(const Source& source, const EdgeAxis& rim, double from, double to,
+                               std::vector<ScatteringMatrix>& sums) {
+  const FilonRule& rule = FilonRule::get();
+  std::array<std::optional<RimPoint>, lanes> points;
+  std::array<double, lanes> phases{};
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const dvec3 place = rim.origin + ((from + to) / 2 + (to - from) / 2 * rule.at[i]) * rim.tangent;
+    points[i] = point_on(source, rim, place);
+    if (points[i]) phases[i] = points[i]->phase;
+  }
+  std::size_t first = 0, last = lanes;
+  while (first < lanes && !points[first]) ++first;
+  if (first == lanes) return;
+  while (!points[last - 1]) --last;
+  const double rate = last - first > 1 ? (phases[last - 1] - phases[first]) / (rule.at[last - 1] - rule.at[first]) : 0.0;
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+    const double k = wavenumbers_[f];
+    const Complexes weights = rule.weights(k * rate);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      if (!points[i]) continue;
+      const Complex weight(weights.re[i], weights.im[i]);
+      points[i]->add(source.edge, k, (to - from) / 2 * weight * std::polar(1.0, k * (phases[i] - rate * rule.at[i])), sums[f]);
+    }
+  }
+}
+
+// The wave is taken as plane about a point of the rim, and its fringe current there as that of endless faces.
+std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& source, const EdgeAxis& rim,
+                                                                 const dvec3& place) const {
+  if (!has_edge_ray(source.edge, source.wave, place)) return std::nullopt;
+  EdgeRay ray = edge_ray(source.edge, source.wave, place);
+  ray.observation_angle = settled_angle(source.edge.n, ray.source_angle, ray.observation_angle);
+  const WedgeIncidence incidence = incidence_on(*rim.wedge, ray.leaving);
+  const double light = incidence_weight(*rim.wedge, incidence);
+  if (light == 0.0 || !is_clear(source, ray, *rim.wedge, place)) return std::nullopt;
+  const double phase = glm::dot(look_.scattered, place) - source.piece.wave->path - ray.path;
+  ray.path = 0.0;
+  const ArrivingWave wave(source.edge, ray, *source.piece.wave, look_);
+  return RimPoint{ray, phase, light * source.piece.weight * source.piece.edge->wedge->share, wave,
+                  edge_amplitude(*rim.wedge, incidence, wave.look)};
+}
+
+void PenumbraFringe::RimPoint::add(const StraightEdge& source, double wavenumber, Complex weight, ScatteringMatrix& sum) const {
+  bool windowed = false;
+  wave.add(diffracted_wave(source, ray, wavenumber), amplitude_at(amplitude, wavenumber, windowed), share * weight, sum);
+}
+
+// Whether nothing but the faces of both edges stands between the edge, at the point of its lit piece next to the ray's, and the
+// rim. Rays that run along a face are tested beside it.
+bool PenumbraFringe::is_clear(const Source& source, const EdgeRay& ray, const Wedge& rim, const dvec3& place) const {
+  const Wedge& wedge = *source.piece.edge->wedge;
+  const double inset = end_inset * (source.piece.to - source.piece.from);
+  const double position = std::clamp(ray.arc_length, source.piece.from + inset, source.piece.to - inset);
+  const dvec3 start = source.edge.origin + position * source.edge.tangent(), way = place - start;
+  const double length = glm::length(way);
+  const dvec3 aside = beside_face * tracer_.mesh().radius * (grazed_side(wedge, ray.leaving) + grazed_side(rim, ray.leaving));
+  const IgnoredPatches own{wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch};
+  const std::uint32_t blocker = tracer_.blocker(start + aside, way / length, own);
+  if (blocker == no_index) return true;
+  const std::uint32_t patch = tracer_.mesh().triangle_patch[blocker];
+  if (patch == rim.faces[0].patch || patch == rim.faces[1].patch || patch == rim.border_patch) return true;
+  const Patch& plane = tracer_.mesh().patches[patch];
+  return std::abs(plane.offset - glm::dot(plane.normal, start + aside)) > std::abs(glm::dot(plane.normal, way));
+}
+
+}  // namespace raytube

@@ -1,0 +1,52 @@
+// Penumbra fringe: the wave that one edge diffracts reaches the rims of other faces, where its current of physical optics ends;
+// the fringe current of those rims belongs to it. Derived in docs/theory/interaction.md.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesh/trace/tracer.h"
+#include "utd/interaction/edge_illumination.h"
+#include "utd/wedge/diffracted_field.h"
+
+namespace raytube {
+
+/// What the rims of other faces make of the waves of lit pieces of edges, in one look. Keeps references to its arguments.
+class PenumbraFringe {
+ public:
+  /// `axes` are the edges that waves of others may reach; those shorter than `shortest_axis` [m] do not count.
+  PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> axes, double shortest_axis, const LookVectors& look,
+                 std::span<const double> wavenumbers);
+
+  /// Adds S [m] of all rims that the waves of `source` reach, per wavenumber.
+  void add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums);
+
+  /// Adds what such a current of the edge of `lit` itself is under its own wave, times `weight`: the wave over another edge
+  /// completes reflected light that ends at the border of its beam.
+  void add_step(const LitEdgePiece& lit, double weight, std::vector<ScatteringMatrix>& sums) const;
+
+  /// Work that add() takes at most (core/work.h).
+  double work_of(const LitEdgePiece& source) const;
+  /// Counted so far (core/work.h).
+  double work() const { return work_; }
+
+ private:
+  struct Source;
+  struct ArrivingWave;
+  struct RimPoint;
+  void add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums);
+  void add_panel(const Source& source, const EdgeAxis& rim, double from, double to, std::vector<ScatteringMatrix>& sums);
+  std::optional<RimPoint> point_on(const Source& source, const EdgeAxis& rim, const dvec3& place) const;
+  bool is_clear(const Source& source, const EdgeRay& ray, const Wedge& rim, const dvec3& place) const;
+  double work_of_rim(const EdgeAxis& rim) const;
+
+  const Tracer& tracer_;
+  std::span<const EdgeAxis> axes_;
+  double shortest_axis_;
+  const LookVectors& look_;
+  std::span<const double> wavenumbers_;
+  double shortest_wavelength_;
+  double work_ = 0.0;
+};
+
+}  // namespace raytube
