@@ -43,13 +43,6 @@ ReflectedLook reflected_look(const ReflectedWave& wave, const LookVectors& look,
   return result;
 }
 
-// Of reflected light by geometrical optics: all of it, none, and half on the border of its beam. Less the share that counts.
-double beyond_smooth_light(const LitEdgePiece& piece) {
-  constexpr double on_border = 2e-6;  // about the 1e-7 rad within which the waves at rims have no side
-  const double aside = piece.light - 0.5, sharp = std::abs(aside) < on_border ? 0.5 : aside > 0.0 ? 1.0 : 0.0;
-  return piece.weight / piece.light * (sharp - piece.light);
-}
-
 // All waves that light edges in one look, and what these radiate.
 class InteractionLook {
  public:
@@ -250,11 +243,24 @@ class InteractionLook {
         squares += std::pow(typical_share * fringe_bound(*job.piece), 2);
       } else {
         penumbra.add(*job.piece, result.scattering);
-        penumbra.add_step(*job.piece, beyond_smooth_light(*job.piece), result.scattering);
+        penumbra.add_step(*job.piece, beyond_smooth_light(*job.piece, penumbra), result.scattering);
       }
     }
     work_ += penumbra.work();
     return squares;
+  }
+
+  // Of reflected light by geometrical optics: all of it, none, and half on the border of its beam, where the wave that goes on
+  // from there has no side. Less the share that counts.
+  double beyond_smooth_light(const LitEdgePiece& piece, const PenumbraFringe& penumbra) const {
+    constexpr double near_border = 0.01;  // saves time alone: no edge is so far away that more is within its 1e-7 rad
+    if (piece.light == 1.0) return 0.0;
+    const auto ends_light = [&](const IlluminationJob& job) {
+      return has_penumbra(job) && penumbra.ends_along(piece, *job.piece);
+    };
+    const bool on_border = std::abs(piece.light - 0.5) < near_border && std::ranges::any_of(jobs_, ends_light);
+    const double sharp = on_border ? 0.5 : piece.light > 0.5 ? 1.0 : 0.0;
+    return piece.weight / piece.light * (sharp - piece.light);
   }
 
   void add_penumbra(std::size_t frequency_index, std::vector<ImageEdge>& images) const {
@@ -264,7 +270,7 @@ class InteractionLook {
       if (!has_penumbra(jobs_[i])) continue;
       std::vector<ScatteringMatrix> sum(1);
       penumbra.add(*jobs_[i].piece, sum);
-      penumbra.add_step(*jobs_[i].piece, beyond_smooth_light(*jobs_[i].piece), sum);
+      penumbra.add_step(*jobs_[i].piece, beyond_smooth_light(*jobs_[i].piece, penumbra), sum);
       images[i].s += sum[0];
     }
   }

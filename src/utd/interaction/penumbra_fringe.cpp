@@ -32,11 +32,16 @@ dvec3 grazed_side(const Wedge& wedge, const dvec3& direction) {
   return side;
 }
 
-// The observation angle, on a shadow or reflection boundary if it is so close to one that rounding decides the side.
-double settled_angle(double n, double source, double observation) {
-  for (const double boundary : {source + pi, source - pi, pi - source, (2 * n - 1) * pi - source})
+// The azimuths at which the wave of an edge changes its side: shadow and reflection boundaries.
+std::array<double, 4> boundaries_of(double n, double source) {
+  return {source + pi, source - pi, pi - source, (2 * n - 1) * pi - source};
+}
+
+// That on which an observation angle lies, or is so close to that rounding decides the side.
+std::optional<double> boundary_at(double n, double source, double observation) {
+  for (const double boundary : boundaries_of(n, source))
     if (std::abs(observation - boundary) < undecided) return boundary;
-  return observation;
+  return std::nullopt;
 }
 
 StraightEdge lit_edge(const LitEdgePiece& piece) {
@@ -44,8 +49,23 @@ StraightEdge lit_edge(const LitEdgePiece& piece) {
   return {piece.edge->origin, face.into_face, face.normal, piece.edge->wedge->n, piece.from, piece.to};
 }
 
-// Where panels end [m].
-std::vector<double> panels_of(double length, double first) {
+RaySource plane_source(const PlaneWave& wave) { return {Spreading::plane, {}, wave.direction, {}}; }
+
+// Where the boundaries of the wave of an edge cut a rim that they do not contain: it jumps there [m].
+void add_boundaries(const StraightEdge& edge, double source_angle, const EdgeAxis& rim, std::vector<double>& ends) {
+  for (const double boundary : boundaries_of(edge.n, source_angle)) {
+    const double cosine = std::cos(boundary), sine = std::sin(boundary);
+    const dvec3 normal = cosine * edge.normal - sine * edge.into_face, offset = rim.origin - edge.origin;
+    const double slope = glm::dot(normal, rim.tangent);
+    if (std::abs(slope) < along_face) continue;
+    const double place = -glm::dot(normal, offset) / slope;
+    const dvec3 outwards = cosine * edge.into_face + sine * edge.normal;
+    if (place > 0.0 && place < rim.length && glm::dot(outwards, offset + place * rim.tangent) > 0.0) ends.push_back(place);
+  }
+}
+
+// Where panels end that grow towards the middle [m].
+std::vector<double> growing_panels(double length, double first) {
   std::vector<double> ends{0.0};
   for (double end = first; end < 0.45 * length; end *= panel_growth) ends.push_back(end);
   const std::size_t half = ends.size();
@@ -95,6 +115,7 @@ struct PenumbraFringe::Source {
   const LitEdgePiece& piece;
   StraightEdge edge;
   RaySource wave;
+  explicit Source(const LitEdgePiece& lit) : piece(lit), edge(lit_edge(lit)), wave(plane_source(*lit.wave)) {}
 };
 
 PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> axes, double shortest_axis,
@@ -107,11 +128,10 @@ PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> a
       shortest_wavelength_(2 * pi / std::ranges::max(wavenumbers)) {}
 
 void PenumbraFringe::add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums) {
-  const Source from{source, lit_edge(source), {Spreading::plane, {}, source.wave->direction, {}}};
+  const Source from(source);
   for (const EdgeAxis& rim : axes_) {
     if (rim.length < shortest_axis_ || share_a_face(*source.edge->wedge, *rim.wedge)) continue;
     add_rim(from, rim, sums);
-    work_ += work_of_rim(rim);
   }
 }
 
@@ -122,7 +142,9 @@ void PenumbraFringe::add_step(const LitEdgePiece& lit, double weight, std::vecto
   look.incident = lit.wave->direction;
   look.electric = lit.wave->electric;
   for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(look.incident, look.electric[q]);
-  const EdgeAmplitude amplitude = edge_amplitude(wedge, incidence_on(wedge, look.incident), look);
+  const WedgeIncidence incidence = incidence_on(wedge, look.incident);
+  if (incidence.weight != 1.0) return;  // nor has it strips then, which this would complete
+  const EdgeAmplitude amplitude = edge_amplitude(wedge, incidence, look);
   const dvec3 difference = look.scattered - look.incident,
               middle = lit.edge->origin + (lit.from + lit.to) / 2 * lit.edge->tangent;
   const double length = lit.to - lit.from, half_span = length / 2 * glm::dot(difference, lit.edge->tangent);
@@ -131,26 +153,43 @@ void PenumbraFringe::add_step(const LitEdgePiece& lit, double weight, std::vecto
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     const double k = wavenumbers_[f];
     ScatteringMatrix sum = amplitude_at(amplitude, k, windowed);
-    sums[f] += sum *= std::polar(weight * wedge.share * length * sinc(k * half_span), k * path);
+    sums[f] += sum *= std::polar(weight * length * sinc(k * half_span), k * path);
   }
 }
 
+bool PenumbraFringe::ends_along(const LitEdgePiece& lit, const LitEdgePiece& source) const {
+  const Source from(source);
+  const dvec3 middle = lit.edge->origin + (lit.from + lit.to) / 2 * lit.edge->tangent;
+  if (share_a_face(*source.edge->wedge, *lit.edge->wedge) || !has_edge_ray(from.edge, from.wave, middle)) return false;
+  const EdgeRay ray = edge_ray(from.edge, from.wave, middle);
+  return boundary_at(from.edge.n, ray.source_angle, ray.observation_angle) &&
+         glm::length(ray.leaving - lit.wave->direction) < 2 * undecided;
+}
+
 double PenumbraFringe::work_of(const LitEdgePiece& source) const {
+  const Source from(source);
   double sum = 0.0;
   for (const EdgeAxis& rim : axes_)
-    if (rim.length >= shortest_axis_ && !share_a_face(*source.edge->wedge, *rim.wedge)) sum += work_of_rim(rim);
+    if (rim.length >= shortest_axis_ && !share_a_face(*source.edge->wedge, *rim.wedge))
+      sum += work_of_panel() * static_cast<double>(panels_of(from, rim).size() - 1);
   return sum;
 }
 
-double PenumbraFringe::work_of_rim(const EdgeAxis& rim) const {
-  const double panels = static_cast<double>(panels_of(rim.length, first_panel * shortest_wavelength_).size() - 1);
-  const double frequencies = static_cast<double>(wavenumbers_.size());
-  return panels * lanes * (work::tube_ray + work::edge_amplitude * (1 + frequencies));
+double PenumbraFringe::work_of_panel() const {
+  return lanes * (work::tube_ray + work::edge_amplitude * (1 + static_cast<double>(wavenumbers_.size())));
+}
+
+std::vector<double> PenumbraFringe::panels_of(const Source& source, const EdgeAxis& rim) const {
+  std::vector<double> ends = growing_panels(rim.length, first_panel * shortest_wavelength_);
+  add_boundaries(source.edge, source.piece.incidence.source_angle, rim, ends);
+  std::ranges::sort(ends);
+  return ends;
 }
 
 void PenumbraFringe::add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums) {
-  const std::vector<double> ends = panels_of(rim.length, first_panel * shortest_wavelength_);
+  const std::vector<double> ends = panels_of(source, rim);
   for (std::size_t panel = 0; panel + 1 < ends.size(); ++panel) add_panel(source, rim, ends[panel], ends[panel + 1], sums);
+  work_ += work_of_panel() * static_cast<double>(ends.size() - 1);
 }
 
 // By Filon's rule: the phase of the rays' paths is close to linear, what remains changes slowly. Shadows end between points.
@@ -185,14 +224,14 @@ std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& s
                                                                  const dvec3& place) const {
   if (!has_edge_ray(source.edge, source.wave, place)) return std::nullopt;
   EdgeRay ray = edge_ray(source.edge, source.wave, place);
-  ray.observation_angle = settled_angle(source.edge.n, ray.source_angle, ray.observation_angle);
-  const WedgeIncidence incidence = incidence_on(*rim.wedge, ray.leaving);
-  const double light = incidence_weight(*rim.wedge, incidence);
-  if (light == 0.0 || !is_clear(source, ray, *rim.wedge, place)) return std::nullopt;
+  ray.observation_angle = boundary_at(source.edge.n, ray.source_angle, ray.observation_angle).value_or(ray.observation_angle);
+  WedgeIncidence incidence = incidence_on(*rim.wedge, ray.leaving);
+  incidence.weight = incidence_weight(*rim.wedge, incidence);
+  if (incidence.weight == 0.0 || !is_clear(source, ray, *rim.wedge, place)) return std::nullopt;
   const double phase = glm::dot(look_.scattered, place) - source.piece.wave->path - ray.path;
   ray.path = 0.0;
   const ArrivingWave wave(source.edge, ray, *source.piece.wave, look_);
-  return RimPoint{ray, phase, light * source.piece.weight * source.piece.edge->wedge->share, wave,
+  return RimPoint{ray, phase, source.piece.weight * source.piece.edge->wedge->share, wave,
                   edge_amplitude(*rim.wedge, incidence, wave.look)};
 }
 

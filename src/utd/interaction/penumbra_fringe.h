@@ -25,7 +25,10 @@ class PenumbraFringe {
   /// completes reflected light that ends at the border of its beam.
   void add_step(const LitEdgePiece& lit, double weight, std::vector<ScatteringMatrix>& sums) const;
 
-  /// Work that add() takes at most (core/work.h).
+  /// Whether the wave of `source` meets the middle of `lit` on the boundary at which this light ends, as close as add() tells.
+  bool ends_along(const LitEdgePiece& lit, const LitEdgePiece& source) const;
+
+  /// Work that add() takes (core/work.h).
   double work_of(const LitEdgePiece& source) const;
   /// Counted so far (core/work.h).
   double work() const { return work_; }
@@ -38,7 +41,8 @@ class PenumbraFringe {
   void add_panel(const Source& source, const EdgeAxis& rim, double from, double to, std::vector<ScatteringMatrix>& sums);
   std::optional<RimPoint> point_on(const Source& source, const EdgeAxis& rim, const dvec3& place) const;
   bool is_clear(const Source& source, const EdgeRay& ray, const Wedge& rim, const dvec3& place) const;
-  double work_of_rim(const EdgeAxis& rim) const;
+  std::vector<double> panels_of(const Source& source, const EdgeAxis& rim) const;
+  double work_of_panel() const;
 
   const Tracer& tracer_;
   std::span<const EdgeAxis> axes_;
