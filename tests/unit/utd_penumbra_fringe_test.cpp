@@ -13,11 +13,11 @@ using testing::measured;
 /// A half plane's edge along y on z = 0, x < 0, and a plate that stands beside it.
 class EdgeAndRim {
  public:
-  EdgeAndRim() {
+  /// `rim`: its middle, `direction`: along it.
+  explicit EdgeAndRim(const dvec3& rim = dvec3(1.5, 0.2, 0.8), const dvec3& direction = dvec3(0.2, 1, 0.1)) {
     const std::uint32_t own = test::add_panel(scene_.mesh, {-1, 0, 0}, {1, 0, 0}, {0, 2, 0});
-    const dvec3 along = glm::normalize(dvec3(0.2, 1, 0.1)), up = glm::normalize(glm::cross(dvec3(1, 0.3, 0), along));
-    const std::uint32_t plate = test::add_panel(scene_.mesh, dvec3(1.5, 0.2, 0.8) - 0.5 * up, 1.7 * along, 0.5 * up);
-    const dvec3 rim = dvec3(1.5, 0.2, 0.8);
+    const dvec3 along = glm::normalize(direction), up = glm::normalize(glm::cross(dvec3(1, 0.3, 0), along));
+    const std::uint32_t plate = test::add_panel(scene_.mesh, rim - 0.5 * up, 1.7 * along, 0.5 * up);
     scene_.wedges = {test::half_plane({0, -2, 0}, {0, 2, 0}, {-1, 0, 0}, {0, 0, 1}, 2.0, own),
                      test::half_plane(rim - 1.7 * along, rim + 1.7 * along, -up, glm::cross(along, -up), 1.0, plate)};
     for (const Wedge& wedge : scene_.wedges) {
@@ -26,6 +26,10 @@ class EdgeAndRim {
       axes_.push_back({&wedge, reversed ? wedge.end : wedge.start, tangent, wedge.length(), {}});
     }
   }
+
+  EdgeAndRim(const EdgeAndRim&) = delete;
+
+  Wedge& wedge(std::size_t index) { return scene_.wedges[index]; }
 
   LitEdgePiece lit(const PlaneWave& wave) const {
     return {&axes_[0], &wave, incidence_on(scene_.wedges[0], wave.direction).faces[0], 0.5, 3.0, 0.7};
@@ -36,6 +40,13 @@ class EdgeAndRim {
     const Tracer tracer(scene_.mesh);
     std::vector<ScatteringMatrix> sums(wavenumbers.size());
     PenumbraFringe(tracer, axes_, 0.0, look, wavenumbers).add(lit(wave), sums);
+    return sums;
+  }
+
+  std::vector<ScatteringMatrix> step(const LookVectors& look, const PlaneWave& wave, std::span<const double> wavenumbers) const {
+    const Tracer tracer(scene_.mesh);
+    std::vector<ScatteringMatrix> sums(wavenumbers.size());
+    PenumbraFringe(tracer, axes_, 0.0, look, wavenumbers).add_step(lit(wave), 1.0, sums);
     return sums;
   }
 
@@ -94,6 +105,41 @@ TEST(PenumbraFringe, IsTheIntegralAlongTheRim) {
   measured("fringe of a rim, error", error / size, "of it");
   EXPECT_GT(size, 0.003);
   EXPECT_LT(error, 1e-4 * size);
+}
+
+// A rim that stands across the half plane at the height of its edge: boundaries cut it, and between 54 and 58 degrees the ray comes
+// from the end of the lit piece close to one of them. The midpoint rule leaves jump / points: 2e-3 at 4000, less than 5e-4 at 32000.
+TEST(PenumbraFringe, JumpsWithinTheRimEndPanels) {
+  EdgeAndRim scene(dvec3(1.2, 0.2, 0.0), dvec3(0.1, 0.4, 1));
+  double error = 0.0, size = 0.0;
+  for (double theta = 40; theta < 75; theta += 3.9) {
+    const LookVectors look = look_vectors({{theta * degree, 160 * degree}, {65 * degree, 70 * degree}});
+    const PlaneWave wave{look.incident, look.electric, 0.37};
+    const double wavenumbers[] = {2 * pi};
+    const ScatteringMatrix expected = scene.by_points(look, wave, wavenumbers[0], 32000);
+    error = std::max(error, largest_amplitude(scene.fringe(look, wave, wavenumbers)[0] - expected));
+    size = std::max(size, largest_amplitude(expected));
+  }
+  measured("fringe of a rim across boundaries, error", error / size, "of the largest");
+  EXPECT_GT(size, 0.003);
+  EXPECT_LT(error, 1e-3 * size);
+}
+
+// One of two wedges that the wave sees as one has half of the current, and half of the wave.
+TEST(PenumbraFringe, SharesCountOnce) {
+  EdgeAndRim whole, half_of_wave, half_of_rim;
+  half_of_wave.wedge(0).share = half_of_rim.wedge(1).share = 0.5;
+  const LookVectors look = look_vectors({{50 * degree, 40 * degree}, {65 * degree, 10 * degree}});
+  const PlaneWave wave{look.incident, look.electric, 0.37};
+  const double wavenumbers[] = {2 * pi};
+  const ScatteringMatrix all = whole.fringe(look, wave, wavenumbers)[0], all_of_step = whole.step(look, wave, wavenumbers)[0];
+  EXPECT_GT(largest_amplitude(all_of_step), 0.003);
+  const auto is_half = [](ScatteringMatrix part, const ScatteringMatrix& of) {
+    EXPECT_LT(largest_amplitude((part *= 2.0) - of), 1e-14 * largest_amplitude(of));
+  };
+  is_half(half_of_wave.fringe(look, wave, wavenumbers)[0], all);
+  is_half(half_of_rim.fringe(look, wave, wavenumbers)[0], all);
+  is_half(half_of_wave.step(look, wave, wavenumbers)[0], all_of_step);
 }
 
 // The strips of a face are what its own rims have of the waves of one another.

@@ -14,6 +14,7 @@ namespace {
 
 // Panels of a rim grow from its ends, where it may meet the edge that lights it, to its middle; the first in wavelengths.
 constexpr double first_panel = 0.5, panel_growth = 4.0;
+constexpr double narrowest_panel = 1e-4;  // in wavelengths
 constexpr double end_inset = 1e-7;    // of a lit piece: its ends belong to other faces, too
 constexpr double beside_face = 4e-6;  // of the target's radius
 constexpr double along_face = 1e-7;   // sine
@@ -49,18 +50,50 @@ StraightEdge lit_edge(const LitEdgePiece& piece) {
   return {piece.edge->origin, face.into_face, face.normal, piece.edge->wedge->n, piece.from, piece.to};
 }
 
+// In order, within the rim; those as good as one are one, and so are those at its ends [m].
+std::vector<double> joined(std::vector<double>& ends, double length, double wavelength) {
+  const double apart = narrowest_panel * wavelength;
+  std::erase_if(ends, [&](double end) { return !(end > apart && end < length - apart); });
+  std::ranges::sort(ends);
+  std::vector<double> result{0.0};
+  for (const double end : ends)
+    if (end - result.back() > apart) result.push_back(end);
+  result.push_back(length);
+  return result;
+}
+
 RaySource plane_source(const PlaneWave& wave) { return {Spreading::plane, {}, wave.direction, {}}; }
 
-// Where the boundaries of the wave of an edge cut a rim that they do not contain: it jumps there [m].
+// Where the boundaries of the wave of an edge cut a rim that they do not contain: it jumps there [m]. A place too many costs little,
+// but none may come and go with rounding.
 void add_boundaries(const StraightEdge& edge, double source_angle, const EdgeAxis& rim, std::vector<double>& ends) {
+  const dvec3 offset = rim.origin - edge.origin;
   for (const double boundary : boundaries_of(edge.n, source_angle)) {
+    if (boundary < -undecided || boundary > edge.n * pi + undecided) continue;
     const double cosine = std::cos(boundary), sine = std::sin(boundary);
-    const dvec3 normal = cosine * edge.normal - sine * edge.into_face, offset = rim.origin - edge.origin;
+    const dvec3 normal = cosine * edge.normal - sine * edge.into_face, outwards = cosine * edge.into_face + sine * edge.normal;
     const double slope = glm::dot(normal, rim.tangent);
     if (std::abs(slope) < along_face) continue;
     const double place = -glm::dot(normal, offset) / slope;
-    const dvec3 outwards = cosine * edge.into_face + sine * edge.normal;
-    if (place > 0.0 && place < rim.length && glm::dot(outwards, offset + place * rim.tangent) > 0.0) ends.push_back(place);
+    if (glm::dot(outwards, offset + place * rim.tangent) > -undecided * rim.length) ends.push_back(place);
+  }
+}
+
+// Where the rays come from an end of the lit piece: on Keller's cone about that end, a square z^2 + 2 half z + constant = 0.
+// Corner factors bend there. A cone opened to a plane is one root, counted twice, unless the rim lies in it.
+void add_ends_of_light(const StraightEdge& edge, double cos_cone, const EdgeAxis& rim, std::vector<double>& ends) {
+  constexpr double none = 1e-12;
+  const dvec3 tangent = edge.tangent();
+  const double along = glm::dot(tangent, rim.tangent), cone2 = cos_cone * cos_cone, square = along * along - cone2;
+  for (const double end : {edge.begin, edge.end}) {
+    const dvec3 offset = rim.origin - edge.origin - end * tangent;
+    const double start = glm::dot(offset, tangent), half = start * along - cone2 * glm::dot(offset, rim.tangent),
+                 constant = start * start - cone2 * glm::dot(offset, offset), root2 = half * half - square * constant;
+    const double scale2 = glm::dot(offset, offset) + rim.length * rim.length;
+    if (root2 < -none * scale2 || std::max(square * square * scale2, half * half) < none * scale2 * none) continue;
+    const double sum = -(half + std::copysign(std::sqrt(std::max(root2, 0.0)), half));
+    for (const double place : {sum / square, constant / sum})
+      if ((start + place * along) * cos_cone > -none * rim.length) ends.push_back(place);
   }
 }
 
@@ -182,8 +215,8 @@ double PenumbraFringe::work_of_panel() const {
 std::vector<double> PenumbraFringe::panels_of(const Source& source, const EdgeAxis& rim) const {
   std::vector<double> ends = growing_panels(rim.length, first_panel * shortest_wavelength_);
   add_boundaries(source.edge, source.piece.incidence.source_angle, rim, ends);
-  std::ranges::sort(ends);
-  return ends;
+  add_ends_of_light(source.edge, glm::dot(source.wave.direction, source.edge.tangent()), rim, ends);
+  return joined(ends, rim.length, shortest_wavelength_);
 }
 
 void PenumbraFringe::add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums) {
