@@ -238,7 +238,8 @@ class InteractionLook {
     double squares = 0.0;
     for (const IlluminationJob& job : jobs_) {
       if (!has_penumbra(job)) continue;
-      if (is_limited() && work_ + penumbra.work() + penumbra.work_of(*job.piece) > most_work_) {
+      const double work = work_ + penumbra.work();
+      if (is_limited() && (work > most_work_ || work + penumbra.work_of(*job.piece) > most_work_)) {
         ++result.skipped.fringe_pieces;
         squares += std::pow(typical_share * fringe_bound(*job.piece), 2);
       } else {

@@ -13,7 +13,7 @@ namespace raytube {
 namespace {
 
 // Panels of a rim grow from its ends, where it may meet the edge that lights it, to its middle; the first in wavelengths.
-constexpr double first_panel = 0.5, panel_growth = 4.0;
+constexpr double first_panel = 0.8, panel_growth = 4.0;
 constexpr double narrowest_panel = 1e-4;  // in wavelengths
 constexpr double end_inset = 1e-7;    // of a lit piece: its ends belong to other faces, too
 constexpr double beside_face = 4e-6;  // of the target's radius
@@ -49,6 +49,8 @@ StraightEdge lit_edge(const LitEdgePiece& piece) {
   const WedgeFace& face = piece.edge->wedge->faces[0];
   return {piece.edge->origin, face.into_face, face.normal, piece.edge->wedge->n, piece.from, piece.to};
 }
+
+double count_of(const std::vector<double>& ends) { return static_cast<double>(ends.size() - 1); }
 
 // In order, within the rim; those as good as one are one, and so are those at its ends [m].
 std::vector<double> joined(std::vector<double>& ends, double length, double wavelength) {
@@ -158,7 +160,10 @@ PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> a
       shortest_axis_(shortest_axis),
       look_(look),
       wavenumbers_(wavenumbers),
-      shortest_wavelength_(2 * pi / std::ranges::max(wavenumbers)) {}
+      shortest_wavelength_(2 * pi / std::ranges::max(wavenumbers)) {
+  for (const EdgeAxis& axis : axes_)
+    panels_.push_back(axis.length < shortest_axis_ ? 0.0 : count_of(growing_panels(axis.length, first_panel * shortest_wavelength_)));
+}
 
 void PenumbraFringe::add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums) {
   const Source from(source);
@@ -200,12 +205,10 @@ bool PenumbraFringe::ends_along(const LitEdgePiece& lit, const LitEdgePiece& sou
 }
 
 double PenumbraFringe::work_of(const LitEdgePiece& source) const {
-  const Source from(source);
-  double sum = 0.0;
-  for (const EdgeAxis& rim : axes_)
-    if (rim.length >= shortest_axis_ && !share_a_face(*source.edge->wedge, *rim.wedge))
-      sum += work_of_panel() * static_cast<double>(panels_of(from, rim).size() - 1);
-  return sum;
+  double panels = 0.0;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (panels_[i] > 0.0 && !share_a_face(*source.edge->wedge, *axes_[i].wedge)) panels += panels_[i];
+  return panels * work_of_panel();
 }
 
 double PenumbraFringe::work_of_panel() const {
@@ -222,7 +225,7 @@ std::vector<double> PenumbraFringe::panels_of(const Source& source, const EdgeAx
 void PenumbraFringe::add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums) {
   const std::vector<double> ends = panels_of(source, rim);
   for (std::size_t panel = 0; panel + 1 < ends.size(); ++panel) add_panel(source, rim, ends[panel], ends[panel + 1], sums);
-  work_ += work_of_panel() * static_cast<double>(ends.size() - 1);
+  work_ += work_of_panel() * count_of(ends);
 }
 
 // By Filon's rule: the phase of the rays' paths is close to linear, what remains changes slowly. Shadows end between points.

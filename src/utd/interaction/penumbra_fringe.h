@@ -28,7 +28,7 @@ class PenumbraFringe {
   /// Whether the wave of `source` meets the middle of `lit` on the boundary at which this light ends, as close as add() tells.
   bool ends_along(const LitEdgePiece& lit, const LitEdgePiece& source) const;
 
-  /// Work that add() takes (core/work.h).
+  /// Work that add() takes, but for panels that end where the wave jumps or bends (core/work.h).
   double work_of(const LitEdgePiece& source) const;
   /// Counted so far (core/work.h).
   double work() const { return work_; }
@@ -50,6 +50,7 @@ class PenumbraFringe {
   const LookVectors& look_;
   std::span<const double> wavenumbers_;
   double shortest_wavelength_;
+  std::vector<double> panels_;  // of each axis, where nothing jumps; 0 if too short
   double work_ = 0.0;
 };
 
