@@ -66,8 +66,8 @@ std::vector<double> joined(std::vector<double>& ends, double length, double wave
 
 RaySource plane_source(const PlaneWave& wave) { return {Spreading::plane, {}, wave.direction, {}}; }
 
-// Where the boundaries of the wave of an edge cut a rim that they do not contain: it jumps there [m]. A place too many costs little,
-// but none may come and go with rounding.
+// Where the boundaries of the wave of an edge cut a rim that they do not contain: it jumps there [m]. A place too many costs
+// little, but none may come and go with rounding.
 void add_boundaries(const StraightEdge& edge, double source_angle, const EdgeAxis& rim, std::vector<double>& ends) {
   const dvec3 offset = rim.origin - edge.origin;
   for (const double boundary : boundaries_of(edge.n, source_angle)) {
@@ -161,8 +161,9 @@ PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> a
       look_(look),
       wavenumbers_(wavenumbers),
       shortest_wavelength_(2 * pi / std::ranges::max(wavenumbers)) {
+  const double first = first_panel * shortest_wavelength_;
   for (const EdgeAxis& axis : axes_)
-    panels_.push_back(axis.length < shortest_axis_ ? 0.0 : count_of(growing_panels(axis.length, first_panel * shortest_wavelength_)));
+    panels_.push_back(axis.length < shortest_axis_ ? 0.0 : count_of(growing_panels(axis.length, first)));
 }
 
 void PenumbraFringe::add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums) {
