@@ -21,6 +21,7 @@ inline constexpr double strip_tree = 1000.0;     // one wave on one face of an e
 inline constexpr double strip_corner = 8.0;      // one corner of a face, projected along a wave
 inline constexpr double strip_point = 60.0;      // one point of the quadrature in one wave, at one frequency
 inline constexpr double edge_amplitude = 300.0;  // one edge at first order, at one frequency
+inline constexpr double corner_wave = 15000.0;   // the waves along one edge, both ways
 
 // Tubes (sbr).
 inline constexpr double tube = 4000.0;          // one tube or cell launched

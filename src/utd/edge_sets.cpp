@@ -32,7 +32,7 @@ void EdgeSets::group_frequencies() {
     const std::size_t thin = count_thin(setup_.thin_plate_edges, frequency);
     auto set =
         std::ranges::find_if(sets_, [&](const Set& known) { return known.thin_edges == thin && known.detail_limit == details; });
-    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}, {}});
+    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}, {}, {}});
     set->indices.push_back(f);
     set->frequencies.push_back(setup_.frequencies[f]);
   }
@@ -47,8 +47,9 @@ void EdgeSets::find_wedges(Set& set) const {
   if (set.detail_limit > 0.0) resolve_details(mesh, set.wedges, set.detail_limit, setup_.min_wedge_angle);
   const bool as_given = set.thin_edges == 0 && set.detail_limit == 0.0;
   set.outlines = as_given ? setup_.outlines : Outlines(mesh, set.wedges, setup_.min_wedge_angle);
-  if (setup_.skip_enclosed) return;
-  for (Wedge& wedge : set.wedges) wedge.enclosed = false;
+  if (!setup_.skip_enclosed)
+    for (Wedge& wedge : set.wedges) wedge.enclosed = false;
+  set.corners = std::make_shared<CornerWaves>(set.wedges);
 }
 
 void EdgeSets::Set::keep(const std::vector<bool>& wanted) {
@@ -103,7 +104,7 @@ std::vector<double> EdgeSets::radiating_lengths() const {
 }
 
 EdgeScene EdgeSets::scene(const Set& set) const {
-  return {set.wedges, set.outlines, screens_ ? screens_->opaque() : setup_.tracer};
+  return {set.wedges, set.outlines, screens_ ? screens_->opaque() : setup_.tracer, set.corners.get()};
 }
 
 FringeOptions EdgeSets::options(const Set& set) const {
@@ -148,7 +149,7 @@ bool EdgeSets::interact() const {
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {
   const InteractionParts& parts = set.parts;
   const ReceivingFaces faces{setup_.faces, group.large, parts.corners, {}, std::span(parts.by_area).first(group.large_faces)};
-  return {{set.wedges, set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches};
+  return {{set.wedges, set.outlines, setup_.tracer, set.corners.get()}, faces, parts.axes, group.shortest_axis, parts.patches};
 }
 
 // `share` of the work allowed, for a group of frequencies.

@@ -7,6 +7,7 @@
 
 #include "mesh/features/thin_plates.h"
 #include "mesh/model/face_tree.h"
+#include "utd/corner/corner_waves.h"
 #include "utd/fringe/edges.h"
 #include "utd/fringe/screened_edges.h"
 #include "utd/interaction/edge_face_interaction.h"
@@ -72,6 +73,7 @@ class EdgeSets {
     std::vector<double> frequencies;
     std::vector<Wedge> wedges;
     Outlines outlines;
+    std::shared_ptr<const CornerWaves> corners;
     std::vector<InteractionGroup> interaction;  // its indices are those of the set's frequencies
     InteractionParts parts;                     // empty where there is no interaction
 

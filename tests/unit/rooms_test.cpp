@@ -56,10 +56,12 @@ const Rooms may_include = {
     {"utd/wedge", base},
     {"utd/shadow", base + std::set<std::string>{"utd/wedge"}},
     {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow"}},
-    {"utd/fringe", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},
+    {"utd/corner", base + std::set<std::string>{"utd/wedge"}},
+    {"utd/fringe", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/corner"}},
     {"utd/interaction", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe"}},
     {"utd/gtd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe"}},
-    {"utd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe", "utd/interaction", "utd/gtd"}},
+    {"utd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe", "utd/interaction", "utd/gtd",
+                                         "utd/corner"}},
 
     {"uncertainty", base},
 

@@ -6,14 +6,16 @@
 #include "mesh/features/outlines.h"
 #include "mesh/trace/tracer.h"
 #include "scene/options.h"
+#include "utd/corner/corner_waves.h"
 
 namespace raytube {
 
 /// What is referred to must outlive the scene.
 struct EdgeScene {
   std::span<const Wedge> wedges;
-  const Outlines& outlines;  // of the faces beside the wedges; not used at order 1
-  const Tracer& tracer;      // of what casts shadows on them
+  const Outlines& outlines;              // of the faces beside the wedges; not used at order 1
+  const Tracer& tracer;                  // of what casts shadows on them
+  const CornerWaves* corners = nullptr;  // along the wedges, from order 2 on
 };
 
 struct FringeOptions {

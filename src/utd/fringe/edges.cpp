@@ -4,8 +4,7 @@
 
 #include "core/threads.h"
 #include "core/work.h"
-#include "utd/fringe/edge_pass.h"
-#include "utd/shadow/lit_edges.h"
+#include "utd/fringe/corner_pass.h"
 
 namespace raytube {
 
@@ -34,7 +33,10 @@ EdgeLookResult fringe_scattering(const EdgeScene& scene, const Look& look, std::
   assert(!frequencies.empty() && options.order >= 1);
   const LookVectors vectors = look_vectors(look);
   LitEdges light(scene.wedges, scene.tracer, vectors, shortest_wavelength(frequencies), options.receiver_shadow);
-  return at_order(scene, options, [&](auto make) { return sum_of(make(vectors, frequencies), scene.wedges.size(), light); });
+  EdgeLookResult result =
+      at_order(scene, options, [&](auto make) { return sum_of(make(vectors, frequencies), scene.wedges.size(), light); });
+  if (options.order > 1) add_corner_waves(scene, vectors, frequencies, light, result);
+  return result;
 }
 
 }  // namespace raytube

@@ -1,7 +1,6 @@
 #include "utd/fringe/fringe_pieces.h"
 
-#include "utd/fringe/edge_pass.h"
-#include "utd/shadow/lit_edges.h"
+#include "utd/fringe/corner_pass.h"
 
 namespace raytube {
 
@@ -15,11 +14,29 @@ std::vector<LitInterval> cut_at_cells(const Wedge& wedge, std::span<const LitInt
   return parts;
 }
 
+namespace {
+
+// Waves from corner to corner, spread over the lit parts of their edge by length.
+void add_wave_pieces(const EdgeScene& scene, const LookVectors& look, double frequency, const ImageLattice& lattice,
+                     LitEdges& light, std::vector<ImageEdge>& pieces) {
+  const auto incident = [&](const Wedge&) { return look.incident; };
+  for_edges_between_corners(scene, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
+    const Wedge& wedge = scene.wedges[index];
+    for (const LitInterval& part : cut_at_cells(wedge, lit, lattice)) {
+      ScatteringMatrix s;
+      scene.corners->add(index, part.end - part.begin, look, std::span(&frequency, 1), std::span(&s, 1));
+      pieces.push_back({point_on(wedge, part.begin), point_on(wedge, part.end), s});
+    }
+  });
+}
+
+}  // namespace
+
 std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const Look& look, std::span<const double> frequencies,
                                      const PieceRequest& request, const FringeOptions& options) {
   const LookVectors vectors = look_vectors(look);
   LitEdges light(scene.wedges, scene.tracer, vectors, shortest_wavelength(frequencies), options.receiver_shadow);
-  return at_order(scene, options, [&](auto make) {
+  std::vector<ImageEdge> found = at_order(scene, options, [&](auto make) {
     EdgePieces pieces(scene.wedges, frequencies, request, [&](std::span<const double> list) { return make(vectors, list); });
     const auto edges = make(vectors, frequencies);
     for (std::uint32_t index = 0; index < scene.wedges.size(); ++index)
@@ -27,6 +44,8 @@ std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const Look& look, s
         pieces.add(index, light.lit());
     return pieces.take();
   });
+  if (options.order > 1) add_wave_pieces(scene, vectors, frequencies[request.frequency_index], request.lattice, light, found);
+  return found;
 }
 
 }  // namespace raytube

@@ -4,8 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "utd/fringe/edge_pass.h"
-#include "utd/shadow/lit_edges.h"
+#include "utd/fringe/corner_pass.h"
 
 namespace raytube {
 
@@ -150,6 +149,20 @@ class NearSum {
   EdgeLookResult sum_;
 };
 
+/// Waves from corner to corner; those of the antennas are plane at each corner.
+void add_corner_waves_near(const EdgeScene& scene, const AntennaPair& antennas, std::span<const double> frequencies,
+                           LitEdges& light, EdgeLookResult& result) {
+  const NearLook near(antennas, wavenumber(std::ranges::max(frequencies)), scene.tracer.mesh().radius);
+  const auto incident = [&](const Wedge& wedge) { return near.at(0.5 * (wedge.start + wedge.end)).incident; };
+  const auto visit = [&](const dvec3& corner) {
+    return CornerWaves::Visit{near.at(corner), -antennas.transmit.ray_to(corner).path, -antennas.receive.ray_to(corner).path};
+  };
+  for_edges_between_corners(scene, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
+    const std::array<dvec3, 2> corners = scene.corners->corners_of(index);
+    scene.corners->add(index, lit_share(lit), {visit(corners[0]), visit(corners[1])}, frequencies, result.higher);
+  });
+}
+
 }  // namespace
 
 EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair& antennas, std::span<const double> frequencies,
@@ -160,10 +173,12 @@ EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair&
   const Viewpoint transmitter = Viewpoint::at(antennas.transmit.position());
   LitEdges light(scene.wedges, scene.tracer, transmitter, receiver, shortest_wavelength(frequencies));
   NearSum sum(antennas, frequencies, scene.tracer.mesh().radius, options.order > 1);
-  return at_order(scene, options, [&](auto make) {
+  EdgeLookResult result = at_order(scene, options, [&](auto make) {
     for (std::uint32_t index = 0; index < scene.wedges.size(); ++index) sum.add(scene.wedges, index, light, make);
     return sum.take();
   });
+  if (options.order > 1) add_corner_waves_near(scene, antennas, frequencies, light, result);
+  return result;
 }
 
 }  // namespace raytube

@@ -1,0 +1,219 @@
+#include "utd/corner/corner_waves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "math/erfc_ray.h"
+#include "mesh/model/point_tree.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double same_angle = 1e-6;  // [rad]
+constexpr double in_plane = 0.05;    // what a plane may be off, as thin plates' sides may [rad]
+constexpr double least_weight = 1e-9;
+
+double angle_between(const dvec3& a, const dvec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
+bool is_half_plane(const Wedge& wedge) { return wedge.radiates() && std::abs(wedge.n - 2.0) < 1e-9; }
+
+/// An end of a wedge, by its number: 2 wedge, or 2 wedge + 1.
+std::vector<dvec3> ends_of(std::span<const Wedge> wedges) {
+  std::vector<dvec3> ends;
+  for (const Wedge& wedge : wedges) ends.insert(ends.end(), {wedge.start, wedge.end});
+  return ends;
+}
+
+std::vector<std::uint32_t> ends_that_count(std::span<const Wedge> wedges) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < wedges.size(); ++i)
+    if (!wedges[i].flat && wedges[i].replaced_by == no_index) numbers.insert(numbers.end(), {2 * i, 2 * i + 1});
+  return numbers;
+}
+
+/// S / wavelength of a wave of unit starts over an edge of one wavelength: sqrt(2 pi) / c0 of the wave of a half plane, with
+/// c0 = -j e^(j pi/4) 2^(-1/2) / Gamma(3/2).
+const Complex over_half_plane = -pi * std::polar(1.0, pi / 4);
+
+}  // namespace
+
+/// Looks for the corners between which edges run.
+class CornerWaves::Finder {
+ public:
+  explicit Finder(std::span<const Wedge> wedges)
+      : wedges_(wedges), ends_(ends_of(wedges)), tree_(ends_, ends_that_count(wedges)) {}
+
+  /// The edge that a wedge is a part of, if it has a corner at both ends; without the corners' solutions.
+  std::optional<Edge> edge(std::uint32_t index) {
+    if (!is_half_plane(wedges_[index])) return std::nullopt;
+    Edge edge{{}, wedges_[index].length(), 1.0};
+    for (const std::uint32_t side : {0u, 1u}) {
+      const auto last = follow(2 * index + side, edge.length);
+      const auto end = last ? corner(*last, wedges_[index].faces[0].normal) : std::nullopt;
+      if (!end) return std::nullopt;
+      edge.ends[side] = *end;
+    }
+    edge.part = wedges_[index].length() / edge.length;
+    return edge;
+  }
+
+ private:
+  /// Along the edge away from one of its ends.
+  dvec3 direction(std::uint32_t end) const {
+    const Wedge& wedge = wedges_[end / 2];
+    return glm::normalize(end % 2 == 0 ? wedge.end - wedge.start : wedge.start - wedge.end);
+  }
+
+  /// The end that meets this one, if it is a half plane's and the only one.
+  std::optional<std::uint32_t> met_by(std::uint32_t end) {
+    const Wedge& wedge = wedges_[end / 2];
+    const double distance = 1e-9 * wedge.length() + 2 * wedge.thickness();
+    near_.clear();
+    tree_.near_segment(ends_[end], ends_[end] + distance * direction(end), distance, near_);
+    std::erase(near_, end);
+    return near_.size() == 1 && is_half_plane(wedges_[near_[0] / 2]) ? std::optional(near_[0]) : std::nullopt;
+  }
+
+  /// Over ends where the edge goes on nearly straight to the last one; adds what lies between to `length`.
+  std::optional<std::uint32_t> follow(std::uint32_t end, double& length) {
+    const dvec3 first = direction(end);
+    while (true) {
+      const auto next = met_by(end);
+      if (!next) return std::nullopt;
+      if (angle_between(direction(*next), direction(end)) <= SheetCorner::greatest_angle) return end;
+      end = *next ^ 1u;
+      if (angle_between(direction(end), first) > pi - SheetCorner::greatest_angle) return std::nullopt;
+      length += wedges_[end / 2].length();
+    }
+  }
+
+  /// The corner there; `normal` is the sheet's.
+  std::optional<End> corner(std::uint32_t end, const dvec3& normal) {
+    const auto flat = [&](const dvec3& v) { return glm::normalize(v - glm::dot(v, normal) * normal); };
+    const dvec3 met = direction(*met_by(end)), edge = flat(direction(end)), other = flat(met);
+    const double angle = angle_between(edge, other);
+    if (angle < SheetCorner::least_angle || angle > SheetCorner::greatest_angle) return std::nullopt;
+    if (glm::dot(wedges_[end / 2].faces[0].into_face, other) <= 0 || std::abs(glm::dot(normal, met)) > in_plane)
+      return std::nullopt;
+    const dvec3 bisector = glm::normalize(edge + other), along = glm::normalize(edge - glm::dot(edge, bisector) * bisector);
+    const double side = glm::dot(glm::cross(bisector, along), normal) < 0 ? -1.0 : 1.0;
+    return End{ends_[end], bisector, along, normal, side, edge, other};
+  }
+
+  std::span<const Wedge> wedges_;
+  std::vector<dvec3> ends_;
+  PointTree tree_;
+  std::vector<std::uint32_t> near_;
+};
+
+CornerWaves::CornerWaves(std::span<const Wedge> wedges) : edges_(wedges.size()) {
+  Finder finder(wedges);
+  std::vector<std::uint32_t> longest_first;
+  for (std::uint32_t i = 0; i < wedges.size(); ++i)
+    if ((edges_[i] = finder.edge(i))) longest_first.push_back(i);
+  std::ranges::stable_sort(longest_first, std::ranges::greater{}, [&](std::uint32_t i) { return edges_[i]->length; });
+  for (const std::uint32_t i : longest_first)
+    for (End& end : edges_[i]->ends)
+      if (edges_[i] && !(end.angle = angle_of(angle_between(end.edge, end.other_edge)))) {
+        edges_[i].reset();
+        break;
+      }
+}
+
+const CornerWaves::Angle* CornerWaves::angle_of(double angle) {
+  const auto known = std::ranges::find_if(angles_, [&](const auto& a) { return std::abs(a->value() - angle) < same_angle; });
+  if (known != angles_.end()) return known->get();
+  if (angles_.size() == most_angles) return nullptr;
+  return angles_.emplace_back(std::make_unique<Angle>(angle)).get();
+}
+
+const SheetCorner& CornerWaves::Angle::corner() const {
+  std::call_once(once_, [this] { corner_.emplace(angle_); });
+  return *corner_;
+}
+
+CornerWaves::Passage CornerWaves::passage(const End& end, const dvec3& towards, const std::array<dvec3, 2>& fields) {
+  const auto local = [&](const dvec3& v) {
+    return dvec3(glm::dot(v, end.bisector), glm::dot(v, end.along), end.side * glm::dot(v, end.normal));
+  };
+  const SheetCorner::Start wave = end.angle->corner().start(local(towards));
+  Passage result;
+  for (int q = 0; q < 2; ++q) {
+    result.flat[q] = dot(wave.flat, local(fields[q]));
+    result.upright[q] = dot(wave.upright, local(fields[q]));
+  }
+  return result;
+}
+
+// E upright on the sheet: a wave that grazes it on its way to a corner behind it has one sign above and the other below, and an
+// endless sheet keeps them apart. Over a sheet as long as the edge they meet again, as over any edge, and edge-on nothing is left.
+// Where the way runs along one of the corner's own edges they meet beside it.
+Complex CornerWaves::upright_factor(const End& end, const dvec3& towards, double electrical_length) {
+  double behind = 1.0;
+  for (const auto& [edge, other] : {std::pair(end.edge, end.other_edge), std::pair(end.other_edge, end.edge)}) {
+    const double inside = glm::dot(towards, glm::normalize(other - glm::dot(other, edge) * edge));
+    if (inside <= 0.0) return 1.0;
+    behind *= -std::expm1(-electrical_length * inside * inside);
+  }
+  const double height = glm::dot(towards, end.normal), detour = height * height / (1.0 + std::sqrt(1.0 - height * height));
+  const double squared = electrical_length * detour / behind;
+  if (!(squared < 1e12)) return 1.0;
+  return 1.0 - std::polar(1.0, -squared) * scaled_erfc(std::sqrt(squared));
+}
+
+// The wave of one edge of the corner, diffracted to run along the other, is among the strips; so is what follows. It runs there
+// if the edge has the source on the cone on which the other edge lies: `off_cone` is the angle off that. Nor does a corner send a
+// plane wave where one of its edges points to, `off_edge` away.
+double CornerWaves::weight(const End& end, const dvec3& towards, double electrical_length) {
+  double product = 1.0;
+  for (const dvec3& edge : {end.edge, end.other_edge}) {
+    const double off_edge = angle_between(towards, edge), off_cone = off_edge + end.angle->value() - pi;
+    for (const double angle : {off_edge, off_cone}) product *= -std::expm1(-electrical_length * angle * angle);
+  }
+  return product;
+}
+
+// From the transmitter over end `from` and the other one to the receiver.
+void CornerWaves::add_way(const Edge& edge, int from, double share, const std::array<Visit, 2>& visits,
+                          std::span<const double> frequencies, std::span<ScatteringMatrix> sum) {
+  const End &first = edge.ends[from], &last = edge.ends[1 - from];
+  const LookVectors &in = visits[from].look, &out = visits[1 - from].look;
+  const auto weights = [&](double k) {
+    return weight(first, -in.incident, k * edge.length) * weight(last, out.scattered, k * edge.length);
+  };
+  if (weights(wavenumber(std::ranges::max(frequencies))) < least_weight) return;
+  const Passage starts = passage(first, -in.incident, in.electric), leaves = passage(last, out.scattered, out.receive);
+  const double path = visits[from].in + visits[1 - from].out - edge.length;
+  for (std::size_t f = 0; f < frequencies.size(); ++f) {
+    const double k = wavenumber(frequencies[f]), lambda = wavelength(frequencies[f]);
+    const Complex factor = over_half_plane * std::polar(share * weights(k) * lambda * std::sqrt(lambda / edge.length), k * path);
+    const Complex first_upright = upright_factor(first, -in.incident, k * edge.length);
+    const Complex last_upright = upright_factor(last, out.scattered, k * edge.length);
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q)
+        sum[f].at(p, q) +=
+            factor * (leaves.flat[p] + last_upright * leaves.upright[p]) * (starts.flat[q] + first_upright * starts.upright[q]);
+  }
+}
+
+std::array<dvec3, 2> CornerWaves::corners_of(std::uint32_t wedge) const {
+  return {edges_[wedge]->ends[0].position, edges_[wedge]->ends[1].position};
+}
+
+void CornerWaves::add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
+                      std::span<ScatteringMatrix> sum) const {
+  for (const int from : {0, 1}) add_way(*edges_[wedge], from, share * edges_[wedge]->part, visits, frequencies, sum);
+}
+
+void CornerWaves::add(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
+                      std::span<ScatteringMatrix> sum) const {
+  const auto visit = [&](const dvec3& corner) {
+    return Visit{look, -glm::dot(look.incident, corner), glm::dot(look.scattered, corner)};
+  };
+  const std::array<dvec3, 2> corners = corners_of(wedge);
+  add(wedge, share, {visit(corners[0]), visit(corners[1])}, frequencies, sum);
+}
+
+}  // namespace raytube

@@ -1,0 +1,175 @@
+// Waves along edges of sheets from corner to corner: their parts against closed forms, and invariances.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "run.h"
+#include "utd/corner/corner_waves.h"
+#include "utd_scene.h"
+
+namespace raytube {
+namespace {
+
+using testing::measured;
+
+TEST(RadialWave, OrderOneIsAnEllipticIntegral) {
+  // P_{1/2}(cos x) = (2 / pi) (2 E(k) - K(k)), k = sin(x / 2) (Abramowitz & Stegun 1964, 8.13.8); x = pi - theta, cos(pi nu) =
+  // -1.
+  const RadialWave wave(Complex(1.0));
+  for (const double theta : {1e-6, 0.01, 0.19, 0.21, 0.5, 1.0, 2.0, 2.8, 2.9, 3.1, pi}) {
+    const double k = std::cos(theta / 2);
+    const double exact = -(2 * std::comp_ellint_2(k) - std::comp_ellint_1(k)) / (2 * pi);
+    EXPECT_NEAR(wave.at(std::cos(theta)).value.real(), exact, 1e-9) << theta;  // digits of k near theta = 0
+  }
+}
+
+TEST(RadialWave, SolvesLegendresEquationWithAUnitSource) {
+  for (const Complex nu : {Complex(0.6, 5.9), Complex(2.3, -0.4), Complex(15.7, -0.4)}) {
+    const RadialWave wave(nu);
+    for (const double theta : {0.05, 0.2, 0.3, 1.0, 2.0, 2.83, 2.85, 3.0}) {
+      const double c = std::cos(theta);
+      const RadialWave::Values at = wave.at(c);
+      const Complex rest = (1 - c * c) * at.bend - 2 * c * at.slope + (nu * nu - 0.25) * at.value;
+      EXPECT_LE(std::abs(rest), 1e-6 * std::abs(nu * nu * at.value)) << theta;  // a Taylor series' last terms
+    }
+    const double small = 1e-5;
+    EXPECT_LE(std::abs(wave.at(std::cos(small)).value + std::log(small) / (2 * pi) - wave.smooth_at_source()), 1e-6);
+  }
+}
+
+TEST(RadialWave, DigammaAtKnownPlaces) {
+  EXPECT_NEAR(digamma(1.0).real(), -std::numbers::egamma, 1e-14);
+  EXPECT_NEAR(digamma(0.5).real(), -std::numbers::egamma - 2 * std::numbers::ln2, 1e-13);
+  EXPECT_NEAR(digamma(Complex(0.5, 2.0)).imag(), pi / 2 * std::tanh(2 * pi), 1e-13);  // 6.3.12
+}
+
+dvec3 towards(double height, double azimuth) {
+  return {std::cos(height) * std::cos(azimuth), std::cos(height) * std::sin(azimuth), std::sin(height)};
+}
+
+TEST(SheetCorner, StraighterCornersStartWeakerWaves) {
+  // 180 degrees are no corner, and start nothing.
+  double before = 1e300;
+  for (const double angle : {120.0, 150.0, 165.0}) {
+    const SheetCorner corner(angle * degree);
+    double sum = 0.0;
+    for (const double height : {0.4, 0.8, 1.2}) {
+      // off the cone of the other edge, into which that one diffracts
+      const SheetCorner::Start wave = corner.start(towards(height, -0.2));
+      sum += norm(wave.flat + wave.upright);
+    }
+    measured("starts of a corner, sum over three directions", sum, "");
+    EXPECT_LT(sum, before);
+    before = sum;
+  }
+}
+
+TEST(SheetCorner, IsContinuousDownToTheSheet) {
+  const SheetCorner corner(pi / 2);
+  for (const double azimuth : {-0.6, -0.3, 0.0, 0.5, 1.2, 2.0, -2.5}) {  // not at the ends of the arc, 0.79
+    const auto start = [&](double height) {
+      const SheetCorner::Start parts = corner.start(towards(height, azimuth));
+      return parts.flat + parts.upright;
+    };
+    ComplexVector before = start(0.2);
+    for (double height = 0.1995; height > 0; height -= 0.0005) {
+      const ComplexVector now = start(height);
+      // Twenty times its mean change over such a step; quadrature and interpolation differ by 1e-3 where they meet.
+      EXPECT_LE(norm(now - before), 0.01 * (norm(before) + 0.1)) << azimuth << ' ' << height;
+      before = now;
+    }
+  }
+}
+
+/// Edges of a polygon in a plane, anticlockwise about its normal, as wedges.
+std::vector<Wedge> rim(const std::vector<dvec3>& polygon) {
+  std::vector<Wedge> wedges;
+  const dvec3 normal = glm::normalize(glm::cross(polygon[1] - polygon[0], polygon[2] - polygon[1]));
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const dvec3 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+    wedges.push_back(test::half_plane(from, to, glm::normalize(glm::cross(normal, to - from)), normal, 2.0, 0));
+  }
+  return wedges;
+}
+
+const std::vector<dvec3> triangle = {{0, 0, 0}, {2.3, 0.2, 0}, {0.8, 1.7, 0}};
+
+ScatteringMatrix waves_of(const std::vector<Wedge>& wedges, const Look& look, double frequency) {
+  const CornerWaves waves(wedges);
+  const double frequencies[] = {frequency};
+  std::vector<ScatteringMatrix> sum(1);
+  for (std::uint32_t i = 0; i < wedges.size(); ++i)
+    if (waves.run_along(i)) waves.add(i, 1.0, look_vectors(look), frequencies, sum);
+  return sum[0];
+}
+
+double difference(const ScatteringMatrix& a, const ScatteringMatrix& b) { return largest_amplitude(a - b); }
+
+TEST(CornerWaves, AreReciprocal) {
+  const Direction a{1.0, 0.7}, b{1.9, 4.0};
+  const ScatteringMatrix there = waves_of(rim(triangle), {a, b}, 1.3 * speed_of_light);
+  const ScatteringMatrix back = waves_of(rim(triangle), {b, a}, 1.3 * speed_of_light);
+  EXPECT_GT(largest_amplitude(there), 1e-3);
+  EXPECT_LE(std::abs(there.vv() - back.vv()), 1e-15);
+  EXPECT_LE(std::abs(there.vh() - back.hv()), 1e-15);
+  EXPECT_LE(std::abs(there.hh() - back.hh()), 1e-15);
+}
+
+TEST(CornerWaves, DoNotCareForThePlaceTheSizeOrTheOrderOfEdges) {
+  const Look look{{1.1, 0.4}, {1.1, 0.4}};
+  const ScatteringMatrix s = waves_of(rim(triangle), look, speed_of_light);
+  const auto turned = [](const dvec3& p) { return dvec3(-p.y, p.x, p.z); };  // by 90 degrees about z
+  std::vector<dvec3> moved, doubled;
+  for (const dvec3& p : triangle) moved.push_back(turned(p)), doubled.push_back(2.0 * p);
+  const ScatteringMatrix by_turn = waves_of(rim(moved), {{1.1, 0.4 + pi / 2}, {1.1, 0.4 + pi / 2}}, speed_of_light);
+  EXPECT_LE(difference(s, by_turn), 1e-12);
+  ScatteringMatrix by_size = waves_of(rim(doubled), look, speed_of_light / 2);
+  EXPECT_LE(difference(s, by_size *= 0.5), 1e-12);
+  const ScatteringMatrix by_order = waves_of(rim({triangle[2], triangle[0], triangle[1]}), look, speed_of_light);
+  EXPECT_LE(difference(s, by_order), 1e-12);
+  // From below, as the mirror image: V's component along z changes its sign, so that V stays and H turns.
+  const ScatteringMatrix below = waves_of(rim(triangle), {{pi - 1.1, 0.4}, {pi - 1.1, 0.4}}, speed_of_light);
+  EXPECT_LE(std::abs(s.vv() - below.vv()), 1e-12);
+  EXPECT_LE(std::abs(s.hh() - below.hh()), 1e-12);
+  EXPECT_LE(std::abs(s.hv() + below.hv()), 1e-12);
+}
+
+TEST(CornerWaves, RunOnlyBetweenConvexCornersOfSheets) {
+  const CornerWaves ell(rim({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}));
+  for (const std::uint32_t i : {0u, 1u, 4u, 5u}) EXPECT_TRUE(ell.run_along(i)) << i;
+  for (const std::uint32_t i : {2u, 3u}) EXPECT_FALSE(ell.run_along(i)) << i;
+  std::vector<Wedge> box = rim(triangle);
+  for (Wedge& wedge : box) wedge.n = 1.5;
+  for (const std::uint32_t i : {0u, 1u, 2u}) EXPECT_FALSE(CornerWaves(box).run_along(i));
+  std::vector<Wedge> hinge = rim({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}});
+  for (const Wedge& wedge : rim({{0, 0, 0}, {0, 1, 0}, {0, 1, 2}, {0, 0, 2}})) hinge.push_back(wedge);
+  const CornerWaves at_fold(hinge);
+  EXPECT_FALSE(at_fold.run_along(0));  // ends at the fold
+  EXPECT_TRUE(at_fold.run_along(1));   // the edge opposite to it
+}
+
+TEST(CornerWaves, VanishWhereAnEdgeDiffractsAlongAnother) {
+  // In the principal planes of a rectangle the strips have all of it.
+  const std::vector<Wedge> plate = rim({{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}});
+  EXPECT_EQ(largest_amplitude(waves_of(plate, {{1.0, 0}, {1.0, 0}}, speed_of_light)), 0.0);
+  const double beside = largest_amplitude(waves_of(plate, {{1.0, 1e-3}, {1.0, 1e-3}}, speed_of_light));
+  EXPECT_LE(beside, 1e-6);
+  EXPECT_GT(largest_amplitude(waves_of(plate, {{1.0, 0.5}, {1.0, 0.5}}, speed_of_light)), 1e-3);
+}
+
+TEST(CornerWaves, FrequenciesAtOnceAreThoseOneByOne) {
+  const std::vector<Wedge> wedges = rim(triangle);
+  const CornerWaves waves(wedges);
+  const LookVectors look = look_vectors({{1.1, 0.4}, {0.6, 2.0}});
+  const std::vector<double> frequencies = {0.5 * speed_of_light, speed_of_light, 3 * speed_of_light};
+  std::vector<ScatteringMatrix> all(3);
+  waves.add(1, 0.7, look, frequencies, all);
+  for (std::size_t f = 0; f < 3; ++f) {
+    std::vector<ScatteringMatrix> one(1);
+    waves.add(1, 0.7, look, std::span(frequencies).subspan(f, 1), one);
+    EXPECT_EQ(difference(one[0], all[f]), 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace raytube
