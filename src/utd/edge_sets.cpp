@@ -49,7 +49,7 @@ void EdgeSets::find_wedges(Set& set) const {
   set.outlines = as_given ? setup_.outlines : Outlines(mesh, set.wedges, setup_.min_wedge_angle);
   if (!setup_.skip_enclosed)
     for (Wedge& wedge : set.wedges) wedge.enclosed = false;
-  set.corners = std::make_shared<CornerWaves>(set.wedges);
+  if (setup_.fringe.order > 1) set.corners = std::make_shared<CornerWaves>(set.wedges);
 }
 
 void EdgeSets::Set::keep(const std::vector<bool>& wanted) {

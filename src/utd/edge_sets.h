@@ -73,7 +73,7 @@ class EdgeSets {
     std::vector<double> frequencies;
     std::vector<Wedge> wedges;
     Outlines outlines;
-    std::shared_ptr<const CornerWaves> corners;
+    std::shared_ptr<const CornerWaves> corners;  // from order 2 on
     std::vector<InteractionGroup> interaction;  // its indices are those of the set's frequencies
     InteractionParts parts;                     // empty where there is no interaction
 

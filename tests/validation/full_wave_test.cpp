@@ -160,9 +160,10 @@ PlateErrors plate_errors(int order, bool in_principal_plane) {
       sweep.looks.push_back({radar, radar});
     }
     const LoadedMesh loaded(build_mesh(shapes::plate(length), lambda));
-    SolveOptions o = options(EdgeMethod::fringe, 10.0);
-    o.edges.order = order;
-    const SweepResult result = solve(Target(loaded.mesh), sweep, o);
+    SolveOptions adaptive;
+    adaptive.edges.method = EdgeMethod::fringe;
+    adaptive.edges.order = order;
+    const SweepResult result = solve(Target(loaded.mesh), sweep, adaptive);
     for (std::size_t j = 0; j < rows.size(); ++j) {
       const auto error = [&](const char* channel, Complex s) { return std::abs(s - table.complex(rows[j], channel)) / lambda; };
       errors_vv.push_back(error("vv", result.total[j].vv()));
@@ -174,7 +175,7 @@ PlateErrors plate_errors(int order, bool in_principal_plane) {
 }
 
 TEST(FullWave, PlatesOffTheirPrincipalPlanes) {
-  // Waves from corner to corner: without them order 3 has .065 / .074 / .041 here. Limits: what is reached, rounded up; in the
+  // Waves from corner to corner: without them order 3 has .068 / .070 / .044 here. Limits: what is reached, rounded up; in the
   // principal plane, where they add nothing, what the strips alone reach. Order 3 is nowhere worse than order 2.
   const PlateErrors second = plate_errors(2, false), third = plate_errors(3, false), plane = plate_errors(3, true);
   measured("square plates, phi 9 to 45, order 3, VV, rms |error|", third.vv, "wavelengths");
@@ -183,10 +184,10 @@ TEST(FullWave, PlatesOffTheirPrincipalPlanes) {
   measured("square plates, phi 0, order 3, VV, rms |error|", plane.vv, "wavelengths");
   measured("square plates, phi 0, order 3, HH, rms |error|", plane.hh, "wavelengths");
   EXPECT_LE(third.vv, 0.053);
-  EXPECT_LE(third.hh, 0.058);
-  EXPECT_LE(third.hv, 0.036);
+  EXPECT_LE(third.hh, 0.055);
+  EXPECT_LE(third.hv, 0.033);
   EXPECT_LE(plane.vv, 0.026);
-  EXPECT_LE(plane.hh, 0.09);
+  EXPECT_LE(plane.hh, 0.095);
   EXPECT_LE(third.vv, second.vv);
   EXPECT_LE(third.hh, second.hh);
   EXPECT_LE(third.hv, second.hv);

@@ -55,7 +55,7 @@ class CornerWaves::Finder {
       if (!end) return std::nullopt;
       edge.ends[side] = *end;
     }
-    edge.part = wedges_[index].length() / edge.length;
+    edge.part = wedges_[index].share * wedges_[index].length() / edge.length;
     return edge;
   }
 
@@ -92,14 +92,15 @@ class CornerWaves::Finder {
   /// The corner there; `normal` is the sheet's.
   std::optional<End> corner(std::uint32_t end, const dvec3& normal) {
     const auto flat = [&](const dvec3& v) { return glm::normalize(v - glm::dot(v, normal) * normal); };
-    const dvec3 met = direction(*met_by(end)), edge = flat(direction(end)), other = flat(met);
+    const std::uint32_t beside = *met_by(end);
+    const dvec3 met = direction(beside), edge = flat(direction(end)), other = flat(met);
     const double angle = angle_between(edge, other);
     if (angle < SheetCorner::least_angle || angle > SheetCorner::greatest_angle) return std::nullopt;
     if (glm::dot(wedges_[end / 2].faces[0].into_face, other) <= 0 || std::abs(glm::dot(normal, met)) > in_plane)
       return std::nullopt;
     const dvec3 bisector = glm::normalize(edge + other), along = glm::normalize(edge - glm::dot(edge, bisector) * bisector);
     const double side = glm::dot(glm::cross(bisector, along), normal) < 0 ? -1.0 : 1.0;
-    return End{ends_[end], bisector, along, normal, side, edge, other};
+    return End{ends_[end], bisector, along, normal, side, edge, other, wedges_[beside / 2].length()};
   }
 
   std::span<const Wedge> wedges_;
@@ -148,8 +149,8 @@ CornerWaves::Passage CornerWaves::passage(const End& end, const dvec3& towards, 
 }
 
 // E upright on the sheet: a wave that grazes it on its way to a corner behind it has one sign above and the other below, and an
-// endless sheet keeps them apart. Over a sheet as long as the edge they meet again, as over any edge, and edge-on nothing is left.
-// Where the way runs along one of the corner's own edges they meet beside it.
+// endless sheet keeps them apart. Over a sheet as long as the edge they meet again, as over any edge, and edge-on nothing is
+// left. Where the way runs along one of the corner's own edges they meet beside it.
 Complex CornerWaves::upright_factor(const End& end, const dvec3& towards, double electrical_length) {
   double behind = 1.0;
   for (const auto& [edge, other] : {std::pair(end.edge, end.other_edge), std::pair(end.other_edge, end.edge)}) {
@@ -165,12 +166,13 @@ Complex CornerWaves::upright_factor(const End& end, const dvec3& towards, double
 
 // The wave of one edge of the corner, diffracted to run along the other, is among the strips; so is what follows. It runs there
 // if the edge has the source on the cone on which the other edge lies: `off_cone` is the angle off that. Nor does a corner send a
-// plane wave where one of its edges points to, `off_edge` away.
-double CornerWaves::weight(const End& end, const dvec3& towards, double electrical_length) {
-  double product = 1.0;
+// plane wave where one of its edges points to, `off_edge` away; and between edges of a fraction of a wavelength it is none.
+double CornerWaves::weight(const End& end, const dvec3& towards, double wavenumber, double length) {
+  const double other = wavenumber * end.other_length;
+  double product = -std::expm1(-other * other);
   for (const dvec3& edge : {end.edge, end.other_edge}) {
     const double off_edge = angle_between(towards, edge), off_cone = off_edge + end.angle->value() - pi;
-    for (const double angle : {off_edge, off_cone}) product *= -std::expm1(-electrical_length * angle * angle);
+    for (const double angle : {off_edge, off_cone}) product *= -std::expm1(-wavenumber * length * angle * angle);
   }
   return product;
 }
@@ -181,7 +183,7 @@ void CornerWaves::add_way(const Edge& edge, int from, double share, const std::a
   const End &first = edge.ends[from], &last = edge.ends[1 - from];
   const LookVectors &in = visits[from].look, &out = visits[1 - from].look;
   const auto weights = [&](double k) {
-    return weight(first, -in.incident, k * edge.length) * weight(last, out.scattered, k * edge.length);
+    return weight(first, -in.incident, k, edge.length) * weight(last, out.scattered, k, edge.length);
   };
   if (weights(wavenumber(std::ranges::max(frequencies))) < least_weight) return;
   const Passage starts = passage(first, -in.incident, in.electric), leaves = passage(last, out.scattered, out.receive);

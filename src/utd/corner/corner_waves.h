@@ -64,12 +64,13 @@ class CornerWaves {
     dvec3 normal;  // one for both ends; that of the frame has the sign `side`
     double side;
     dvec3 edge, other_edge;  // away from the corner
+    double other_length;     // of the wedge beside
     const Angle* angle = nullptr;
   };
   struct Edge {
     std::array<End, 2> ends;
     double length;
-    double part;  // the wedge's of that
+    double part;  // the wedge's of that; less if it stands for several
   };
   class Finder;
 
@@ -79,7 +80,7 @@ class CornerWaves {
   };
   static Passage passage(const End& end, const dvec3& towards, const std::array<dvec3, 2>& fields);
   static Complex upright_factor(const End& end, const dvec3& towards, double electrical_length);
-  static double weight(const End& end, const dvec3& towards, double electrical_length);
+  static double weight(const End& end, const dvec3& towards, double wavenumber, double length);
   static void add_way(const Edge& edge, int from, double share, const std::array<Visit, 2>& visits,
                       std::span<const double> frequencies, std::span<ScatteringMatrix> sum);
   const Angle* angle_of(double angle);

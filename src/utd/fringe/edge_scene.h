@@ -15,7 +15,7 @@ struct EdgeScene {
   std::span<const Wedge> wedges;
   const Outlines& outlines;              // of the faces beside the wedges; not used at order 1
   const Tracer& tracer;                  // of what casts shadows on them
-  const CornerWaves* corners = nullptr;  // along the wedges, from order 2 on
+  const CornerWaves* corners = nullptr;  // along the wedges: from order 2 on, else null
 };
 
 struct FringeOptions {

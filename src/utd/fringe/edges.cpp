@@ -35,7 +35,7 @@ EdgeLookResult fringe_scattering(const EdgeScene& scene, const Look& look, std::
   LitEdges light(scene.wedges, scene.tracer, vectors, shortest_wavelength(frequencies), options.receiver_shadow);
   EdgeLookResult result =
       at_order(scene, options, [&](auto make) { return sum_of(make(vectors, frequencies), scene.wedges.size(), light); });
-  if (options.order > 1) add_corner_waves(scene, vectors, frequencies, light, result);
+  add_corner_waves(scene, vectors, frequencies, light, result);
   return result;
 }
 

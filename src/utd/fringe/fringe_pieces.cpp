@@ -14,23 +14,15 @@ std::vector<LitInterval> cut_at_cells(const Wedge& wedge, std::span<const LitInt
   return parts;
 }
 
-namespace {
-
-// Waves from corner to corner, spread over the lit parts of their edge by length.
-void add_wave_pieces(const EdgeScene& scene, const LookVectors& look, double frequency, const ImageLattice& lattice,
-                     LitEdges& light, std::vector<ImageEdge>& pieces) {
-  const auto incident = [&](const Wedge&) { return look.incident; };
-  for_edges_between_corners(scene, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
-    const Wedge& wedge = scene.wedges[index];
-    for (const LitInterval& part : cut_at_cells(wedge, lit, lattice)) {
-      ScatteringMatrix s;
-      scene.corners->add(index, part.end - part.begin, look, std::span(&frequency, 1), std::span(&s, 1));
-      pieces.push_back({point_on(wedge, part.begin), point_on(wedge, part.end), s});
-    }
-  });
+void add_wave_pieces(const EdgeScene& scene, std::uint32_t index, std::span<const LitInterval> lit, const LookVectors& look,
+                     double frequency, const ImageLattice& lattice, std::vector<ImageEdge>& pieces) {
+  const Wedge& wedge = scene.wedges[index];
+  for (const LitInterval& part : cut_at_cells(wedge, lit, lattice)) {
+    ScatteringMatrix s;
+    scene.corners->add(index, part.end - part.begin, look, std::span(&frequency, 1), std::span(&s, 1));
+    pieces.push_back({point_on(wedge, part.begin), point_on(wedge, part.end), s});
+  }
 }
-
-}  // namespace
 
 std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const Look& look, std::span<const double> frequencies,
                                      const PieceRequest& request, const FringeOptions& options) {
@@ -44,7 +36,10 @@ std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const Look& look, s
         pieces.add(index, light.lit());
     return pieces.take();
   });
-  if (options.order > 1) add_wave_pieces(scene, vectors, frequencies[request.frequency_index], request.lattice, light, found);
+  const auto incident = [&](const Wedge&) { return vectors.incident; };
+  for_edges_between_corners(scene, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
+    add_wave_pieces(scene, index, lit, vectors, frequencies[request.frequency_index], request.lattice, found);
+  });
   return found;
 }
 

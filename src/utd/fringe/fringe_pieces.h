@@ -24,6 +24,10 @@ struct PieceRequest {
 std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const Look& look, std::span<const double> frequencies,
                                      const PieceRequest& request, const FringeOptions& options);
 
+/// Waves from corner to corner of edge `index`, spread over its lit parts by length; appended to `pieces`.
+void add_wave_pieces(const EdgeScene& scene, std::uint32_t index, std::span<const LitInterval> lit, const LookVectors& look,
+                     double frequency, const ImageLattice& lattice, std::vector<ImageEdge>& pieces);
+
 /// The lit parts of an edge, cut where it goes from one cell into another.
 std::vector<LitInterval> cut_at_cells(const Wedge& wedge, std::span<const LitInterval> lit, const ImageLattice& lattice);
 

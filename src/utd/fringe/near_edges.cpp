@@ -177,7 +177,7 @@ EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair&
     for (std::uint32_t index = 0; index < scene.wedges.size(); ++index) sum.add(scene.wedges, index, light, make);
     return sum.take();
   });
-  if (options.order > 1) add_corner_waves_near(scene, antennas, frequencies, light, result);
+  add_corner_waves_near(scene, antennas, frequencies, light, result);
   return result;
 }
 

@@ -3,8 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "utd/fringe/edge_pass.h"
-#include "utd/shadow/lit_edges.h"
+#include "utd/fringe/corner_pass.h"
 
 namespace raytube {
 
@@ -151,7 +150,8 @@ class ScreenedLook {
         vectors_(look_vectors(look)),
         subset_(subset),
         make_(make),
-        parts_(target, look, shortest_wavelength(subset.frequencies)) {
+        parts_(target, look, shortest_wavelength(subset.frequencies)),
+        waves_(target, look, shortest_wavelength(subset.frequencies)) {
     find_parts(receiver_shadow);
   }
   ScreenedLook(const ScreenedLook&) = delete;
@@ -165,6 +165,14 @@ class ScreenedLook {
       for (const LitParts& part : group) edges.add(part.wedge, *edges.meeting(part.wedge), part.lit);
       add_through(screens, edges.take(), sum);
     }
+    for (const auto& [screens, group] : waves_.groups()) {
+      EdgeLookResult waves;
+      waves.scattering.resize(sum.scattering.size()), waves.higher.resize(sum.scattering.size());
+      waves.windowed.resize(sum.scattering.size());
+      for (const LitParts& part : group)
+        scene_.corners->add(part.wedge, lit_share(part.lit), vectors_, subset_.frequencies, waves.higher);
+      add_through(screens, std::move(waves), sum);
+    }
     return sum;
   }
 
@@ -174,11 +182,14 @@ class ScreenedLook {
     for (const auto& [screens, group] : parts_.groups()) {
       EdgePieces pieces(scene_.wedges, subset_.frequencies, request, make);
       for (const LitParts& part : group) pieces.add(part.wedge, part.lit);
-      const Passage by = passage(target_, screens, look_, {subset_, request.frequency_index});
-      for (ImageEdge& piece : pieces.take()) {
-        transform(piece.s, by);
-        all.push_back(piece);
-      }
+      add_through(screens, pieces.take(), request, all);
+    }
+    for (const auto& [screens, group] : waves_.groups()) {
+      std::vector<ImageEdge> pieces;
+      for (const LitParts& part : group)
+        add_wave_pieces(scene_, part.wedge, part.lit, vectors_, subset_.frequencies[request.frequency_index], request.lattice,
+                        pieces);
+      add_through(screens, std::move(pieces), request, all);
     }
     return all;
   }
@@ -192,6 +203,19 @@ class ScreenedLook {
       if (!meeting || !light.find(index, meeting->incidence)) continue;
       ++wedges_lit_;
       for (const LitInterval& lit : light.lit()) parts_.add(scene_.wedges[index], index, lit);
+    }
+    const auto incident = [&](const Wedge&) { return vectors_.incident; };
+    for_edges_between_corners(scene_, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
+      for (const LitInterval& part : lit) waves_.add(scene_.wedges[index], index, part);
+    });
+  }
+
+  void add_through(const Screens& screens, std::vector<ImageEdge> pieces, const PieceRequest& request,
+                   std::vector<ImageEdge>& all) const {
+    const Passage by = passage(target_, screens, look_, {subset_, request.frequency_index});
+    for (ImageEdge& piece : pieces) {
+      transform(piece.s, by);
+      all.push_back(piece);
     }
   }
 
@@ -215,7 +239,7 @@ class ScreenedLook {
   LookVectors vectors_;
   const SweepSubset& subset_;
   Make make_;
-  ScreenedParts parts_;
+  ScreenedParts parts_, waves_;  // of strips, and of waves from corner to corner
   std::uint64_t wedges_lit_ = 0;
 };
 
