@@ -33,7 +33,7 @@ constexpr Way ways[] = {{"adaptive tubes alone", TubeMode::adaptive, EdgeMethod:
                         {"the same and waves between surfaces", TubeMode::adaptive, EdgeMethod::fringe, 3, true}};
 
 double solve_time(const Target& target, const Case& c, const Way& way, int threads) {
-  SolveOptions options{c.tubes, c.edges, threads, false, {}};
+  SolveOptions options{c.tubes, c.edges, c.surfaces, threads, false, {}};
   options.tubes.mode = way.mode;
   if (way.mode == TubeMode::uniform) options.tubes.per_wavelength = 10.0;
   options.edges.method = way.method;

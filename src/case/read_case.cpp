@@ -167,6 +167,10 @@ void read_edges(const CaseValue& root, Case& c) {
   }
 }
 
+void read_surfaces(const CaseValue& root, Case& c) {
+  if (const CaseValue* waves = find(root, "surfaces", "waves")) c.surfaces.waves = read_flag(*waves, "surfaces.waves");
+}
+
 std::size_t read_image_look(const CaseValue& value, const Case& c) {
   const double number = read_number(value, "output.image_look");
   if (number >= 0.0 && number < static_cast<double>(c.sweep.looks.size()) && number == std::floor(number))
@@ -223,6 +227,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   read_looks(root, c);
   read_tubes(root, c);
   read_edges(root, c);
+  read_surfaces(root, c);
   read_radar(root, c);
   read_output(root, c);
   const CaseValue* title = root.find("title");

@@ -142,6 +142,7 @@ JsonValue resolved_case(const Case& c) {
   json["tubes"] = tubes_json(c.tubes);
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};
   json["edges"] = edges_json(c.edges, c.wedges, !c.sweep.materials.empty());
+  json["surfaces"] = {{"waves", c.surfaces.waves}};
   json["output"] = {{"plots", c.plots}};
   if (c.incoherent) json["output"]["incoherent"] = true;
   if (!c.image_looks.empty()) {

@@ -23,6 +23,10 @@ inline constexpr double strip_point = 60.0;      // one point of the quadrature 
 inline constexpr double edge_amplitude = 300.0;  // one edge at first order, at one frequency
 inline constexpr double corner_wave = 15000.0;   // the waves along one edge, both ways
 
+// Strips over curved surfaces (utd/surface).
+inline constexpr double surface_step = 300.0;       // one step along a geodesic
+inline constexpr double surface_frequency = 100.0;  // the current there, at one frequency
+
 // Tubes (sbr).
 inline constexpr double tube = 4000.0;          // one tube or cell launched
 inline constexpr double tube_ray = 1500.0;      // one of its rays

@@ -73,7 +73,7 @@ ResultNames names_of_convergence_results(bool with_plot) {
 SolveOptions options_of(const Case& c, const Request& request) {
   TubeOptions tubes = c.tubes;
   if (tubes.clip) tubes.mode = TubeMode::uniform;
-  return {tubes, c.edges, request.threads > 0 ? request.threads : all_threads(), false, {}};
+  return {tubes, c.edges, c.surfaces, request.threads > 0 ? request.threads : all_threads(), false, {}};
 }
 
 // The amplitudes of every density are kept to the end.

@@ -64,6 +64,10 @@ struct EdgeOptions {
   double utd_range = 0.0;  // of transmitter and receiver with method utd [m]; 0: default_ray_range
 };
 
+struct SurfaceOptions {
+  bool waves = true;  // currents run smoothly into the dark over curved surfaces, and on in it; with edges.method fringe
+};
+
 /// Which creases of a mesh are edges: what a Target is made with.
 struct WedgeOptions {
   double min_wedge_angle = 15.0 * degree;  // a crease flatter than this is tessellation, not an edge [rad]
@@ -81,6 +85,7 @@ struct KeptLooks {
 struct SolveOptions {
   TubeOptions tubes{};
   EdgeOptions edges{};
+  SurfaceOptions surfaces{};
   int threads = 0;          // 0: all cores
   bool keep_parts = false;  // fill SweepResult::bounces, edges_first, edges_higher and interaction
   /// Called now and then with the finished share of the work (0..1); return false to stop (solve then throws Interrupted).

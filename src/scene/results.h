@@ -79,12 +79,13 @@ struct Statistics {
   std::uint64_t wedges = 0;         // wedges of the target, convex and concave
   std::uint64_t wedges_lit = 0;     // sum over looks of the convex wedges at least partly lit, at the highest frequency
   std::uint64_t thin_plate_edges_lowest = 0, thin_plate_edges_highest = 0;  // half planes at the lowest and the highest frequency
+  std::uint64_t surface_strips = 0;       // sum over looks: strips across shadow boundaries of curved surfaces
   std::uint64_t illuminating_pieces = 0;  // sum over looks: pieces of edges that light other surfaces, once for each wave on them
   std::uint64_t windowed_rows = 0;        // rows touched by the forward-grazing window of the fringe currents
   double ray_range = 0.0;                 // [m]: edges.method utd, amplitudes are apparent ones at this range; else 0
   std::vector<Skipped> skipped;
   std::vector<BeyondBound> beyond_bound;  // none in a sound solve
-  double solve_s = 0.0;  // mesh and BVH ready -> last sum
+  double solve_s = 0.0;                   // mesh and BVH ready -> last sum
 };
 
 /// One of the things that the asymptotic physics leaves out, over the rows of a sweep. An estimate, as of SweepResult::model.
@@ -113,6 +114,8 @@ struct SweepResult {
   std::vector<ScatteringMatrix> edges_first;           // fringe currents of the lit wedges
   std::vector<ScatteringMatrix> edges_higher;          // what these currents start at further wedges
   std::vector<ScatteringMatrix> interaction;           // currents that edge-diffracted waves excite on other surfaces
+
+  std::vector<ScatteringMatrix> surface_waves;  // over curved surfaces, beyond physical optics
 
   std::vector<std::array<double, 2>> incoherent;  // sigma of rough surfaces for transmitted V and H [m^2]; empty: there are none
   Statistics statistics;

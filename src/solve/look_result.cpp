@@ -86,7 +86,7 @@ class Reader {
 // One list of members for both ways.
 template <class Archive, class Look>
 void visit(Archive& archive, Look& look) {
-  auto& [tubes, edges, between] = look;
+  auto& [tubes, edges, between, surface] = look;
   archive(tubes.bounces), archive(tubes.incoherent), archive(tubes.error), archive(tubes.hits);
   archive(tubes.tubes), archive(tubes.rays), archive(tubes.lost_rays), archive(tubes.truncated);
   archive(tubes.empty_cells), archive(tubes.faces_away), archive(tubes.sliver_area), archive(tubes.met);
@@ -94,6 +94,7 @@ void visit(Archive& archive, Look& look) {
   archive(edges.wedges_lit), archive(edges.lit);
   archive(between.scattering), archive(between.error), archive(between.illuminating_pieces);
   archive(between.left_out), archive(between.skipped), archive(between.work), archive(edges.work);
+  archive(surface.scattering), archive(surface.strips), archive(surface.work);
 }
 
 bool has_frequencies(const LookResult& look, std::size_t count) {
@@ -102,7 +103,8 @@ bool has_frequencies(const LookResult& look, std::size_t count) {
     if (bounce.size() != count) return false;
   return look.tubes.error.size() == count && none_or_all(look.tubes.incoherent) && none_or_all(look.edges.scattering) &&
          none_or_all(look.edges.higher) && none_or_all(look.edges.windowed) && none_or_all(look.interaction.scattering) &&
-         look.interaction.error.size() == look.interaction.scattering.size() && none_or_all(look.interaction.left_out);
+         look.interaction.error.size() == look.interaction.scattering.size() && none_or_all(look.interaction.left_out) &&
+         none_or_all(look.surface.scattering);
 }
 
 }  // namespace
@@ -114,7 +116,7 @@ void LookResult::keep_sums_only() {
 }
 
 std::string look_bytes(const LookResult& look) {
-  const std::size_t matrices = (look.tubes.bounces.size() + 4) * look.tubes.error.size();
+  const std::size_t matrices = (look.tubes.bounces.size() + 5) * look.tubes.error.size();
   Writer writer(matrices * sizeof(ScatteringMatrix) + 1000);
   visit(writer, look);
   return writer.take();

@@ -8,6 +8,7 @@
 #include "sbr/beams/tube_sums.h"
 #include "utd/fringe/edge_look_result.h"
 #include "utd/interaction/edge_face_interaction.h"
+#include "utd/surface/surface_waves.h"
 
 namespace raytube {
 
@@ -16,6 +17,7 @@ struct LookResult {
   TubeSums tubes;
   EdgeLookResult edges;
   InteractionResult interaction;
+  SurfaceWaveResult surface;
 
   /// Lets go of what the estimate of the tubes' error was made from, which is most of it at many frequencies.
   void keep_sums_only();

@@ -32,6 +32,7 @@ void make_reciprocal(LookResult& look) {
   make_reciprocal(look.edges.scattering);
   make_reciprocal(look.edges.higher);
   make_reciprocal(look.interaction.scattering);
+  make_reciprocal(look.surface.scattering);
 }
 
 }  // namespace
@@ -39,9 +40,10 @@ void make_reciprocal(LookResult& look) {
 LookSolver::LookSolver(const SolvePlan& plan)
     : plan_(plan),
       tube_scene_{plan.target.tracer,    plan.target.faces,    plan.smooth.get(),
-                  plan.target.convexity, plan.sweep.materials, plan.sweep.radar},
+                  plan.convexity, plan.sweep.materials, plan.sweep.radar},
       edges_(edge_setup(plan)),
       edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
+  if (plan.mechanisms.surface_waves) curved_.emplace(plan.target.tracer, *plan.smooth);
   if (plan.mechanisms.rays) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
 }
 
@@ -52,12 +54,18 @@ LookResult LookSolver::solve(std::size_t index, Progress& progress, double share
   result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, share});
   result.edges = edges_of(look);
   result.interaction = interaction(look, result);
+  if (curved_) result.surface = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies);
   if (!plan_.sweep.bistatic) make_reciprocal(result);
   return result;
 }
 
 TubeSums LookSolver::tubes(const Look& look, Progress& progress, CurrentMap& map) const {
   return sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, 1.0, &map});
+}
+
+std::vector<ImageEdge> LookSolver::surface_pieces(const Look& look, double frequency) const {
+  if (!curved_) return {};
+  return surface_wave_pieces(*curved_, look_vectors(look), frequency);
 }
 
 EdgeLookResult LookSolver::edges_of(const Look& look) const {

@@ -33,6 +33,9 @@ class LookSolver {
   bool edges_count() const { return edges_count_; }
   const EdgeSets& edges() const { return edges_; }
 
+  /// Surface waves of a look at one frequency, point by point; none if they do not count.
+  std::vector<ImageEdge> surface_pieces(const Look& look, double frequency) const;
+
   /// Counted work of the edges of a look (core/work.h).
   double edge_work(const Look& look) const { return edges_of(look).work; }
   /// What edge-face interaction may leave and take beside these tubes and edges, whose counted work is given (core/work.h).
@@ -49,6 +52,7 @@ class LookSolver {
   EdgeSets edges_;
   bool edges_count_;
   std::optional<RayFields> ray_fields_;
+  std::optional<CurvedTarget> curved_;  // if surface waves count
 };
 
 }  // namespace raytube

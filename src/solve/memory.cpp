@@ -89,7 +89,7 @@ std::size_t most_tiles(const SolvePlan& plan) {
   if (plan.tubes.mode == TubeMode::uniform) return tiles(widest_look(target.mesh, sweep, plan.tubes));
   const std::size_t flat = tiles(sweep.looks.front());
   if (!plan.smooth) return flat;
-  return target.convexity.no_reflection ? std::max(flat, CurvedLook::blocks) : std::numeric_limits<std::size_t>::max();
+  return plan.convexity.no_reflection ? std::max(flat, CurvedLook::blocks) : std::numeric_limits<std::size_t>::max();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 //   edges, first order        L + k / (2 pi) A of bistatic looks: on either side of every edge, of length L in all, twice the
 //                             incident field over half a wavelength; in forward directions the shadow of the faces
 //   edges, higher orders      as much again for every further edge in a row
+//   waves on curved surfaces  k / (2 pi) A: no current there is stronger than on a plane
 //   edges on other faces      k / (2 pi) A: what an edge diffracts is nowhere stronger than what it receives
 #pragma once
 
@@ -18,7 +19,7 @@ namespace raytube {
 
 /// The bounds of one row [m].
 struct PhysicalBound {
-  double first_bounce, later_bounces, edges_first, edges_higher, interaction;
+  double first_bounce, later_bounces, edges_first, edges_higher, interaction, surface_waves;
 };
 
 /// Of a target and a sweep. Keeps a reference to the plan.

@@ -28,7 +28,7 @@ Mechanisms mechanisms_of(const SolvePlan& plan) {
           .material_edges = fringe && plan.edges.materials == MaterialEdgeMethod::luebbers,
           .screens = fringe && std::ranges::any_of(plan.sweep.materials, &Material::transmits),
           .interaction = fringe && plan.edges.interaction && plan.edges.interaction_budget > 0.0 &&
-                         !plan.target.convexity.no_reflection && plane_conductors};
+                         !plan.convexity.no_reflection && plane_conductors};
 }
 
 double ray_range_of(const SolvePlan& plan) {
@@ -39,11 +39,22 @@ double ray_range_of(const SolvePlan& plan) {
   return range;
 }
 
+// Creases of a tessellation that are hollow by less than the rise of a surface over its facets reflect nothing.
+Convexity convexity_of(const SolvePlan& plan) {
+  Convexity convexity = plan.target.convexity;
+  const double allowed = most_rise * plan.shortest_wavelength();
+  if (!convexity.no_reflection && plan.tubes.skip && plan.edges.method != EdgeMethod::utd && plan.tubes.refines() &&
+      plan.tubes.curved != CurvedSurfaces::never && convex_up_to(plan.target.mesh, allowed))
+    convexity.no_reflection = SmoothSurfaces(plan.target.mesh, plan.target.options.min_wedge_angle, allowed).facets() >
+                              plan.target.mesh.triangles.size() / 2;
+  return convexity;
+}
+
 std::shared_ptr<const SmoothSurfaces> smooth_surfaces(const SolvePlan& plan) {
   const TubeOptions& tubes = plan.tubes;
   if (plan.mechanisms.rays || !tubes.refines() || tubes.curved == CurvedSurfaces::never) return {};
   const bool convex_only = tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
-  if (convex_only && !plan.target.convexity.no_reflection) return {};
+  if (convex_only && !plan.convexity.no_reflection) return {};
   auto smooth = std::make_shared<const SmoothSurfaces>(plan.target.mesh, plan.target.options.min_wedge_angle,
                                                        most_rise * plan.shortest_wavelength());
   if (!smooth->any()) return {};
@@ -64,7 +75,7 @@ LookPlan looks_of(const SolvePlan& plan) {
   const Sweep& sweep = plan.sweep;
   if (!plan.tubes.skip) return plan_all(sweep.looks.size());
   if (!all_far(sweep)) return near_looks(sweep);
-  const bool exact = plan.tubes.refines() && (!plan.smooth || plan.target.convexity.no_reflection);
+  const bool exact = plan.tubes.refines() && (!plan.smooth || plan.convexity.no_reflection);
   if (!exact || plan.mechanisms.rays) return plan_looks(sweep.looks, {false, false, false});
   const LookPlan at_best = plan_looks(sweep.looks, {true, true, true});
   if (at_best.mirrored == 0) return at_best;
@@ -82,13 +93,15 @@ void count_too_small(const SolvePlan& plan, SkipCounts& counts) {
 }
 
 SkipCounts skips_of(const SolvePlan& plan) {
-  const bool asked = plan.edges.interaction && plan.edges.method == EdgeMethod::fringe && !plan.target.convexity.no_reflection;
+  const bool asked = plan.edges.interaction && plan.edges.method == EdgeMethod::fringe && !plan.convexity.no_reflection;
   const std::uint64_t looks = plan.sweep.looks.size();
   SkipCounts counts{.repeated_looks = plan.looks.repeated, .mirrored_looks = plan.looks.mirrored};
   if (asked && plan.edges.interaction_budget == 0.0) counts.unbudgeted_looks = looks;
   if (plan.mechanisms.interaction) count_too_small(plan, counts);
   if (asked && !waves_are_plane(plan.target.mesh, plan.sweep)) counts.near_looks = looks;
   if (asked && !plan.sweep.materials.empty()) counts.material_looks = looks;
+  if (plan.surfaces.waves && plan.mechanisms.fringe && plan.smooth && !plan.mechanisms.surface_waves)
+    counts.near_surface_looks = looks;
   if (plan.tubes.skip && plan.edges.method != EdgeMethod::none) counts.enclosed_wedges = plan.target.wedges_enclosed;
   return counts;
 }
@@ -126,13 +139,16 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
       sweep(asked),
       tubes(options.tubes),
       edges(options.edges),
+      surfaces(options.surfaces),
       threads(options.threads),
       keep_parts(options.keep_parts) {
   check_all(*this);
   const auto start = std::chrono::steady_clock::now();
+  convexity = convexity_of(*this);
   mechanisms = mechanisms_of(*this);
   ray_range = ray_range_of(*this);
   smooth = smooth_surfaces(*this);
+  mechanisms.surface_waves = surfaces.waves && mechanisms.fringe && smooth && all_far(sweep);
   looks = looks_of(*this);
   skips = skips_of(*this);
   skipped_wedges = skipped_wedges_of(*this);

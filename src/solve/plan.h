@@ -20,6 +20,7 @@ struct Mechanisms {
   bool material_edges = false;  // edges of other materials, by a heuristic
   bool screens = false;         // edges are lit, and radiate, through sheets that let waves through
   bool interaction = false;     // edge-face interaction
+  bool surface_waves = false;   // over curved surfaces, beyond physical optics
 };
 
 /// Looks, frequencies and mechanisms of a solve, with the reasons for what is left out. Refers to `target` and `sweep`, which
@@ -35,9 +36,11 @@ struct SolvePlan {
   const Sweep& sweep;
   TubeOptions tubes;
   EdgeOptions edges;
+  SurfaceOptions surfaces;
   int threads;      // 0: all cores
   bool keep_parts;  // the result keeps its mechanisms apart
 
+  Convexity convexity;  // the target's; of a curved body with dents that no wave sees, that of the body without
   Mechanisms mechanisms;
   double ray_range = 0.0;                        // of transmitter and receiver where rays stand for currents [m], else 0
   std::shared_ptr<const SmoothSurfaces> smooth;  // curved surfaces that tubes see as such; null: all are flat facets
@@ -49,7 +52,7 @@ struct SolvePlan {
 
   double shortest_wavelength() const;  // [m]
   /// Bounces that tubes can have on this target.
-  int max_bounces() const { return target.convexity.no_reflection ? 1 : tubes.max_bounces; }
+  int max_bounces() const { return convexity.no_reflection ? 1 : tubes.max_bounces; }
 };
 
 /// Whether the waves of every look are plane enough all over the target for edge-face interaction, which knows no others.

@@ -23,7 +23,7 @@ using Rows = std::vector<ScatteringMatrix>;
 // S of what random tubes do not replace.
 Rows fixed_part(const SweepResult& solution) {
   Rows rows(solution.total.size());
-  for (const Rows* part : {&solution.edges_first, &solution.edges_higher, &solution.interaction})
+  for (const Rows* part : {&solution.edges_first, &solution.edges_higher, &solution.interaction, &solution.surface_waves})
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i] += (*part)[i];
   return rows;
 }

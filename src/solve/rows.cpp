@@ -14,12 +14,13 @@ namespace raytube {
 namespace {
 
 // Parts that have a bound each, in the words of whoever reads about them.
-enum Part : std::size_t { first_bounce, later_bounces, edges_first, edges_higher, interaction };
+enum Part : std::size_t { first_bounce, later_bounces, edges_first, edges_higher, interaction, surface_waves };
 const std::vector<BeyondBound> parts{{"the first bounce"},
                                      {"later bounces"},
                                      {"edges, first order"},
                                      {"edges, higher orders (edges.order)"},
-                                     {"waves between surfaces (edges.between)"}};
+                                     {"waves between surfaces (edges.between)"},
+                                     {"waves over curved surfaces (surfaces.waves)"}};
 
 // Mean over the two co-polar channels [m^2].
 double co_polar_square(const ChannelErrors& errors) { return 0.5 * (errors[0][0] * errors[0][0] + errors[1][1] * errors[1][1]); }
@@ -59,6 +60,7 @@ RowCollector::RowCollector(const SolvePlan& plan, std::vector<double> edge_lengt
   result_.edges_first.resize(sweep_.rows());
   result_.edges_higher.resize(sweep_.rows());
   result_.interaction.resize(sweep_.rows());
+  result_.surface_waves.resize(sweep_.rows());
 }
 
 void RowCollector::add(std::size_t index, const LookResult& look) {
@@ -131,6 +133,7 @@ void RowCollector::add_rows(std::size_t look, const LookResult& part, const Look
     std::ranges::copy(part.tubes.incoherent, result_.incoherent.begin() + static_cast<std::ptrdiff_t>(sweep_.row(look, 0)));
   Statistics& all = result_.statistics;
   all.wedges_lit += part.edges.wedges_lit;
+  all.surface_strips += part.surface.strips;
   all.illuminating_pieces += part.interaction.illuminating_pieces;
   for (const bool windowed : part.edges.windowed) all.windowed_rows += windowed ? 1 : 0;
   if (part.tubes.tubes == 0 && !plan_.mechanisms.rays) ++looks_without_tubes_;
@@ -162,6 +165,7 @@ void RowCollector::add_row(std::size_t look, std::size_t frequency_index, const 
   add_errors(part.interaction.error, frequency_index, result_.error[row]);
   add(part.edges.scattering, result_.edges_first, edges_first, bound.edges_first);
   add(part.edges.higher, result_.edges_higher, edges_higher, bound.edges_higher);
+  add(part.surface.scattering, result_.surface_waves, surface_waves, bound.surface_waves);
 }
 
 // Some parts reach their bound: physical optics of a plate, broadside.
@@ -186,7 +190,7 @@ SweepResult RowCollector::finish() {
   all.sliver_area = std::accumulate(sliver_areas_.begin(), sliver_areas_.end(), 0.0);
   if (looks_without_tubes_) all.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
   all.skipped.insert(all.skipped.end(), plan_.skipped_wedges.begin(), plan_.skipped_wedges.end());
-  if (plan_.tubes.skip && plan_.target.convexity.no_reflection && !all.hits.empty()) skipped_.reflected_tubes = all.hits[0];
+  if (plan_.tubes.skip && plan_.convexity.no_reflection && !all.hits.empty()) skipped_.reflected_tubes = all.hits[0];
   for (const Skipped& item : skipped_items(skipped_)) all.skipped.push_back(item);
   std::ranges::copy_if(beyond_bound_, std::back_inserter(all.beyond_bound),
                        [](const BeyondBound& each) { return each.rows > 0; });

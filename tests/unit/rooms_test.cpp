@@ -56,6 +56,7 @@ const Rooms may_include = {
     {"utd/wedge", base},
     {"utd/shadow", base + std::set<std::string>{"utd/wedge"}},
     {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow"}},
+    {"utd/surface", base + std::set<std::string>{"utd/wedge"}},
     {"utd/corner", base + std::set<std::string>{"utd/wedge"}},
     {"utd/fringe", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/corner"}},
     {"utd/interaction", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe"}},
@@ -66,7 +67,7 @@ const Rooms may_include = {
     {"uncertainty", base},
 
     {"solve", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "utd", "utd/fringe",
-                                           "uncertainty", "utd/interaction", "utd/gtd"}},
+                                           "uncertainty", "utd/interaction", "utd/gtd", "utd/surface"}},
 
     {"case/data", {"core", "scene"}},
     {"case/text", {"core", "mesh/model"}},

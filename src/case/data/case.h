@@ -90,6 +90,7 @@ struct Case {
   RadarChoice radar;
   TubeOptions tubes;
   EdgeOptions edges;
+  SurfaceOptions surfaces;
   WedgeOptions wedges;
   bool plots = true;
   bool incoherent = false;               // what rough surfaces scatter incoherently is written, too

@@ -13,7 +13,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 41> known_keys = {"title",
+constexpr std::array<std::string_view, 42> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -43,6 +43,7 @@ constexpr std::array<std::string_view, 41> known_keys = {"title",
                                                          "edges.thin_sheets",
                                                          "edges.utd_range_m",
                                                          "edges.min_wedge_deg",
+                                                         "surfaces.waves",
                                                          "radar.range_m",
                                                          "radar.receive_range_m",
                                                          "radar.position_m",

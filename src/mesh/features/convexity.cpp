@@ -100,4 +100,42 @@ Convexity find_convexity(const TriangleMesh& mesh) {
   return {lies_in_one_plane(mesh), false};
 }
 
+namespace {
+
+/// The vertices next to each vertex.
+std::vector<std::vector<std::uint32_t>> neighbours_of(const TriangleMesh& mesh) {
+  std::vector<std::vector<std::uint32_t>> next(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles)
+    for (int c = 0; c < 3; ++c) next[t[c]].push_back(t[(c + 1) % 3]);
+  return next;
+}
+
+std::vector<dvec3> vertex_normals(const TriangleMesh& mesh) {
+  std::vector<dvec3> normals(mesh.vertices.size(), dvec3(0.0));
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t) normals[v] += area_vector(mesh.vertices, t);
+  return normals;
+}
+
+}  // namespace
+
+bool convex_up_to(const TriangleMesh& mesh, double dent) {
+  if (mesh.components.size() != 1 || !mesh.components[0].closed) return false;
+  const auto next = neighbours_of(mesh);
+  const std::vector<dvec3> normals = vertex_normals(mesh);
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (next[v].empty() || normals[v] == dvec3(0.0)) continue;
+    const dvec3 up = glm::normalize(normals[v]);
+    const auto height = [&](std::uint32_t w) { return glm::dot(up, mesh.vertices[w]); };
+    std::uint32_t top = v;
+    for (bool climbs = true; climbs;) {
+      const std::uint32_t best = *std::ranges::max_element(next[top], {}, height);
+      climbs = height(best) > height(top);
+      if (climbs) top = best;
+    }
+    if (height(top) - height(v) > dent) return false;
+  }
+  return true;
+}
+
 }  // namespace raytube

@@ -13,4 +13,8 @@ struct Convexity {
 /// Tells a single convex body, or faces that all lie in one plane, by their corners, to rounding. Everything else has neither.
 Convexity find_convexity(const TriangleMesh& mesh);
 
+/// Whether a closed connected surface bounds a convex body but for dents, as facets of a convex surface leave them: from no
+/// vertex does the mesh, uphill, rise by more than `dent` [m] above the plane that touches it there across the mean normal.
+bool convex_up_to(const TriangleMesh& mesh, double dent);
+
 }  // namespace raytube

@@ -70,6 +70,13 @@ class SmoothSurfaces {
   /// How far the surface bends off that side: the point at fraction x of the side lies at its chord minus x (1 - x) times this.
   dvec3 bend(std::uint32_t triangle, int corner) const;
 
+  /// The normal at a corner of a triangle, and its number among so many: corners of one surface share theirs at a vertex.
+  const dvec3& normal(std::uint32_t triangle, int corner) const { return normals_[normal_index(triangle, corner)]; }
+  std::uint32_t normal_index(std::uint32_t triangle, int corner) const {
+    return corner_normal_[3 * std::size_t{triangle} + corner];
+  }
+  std::size_t normals() const { return normals_.size(); }
+
   /// The surface over a triangle with a region.
   BentFacet facet(std::uint32_t triangle) const;
 

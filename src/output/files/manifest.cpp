@@ -34,6 +34,7 @@ JsonValue counts_json(const Statistics& statistics) {
   json["sliver_area_m2"] = statistics.sliver_area;
   json["wedges"] = statistics.wedges;
   json["wedges_lit"] = statistics.wedges_lit;
+  json["surface_strips"] = statistics.surface_strips;
   json["painted_pieces"] = statistics.illuminating_pieces;
   json["thin_rims"] = {{"lowest_frequency", statistics.thin_plate_edges_lowest},
                        {"highest_frequency", statistics.thin_plate_edges_highest}};

@@ -15,10 +15,10 @@ namespace {
 // Panels of a rim grow from its ends, where it may meet the edge that lights it, to its middle; the first in wavelengths.
 constexpr double first_panel = 0.8, panel_growth = 4.0;
 constexpr double narrowest_panel = 1e-4;  // in wavelengths
-constexpr double end_inset = 1e-7;    // of a lit piece: its ends belong to other faces, too
-constexpr double beside_face = 4e-6;  // of the target's radius
-constexpr double along_face = 1e-7;   // sine
-constexpr double undecided = 1e-7;    // [rad] beside a boundary
+constexpr double end_inset = 1e-7;        // of a lit piece: its ends belong to other faces, too
+constexpr double beside_face = 4e-6;      // of the target's radius
+constexpr double along_face = 1e-7;       // sine
+constexpr double undecided = 1e-7;        // [rad] beside a boundary
 
 bool share_a_face(const Wedge& one, const Wedge& other) {
   return std::ranges::any_of(

@@ -1,0 +1,54 @@
+// Geodesics over the facets of curved surfaces.
+#pragma once
+
+#include "mesh/features/curvature_field.h"
+#include "mesh/model/edge_table.h"
+
+namespace raytube {
+
+/// A point of a surface on one of its facets: barycentric coordinates 1 - l.x - l.y, l.x, l.y.
+struct FacetPoint {
+  std::uint32_t triangle;
+  dvec2 l;
+};
+
+/// A straight piece of a geodesic over one facet.
+struct GeodesicPiece {
+  FacetPoint from;
+  dvec2 to;         // barycentric coordinates
+  dvec3 direction;  // unit, in the facet's plane
+};
+
+/// A geodesic of a curved surface over its facets: in the plane of its tangent and of the normal on each of them, and with the
+/// tangent carried along by the normals, which are the same on both sides of an edge and all round a vertex. So no path hangs on
+/// which facet a point on an edge is counted to. Ends where the surface does. Keeps references to its arguments.
+class Geodesic {
+ public:
+  Geodesic(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures, const EdgeTable& edges,
+           const FacetPoint& start, const dvec3& direction);
+
+  /// The next piece, false if there is none.
+  bool next(GeodesicPiece& piece);
+
+ private:
+  struct Exit {
+    int side = -1;
+    double length = 0.0;
+  };
+  Exit exit(const dvec2& rate) const;
+  void enter(int corner, double share);
+  dvec2 barycentric(const dvec3& along) const;
+  dvec3 normal() const;
+
+  const TriangleMesh& mesh_;
+  const SmoothSurfaces& surfaces_;
+  const CurvatureField& curvatures_;
+  const EdgeTable& edges_;
+  FacetPoint at_;
+  dvec3 tangent_;
+  int entered_ = -1;  // the side over which it came
+  int standing_ = 0;  // pieces without length in a row
+  bool ended_ = false;
+};
+
+}  // namespace raytube

@@ -1,0 +1,47 @@
+// Waves at the shadow boundaries of curved surfaces and beyond them.
+//
+// Physical optics stops sharply where a smooth surface turns dark. The current does not: it falls off over a width 1 / (m kappa),
+// m = (k / 2 kappa)^(1/3), and runs on into the dark along geodesics, as Fock found (1946). What it has beside physical optics is
+// integrated along strips across the shadow boundary, both ways. docs/theory/surface_waves.md.
+//   fock              the current as a function of the distance from the boundary
+//   surface_ray       geodesics over facets
+//   surface_waves     the boundary of a look, its strips, their sum
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/trace/tracer.h"
+#include "scene/image.h"
+#include "utd/surface/surface_ray.h"
+#include "utd/wedge/edge_currents.h"
+
+namespace raytube {
+
+/// What all looks at the curved surfaces of a target share.
+class CurvedTarget {
+ public:
+  /// Keeps references to both.
+  CurvedTarget(const Tracer& tracer, const SmoothSurfaces& surfaces);
+
+  const Tracer& tracer;
+  const SmoothSurfaces& surfaces;
+  const EdgeTable edges;
+  const CurvatureField curvatures;
+};
+
+struct SurfaceWaveResult {
+  std::vector<ScatteringMatrix> scattering;  // [frequency], S [m], phase reference the centre of the mesh
+  std::uint64_t strips = 0;
+  double work = 0.0;  // counted (core/work.h)
+};
+
+/// What the currents on convex curved surfaces have beside physical optics in one look, from antennas at infinity: perfect
+/// conductors, light that comes straight from the transmitter. `frequencies` must not be empty.
+SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LookVectors& look,
+                                          std::span<const double> frequencies);
+
+/// The same at one frequency, point by point of the surface.
+std::vector<ImageEdge> surface_wave_pieces(const CurvedTarget& target, const LookVectors& look, double frequency);
+
+}  // namespace raytube
