@@ -148,6 +148,27 @@ TEST(CornerWaves, RunOnlyBetweenConvexCornersOfSheets) {
   EXPECT_TRUE(at_fold.run_along(1));   // the edge opposite to it
 }
 
+TEST(CornerWaves, RunOverSmallSheetsWhoseCoordinatesAreRounded) {
+  // As files in single precision have them, 30 m from the origin.
+  std::vector<Wedge> wedges;
+  const auto single = [](const dvec3& p) { return dvec3(glm::vec3(p)); };
+  for (int i = 0; i < 40; ++i) {
+    const dvec3 at(30.0 + 0.0731 * i, 18.0 + 0.0127 * i, 0);
+    const dvec3 u(0.04, 0.03, 0), v(-0.024, 0.032, 0);
+    for (const Wedge& wedge : rim({single(at), single(at + u), single(at + u + v), single(at + v)})) wedges.push_back(wedge);
+  }
+  const CornerWaves waves(wedges);
+  for (std::uint32_t i = 0; i < wedges.size(); ++i) EXPECT_TRUE(waves.run_along(i)) << i;
+}
+
+TEST(CornerWaves, AnEdgeThatBendsHasThemAsAWholeOrNotAtAll) {
+  for (const double bend : {0.1, 0.15}) {  // twice; 15 degrees are 0.26
+    const dvec3 b(1, 0, 0), c = b + dvec3(std::cos(bend), std::sin(bend), 0);
+    const CornerWaves waves(rim({{0, 0, 0}, b, c, c + dvec3(std::cos(2 * bend), std::sin(2 * bend), 0), {0.5, 3, 0}}));
+    for (const std::uint32_t i : {0u, 1u, 2u}) EXPECT_EQ(waves.run_along(i), bend == 0.1) << i;
+  }
+}
+
 TEST(CornerWaves, VanishWhereAnEdgeDiffractsAlongAnother) {
   // In the principal planes of a rectangle the strips have all of it.
   const std::vector<Wedge> plate = rim({{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}});

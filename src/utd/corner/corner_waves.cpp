@@ -11,11 +11,13 @@ namespace raytube {
 
 namespace {
 
-constexpr double same_angle = 1e-6;  // [rad]
-constexpr double in_plane = 0.05;    // what a plane may be off, as thin plates' sides may [rad]
+constexpr double in_plane = 0.05;  // what a plane may be off, as thin plates' sides may [rad]
 constexpr double least_weight = 1e-9;
 
 double angle_between(const dvec3& a, const dvec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
+/// The multiple of 0.1 degrees [rad]: coordinates in single precision move angles of small sheets far from the origin.
+double rounded(double angle) { return std::round(10.0 * angle / degree) * 0.1 * degree; }
 
 bool is_half_plane(const Wedge& wedge) { return wedge.radiates() && std::abs(wedge.n - 2.0) < 1e-9; }
 
@@ -49,9 +51,10 @@ class CornerWaves::Finder {
   std::optional<Edge> edge(std::uint32_t index) {
     if (!is_half_plane(wedges_[index])) return std::nullopt;
     Edge edge{{}, wedges_[index].length(), 1.0};
+    const auto start = follow(2 * index, edge.length), finish = start ? follow(2 * index + 1, edge.length) : std::nullopt;
+    if (!finish || angle_between(direction(*start), direction(*finish)) < SheetCorner::greatest_angle) return std::nullopt;
     for (const std::uint32_t side : {0u, 1u}) {
-      const auto last = follow(2 * index + side, edge.length);
-      const auto end = last ? corner(*last, wedges_[index].faces[0].normal) : std::nullopt;
+      const auto end = corner(side == 0 ? *start : *finish, wedges_[index].faces[0].normal);
       if (!end) return std::nullopt;
       edge.ends[side] = *end;
     }
@@ -76,7 +79,8 @@ class CornerWaves::Finder {
     return near_.size() == 1 && is_half_plane(wedges_[near_[0] / 2]) ? std::optional(near_[0]) : std::nullopt;
   }
 
-  /// Over ends where the edge goes on nearly straight to the last one; adds what lies between to `length`.
+  /// Over ends where the edge goes on nearly straight to the last one; adds what lies between to `length`, or up to where it
+  /// bends too far.
   std::optional<std::uint32_t> follow(std::uint32_t end, double& length) {
     const dvec3 first = direction(end);
     while (true) {
@@ -100,7 +104,9 @@ class CornerWaves::Finder {
       return std::nullopt;
     const dvec3 bisector = glm::normalize(edge + other), along = glm::normalize(edge - glm::dot(edge, bisector) * bisector);
     const double side = glm::dot(glm::cross(bisector, along), normal) < 0 ? -1.0 : 1.0;
-    return End{ends_[end], bisector, along, normal, side, edge, other, wedges_[beside / 2].length()};
+    double other_length = wedges_[beside / 2].length();
+    follow(beside ^ 1u, other_length);
+    return End{ends_[end], bisector, along, normal, side, edge, other, other_length};
   }
 
   std::span<const Wedge> wedges_;
@@ -117,14 +123,14 @@ CornerWaves::CornerWaves(std::span<const Wedge> wedges) : edges_(wedges.size()) 
   std::ranges::stable_sort(longest_first, std::ranges::greater{}, [&](std::uint32_t i) { return edges_[i]->length; });
   for (const std::uint32_t i : longest_first)
     for (End& end : edges_[i]->ends)
-      if (edges_[i] && !(end.angle = angle_of(angle_between(end.edge, end.other_edge)))) {
+      if (edges_[i] && !(end.angle = angle_of(rounded(angle_between(end.edge, end.other_edge))))) {
         edges_[i].reset();
         break;
       }
 }
 
 const CornerWaves::Angle* CornerWaves::angle_of(double angle) {
-  const auto known = std::ranges::find_if(angles_, [&](const auto& a) { return std::abs(a->value() - angle) < same_angle; });
+  const auto known = std::ranges::find_if(angles_, [&](const auto& a) { return a->value() == angle; });
   if (known != angles_.end()) return known->get();
   if (angles_.size() == most_angles) return nullptr;
   return angles_.emplace_back(std::make_unique<Angle>(angle)).get();

@@ -18,8 +18,8 @@
 namespace raytube {
 
 /// The edges of half planes that end, at both ends, at a corner of two such edges of one sheet and nothing else; an edge may bend
-/// by 15 degrees on its way, of one wedge or several. A corner is solved when a look first asks for it; angles are the same if
-/// they differ by less than 1e-6 rad. Of more than `most_angles` only those of the longest edges have waves. Thread-safe.
+/// by 15 degrees on its way, of one wedge or several. A corner is solved when a look first asks for it; angles are
+/// rounded to 0.1 degrees. Of more than `most_angles` only those of the longest edges have waves. Thread-safe.
 class CornerWaves {
  public:
   /// Edges that radiate; they must not be needed after that.
@@ -64,7 +64,7 @@ class CornerWaves {
     dvec3 normal;  // one for both ends; that of the frame has the sign `side`
     double side;
     dvec3 edge, other_edge;  // away from the corner
-    double other_length;     // of the wedge beside
+    double other_length;     // until it bends by 15 degrees
     const Angle* angle = nullptr;
   };
   struct Edge {
