@@ -11,6 +11,7 @@
 #include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
 #include "uncertainty/omissions.h"
+#include "utd/corner/corner_waves.h"
 #include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/interaction_groups.h"
 #include "utd/interaction/reflected_light.h"
@@ -21,7 +22,7 @@ namespace {
 
 // A look, its directions, its place in the plan and in the collector, and the plan's key of it in a hash table.
 constexpr double bytes_per_look = sizeof(Look) + sizeof(LookSource) + 4 * sizeof(std::size_t) + 80 + omissions * sizeof(double);
-constexpr double edge_parts = 3;             // first order, higher, between
+constexpr double edge_parts = 4;             // first order, higher, between, over curved surfaces
 constexpr double outlines_per_wedges = 1.0;  // the outlines of the faces beside them take about as much as the wedges
 
 double bytes_per_row(int bounces, bool keep_parts) {
@@ -39,6 +40,20 @@ std::size_t edge_sets(const SolvePlan& plan) {
 double edge_set_bytes(const SolvePlan& plan) {
   if (!plan.mechanisms.fringe) return 0.0;
   return static_cast<double>(edge_sets(plan) * plan.target.wedges.size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
+}
+
+// Solved corners of sheets.
+double corner_bytes(const SolvePlan& plan) {
+  if (!plan.mechanisms.fringe || plan.edges.order == 1) return 0.0;
+  return static_cast<double>(edge_sets(plan) * CornerWaves(plan.target.wedges).bytes());
+}
+
+// Which triangles meet at an edge, and the curvatures at corners.
+double curved_target_bytes(const SolvePlan& plan) {
+  if (!plan.mechanisms.surface_waves) return 0.0;
+  const double sides = 3.0 * static_cast<double>(plan.target.mesh.triangles.size());
+  return sides * (2.0 * sizeof(EdgeTable::Side) + 3.0 * sizeof(std::uint32_t)) +
+         static_cast<double>(plan.smooth->normals()) * (sizeof(glm::dmat3) + sizeof(double));
 }
 
 // The edges and faces of each set as edge-face interaction sees them, and which of them count at each frequency.
@@ -103,7 +118,7 @@ MemoryEstimate estimate_memory(const SolvePlan& plan) {
   return {rows * bytes_per_row(bounces, plan.keep_parts) + looks * bytes_per_look,
           static_cast<double>(under_way) *
               (look_sum_bytes(most_tiles(plan), bounces, frequencies) + edge_sums + interaction_look_bytes(plan)),
-          edge_set_bytes(plan) + interaction_set_bytes(plan)};
+          edge_set_bytes(plan) + corner_bytes(plan) + curved_target_bytes(plan) + interaction_set_bytes(plan)};
 }
 
 }  // namespace raytube

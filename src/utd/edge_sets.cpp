@@ -149,7 +149,7 @@ bool EdgeSets::interact() const {
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {
   const InteractionParts& parts = set.parts;
   const ReceivingFaces faces{setup_.faces, group.large, parts.corners, {}, std::span(parts.by_area).first(group.large_faces)};
-  return {{set.wedges, set.outlines, setup_.tracer, set.corners.get()}, faces, parts.axes, group.shortest_axis, parts.patches};
+  return {{set.wedges, set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches};
 }
 
 // `share` of the work allowed, for a group of frequencies.

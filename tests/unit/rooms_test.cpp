@@ -67,7 +67,7 @@ const Rooms may_include = {
     {"uncertainty", base},
 
     {"solve", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "utd", "utd/fringe",
-                                           "uncertainty", "utd/interaction", "utd/gtd", "utd/surface"}},
+                                           "uncertainty", "utd/interaction", "utd/gtd", "utd/surface", "utd/corner"}},
 
     {"case/data", {"core", "scene"}},
     {"case/text", {"core", "mesh/model"}},

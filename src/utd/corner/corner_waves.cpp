@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "math/erfc_ray.h"
 #include "mesh/model/point_tree.h"

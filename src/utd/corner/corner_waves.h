@@ -43,6 +43,9 @@ class CornerWaves {
   void add(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
            std::span<ScatteringMatrix> sum) const;
 
+  /// Of its corners, once they are solved.
+  std::size_t bytes() const { return angles_.size() * SheetCorner::bytes(); }
+
   static constexpr std::size_t most_angles = 16;
 
  private:

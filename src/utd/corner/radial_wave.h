@@ -32,6 +32,9 @@ class RadialWave {
   /// At -1 <= c < 1.
   Values at(double cosine) const;
 
+  /// Beside the object itself.
+  std::size_t zone_bytes() const { return zones_.size() * sizeof(Polynomial); }
+
   /// Of a single Green's function: g + ln(theta) / (2 pi) at the source.
   Complex smooth_at_source() const;
 

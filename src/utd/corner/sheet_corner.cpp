@@ -144,6 +144,8 @@ SheetCorner::SheetCorner(double angle) : half_angle_(angle / 2), sources_(source
   }
 }
 
+std::size_t SheetCorner::bytes() { return sources * (sizeof(Source) + 2 * RadialWave().zone_bytes()); }
+
 // Where the trapezoidal rule loses its digits: from twice the distance at which its points stand on.
 double SheetCorner::nearest_height(const dvec3& towards) const {
   const double s = std::atan2(towards.y, towards.x);

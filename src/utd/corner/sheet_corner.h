@@ -34,6 +34,9 @@ class SheetCorner {
   /// between there and the sheet itself.
   Start start(const dvec3& towards) const;
 
+  /// Of one.
+  static std::size_t bytes();
+
   static constexpr double least_angle = 15.0 * degree, greatest_angle = 165.0 * degree;
 
  private:

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/work.h"
 #include "utd/fringe/corner_pass.h"
 
 namespace raytube {
@@ -158,6 +159,7 @@ void add_corner_waves_near(const EdgeScene& scene, const AntennaPair& antennas, 
     return CornerWaves::Visit{near.at(corner), -antennas.transmit.ray_to(corner).path, -antennas.receive.ray_to(corner).path};
   };
   for_edges_between_corners(scene, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
+    result.work += work::edge_light + work::corner_wave;
     const std::array<dvec3, 2> corners = scene.corners->corners_of(index);
     scene.corners->add(index, lit_share(lit), {visit(corners[0]), visit(corners[1])}, frequencies, result.higher);
   });

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "core/work.h"
 #include "utd/fringe/corner_pass.h"
 
 namespace raytube {
@@ -169,8 +170,10 @@ class ScreenedLook {
       EdgeLookResult waves;
       waves.scattering.resize(sum.scattering.size()), waves.higher.resize(sum.scattering.size());
       waves.windowed.resize(sum.scattering.size());
-      for (const LitParts& part : group)
+      for (const LitParts& part : group) {
+        sum.work += work::corner_wave;
         scene_.corners->add(part.wedge, lit_share(part.lit), vectors_, subset_.frequencies, waves.higher);
+      }
       add_through(screens, std::move(waves), sum);
     }
     return sum;

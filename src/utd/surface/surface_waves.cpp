@@ -2,23 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/work.h"
 #include "utd/surface/fock.h"
+#include "utd/surface/strip_sum.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double widest_strip = 1.0 / 3.0, longest_step = 1.0 / 6.0;  // of the wavelength
-constexpr double fock_step = 0.3;                                     // of xi
-constexpr double far_xi = 4.0;                                        // on the lit side, where physical optics is right
-constexpr double last_xi = 7.0;                                       // in the dark, where nothing is left
-constexpr double sharpest = 1.5, gentle = 3.0;  // k times the radius of curvature, between which waves fade in
-constexpr double across_wave = 1e-9;            // normals this close to across the wave are so but for rounding
-constexpr double no_more = 1e-9;                // of a step or strip that would make another one
-constexpr double widest = 30.0;                 // of a strip's width at its beginning
-constexpr double least_curvature = 1e-6;        // times the target's radius
+constexpr double widest_strip = 1.0 / 3.0, longest_step = 0.5;  // of the wavelength
+constexpr double phase_bend = 0.2;                              // k kappa h^2 over a step h [rad]
+constexpr double fock_step = 0.3;                               // of xi
+constexpr double far_xi = 4.0;                                  // on the lit side, where physical optics is right
+constexpr double last_xi = 10.0;                                // in the dark, where nothing is left
+constexpr double sharpest = 1.5, gentle = 3.0;                  // k times the radius of curvature, between which waves fade in
+constexpr double across_wave = 1e-9;                            // normals this close to across the wave are so but for rounding
+constexpr double no_more = 1e-9;                                // of a step or strip that would make another one
+constexpr double widest = 30.0;                                 // of a strip's width at its beginning
+constexpr double at_caustic = 8.0;                              // so much finer are steps there
+constexpr double head_on = 1.0 - 1e-9;  // |n . d|, where no direction along the surface is that of the wave
+constexpr double least_xi = 1e-9;
+constexpr double least_curvature = 1e-6;  // times the target's radius
 
 /// Where the shadow boundary crosses a facet.
 struct BoundaryPiece {
@@ -37,12 +43,14 @@ class SurfaceLook {
  public:
   SurfaceLook(const CurvedTarget& target, const LookVectors& look, std::span<const double> frequencies,
               std::vector<ImageEdge>* places)
-      : target_(target), mesh_(target.tracer.mesh()), look_(look), places_(places) {
+      : target_(target), mesh_(target.tracer.mesh()), look_(look) {
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
     shortest_ = 2 * pi / std::ranges::max(wavenumbers_);
     lowest_ = std::ranges::min(wavenumbers_);
     highest_ = std::ranges::max(wavenumbers_);
     result_.scattering.resize(frequencies.size());
+    amplitudes_.resize(frequencies.size());
+    sum_.emplace(wavenumbers_, result_.scattering, places);
   }
 
   SurfaceWaveResult take() {
@@ -102,7 +110,7 @@ class SurfaceLook {
 
   void add_strip(const BentFacet& facet, const FacetPoint& start, const dvec3& width, double side) {
     const StripPoint q = at(facet, start, look_.incident, side);
-    if (q.curvature * mesh_.radius < least_curvature) return;
+    if (q.curvature * mesh_.radius < least_curvature || highest_ <= sharpest * q.curvature) return;
     const double across = std::abs(glm::dot(width, q.binormal));
     if (across <= 0.0 || !is_lit(q)) return;
     ++result_.strips;
@@ -118,7 +126,7 @@ class SurfaceLook {
   // The width of a strip along a geodesic: w'' = -K w, exactly for the K of each step.
   struct Width {
     double width, slope = 0.0;
-    bool past_caustic = false;
+    int caustics = 0;  // passed
     void step(double gaussian, double h) {
       const double root = std::sqrt(std::abs(gaussian)), x = root * h;
       const double c = gaussian > 0.0 ? std::cos(x) : std::cosh(x);
@@ -126,8 +134,10 @@ class SurfaceLook {
       const double before = width;
       width = c * width + s * slope;
       slope = c * slope - gaussian * s * before;
-      if (width < 0.0) past_caustic = true;
+      if (before * width < 0.0) ++caustics;
     }
+    /// Whether a caustic may lie within a piece of this length: the current falls and rises there as a root.
+    bool near_caustic(double length) const { return std::abs(width) < 2.0 * length * std::abs(slope); }
   };
 
   /// How far a bend is one along which a wave runs, by k rho: round sharper ones it leaves the surface as from an edge.
@@ -135,77 +145,103 @@ class SurfaceLook {
     return curvature <= 0.0 ? 1.0 : std::clamp((k / curvature - sharpest) / (gentle - sharpest), 0.0, 1.0);
   }
 
-  int steps_of(double length, double curvature) const {
-    const double scale = std::cbrt(0.5 * highest_ * curvature * curvature);
-    const double h = std::min(longest_step * shortest_, scale > 0 ? fock_step / scale : length);
+  // Over which the current, and the rate of its phase, change by little.
+  int steps_of(double length, double curvature, bool fine) const {
+    const double bend = std::sqrt(phase_bend / (highest_ * std::max(curvature, least_curvature / mesh_.radius)));
+    const double fock = fock_step / std::max(std::cbrt(0.5 * highest_ * curvature * curvature), least_curvature / mesh_.radius);
+    const double h = std::min({longest_step * shortest_, bend, fock}) / (fine ? at_caustic : 1.0);
     return std::max(1, static_cast<int>(std::ceil(length / h - no_more)));
   }
 
-  /// Calls visit(point, h) in the middles of steps along a geodesic until it returns false.
-  template <class Visit>
-  void walk(const FacetPoint& start, const dvec3& direction, double side, Visit visit) const {
+  /// Calls visit(point, h) at points of a geodesic, h from the last one, until it returns false; in fine steps over pieces for
+  /// which fine(length) holds.
+  template <class Fine, class Visit>
+  void walk(const FacetPoint& start, double curvature, const dvec3& direction, double side, Fine fine, Visit visit) const {
     Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, direction);
     GeodesicPiece piece;
     while (geodesic.next(piece)) {
       const BentFacet facet = target_.surfaces.facet(piece.from.triangle);
-      const dvec3 from = facet.point(piece.from.l), to = facet.point(piece.to);
-      const double chord = glm::distance(from, to);
+      const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
       if (chord <= 0.0) continue;
-      const StripPoint middle = at(facet, {piece.from.triangle, 0.5 * (piece.from.l + piece.to)}, piece.direction, side);
-      const double turn = middle.curvature * chord, length = chord * (1.0 + turn * turn / 24.0);
-      const int steps = steps_of(length, middle.curvature);
-      for (int i = 0; i < steps; ++i) {
-        const dvec2 l = glm::mix(piece.from.l, piece.to, (i + 0.5) / steps);
-        const StripPoint point = steps == 1 ? middle : at(facet, {piece.from.triangle, l}, piece.direction, side);
+      const double turn = curvature * chord, length = chord * (1.0 + turn * turn / 24.0);
+      const int steps = steps_of(length, curvature, fine(length));
+      for (int i = 1; i <= steps; ++i) {
+        const dvec2 l = glm::mix(piece.from.l, piece.to, static_cast<double>(i) / steps);
+        const StripPoint point = at(facet, {piece.from.triangle, l}, piece.direction, side);
+        curvature = point.curvature;
         if (!visit(point, length / steps)) return;
       }
     }
   }
 
-  // Counts a step, and makes a place for what it radiates.
-  double step_done(const StripPoint& point) {
-    if (places_ != nullptr) places_->push_back({point.position, point.position, {}});
-    return work::surface_step + work::surface_frequency * static_cast<double>(wavenumbers_.size());
+  /// S of a current per unit of -jk / 4 pi, its parts along t and b for both transmitted polarisations.
+  ScatteringMatrix radiated(const StripPoint& point, const std::array<Complex, 2>& along,
+                            const std::array<Complex, 2>& across) const {
+    ScatteringMatrix s;
+    for (int p = 0; p < 2; ++p)
+      for (int t = 0; t < 2; ++t)
+        s.at(p, t) = along[t] * glm::dot(look_.receive[p], point.along) + across[t] * glm::dot(look_.receive[p], point.binormal);
+    return s;
   }
 
-  void radiate(std::size_t f, const StripPoint& point, Complex along, Complex across, int transmit) {
-    for (int p = 0; p < 2; ++p) {
-      const Complex s = along * glm::dot(look_.receive[p], point.along) + across * glm::dot(look_.receive[p], point.binormal);
-      result_.scattering[f].at(p, transmit) += s;
-      if (places_ != nullptr) places_->back().s.at(p, transmit) += s;
+  void put(bool first, double step, double path, const StripPoint& point) {
+    result_.work += work::surface_step + work::surface_frequency * static_cast<double>(wavenumbers_.size());
+    sum_->add(first, step, path, point.position, amplitudes_);
+  }
+
+  // The current Q sends into the dark; `distance` is xi k^(-1/3), `area` the root of its width there and at Q, with its caustics.
+  void set_dark_amplitudes(const StripPoint& point, const StripPoint& q, double distance, double sharp, Complex area) {
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+      const double k = wavenumbers_[f];
+      const FockCurrents fock = fock_in_the_dark(std::cbrt(k) * distance);
+      const Complex factor = Complex(0, -k / (4 * pi)) * openness(k, sharp) * area;
+      const double m = std::cbrt(0.5 * k / std::max(point.curvature, least_curvature / mesh_.radius));
+      std::array<Complex, 2> along, across;
+      for (int t = 0; t < 2; ++t) {
+        along[t] = factor * fock.hard * glm::dot(look_.magnetic[t], q.binormal);
+        across[t] = factor * fock.soft / m * glm::dot(look_.electric[t], q.binormal);
+      }
+      amplitudes_[f] = radiated(point, along, across);
     }
   }
 
   void follow_dark(const FacetPoint& start, const StripPoint& q, double across, double side) {
-    double s = 0.0, distance = 0.0, sharp = q.curvature;  // distance: xi k^(-1/3)
+    double s = 0.0, distance = 0.0, sharp = q.curvature;
     Width width{across};
     const double origin = glm::dot(look_.incident, q.position), lowest = std::cbrt(lowest_);
-    walk(start, look_.incident, side, [&](const StripPoint& point, double h) {
+    const auto visit = [&](const StripPoint& point, double h) {
+      width.step(point.gaussian, h);
+      distance += h * std::cbrt(0.5 * point.curvature * point.curvature);
+      s += h;
       sharp = std::max(sharp, point.curvature);
       if (point.curvature < 0.0 || highest_ <= sharpest * sharp || std::abs(width.width) > widest * across) return false;
-      const double rate = std::cbrt(0.5 * point.curvature * point.curvature);
-      width.step(point.gaussian, 0.5 * h);
-      const double x = distance + 0.5 * h * rate;
-      if (lowest * x > last_xi) return false;
-      const double area = std::sqrt(across * std::abs(width.width)) * h;
-      result_.work += step_done(point);
-      const double path = glm::dot(look_.scattered, point.position) - origin - s - 0.5 * h;
-      const double bend = 0.5 * h * (glm::dot(look_.scattered, point.along) - 1.0);
-      for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-        const double k = wavenumbers_[f];
-        const FockCurrents fock = fock_in_the_dark(std::cbrt(k) * x);
-        Complex factor = Complex(0, -k / (4 * pi)) * std::polar(openness(k, sharp) * area * sinc(k * bend), k * path);
-        if (width.past_caustic) factor *= Complex(0, 1);
-        const double m = std::cbrt(0.5 * k / std::max(point.curvature, least_curvature / mesh_.radius));
-        for (int t = 0; t < 2; ++t)
-          radiate(f, point, factor * fock.hard * glm::dot(look_.magnetic[t], q.binormal),
-                  factor * fock.soft / m * glm::dot(look_.electric[t], q.binormal), t);
-      }
-      width.step(point.gaussian, 0.5 * h);
-      distance += h * rate;
-      s += h;
+      if (lowest * distance > last_xi) return false;
+      const double area = std::sqrt(across * std::abs(width.width));
+      set_dark_amplitudes(point, q, distance, sharp, std::polar(area, 0.5 * pi * width.caustics));
+      put(h == 0.0, h, glm::dot(look_.scattered, point.position) - origin - s, point);
       return true;
-    });
+    };
+    if (visit(q, 0.0))
+      walk(
+          start, q.curvature, look_.incident, side, [&](double length) { return width.near_caustic(length); }, visit);
+  }
+
+  // What the current on the lit side has beside physical optics; `grazing` is |n . d|.
+  void set_lit_amplitudes(const StripPoint& point, double grazing, double sharp, double area) {
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+      const double k = wavenumbers_[f], xi = -std::max(grazing * std::cbrt(0.5 * k / point.curvature), least_xi);
+      const FockCurrents fock = fock_factors(xi);
+      const double taper = std::clamp(far_xi + 1.0 + xi, 0.0, 1.0);
+      const Complex factor = Complex(0, -k / (4 * pi)) * openness(k, sharp) * taper * area;
+      std::array<Complex, 2> along, across;
+      for (int t = 0; t < 2; ++t) {
+        along[t] = factor * (fock.hard - 1.0) * 2.0 * glm::dot(look_.magnetic[t], point.binormal);
+        // physical optics with E along b: 2 |n . d| E . b
+        across[t] = factor * (fock.soft - 1.0) * -2.0 * xi * std::cbrt(point.curvature / (0.5 * k)) *
+                    glm::dot(look_.electric[t], point.binormal);
+      }
+      amplitudes_[f] = radiated(point, along, across);
+    }
   }
 
   void follow_lit(const FacetPoint& start, const StripPoint& q, double across, double side) {
@@ -213,35 +249,24 @@ class SurfaceLook {
     double sharp = q.curvature;
     int turned_away = 0;
     const double lowest = std::cbrt(0.5 * lowest_);
-    walk(start, -look_.incident, side, [&](const StripPoint& back, double h) {
+    const auto visit = [&](const StripPoint& back, double h) {
+      width.step(back.gaussian, h);
       sharp = std::max(sharp, back.curvature);
-      if (back.curvature <= 0.0 || highest_ <= sharpest * sharp || width.width > widest * across) return false;
-      width.step(back.gaussian, 0.5 * h);
+      if (back.curvature <= 0.0 || highest_ <= sharpest * sharp || width.width <= 0.0 || width.width > widest * across)
+        return false;
       const double grazing = -glm::dot(look_.incident, back.normal);
-      const double per_root = grazing / std::cbrt(back.curvature);  // -xi (k / 2)^(-1/3)
-      if (width.width <= 0.0 || lowest * per_root > far_xi + 1.0 || grazing > 0.999) return false;
-      if (grazing <= 0.0) return ++turned_away < 3;  // right beside the boundary it is rounding
+      if (lowest * grazing > (far_xi + 1.0) * std::cbrt(back.curvature) || grazing > head_on) return false;
+      if (h > 0.0 && grazing <= 0.0 && ++turned_away == 3) return false;  // right beside the boundary it is rounding
       StripPoint point = back;
-      point.along = glm::normalize(look_.incident - glm::dot(look_.incident, back.normal) * back.normal);
+      point.along = glm::normalize(look_.incident + grazing * back.normal);
       point.binormal = glm::cross(point.along, point.normal);
-      const double area = width.width * h;
-      result_.work += step_done(point);
-      const double path = glm::dot(look_.scattered - look_.incident, point.position);
-      const double bend = 0.5 * h * glm::dot(look_.scattered - look_.incident, back.along);
-      for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-        const double k = wavenumbers_[f], xi = -std::cbrt(0.5 * k) * std::max(per_root, 1e-9);
-        const double taper = std::clamp(far_xi + 1.0 + xi, 0.0, 1.0);
-        if (taper == 0.0) continue;
-        const FockCurrents fock = fock_factors(xi);
-        const Complex factor =
-            Complex(0, -k / (4 * pi)) * std::polar(openness(k, sharp) * taper * area * sinc(k * bend), k * path);
-        for (int t = 0; t < 2; ++t)
-          radiate(f, point, factor * (fock.hard - 1.0) * 2.0 * glm::dot(look_.magnetic[t], point.binormal),
-                  factor * (fock.soft - 1.0) * -2.0 * glm::dot(look_.magnetic[t], point.along), t);
-      }
-      width.step(back.gaussian, 0.5 * h);
+      set_lit_amplitudes(point, grazing, sharp, width.width);
+      put(h == 0.0, h, glm::dot(look_.scattered - look_.incident, point.position), point);
       return true;
-    });
+    };
+    if (visit(q, 0.0))
+      walk(
+          start, q.curvature, -look_.incident, side, [](double) { return false; }, visit);
   }
 
   const CurvedTarget& target_;
@@ -249,7 +274,8 @@ class SurfaceLook {
   const LookVectors& look_;
   std::vector<double> wavenumbers_;
   double shortest_ = 0.0, lowest_ = 0.0, highest_ = 0.0;
-  std::vector<ImageEdge>* places_;  // where the frequencies' currents are, for images; else null
+  std::vector<ScatteringMatrix> amplitudes_;  // of the point at hand, by frequency
+  std::optional<StripSum> sum_;
   SurfaceWaveResult result_;
 };
 

@@ -1,0 +1,34 @@
+// Integrals along strips of a surface.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scene/image.h"
+
+namespace raytube {
+
+/// Adds up amplitude e^{jk path} along strips, point after point; amplitude and path are linear between them (Filon's rule with
+/// two points). Keeps references to its arguments.
+class StripSum {
+ public:
+  /// S of every wavenumber is added to `sum`; `places`, if not null, takes S of each step at the middle of it, of all wavenumbers
+  /// together.
+  StripSum(std::span<const double> wavenumbers, std::span<ScatteringMatrix> sum, std::vector<ImageEdge>* places);
+
+  /// The next point of a strip, `step` [m] from the one before, with the amplitude [per metre] of each wavenumber; its first one
+  /// if `first`.
+  void add(bool first, double step, double path, const dvec3& position, std::span<const ScatteringMatrix> amplitude);
+
+ private:
+  ScatteringMatrix over_step(std::size_t index, double step, double path, const ScatteringMatrix& amplitude) const;
+
+  std::span<const double> wavenumbers_;
+  std::span<ScatteringMatrix> sum_;
+  std::vector<ImageEdge>* places_;
+  double path_ = 0.0;  // of the last point
+  dvec3 position_{0.0};
+  std::vector<ScatteringMatrix> amplitude_;
+};
+
+}  // namespace raytube
