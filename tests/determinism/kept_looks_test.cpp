@@ -57,6 +57,7 @@ void expect_same(const SweepResult& one, const SweepResult& other) {
   EXPECT_TRUE(same_bytes(one.edges_first, other.edges_first));
   EXPECT_TRUE(same_bytes(one.edges_higher, other.edges_higher));
   EXPECT_TRUE(same_bytes(one.interaction, other.interaction));
+  EXPECT_TRUE(same_bytes(one.surface_waves, other.surface_waves));
   const Statistics &a = one.statistics, &b = other.statistics;
   EXPECT_EQ(a.tubes, b.tubes);
   EXPECT_EQ(a.rays, b.rays);

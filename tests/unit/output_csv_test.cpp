@@ -33,6 +33,7 @@ SweepResult small_result(const Sweep& sweep) {
   result.edges_first.resize(sweep.rows());
   result.edges_higher.resize(sweep.rows());
   result.interaction.resize(sweep.rows());
+  result.surface_waves.resize(sweep.rows());
   return result;
 }
 
@@ -143,8 +144,10 @@ TEST(OutputCsv, PartsAddUpToTheTotal) {
   result.edges_first[3] = matrix(0.125);
   result.edges_higher[3] = matrix(0.5);
   result.interaction[2] = matrix(0.25);
+  result.surface_waves[3] = matrix(0.0625);
   result.total[3] += result.edges_first[3];
   result.total[3] += result.edges_higher[3];
+  result.total[3] += result.surface_waves[3];
   result.total[2] += result.interaction[2];
   write_parts_csv(scratch / "parts.csv", sweep, result);
   const Table table((scratch / "parts.csv").string());
@@ -152,7 +155,7 @@ TEST(OutputCsv, PartsAddUpToTheTotal) {
   EXPECT_EQ(table.text(3, "theta_deg"), "27");
   for (const std::string channel : {"vv", "vh", "hv", "hh"}) {
     Complex sum = 0.0;
-    for (const std::string part : {"_bounce1", "_bounce2", "_edges_first_order", "_edges_second_order"})
+    for (const std::string part : {"_bounce1", "_bounce2", "_edges_first_order", "_edges_second_order", "_surface"})
       sum += table.complex(3, channel + part);
     EXPECT_EQ(sum, result.total[3].at(channel[0] == 'h', channel[1] == 'h')) << channel;
   }
@@ -181,6 +184,7 @@ TEST(OutputCsv, PartsStateTheConventionsAndKeepTheirColumnsWhereNothingIsHit) {
   nothing.edges_first.resize(sweep.rows());
   nothing.edges_higher.resize(sweep.rows());
   nothing.interaction.resize(sweep.rows());
+  nothing.surface_waves.resize(sweep.rows());
   write_parts_csv(scratch / "parts.csv", sweep, nothing);
   write_rcs_csv(scratch / "rcs.csv", sweep, nothing);
   const std::string parts = text_of(scratch / "parts.csv"), rcs = text_of(scratch / "rcs.csv");
