@@ -24,6 +24,7 @@ struct SkipCounts {
   std::uint64_t fringe_beyond_budget = 0;       // sum over looks: pieces of edges lit after a reflection, without fringe currents
   std::uint64_t dark_interaction_looks = 0;     // no edge with a surface in front is lit
   std::uint64_t unbudgeted_looks = 0;           // without waves between surfaces, as edges.between_budget is 0
+  std::uint64_t long_surface_looks = 0;         // curved surfaces with edges too long for waves over them
   std::uint64_t near_surface_looks = 0;         // from a finite distance, for which there are no waves over curved surfaces
   std::uint64_t near_looks = 0;                 // from a finite distance, for which there are no waves between surfaces
   std::uint64_t unlit_looks = 0;                // no edge that radiates is lit

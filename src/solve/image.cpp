@@ -44,10 +44,10 @@ void add_cut_up(const ImageEdge& piece, const ImageLattice& lattice, std::vector
 }
 
 std::vector<ImageEdge> edge_pieces(const LookSolver& solver, const Look& look, std::size_t frequency_index,
-                                   const ImageLattice& lattice, const TubeSums& tubes, double frequency) {
+                                   const ImageLattice& lattice, const TubeSums& tubes) {
   std::vector<ImageEdge> pieces;
   if (solver.edges_count()) pieces = solver.edges().pieces(look, frequency_index, lattice);
-  std::ranges::copy(solver.surface_pieces(look, frequency), std::back_inserter(pieces));
+  std::ranges::copy(solver.surface_pieces(look, frequency_index), std::back_inserter(pieces));
   if (!solver.edges().interact()) return pieces;
   // The budget of the look as a solve has it.
   const InteractionLimits limits = solver.interaction_limits(tubes, solver.edge_work(look));
@@ -81,7 +81,7 @@ LookImage image_of(const SolvePlan& plan, std::size_t index, const ImageLattice&
   CurrentMap map(plan.target.faces, lattice, frequency_index, wavenumber(frequency));
   const TubeSums tubes = solver.tubes(look, progress, map);
   LookImage image{index, frequency, cells, map.take_cells(), map.take_triangles(), {}};
-  image.edges = edge_pieces(solver, look, frequency_index, lattice, tubes, frequency);
+  image.edges = edge_pieces(solver, look, frequency_index, lattice, tubes);
   for (const ImageEdge& piece : image.edges)
     image.cells[lattice.index(lattice.at(lattice.project(0.5 * (piece.begin + piece.end))))] += piece.s;
   finish(image, plan);

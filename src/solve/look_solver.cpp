@@ -14,7 +14,7 @@ namespace raytube {
 
 namespace {
 
-EdgeSetup edge_setup(const SolvePlan& plan) {
+EdgeSetup edge_setup(const SolvePlan& plan, const CurvedTarget* curved) {
   const Target& target = plan.target;
   EdgeSetup setup{
       target.tracer, target.faces, target.wedges, target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
@@ -22,6 +22,7 @@ EdgeSetup edge_setup(const SolvePlan& plan) {
   if (plan.mechanisms.interaction) setup.interaction.assign(plan.sweep.frequencies.size(), true);
   if (plan.mechanisms.screens) setup.screens = plan.sweep.materials;
   setup.skip_enclosed = plan.tubes.skip;
+  setup.curved = curved;
   setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};
   return setup;
 }
@@ -39,11 +40,12 @@ void make_reciprocal(LookResult& look) {
 
 LookSolver::LookSolver(const SolvePlan& plan)
     : plan_(plan),
-      tube_scene_{plan.target.tracer,    plan.target.faces,    plan.smooth.get(),
-                  plan.convexity, plan.sweep.materials, plan.sweep.radar},
-      edges_(edge_setup(plan)),
+      tube_scene_{plan.target.tracer, plan.target.faces,    plan.smooth.get(),
+                  plan.convexity,     plan.sweep.materials, plan.sweep.radar},
+      curved_(plan.mechanisms.surface_waves ? std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *plan.bent)
+                                            : std::nullopt),
+      edges_(edge_setup(plan, curved_ ? &*curved_ : nullptr)),
       edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
-  if (plan.mechanisms.surface_waves) curved_.emplace(plan.target.tracer, *plan.smooth);
   if (plan.mechanisms.rays) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
 }
 
@@ -52,9 +54,9 @@ LookResult LookSolver::solve(std::size_t index, Progress& progress, double share
   if (plan_.mechanisms.rays) return rays(look, progress, share);
   LookResult result;
   result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, share});
-  result.edges = edges_of(look);
-  result.interaction = interaction(look, result);
   if (curved_) result.surface = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies);
+  result.edges = edges_of(look, result.surface.arrivals);
+  result.interaction = interaction(look, result);
   if (!plan_.sweep.bistatic) make_reciprocal(result);
   return result;
 }
@@ -63,14 +65,19 @@ TubeSums LookSolver::tubes(const Look& look, Progress& progress, CurrentMap& map
   return sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, 1.0, &map});
 }
 
-std::vector<ImageEdge> LookSolver::surface_pieces(const Look& look, double frequency) const {
+std::vector<ImageEdge> LookSolver::surface_pieces(const Look& look, std::size_t frequency_index) const {
   if (!curved_) return {};
-  return surface_wave_pieces(*curved_, look_vectors(look), frequency);
+  const double frequency = plan_.sweep.frequencies[frequency_index];
+  std::vector<ImageEdge> pieces = surface_wave_pieces(*curved_, look_vectors(look), frequency);
+  if (!edges_count_) return pieces;
+  const SurfaceWaveResult waves = surface_wave_scattering(*curved_, look_vectors(look), std::span(&frequency, 1));
+  std::ranges::copy(edges_.arrival_pieces(look, frequency_index, waves.arrivals), std::back_inserter(pieces));
+  return pieces;
 }
 
-EdgeLookResult LookSolver::edges_of(const Look& look) const {
+EdgeLookResult LookSolver::edges_of(const Look& look, std::span<const SurfaceArrival> arrivals) const {
   EdgeLookResult result;
-  if (edges_count_) result = edges_.scattering(look, plan_.sweep.radar);
+  if (edges_count_) result = edges_.scattering(look, plan_.sweep.radar, arrivals);
   if (plan_.mechanisms.material_edges)
     add_material_edges(result, {plan_.target.wedges, plan_.target.outlines, plan_.target.tracer}, plan_.sweep.materials, look,
                        plan_.sweep.frequencies, plan_.edges.receiver_shadow);

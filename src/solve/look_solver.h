@@ -34,25 +34,25 @@ class LookSolver {
   const EdgeSets& edges() const { return edges_; }
 
   /// Surface waves of a look at one frequency, point by point; none if they do not count.
-  std::vector<ImageEdge> surface_pieces(const Look& look, double frequency) const;
+  std::vector<ImageEdge> surface_pieces(const Look& look, std::size_t frequency_index) const;
 
   /// Counted work of the edges of a look (core/work.h).
-  double edge_work(const Look& look) const { return edges_of(look).work; }
+  double edge_work(const Look& look) const { return edges_of(look, {}).work; }
   /// What edge-face interaction may leave and take beside these tubes and edges, whose counted work is given (core/work.h).
   InteractionLimits interaction_limits(const TubeSums& tubes, double edge_work) const;
 
  private:
   LookResult rays(const Look& look, Progress& progress, double share) const;
-  EdgeLookResult edges_of(const Look& look) const;
+  EdgeLookResult edges_of(const Look& look, std::span<const SurfaceArrival> arrivals) const;
   InteractionResult interaction(const Look& look, const LookResult& others) const;
   double interaction_tolerance(const TubeSums& tubes) const;
 
   const SolvePlan& plan_;
   TubeScene tube_scene_;
+  std::optional<CurvedTarget> curved_;  // if surface waves count
   EdgeSets edges_;
   bool edges_count_;
   std::optional<RayFields> ray_fields_;
-  std::optional<CurvedTarget> curved_;  // if surface waves count
 };
 
 }  // namespace raytube

@@ -17,6 +17,9 @@ namespace {
 // A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
 constexpr double most_rise = 1.0 / 32.0;
 
+// Edges of curved surfaces, in wavelengths, beyond which the strips that start there would cost more than all the rest of a look.
+constexpr double most_boundary = 200.0;
+
 // k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
 constexpr double most_phase = 0.5;
 
@@ -61,6 +64,17 @@ std::shared_ptr<const SmoothSurfaces> smooth_surfaces(const SolvePlan& plan) {
   return smooth;
 }
 
+// Waves run over the curved surfaces of any body, even of one whose tubes meet its facets, unless the facets are what is meant.
+std::shared_ptr<const SmoothSurfaces> bent_surfaces(const SolvePlan& plan) {
+  if (!plan.surfaces.waves || !plan.mechanisms.fringe || !plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
+    return {};
+  const double wavelength = plan.shortest_wavelength();
+  std::shared_ptr<const SmoothSurfaces> bent = plan.smooth;
+  if (!bent)
+    bent = std::make_shared<const SmoothSurfaces>(plan.target.mesh, plan.target.options.min_wedge_angle, most_rise * wavelength);
+  return bent->any() ? bent : nullptr;
+}
+
 // A radar on a circle about the origin is at the same point again where its directions repeat.
 LookPlan near_looks(const Sweep& sweep) {
   const bool circle = std::ranges::all_of(sweep.looks, [&](const Look& look) {
@@ -100,8 +114,8 @@ SkipCounts skips_of(const SolvePlan& plan) {
   if (plan.mechanisms.interaction) count_too_small(plan, counts);
   if (asked && !waves_are_plane(plan.target.mesh, plan.sweep)) counts.near_looks = looks;
   if (asked && !plan.sweep.materials.empty()) counts.material_looks = looks;
-  if (plan.surfaces.waves && plan.mechanisms.fringe && plan.smooth && !plan.mechanisms.surface_waves)
-    counts.near_surface_looks = looks;
+  if (plan.bent && !plan.mechanisms.surface_waves)
+    (all_far(plan.sweep) ? counts.long_surface_looks : counts.near_surface_looks) = looks;
   if (plan.tubes.skip && plan.edges.method != EdgeMethod::none) counts.enclosed_wedges = plan.target.wedges_enclosed;
   return counts;
 }
@@ -148,7 +162,8 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
   mechanisms = mechanisms_of(*this);
   ray_range = ray_range_of(*this);
   smooth = smooth_surfaces(*this);
-  mechanisms.surface_waves = surfaces.waves && mechanisms.fringe && smooth && all_far(sweep);
+  bent = bent_surfaces(*this);
+  mechanisms.surface_waves = bent && all_far(sweep) && bent->boundary_length() <= most_boundary * shortest_wavelength();
   looks = looks_of(*this);
   skips = skips_of(*this);
   skipped_wedges = skipped_wedges_of(*this);

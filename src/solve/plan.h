@@ -44,6 +44,7 @@ struct SolvePlan {
   Mechanisms mechanisms;
   double ray_range = 0.0;                        // of transmitter and receiver where rays stand for currents [m], else 0
   std::shared_ptr<const SmoothSurfaces> smooth;  // curved surfaces that tubes see as such; null: all are flat facets
+  std::shared_ptr<const SmoothSurfaces> bent;    // over which waves run; null: none
   LookPlan looks;                                // which are computed, and which follow from these
   SkipCounts skips;                              // known beforehand
   std::vector<Skipped>

@@ -32,7 +32,7 @@ void EdgeSets::group_frequencies() {
     const std::size_t thin = count_thin(setup_.thin_plate_edges, frequency);
     auto set =
         std::ranges::find_if(sets_, [&](const Set& known) { return known.thin_edges == thin && known.detail_limit == details; });
-    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}, {}, {}});
+    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}, {}, {}, {}});
     set->indices.push_back(f);
     set->frequencies.push_back(setup_.frequencies[f]);
   }
@@ -49,7 +49,9 @@ void EdgeSets::find_wedges(Set& set) const {
   set.outlines = as_given ? setup_.outlines : Outlines(mesh, set.wedges, setup_.min_wedge_angle);
   if (!setup_.skip_enclosed)
     for (Wedge& wedge : set.wedges) wedge.enclosed = false;
-  if (setup_.fringe.order > 1) set.corners = std::make_shared<CornerWaves>(set.wedges);
+  if (setup_.fringe.order == 1) return;
+  set.corners = std::make_shared<CornerWaves>(set.wedges);
+  if (setup_.curved != nullptr) set.curved = std::make_shared<CurvedFaces>(*setup_.curved, set.wedges);
 }
 
 void EdgeSets::Set::keep(const std::vector<bool>& wanted) {
@@ -104,7 +106,7 @@ std::vector<double> EdgeSets::radiating_lengths() const {
 }
 
 EdgeScene EdgeSets::scene(const Set& set) const {
-  return {set.wedges, set.outlines, screens_ ? screens_->opaque() : setup_.tracer, set.corners.get()};
+  return {set.wedges, set.outlines, screens_ ? screens_->opaque() : setup_.tracer, set.corners.get(), set.curved.get()};
 }
 
 FringeOptions EdgeSets::options(const Set& set) const {
@@ -113,20 +115,21 @@ FringeOptions EdgeSets::options(const Set& set) const {
   return options;
 }
 
-EdgeLookResult EdgeSets::scattering(const Set& set, const Look& look, const Radar& radar) const {
+EdgeLookResult EdgeSets::scattering(const Set& set, const Look& look, const Radar& radar,
+                                    std::span<const SurfaceArrival> arrivals) const {
   if (screens_) return screened_fringe_scattering(scene(set), *screens_, look, {set.frequencies, set.indices}, options(set));
-  if (look.far()) return fringe_scattering(scene(set), look, set.frequencies, options(set));
+  if (look.far()) return fringe_scattering(scene(set), look, set.frequencies, options(set), {arrivals, set.indices});
   const AntennaPair antennas(look, radar, setup_.tracer.mesh().center);
   return fringe_scattering_near(scene(set), antennas, set.frequencies, options(set));
 }
 
-EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar) const {
-  if (sets_.size() == 1) return scattering(sets_.front(), look, radar);
+EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, std::span<const SurfaceArrival> arrivals) const {
+  if (sets_.size() == 1) return scattering(sets_.front(), look, radar, arrivals);
   EdgeLookResult all;
   all.scattering.resize(setup_.frequencies.size());
   if (setup_.fringe.order > 1) all.higher.resize(setup_.frequencies.size());
   all.windowed.resize(setup_.frequencies.size());
-  for (const Set& set : sets_) put(set, scattering(set, look, radar), all);
+  for (const Set& set : sets_) put(set, scattering(set, look, radar, arrivals), all);
   return all;
 }
 
@@ -140,6 +143,22 @@ std::vector<ImageEdge> EdgeSets::pieces(const Look& look, std::size_t frequency_
     return fringe_pieces(scene(set), look, set.frequencies, request, options(set));
   }
   return {};
+}
+
+std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, std::size_t frequency_index,
+                                                std::span<const SurfaceArrival> arrivals) const {
+  std::vector<ImageEdge> pieces;
+  for (const Set& set : sets_) {
+    const auto found = std::ranges::find(set.indices, frequency_index);
+    if (found == set.indices.end()) continue;
+    const std::size_t first = 0;  // of the arrivals' frequencies, of which there is one
+    for (const SurfaceArrival& arrival : arrivals) {
+      ImageEdge& piece = pieces.emplace_back(ImageEdge{arrival.position, arrival.position, {}});
+      add_arrivals(scene(set), look_vectors(look), std::span(&set.frequencies[found - set.indices.begin()], 1), options(set),
+                   {std::span(&arrival, 1), std::span(&first, 1)}, std::span(&piece.s, 1));
+    }
+  }
+  return pieces;
 }
 
 bool EdgeSets::interact() const {

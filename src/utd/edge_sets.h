@@ -27,6 +27,7 @@ struct EdgeSetup {
   std::vector<bool> interaction{};                  // per frequency: whether edges illuminate other faces; empty: at none
   std::span<const Material> screens{};              // the mesh's materials if some let waves through, else empty
   bool skip_enclosed = true;                        // false: even edges that no light reaches are tested for light
+  const CurvedTarget* curved = nullptr;             // if waves over curved surfaces count
   FringeOptions fringe{};                           // continue_by_images is set where edges illuminate other faces
 };
 
@@ -49,11 +50,15 @@ class EdgeSets {
   std::vector<double> radiating_lengths() const;
 
   /// The fringe currents of one look at all frequencies, in their order; the lit wedges are counted at the highest. `radar` is
-  /// that of antennas at a finite distance.
-  EdgeLookResult scattering(const Look& look, const Radar& radar) const;
+  /// that of antennas at a finite distance; `arrivals` are waves over curved surfaces, at the same frequencies.
+  EdgeLookResult scattering(const Look& look, const Radar& radar, std::span<const SurfaceArrival> arrivals) const;
 
   /// The fringe currents of one look at one of the frequencies, piece by piece: see fringe_pieces().
   std::vector<ImageEdge> pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice) const;
+
+  /// What waves over curved surfaces start at the edges, at one of the frequencies, wave by wave.
+  std::vector<ImageEdge> arrival_pieces(const Look& look, std::size_t frequency_index,
+                                        std::span<const SurfaceArrival> arrivals) const;
 
   /// Edge-face interaction of one look at all frequencies; zero at frequencies where it is not asked for, empty if there is none
   /// at any.
@@ -74,8 +79,9 @@ class EdgeSets {
     std::vector<Wedge> wedges;
     Outlines outlines;
     std::shared_ptr<const CornerWaves> corners;  // from order 2 on
-    std::vector<InteractionGroup> interaction;  // its indices are those of the set's frequencies
-    InteractionParts parts;                     // empty where there is no interaction
+    std::shared_ptr<const CurvedFaces> curved;   // from order 2 on, where waves over curved surfaces count
+    std::vector<InteractionGroup> interaction;   // its indices are those of the set's frequencies
+    InteractionParts parts;                      // empty where there is no interaction
 
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);
@@ -83,7 +89,7 @@ class EdgeSets {
   void group_frequencies();
   void find_wedges(Set& set) const;
   void prepare_interaction();
-  EdgeLookResult scattering(const Set& set, const Look& look, const Radar& radar) const;
+  EdgeLookResult scattering(const Set& set, const Look& look, const Radar& radar, std::span<const SurfaceArrival> arrivals) const;
   EdgeScene scene(const Set& set) const;
   FringeOptions options(const Set& set) const;
   InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;

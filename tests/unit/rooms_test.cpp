@@ -55,10 +55,10 @@ const Rooms may_include = {
 
     {"utd/wedge", base},
     {"utd/shadow", base + std::set<std::string>{"utd/wedge"}},
-    {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow"}},
+    {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/surface"}},
     {"utd/surface", base + std::set<std::string>{"utd/wedge"}},
     {"utd/corner", base + std::set<std::string>{"utd/wedge"}},
-    {"utd/fringe", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/corner"}},
+    {"utd/fringe", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/surface", "utd/multiple", "utd/corner"}},
     {"utd/interaction", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe"}},
     {"utd/gtd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe"}},
     {"utd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe", "utd/interaction", "utd/gtd",

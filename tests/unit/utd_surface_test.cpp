@@ -7,6 +7,7 @@
 #include "run.h"
 #include "shapes.h"
 #include "utd/surface/fock.h"
+#include "utd/surface/surface_ray.h"
 #include "utd/surface/surface_waves.h"
 
 namespace raytube {

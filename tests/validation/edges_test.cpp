@@ -175,7 +175,7 @@ TEST(EdgeOrders, HalfHiddenEdgeEqualsTheEdgeCutInTheMesh) {
     ASSERT_EQ(lit.size(), 1u);
     const LitInterval expected = start.z < end.z ? LitInterval{0.0, 0.5} : LitInterval{0.5, 1.0};
     const auto moment = [&](const LitInterval& piece) {
-      MultipleDiffraction diffraction(target.wedges, target.outlines, vectors, frequencies, 2);
+      MultipleDiffraction diffraction(target.wedges, target.outlines, nullptr, vectors, frequencies, 2);
       diffraction.add(i, incidence_on(wedge, incident), std::span(&piece, 1));
       return diffraction.take().first[0];
     };

@@ -194,6 +194,15 @@ SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, doub
   }
 }
 
+double SmoothSurfaces::boundary_length() const {
+  double sum = 0.0;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c)
+      if (region_[t] != no_index && on_boundary(t, c))
+        sum += glm::distance(mesh_.vertices[mesh_.triangles[t][c]], mesh_.vertices[mesh_.triangles[t][(c + 1) % 3]]);
+  return sum;
+}
+
 dvec3 SmoothSurfaces::bend(std::uint32_t triangle, int corner) const {
   const Triangle& t = mesh_.triangles[triangle];
   const int next = (corner + 1) % 3;

@@ -58,6 +58,9 @@ class SmoothSurfaces {
   bool any() const { return facets_ > 0; }
   std::size_t facets() const { return facets_; }
 
+  /// How long the sides that bound curved surfaces are together [m].
+  double boundary_length() const;
+
   /// The most by which a surface rises from its facets [m]: so far the outline of the facets lies within its shadow boundary.
   double rise() const { return rise_; }
 

@@ -116,7 +116,8 @@ StripEdges::StripEdges(const EdgeScene& scene, const LookVectors& look, std::spa
                        const FringeOptions& options)
     : wedges_(scene.wedges),
       incident_(look.incident),
-      multiple_(scene.wedges, scene.outlines, look, frequencies, options.order, options.transition, options.continue_by_images),
+      multiple_(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order, options.transition,
+                options.continue_by_images),
       thickness_(look, frequencies) {}
 
 std::optional<EdgeMeeting> StripEdges::meeting(std::uint32_t index) const {

@@ -7,6 +7,7 @@
 #include "mesh/trace/tracer.h"
 #include "scene/options.h"
 #include "utd/corner/corner_waves.h"
+#include "utd/surface/curved_faces.h"
 
 namespace raytube {
 
@@ -16,6 +17,7 @@ struct EdgeScene {
   const Outlines& outlines;              // of the faces beside the wedges; not used at order 1
   const Tracer& tracer;                  // of what casts shadows on them
   const CornerWaves* corners = nullptr;  // along the wedges: from order 2 on, else null
+  const CurvedFaces* curved = nullptr;   // of the wedges, over which strips bend: from order 2 on
 };
 
 struct FringeOptions {

@@ -23,8 +23,19 @@
 #include "scene/sweep.h"
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
+#include "utd/surface/surface_arrival.h"
 
 namespace raytube {
+
+/// What waves over curved surfaces bring to the edges, and which of their frequencies are those asked for.
+struct SurfaceLight {
+  std::span<const SurfaceArrival> arrivals{};
+  std::span<const std::size_t> frequencies{};
+};
+
+/// S of what these waves start at the edges, per frequency; added to `scattering`. Counted work (core/work.h).
+double add_arrivals(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies,
+                    const FringeOptions& options, const SurfaceLight& light, std::span<ScatteringMatrix> scattering);
 
 /// S of the fringe currents on all convex wedges that the transmitter lights, each clipped to its lit part, with
 /// `receiver_shadow` also to what the receiver sees; summed coherently in wedge order. Not symmetric in a monostatic look: fringe
@@ -32,6 +43,6 @@ namespace raytube {
 /// edge there, S is bounded in every direction on polygonal faces, and no edge needs the forward-grazing window there.
 /// `frequencies` [Hz] must not be empty.
 EdgeLookResult fringe_scattering(const EdgeScene& scene, const Look& look, std::span<const double> frequencies,
-                                 const FringeOptions& options);
+                                 const FringeOptions& options, const SurfaceLight& light = {});
 
 }  // namespace raytube

@@ -26,24 +26,63 @@ ScatteringMatrix scaled(ScatteringMatrix matrix, Factor factor) {
 
 }  // namespace
 
-MultipleDiffraction::MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look,
-                                         std::span<const double> frequencies, int order, TransitionTier tier,
-                                         bool continue_by_images)
-    : scene_{wedges, look, tier},
+MultipleDiffraction::MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const CurvedFaces* curved,
+                                         const LookVectors& look, std::span<const double> frequencies, int order,
+                                         TransitionTier tier, bool continue_by_images)
+    : scene_{wedges, outlines, curved, look, tier},
       order_(order),
       band_(wavenumbers_of(frequencies)),
-      strips_{WaveTree(wedges, outlines, look.incident, look.scattered, continue_by_images),
-              EdgePanels(wavelength(*std::ranges::max_element(frequencies)))} {
+      strips_{WaveTree(wedges, outlines, curved, look.incident, look.scattered, continue_by_images),
+              EdgePanels(wavelength(*std::ranges::max_element(frequencies)))},
+      shortest_(wavelength(*std::ranges::max_element(frequencies))),
+      longest_(wavelength(*std::ranges::min_element(frequencies))) {
   sums_.first.resize(frequencies.size());
   sums_.higher.resize(frequencies.size());
   sums_.windowed.resize(frequencies.size());
 }
 
 void MultipleDiffraction::add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
+  const bool curved = scene_.curved != nullptr && (scene_.curved->curved(index, 0) || scene_.curved->curved(index, 1));
   for (int face = 0; face < 2; ++face) {
     const FaceIncidence& arriving = incidence.faces[face];
     if (arriving.sin_cone <= sin_cone_floor) continue;  // along the edge: strips of no width
-    start(first_wave(scene_.wedges, index, face, arriving, scene_.look.incident, order_), lit);
+    const StripWave wave = first_wave(scene_.wedges, index, face, arriving, scene_.look.incident, order_);
+    if (curved)
+      start_curved(wave, lit);
+    else
+      start(wave, lit);
+  }
+}
+
+void MultipleDiffraction::start_curved(const StripWave& wave, std::span<const LitInterval> lit) {
+  const IncidentFields incident = incident_fields(scene_, wave);
+  const dvec3 difference = scene_.look.scattered - scene_.look.incident;
+  for (const WeightedPath& each : strip_paths(scene_, wave, lit, shortest_, longest_)) {
+    const double way = glm::dot(difference, each.path.start);
+    sums_.work += work_of(each.path) * static_cast<double>(band_.wavenumbers().size());
+    for (std::size_t f = 0; f < band_.wavenumbers().size(); ++f) {
+      const double k = band_.wavenumbers()[f];
+      const Complex phase = std::polar(each.weight, k * way);
+      StripStart at{};
+      for (int t = 0; t < 2; ++t) {
+        at.magnetic[t] = incident.magnetic[t] * phase;
+        at.electric[t] = incident.electric[t] * phase;
+        at.lying[t] = incident.lying[t] * phase;
+      }
+      raytube::radiate(each.path, k, at, sums_.first[f], sums_.higher[f]);
+    }
+  }
+}
+
+void MultipleDiffraction::arrive(const SurfaceArrival& arrival, std::span<const std::size_t> frequencies) {
+  const WedgeSide at = scene_.curved->at(arrival.triangle, arrival.corner, arrival.back);
+  if (at.wedge == no_index || !scene_.wedges[at.wedge].radiates()) return;
+  for (const StripWave& wave : waves_from(scene_, at, arrival.direction, order_)) {
+    const StripPath path = strip_path(scene_, wave, arrival.position, shortest_, longest_);
+    sums_.work += work_of(path) * static_cast<double>(band_.wavenumbers().size());
+    for (std::size_t f = 0; f < band_.wavenumbers().size(); ++f)
+      raytube::radiate(path, band_.wavenumbers()[f], {arrival.magnetic[frequencies[f]], {}, {}}, sums_.higher[f],
+                       sums_.higher[f]);
   }
 }
 
@@ -72,11 +111,13 @@ void MultipleDiffraction::start_beside(const StripWave& wave, std::span<const Li
 // ways of their own.
 void MultipleDiffraction::add_tree(const TreeShare& share) {
   if (strips_.tree.bundles().empty()) return;
+  find_curved_waves(scene_, strips_, shortest_, longest_, curved_);
   for (std::size_t f = 0; f < sums_.windowed.size(); ++f)
     if (is_windowed(strips_, band_.wavenumbers()[f])) sums_.windowed[f] = true;
   const std::span<const PathRange> paths = paths_.find(strips_.tree, scene_.look);
   const auto is_thin = [](const WaveFace& face) { return face.thin.has_value(); };
-  const bool smooth = scene_.tier == TransitionTier::exact && std::ranges::none_of(strips_.faces, is_thin);
+  const bool smooth = std::ranges::all_of(curved_, [](const auto& strips) { return strips.empty(); }) &&
+                      scene_.tier == TransitionTier::exact && std::ranges::none_of(strips_.faces, is_thin);
   const double half_span = std::ranges::max_element(paths, {}, &PathRange::half)->half();
   if (const ChebyshevNodes* nodes = smooth ? band_.nodes_of_fresnel(half_span) : nullptr)
     interpolate(*nodes, paths, share);
@@ -95,7 +136,7 @@ void MultipleDiffraction::add_all(const TreeShare& share) {
 }
 
 void MultipleDiffraction::radiate(std::span<const double> wavenumbers, const TreeShare& share) {
-  radiation_.add(strips_, scene_.look, wavenumbers, share, sums_at_);
+  radiation_.add(strips_, curved_, scene_.look, wavenumbers, share, sums_at_);
   sums_.work += work::strip_point * static_cast<double>(strips_.arriving * wavenumbers.size());
 }
 

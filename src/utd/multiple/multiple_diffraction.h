@@ -25,6 +25,7 @@
 #include "math/chebyshev.h"
 #include "utd/multiple/path_range.h"
 #include "utd/multiple/strip_radiation.h"
+#include "utd/surface/surface_arrival.h"
 
 namespace raytube {
 
@@ -43,17 +44,21 @@ struct StripSums {
 /// least one.
 class MultipleDiffraction {
  public:
-  MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const LookVectors& look,
+  MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const CurvedFaces* curved, const LookVectors& look,
                       std::span<const double> frequencies, int order, TransitionTier tier = TransitionTier::exact,
                       bool continue_by_images = false);
 
   /// The strips of both faces of wedge `index`, which start on its lit pieces.
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
 
+  /// What a wave over a curved surface starts at the wedge it has reached; its frequencies are those of the look.
+  void arrive(const SurfaceArrival& arrival, std::span<const std::size_t> frequencies);
+
   StripSums take() { return std::move(sums_); }
 
  private:
   void start(const StripWave& wave, std::span<const LitInterval> lit);
+  void start_curved(const StripWave& wave, std::span<const LitInterval> lit);
   void start_beside(const StripWave& wave, std::span<const LitInterval> lit);
   void add_tree(const TreeShare& share);
   void add_all(const TreeShare& share);
@@ -66,7 +71,9 @@ class MultipleDiffraction {
   StripScene scene_;
   int order_;
   Band band_;
-  StripLayout strips_;  // of the present tree
+  StripLayout strips_;         // of the present tree
+  CurvedWaves curved_;         // of the present tree
+  double shortest_, longest_;  // wavelengths [m]
   PathRanges paths_;
   StripRadiation radiation_;
   std::vector<std::vector<ScatteringMatrix>> samples_;  // of each wave at the nodes

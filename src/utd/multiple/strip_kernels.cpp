@@ -111,6 +111,28 @@ StripKernels Strip::untruncated() const {
   return {{soft, hard, mu * hard - total_strength() + local_.axial}, 0.0, 0.0};
 }
 
+// The derivatives of the closed forms by X, without e^{-jX(1 - mu)}; all of a term's is B times that of W and W'.
+Strip::Currents Strip::currents(const Reals& root) const {
+  Currents result{};
+  for (int i = 0; i < term_count_; ++i) {
+    const Term& t = terms_[i];
+    Reals boundary;
+    for (std::size_t l = 0; l < lanes; ++l) boundary[l] = t.distance * root[l];
+    const Complexes there = scaled_erfc_(boundary), slope = slope_of_erfc(boundary, there);
+    for (std::size_t l = 0; l < lanes; ++l) {
+      result.hard.re[l] += t.strength * there.im[l];
+      result.hard.im[l] -= t.strength * there.re[l];
+    }
+    add_scaled(result.axial, t.strength * t.distance, slope);
+    add_scaled(result.soft, 2 * t.strength * t.slope, slope);
+  }
+  for (std::size_t l = 0; l < lanes; ++l) {
+    result.axial.re[l] += root[l] * result.hard.re[l];
+    result.axial.im[l] += root[l] * result.hard.im[l];
+  }
+  return result;
+}
+
 struct Strip::Observer {
   Reals root, x;
   Complexes value, decay, ratio;

@@ -50,6 +50,18 @@ class Strip {
   /// Kernels for every length X; infinity gives those of the untruncated strip. What a length gives is independent of the others.
   void at(std::span<const double> lengths, KernelBatch& batch) const;
 
+  /// The current along the strip, each per dX where it radiates with the phase of its place, as the kernels G_h, G_x and G_s
+  /// count it, at r = sqrt(2X); of G_x and G_s r times that, which is finite at the edge.
+  struct Currents {
+    Complexes hard, axial, soft;
+  };
+  Currents currents(const Reals& root) const;
+
+  /// What is added close to the edge as if the strip went on to infinity, by 1 - e^{-X} of the strip's end: G_s, G_h, G_x.
+  FringeKernels local_part() const {
+    return {local_.soft, local_.hard, local_.axial + (1 - 2 * half_cosine_ * half_cosine_) * local_.hard};
+  }
+
   /// Those of a semi-infinite strip, with nothing at its end.
   StripKernels untruncated() const;
 

@@ -23,24 +23,13 @@ double tip_of(const WaveTree& tree) {
   return std::max(shortest_tip * cone * cone, longest_tip * (1 - sine / alongside) * (1 - sine / alongside));
 }
 
-FaceProjection projection(const StripWave& wave, const LookVectors& look) {
-  FaceProjection result;
-  for (int receive = 0; receive < 2; ++receive) {
-    const double across = glm::dot(look.receive[receive], wave.across);
-    const double along = glm::dot(look.receive[receive], wave.incidence.tangent) / wave.incidence.sin_cone;
-    result.across[receive] = wave.sign * across / (2 * pi * wave.incidence.sin_cone);
-    result.along[receive] = wave.sign * along / (2 * pi * wave.incidence.sin_cone);
-  }
-  return result;
-}
-
 void find_faces(const StripScene& scene, StripLayout& strips) {
   strips.faces.clear();
   for (const TreeWave& each : strips.tree.waves()) {
     const StripWave& wave = each.wave;
     const Wedge& wedge = scene.wedges[wave.source];
     const double half_cosine = grazing_half_cosine(wave.across, wave.incidence, scene.look.scattered);
-    strips.faces.push_back({Strip(wedge.n, wave.incidence, half_cosine, scene.tier), {}, projection(wave, scene.look)});
+    strips.faces.push_back({Strip(wedge.n, wave.incidence, half_cosine, scene.tier), {}, face_projection(wave, scene.look)});
     if (wedge.thickness() > 0.0)
       strips.faces.back().thin.emplace(wedge, wave.source_face, wave.incidence, half_cosine, scene.look.scattered, each.direct);
   }
@@ -76,25 +65,6 @@ void lay_out_rows(StripLayout& strips) {
   }
 }
 
-// The soft current flows along the edge; what arrives of it at the end of a strip is its component along that, of the part of the
-// wave whose E lies in the face. The rest is in the plane of incidence: where it grazes, its current is that which the hard waves
-// from the other edges take away again, so that passing it on would count it twice.
-IncidentFields incident_fields(const StripScene& scene, const StripWave& first) {
-  const LookVectors& look = scene.look;
-  const FaceIncidence& incidence = first.incidence;
-  const dvec3 across = glm::cross(scene.wedges[first.wedge].faces[first.face].normal, look.incident);
-  const double squared = glm::dot(across, across);
-  const double share = squared > 0.0 ? glm::dot(across, incidence.tangent) * incidence.cos_cone / squared : 0.0;
-  const double weight = scene.wedges[first.wedge].share;
-  IncidentFields result;
-  for (int transmit = 0; transmit < 2; ++transmit) {
-    result.magnetic[transmit] = weight * glm::dot(look.magnetic[transmit], incidence.tangent);
-    result.electric[transmit] = weight * glm::dot(look.electric[transmit], incidence.tangent);
-    result.lying[transmit] = weight * glm::dot(look.electric[transmit], across) * share;
-  }
-  return result;
-}
-
 bool has_semi_infinite_strips(const StripLayout& strips, const TreeWave& wave) {
   for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b)
     if (!strips.tree.bundles()[b].edge && strips.rows[b].size > 0) return true;
@@ -113,6 +83,36 @@ std::optional<ForwardPole> forward_pole(const StripScene& scene, const StripLayo
 }
 
 }  // namespace
+
+FaceProjection face_projection(const StripWave& wave, const LookVectors& look) {
+  FaceProjection result;
+  for (int receive = 0; receive < 2; ++receive) {
+    const double across = glm::dot(look.receive[receive], wave.across);
+    const double along = glm::dot(look.receive[receive], wave.incidence.tangent) / wave.incidence.sin_cone;
+    result.across[receive] = wave.sign * across / (2 * pi * wave.incidence.sin_cone);
+    result.along[receive] = wave.sign * along / (2 * pi * wave.incidence.sin_cone);
+  }
+  return result;
+}
+
+// The soft current flows along the edge; what arrives of it at the end of a strip is its component along that, of the part of the
+// wave whose E lies in the face. The rest is in the plane of incidence: where it grazes, its current is that which the hard waves
+// from the other edges take away again, so that passing it on would count it twice.
+IncidentFields incident_fields(const StripScene& scene, const StripWave& first) {
+  const LookVectors& look = scene.look;
+  const FaceIncidence& incidence = first.incidence;
+  const dvec3 across = glm::cross(scene.wedges[first.wedge].faces[first.face].normal, look.incident);
+  const double squared = glm::dot(across, across);
+  const double share = squared > 0.0 ? glm::dot(across, incidence.tangent) * incidence.cos_cone / squared : 0.0;
+  const double weight = scene.wedges[first.wedge].share;
+  IncidentFields result;
+  for (int transmit = 0; transmit < 2; ++transmit) {
+    result.magnetic[transmit] = weight * glm::dot(look.magnetic[transmit], incidence.tangent);
+    result.electric[transmit] = weight * glm::dot(look.electric[transmit], incidence.tangent);
+    result.lying[transmit] = weight * glm::dot(look.electric[transmit], across) * share;
+  }
+  return result;
+}
 
 void lay_out(const StripScene& scene, const StripWave& wave, std::span<const LitInterval> lit, StripLayout& strips) {
   strips.tree.grow(wave, lit);

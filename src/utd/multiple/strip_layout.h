@@ -7,12 +7,15 @@
 
 #include "utd/multiple/edge_panels.h"
 #include "utd/multiple/thin_plate_edge.h"
+#include "utd/surface/curved_faces.h"
 
 namespace raytube {
 
 /// What waves of all trees of a look have in common.
 struct StripScene {
   std::span<const Wedge> wedges;
+  const Outlines& outlines;
+  const CurvedFaces* curved;  // those of the wedges' faces that are; null: none
   const LookVectors& look;
   TransitionTier tier = TransitionTier::exact;  // how erfc is evaluated
 };
@@ -69,6 +72,12 @@ struct StripLayout {
     return std::span(rows).subspan(wave.first_bundle, wave.end_bundle - wave.first_bundle);
   }
 };
+
+/// Of the wave that the incident wave starts on a face.
+IncidentFields incident_fields(const StripScene& scene, const StripWave& first);
+
+/// S of a face for unit kernels of a wave.
+FaceProjection face_projection(const StripWave& wave, const LookVectors& look);
 
 /// Grows the tree of `wave`, started on the lit pieces of its edge, and lays out its strips.
 void lay_out(const StripScene& scene, const StripWave& wave, std::span<const LitInterval> lit, StripLayout& strips);

@@ -119,8 +119,9 @@ void pass_on_arriving(const WaveKernels& here, std::array<ComplexColumn, 2>& arr
 
 }  // namespace
 
-void StripRadiation::add(const StripLayout& strips, const LookVectors& look, std::span<const double> wavenumbers,
-                         const TreeShare& share, std::span<const std::span<ScatteringMatrix>> sums) {
+void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look,
+                         std::span<const double> wavenumbers, const TreeShare& share,
+                         std::span<const std::span<ScatteringMatrix>> sums) {
   kernels_.resize(std::max(kernels_.size(), sums.size()));
   for (ComplexColumn& column : amplitudes_.arriving) column.make_room(strips.arriving);
   for (std::size_t begin = 0; begin < wavenumbers.size(); begin += block) {
@@ -128,9 +129,25 @@ void StripRadiation::add(const StripLayout& strips, const LookVectors& look, std
     for (std::size_t w = 0; w < sums.size(); ++w) finder_.find(strips, w, here, kernels_[w]);
     for (std::size_t i = 0; i < here.size(); ++i) {
       find_phases(strips, look, here[i], amplitudes_.direct);
-      for (std::size_t w = 0; w < sums.size(); ++w) add_wave(strips, w, i, share, sums[w][begin + i]);
+      for (std::size_t w = 0; w < sums.size(); ++w) {
+        if (curved[w].empty())
+          add_wave(strips, w, i, share, sums[w][begin + i]);
+        else
+          add_curved(curved[w], strips.rows_of(strips.tree.waves()[w]), here[i], sums[w][begin + i]);
+      }
     }
   }
+}
+
+void StripRadiation::add_curved(std::span<const StripPath> paths, std::span<const StripRow> rows, double wavenumber,
+                                ScatteringMatrix& sum) const {
+  std::size_t point = 0;
+  for (const StripRow& row : rows)
+    for (std::size_t i = 0; i < row.size; ++i) {
+      const std::array<Complex, 2> arriving{amplitudes_.arriving[0][row.amplitude + i],
+                                            amplitudes_.arriving[1][row.amplitude + i]};
+      radiate(paths[point++], wavenumber, {arriving, {}, {}}, sum, sum);
+    }
 }
 
 // The first wave and what corners mirror of it have their amplitudes from the incident wave, all others from the edge before.

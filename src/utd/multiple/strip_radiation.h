@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "utd/multiple/curved_strips.h"
 #include "utd/multiple/strip_wave_kernels.h"
 
 namespace raytube {
@@ -27,14 +28,16 @@ class StripRadiation {
  public:
   /// Adds S [m] of wave w of the tree at wavenumbers[i] [rad/m] to sums[w][i]. There are as many sums as waves, or one if nothing
   /// but the first strips is wanted.
-  void add(const StripLayout& strips, const LookVectors& look, std::span<const double> wavenumbers, const TreeShare& share,
-           std::span<const std::span<ScatteringMatrix>> sums);
+  void add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look, std::span<const double> wavenumbers,
+           const TreeShare& share, std::span<const std::span<ScatteringMatrix>> sums);
 
  private:
   /// Wavenumbers whose kernels are found together.
   static constexpr std::size_t block = lanes;
 
   void add_wave(const StripLayout& strips, std::size_t wave, std::size_t in_block, const TreeShare& share, ScatteringMatrix& sum);
+  void add_curved(std::span<const StripPath> paths, std::span<const StripRow> rows, double wavenumber,
+                  ScatteringMatrix& sum) const;
 
   StripWaveKernels finder_;
   std::vector<KernelBatch> kernels_;  // of each wave at a block of wavenumbers

@@ -33,12 +33,13 @@ void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
       split(waves_[w], parent.from, parent.to);
     }
     waves_[w].end_bundle = static_cast<std::uint32_t>(bundles_.size());
-    if (continue_by_images_ || waves_[w].wave.goes_on()) continue_beyond(w);
+    if (!runs_over_curved(waves_[w].wave) && (continue_by_images_ || waves_[w].wave.goes_on())) continue_beyond(w);
   }
 }
 
 // Neighbours between projected corners that end at one edge are taken together.
 void WaveTree::split(const TreeWave& wave, double from, double to) {
+  if (runs_over_curved(wave.wave)) return end_bundle(wave, from, to, nullptr);
   const WedgeFace& face = wedges_[wave.wave.wedge].faces[wave.wave.face];
   project_corners(wave, from, to);
   work_ += work::strip_tree + work::strip_corner * static_cast<double>((1 + cuts_.size()) * outlines_.around(face).size());

@@ -7,6 +7,7 @@
 
 #include "utd/multiple/strip_waves.h"
 #include "utd/shadow/edge_visibility.h"
+#include "utd/surface/curved_faces.h"
 
 namespace raytube {
 
@@ -50,10 +51,11 @@ struct TreeWave {
 class WaveTree {
  public:
   /// For a look with the directions s' and s.
-  WaveTree(std::span<const Wedge> wedges, const Outlines& outlines, const dvec3& incident, const dvec3& scattered,
-           bool continue_by_images)
+  WaveTree(std::span<const Wedge> wedges, const Outlines& outlines, const CurvedFaces* curved, const dvec3& incident,
+           const dvec3& scattered, bool continue_by_images)
       : wedges_(wedges),
         outlines_(outlines),
+        curved_(curved),
         incident_(incident),
         scattered_(scattered),
         continue_by_images_(continue_by_images) {}
@@ -70,6 +72,10 @@ class WaveTree {
   /// Whether one of the waves that go on to further edges runs exactly along an edge of its face.
   bool runs_along_edge() const { return runs_along_edge_; }
 
+  /// Whether a wave of it runs over a curved face: then it has a single bundle there, and what follows is not in the tree
+  /// (curved_strips.h).
+  bool runs_over_curved(const StripWave& wave) const { return curved_ != nullptr && curved_->curved(wave.wedge, wave.face); }
+
   /// Counted, of growing this tree (core/work.h).
   double work() const { return work_; }
 
@@ -83,6 +89,7 @@ class WaveTree {
 
   std::span<const Wedge> wedges_;
   const Outlines& outlines_;
+  const CurvedFaces* curved_;
   dvec3 incident_, scattered_;
   bool continue_by_images_;
   double rounding_ = 0.0;

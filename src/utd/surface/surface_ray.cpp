@@ -64,7 +64,10 @@ bool Geodesic::next(GeodesicPiece& piece) {
   standing_ = way.length > 0.0 ? 0 : standing_ + 1;
   const std::array<double, 3> left = all_three(piece.to);
   ended_ = surfaces_.on_boundary(at_.triangle, way.side);
-  if (!ended_) enter(way.side, std::clamp(left[(way.side + 1) % 3], 0.0, 1.0));
+  if (ended_)
+    entered_ = way.side;
+  else
+    enter(way.side, std::clamp(left[(way.side + 1) % 3], 0.0, 1.0));
   return true;
 }
 

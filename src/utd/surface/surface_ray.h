@@ -30,6 +30,9 @@ class Geodesic {
   /// The next piece, false if there is none.
   bool next(GeodesicPiece& piece);
 
+  /// The side of its facet at which the last piece ended the geodesic, by the corner it begins at; -1: it did not end at one.
+  int ended_at() const { return ended_ ? entered_ : -1; }
+
  private:
   struct Exit {
     int side = -1;

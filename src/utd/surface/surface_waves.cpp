@@ -7,6 +7,8 @@
 #include "core/work.h"
 #include "utd/surface/fock.h"
 #include "utd/surface/strip_sum.h"
+#include "utd/surface/strip_width.h"
+#include "utd/surface/surface_ray.h"
 
 namespace raytube {
 
@@ -55,7 +57,10 @@ class SurfaceLook {
 
   SurfaceWaveResult take() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (target_.surfaces.region(t) != no_index && conducts(t)) find_boundary(t);
+      if (target_.surfaces.region(t) != no_index && conducts(t)) {
+        find_boundary(t);
+        find_far_sides(t);
+      }
     return std::move(result_);
   }
 
@@ -65,10 +70,7 @@ class SurfaceLook {
   // Where the normal, linear over the facet, is across the wave.
   void find_boundary(std::uint32_t t) {
     double f[3];
-    for (int c = 0; c < 3; ++c) {
-      f[c] = glm::dot(target_.curvatures.normal(t, c), look_.incident);
-      if (std::abs(f[c]) < across_wave) f[c] = 0.0;
-    }
+    for (int c = 0; c < 3; ++c) f[c] = facing(t, c);
     const int dark = (f[0] > 0) + (f[1] > 0) + (f[2] > 0);
     if (dark == 0 || dark == 3) return;
     dvec2 ends[2];
@@ -94,6 +96,60 @@ class SurfaceLook {
       const dvec2 a = glm::mix(piece.from, piece.to, double(i) / parts), b = glm::mix(piece.from, piece.to, (i + 1.0) / parts);
       add_strip(facet, {piece.triangle, 0.5 * (a + b)}, facet.point(b) - facet.point(a), piece.side);
     }
+  }
+
+  // Where the surface ends before its shadow boundary: its lit part near that boundary is there all the same.
+  void find_far_sides(std::uint32_t t) {
+    for (int c = 0; c < 3; ++c) {
+      if (!target_.surfaces.on_boundary(t, c)) continue;
+      const Triangle& corners = mesh_.triangles[t];
+      const dvec3& from = mesh_.vertices[corners[c]];
+      const dvec3 way = mesh_.vertices[corners[(c + 1) % 3]] - from;
+      const dvec3 inwards = glm::cross(mesh_.patches[mesh_.triangle_patch[t]].normal, way);
+      if (glm::dot(inwards, look_.incident) > -across_wave * glm::length(inwards)) continue;
+      const bool closed = mesh_.components[mesh_.triangle_component[t]].closed;
+      add_far_sides(t, c, way, 1.0);
+      if (!closed) add_far_sides(t, c, way, -1.0);
+    }
+  }
+
+  // Along the lit part of a facet's side.
+  void add_far_sides(std::uint32_t t, int c, const dvec3& way, double side) {
+    const double a = side * facing(t, c), b = side * facing(t, (c + 1) % 3);
+    if (a >= 0.0 && b >= 0.0) return;
+    const double from = a > 0.0 ? a / (a - b) : 0.0, to = b > 0.0 ? a / (a - b) : 1.0, share = to - from;
+    const int parts = std::max(1, static_cast<int>(std::ceil(share * glm::length(way) / (widest_strip * shortest_) - no_more)));
+    for (int i = 0; i < parts; ++i) {
+      const double x = from + share * (i + 0.5) / parts;
+      double l[3] = {};
+      l[c] = 1.0 - x;
+      l[(c + 1) % 3] = x;
+      add_far_side({t, {l[1], l[2]}}, c, way * (share / parts), side);
+    }
+  }
+
+  // n . d at a corner, where rounding is none.
+  double facing(std::uint32_t t, int c) const {
+    const double f = glm::dot(target_.curvatures.normal(t, c), look_.incident);
+    return std::abs(f) < across_wave ? 0.0 : f;
+  }
+
+  void add_far_side(const FacetPoint& start, int corner, const dvec3& width, double side) {
+    StripPoint q = at(target_.surfaces.facet(start.triangle), start, look_.incident, side);
+    const double grazing = -glm::dot(look_.incident, q.normal);
+    if (grazing <= 0.0 || q.curvature * mesh_.radius < least_curvature || highest_ <= sharpest * q.curvature) return;
+    if (std::cbrt(0.5 * lowest_) * grazing > (far_xi + 1.0) * std::cbrt(q.curvature) || !is_lit(q)) return;
+    const double across = std::abs(glm::dot(width, q.binormal));
+    ++result_.strips;
+    follow_lit(start, q, across, side);
+    SurfaceArrival arrival{start.triangle, corner, side < 0.0, q.position, q.along, {}};
+    for (const double k : wavenumbers_) {
+      const Complex more = lit_share(k, q, grazing, q.curvature).hard *
+                           std::polar(across, k * glm::dot(look_.scattered - look_.incident, q.position));
+      arrival.magnetic.push_back(
+          {more * glm::dot(look_.magnetic[0], q.binormal), more * glm::dot(look_.magnetic[1], q.binormal)});
+    }
+    result_.arrivals.push_back(std::move(arrival));
   }
 
   StripPoint at(const BentFacet& facet, const FacetPoint& p, const dvec3& walking, double side) const {
@@ -123,23 +179,6 @@ class SurfaceLook {
     return target_.tracer.blocker(q.position + lift * q.normal, -look_.incident, nothing_ignored) == no_index;
   }
 
-  // The width of a strip along a geodesic: w'' = -K w, exactly for the K of each step.
-  struct Width {
-    double width, slope = 0.0;
-    int caustics = 0;  // passed
-    void step(double gaussian, double h) {
-      const double root = std::sqrt(std::abs(gaussian)), x = root * h;
-      const double c = gaussian > 0.0 ? std::cos(x) : std::cosh(x);
-      const double s = x < 1e-6 ? h : (gaussian > 0.0 ? std::sin(x) : std::sinh(x)) / root;
-      const double before = width;
-      width = c * width + s * slope;
-      slope = c * slope - gaussian * s * before;
-      if (before * width < 0.0) ++caustics;
-    }
-    /// Whether a caustic may lie within a piece of this length: the current falls and rises there as a root.
-    bool near_caustic(double length) const { return std::abs(width) < 2.0 * length * std::abs(slope); }
-  };
-
   /// How far a bend is one along which a wave runs, by k rho: round sharper ones it leaves the surface as from an edge.
   static double openness(double k, double curvature) {
     return curvature <= 0.0 ? 1.0 : std::clamp((k / curvature - sharpest) / (gentle - sharpest), 0.0, 1.0);
@@ -154,9 +193,10 @@ class SurfaceLook {
   }
 
   /// Calls visit(point, h) at points of a geodesic, h from the last one, until it returns false; in fine steps over pieces for
-  /// which fine(length) holds.
+  /// which fine(length) holds. The side of facet `last` at which the surface ended it, -1 if it did not.
   template <class Fine, class Visit>
-  void walk(const FacetPoint& start, double curvature, const dvec3& direction, double side, Fine fine, Visit visit) const {
+  int walk(const FacetPoint& start, double curvature, const dvec3& direction, double side, Fine fine, Visit visit,
+           std::uint32_t& last) const {
     Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, direction);
     GeodesicPiece piece;
     while (geodesic.next(piece)) {
@@ -169,9 +209,11 @@ class SurfaceLook {
         const dvec2 l = glm::mix(piece.from.l, piece.to, static_cast<double>(i) / steps);
         const StripPoint point = at(facet, {piece.from.triangle, l}, piece.direction, side);
         curvature = point.curvature;
-        if (!visit(point, length / steps)) return;
+        if (!visit(point, length / steps)) return -1;
       }
+      last = piece.from.triangle;
     }
+    return geodesic.ended_at();
   }
 
   /// S of a current per unit of -jk / 4 pi, its parts along t and b for both transmitted polarisations.
@@ -205,9 +247,25 @@ class SurfaceLook {
     }
   }
 
+  // The hard current that reaches the end of the surface.
+  void arrive(std::uint32_t triangle, int corner, double side, const StripPoint& point, const StripPoint& q, double path,
+              double distance, double sharp, Complex area) {
+    SurfaceArrival arrival{triangle, corner, side < 0.0, point.position, point.along, {}};
+    for (const double k : wavenumbers_) {
+      const Complex current =
+          0.5 * openness(k, sharp) * area * fock_in_the_dark(std::cbrt(k) * distance).hard * std::polar(1.0, k * path);
+      arrival.magnetic.push_back(
+          {current * glm::dot(look_.magnetic[0], q.binormal), current * glm::dot(look_.magnetic[1], q.binormal)});
+    }
+    result_.arrivals.push_back(std::move(arrival));
+  }
+
   void follow_dark(const FacetPoint& start, const StripPoint& q, double across, double side) {
-    double s = 0.0, distance = 0.0, sharp = q.curvature;
-    Width width{across};
+    double s = 0.0, distance = 0.0, sharp = q.curvature, path = 0.0;
+    Complex area;
+    StripPoint end = q;
+    std::uint32_t last = start.triangle;
+    StripWidth width{across};
     const double origin = glm::dot(look_.incident, q.position), lowest = std::cbrt(lowest_);
     const auto visit = [&](const StripPoint& point, double h) {
       width.step(point.gaussian, h);
@@ -216,28 +274,37 @@ class SurfaceLook {
       sharp = std::max(sharp, point.curvature);
       if (point.curvature < 0.0 || highest_ <= sharpest * sharp || std::abs(width.width) > widest * across) return false;
       if (lowest * distance > last_xi) return false;
-      const double area = std::sqrt(across * std::abs(width.width));
-      set_dark_amplitudes(point, q, distance, sharp, std::polar(area, 0.5 * pi * width.caustics));
-      put(h == 0.0, h, glm::dot(look_.scattered, point.position) - origin - s, point);
+      area = std::polar(std::sqrt(across * std::abs(width.width)), 0.5 * pi * width.caustics);
+      path = glm::dot(look_.scattered, point.position) - origin - s;
+      set_dark_amplitudes(point, q, distance, sharp, area);
+      put(h == 0.0, h, path, point);
+      end = point;
       return true;
     };
-    if (visit(q, 0.0))
-      walk(
-          start, q.curvature, look_.incident, side, [&](double length) { return width.near_caustic(length); }, visit);
+    if (!visit(q, 0.0)) return;
+    const int corner = walk(
+        start, q.curvature, look_.incident, side, [&](double length) { return width.near_caustic(length); }, visit, last);
+    if (corner >= 0) arrive(last, corner, side, end, q, path, distance, sharp, area);
   }
 
-  // What the current on the lit side has beside physical optics; `grazing` is |n . d|.
+  // Of the current of physical optics, what the one on the lit side has beside it; `grazing` is |n . d|.
+  static FockCurrents lit_share(double k, const StripPoint& point, double grazing, double sharp) {
+    const double xi = -std::max(grazing * std::cbrt(0.5 * k / point.curvature), least_xi);
+    const FockCurrents fock = fock_factors(xi);
+    const double share = openness(k, sharp) * std::clamp(far_xi + 1.0 + xi, 0.0, 1.0);
+    return {share * (fock.hard - 1.0), share * (fock.soft - 1.0)};
+  }
+
   void set_lit_amplitudes(const StripPoint& point, double grazing, double sharp, double area) {
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const double k = wavenumbers_[f], xi = -std::max(grazing * std::cbrt(0.5 * k / point.curvature), least_xi);
-      const FockCurrents fock = fock_factors(xi);
-      const double taper = std::clamp(far_xi + 1.0 + xi, 0.0, 1.0);
-      const Complex factor = Complex(0, -k / (4 * pi)) * openness(k, sharp) * taper * area;
+      const double k = wavenumbers_[f];
+      const FockCurrents more = lit_share(k, point, grazing, sharp);
+      const Complex factor = Complex(0, -k / (4 * pi)) * area;
       std::array<Complex, 2> along, across;
       for (int t = 0; t < 2; ++t) {
-        along[t] = factor * (fock.hard - 1.0) * 2.0 * glm::dot(look_.magnetic[t], point.binormal);
+        along[t] = factor * more.hard * 2.0 * glm::dot(look_.magnetic[t], point.binormal);
         // physical optics with E along b: 2 |n . d| E . b
-        across[t] = factor * (fock.soft - 1.0) * -2.0 * xi * std::cbrt(point.curvature / (0.5 * k)) *
+        across[t] = factor * more.soft * 2.0 * std::max(grazing, least_xi * std::cbrt(point.curvature / (0.5 * k))) *
                     glm::dot(look_.electric[t], point.binormal);
       }
       amplitudes_[f] = radiated(point, along, across);
@@ -245,8 +312,9 @@ class SurfaceLook {
   }
 
   void follow_lit(const FacetPoint& start, const StripPoint& q, double across, double side) {
-    Width width{across};
+    StripWidth width{across};
     double sharp = q.curvature;
+    std::uint32_t last = start.triangle;
     int turned_away = 0;
     const double lowest = std::cbrt(0.5 * lowest_);
     const auto visit = [&](const StripPoint& back, double h) {
@@ -266,7 +334,7 @@ class SurfaceLook {
     };
     if (visit(q, 0.0))
       walk(
-          start, q.curvature, -look_.incident, side, [](double) { return false; }, visit);
+          start, q.curvature, -look_.incident, side, [](double) { return false; }, visit, last);
   }
 
   const CurvedTarget& target_;
@@ -280,12 +348,6 @@ class SurfaceLook {
 };
 
 }  // namespace
-
-CurvedTarget::CurvedTarget(const Tracer& a_tracer, const SmoothSurfaces& some_surfaces)
-    : tracer(a_tracer),
-      surfaces(some_surfaces),
-      edges(tracer.mesh().triangles, tracer.mesh().vertices.size()),
-      curvatures(tracer.mesh(), surfaces) {}
 
 SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LookVectors& look,
                                           std::span<const double> frequencies) {

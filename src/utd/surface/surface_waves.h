@@ -11,27 +11,16 @@
 #include <span>
 #include <vector>
 
-#include "mesh/trace/tracer.h"
 #include "scene/image.h"
-#include "utd/surface/surface_ray.h"
+#include "utd/surface/curved_target.h"
+#include "utd/surface/surface_arrival.h"
 #include "utd/wedge/edge_currents.h"
 
 namespace raytube {
 
-/// What all looks at the curved surfaces of a target share.
-class CurvedTarget {
- public:
-  /// Keeps references to both.
-  CurvedTarget(const Tracer& tracer, const SmoothSurfaces& surfaces);
-
-  const Tracer& tracer;
-  const SmoothSurfaces& surfaces;
-  const EdgeTable edges;
-  const CurvatureField curvatures;
-};
-
 struct SurfaceWaveResult {
   std::vector<ScatteringMatrix> scattering;  // [frequency], S [m], phase reference the centre of the mesh
+  std::vector<SurfaceArrival> arrivals;      // hard waves that reach wedges; their radiation from there on is not in `scattering`
   std::uint64_t strips = 0;
   double work = 0.0;  // counted (core/work.h)
 };

@@ -1,0 +1,32 @@
+// The width of a strip along a geodesic.
+#pragma once
+
+#include <cmath>
+
+namespace raytube {
+
+/// w'' = -K w, exactly for the K of each step.
+struct StripWidth {
+  double width, slope = 0.0;
+  int caustics = 0;                      // passed
+  static constexpr double small = 1e-3;  // of K h^2, where two terms of cosine and sine are enough
+
+  void step(double gaussian, double h) {
+    const double turn = gaussian * h * h;
+    double c = 1.0 - 0.5 * turn * (1.0 - turn / 12.0), s = h * (1.0 - turn / 6.0 * (1.0 - turn / 20.0));
+    if (std::abs(turn) > small) {
+      const double root = std::sqrt(std::abs(gaussian)), x = root * h;
+      c = gaussian > 0.0 ? std::cos(x) : std::cosh(x);
+      s = (gaussian > 0.0 ? std::sin(x) : std::sinh(x)) / root;
+    }
+    const double before = width;
+    width = c * width + s * slope;
+    slope = c * slope - gaussian * s * before;
+    if (before * width < 0.0) ++caustics;
+  }
+
+  /// Whether a caustic may lie within a piece of this length: the current falls and rises there as a root.
+  bool near_caustic(double length) const { return std::abs(width) < 2.0 * length * std::abs(slope); }
+};
+
+}  // namespace raytube

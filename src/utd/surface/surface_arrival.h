@@ -1,0 +1,22 @@
+// Waves over curved surfaces that reach a wedge.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/model/triangle_mesh.h"
+
+namespace raytube {
+
+/// A strip that ends where its surface does.
+struct SurfaceArrival {
+  std::uint32_t triangle;  // it ends on the side from `corner` of this one to the next
+  int corner;
+  bool back;  // on the side of the facet that its normal points away from
+  dvec3 position, direction;
+  /// Per frequency of the look and transmit polarisation: half the current along the strip, times its width [m] and the phase of
+  /// what radiates from there.
+  std::vector<std::array<Complex, 2>> magnetic;
+};
+
+}  // namespace raytube
