@@ -77,4 +77,12 @@ Complexes FilonRule::weights(double theta) const {
   return result;
 }
 
+FilonStep filon_step(double phase_from, double phase_to) {
+  constexpr double small = 1e-2;
+  const double u = 0.5 * (phase_to - phase_from);
+  const double odd = std::abs(u) < small ? u * (1.0 / 3.0 - u * u / 30.0) : (std::sin(u) / u - std::cos(u)) / u;
+  const Complex middle = std::polar(0.5, 0.5 * (phase_from + phase_to));
+  return {middle * sinc(u), middle * Complex(0, odd)};
+}
+
 }  // namespace raytube

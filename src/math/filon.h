@@ -22,4 +22,11 @@ class FilonRule {
   std::array<Reals, lanes> legendre_;  // [n][i]: weight of point i times (2n + 1) P_n there, the sign of j^n with it
 };
 
+/// The integral of amplitude e^{j phase} over a step on which both are linear, the amplitude from a to b: the step's length times
+/// even (a + b) + odd (b - a).
+struct FilonStep {
+  Complex even, odd;
+};
+FilonStep filon_step(double phase_from, double phase_to);
+
 }  // namespace raytube

@@ -22,8 +22,7 @@ std::vector<Skipped> skipped_items(const SkipCounts& counts) {
       {"looks without waves between surfaces", "no edge with a surface in front is lit", counts.dark_interaction_looks},
       {"looks without waves between surfaces", "antennas too near for plane waves", counts.near_looks},
       {"looks without waves over curved surfaces", "antennas at a finite distance", counts.near_surface_looks},
-      {"looks without waves over curved surfaces", "edges of curved surfaces are longer than 200 wavelengths",
-       counts.long_surface_looks},
+      {"looks without waves over curved surfaces", "edges of curved surfaces too long in wavelengths", counts.long_surface_looks},
       {"looks without waves between surfaces", "they know perfect conductors only", counts.material_looks},
       {"edge passes", "no edge of the target can radiate", counts.edgeless_looks},
       {"edge passes", "no edge is lit", counts.unlit_looks}};

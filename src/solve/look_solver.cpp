@@ -42,7 +42,7 @@ LookSolver::LookSolver(const SolvePlan& plan)
     : plan_(plan),
       tube_scene_{plan.target.tracer, plan.target.faces,    plan.smooth.get(),
                   plan.convexity,     plan.sweep.materials, plan.sweep.radar},
-      curved_(plan.mechanisms.surface_waves ? std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *plan.bent)
+      curved_(plan.mechanisms.surface_waves ? std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *plan.wave_surfaces)
                                             : std::nullopt),
       edges_(edge_setup(plan, curved_ ? &*curved_ : nullptr)),
       edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
@@ -67,12 +67,11 @@ TubeSums LookSolver::tubes(const Look& look, Progress& progress, CurrentMap& map
 
 std::vector<ImageEdge> LookSolver::surface_pieces(const Look& look, std::size_t frequency_index) const {
   if (!curved_) return {};
-  const double frequency = plan_.sweep.frequencies[frequency_index];
-  std::vector<ImageEdge> pieces = surface_wave_pieces(*curved_, look_vectors(look), frequency);
-  if (!edges_count_) return pieces;
-  const SurfaceWaveResult waves = surface_wave_scattering(*curved_, look_vectors(look), std::span(&frequency, 1));
-  std::ranges::copy(edges_.arrival_pieces(look, frequency_index, waves.arrivals), std::back_inserter(pieces));
-  return pieces;
+  StripPlaces places{frequency_index};
+  const SurfaceWaveResult waves = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies, &places);
+  if (edges_count_)
+    std::ranges::copy(edges_.arrival_pieces(look, frequency_index, waves.arrivals), std::back_inserter(places.pieces));
+  return std::move(places.pieces);
 }
 
 EdgeLookResult LookSolver::edges_of(const Look& look, std::span<const SurfaceArrival> arrivals) const {

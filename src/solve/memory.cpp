@@ -53,7 +53,7 @@ double curved_target_bytes(const SolvePlan& plan) {
   if (!plan.mechanisms.surface_waves) return 0.0;
   const double sides = 3.0 * static_cast<double>(plan.target.mesh.triangles.size());
   return sides * (2.0 * sizeof(EdgeTable::Side) + 3.0 * sizeof(std::uint32_t)) +
-         static_cast<double>(plan.bent->normals()) * (sizeof(glm::dmat3) + sizeof(double));
+         static_cast<double>(plan.wave_surfaces->normals()) * (sizeof(glm::dmat3) + sizeof(double));
 }
 
 // The edges and faces of each set as edge-face interaction sees them, and which of them count at each frequency.

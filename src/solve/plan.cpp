@@ -65,7 +65,7 @@ std::shared_ptr<const SmoothSurfaces> smooth_surfaces(const SolvePlan& plan) {
 }
 
 // Waves run over the curved surfaces of any body, even of one whose tubes meet its facets, unless the facets are what is meant.
-std::shared_ptr<const SmoothSurfaces> bent_surfaces(const SolvePlan& plan) {
+std::shared_ptr<const SmoothSurfaces> find_wave_surfaces(const SolvePlan& plan) {
   if (!plan.surfaces.waves || !plan.mechanisms.fringe || !plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
     return {};
   const double wavelength = plan.shortest_wavelength();
@@ -114,7 +114,7 @@ SkipCounts skips_of(const SolvePlan& plan) {
   if (plan.mechanisms.interaction) count_too_small(plan, counts);
   if (asked && !waves_are_plane(plan.target.mesh, plan.sweep)) counts.near_looks = looks;
   if (asked && !plan.sweep.materials.empty()) counts.material_looks = looks;
-  if (plan.bent && !plan.mechanisms.surface_waves)
+  if (plan.wave_surfaces && !plan.mechanisms.surface_waves)
     (all_far(plan.sweep) ? counts.long_surface_looks : counts.near_surface_looks) = looks;
   if (plan.tubes.skip && plan.edges.method != EdgeMethod::none) counts.enclosed_wedges = plan.target.wedges_enclosed;
   return counts;
@@ -162,8 +162,9 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
   mechanisms = mechanisms_of(*this);
   ray_range = ray_range_of(*this);
   smooth = smooth_surfaces(*this);
-  bent = bent_surfaces(*this);
-  mechanisms.surface_waves = bent && all_far(sweep) && bent->boundary_length() <= most_boundary * shortest_wavelength();
+  wave_surfaces = find_wave_surfaces(*this);
+  mechanisms.surface_waves =
+      wave_surfaces && all_far(sweep) && wave_surfaces->boundary_length() <= most_boundary * shortest_wavelength();
   looks = looks_of(*this);
   skips = skips_of(*this);
   skipped_wedges = skipped_wedges_of(*this);

@@ -42,11 +42,11 @@ struct SolvePlan {
 
   Convexity convexity;  // the target's; of a curved body with dents that no wave sees, that of the body without
   Mechanisms mechanisms;
-  double ray_range = 0.0;                        // of transmitter and receiver where rays stand for currents [m], else 0
-  std::shared_ptr<const SmoothSurfaces> smooth;  // curved surfaces that tubes see as such; null: all are flat facets
-  std::shared_ptr<const SmoothSurfaces> bent;    // over which waves run; null: none
-  LookPlan looks;                                // which are computed, and which follow from these
-  SkipCounts skips;                              // known beforehand
+  double ray_range = 0.0;                               // of transmitter and receiver where rays stand for currents [m], else 0
+  std::shared_ptr<const SmoothSurfaces> smooth;         // curved surfaces that tubes see as such; null: all are flat facets
+  std::shared_ptr<const SmoothSurfaces> wave_surfaces;  // over which waves run; null: none
+  LookPlan looks;                                       // which are computed, and which follow from these
+  SkipCounts skips;                                     // known beforehand
   std::vector<Skipped>
       skipped_wedges;    // that carry no fringe current, and why; of thin plates and details at the lowest frequency
   double seconds = 0.0;  // that planning took

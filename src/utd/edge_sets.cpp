@@ -151,11 +151,10 @@ std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, std::size_t fr
   for (const Set& set : sets_) {
     const auto found = std::ranges::find(set.indices, frequency_index);
     if (found == set.indices.end()) continue;
-    const std::size_t first = 0;  // of the arrivals' frequencies, of which there is one
     for (const SurfaceArrival& arrival : arrivals) {
-      ImageEdge& piece = pieces.emplace_back(ImageEdge{arrival.position, arrival.position, {}});
-      add_arrivals(scene(set), look_vectors(look), std::span(&set.frequencies[found - set.indices.begin()], 1), options(set),
-                   {std::span(&arrival, 1), std::span(&first, 1)}, std::span(&piece.s, 1));
+      std::vector<ScatteringMatrix> s(set.frequencies.size());
+      add_arrivals(scene(set), look_vectors(look), set.frequencies, options(set), {std::span(&arrival, 1), set.indices}, s);
+      pieces.push_back({arrival.position, arrival.position, s[found - set.indices.begin()]});
     }
   }
   return pieces;

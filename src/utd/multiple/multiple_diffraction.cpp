@@ -29,13 +29,12 @@ ScatteringMatrix scaled(ScatteringMatrix matrix, Factor factor) {
 MultipleDiffraction::MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const CurvedFaces* curved,
                                          const LookVectors& look, std::span<const double> frequencies, int order,
                                          TransitionTier tier, bool continue_by_images)
-    : scene_{wedges, outlines, curved, look, tier},
+    : scene_{wedges, outlines, curved, look, wavelength(std::ranges::max(frequencies)), wavelength(std::ranges::min(frequencies)),
+             tier},
       order_(order),
       band_(wavenumbers_of(frequencies)),
       strips_{WaveTree(wedges, outlines, curved, look.incident, look.scattered, continue_by_images),
-              EdgePanels(wavelength(*std::ranges::max_element(frequencies)))},
-      shortest_(wavelength(*std::ranges::max_element(frequencies))),
-      longest_(wavelength(*std::ranges::min_element(frequencies))) {
+              EdgePanels(scene_.shortest)} {
   sums_.first.resize(frequencies.size());
   sums_.higher.resize(frequencies.size());
   sums_.windowed.resize(frequencies.size());
@@ -57,9 +56,9 @@ void MultipleDiffraction::add(std::uint32_t index, const WedgeIncidence& inciden
 void MultipleDiffraction::start_curved(const StripWave& wave, std::span<const LitInterval> lit) {
   const IncidentFields incident = incident_fields(scene_, wave);
   const dvec3 difference = scene_.look.scattered - scene_.look.incident;
-  for (const WeightedPath& each : strip_paths(scene_, wave, lit, shortest_, longest_)) {
+  for (const WeightedPath& each : strip_paths(scene_, wave, lit)) {
     const double way = glm::dot(difference, each.path.start);
-    sums_.work += work_of(each.path) * static_cast<double>(band_.wavenumbers().size());
+    count(each.path);
     for (std::size_t f = 0; f < band_.wavenumbers().size(); ++f) {
       const double k = band_.wavenumbers()[f];
       const Complex phase = std::polar(each.weight, k * way);
@@ -74,12 +73,16 @@ void MultipleDiffraction::start_curved(const StripWave& wave, std::span<const Li
   }
 }
 
+void MultipleDiffraction::count(const StripPath& path) {
+  sums_.work += work_of(path) * static_cast<double>(band_.wavenumbers().size());
+}
+
 void MultipleDiffraction::arrive(const SurfaceArrival& arrival, std::span<const std::size_t> frequencies) {
   const WedgeSide at = scene_.curved->at(arrival.triangle, arrival.corner, arrival.back);
   if (at.wedge == no_index || !scene_.wedges[at.wedge].radiates()) return;
   for (const StripWave& wave : waves_from(scene_, at, arrival.direction, order_)) {
-    const StripPath path = strip_path(scene_, wave, arrival.position, shortest_, longest_);
-    sums_.work += work_of(path) * static_cast<double>(band_.wavenumbers().size());
+    const StripPath path = strip_path(scene_, wave, arrival.position);
+    count(path);
     for (std::size_t f = 0; f < band_.wavenumbers().size(); ++f)
       raytube::radiate(path, band_.wavenumbers()[f], {arrival.magnetic[frequencies[f]], {}, {}}, sums_.higher[f],
                        sums_.higher[f]);
@@ -111,7 +114,7 @@ void MultipleDiffraction::start_beside(const StripWave& wave, std::span<const Li
 // ways of their own.
 void MultipleDiffraction::add_tree(const TreeShare& share) {
   if (strips_.tree.bundles().empty()) return;
-  find_curved_waves(scene_, strips_, shortest_, longest_, curved_);
+  find_curved_waves(scene_, strips_, curved_);
   for (std::size_t f = 0; f < sums_.windowed.size(); ++f)
     if (is_windowed(strips_, band_.wavenumbers()[f])) sums_.windowed[f] = true;
   const std::span<const PathRange> paths = paths_.find(strips_.tree, scene_.look);

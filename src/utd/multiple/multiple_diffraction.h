@@ -17,6 +17,8 @@
 //   wave_tree             all waves and bundles that one wave on a lit edge starts
 //   edge_panels           the points on that edge at which strips are taken
 //   strip_layout          what no frequency changes: faces, and where the numbers of each bundle are kept
+//   curved_strips         strips over curved faces, point by point: strip_walk along a geodesic, what they add in
+//                         curved_strip_radiation
 //   strip_kernels         one strip in closed form; thin_plate_edge what the thickness of a plate changes
 //   strip_wave_kernels    all kernels of a wave at some wavenumbers
 //   strip_radiation       S of the tree from these, and the amplitudes handed on from edge to edge
@@ -58,6 +60,7 @@ class MultipleDiffraction {
 
  private:
   void start(const StripWave& wave, std::span<const LitInterval> lit);
+  void count(const StripPath& path);
   void start_curved(const StripWave& wave, std::span<const LitInterval> lit);
   void start_beside(const StripWave& wave, std::span<const LitInterval> lit);
   void add_tree(const TreeShare& share);
@@ -71,9 +74,8 @@ class MultipleDiffraction {
   StripScene scene_;
   int order_;
   Band band_;
-  StripLayout strips_;         // of the present tree
-  CurvedWaves curved_;         // of the present tree
-  double shortest_, longest_;  // wavelengths [m]
+  StripLayout strips_;  // of the present tree
+  CurvedWaves curved_;  // of the present tree
   PathRanges paths_;
   StripRadiation radiation_;
   std::vector<std::vector<ScatteringMatrix>> samples_;  // of each wave at the nodes

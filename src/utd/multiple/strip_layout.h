@@ -17,6 +17,7 @@ struct StripScene {
   const Outlines& outlines;
   const CurvedFaces* curved;  // those of the wedges' faces that are; null: none
   const LookVectors& look;
+  double shortest, longest;                     // wavelengths [m]
   TransitionTier tier = TransitionTier::exact;  // how erfc is evaluated
 };
 

@@ -126,14 +126,16 @@ void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, c
   for (ComplexColumn& column : amplitudes_.arriving) column.make_room(strips.arriving);
   for (std::size_t begin = 0; begin < wavenumbers.size(); begin += block) {
     const std::span<const double> here = wavenumbers.subspan(begin, std::min(block, wavenumbers.size() - begin));
-    for (std::size_t w = 0; w < sums.size(); ++w) finder_.find(strips, w, here, kernels_[w]);
+    const auto is_curved = [&](std::size_t w) { return w < curved.size() && !curved[w].empty(); };
+    for (std::size_t w = 0; w < sums.size(); ++w)
+      if (!is_curved(w)) finder_.find(strips, w, here, kernels_[w]);
     for (std::size_t i = 0; i < here.size(); ++i) {
       find_phases(strips, look, here[i], amplitudes_.direct);
       for (std::size_t w = 0; w < sums.size(); ++w) {
-        if (curved[w].empty())
-          add_wave(strips, w, i, share, sums[w][begin + i]);
-        else
+        if (is_curved(w))
           add_curved(curved[w], strips.rows_of(strips.tree.waves()[w]), here[i], sums[w][begin + i]);
+        else
+          add_wave(strips, w, i, share, sums[w][begin + i]);
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "utd/multiple/curved_strip_radiation.h"
 #include "utd/multiple/curved_strips.h"
 #include "utd/multiple/strip_wave_kernels.h"
 

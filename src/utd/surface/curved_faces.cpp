@@ -8,13 +8,6 @@ namespace {
 
 constexpr double same_line = 1e-9;  // of the target's radius
 
-bool lies_on(const Wedge& wedge, const dvec3& point, double rounding) {
-  const double length = wedge.length();
-  const dvec3 along = (wedge.end - wedge.start) / length;
-  const double s = glm::dot(point - wedge.start, along);
-  return s >= -rounding && s <= length + rounding && glm::distance(point, wedge.start + s * along) < rounding;
-}
-
 std::size_t key_of(std::uint32_t triangle, int corner, bool back) {
   return 2 * (3 * std::size_t{triangle} + static_cast<std::size_t>(corner)) + (back ? 1 : 0);
 }
@@ -44,7 +37,11 @@ void CurvedFaces::find_sides(std::uint32_t triangle, int corner, std::span<const
   for (const WedgeSide& side : of_patch) {
     const Wedge& wedge = wedges[side.wedge];
     const Line& line = lines_[side.wedge];
-    if (!lies_on(wedge, a, rounding) || !lies_on(wedge, b, rounding)) continue;
+    const auto lies_on = [&](const dvec3& point) {
+      const double s = line.arc_length(point);
+      return s >= -rounding && s <= wedge.length() + rounding && glm::distance(point, line.start + s * line.along) < rounding;
+    };
+    if (!lies_on(a) || !lies_on(b)) continue;
     const auto [begin, end] = std::minmax({line.arc_length(a), line.arc_length(b)});
     sides_[2 * std::size_t{side.wedge} + side.face].push_back({triangle, corner, begin, end});
     wedge_at_.try_emplace(key_of(triangle, corner, wedge.faces[side.face].back), side);

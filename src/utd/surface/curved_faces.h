@@ -6,9 +6,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "mesh/features/wedges.h"
 #include "utd/surface/curved_target.h"
 #include "utd/surface/surface_ray.h"
-#include "mesh/features/wedges.h"
 
 namespace raytube {
 
@@ -40,14 +40,14 @@ class CurvedFaces {
     int corner;
     double begin, end;  // arc length on the wedge [m]
   };
-  void find_sides(std::uint32_t triangle, int corner, std::span<const Wedge> wedges, std::span<const WedgeSide> of_patch);
-
-  const CurvedTarget& target_;
   struct Line {
     dvec3 start, along;  // unit
     double arc_length(const dvec3& point) const { return glm::dot(point - start, along); }
   };
-  std::vector<Line> lines_;  // of the wedges
+  void find_sides(std::uint32_t triangle, int corner, std::span<const Wedge> wedges, std::span<const WedgeSide> of_patch);
+
+  const CurvedTarget& target_;
+  std::vector<Line> lines_;                              // of the wedges
   std::vector<std::vector<FacetSide>> sides_;            // at 2 wedge + face
   std::unordered_map<std::size_t, WedgeSide> wedge_at_;  // at 2 (3 triangle + corner) + back
 };

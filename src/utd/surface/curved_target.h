@@ -7,8 +7,7 @@
 
 namespace raytube {
 
-class CurvedTarget {
- public:
+struct CurvedTarget {
   /// Keeps references to both.
   CurvedTarget(const Tracer& a_tracer, const SmoothSurfaces& some_surfaces)
       : tracer(a_tracer),

@@ -1,32 +1,24 @@
 #include "utd/surface/strip_sum.h"
 
-#include <cmath>
+#include "math/filon.h"
 
 namespace raytube {
 
-namespace {
-
-// The integral of x e^{jux} over [-1, 1] is 2j times this.
-double odd_moment(double u) { return std::abs(u) < 1e-2 ? u * (1.0 / 3.0 - u * u / 30.0) : (std::sin(u) / u - std::cos(u)) / u; }
-
-}  // namespace
-
-StripSum::StripSum(std::span<const double> wavenumbers, std::span<ScatteringMatrix> sum, std::vector<ImageEdge>* places)
+StripSum::StripSum(std::span<const double> wavenumbers, std::span<ScatteringMatrix> sum, StripPlaces* places)
     : wavenumbers_(wavenumbers), sum_(sum), places_(places) {}
 
 ScatteringMatrix StripSum::over_step(std::size_t index, double step, double path, const ScatteringMatrix& amplitude) const {
-  const double k = wavenumbers_[index], u = 0.5 * k * (path - path_);
-  const Complex phase = 0.5 * step * std::polar(1.0, 0.5 * k * (path + path_));
-  const Complex even = phase * sinc(u), odd = phase * Complex(0, odd_moment(u));
-  ScatteringMatrix mean = amplitude_[index] + amplitude, rise = amplitude - amplitude_[index];
-  return (mean *= even) + (rise *= odd);
+  const FilonStep filon = filon_step(wavenumbers_[index] * path_, wavenumbers_[index] * path);
+  ScatteringMatrix sum = amplitude_[index] + amplitude, rise = amplitude - amplitude_[index];
+  return (sum *= step * filon.even) + (rise *= step * filon.odd);
 }
 
 void StripSum::add(bool first, double step, double path, const dvec3& position, std::span<const ScatteringMatrix> amplitude) {
   for (std::size_t f = 0; !first && f < wavenumbers_.size(); ++f) {
     const ScatteringMatrix s = over_step(f, step, path, amplitude[f]);
     sum_[f] += s;
-    if (places_ != nullptr) places_->push_back({0.5 * (position + position_), 0.5 * (position + position_), s});
+    const dvec3 middle = 0.5 * (position + position_);
+    if (places_ != nullptr && places_->wavenumber == f) places_->pieces.push_back({middle, middle, s});
   }
   path_ = path;
   position_ = position;

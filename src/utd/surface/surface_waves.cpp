@@ -6,7 +6,6 @@
 
 #include "core/work.h"
 #include "utd/surface/fock.h"
-#include "utd/surface/strip_sum.h"
 #include "utd/surface/strip_width.h"
 #include "utd/surface/surface_ray.h"
 
@@ -43,8 +42,7 @@ struct StripPoint {
 
 class SurfaceLook {
  public:
-  SurfaceLook(const CurvedTarget& target, const LookVectors& look, std::span<const double> frequencies,
-              std::vector<ImageEdge>* places)
+  SurfaceLook(const CurvedTarget& target, const LookVectors& look, std::span<const double> frequencies, StripPlaces* places)
       : target_(target), mesh_(target.tracer.mesh()), look_(look) {
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
     shortest_ = 2 * pi / std::ranges::max(wavenumbers_);
@@ -142,12 +140,19 @@ class SurfaceLook {
     const double across = std::abs(glm::dot(width, q.binormal));
     ++result_.strips;
     follow_lit(start, q, across, side);
-    SurfaceArrival arrival{start.triangle, corner, side < 0.0, q.position, q.along, {}};
+    const double way = glm::dot(look_.scattered - look_.incident, q.position);
+    arrive(start.triangle, corner, side, q, q.binormal,
+           [&](double k) { return lit_share(k, q, grazing, q.curvature).hard * std::polar(across, k * way); });
+  }
+
+  // A hard current reaches the end of the surface: half(k) of it, times its width and phase, for unit H along `binormal`.
+  template <class Half>
+  void arrive(std::uint32_t triangle, int corner, double side, const StripPoint& end, const dvec3& binormal, Half half) {
+    SurfaceArrival arrival{triangle, corner, side < 0.0, end.position, end.along, {}};
     for (const double k : wavenumbers_) {
-      const Complex more = lit_share(k, q, grazing, q.curvature).hard *
-                           std::polar(across, k * glm::dot(look_.scattered - look_.incident, q.position));
+      const Complex current = half(k);
       arrival.magnetic.push_back(
-          {more * glm::dot(look_.magnetic[0], q.binormal), more * glm::dot(look_.magnetic[1], q.binormal)});
+          {current * glm::dot(look_.magnetic[0], binormal), current * glm::dot(look_.magnetic[1], binormal)});
     }
     result_.arrivals.push_back(std::move(arrival));
   }
@@ -247,19 +252,6 @@ class SurfaceLook {
     }
   }
 
-  // The hard current that reaches the end of the surface.
-  void arrive(std::uint32_t triangle, int corner, double side, const StripPoint& point, const StripPoint& q, double path,
-              double distance, double sharp, Complex area) {
-    SurfaceArrival arrival{triangle, corner, side < 0.0, point.position, point.along, {}};
-    for (const double k : wavenumbers_) {
-      const Complex current =
-          0.5 * openness(k, sharp) * area * fock_in_the_dark(std::cbrt(k) * distance).hard * std::polar(1.0, k * path);
-      arrival.magnetic.push_back(
-          {current * glm::dot(look_.magnetic[0], q.binormal), current * glm::dot(look_.magnetic[1], q.binormal)});
-    }
-    result_.arrivals.push_back(std::move(arrival));
-  }
-
   void follow_dark(const FacetPoint& start, const StripPoint& q, double across, double side) {
     double s = 0.0, distance = 0.0, sharp = q.curvature, path = 0.0;
     Complex area;
@@ -284,7 +276,10 @@ class SurfaceLook {
     if (!visit(q, 0.0)) return;
     const int corner = walk(
         start, q.curvature, look_.incident, side, [&](double length) { return width.near_caustic(length); }, visit, last);
-    if (corner >= 0) arrive(last, corner, side, end, q, path, distance, sharp, area);
+    if (corner < 0) return;
+    arrive(last, corner, side, end, q.binormal, [&](double k) {
+      return 0.5 * openness(k, sharp) * area * fock_in_the_dark(std::cbrt(k) * distance).hard * std::polar(1.0, k * path);
+    });
   }
 
   // Of the current of physical optics, what the one on the lit side has beside it; `grazing` is |n . d|.
@@ -350,14 +345,8 @@ class SurfaceLook {
 }  // namespace
 
 SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LookVectors& look,
-                                          std::span<const double> frequencies) {
-  return SurfaceLook(target, look, frequencies, nullptr).take();
-}
-
-std::vector<ImageEdge> surface_wave_pieces(const CurvedTarget& target, const LookVectors& look, double frequency) {
-  std::vector<ImageEdge> places;
-  SurfaceLook(target, look, std::span(&frequency, 1), &places).take();
-  return places;
+                                          std::span<const double> frequencies, StripPlaces* places) {
+  return SurfaceLook(target, look, frequencies, places).take();
 }
 
 }  // namespace raytube

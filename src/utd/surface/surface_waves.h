@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/image.h"
 #include "utd/surface/curved_target.h"
+#include "utd/surface/strip_sum.h"
 #include "utd/surface/surface_arrival.h"
 #include "utd/wedge/edge_currents.h"
 
@@ -26,11 +26,9 @@ struct SurfaceWaveResult {
 };
 
 /// What the currents on convex curved surfaces have beside physical optics in one look, from antennas at infinity: perfect
-/// conductors, light that comes straight from the transmitter. `frequencies` must not be empty.
+/// conductors, light that comes straight from the transmitter. `frequencies` must not be empty. `places`, if not null, takes
+/// `scattering` at one of them point by point of the surface.
 SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LookVectors& look,
-                                          std::span<const double> frequencies);
-
-/// The same at one frequency, point by point of the surface.
-std::vector<ImageEdge> surface_wave_pieces(const CurvedTarget& target, const LookVectors& look, double frequency);
+                                          std::span<const double> frequencies, StripPlaces* places = nullptr);
 
 }  // namespace raytube
