@@ -107,8 +107,9 @@ TEST(PenumbraFringe, IsTheIntegralAlongTheRim) {
   EXPECT_LT(error, 1e-4 * size);
 }
 
-// A rim that stands across the half plane at the height of its edge: boundaries cut it, and between 54 and 58 degrees the ray comes
-// from the end of the lit piece close to one of them. The midpoint rule leaves jump / points: 2e-3 at 4000, less than 5e-4 at 32000.
+// A rim that stands across the half plane at the height of its edge: boundaries cut it, and between 54 and 58 degrees the ray
+// comes from the end of the lit piece close to one of them. The midpoint rule leaves jump / points: 2e-3 at 4000, less than 5e-4
+// at 32000.
 TEST(PenumbraFringe, JumpsWithinTheRimEndPanels) {
   EdgeAndRim scene(dvec3(1.2, 0.2, 0.0), dvec3(0.1, 0.4, 1));
   double error = 0.0, size = 0.0;
@@ -123,6 +124,18 @@ TEST(PenumbraFringe, JumpsWithinTheRimEndPanels) {
   measured("fringe of a rim across boundaries, error", error / size, "of the largest");
   EXPECT_GT(size, 0.003);
   EXPECT_LT(error, 1e-3 * size);
+}
+
+// The planes of faces that are folded flat on one another may leave more than a half plane between them.
+TEST(PenumbraFringe, FacesMayCrossByRounding) {
+  EdgeAndRim flat, folded;
+  folded.wedge(0).n = 2.0 + 7e-6;
+  const LookVectors look = look_vectors({{50 * degree, 40 * degree}, {65 * degree, 10 * degree}});
+  const PlaneWave wave{look.incident, look.electric, 0.37};
+  const double wavenumbers[] = {2 * pi};
+  const ScatteringMatrix expected = flat.fringe(look, wave, wavenumbers)[0];
+  // n of the edge is 2 in both; elsewhere it stands for an angle of 2e-5.
+  EXPECT_LE(largest_amplitude(folded.fringe(look, wave, wavenumbers)[0] - expected), 1e-4 * largest_amplitude(expected));
 }
 
 // One of two wedges that the wave sees as one has half of the current, and half of the wave.

@@ -46,8 +46,10 @@ std::optional<double> boundary_at(double n, double source, double observation) {
 }
 
 StraightEdge lit_edge(const LitEdgePiece& piece) {
-  const WedgeFace& face = piece.edge->wedge->faces[0];
-  return {piece.edge->origin, face.into_face, face.normal, piece.edge->wedge->n, piece.from, piece.to};
+  StraightEdge edge = straight_edge(*piece.edge->wedge);
+  edge.begin = piece.from;
+  edge.end = piece.to;
+  return edge;
 }
 
 double count_of(const std::vector<double>& ends) { return static_cast<double>(ends.size() - 1); }

@@ -1,5 +1,6 @@
 #include "utd/wedge/diffracted_field.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -117,9 +118,11 @@ EndWave end_wave(double squared, bool inside) {
 
 }  // namespace
 
+// The planes of faces folded flat on one another, and of the sides of thin plates, may cross: n is a little above 2 then. Points
+// between them are in front of both, which no ray can be.
 StraightEdge straight_edge(const Wedge& wedge) {
   const WedgeFace& face = wedge.faces[0];
-  StraightEdge edge{wedge.start, face.into_face, face.normal, wedge.n, 0.0, wedge.length()};
+  StraightEdge edge{wedge.start, face.into_face, face.normal, std::min(wedge.n, 2.0), 0.0, wedge.length()};
   if (glm::dot(edge.tangent(), wedge.end - wedge.start) < 0.0) edge.origin = wedge.end;
   return edge;
 }
