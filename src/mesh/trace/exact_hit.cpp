@@ -51,6 +51,10 @@ double edge_side(const Ray& ray, const dvec3& from, const dvec3& to, double roun
   return std::abs(volume) > rounding ? volume : rounding * exact_side(ray.direction, ray.origin, from, to);
 }
 
+bool is_ignored(const Ray& ray, std::uint32_t patch, const IgnoredPatches& ignored_patches) {
+  return patch == ray.source_patch || std::ranges::find(ignored_patches, patch) != ignored_patches.end();
+}
+
 bool same_sign(const std::array<double, 3>& s) {
   return (s[0] >= 0.0 && s[1] >= 0.0 && s[2] >= 0.0) || (s[0] <= 0.0 && s[1] <= 0.0 && s[2] <= 0.0);
 }
@@ -98,8 +102,7 @@ double ExactHit::depth(const Ray& ray, std::uint32_t triangle, const std::array<
 }
 
 void ExactHit::keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const {
-  const std::uint32_t of = patch(candidate);
-  if (of == ray.source_patch || std::ranges::find(ignored_patches, of) != ignored_patches.end()) return;
+  if (is_ignored(ray, patch(candidate), ignored_patches)) return;
   if (!ahead(ray, candidate)) return;
   const std::array<double, 3> sides = edge_sides(ray, candidate);
   if (!same_sign(sides)) return;
@@ -179,8 +182,17 @@ Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const Ignor
   return nearest;
 }
 
+// True if the ray's line keeps away from the plane of a patch wherever the target is.
+bool ExactHit::stays_off(const Ray& ray, std::uint32_t patch) const {
+  const Patch& plane = mesh_.patches[patch];
+  const dvec3 middle = ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
+  const double height = std::abs(plane.offset - glm::dot(plane.normal, middle));
+  return height > std::abs(glm::dot(plane.normal, ray.direction)) * mesh_.radius + edge_uncertainty_;
+}
+
 void ExactHit::keep_nearer_of_patch(const Ray& ray, std::uint32_t grazed, const IgnoredPatches& ignored_patches,
                                     Hit& nearest) const {
+  if (is_ignored(ray, grazed, ignored_patches) || stays_off(ray, grazed)) return;
   if (is_long(of_patch_[grazed]))
     keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t other) { return patch(other) == grazed; });
   else

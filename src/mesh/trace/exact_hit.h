@@ -77,6 +77,7 @@ class ExactHit {
   void keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const;
   bool from_behind(const Ray& ray, std::uint32_t triangle) const;
   bool grazes(const Ray& ray, std::uint32_t patch) const;
+  bool stays_off(const Ray& ray, std::uint32_t patch) const;
   bool is_long(std::span<const std::uint32_t> list) const { return list.size() > longest_list_; }
   bool has_long_corner(std::uint32_t triangle) const;
   bool shares_corner(std::uint32_t triangle, std::uint32_t other) const;
