@@ -31,6 +31,18 @@ run radome cases/radome/case.toml "${off[@]}"
 run dihedral_77 cases/dihedral/case.toml --set frequency.ghz=77 "${off[@]}"
 run coated_sphere cases/coated_sphere/case.toml
 run coated_sphere_bare cases/coated_sphere/case.toml --set 'target.material="pec"'
+for body in almond wing; do
+  run $body cases/$body/case.toml
+  run ${body}_without cases/$body/case.toml --set surfaces.waves=false
+done
+rays() { # BODY LOOK RADAR EYE EVERY: rays over it
+  "$program" trace cases/$1/case.toml --look "$2" --surface-rays "$work/$1_$2.vtp" >/dev/null
+  python3 docs/figures/surface_rays.py cases/$1/$1.ply "$work/$1_$2.vtp" "$3" "$4" "$5" "$work/$1_$2"
+}
+rays almond 0 90,0 60,150 4
+rays almond 90 90,90 55,235 4
+rays wing 90 90,0 45,130 3
+rays wing 45 90,-45 45,75 3
 run haul_truck cases/haul_truck/case.toml
 grep -v '^#' "$work/haul_truck/rcs.csv" >"$work/haul_truck_errors.csv"
 for body in cube2 dihedral3; do
@@ -64,7 +76,7 @@ done
 for name in sphere radome coated_sphere; do paste -d, "$work/$name.csv" "$work/${name}_reference.csv" >"$work/${name}_both.csv"; done
 
 cd docs/figures
-pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder trihedral haul_truck haul_truck_image convergence_plate
+pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder almond almond_rays wing wing_rays trihedral haul_truck haul_truck_image convergence_plate
           convergence_dihedral stochastic double_slit_launch double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','
@@ -241,6 +253,57 @@ plot work.'cylinder_off.csv' using 2:(db(\$6,\$7)) with lines lc rgb '#f0b090' l
      work.'cylinder.csv' using 2:(db(\$6,\$7)) with lines ls 1 lw 1.6 title 'VV edges on', \
      work.'cylinder.csv' using 2:(db(\$12,\$13)) with lines lc rgb '#8a1fbf' lw 1.6 dt (8,6) title 'HH edges on'
 unset multiplot
+
+do for [body in "almond wing"] {
+eval canvas(body, 900, 700)
+set rmargin 34
+set xlabel body eq 'almond' ? 'φ (deg): 0 tip, 180 round end' : 'φ (deg): 0 nose, 25 across the leading edge'
+if (body eq 'almond') {
+set multiplot layout 2,1 title 'NASA almond of 252 mm, 7 GHz, θ = 90°, monostatic'
+set xrange [0:180]
+set xtics 30
+set yrange [-65:-15]
+} else {
+set multiplot layout 2,1 title 'Swept wing of 4 by 6 wavelengths, θ = 90°, monostatic'
+set xrange [-90:90]
+set xtics 15
+set yrange [-65:0]
+}
+do for [pq in "VV HH"] {
+c = pq eq 'VV' ? 6 : 12
+plot work.body.'_without.csv' using 3:(db(column(c), column(c+1))) with lines ls 2 lw 1.6 title pq.' without waves over it', \
+     work.body.'.csv' using 3:(db(column(c), column(c+1))) with lines ls 1 lw 1.6 title pq.' with waves over it'
+}
+unset multiplot
+}
+
+set style arrow 1 head filled lw 3 lc rgb '#222222'
+set datafile separator whitespace
+views(body) = body eq 'almond' ? "0 90" : "90 45"
+do for [body in "almond wing"] {
+eval canvas(body.'_rays', 1100, 560)
+unset border; unset tics; unset xlabel; unset ylabel; unset grid
+set autoscale
+set lmargin 2; set rmargin 2
+set size ratio -1
+set key below horizontal Left reverse samplen 2 width -4
+set multiplot layout 1,2 title body eq 'almond' ? 'Rays over the almond: radar at the tip (φ = 0) and at the side (φ = 90°)' : 'Rays over the wing: radar at the nose (φ = 0) and at φ = −45°'
+do for [look in views(body)] {
+at = work.body.'_'.look
+plot at.'_mesh.dat' using 1:2:3 with polygons fs solid 1.0 noborder fc rgb variable notitle, \
+     at.'_rays.dat' using 1:(\$3 == 1 ? \$2 : NaN) with lines lw 0.7 lc rgb '#2e8b3d' title 'from edges', \
+     at.'_rays.dat' using 1:(\$3 == 0 ? \$2 : NaN) with lines lw 1.2 lc rgb '#1f5fbf' title 'into the dark', \
+     at.'_radar.dat' using 1:2:3:4 with vectors arrowstyle 1 title 'wave'
+}
+unset multiplot
+}
+set datafile separator ','
+set border; set tics; set grid lt 1 lw 1 lc rgb '#dddddd'
+set size noratio
+set lmargin 10
+set key default
+set key outside right top vertical Left reverse samplen 2.5 spacing 1.2
+set ylabel 'σ (dBsm)'
 
 eval canvas('trihedral', 900, 420)
 set rmargin 34

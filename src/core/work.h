@@ -26,6 +26,8 @@ inline constexpr double corner_wave = 15000.0;   // the waves along one edge, bo
 // Strips over curved surfaces (utd/surface).
 inline constexpr double surface_step = 300.0;       // one step along a geodesic
 inline constexpr double surface_frequency = 100.0;  // the current there, at one frequency
+inline constexpr double lit_point = 250.0;          // one point of the lit side
+inline constexpr double lit_frequency = 50.0;       // the current there, at one frequency
 
 // Tubes (sbr).
 inline constexpr double tube = 4000.0;          // one tube or cell launched

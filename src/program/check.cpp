@@ -168,6 +168,31 @@ void print_wedges(const std::vector<Wedge>& wedges) {
   if (classes.size() > most_lines) fmt::print("  and {} more angles\n", classes.size() - most_lines);
 }
 
+// Facets of curved surfaces that conduct; waves run over no others.
+std::size_t conducting_facets(const SolvePlan& plan) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (plan.wave_surfaces->region(t) != no_index && mesh.patches[mesh.triangle_patch[t]].material == no_index) ++count;
+  return count;
+}
+
+std::string surface_waves_text(const SolvePlan& plan) {
+  if (plan.surface_waves != SurfaceWaveState::computed) return fmt::format("none: {}", why_not(plan.surface_waves));
+  const std::size_t facets = conducting_facets(plan), others = plan.wave_surfaces->facets() - facets;
+  if (facets == 0) return "none: no curved surface is a perfect conductor";
+  return fmt::format("computed: over {} facets{}", facets,
+                     others == 0 ? "" : fmt::format(", not over {} more that are no perfect conductors", others));
+}
+
+void print_surface_waves(const SolvePlan& plan) {
+  fmt::print("\nwaves over curved surfaces\n  {}\n", surface_waves_text(plan));
+  if (plan.wave_surfaces)
+    fmt::print("  edges of curved surfaces: {:.4g} wavelengths at {} GHz, of at most {}\n",
+               plan.wave_surfaces->boundary_length() / plan.shortest_wavelength(),
+               number_text(highest_frequency(plan.sweep) / 1e9), longest_surface_edges);
+}
+
 void print_thin_plate_edges(const Case& c, std::span<const ThinPlateEdge> rims) {
   const auto [lowest, highest] = std::ranges::minmax(c.sweep.frequencies);
   if (c.edges.method != EdgeMethod::fringe || count_thin(rims, lowest) == 0) return;
@@ -294,6 +319,7 @@ void check_command(const Request& request) {
   print_wedges(target.wedges);
   print_material_edges(c.edges, target.wedges);
   print_thin_plate_edges(c, target.thin_plate_edges);
+  print_surface_waves(plan);
   print_skipped(loaded.report, plan);
   print_warnings(plan);
   print_cost(plan);

@@ -39,9 +39,10 @@ constexpr const char* check_examples =
     "  raytube check case.toml --set target.unit=mm\n"
     "  raytube check case.toml --wedges wedges.csv";
 constexpr const char* trace_examples =
-    "Prints every bounce of the tube at (U, V).\n\n"
-    "Example:\n"
-    "  raytube trace case.toml --look 0 --u 0.01 --v -0.02";
+    "Prints every bounce of the tube at (U, V), or writes the rays that waves over curved surfaces follow, or both.\n\n"
+    "Examples:\n"
+    "  raytube trace case.toml --look 0 --u 0.01 --v -0.02\n"
+    "  raytube trace case.toml --look 0 --surface-rays surface_rays.vtp";
 
 constexpr const char* compare_examples =
     "A and B are tables with a header: rcs.csv, channels.csv, or any file with freq_hz, theta_deg, phi_deg[, rx_theta_deg, "
@@ -161,16 +162,20 @@ CLI::App* add_check(CLI::App& app, Request& request) {
 }
 
 CLI::App* add_trace(CLI::App& app, Request& request) {
-  CLI::App* trace = add_command(app, "trace", "Replay one tube, bounce by bounce", trace_examples);
+  CLI::App* trace = add_command(app, "trace", "Replay one tube, bounce by bounce; rays over curved surfaces", trace_examples);
   add_case_options(*trace, request);
   trace->add_option("--look", request.look, "Direction pair, counted from 0")
       ->required()
       ->type_name("I")
       ->check(CLI::Range(0, 1000000000));
-  trace->add_option("--u", request.u, "Launch coordinate along phi-hat, from the mesh's origin [m]")->required()->type_name("U");
-  trace->add_option("--v", request.v, "Launch coordinate along minus theta-hat, from the mesh's origin [m]")
-      ->required()
-      ->type_name("V");
+  trace
+      ->add_option("--u", request.u,
+                   "Launch coordinate along phi-hat, from the mesh's origin [m]; not needed with --surface-rays")
+      ->type_name("U");
+  trace->add_option("--v", request.v, "Launch coordinate along minus theta-hat, from the mesh's origin [m]")->type_name("V");
+  trace->add_option("--surface-rays", request.surface_rays_vtp, "Write the rays of waves over curved surfaces, for ParaView")
+      ->type_name("FILE.vtp")
+      ->check([](const std::string& name) { return name.empty() ? "needs the name of a file" : std::string(); });
   return trace;
 }
 
@@ -237,6 +242,14 @@ CLI::App* add_sources(CLI::App& app, Request& request) {
   return sources;
 }
 
+// A tube needs both of its coordinates; who asks for surface rays may do without.
+bool wants_tube(const CLI::App& trace) {
+  const bool u = trace.count("--u") > 0, v = trace.count("--v") > 0;
+  if (u != v || (!u && trace.count("--surface-rays") == 0))
+    throw InputError(fmt::format("{} is required, with {} and --look; see raytube --help", u ? "--v" : "--u", u ? "--u" : "--v"));
+  return u;
+}
+
 // CLI11 would only say that a subcommand is required.
 void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2)
@@ -283,6 +296,7 @@ Request parse_command_line(int argc, const char* const* argv) {
     throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");
   if (request.random && request.resume)
     throw InputError("--resume: random tubes are drawn anew as a whole; leave out --resume or --launch random");
+  if (*trace) request.tube = wants_tube(*trace);
   for (const auto& [given, command] : commands)
     if (*given) request.command = command;
   return request;

@@ -33,6 +33,8 @@ struct Request {
   bool quiet = false;
   std::size_t look = 0;
   double u = 0.0, v = 0.0;                        // launch coordinates [m], origin = mesh origin
+  bool tube = true;                               // trace: the tube there
+  std::filesystem::path surface_rays_vtp;         // trace: rays over curved surfaces; empty: none wanted
   std::string densities = "2,4,8,16,32,64";       // converge: tubes per wavelength
   std::filesystem::path result, reference;        // compare
   std::string result_columns, reference_columns;  // compare: OURS=THEIRS,...

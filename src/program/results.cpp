@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -114,6 +115,19 @@ void replace_results(NewResults& results, const fs::path& folder, const ResultNa
   earlier.settle(results.folder());
   sync_folder(folder);
   placed();
+}
+
+fs::path folder_of_named_file(const char* option, const fs::path& file, std::string_view head) {
+  const fs::path folder = fs::absolute(file).parent_path();
+  const fs::file_status found = fs::symlink_status(file);
+  if (!fs::is_directory(folder) || (fs::exists(found) && !fs::is_regular_file(found)))
+    throw InputError(
+        fmt::format("{} {}: cannot be written; give an ordinary file in a folder that exists", option, file.string()));
+  std::string first;
+  if (std::ifstream in(file); in && std::getline(in, first) && first + '\n' != head)
+    throw InputError(
+        fmt::format("{} {}: holds something else than an earlier list; name another file, or delete it", option, file.string()));
+  return folder;
 }
 
 std::optional<std::string> AllOrNothing::last_words() const {

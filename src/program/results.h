@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,10 @@ void check_output(const std::filesystem::path& folder, const ResultNames& names,
 /// an interrupt may say otherwise.
 void replace_results(NewResults& results, const std::filesystem::path& folder, const ResultNames& names,
                      const std::vector<std::string>& leftovers, const std::function<void()>& placed);
+
+/// The folder of a result that an option names. Throws InputError if it cannot take its place: by a rename, which must not
+/// replace a folder, a device or somebody else's file; one of raytube's own begins with the line `head`.
+std::filesystem::path folder_of_named_file(const char* option, const std::filesystem::path& file, std::string_view head);
 
 /// A command that keeps nothing of what it has not finished.
 class AllOrNothing {

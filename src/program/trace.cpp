@@ -1,4 +1,4 @@
-// raytube trace: one tube, bounce by bounce.
+// raytube trace: one tube, bounce by bounce; and the rays of waves over curved surfaces.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,10 +8,14 @@
 #include "case/target.h"
 #include "core/decimal.h"
 #include "core/error.h"
+#include "core/threads.h"
+#include "output/tables/surface_rays_vtp.h"
 #include "program/commands.h"
+#include "program/results.h"
 #include "program/solvable.h"
 #include "sbr/replay.h"
 #include "solve/admissible.h"
+#include "solve/look_solver.h"
 
 namespace raytube {
 
@@ -47,11 +51,70 @@ void print_bounce(std::size_t number, const TubeBounce& bounce, const dvec3& dir
   if (bounce.goes_on) fmt::print("  goes on        behind the surface, too; followed here is what it reflects\n");
 }
 
+void print_look(std::size_t index, const Look& look) {
+  fmt::print("look {}: {} to the transmitter, {} to the receiver\n", index, direction_text(look.transmit),
+             direction_text(look.receive));
+}
+
 const Look& chosen_look(const Case& c, std::size_t index) {
   if (index >= c.sweep.looks.size())
     throw InputError(fmt::format("--look {}: {} has {} direction pair(s), counted from 0; choose among these", index,
                                  c.file.string(), c.sweep.looks.size()));
   return c.sweep.looks[index];
+}
+
+// The grid of a sweep is laid at its highest frequency.
+std::size_t highest_of(const Sweep& sweep) {
+  return static_cast<std::size_t>(std::ranges::max_element(sweep.frequencies) - sweep.frequencies.begin());
+}
+
+void trace_at(const Request& request, const Case& c, const Look& look, const TriangleMesh& mesh) {
+  const Tracer tracer(mesh);
+  const std::size_t highest = highest_of(c.sweep);
+  const double frequency = c.sweep.frequencies[highest];
+  const std::vector<Material> materials = at_frequency(c.sweep.materials, highest);
+  const ReplayScene scene{tracer, materials, c.sweep.radar};
+  const TubeTrace trace = naming_the_case(c, [&] { return trace_tube(scene, look, frequency, c.tubes, {request.u, request.v}); });
+  print_look(request.look, look);
+  if (!materials.empty()) fmt::print("fields at {} GHz, the highest frequency of the case\n", number_text(frequency / 1e9));
+  fmt::print("tube: column {}, row {}, centre u {:.9g} m, v {:.9g} m\n", trace.column, trace.row, trace.center.x, trace.center.y);
+  dvec3 direction = trace.direction;
+  for (std::size_t i = 0; i < trace.bounces.size(); ++i) {
+    print_bounce(i + 1, trace.bounces[i], direction, mesh.center);
+    direction = trace.bounces[i].direction_out;
+  }
+  fmt::print("end: {}\n", trace.end);
+}
+
+// --- rays over curved surfaces ---
+
+std::filesystem::path folder_of_rays(const std::filesystem::path& file) {
+  return folder_of_named_file("--surface-rays", file, surface_rays_head);
+}
+
+// The look alone, at the highest frequency: nothing is computed for others.
+std::vector<SurfaceRay> surface_rays_of(const Case& c, const Look& look, TriangleMesh mesh) {
+  Case one = c;
+  const std::size_t highest = highest_of(c.sweep);
+  one.sweep.materials = at_frequency(c.sweep.materials, highest);
+  one.sweep.frequencies = {c.sweep.frequencies[highest]};
+  one.sweep.looks = {look};
+  one.image_looks.clear();
+  const Target target(std::move(mesh), c.wedges);
+  const SolvePlan plan = plan_of_case(target, one, all_threads(), false);
+  if (plan.surface_waves != SurfaceWaveState::computed)
+    throw InputError(fmt::format("--surface-rays: {} has no waves over curved surfaces: {}; leave out the option, or change that",
+                                 c.file.string(), why_not(plan.surface_waves)));
+  return LookSolver(plan).surface_rays(look);
+}
+
+void write_rays(const std::filesystem::path& file, std::span<const SurfaceRay> rays, double frequency) {
+  NewResults results(folder_of_rays(file));
+  write_surface_rays_vtp(results.folder() / file.filename(), rays, wavelength(frequency));
+  results.place({file.filename().string()});
+  const auto from_edges = std::ranges::count(rays, SurfaceRayKind::from_an_edge, &SurfaceRay::kind);
+  fmt::print("surface rays: {} at shadow boundaries, {} from edges, at {} GHz: {}\n", std::ssize(rays) - from_edges, from_edges,
+             number_text(frequency / 1e9), file.string());
 }
 
 }  // namespace
@@ -60,26 +123,15 @@ void trace_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   const Look& look = chosen_look(c, request.look);
   if (!std::isfinite(request.u) || !std::isfinite(request.v)) throw InputError("--u and --v must be finite numbers of metres");
-  const LoadedMesh loaded = load_target(c);
+  const bool rays_wanted = !request.surface_rays_vtp.empty();
+  if (rays_wanted) folder_of_rays(request.surface_rays_vtp);
+  LoadedMesh loaded = load_target(c);
   naming_the_case(c, [&] { check_antennas(loaded.mesh, c.sweep); });
-  const Tracer tracer(loaded.mesh);
-  // The grid of a sweep is laid at its highest frequency.
-  const auto highest = std::ranges::max_element(c.sweep.frequencies);
-  const std::vector<Material> materials =
-      at_frequency(c.sweep.materials, static_cast<std::size_t>(highest - c.sweep.frequencies.begin()));
-  const ReplayScene scene{tracer, materials, c.sweep.radar};
-  const TubeTrace trace = naming_the_case(c, [&] { return trace_tube(scene, look, *highest, c.tubes, {request.u, request.v}); });
-
-  fmt::print("look {}: {} to the transmitter, {} to the receiver\n", request.look, direction_text(look.transmit),
-             direction_text(look.receive));
-  if (!materials.empty()) fmt::print("fields at {} GHz, the highest frequency of the case\n", number_text(*highest / 1e9));
-  fmt::print("tube: column {}, row {}, centre u {:.9g} m, v {:.9g} m\n", trace.column, trace.row, trace.center.x, trace.center.y);
-  dvec3 direction = trace.direction;
-  for (std::size_t i = 0; i < trace.bounces.size(); ++i) {
-    print_bounce(i + 1, trace.bounces[i], direction, loaded.mesh.center);
-    direction = trace.bounces[i].direction_out;
-  }
-  fmt::print("end: {}\n", trace.end);
+  if (request.tube) trace_at(request, c, look, loaded.mesh);
+  if (!rays_wanted) return;
+  const std::vector<SurfaceRay> rays = surface_rays_of(c, look, std::move(loaded.mesh));
+  if (!request.tube) print_look(request.look, look);
+  write_rays(request.surface_rays_vtp, rays, c.sweep.frequencies[highest_of(c.sweep)]);
 }
 
 }  // namespace raytube

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "core/decimal.h"
-#include "core/error.h"
 #include "output/files/files.h"
+#include "program/results.h"
 #include "utd/shadow/edge_visibility.h"
 #include "utd/wedge/incidence.h"
 
@@ -46,28 +45,15 @@ class LitFractions {
 constexpr std::string_view header =
     "wedge,x1_m,y1_m,z1_m,x2_m,y2_m,z2_m,length_m,interior_deg,n,face1_patch,face2_patch,lit_fraction,thickness_m\n";
 
-// The list takes its place by a rename, which must not replace a folder or a device.
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  const std::filesystem::file_status found = std::filesystem::symlink_status(file);
-  if (!std::filesystem::is_directory(folder) || (std::filesystem::exists(found) && !std::filesystem::is_regular_file(found)))
-    throw InputError(fmt::format("--wedges {}: cannot be written; give an ordinary file in a folder that exists", file.string()));
-  std::string first;
-  if (std::ifstream in(file); in && std::getline(in, first) && first + '\n' != header)
-    throw InputError(
-        fmt::format("--wedges {}: holds something else than an earlier list; name another file, or delete it", file.string()));
-  return folder;
-}
-
 std::string point_text(const dvec3& p) { return number_text(p.x) + ',' + number_text(p.y) + ',' + number_text(p.z); }
 
 }  // namespace
 
-void check_wedges_file(const std::filesystem::path& file) { folder_of(file); }
+void check_wedges_file(const std::filesystem::path& file) { folder_of_named_file("--wedges", file, header); }
 
 void write_wedges_csv(const std::filesystem::path& file, const TriangleMesh& mesh, std::span<const Wedge> wedges,
                       const Sweep& sweep) {
-  NewResults results(folder_of(file));
+  NewResults results(folder_of_named_file("--wedges", file, header));
   OutputFile out(results.folder() / file.filename());
   LitFractions lit(mesh, wedges, sweep);
   out.write(header);

@@ -14,6 +14,8 @@ namespace raytube {
 
 namespace {
 
+constexpr double ray_step = 0.1;  // of the wavelength, between points of rays for pictures
+
 EdgeSetup edge_setup(const SolvePlan& plan, const CurvedTarget* curved) {
   const Target& target = plan.target;
   EdgeSetup setup{
@@ -25,6 +27,15 @@ EdgeSetup edge_setup(const SolvePlan& plan, const CurvedTarget* curved) {
   setup.curved = curved;
   setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};
   return setup;
+}
+
+// Points between the first and the last one are `step` apart at least.
+void thin_out(SurfaceRay& ray, double step) {
+  std::vector<SurfaceRayPoint> kept{ray.points.front()};
+  for (std::size_t i = 1; i < ray.points.size(); ++i)
+    if (i + 1 == ray.points.size() || std::abs(ray.points[i].arc_length - kept.back().arc_length) >= step)
+      kept.push_back(ray.points[i]);
+  ray.points = std::move(kept);
 }
 
 void make_reciprocal(LookResult& look) {
@@ -42,7 +53,8 @@ LookSolver::LookSolver(const SolvePlan& plan)
     : plan_(plan),
       tube_scene_{plan.target.tracer, plan.target.faces,    plan.smooth.get(),
                   plan.convexity,     plan.sweep.materials, plan.sweep.radar},
-      curved_(plan.mechanisms.surface_waves ? std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *plan.wave_surfaces)
+      curved_(plan.mechanisms.surface_waves ? std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *plan.wave_surfaces,
+                                                                          plan.convexity.no_reflection)
                                             : std::nullopt),
       edges_(edge_setup(plan, curved_ ? &*curved_ : nullptr)),
       edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
@@ -72,6 +84,18 @@ std::vector<ImageEdge> LookSolver::surface_pieces(const Look& look, std::size_t 
   if (edges_count_)
     std::ranges::copy(edges_.arrival_pieces(look, frequency_index, waves.arrivals), std::back_inserter(places.pieces));
   return std::move(places.pieces);
+}
+
+std::vector<SurfaceRay> LookSolver::surface_rays(const Look& look) const {
+  std::vector<SurfaceRay> rays;
+  if (!curved_) return rays;
+  const SurfaceWaveResult waves = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies, nullptr, &rays);
+  if (edges_count_) std::ranges::copy(edges_.surface_rays(look, waves.arrivals), std::back_inserter(rays));
+  for (SurfaceRay& ray : rays) {
+    thin_out(ray, ray_step * wavelength(plan_.sweep.frequencies.front()));
+    for (SurfaceRayPoint& point : ray.points) point.position += plan_.target.mesh.center;
+  }
+  return rays;
 }
 
 EdgeLookResult LookSolver::edges_of(const Look& look, std::span<const SurfaceArrival> arrivals) const {

@@ -36,6 +36,10 @@ class LookSolver {
   /// Surface waves of a look at one frequency, point by point; none if they do not count.
   std::vector<ImageEdge> surface_pieces(const Look& look, std::size_t frequency_index) const;
 
+  /// The rays over curved surfaces of a look at the first frequency, in the mesh's own coordinates; none if they do not count.
+  /// Their points are a tenth of the wavelength apart, or more.
+  std::vector<SurfaceRay> surface_rays(const Look& look) const;
+
   /// Counted work of the edges of a look (core/work.h).
   double edge_work(const Look& look) const { return edges_of(look, {}).work; }
   /// What edge-face interaction may leave and take beside these tubes and edges, whose counted work is given (core/work.h).

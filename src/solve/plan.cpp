@@ -17,9 +17,6 @@ namespace {
 // A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
 constexpr double most_rise = 1.0 / 32.0;
 
-// Edges of curved surfaces, in wavelengths, beyond which the strips that start there would cost more than all the rest of a look.
-constexpr double most_boundary = 200.0;
-
 // k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
 constexpr double most_phase = 0.5;
 
@@ -65,14 +62,28 @@ std::shared_ptr<const SmoothSurfaces> smooth_surfaces(const SolvePlan& plan) {
 }
 
 // Waves run over the curved surfaces of any body, even of one whose tubes meet its facets, unless the facets are what is meant.
-std::shared_ptr<const SmoothSurfaces> find_wave_surfaces(const SolvePlan& plan) {
-  if (!plan.surfaces.waves || !plan.mechanisms.fringe || !plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
-    return {};
+SurfaceWaveState surface_waves_asked(const SolvePlan& plan) {
+  if (!plan.surfaces.waves) return SurfaceWaveState::not_asked;
+  if (!plan.mechanisms.fringe) return SurfaceWaveState::no_edge_currents;
+  const bool facets_meant = !plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never;
+  return facets_meant ? SurfaceWaveState::facets_meant : SurfaceWaveState::computed;
+}
+
+void plan_surface_waves(SolvePlan& plan) {
+  plan.surface_waves = surface_waves_asked(plan);
+  if (plan.surface_waves != SurfaceWaveState::computed) return;
   const double wavelength = plan.shortest_wavelength();
   std::shared_ptr<const SmoothSurfaces> bent = plan.smooth;
   if (!bent)
     bent = std::make_shared<const SmoothSurfaces>(plan.target.mesh, plan.target.options.min_wedge_angle, most_rise * wavelength);
-  return bent->any() ? bent : nullptr;
+  if (bent->any()) plan.wave_surfaces = bent;
+  if (!plan.wave_surfaces)
+    plan.surface_waves = SurfaceWaveState::no_curved_surface;
+  else if (!all_far(plan.sweep))
+    plan.surface_waves = SurfaceWaveState::near_antennas;
+  else if (bent->boundary_length() > longest_surface_edges * wavelength)
+    plan.surface_waves = SurfaceWaveState::long_edges;
+  plan.mechanisms.surface_waves = plan.surface_waves == SurfaceWaveState::computed;
 }
 
 // A radar on a circle about the origin is at the same point again where its directions repeat.
@@ -114,8 +125,8 @@ SkipCounts skips_of(const SolvePlan& plan) {
   if (plan.mechanisms.interaction) count_too_small(plan, counts);
   if (asked && !waves_are_plane(plan.target.mesh, plan.sweep)) counts.near_looks = looks;
   if (asked && !plan.sweep.materials.empty()) counts.material_looks = looks;
-  if (plan.wave_surfaces && !plan.mechanisms.surface_waves)
-    (all_far(plan.sweep) ? counts.long_surface_looks : counts.near_surface_looks) = looks;
+  if (plan.surface_waves == SurfaceWaveState::near_antennas) counts.near_surface_looks = looks;
+  if (plan.surface_waves == SurfaceWaveState::long_edges) counts.long_surface_looks = looks;
   if (plan.tubes.skip && plan.edges.method != EdgeMethod::none) counts.enclosed_wedges = plan.target.wedges_enclosed;
   return counts;
 }
@@ -162,14 +173,32 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
   mechanisms = mechanisms_of(*this);
   ray_range = ray_range_of(*this);
   smooth = smooth_surfaces(*this);
-  wave_surfaces = find_wave_surfaces(*this);
-  mechanisms.surface_waves =
-      wave_surfaces && all_far(sweep) && wave_surfaces->boundary_length() <= most_boundary * shortest_wavelength();
+  plan_surface_waves(*this);
   looks = looks_of(*this);
   skips = skips_of(*this);
   skipped_wedges = skipped_wedges_of(*this);
   std::erase_if(skipped_wedges, [](const Skipped& item) { return item.count == 0; });
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+const char* why_not(SurfaceWaveState state) {
+  switch (state) {
+    case SurfaceWaveState::computed:
+      return "";
+    case SurfaceWaveState::not_asked:
+      return "surfaces.waves is false";
+    case SurfaceWaveState::no_edge_currents:
+      return "they come with edge currents, edges.method \"fringe\"";
+    case SurfaceWaveState::facets_meant:
+      return "facets are what is meant by tubes.curved \"never\" and by tubes that are not clipped";
+    case SurfaceWaveState::no_curved_surface:
+      return "no curved surface";
+    case SurfaceWaveState::near_antennas:
+      return "antennas at a finite distance";
+    case SurfaceWaveState::long_edges:
+      return "edges of curved surfaces too long in wavelengths";
+  }
+  return "";
 }
 
 double SolvePlan::shortest_wavelength() const { return wavelength(std::ranges::max(sweep.frequencies)); }

@@ -13,6 +13,15 @@
 
 namespace raytube {
 
+/// Whether waves run over curved surfaces, or why they do not.
+enum class SurfaceWaveState { computed, not_asked, no_edge_currents, facets_meant, no_curved_surface, near_antennas, long_edges };
+
+/// What of a surface's edges they may run from [wavelength]: more strips start there than all the rest of a look would cost.
+inline constexpr double longest_surface_edges = 200.0;
+
+/// The reason in words, after which a remedy may follow; empty if they are computed.
+const char* why_not(SurfaceWaveState state);
+
 /// Which mechanisms take part.
 struct Mechanisms {
   bool rays = false;            // edges.method utd: rays of geometrical optics and diffraction in the place of currents
@@ -42,9 +51,10 @@ struct SolvePlan {
 
   Convexity convexity;  // the target's; of a curved body with dents that no wave sees, that of the body without
   Mechanisms mechanisms;
-  double ray_range = 0.0;                               // of transmitter and receiver where rays stand for currents [m], else 0
-  std::shared_ptr<const SmoothSurfaces> smooth;         // curved surfaces that tubes see as such; null: all are flat facets
-  std::shared_ptr<const SmoothSurfaces> wave_surfaces;  // over which waves run; null: none
+  double ray_range = 0.0;                        // of transmitter and receiver where rays stand for currents [m], else 0
+  std::shared_ptr<const SmoothSurfaces> smooth;  // curved surfaces that tubes see as such; null: all are flat facets
+  SurfaceWaveState surface_waves = SurfaceWaveState::not_asked;
+  std::shared_ptr<const SmoothSurfaces> wave_surfaces;  // over which waves run, or would; null: none
   LookPlan looks;                                       // which are computed, and which follow from these
   SkipCounts skips;                                     // known beforehand
   std::vector<Skipped>

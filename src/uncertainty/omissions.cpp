@@ -30,8 +30,9 @@ constexpr double further_interaction = 0.3;  // over what edge-face interaction 
 constexpr double missing_interaction = 1.2;  // of a wave reflected by a face, over (wavelength / width)^{1/2}
 constexpr double cavity_spread = 0.8;        // the same after some reflections, whose errors no longer add up
 constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
-constexpr double rim_amplitude = 5.0;        // of a sharply curved rim, over the same
-constexpr int interacting_bounces = 3;       // that edge-face interaction mends
+constexpr double wave_amplitude = 0.15, tight_wave_amplitude = 1.0;  // where waves run on: of that, and of tight bends
+constexpr double rim_amplitude = 5.0;                                // of a sharply curved rim, over the same
+constexpr int interacting_bounces = 3;                               // that edge-face interaction mends
 
 double square(double x) { return x * x; }
 
@@ -80,8 +81,10 @@ class RowEstimate {
     const double further = row_.has_interaction ? further_interaction * typical(row_.interaction, p, q) : std::sqrt(early);
     at(Omission::interaction)[p][q] = std::hypot(further, row_.left_out);
     at(Omission::cavities)[p][q] = std::sqrt(late);
-    at(Omission::smooth_surfaces)[p][q] = std::hypot(boundary_amplitude * look_.shadow_boundaries[p][q],
-                                                     boundary_amplitude * look_.tight_curves, rim_amplitude * look_.rims);
+    const double boundary = row_.has_surface_waves ? wave_amplitude : boundary_amplitude;
+    const double tight = row_.has_surface_waves ? tight_wave_amplitude : boundary_amplitude;
+    at(Omission::smooth_surfaces)[p][q] =
+        std::hypot(boundary * look_.shadow_boundaries[p][q], tight * look_.tight_curves, rim_amplitude * look_.rims);
     set_facets(p, q);
     set_small_target(p, q);
   }

@@ -46,12 +46,13 @@ struct RowEvidence {
   double half_extent = 0.0;                     // half of the target's longest dimension [m]
   std::span<const ScatteringMatrix> bounces{};  // PO currents of bounce 1, 2, ... [m]
   ScatteringMatrix edges{}, higher{}, interaction{};
-  bool has_interaction = false;  // edge-face interaction was computed
-  double left_out = 0.0;         // of it, for the sake of its budget [m]
-  int edge_order = 3;            // edges in a row that a current passes; 0: there are no edge currents
-  double reflected_share = 0.0;  // of the power that is reflected: that meets a second surface, and a third one, 0 ... 2
-  double truncated = 0.0;        // area across the wave times squared amplitude of truncated tubes [m^2]
-  double wavelength = 0.0;       // [m]
+  bool has_interaction = false;    // edge-face interaction was computed
+  bool has_surface_waves = false;  // waves over curved surfaces were computed
+  double left_out = 0.0;           // of it, for the sake of its budget [m]
+  int edge_order = 3;              // edges in a row that a current passes; 0: there are no edge currents
+  double reflected_share = 0.0;    // of the power that is reflected: that meets a second surface, and a third one, 0 ... 2
+  double truncated = 0.0;          // area across the wave times squared amplitude of truncated tubes [m^2]
+  double wavelength = 0.0;         // [m]
 
   ScatteringMatrix total() const;
 };

@@ -160,6 +160,16 @@ std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, std::size_t fr
   return pieces;
 }
 
+std::vector<SurfaceRay> EdgeSets::surface_rays(const Look& look, std::span<const SurfaceArrival> arrivals) const {
+  std::vector<SurfaceRay> rays;
+  for (const Set& set : sets_) {
+    FringeOptions keeping = options(set);
+    keeping.rays = &rays;
+    fringe_scattering(scene(set), look, set.frequencies, keeping, {arrivals, set.indices});
+  }
+  return rays;
+}
+
 bool EdgeSets::interact() const {
   return std::ranges::any_of(sets_, [](const Set& set) { return !set.interaction.empty(); });
 }

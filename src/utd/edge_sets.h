@@ -60,6 +60,9 @@ class EdgeSets {
   std::vector<ImageEdge> arrival_pieces(const Look& look, std::size_t frequency_index,
                                         std::span<const SurfaceArrival> arrivals) const;
 
+  /// The strips over curved faces in one look, each at the first of the frequencies that it is computed for.
+  std::vector<SurfaceRay> surface_rays(const Look& look, std::span<const SurfaceArrival> arrivals) const;
+
   /// Edge-face interaction of one look at all frequencies; zero at frequencies where it is not asked for, empty if there is none
   /// at any.
   InteractionResult interaction(const Look& look, const InteractionLimits& limits) const;

@@ -135,6 +135,11 @@ std::vector<BadRow> folder_rows() {
       {"wedges_into_a_folder", "check case.toml --wedges .", "--wedges .: cannot be written; "},
       {"wedges_into_a_missing_folder", "check case.toml --wedges none/wedges.csv",
        "--wedges none/wedges.csv: cannot be written; "},
+      {"surface_rays_over_the_mesh", "trace case.toml --look 0 --surface-rays mesh.off",
+       "--surface-rays mesh.off: holds something else than an earlier list; "},
+      {"surface_rays_into_a_folder", "trace case.toml --look 0 --surface-rays .", "--surface-rays .: cannot be written; "},
+      {"surface_rays_into_a_missing_folder", "trace case.toml --look 0 --surface-rays none/rays.vtp",
+       "--surface-rays none/rays.vtp: cannot be written; "},
   };
 }
 
@@ -225,6 +230,15 @@ std::vector<BadRow> command_rows() {
       {"trace_beside_the_target", "trace case.toml --look 0 --u 1e300 --v 0", "--u"},
       {"trace_at_infinity", "trace case.toml --look 0 --u inf --v 0", "must be finite"},
       {"trace_at_a_word", "trace case.toml --look 0 --u here --v 0", "--u = here; see raytube --help"},
+      {"trace_of_nothing", "trace case.toml --look 0", "--u is required, with --v and --look; see raytube --help"},
+      {"trace_without_v", "trace case.toml --look 0 --u 0", "--v is required, with --u and --look; see raytube --help"},
+      {"trace_of_rays_without_u", "trace case.toml --look 0 --v 0 --surface-rays rays.vtp", "--u is required, with --v"},
+      {"trace_of_rays_without_name", "trace case.toml --look 0 --surface-rays ''", "needs the name of a file; see"},
+      {"trace_of_rays_beyond", "trace case.toml --look 7 --surface-rays rays.vtp", "1 direction pair"},
+      {"trace_of_rays_over_flat_faces", "trace case.toml --look 0 --surface-rays rays.vtp",
+       "--surface-rays: case.toml has no waves over curved surfaces: no curved surface; leave out the option, or"},
+      {"trace_of_rays_switched_off", "trace case.toml --look 0 --surface-rays rays.vtp --set surfaces.waves=false",
+       "no waves over curved surfaces: surfaces.waves is false; leave"},
       {"converge_two_densities", "converge case.toml --densities 4,8",
        "an order needs three different densities or more, for example"},
       {"converge_no_densities", "converge case.toml --densities ''", "--densities : write tubes per wavelength"},

@@ -85,14 +85,15 @@ double mean_error_db(const std::vector<double>& errors) {
 }
 
 TEST(SurfaceWaves, SphereAgainstMie) {
-  // Fock's currents with a strip's width as a great circle has it reach these errors in closed form, too: monostatic .14 dB at
-  // most from ka 8; bistatic, mean over 0 to 170 degrees, .31 and .30 dB at ka 10, .09 and .08 at 30. Physical optics: .62 dB;
-  // .86 and 1.7 dB.
+  // What is measured and a quarter, and 0.15 dB for a single monostatic look. Fock's currents of the first order, with the
+  // direction of the wave along the surface for an axis, leave .31 and .30 dB at ka 10, .09 and .08 at 30, mean over 0 to 170
+  // degrees; physical optics .86 and 1.7, .56 and 1.2 dB.
   struct Limit {
     double ka, monostatic, across, in_plane;
   };
   const Sphere sphere(4);
-  for (const Limit& limit : {Limit{8, 0.15, 0.4, 0.36}, {10, 0.15, 0.35, 0.35}, {15, 0.15, 0.22, 0.22}, {30, 0.05, 0.1, 0.1}}) {
+  for (const Limit& limit :
+       {Limit{8, 0.15, 0.24, 0.3}, {10, 0.15, 0.21, 0.22}, {15, 0.15, 0.15, 0.14}, {30, 0.05, 0.075, 0.06}}) {
     Sweep sweep{{limit.ka / (2 * pi) * speed_of_light}, {}, true};
     for (int angle = 0; angle <= 170; angle += 2) sweep.looks.push_back({{90 * degree, 0.0}, {90 * degree, angle * degree}});
     const SweepResult result = solve(sphere.target, sweep, {});
@@ -117,7 +118,7 @@ TEST(SurfaceWaves, DoNotHangOnTheMesh) {
   for (const int level : {3, 5}) {
     const Sphere sphere(level);
     const SmoothSurfaces smooth(sphere.loaded.mesh, 15 * degree, 0.1);
-    const CurvedTarget target(sphere.target.tracer, smooth);
+    const CurvedTarget target(sphere.target.tracer, smooth, true);
     const double frequencies[] = {10 / (2 * pi) * speed_of_light};
     waves.push_back(surface_wave_scattering(target, look_vectors({{1.0, 0.4}, {1.9, 2.5}}), frequencies).scattering[0]);
   }
@@ -127,7 +128,7 @@ TEST(SurfaceWaves, DoNotHangOnTheMesh) {
 TEST(SurfaceWaves, PiecesAddUp) {
   const Sphere sphere(3);
   const SmoothSurfaces smooth(sphere.loaded.mesh, 15 * degree, 0.1);
-  const CurvedTarget target(sphere.target.tracer, smooth);
+  const CurvedTarget target(sphere.target.tracer, smooth, true);
   const double frequencies[] = {12 / (2 * pi) * speed_of_light, 10 / (2 * pi) * speed_of_light};
   const LookVectors look = look_vectors({{1.0, 0.4}, {1.9, 2.5}});
   StripPlaces places{1};
@@ -135,6 +136,18 @@ TEST(SurfaceWaves, PiecesAddUp) {
   ScatteringMatrix sum;
   for (const ImageEdge& piece : places.pieces) sum += piece.s;
   EXPECT_LE(frobenius_norm(sum - all), 1e-12 * frobenius_norm(all));
+}
+
+TEST(SurfaceWaves, AreTheSameWithRaysKept) {
+  const Sphere sphere(3);
+  const SmoothSurfaces smooth(sphere.loaded.mesh, 15 * degree, 0.1);
+  const CurvedTarget target(sphere.target.tracer, smooth, true);
+  const double frequencies[] = {12 / (2 * pi) * speed_of_light};
+  const LookVectors look = look_vectors({{1.0, 0.4}, {1.9, 2.5}});
+  std::vector<SurfaceRay> rays;
+  const auto with = surface_wave_scattering(target, look, frequencies, nullptr, &rays);
+  EXPECT_EQ(frobenius_norm(with.scattering[0] - surface_wave_scattering(target, look, frequencies).scattering[0]), 0.0);
+  EXPECT_EQ(rays.size(), with.strips);
 }
 
 TEST(SurfaceWaves, NoneOnFlatFaces) {

@@ -1,12 +1,10 @@
 #include "output/tables/vtu.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/decimal.h"
-#include "output/files/files.h"
 #include "output/tables/csv.h"
+#include "output/tables/vtk_array.h"
 
 namespace raytube {
 
@@ -14,22 +12,6 @@ namespace {
 
 constexpr int line_type = 3, triangle_type = 5;  // VTK_LINE, VTK_TRIANGLE
 constexpr double least_level = -400.0;           // [dBsm] in the place of -inf, which readers refuse
-
-// One array, a value a line.
-class DataArray {
- public:
-  DataArray(OutputFile& out, const char* type, const std::string& name, int components = 1) : out_(out) {
-    out_.write(
-        fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type, name, components));
-  }
-  ~DataArray() { out_.write("</DataArray>\n"); }
-  DataArray(const DataArray&) = delete;
-
-  void line(const std::string& text) { out_.write(text + '\n'); }
-
- private:
-  OutputFile& out_;
-};
 
 // value(s, is_edge) of all cells in their order.
 template <class Value>

@@ -54,8 +54,8 @@ std::vector<std::string> validity_warnings(const Validity& v) {
         v.faces.count, percent(v.faces), at_wavelength(v)));
   if (matters(v.radii))
     sentences.push_back(fmt::format(
-        "validity: {} of the surface is bent to radii smaller than {}, round which waves creep that are not computed; "
-        "take what comes from there as rough, or raise the frequency",
+        "validity: {} of the surface is bent to radii smaller than {}; waves round such bends are rough where surfaces.waves "
+        "computes them, and missing elsewhere; take what comes from there as rough, or raise the frequency",
         percent(v.radii), at_wavelength(v)));
   return sentences;
 }

@@ -118,7 +118,9 @@ StripEdges::StripEdges(const EdgeScene& scene, const LookVectors& look, std::spa
       incident_(look.incident),
       multiple_(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order, options.transition,
                 options.continue_by_images),
-      thickness_(look, frequencies) {}
+      thickness_(look, frequencies) {
+  multiple_.keep_rays(options.rays);
+}
 
 std::optional<EdgeMeeting> StripEdges::meeting(std::uint32_t index) const {
   if (!wedges_[index].radiates()) return std::nullopt;

@@ -6,6 +6,7 @@
 #include "mesh/features/outlines.h"
 #include "mesh/trace/tracer.h"
 #include "scene/options.h"
+#include "scene/surface_rays.h"
 #include "utd/corner/corner_waves.h"
 #include "utd/surface/curved_faces.h"
 
@@ -27,6 +28,7 @@ struct FringeOptions {
   /// From order 2 on: currents that end at a right-angled corner run on as their mirror image. Right only if what edges send to
   /// other faces (utd/interaction) is counted, too.
   bool continue_by_images = false;
+  std::vector<SurfaceRay>* rays = nullptr;  // takes the strips over curved faces, as at the first frequency
 };
 
 }  // namespace raytube

@@ -32,6 +32,7 @@ double add_arrivals(const EdgeScene& scene, const LookVectors& look, std::span<c
                     const FringeOptions& options, const SurfaceLight& light, std::span<ScatteringMatrix> scattering) {
   if (options.order == 1 || scene.curved == nullptr) return 0.0;
   MultipleDiffraction strips(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order, options.transition);
+  strips.keep_rays(options.rays);
   for (const SurfaceArrival& arrival : light.arrivals) strips.arrive(arrival, light.frequencies);
   const StripSums sums = strips.take();
   for (std::size_t f = 0; f < frequencies.size(); ++f) scattering[f] += sums.higher[f];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/work.h"
+#include "utd/multiple/strip_rays.h"
 
 namespace raytube {
 
@@ -58,7 +59,7 @@ void MultipleDiffraction::start_curved(const StripWave& wave, std::span<const Li
   const dvec3 difference = scene_.look.scattered - scene_.look.incident;
   for (const WeightedPath& each : strip_paths(scene_, wave, lit)) {
     const double way = glm::dot(difference, each.path.start);
-    count(each.path);
+    count(each.path, 1);
     for (std::size_t f = 0; f < band_.wavenumbers().size(); ++f) {
       const double k = band_.wavenumbers()[f];
       const Complex phase = std::polar(each.weight, k * way);
@@ -73,8 +74,9 @@ void MultipleDiffraction::start_curved(const StripWave& wave, std::span<const Li
   }
 }
 
-void MultipleDiffraction::count(const StripPath& path) {
+void MultipleDiffraction::count(const StripPath& path, int order) {
   sums_.work += work_of(path) * static_cast<double>(band_.wavenumbers().size());
+  if (rays_ != nullptr) add_rays(path, band_.wavenumbers().front(), order, *rays_);
 }
 
 void MultipleDiffraction::arrive(const SurfaceArrival& arrival, std::span<const std::size_t> frequencies) {
@@ -82,7 +84,7 @@ void MultipleDiffraction::arrive(const SurfaceArrival& arrival, std::span<const 
   if (at.wedge == no_index || !scene_.wedges[at.wedge].radiates()) return;
   for (const StripWave& wave : waves_from(scene_, at, arrival.direction, order_)) {
     const StripPath path = strip_path(scene_, wave, arrival.position);
-    count(path);
+    count(path, 2);
     for (std::size_t f = 0; f < band_.wavenumbers().size(); ++f)
       raytube::radiate(path, band_.wavenumbers()[f], {arrival.magnetic[frequencies[f]], {}, {}}, sums_.higher[f],
                        sums_.higher[f]);
@@ -115,6 +117,9 @@ void MultipleDiffraction::start_beside(const StripWave& wave, std::span<const Li
 void MultipleDiffraction::add_tree(const TreeShare& share) {
   if (strips_.tree.bundles().empty()) return;
   find_curved_waves(scene_, strips_, curved_);
+  if (rays_ != nullptr)
+    for (const std::vector<StripPath>& wave : curved_)
+      for (const StripPath& path : wave) add_rays(path, band_.wavenumbers().front(), 1, *rays_);
   for (std::size_t f = 0; f < sums_.windowed.size(); ++f)
     if (is_windowed(strips_, band_.wavenumbers()[f])) sums_.windowed[f] = true;
   const std::span<const PathRange> paths = paths_.find(strips_.tree, scene_.look);

@@ -19,12 +19,14 @@
 //   strip_layout          what no frequency changes: faces, and where the numbers of each bundle are kept
 //   curved_strips         strips over curved faces, point by point: strip_walk along a geodesic, what they add in
 //                         curved_strip_radiation
+//   strip_rays            such strips as polylines, for pictures
 //   strip_kernels         one strip in closed form; thin_plate_edge what the thickness of a plate changes
 //   strip_wave_kernels    all kernels of a wave at some wavenumbers
 //   strip_radiation       S of the tree from these, and the amplitudes handed on from edge to edge
 #pragma once
 
 #include "math/chebyshev.h"
+#include "scene/surface_rays.h"
 #include "utd/multiple/path_range.h"
 #include "utd/multiple/strip_radiation.h"
 #include "utd/surface/surface_arrival.h"
@@ -56,11 +58,14 @@ class MultipleDiffraction {
   /// What a wave over a curved surface starts at the wedge it has reached; its frequencies are those of the look.
   void arrive(const SurfaceArrival& arrival, std::span<const std::size_t> frequencies);
 
+  /// Has all strips over curved faces that are added from now on put there, as at the first frequency; null: nowhere.
+  void keep_rays(std::vector<SurfaceRay>* rays) { rays_ = rays; }
+
   StripSums take() { return std::move(sums_); }
 
  private:
   void start(const StripWave& wave, std::span<const LitInterval> lit);
-  void count(const StripPath& path);
+  void count(const StripPath& path, int order);
   void start_curved(const StripWave& wave, std::span<const LitInterval> lit);
   void start_beside(const StripWave& wave, std::span<const LitInterval> lit);
   void add_tree(const TreeShare& share);
@@ -81,6 +86,7 @@ class MultipleDiffraction {
   std::vector<std::vector<ScatteringMatrix>> samples_;  // of each wave at the nodes
   std::vector<std::span<ScatteringMatrix>> sums_at_;    // of each wave: where its S goes
   StripSums sums_;
+  std::vector<SurfaceRay>* rays_ = nullptr;
 };
 
 }  // namespace raytube

@@ -10,6 +10,7 @@ namespace raytube {
 
 /// A point of a strip.
 struct StripNode {
+  dvec3 position;
   double root;                          // of the distance s from its edge [m^(1/2)]
   double path;                          // s . (r - r_0) less that distance [m]
   double bend;                          // xi k^(-1/3) [m^(1/3)]

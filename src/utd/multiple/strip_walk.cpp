@@ -94,7 +94,8 @@ class StripWalk {
     const dvec3 aside = glm::cross(direction_, normal_);
     path_.end = target.surfaces.facet(piece.from.triangle).point(l);
     const double sine = path_.wave.incidence.sin_cone, cosine = path_.wave.incidence.cos_cone;
-    StripNode node{std::sqrt(path_.length),
+    StripNode node{path_.end,
+                   std::sqrt(path_.length),
                    glm::dot(scene_.look.scattered, path_.end - path_.start) - path_.length,
                    bend_,
                    std::sqrt(std::abs(width_.width)),

@@ -1,6 +1,8 @@
 // What all looks at the curved surfaces of a target share.
 #pragma once
 
+#include <cmath>
+
 #include "mesh/features/curvature_field.h"
 #include "mesh/model/edge_table.h"
 #include "mesh/trace/tracer.h"
@@ -8,17 +10,50 @@
 namespace raytube {
 
 struct CurvedTarget {
-  /// Keeps references to both.
-  CurvedTarget(const Tracer& a_tracer, const SmoothSurfaces& some_surfaces)
+  /// Keeps references to both. `is_convex`: nothing stands in the light of a surface that is turned to it.
+  CurvedTarget(const Tracer& a_tracer, const SmoothSurfaces& some_surfaces, bool is_convex)
       : tracer(a_tracer),
         surfaces(some_surfaces),
         edges(tracer.mesh().triangles, tracer.mesh().vertices.size()),
-        curvatures(tracer.mesh(), surfaces) {}
+        curvatures(tracer.mesh(), surfaces),
+        convex(is_convex) {}
+
+  /// Whether waves run over a triangle: it is part of a curved, perfectly conducting surface.
+  bool runs_on(std::uint32_t triangle) const {
+    const TriangleMesh& mesh = tracer.mesh();
+    return surfaces.region(triangle) != no_index && mesh.patches[mesh.triangle_patch[triangle]].material == no_index;
+  }
+  bool closed(std::uint32_t triangle) const {
+    return tracer.mesh().components[tracer.mesh().triangle_component[triangle]].closed;
+  }
+
+  /// At barycentric coordinates of a triangle, seen from one of its sides: 1 its front, -1 its back.
+  SurfaceFrame frame(std::uint32_t triangle, const dvec2& l, double side) const {
+    SurfaceFrame frame = curvatures.at(triangle, l);
+    frame.normal *= side;
+    frame.normal_turn *= side;
+    return frame;
+  }
+
+  /// n . d at a corner of a triangle, where rounding is none.
+  double facing(std::uint32_t triangle, int corner, const dvec3& incident_direction) const {
+    constexpr double across_wave = 1e-9;
+    const double f = glm::dot(curvatures.normal(triangle, corner), incident_direction);
+    return std::abs(f) < across_wave ? 0.0 : f;
+  }
+
+  /// Whether light comes to a point of a surface with that normal.
+  bool is_lit(const dvec3& position, const dvec3& normal, const dvec3& incident_direction) const {
+    if (convex) return true;
+    const double lift = 2.0 * surfaces.rise() + 1e-6 * tracer.mesh().radius;
+    return tracer.blocker(position + lift * normal, -incident_direction, nothing_ignored) == no_index;
+  }
 
   const Tracer& tracer;
   const SmoothSurfaces& surfaces;
   const EdgeTable edges;
   const CurvatureField curvatures;
+  const bool convex;
 };
 
 }  // namespace raytube

@@ -68,6 +68,29 @@ FockCurrents fock_in_the_dark(double xi) {
   return {at(hard_dark, x) * creeping(first_hard, xi), at(soft_dark, x) * creeping(first_soft, xi)};
 }
 
+void DarkWay::step(double curvature, double gaussian, double h) {
+  constexpr double along_hard = first_hard * first_hard / 60 + 0.1 / first_hard, along_soft = first_soft * first_soft / 60;
+  constexpr double across_hard = 0.25 / first_hard;
+  if (curvature <= 0.0) return;
+  const double turn = h * std::cbrt(2 * curvature);
+  const double across = std::clamp(gaussian / curvature, -curvature, curvature);
+  distance_ += h * std::cbrt(0.5 * curvature * curvature);
+  hard_more_ += turn * (along_hard * curvature - across_hard * across);
+  soft_more_ += turn * along_soft * curvature;
+}
+
+FockCurrents DarkWay::currents(double wavenumber) const {
+  // Of the first order's exponent; so much the second has where it is no longer small beside the first.
+  constexpr double most = 0.15;
+  const double scale = 1.0 / std::cbrt(wavenumber), xi = distance(wavenumber);
+  const auto factor = [&](double more, double zero) {
+    const double all = std::max(most * zero * xi, 1e-30);
+    return std::exp(-std::polar(scale * more / std::hypot(1.0, scale * more / all), -pi / 6));
+  };
+  const FockCurrents fock = fock_in_the_dark(xi);
+  return {fock.hard * factor(hard_more_, first_hard), fock.soft * factor(soft_more_, first_soft)};
+}
+
 FockCurrents fock_factors(double xi) {
   if (xi < -3.0) {
     const Complex rest(0.0, 0.25 / (xi * xi * xi));

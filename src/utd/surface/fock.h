@@ -1,6 +1,8 @@
 // Fock's currents at the shadow boundary of a convex surface (Fock 1946, J. Phys. USSR 10, 130).
 #pragma once
 
+#include <cmath>
+
 #include "core/field.h"
 
 namespace raytube {
@@ -14,6 +16,25 @@ struct FockCurrents {
   Complex hard, soft;
 };
 FockCurrents fock_in_the_dark(double xi);
+
+/// A way through the dark, whatever the frequency.
+class DarkWay {
+ public:
+  /// Over h [m] of a surface with that normal curvature along the way [1/m] and that Gaussian one.
+  void step(double curvature, double gaussian, double h);
+
+  double distance(double wavenumber) const { return std::cbrt(wavenumber) * distance_; }  // xi
+
+  /// As fock_in_the_dark, with the creeping waves' propagation constants to their second order in m^-1: those of the zeros of
+  /// H'(kr) and H(kr) on a cylinder (Olver 1954), and, hard, of (sqrt(r) H(kr))' where the surface bends across the way as on a
+  /// sphere (Kouyoumjian 1975, table 1). Changes of the curvature along the way are left out, and bends across it count up to
+  /// those along it.
+  FockCurrents currents(double wavenumber) const;
+
+ private:
+  double distance_ = 0.0;                     // integral of (kappa^2 / 2)^(1/3) [m^1/3]
+  double hard_more_ = 0.0, soft_more_ = 0.0;  // [m^-1/3]
+};
 
 /// What the currents of physical optics are to be multiplied by on the lit side, xi < 0: G e^{-j xi^3/3} / 2 and F e^{-j xi^3/3}
 /// /

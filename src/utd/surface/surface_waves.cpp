@@ -6,6 +6,9 @@
 
 #include "core/work.h"
 #include "utd/surface/fock.h"
+#include "utd/surface/lit_currents.h"
+#include "utd/surface/lit_frame.h"
+#include "utd/surface/shadow_boundary.h"
 #include "utd/surface/strip_width.h"
 #include "utd/surface/surface_ray.h"
 
@@ -13,26 +16,16 @@ namespace raytube {
 
 namespace {
 
-constexpr double widest_strip = 1.0 / 3.0, longest_step = 0.5;  // of the wavelength
-constexpr double phase_bend = 0.2;                              // k kappa h^2 over a step h [rad]
-constexpr double fock_step = 0.3;                               // of xi
-constexpr double far_xi = 4.0;                                  // on the lit side, where physical optics is right
-constexpr double last_xi = 10.0;                                // in the dark, where nothing is left
-constexpr double sharpest = 1.5, gentle = 3.0;                  // k times the radius of curvature, between which waves fade in
-constexpr double across_wave = 1e-9;                            // normals this close to across the wave are so but for rounding
-constexpr double no_more = 1e-9;                                // of a step or strip that would make another one
-constexpr double widest = 30.0;                                 // of a strip's width at its beginning
-constexpr double at_caustic = 8.0;                              // so much finer are steps there
-constexpr double head_on = 1.0 - 1e-9;  // |n . d|, where no direction along the surface is that of the wave
-constexpr double least_xi = 1e-9;
+constexpr double widest_strip = 1.0 / 3.0, widest_piece = 1.0 / 6, longest_step = 0.5;  // of the wavelength
+constexpr double most_turn = 0.3;         // of the normal over a piece of the shadow boundary [rad]
+constexpr double phase_bend = 0.2;        // k kappa h^2 over a step h [rad]
+constexpr double fock_step = 0.3;         // of xi
+constexpr double last_xi = 10.0;          // in the dark, where nothing is left
+constexpr double no_more = 1e-9;          // of a step or strip that would make another one
+constexpr double widest = 30.0;           // of a strip's width at its beginning
+constexpr double at_caustic = 8.0;        // so much finer are steps there
 constexpr double least_curvature = 1e-6;  // times the target's radius
-
-/// Where the shadow boundary crosses a facet.
-struct BoundaryPiece {
-  std::uint32_t triangle;
-  dvec2 from, to;  // barycentric coordinates
-  double side;     // of the facet that the wave sees: 1 its front, -1 its back
-};
+constexpr double least_width = 1e-3;      // of a ray in pictures, of that at its start
 
 /// The surface along a strip.
 struct StripPoint {
@@ -42,8 +35,9 @@ struct StripPoint {
 
 class SurfaceLook {
  public:
-  SurfaceLook(const CurvedTarget& target, const LookVectors& look, std::span<const double> frequencies, StripPlaces* places)
-      : target_(target), mesh_(target.tracer.mesh()), look_(look) {
+  SurfaceLook(const CurvedTarget& target, const LookVectors& look, std::span<const double> frequencies, StripPlaces* places,
+              std::vector<SurfaceRay>* rays)
+      : target_(target), mesh_(target.tracer.mesh()), look_(look), places_(places), rays_(rays) {
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
     shortest_ = 2 * pi / std::ranges::max(wavenumbers_);
     lowest_ = std::ranges::min(wavenumbers_);
@@ -54,48 +48,18 @@ class SurfaceLook {
   }
 
   SurfaceWaveResult take() {
+    for (const BoundaryPiece& piece : shadow_boundary(target_, look_, widest_piece * shortest_, most_turn)) {
+      add_strip(piece, 1.0);
+      if (!target_.closed(piece.middle.triangle)) add_strip(piece, -1.0);
+    }
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (target_.surfaces.region(t) != no_index && conducts(t)) {
-        find_boundary(t);
-        find_far_sides(t);
-      }
+      if (target_.runs_on(t)) find_far_sides(t);
+    if (rays_ != nullptr) std::erase_if(*rays_, [](const SurfaceRay& ray) { return ray.points.size() < 2; });
+    result_.work += add_lit_currents(target_, look_, wavenumbers_, result_.scattering, places_);
     return std::move(result_);
   }
 
  private:
-  bool conducts(std::uint32_t t) const { return mesh_.patches[mesh_.triangle_patch[t]].material == no_index; }
-
-  // Where the normal, linear over the facet, is across the wave.
-  void find_boundary(std::uint32_t t) {
-    double f[3];
-    for (int c = 0; c < 3; ++c) f[c] = facing(t, c);
-    const int dark = (f[0] > 0) + (f[1] > 0) + (f[2] > 0);
-    if (dark == 0 || dark == 3) return;
-    dvec2 ends[2];
-    int found = 0;
-    for (int c = 0; c < 3; ++c) {
-      const int next = (c + 1) % 3;
-      if ((f[c] > 0) == (f[next] > 0)) continue;
-      const double x = f[c] / (f[c] - f[next]);
-      double l[3] = {};
-      l[c] = 1.0 - x, l[next] = x;
-      ends[found++] = {l[1], l[2]};
-    }
-    const bool closed = mesh_.components[mesh_.triangle_component[t]].closed;
-    add_boundary({t, ends[0], ends[1], 1.0});
-    if (!closed) add_boundary({t, ends[0], ends[1], -1.0});
-  }
-
-  void add_boundary(const BoundaryPiece& piece) {
-    const BentFacet facet = target_.surfaces.facet(piece.triangle);
-    const double length = glm::distance(facet.point(piece.from), facet.point(piece.to));
-    const int parts = std::max(1, static_cast<int>(std::ceil(length / (widest_strip * shortest_) - no_more)));
-    for (int i = 0; i < parts; ++i) {
-      const dvec2 a = glm::mix(piece.from, piece.to, double(i) / parts), b = glm::mix(piece.from, piece.to, (i + 1.0) / parts);
-      add_strip(facet, {piece.triangle, 0.5 * (a + b)}, facet.point(b) - facet.point(a), piece.side);
-    }
-  }
-
   // Where the surface ends before its shadow boundary: its lit part near that boundary is there all the same.
   void find_far_sides(std::uint32_t t) {
     for (int c = 0; c < 3; ++c) {
@@ -104,16 +68,15 @@ class SurfaceLook {
       const dvec3& from = mesh_.vertices[corners[c]];
       const dvec3 way = mesh_.vertices[corners[(c + 1) % 3]] - from;
       const dvec3 inwards = glm::cross(mesh_.patches[mesh_.triangle_patch[t]].normal, way);
-      if (glm::dot(inwards, look_.incident) > -across_wave * glm::length(inwards)) continue;
-      const bool closed = mesh_.components[mesh_.triangle_component[t]].closed;
+      if (glm::dot(inwards, look_.incident) > -1e-9 * glm::length(inwards)) continue;
       add_far_sides(t, c, way, 1.0);
-      if (!closed) add_far_sides(t, c, way, -1.0);
+      if (!target_.closed(t)) add_far_sides(t, c, way, -1.0);
     }
   }
 
   // Along the lit part of a facet's side.
   void add_far_sides(std::uint32_t t, int c, const dvec3& way, double side) {
-    const double a = side * facing(t, c), b = side * facing(t, (c + 1) % 3);
+    const double a = side * target_.facing(t, c, look_.incident), b = side * target_.facing(t, (c + 1) % 3, look_.incident);
     if (a >= 0.0 && b >= 0.0) return;
     const double from = a > 0.0 ? a / (a - b) : 0.0, to = b > 0.0 ? a / (a - b) : 1.0, share = to - from;
     const int parts = std::max(1, static_cast<int>(std::ceil(share * glm::length(way) / (widest_strip * shortest_) - no_more)));
@@ -126,23 +89,16 @@ class SurfaceLook {
     }
   }
 
-  // n . d at a corner, where rounding is none.
-  double facing(std::uint32_t t, int c) const {
-    const double f = glm::dot(target_.curvatures.normal(t, c), look_.incident);
-    return std::abs(f) < across_wave ? 0.0 : f;
-  }
-
   void add_far_side(const FacetPoint& start, int corner, const dvec3& width, double side) {
     StripPoint q = at(target_.surfaces.facet(start.triangle), start, look_.incident, side);
     const double grazing = -glm::dot(look_.incident, q.normal);
-    if (grazing <= 0.0 || q.curvature * mesh_.radius < least_curvature || highest_ <= sharpest * q.curvature) return;
-    if (std::cbrt(0.5 * lowest_) * grazing > (far_xi + 1.0) * std::cbrt(q.curvature) || !is_lit(q)) return;
+    const LitFrame frame(target_.frame(start.triangle, start.l, side), look_.incident);
+    if (grazing <= 0.0 || frame.distance(lowest_) <= -least_lit || !target_.is_lit(q.position, q.normal, look_.incident)) return;
     const double across = std::abs(glm::dot(width, q.binormal));
     ++result_.strips;
-    follow_lit(start, q, across, side);
     const double way = glm::dot(look_.scattered - look_.incident, q.position);
     arrive(start.triangle, corner, side, q, q.binormal,
-           [&](double k) { return lit_share(k, q, grazing, q.curvature).hard * std::polar(across, k * way); });
+           [&](double k) { return lit_share(frame, k).hard * std::polar(across, k * way); });
   }
 
   // A hard current reaches the end of the surface: half(k) of it, times its width and phase, for unit H along `binormal`.
@@ -158,65 +114,60 @@ class SurfaceLook {
   }
 
   StripPoint at(const BentFacet& facet, const FacetPoint& p, const dvec3& walking, double side) const {
-    const SurfaceFrame frame = target_.curvatures.at(p.triangle, p.l);
+    const SurfaceFrame frame = target_.frame(p.triangle, p.l, side);
     StripPoint point;
     point.position = facet.point(p.l);
-    point.normal = side * frame.normal;
+    point.normal = frame.normal;
     point.along = glm::normalize(walking - glm::dot(walking, frame.normal) * frame.normal);
     point.binormal = glm::cross(point.along, point.normal);
-    point.curvature = side * frame.curvature(point.along);
+    point.curvature = frame.curvature(point.along);
     point.gaussian = frame.gaussian();
     return point;
   }
 
-  void add_strip(const BentFacet& facet, const FacetPoint& start, const dvec3& width, double side) {
-    const StripPoint q = at(facet, start, look_.incident, side);
-    if (q.curvature * mesh_.radius < least_curvature || highest_ <= sharpest * q.curvature) return;
-    const double across = std::abs(glm::dot(width, q.binormal));
-    if (across <= 0.0 || !is_lit(q)) return;
+  void add_strip(const BoundaryPiece& piece, double side) {
+    const FacetPoint& start = piece.middle;
+    const StripPoint q = at(target_.surfaces.facet(start.triangle), start, look_.incident, side);
+    const double across = std::abs(glm::dot(piece.chord, q.binormal));
+    if (q.curvature * mesh_.radius < least_curvature || across <= 0.0) return;
+    if (!target_.is_lit(q.position, q.normal, look_.incident)) return;
     ++result_.strips;
     follow_dark(start, q, across, side);
-    follow_lit(start, q, across, side);
   }
 
-  bool is_lit(const StripPoint& q) const {
-    const double lift = 2.0 * target_.surfaces.rise() + 1e-6 * mesh_.radius;
-    return target_.tracer.blocker(q.position + lift * q.normal, -look_.incident, nothing_ignored) == no_index;
-  }
-
-  /// How far a bend is one along which a wave runs, by k rho: round sharper ones it leaves the surface as from an edge.
-  static double openness(double k, double curvature) {
-    return curvature <= 0.0 ? 1.0 : std::clamp((k / curvature - sharpest) / (gentle - sharpest), 0.0, 1.0);
-  }
-
-  // Over which the current, and the rate of its phase, change by little.
-  int steps_of(double length, double curvature, bool fine) const {
+  // Over so much of a strip the current, and the rate of its phase, change by little [m].
+  double step_limit(double curvature, bool fine) const {
     const double bend = std::sqrt(phase_bend / (highest_ * std::max(curvature, least_curvature / mesh_.radius)));
     const double fock = fock_step / std::max(std::cbrt(0.5 * highest_ * curvature * curvature), least_curvature / mesh_.radius);
-    const double h = std::min({longest_step * shortest_, bend, fock}) / (fine ? at_caustic : 1.0);
-    return std::max(1, static_cast<int>(std::ceil(length / h - no_more)));
+    return std::min({longest_step * shortest_, bend, fock}) / (fine ? at_caustic : 1.0);
   }
 
-  /// Calls visit(point, h) at points of a geodesic, h from the last one, until it returns false; in fine steps over pieces for
-  /// which fine(length) holds. The side of facet `last` at which the surface ended it, -1 if it did not.
+  /// Calls visit(point, h, last) at points of a geodesic, h from the one before, until it returns false; `last`: the next one may
+  /// be more than a step_limit after the last such point. Fine over pieces for which fine(length) holds. The side of facet
+  /// `end` at which the surface ended it, -1 if it did not.
   template <class Fine, class Visit>
   int walk(const FacetPoint& start, double curvature, const dvec3& direction, double side, Fine fine, Visit visit,
-           std::uint32_t& last) const {
+           std::uint32_t& end) const {
     Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, direction);
     GeodesicPiece piece;
+    double since = 0.0;
     while (geodesic.next(piece)) {
       const BentFacet facet = target_.surfaces.facet(piece.from.triangle);
       const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
       if (chord <= 0.0) continue;
       const double turn = curvature * chord, length = chord * (1.0 + turn * turn / 24.0);
-      const int steps = steps_of(length, curvature, fine(length));
+      const double limit = step_limit(curvature, fine(length));
+      const int steps = std::max(1, static_cast<int>(std::ceil(length / limit - no_more)));
       for (int i = 1; i <= steps; ++i) {
         const dvec2 l = glm::mix(piece.from.l, piece.to, static_cast<double>(i) / steps);
         const StripPoint point = at(facet, {piece.from.triangle, l}, piece.direction, side);
         curvature = point.curvature;
-        if (!visit(point, length / steps)) return -1;
+        since += length / steps;
+        const bool last = since + length / steps > limit;
+        if (!visit(point, length / steps, last)) return -1;
+        if (last) since = 0.0;
       }
-      last = piece.from.triangle;
+      end = piece.from.triangle;
     }
     return geodesic.ended_at();
   }
@@ -236,12 +187,23 @@ class SurfaceLook {
     sum_->add(first, step, path, point.position, amplitudes_);
   }
 
-  // The current Q sends into the dark; `distance` is xi k^(-1/3), `area` the root of its width there and at Q, with its caustics.
-  void set_dark_amplitudes(const StripPoint& point, const StripPoint& q, double distance, double sharp, Complex area) {
+  // For pictures.
+  void keep_dark(const StripPoint& point, double s, const DarkWay& way, double width) {
+    const double k = wavenumbers_.front(), share = std::abs(width);
+    const FockCurrents fock = way.currents(k);
+    const double factor = 1.0 / std::sqrt(std::max(share, least_width));
+    const double m = std::cbrt(0.5 * k / std::max(point.curvature, least_curvature / mesh_.radius));
+    if (s == 0.0) rays_->push_back({SurfaceRayKind::into_the_dark, 1});
+    rays_->back().points.push_back(
+        {point.position, s, way.distance(k), share, factor * std::abs(fock.hard), factor * std::abs(fock.soft) / m});
+  }
+
+  // The current Q sends into the dark; `area` is the root of its width there and at Q, with its caustics.
+  void set_dark_amplitudes(const StripPoint& point, const StripPoint& q, const DarkWay& way, Complex area) {
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
       const double k = wavenumbers_[f];
-      const FockCurrents fock = fock_in_the_dark(std::cbrt(k) * distance);
-      const Complex factor = Complex(0, -k / (4 * pi)) * openness(k, sharp) * area;
+      const FockCurrents fock = way.currents(k);
+      const Complex factor = Complex(0, -k / (4 * pi)) * area;
       const double m = std::cbrt(0.5 * k / std::max(point.curvature, least_curvature / mesh_.radius));
       std::array<Complex, 2> along, across;
       for (int t = 0; t < 2; ++t) {
@@ -253,88 +215,45 @@ class SurfaceLook {
   }
 
   void follow_dark(const FacetPoint& start, const StripPoint& q, double across, double side) {
-    double s = 0.0, distance = 0.0, sharp = q.curvature, path = 0.0;
+    double s = 0.0, since = 0.0, path = 0.0;
+    DarkWay way;
     Complex area;
     StripPoint end = q;
-    std::uint32_t last = start.triangle;
+    std::uint32_t facet = start.triangle;
     StripWidth width{across};
-    const double origin = glm::dot(look_.incident, q.position), lowest = std::cbrt(lowest_);
-    const auto visit = [&](const StripPoint& point, double h) {
-      width.step(point.gaussian, h);
-      distance += h * std::cbrt(0.5 * point.curvature * point.curvature);
-      s += h;
-      sharp = std::max(sharp, point.curvature);
-      if (point.curvature < 0.0 || highest_ <= sharpest * sharp || std::abs(width.width) > widest * across) return false;
-      if (lowest * distance > last_xi) return false;
+    const double origin = glm::dot(look_.incident, q.position);
+    const auto put_end = [&](bool first) {
       area = std::polar(std::sqrt(across * std::abs(width.width)), 0.5 * pi * width.caustics);
-      path = glm::dot(look_.scattered, point.position) - origin - s;
-      set_dark_amplitudes(point, q, distance, sharp, area);
-      put(h == 0.0, h, path, point);
+      path = glm::dot(look_.scattered, end.position) - origin - s;
+      set_dark_amplitudes(end, q, way, area);
+      put(first, since, path, end);
+      if (rays_ != nullptr) keep_dark(end, s, way, width.width / across);
+      since = 0.0;
+    };
+    put_end(true);
+    const auto visit = [&](const StripPoint& point, double h, bool last) {
+      if (point.curvature < 0.0) return false;
+      width.step(point.gaussian, h);
+      if (std::abs(width.width) > widest * across) return false;
+      way.step(point.curvature, point.gaussian, h);
+      s += h, since += h;
       end = point;
-      return true;
+      if (last) put_end(false);
+      return way.distance(lowest_) < last_xi;
     };
-    if (!visit(q, 0.0)) return;
     const int corner = walk(
-        start, q.curvature, look_.incident, side, [&](double length) { return width.near_caustic(length); }, visit, last);
+        start, q.curvature, look_.incident, side, [&](double length) { return width.near_caustic(length); }, visit, facet);
+    if (since > 0.0) put_end(false);
     if (corner < 0) return;
-    arrive(last, corner, side, end, q.binormal, [&](double k) {
-      return 0.5 * openness(k, sharp) * area * fock_in_the_dark(std::cbrt(k) * distance).hard * std::polar(1.0, k * path);
-    });
-  }
-
-  // Of the current of physical optics, what the one on the lit side has beside it; `grazing` is |n . d|.
-  static FockCurrents lit_share(double k, const StripPoint& point, double grazing, double sharp) {
-    const double xi = -std::max(grazing * std::cbrt(0.5 * k / point.curvature), least_xi);
-    const FockCurrents fock = fock_factors(xi);
-    const double share = openness(k, sharp) * std::clamp(far_xi + 1.0 + xi, 0.0, 1.0);
-    return {share * (fock.hard - 1.0), share * (fock.soft - 1.0)};
-  }
-
-  void set_lit_amplitudes(const StripPoint& point, double grazing, double sharp, double area) {
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const double k = wavenumbers_[f];
-      const FockCurrents more = lit_share(k, point, grazing, sharp);
-      const Complex factor = Complex(0, -k / (4 * pi)) * area;
-      std::array<Complex, 2> along, across;
-      for (int t = 0; t < 2; ++t) {
-        along[t] = factor * more.hard * 2.0 * glm::dot(look_.magnetic[t], point.binormal);
-        // physical optics with E along b: 2 |n . d| E . b
-        across[t] = factor * more.soft * 2.0 * std::max(grazing, least_xi * std::cbrt(point.curvature / (0.5 * k))) *
-                    glm::dot(look_.electric[t], point.binormal);
-      }
-      amplitudes_[f] = radiated(point, along, across);
-    }
-  }
-
-  void follow_lit(const FacetPoint& start, const StripPoint& q, double across, double side) {
-    StripWidth width{across};
-    double sharp = q.curvature;
-    std::uint32_t last = start.triangle;
-    int turned_away = 0;
-    const double lowest = std::cbrt(0.5 * lowest_);
-    const auto visit = [&](const StripPoint& back, double h) {
-      width.step(back.gaussian, h);
-      sharp = std::max(sharp, back.curvature);
-      if (back.curvature <= 0.0 || highest_ <= sharpest * sharp || width.width <= 0.0 || width.width > widest * across)
-        return false;
-      const double grazing = -glm::dot(look_.incident, back.normal);
-      if (lowest * grazing > (far_xi + 1.0) * std::cbrt(back.curvature) || grazing > head_on) return false;
-      if (h > 0.0 && grazing <= 0.0 && ++turned_away == 3) return false;  // right beside the boundary it is rounding
-      StripPoint point = back;
-      point.along = glm::normalize(look_.incident + grazing * back.normal);
-      point.binormal = glm::cross(point.along, point.normal);
-      set_lit_amplitudes(point, grazing, sharp, width.width);
-      put(h == 0.0, h, glm::dot(look_.scattered - look_.incident, point.position), point);
-      return true;
-    };
-    if (visit(q, 0.0))
-      walk(
-          start, q.curvature, -look_.incident, side, [](double) { return false; }, visit, last);
+    arrive(facet, corner, side, end, q.binormal,
+           [&](double k) { return 0.5 * area * way.currents(k).hard * std::polar(1.0, k * path); });
   }
 
   const CurvedTarget& target_;
   const TriangleMesh& mesh_;
   const LookVectors& look_;
+  StripPlaces* places_;
+  std::vector<SurfaceRay>* rays_;
   std::vector<double> wavenumbers_;
   double shortest_ = 0.0, lowest_ = 0.0, highest_ = 0.0;
   std::vector<ScatteringMatrix> amplitudes_;  // of the point at hand, by frequency
@@ -345,8 +264,9 @@ class SurfaceLook {
 }  // namespace
 
 SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LookVectors& look,
-                                          std::span<const double> frequencies, StripPlaces* places) {
-  return SurfaceLook(target, look, frequencies, places).take();
+                                          std::span<const double> frequencies, StripPlaces* places,
+                                          std::vector<SurfaceRay>* rays) {
+  return SurfaceLook(target, look, frequencies, places, rays).take();
 }
 
 }  // namespace raytube

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/surface_rays.h"
 #include "utd/surface/curved_target.h"
 #include "utd/surface/strip_sum.h"
 #include "utd/surface/surface_arrival.h"
@@ -27,8 +28,10 @@ struct SurfaceWaveResult {
 
 /// What the currents on convex curved surfaces have beside physical optics in one look, from antennas at infinity: perfect
 /// conductors, light that comes straight from the transmitter. `frequencies` must not be empty. `places`, if not null, takes
-/// `scattering` at one of them point by point of the surface.
+/// `scattering` at one of them point by point of the surface; `rays`, if not null, the strips as polylines, with the whole
+/// current at the first frequency, physical optics included.
 SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LookVectors& look,
-                                          std::span<const double> frequencies, StripPlaces* places = nullptr);
+                                          std::span<const double> frequencies, StripPlaces* places = nullptr,
+                                          std::vector<SurfaceRay>* rays = nullptr);
 
 }  // namespace raytube

@@ -1,0 +1,17 @@
+// What the currents on lit curved surfaces have beside physical optics, over their facets.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "utd/surface/curved_target.h"
+#include "utd/surface/strip_sum.h"
+#include "utd/wedge/edge_currents.h"
+
+namespace raytube {
+
+/// Adds S of every wavenumber to `sum` and returns what that cost (core/work.h); perfect conductors. `places` may be null.
+double add_lit_currents(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers,
+                        std::span<ScatteringMatrix> sum, StripPlaces* places);
+
+}  // namespace raytube

@@ -1,0 +1,45 @@
+#include "utd/surface/lit_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+constexpr double least_cosine = 1e-9;  // of incidence
+constexpr double least_xi = 1e-9;
+constexpr double least_bend = 1e-100;  // [1/m]
+
+dvec3 across(const dvec3& incident, const dvec3& normal) {
+  const dvec3 side = glm::cross(incident, normal);
+  if (glm::dot(side, side) > 1e-24) return glm::normalize(side);
+  return glm::normalize(glm::cross(incident, std::abs(incident.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+}
+
+}  // namespace
+
+LitFrame::LitFrame(const SurfaceFrame& frame, const dvec3& incident_direction) : normal(frame.normal) {
+  const double facing = std::min(glm::dot(normal, incident_direction), -least_cosine);
+  const dvec3 v = across(incident_direction, normal), u = glm::cross(v, incident_direction);
+  const auto tangent = [&](const dvec3& w) { return w - (glm::dot(normal, w) / facing) * incident_direction; };
+  const dvec3 a = tangent(u), b = tangent(v);
+  const double uu = frame.curvature(a), uv = glm::dot(a, frame.normal_turn * b), vv = frame.curvature(b);
+  const double mean = 0.5 * (uu + vv), half = 0.5 * (uu - vv), radius = std::sqrt(half * half + uv * uv);
+  // (half, uv) / radius are cosine and sine of twice the angle from u to the axis
+  const double share = radius > 0.0 ? 0.5 * (1.0 + std::abs(half) / radius) : 1.0;
+  const double larger = std::sqrt(share), smaller = radius > 0.0 ? 0.5 * uv / (radius * larger) : 0.0;
+  bent = half >= 0.0 ? larger * u + smaller * v : std::abs(smaller) * u + std::copysign(larger, uv) * v;
+  straight = glm::cross(incident_direction, bent);
+  bend = std::max((std::max(mean + radius, 0.0) - std::max(mean - radius, 0.0)) / -facing, least_bend);
+}
+
+FockCurrents lit_share(const LitFrame& frame, double wavenumber) {
+  const double xi = std::min(frame.distance(wavenumber), -least_xi);
+  if (xi <= -least_lit) return {0.0, 0.0};
+  const FockCurrents fock = fock_factors(xi);
+  const double share = std::min(1.0, least_lit + xi);
+  return {share * (fock.hard - 1.0), share * (fock.soft - 1.0)};
+}
+
+}  // namespace raytube

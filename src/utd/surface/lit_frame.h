@@ -1,0 +1,32 @@
+// The current on the lit side of a convex surface, point by point.
+#pragma once
+
+#include "mesh/features/curvature_field.h"
+#include "utd/surface/fock.h"
+
+namespace raytube {
+
+/// How a plane wave meets a curved surface. The surface seen along the wave, with tangent vectors W = w - d (n . w) / (n . d) for
+/// w across the wave, has the second fundamental form C(w, w') = II(W, W'); its axes are those of the wave it reflects (Deschamps
+/// 1972, Ray techniques in electromagnetics, Proc. IEEE 60, 1022). On a cylinder, at any incidence, they are those of the wave's
+/// parts with E or H across its axis.
+struct LitFrame {
+  /// `incident_direction` is unit, against frame.normal.
+  LitFrame(const SurfaceFrame& frame, const dvec3& incident_direction);
+
+  dvec3 normal;
+  dvec3 bent, straight;  // unit, across the wave: axes of C with its larger and its smaller curvature
+  double bend;           // their difference over |n . d| [1/m]; none of it is negative: concave is as flat
+
+  /// xi < 0, from the shadow boundary in units of its width: |xi|^3 = k / (2 bend). It is Fock's near the boundary, exactly so on
+  /// cylinders; and elsewhere 1 +- j / (4 xi^3) is the current to the second order in 1/k on any surface at normal incidence.
+  double distance(double wavenumber) const { return -std::cbrt(0.5 * wavenumber / bend); }
+};
+
+/// At so much of |xi| the current is that of physical optics.
+inline constexpr double least_lit = 5.0;
+
+/// What the current has beside physical optics, in units of that: for H along `straight` (hard) and E along it (soft).
+FockCurrents lit_share(const LitFrame& frame, double wavenumber);
+
+}  // namespace raytube

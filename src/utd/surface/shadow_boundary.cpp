@@ -1,0 +1,191 @@
+#include "utd/surface/shadow_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raytube {
+
+namespace {
+
+constexpr double tie = 1e-9;  // of the target's radius
+
+// The boundary over one facet.
+struct Crossing {
+  std::uint32_t triangle;
+  std::array<dvec2, 2> ends;               // barycentric coordinates
+  std::array<dvec3, 2> points;             // of them
+  std::array<std::uint32_t, 2> neighbour;  // the crossing beyond each end, no_index: none
+  double measure;                          // in pieces
+};
+
+class ShadowBoundary {
+ public:
+  ShadowBoundary(const CurvedTarget& target, const LookVectors& look, double widest, double most_turn)
+      : target_(target), look_(look), widest_(widest), most_turn_(most_turn) {
+    for (std::uint32_t t = 0; t < target.tracer.mesh().triangles.size(); ++t)
+      if (target.runs_on(t)) cross(t);
+    link();
+  }
+
+  std::vector<BoundaryPiece> take() {
+    done_.assign(crossings_.size(), false);
+    for (std::uint32_t i = 0; i < crossings_.size(); ++i)
+      if (!done_[i]) divide(line_through(i));
+    return std::move(pieces_);
+  }
+
+ private:
+  // A crossing as it is passed along a line: from its end `first` to the other one.
+  struct Pass {
+    std::uint32_t crossing;
+    int first;
+  };
+  struct Place {
+    FacetPoint on;
+    dvec3 position;
+  };
+  struct EdgeEnd {
+    std::uint32_t edge, crossing;
+    int end;
+  };
+
+  void cross(std::uint32_t t) {
+    double f[3];
+    for (int c = 0; c < 3; ++c) f[c] = target_.facing(t, c, look_.incident);
+    const int dark = (f[0] > 0) + (f[1] > 0) + (f[2] > 0);
+    if (dark == 0 || dark == 3) return;
+    Crossing crossing{t, {}, {}, {no_index, no_index}, 0.0};
+    std::array<dvec3, 2> normals;
+    const BentFacet facet = target_.surfaces.facet(t);
+    int found = 0;
+    for (int c = 0; c < 3; ++c) {
+      const int next = (c + 1) % 3;
+      if ((f[c] > 0) == (f[next] > 0)) continue;
+      const double x = f[c] / (f[c] - f[next]);
+      double l[3] = {};
+      l[c] = 1.0 - x, l[next] = x;
+      crossing.ends[found] = {l[1], l[2]};
+      crossing.points[found] = facet.point(crossing.ends[found]);
+      normals[found] = glm::normalize(glm::mix(target_.curvatures.normal(t, c), target_.curvatures.normal(t, next), x));
+      if (!target_.surfaces.on_boundary(t, c))
+        edge_ends_.push_back({target_.edges.edge_of(t, c), static_cast<std::uint32_t>(crossings_.size()), found});
+      ++found;
+    }
+    crossing.measure = std::max(glm::distance(crossing.points[0], crossing.points[1]) / widest_,
+                                glm::distance(normals[0], normals[1]) / most_turn_);
+    crossings_.push_back(crossing);
+  }
+
+  void link() {
+    std::ranges::sort(edge_ends_, {}, [](const EdgeEnd& e) { return std::pair(e.edge, e.crossing); });
+    for (std::size_t i = 0; i + 1 < edge_ends_.size(); ++i) {
+      const EdgeEnd &a = edge_ends_[i], &b = edge_ends_[i + 1];
+      if (a.edge != b.edge) continue;
+      crossings_[a.crossing].neighbour[a.end] = b.crossing;
+      crossings_[b.crossing].neighbour[b.end] = a.crossing;
+    }
+  }
+
+  // The one beyond the end of a pass.
+  Pass after(const Pass& pass) const {
+    const std::uint32_t next = crossings_[pass.crossing].neighbour[1 - pass.first];
+    if (next == no_index) return {no_index, 0};
+    return {next, crossings_[next].neighbour[0] == pass.crossing ? 0 : 1};
+  }
+
+  // The whole line, from its one end to the other, or once round.
+  std::vector<Pass> line_through(std::uint32_t start) {
+    Pass pass{start, 0};
+    while (true) {  // back to an end
+      const Pass before = after({pass.crossing, 1 - pass.first});
+      if (before.crossing == no_index || before.crossing == start) break;
+      pass = {before.crossing, 1 - before.first};
+    }
+    std::vector<Pass> line;
+    for (; pass.crossing != no_index && !done_[pass.crossing]; pass = after(pass)) {
+      done_[pass.crossing] = true;
+      line.push_back(pass);
+    }
+    return line;
+  }
+
+  // Of a point, whatever the axes: the same for mirror images if the look's plane is the mirror.
+  double rank(const dvec3& p) const {
+    return glm::dot(look_.incident + 0.618 * look_.scattered, p) + 0.3 * glm::dot(p, p) / target_.tracer.mesh().radius;
+  }
+
+  // Where a closed line is foremost, among the ends and middles of its crossings: several times if it is its own image. `sums`
+  // are the measures before each.
+  std::vector<double> foremost(const std::vector<Pass>& line, const std::vector<double>& sums) const {
+    std::vector<std::pair<double, double>> found;  // rank, measure
+    double best = -std::numeric_limits<double>::infinity();
+    const auto try_point = [&](const dvec3& p, double measure) {
+      found.push_back({rank(p), measure});
+      best = std::max(best, found.back().first);
+    };
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const auto& [a, b] = crossings_[line[i].crossing].points;
+      try_point(line[i].first == 0 ? a : b, sums[i]);
+      try_point(0.5 * (a + b), 0.5 * (sums[i] + sums[i + 1]));
+    }
+    std::vector<double> places;
+    for (const auto& [rank, measure] : found)
+      if (rank >= best - tie * target_.tracer.mesh().radius) places.push_back(measure);
+    return places;
+  }
+
+  // Of the places where pieces might begin, those that give other pieces.
+  static std::vector<double> distinct(const std::vector<double>& places, double part) {
+    std::vector<double> result;
+    for (const double place : places) {
+      const auto same = [&](double other) { return std::abs(std::remainder(place - other, part)) < 1e-6 * part; };
+      if (std::ranges::none_of(result, same)) result.push_back(place);
+    }
+    return result;
+  }
+
+  // At a measure from the line's beginning.
+  Place place(const std::vector<Pass>& line, const std::vector<double>& sums, double at) const {
+    const auto after = std::ranges::upper_bound(sums.begin() + 1, sums.end() - 1, at);
+    const Pass& pass = line[static_cast<std::size_t>(after - sums.begin() - 1)];
+    const Crossing& crossing = crossings_[pass.crossing];
+    const double share = crossing.measure > 0.0 ? std::clamp((at - *(after - 1)) / crossing.measure, 0.0, 1.0) : 0.0;
+    return {{crossing.triangle, glm::mix(crossing.ends[pass.first], crossing.ends[1 - pass.first], share)},
+            glm::mix(crossing.points[pass.first], crossing.points[1 - pass.first], share)};
+  }
+
+  void divide(const std::vector<Pass>& line) {
+    std::vector<double> sums{0.0};
+    for (const Pass& pass : line) sums.push_back(sums.back() + crossings_[pass.crossing].measure);
+    const double all = sums.back();
+    if (all <= 0.0) return;
+    const bool closed = after(line.back()).crossing == line.front().crossing;
+    const std::vector<double> ends = closed ? foremost(line, sums) : std::vector<double>{0.0};
+    // As many as make each image of a line that is its own image fall on its pieces, if it can.
+    const double many = static_cast<double>(closed ? std::max<std::size_t>(2, ends.size()) : 1);
+    const double parts = std::max(many, many * std::ceil(all / many - 1e-9)), part = all / parts;
+    const std::vector<double> starts = distinct(ends, part);
+    for (const double start : starts) {
+      const auto at = [&](double i) { return place(line, sums, closed ? std::fmod(start + i * part, all) : i * part); };
+      for (double i = 0.0; i < parts; ++i)
+        pieces_.push_back({at(i + 0.5).on, (at(i + 1.0).position - at(i).position) / static_cast<double>(starts.size())});
+    }
+  }
+
+  const CurvedTarget& target_;
+  const LookVectors& look_;
+  const double widest_, most_turn_;
+  std::vector<Crossing> crossings_;
+  std::vector<EdgeEnd> edge_ends_;
+  std::vector<bool> done_;
+  std::vector<BoundaryPiece> pieces_;
+};
+
+}  // namespace
+
+std::vector<BoundaryPiece> shadow_boundary(const CurvedTarget& target, const LookVectors& look, double widest, double most_turn) {
+  return ShadowBoundary(target, look, widest, most_turn).take();
+}
+
+}  // namespace raytube

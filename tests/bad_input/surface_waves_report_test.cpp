@@ -1,0 +1,45 @@
+// What check tells of waves over curved surfaces.
+#include "program.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+using ::testing::HasSubstr;
+
+class SurfaceWavesReport : public BadInput {
+ protected:
+  // Of one look at a case of the repository.
+  std::string checked(const std::string& name, const std::string& more = "") const {
+    const std::string one_look = " --set look.theta_deg=40 --set look.phi_deg=0";
+    EXPECT_EQ(raytube("check " RAYTUBE_SOURCE_DIR "/cases/" + name + "/case.toml" + one_look + more).code, 0)
+        << text_of(scratch / "stderr.txt");
+    return text_of(scratch / "stdout.txt");
+  }
+};
+
+// The side of the cylinder is two triangles for each of its 144 sides; two polygons of 90 mm radius bound it.
+TEST_F(SurfaceWavesReport, CountsFacetsAndEdges) {
+  EXPECT_THAT(checked("cylinder"), HasSubstr("\nwaves over curved surfaces\n  computed: over 288 facets\n"
+                                             "  edges of curved surfaces: 37.72 wavelengths at 10 GHz, of at most 200\n"));
+}
+
+TEST_F(SurfaceWavesReport, SaysWhyThereAreNone) {
+  const std::string none = "\nwaves over curved surfaces\n  none: ";
+  EXPECT_THAT(checked("cylinder", " --set surfaces.waves=false"), HasSubstr(none + "surfaces.waves is false\n\n"));
+  EXPECT_THAT(checked("cylinder", " --set edges.method=none"), HasSubstr(none + "they come with edge currents"));
+  EXPECT_THAT(checked("cylinder", " --set tubes.curved=never"), HasSubstr(none + "facets are what is meant by"));
+  EXPECT_THAT(checked("cylinder", " --set radar.range_m=10"), HasSubstr(none + "antennas at a finite distance\n"));
+  EXPECT_THAT(checked("cylinder", " --set frequency.ghz=94"),
+              HasSubstr(none + "edges of curved surfaces too long in wavelengths\n"
+                               "  edges of curved surfaces: 354.6 wavelengths at 94 GHz, of at most 200\n"));
+  EXPECT_THAT(checked("powercube"), HasSubstr(none + "no curved surface\n\n"));
+}
+
+TEST_F(SurfaceWavesReport, LeavesOutOtherMaterials) {
+  const std::string absorbing = " --set materials.foam.kind=absorber --set target.material=foam";
+  EXPECT_THAT(checked("cylinder", absorbing), HasSubstr("  none: no curved surface is a perfect conductor\n"));
+}
+
+}  // namespace
+}  // namespace raytube

@@ -1,0 +1,135 @@
+// The currents beside a shadow boundary, and where it runs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shapes.h"
+#include "solve/solve.h"
+#include "utd/surface/lit_frame.h"
+#include "utd/surface/shadow_boundary.h"
+
+namespace raytube {
+namespace {
+
+// Convex, about an axis along z, seen at its point in direction x.
+SurfaceFrame bent(double along_y, double along_z) {
+  glm::dmat3 turn(0.0);
+  turn[1][1] = along_y;
+  turn[2][2] = along_z;
+  return {dvec3(1, 0, 0), turn};
+}
+
+TEST(LitFrame, IsThatOfAnObliqueCylinder) {
+  // A cylinder of radius 2 is a plane problem for k sin b': |xi| = (k sin b' R / 2)^(1/3) cos(theta) / sin b', and waves with E
+  // or H across its axis keep apart. Exact but for rounding.
+  for (const double theta : {0.0, 0.4, 1.2, 1.5})
+    for (const double azimuth : {0.1, 0.7, 1.5}) {
+      const dvec3 d = -dvec3(std::cos(theta), std::sin(theta) * std::cos(azimuth), std::sin(theta) * std::sin(azimuth));
+      const LitFrame frame(bent(0.5, 0.0), d);
+      const double sine = std::sqrt(1.0 - d.z * d.z), k = 30.0;
+      EXPECT_NEAR(frame.distance(k), -std::cbrt(0.5 * k * sine * 2.0) * std::cos(theta) / sine, 1e-9);
+      EXPECT_NEAR(frame.bent.z, 0.0, 1e-9);
+      EXPECT_NEAR(glm::dot(frame.straight, d), 0.0, 1e-12);
+    }
+}
+
+TEST(LitFrame, SecondOrderAtNormalIncidence) {
+  // J = J_PO (1 +- j (kappa_1 - kappa_2) / 2k) along the principal directions; nothing on a sphere.
+  const double k = 4000.0;
+  const LitFrame frame(bent(3.0, 1.0), dvec3(-1, 0, 0));
+  const double xi = frame.distance(k);
+  EXPECT_NEAR(0.25 / (-xi * xi * xi), (3.0 - 1.0) / (2 * k), 1e-15);
+  EXPECT_NEAR(std::abs(frame.bent.y), 1.0, 1e-12);
+  EXPECT_EQ(lit_share(LitFrame(bent(2.0, 2.0), dvec3(-1, 0, 0)), k).hard, 0.0);
+}
+
+TEST(LitFrame, NearTheBoundaryTheCurvatureAlongTheWaveDecides) {
+  // |xi| = (k / 2 kappa_t)^(1/3) |n . d| for any curvature across; 1e-4 are left of it at 0.2 degrees.
+  const double grazing = 0.2 * degree, k = 50.0;
+  for (const double across : {0.0, 1.0, 4.0}) {
+    const LitFrame frame(bent(1.5, across), dvec3(-std::sin(grazing), std::cos(grazing), 0.0));
+    EXPECT_NEAR(frame.distance(k) / (-std::cbrt(k / 3.0) * std::sin(grazing)), 1.0, 1e-4);
+  }
+}
+
+TEST(LitFrame, HollowSurfacesAreAsFlat) {
+  EXPECT_EQ(lit_share(LitFrame(bent(-1.0, -2.0), glm::normalize(dvec3(-0.2, 1, 0))), 10.0).soft, 0.0);
+}
+
+// Of a hard wave that meets a circular cylinder of radius 1 (Bowman, Senior & Uslenghi 1969, eq. 2.2.1.3): the current at
+// `angle` from the shadow boundary, in the dark.
+Complex current_of_a_cylinder(double k, double angle) {
+  Complex sum = 0.0;
+  const int last = static_cast<int>(k + 8 * std::cbrt(k) + 10);
+  for (int n = 0; n <= last; ++n) {
+    const auto hankel = [&](int m) { return Complex(std::cyl_bessel_j(double(m), k), -std::cyl_neumann(double(m), k)); };
+    const Complex slope = n == 0 ? -hankel(1) : 0.5 * (hankel(n - 1) - hankel(n + 1));
+    sum += (n == 0 ? 1.0 : 2.0) * std::polar(1.0, -0.5 * pi * n) * std::cos(n * (0.5 * pi - angle)) / slope;
+  }
+  return sum * Complex(0, -2 / (pi * k));
+}
+
+TEST(DarkWay, FallsAsTheCreepingWaveOfACylinder) {
+  // Over 30 degrees at k = 1000 (m^2 = 63), where the wave that comes the other way is 6e-5: the first order leaves 0.8 %.
+  const double k = 1000.0, from = 20 * degree, to = 50 * degree;
+  const auto after = [&](double angle) {
+    DarkWay way;
+    for (int i = 0; i < 100; ++i) way.step(1.0, 0.0, angle / 100);
+    return way.currents(k).hard * std::polar(1.0, -k * angle);
+  };
+  const Complex exact = current_of_a_cylinder(k, to) / current_of_a_cylinder(k, from);
+  EXPECT_LE(std::abs(after(to) / after(from) / exact - 1.0), 1e-3);
+  const auto first = [&](double angle) {
+    return fock_in_the_dark(std::cbrt(0.5 * k) * angle).hard * std::polar(1.0, -k * angle);
+  };
+  EXPECT_GE(std::abs(first(to) / first(from) / exact - 1.0), 6e-3);
+}
+
+struct Ball {
+  explicit Ball(const PolygonSoup& soup) : loaded(build_mesh(soup, 1.0)), target(loaded.mesh) {}
+
+  std::vector<BoundaryPiece> boundary(const Look& look, double widest) const {
+    const SmoothSurfaces smooth(loaded.mesh, 15 * degree, 0.1);
+    return shadow_boundary(CurvedTarget(target.tracer, smooth, true), look_vectors(look), widest, 0.3);
+  }
+  dvec3 place(const FacetPoint& p) const {
+    const Triangle& t = loaded.mesh.triangles[p.triangle];
+    return (1.0 - p.l.x - p.l.y) * loaded.mesh.vertices[t[0]] + p.l.x * loaded.mesh.vertices[t[1]] +
+           p.l.y * loaded.mesh.vertices[t[2]];
+  }
+
+  LoadedMesh loaded;
+  Target target;
+};
+
+TEST(ShadowBoundary, GoesRoundASphereInEqualPieces) {
+  const Ball ball(shapes::icosphere(4));
+  const Look look{{1.0, 0.4}, {1.0, 0.4}};
+  const std::vector<BoundaryPiece> pieces = ball.boundary(look, 0.11);
+  ASSERT_EQ(pieces.size(), 58u);  // 2 pi / 0.11 = 57.1
+  for (const BoundaryPiece& piece : pieces) {
+    EXPECT_NEAR(glm::length(piece.chord), 2 * std::sin(pi / 58), 1e-3);  // facets are 0.07 wide
+    EXPECT_NEAR(glm::dot(ball.place(piece.middle), look_vectors(look).incident), 0.0, 1e-3);
+  }
+  EXPECT_EQ(ball.boundary(look, 1.0).size(), 22u);  // 2 pi / 0.3 = 20.9, even
+}
+
+TEST(ShadowBoundary, DoesNotHangOnTheOrderOfTriangles) {
+  PolygonSoup soup = shapes::icosphere(2);
+  const Ball ball(soup);
+  std::ranges::reverse(soup.polygons);
+  const Ball other(soup);
+  const Look look{{0.7, 2.4}, {0.7, 2.4}};
+  const std::vector<BoundaryPiece> a = ball.boundary(look, 0.2), b = other.boundary(look, 0.2);
+  ASSERT_EQ(a.size(), b.size());
+  for (const BoundaryPiece& piece : a) {
+    const auto same = [&](const BoundaryPiece& p) {
+      return glm::distance(other.place(p.middle), ball.place(piece.middle)) < 1e-9;
+    };
+    EXPECT_TRUE(std::ranges::any_of(b, same));
+  }
+}
+
+}  // namespace
+}  // namespace raytube
