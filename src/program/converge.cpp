@@ -182,7 +182,9 @@ void converge_command(const Request& request) {
         fmt::format("{}: edges.method \"utd\" has no tubes whose density could be studied; remove it", c.file.string()));
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   check_output(destination, names_of_convergence_results(c.plots), input_files(c));
-  const Target target(load_target(c).mesh, c.wedges);
+  std::optional<Target> built;
+  run_on_threads(request.threads, [&] { built.emplace(load_target(c).mesh, c.wedges); });
+  const Target& target = *built;
   check_antennas(target.mesh, c.sweep);
   check_finest(densities.back(), request.densities, c, target.mesh);
   check_study_memory(target, c, request, densities);

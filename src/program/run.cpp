@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <set>
 
 #include "case/materials/materials.h"
@@ -312,8 +313,10 @@ void run_command(const Request& request) {
                      mesh_names(c), count));
   Manifest manifest = describe_input(c, loaded.report);
   manifest.time.read_s = total.seconds();
-  const Target target(std::move(loaded.mesh), c.wedges);
   manifest.threads = request.threads > 0 ? request.threads : all_threads();
+  std::optional<Target> built;
+  run_on_threads(manifest.threads, [&] { built.emplace(std::move(loaded.mesh), c.wedges); });
+  const Target& target = *built;
   const SolvePlan plan = plan_of_case(target, c, manifest.threads, request.parts || request.random.has_value());
   warn_of_materials(c, loaded.report, target, manifest);
   manifest.time.build_s = total.seconds() - manifest.time.read_s - plan.seconds;  // planning is part of solving

@@ -16,9 +16,7 @@ namespace {
 TriangleMesh mesh_of(PolygonSoup soup) { return build_mesh(std::move(soup), 1.0).mesh; }
 
 std::uint64_t pairs_looked_at(const TriangleMesh& mesh) {
-  std::uint64_t count = 0;
-  TriangleTree(mesh).close_pairs(2e-6 * mesh.radius, [&](std::uint32_t, std::uint32_t) { ++count; });
-  return count;
+  return TriangleTree(mesh).close_pairs(2e-6 * mesh.radius, [](std::uint32_t, std::uint32_t) { return true; }).size();
 }
 
 std::uint64_t near_coincident_listed(const TriangleMesh& mesh) {
@@ -52,8 +50,8 @@ TEST(TriangleTree, FindsAllPairsThatCross) {
   const PolygonSoup other = shapes::transformed(shapes::icosphere(2, 0.9), turned, 1.0, {0.2, 0.1, 0.15});
   const TriangleMesh mesh = mesh_of(shapes::joined(shapes::icosphere(2), other));
   std::set<std::pair<std::uint32_t, std::uint32_t>> visited;
-  TriangleTree(mesh).close_pairs(
-      1e-6, [&](std::uint32_t a, std::uint32_t b) { EXPECT_TRUE(visited.insert(std::minmax(a, b)).second); });
+  for (const auto& [a, b] : TriangleTree(mesh).close_pairs(1e-6, [](std::uint32_t, std::uint32_t) { return true; }))
+    EXPECT_TRUE(visited.insert(std::minmax(a, b)).second);
   // An edge of one that runs through the other.
   const ExactHit exact(mesh);
   int crossing = 0;

@@ -1,5 +1,7 @@
 #include "mesh/model/triangle_tree.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -122,58 +124,71 @@ bool TriangleTree::are_apart(const TurnedBox& a, const TurnedBox& b, double dist
   return false;
 }
 
-// The tree against itself: two nodes apart, of one patch or round one vertex need no closer look.
+// The tree against itself: two nodes apart, of one patch or round one vertex need no closer look. Large nodes in tasks of their
+// own, each with its own pairs.
 class TriangleTree::Join {
  public:
-  Join(const TriangleTree& tree, double distance, const std::function<void(std::uint32_t, std::uint32_t)>& visit)
-      : tree_(tree), distance_(distance), visit_(visit) {}
+  using Accept = std::function<bool(std::uint32_t, std::uint32_t)>;
 
-  void within(std::uint32_t at) const {
+  Join(const TriangleTree& tree, double distance, const Accept& accept) : tree_(tree), distance_(distance), accept_(accept) {}
+
+  void within(std::uint32_t at, Pairs& pairs) const {
     const Node& node = tree_.nodes_[at];
     if (are_settled(node, node)) return;
     if (node.right == 0) {
       for (std::uint32_t i = node.begin; i < node.end; ++i)
-        for (std::uint32_t j = i + 1; j < node.end; ++j) look_at(tree_.members_[i], tree_.members_[j]);
-      return;
+        for (std::uint32_t j = i + 1; j < node.end; ++j) look_at(tree_.members_[i], tree_.members_[j], pairs);
+    } else if (node.end - node.begin < least_task) {
+      within(at + 1, pairs);
+      within(node.right, pairs);
+      between(at + 1, node.right, pairs);
+    } else {
+      Pairs right, across;
+      tbb::parallel_invoke([&] { within(at + 1, pairs); }, [&] { within(node.right, right); },
+                           [&] { between(at + 1, node.right, across); });
+      pairs.insert(pairs.end(), right.begin(), right.end());
+      pairs.insert(pairs.end(), across.begin(), across.end());
     }
-    within(at + 1);
-    within(node.right);
-    between(at + 1, node.right);
   }
 
  private:
+  static constexpr std::uint32_t least_task = 4096;
+
   static bool are_settled(const Node& a, const Node& b) {
     return (a.patch != no_index && a.patch == b.patch) || have_one_in_common(a.common, b.common);
   }
 
-  void between(std::uint32_t at_a, std::uint32_t at_b) const {
+  void between(std::uint32_t at_a, std::uint32_t at_b, Pairs& pairs) const {
     const Node &a = tree_.nodes_[at_a], &b = tree_.nodes_[at_b];
     if (are_settled(a, b) || are_apart(a.box, b.box, distance_)) return;
     if (a.right == 0 && b.right == 0) {
       for (std::uint32_t i = a.begin; i < a.end; ++i)
-        for (std::uint32_t j = b.begin; j < b.end; ++j) look_at(tree_.members_[i], tree_.members_[j]);
+        for (std::uint32_t j = b.begin; j < b.end; ++j) look_at(tree_.members_[i], tree_.members_[j], pairs);
     } else if (b.right == 0 || (a.right != 0 && glm::length(a.box.half) >= glm::length(b.box.half))) {
-      between(at_a + 1, at_b);
-      between(a.right, at_b);
+      between(at_a + 1, at_b, pairs);
+      between(a.right, at_b, pairs);
     } else {
-      between(at_a, at_b + 1);
-      between(at_a, b.right);
+      between(at_a, at_b + 1, pairs);
+      between(at_a, b.right, pairs);
     }
   }
 
-  void look_at(std::uint32_t t, std::uint32_t u) const {
+  void look_at(std::uint32_t t, std::uint32_t u, Pairs& pairs) const {
     const TriangleMesh& mesh = tree_.mesh_;
-    if (mesh.triangle_patch[t] != mesh.triangle_patch[u] && !have_one_in_common(mesh.triangles[t], mesh.triangles[u]))
-      visit_(t, u);
+    if (mesh.triangle_patch[t] != mesh.triangle_patch[u] && !have_one_in_common(mesh.triangles[t], mesh.triangles[u]) &&
+        accept_(t, u))
+      pairs.emplace_back(t, u);
   }
 
   const TriangleTree& tree_;
   double distance_;
-  const std::function<void(std::uint32_t, std::uint32_t)>& visit_;
+  const Accept& accept_;
 };
 
-void TriangleTree::close_pairs(double distance, const std::function<void(std::uint32_t, std::uint32_t)>& visit) const {
-  if (!nodes_.empty()) Join(*this, distance, visit).within(0);
+TriangleTree::Pairs TriangleTree::close_pairs(double distance, const Join::Accept& accept) const {
+  Pairs pairs;
+  if (!nodes_.empty()) Join(*this, distance, accept).within(0, pairs);
+  return pairs;
 }
 
 void TriangleTree::near_line(const dvec3& origin, const dvec3& direction, std::vector<std::uint32_t>& found) const {

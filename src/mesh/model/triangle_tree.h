@@ -18,8 +18,10 @@ class TriangleTree {
   /// Keeps a reference to the mesh.
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// Calls `visit` with each two triangles of different patches, without a common corner, that may be as near as `distance`.
-  void close_pairs(double distance, const std::function<void(std::uint32_t, std::uint32_t)>& visit) const;
+  /// Each two triangles of different patches, without a common corner, that may be as near as `distance` and that `accept` takes.
+  /// In an order fixed by the tree; `accept` must be thread-safe.
+  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  Pairs close_pairs(double distance, const std::function<bool(std::uint32_t, std::uint32_t)>& accept) const;
 
   /// Fills `found` with all triangles that the line meets, in an order fixed by the tree, and some that it passes by.
   void near_line(const dvec3& origin, const dvec3& direction, std::vector<std::uint32_t>& found) const;

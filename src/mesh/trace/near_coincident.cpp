@@ -119,9 +119,8 @@ class PairFinder {
  public:
   PairFinder(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance, double narrow)
       : mesh_(mesh), distance_(distance), corner_(narrow) {
-    tree.close_pairs(distance, [&](std::uint32_t a, std::uint32_t b) {
-      if (!are_apart(corners(a), corners(b), distance_)) add(a, b);
-    });
+    const auto are_close = [&](std::uint32_t a, std::uint32_t b) { return !are_apart(corners(a), corners(b), distance_); };
+    for (const auto& [a, b] : tree.close_pairs(distance, are_close)) add(a, b);
     for (std::uint32_t vertex = 0; vertex < at_vertex.size(); ++vertex) look_round(vertex, at_vertex[vertex]);
     const EdgeTable edges(mesh.triangles, mesh.vertices.size());
     for (std::size_t e = 0; e < edges.size(); ++e) look_along(edges[e]);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <unordered_map>
+#include <utility>
 
 #include "mesh/model/edge_table.h"
 #include "mesh/model/geometry.h"
@@ -43,7 +43,12 @@ struct BorderCorner {
 
 class Proxy {
  public:
-  Proxy(const TriangleMesh& mesh, double margin) : mesh_(mesh), margin_(margin), edges_(mesh.triangles, mesh.vertices.size()) {
+  Proxy(const TriangleMesh& mesh, double margin)
+      : mesh_(mesh),
+        margin_(margin),
+        edges_(mesh.triangles, mesh.vertices.size()),
+        place_(number_places()),
+        border_corners_(places_) {
     for (std::size_t e = 0; e < edges_.size(); ++e)
       for (const EdgeTable::Side& side : edges_[e].sides)
         if (!is_inside_patch(edges_[e])) add_border(side);
@@ -63,7 +68,7 @@ class Proxy {
   void add_border(const EdgeTable::Side& side) {
     const dvec3 outwards = away_from(side);
     for (const std::uint32_t corner : {side.corner, (side.corner + 1) % 3})
-      border_corners_[patch_vertex(side.triangle, mesh_.triangles[side.triangle][corner])].add(outwards);
+      border_corners_[place_[3 * std::size_t{side.triangle} + corner]].add(outwards);
   }
 
   // Away from the triangle in the plane of its patch: a thin one does not know its own, and would take a corner out of it.
@@ -74,34 +79,29 @@ class Proxy {
     return glm::normalize(glm::cross(along, turned ? -normal(side.triangle) : normal(side.triangle)));
   }
 
+  // A widened triangle has its places for corners, in the order in which they come.
   void add_widened(std::uint32_t triangle) {
     std::array<std::uint32_t, 3> corners;
     double moved = 0.0;
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t vertex = mesh_.triangles[triangle][k];
-      corners[k] = widened_vertex(triangle, vertex);
-      moved = std::max(moved, glm::distance(all_.vertices[corners[k]], mesh_.vertices[vertex]));
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const dvec3& vertex = mesh_.vertices[mesh_.triangles[triangle][k]];
+      corners[k] = place_[3 * std::size_t{triangle} + k];
+      const dvec3 move = border_corners_[corners[k]].move().value_or(dvec3(0.0));
+      if (corners[k] == all_.vertices.size()) all_.vertices.push_back(vertex + margin_ * move);
+      moved = std::max(moved, glm::distance(all_.vertices[corners[k]], vertex));
     }
     all_.triangles.push_back(corners);
     all_.source.push_back(triangle);
     all_.moved.push_back(moved);
   }
 
-  std::uint32_t widened_vertex(std::uint32_t triangle, std::uint32_t vertex) {
-    const std::uint64_t key = patch_vertex(triangle, vertex);
-    const auto [entry, is_new] = widened_.try_emplace(key, static_cast<std::uint32_t>(all_.vertices.size()));
-    if (!is_new) return entry->second;
-    const auto corner = border_corners_.find(key);
-    const dvec3 move = corner == border_corners_.end() ? dvec3(0.0) : corner->second.move().value_or(dvec3(0.0));
-    all_.vertices.push_back(mesh_.vertices[vertex] + margin_ * move);
-    return entry->second;
-  }
-
   void add_strips(const EdgeTable::Edge& edge) {
     if (is_inside_patch(edge)) return;
     for (const EdgeTable::Side& side : edge.sides) {
-      const auto stays = [&](std::uint32_t vertex) { return !border_corners_.at(patch_vertex(side.triangle, vertex)).move(); };
-      if (stays(edge.low) || stays(edge.high)) add_strip(edge, side.triangle, away_from(side));
+      const auto stays = [&](std::uint32_t corner) {
+        return !border_corners_[place_[3 * std::size_t{side.triangle} + corner % 3]].move();
+      };
+      if (stays(side.corner) || stays(side.corner + 1)) add_strip(edge, side.triangle, away_from(side));
     }
     if (is_almost_flat(edge)) add_strip(edge, edge.sides[0].triangle, normal(edge.sides[0].triangle));
   }
@@ -152,9 +152,20 @@ class Proxy {
     all_.source.insert(all_.source.end(), 2, source);
   }
 
-  // A vertex as a corner of the triangle's patch.
-  std::uint64_t patch_vertex(std::uint32_t triangle, std::uint32_t vertex) const {
-    return std::uint64_t{patch(triangle)} << 32 | vertex;
+  // A number for each vertex as a corner of a patch, for all corners of triangles, in the order in which they come.
+  std::vector<std::uint32_t> number_places() {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> corners;  // patch and vertex, corner
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (std::uint32_t k = 0; k < 3; ++k)
+        corners.emplace_back(std::uint64_t{patch(t)} << 32 | mesh_.triangles[t][k], 3 * t + k);
+    std::ranges::sort(corners);
+    std::vector<std::uint32_t> first(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      first[corners[i].second] =
+          i > 0 && corners[i].first == corners[i - 1].first ? first[corners[i - 1].second] : corners[i].second;
+    for (std::uint32_t corner = 0; corner < first.size(); ++corner)
+      first[corner] = first[corner] == corner ? places_++ : first[first[corner]];
+    return first;
   }
 
   std::uint32_t patch(std::uint32_t triangle) const { return mesh_.triangle_patch[triangle]; }
@@ -163,8 +174,9 @@ class Proxy {
   const TriangleMesh& mesh_;
   double margin_;
   EdgeTable edges_;
-  std::unordered_map<std::uint64_t, BorderCorner> border_corners_;  // by patch_vertex
-  std::unordered_map<std::uint64_t, std::uint32_t> widened_;        // vertices, by patch_vertex
+  std::uint32_t places_ = 0;
+  std::vector<std::uint32_t> place_;          // of each corner of each triangle
+  std::vector<BorderCorner> border_corners_;  // by place
   ProxyTriangles all_;
 };
 

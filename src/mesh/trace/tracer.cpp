@@ -2,10 +2,12 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -70,12 +72,15 @@ struct Tracer::Scene {
   ExactHit exact;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  double scale = 1.0;
+  double scale;
   int width;                          // rays that Embree is given at a time
   std::vector<std::uint32_t> source;  // of each of Embree's triangles, that of the mesh
   std::vector<float> safe_sides;  // of each triangle of the mesh: smallest_side() of hits that single precision cannot mistake
 
  private:
+  struct Parts;
+  static Parts build_parts(const TriangleMesh& triangles, double scale);
+  Scene(const TriangleMesh& triangles, int rays_at_a_time, double scale, Parts parts);
   void add_geometry(const ProxyTriangles& proxies);
   float safe_side(const ProxyTriangles& proxies, std::uint32_t triangle) const;
 };
@@ -205,6 +210,9 @@ void intersect(RTCScene scene, RTCIntersectContext& context, int width, Packet& 
     rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
 }
 
+// To about unit size.
+double scale_of(const TriangleMesh& mesh) { return mesh.radius > 0.0 ? std::exp2(-std::ceil(std::log2(mesh.radius))) : 1.0; }
+
 QueryContext make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredPatches& ignored) {
   QueryContext context;
   rtcInitIntersectContext(&context);
@@ -217,16 +225,31 @@ QueryContext make_context(const Tracer::Scene& scene, const Ray* rays, const Ign
 
 }  // namespace
 
+// The two halves of what a mesh needs, built side by side.
+struct Tracer::Scene::Parts {
+  std::optional<ExactHit> exact{};
+  ProxyTriangles proxies{};
+};
+
+Tracer::Scene::Parts Tracer::Scene::build_parts(const TriangleMesh& triangles, double scale) {
+  Parts parts;
+  tbb::parallel_invoke([&] { parts.exact.emplace(triangles); },
+                       [&] { parts.proxies = proxy_triangles(triangles, proxy_margin / scale); });
+  return parts;
+}
+
 Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time)
-    : mesh(triangles), exact(triangles), width(rays_at_a_time) {
+    : Scene(triangles, rays_at_a_time, scale_of(triangles), build_parts(triangles, scale_of(triangles))) {}
+
+Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time, double to_embree, Parts parts)
+    : mesh(triangles), exact(std::move(*parts.exact)), scale(to_embree), width(rays_at_a_time) {
   // As many user threads as there are threads leave none to Embree, and one builds: the order of equal leaves then never depends
   // on the machine's load.
   device = rtcNewDevice(fmt::format("isa={},user_threads=1000000", name_of(allowed_instruction_set())).c_str());
   if (!device) fail(rtcGetDeviceError(nullptr));
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
-  if (mesh.radius > 0.0) scale = std::exp2(-std::ceil(std::log2(mesh.radius)));
-  ProxyTriangles proxies = proxy_triangles(mesh, proxy_margin / scale);
+  ProxyTriangles& proxies = parts.proxies;
   add_geometry(proxies);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) safe_sides.push_back(safe_side(proxies, t));
   source = std::move(proxies.source);
