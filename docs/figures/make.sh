@@ -286,7 +286,7 @@ unset border; unset tics; unset xlabel; unset ylabel; unset grid
 set autoscale
 set lmargin 2; set rmargin 2
 set size ratio -1
-set key below horizontal Left reverse samplen 2 width -4
+set key below horizontal Left reverse samplen 2 width 2
 set multiplot layout 1,2 title body eq 'almond' ? 'Rays over the almond: radar at the tip (φ = 0) and at the side (φ = 90°)' : 'Rays over the wing: radar at the nose (φ = 0) and at φ = −45°'
 do for [look in views(body)] {
 at = work.body.'_'.look
