@@ -1,5 +1,7 @@
 #include "mesh/model/face_tree.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -141,9 +143,7 @@ struct FaceTree::Query {
   unsigned touched(const Node& n) const {
     auto inside = slabs[0].touched(n);
     for (int i = 1; i < count; ++i) inside &= slabs[i].touched(n);
-    unsigned bits = 0;
-    for (int l = 0; l < lanes; ++l) bits |= (inside[l] ? 1u : 0u) << l;
-    return bits;
+    return static_cast<unsigned>(_mm256_movemask_ps(std::bit_cast<__m256>(inside)));
   }
 
   std::array<Slab, 4> slabs;

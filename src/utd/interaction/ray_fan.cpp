@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "core/work.h"
 
@@ -31,7 +33,9 @@ void RayFanTracer::trace(const RayFan& fan, const IgnoredPatches& ignored_patche
   const double least = same_position * tree_.mesh().radius;
   for (std::size_t i = 1; i < cuts_.size(); ++i) {
     if (cuts_[i] - cuts_[i - 1] <= least) continue;
-    const FanHit* first = first_at((cuts_[i - 1] + cuts_[i]) / 2);
+    const double middle = (cuts_[i - 1] + cuts_[i]) / 2;
+    go_on_to(middle);
+    const FanHit* first = first_at(middle);
     if (!first) continue;
     if (!hits.empty() && hits.back().face == first->face && cuts_[i - 1] - hits.back().to <= least)
       hits.back().to = cuts_[i];
@@ -101,16 +105,25 @@ void RayFanTracer::cut() {
     if (start > face.from && start < face.to) cuts_.push_back(start);
   }
   std::ranges::sort(cuts_);
+  covering_.clear();
+  coming_.clear();
+  for (const FanHit& face : crossed_) coming_.push_back(&face);
+  std::ranges::sort(coming_, std::ranges::greater(), [](const FanHit* face) { return std::pair(face->from, face); });
+}
+
+void RayFanTracer::go_on_to(double position) {
+  for (; !coming_.empty() && coming_.back()->from <= position; coming_.pop_back()) covering_.push_back(coming_.back());
+  std::erase_if(covering_, [&](const FanHit* face) { return face->to < position; });
 }
 
 const FanHit* RayFanTracer::first_at(double position) const {
   const FanHit* first = nullptr;
   double nearest = std::numeric_limits<double>::infinity();
   const double start = same_position * tree_.mesh().radius;
-  for (const FanHit& face : crossed_) {
-    const double distance = face.length + face.growth * position;
-    if (face.from > position || face.to < position || distance <= start || distance >= nearest) continue;
-    first = &face;
+  for (const FanHit* face : covering_) {
+    const double distance = face->length + face->growth * position;
+    if (distance <= start || distance > nearest || (distance == nearest && face > first)) continue;
+    first = face;
     nearest = distance;
   }
   return first;

@@ -40,12 +40,14 @@ class RayFanTracer {
   void gather(const RayFan& fan, const IgnoredPatches& ignored_patches);
   void intersect(const RayFan& fan, std::uint32_t face);
   void cut();
+  void go_on_to(double position);
   const FanHit* first_at(double position) const;
 
   const FaceTree& tree_;
   std::vector<std::uint32_t> near_;
   std::vector<FanHit> crossed_;  // each face by itself
   std::vector<double> cuts_;
+  std::vector<const FanHit*> coming_, covering_;  // faces by where they begin, and those that the position is in
   double work_ = 0.0;
 };
 
