@@ -192,7 +192,7 @@ bool ExactHit::stays_off(const Ray& ray, std::uint32_t patch) const {
 
 void ExactHit::keep_nearer_of_patch(const Ray& ray, std::uint32_t grazed, const IgnoredPatches& ignored_patches,
                                     Hit& nearest) const {
-  if (is_ignored(ray, grazed, ignored_patches) || stays_off(ray, grazed)) return;
+  if (is_ignored(ray, grazed, ignored_patches) || !plane_ahead(ray, grazed) || stays_off(ray, grazed)) return;
   if (is_long(of_patch_[grazed]))
     keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t other) { return patch(other) == grazed; });
   else

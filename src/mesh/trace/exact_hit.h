@@ -35,8 +35,9 @@ class ExactHit {
   double depth(const Ray& ray, std::uint32_t triangle) const;
 
   /// True if the plane of the triangle's patch lies ahead of the ray's start by more than the rounding of the two.
-  bool ahead(const Ray& ray, std::uint32_t triangle) const {
-    const Patch& plane = mesh_.patches[patch(triangle)];
+  bool ahead(const Ray& ray, std::uint32_t triangle) const { return plane_ahead(ray, patch(triangle)); }
+  bool plane_ahead(const Ray& ray, std::uint32_t patch) const {
+    const Patch& plane = mesh_.patches[patch];
     const double height = plane.offset - glm::dot(plane.normal, ray.origin);
     return std::abs(height) > rounding_ && height * glm::dot(plane.normal, ray.direction) > 0.0;
   }
