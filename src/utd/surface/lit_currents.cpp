@@ -4,18 +4,18 @@
 #include <cmath>
 
 #include "core/work.h"
+#include "math/triangle_moments.h"
 #include "utd/surface/lit_frame.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double longest_phase = 3.0;  // [rad] over a triangle of three points
-constexpr double point_phase = 0.6;    // over one of a single point
-constexpr double longest_turn = 0.5;   // of xi
-constexpr double far_xi = 7.0;         // of a facet's middle, where nothing of it is nearer than least_lit
-constexpr double rounding = 1e-9;      // of n . d, and of a part that would make another one
-constexpr double six = 1.0 / 6.0;      // barycentric, of the three points exact for polynomials of degree 2
+constexpr double point_phase = 0.6, longest_phase = 3.0;  // [rad] over a triangle of a single point, and of three
+constexpr double longest_turn = 0.5;                      // of xi over a triangle
+constexpr double most_parts = 16.0;                       // of a facet's side
+constexpr double far_xi = 7.0;                            // of a facet's middle, where nothing of it is nearer than least_lit
+constexpr double rounding = 1e-9;                         // of n . d, and of a part that would make another one
 
 using Corners = std::array<dvec2, 3>;
 
@@ -48,6 +48,11 @@ class LitParts {
 
 dvec2 middle(const Corners& c) { return (c[0] + c[1] + c[2]) / 3.0; }
 
+double area(const Corners& c) {
+  const dvec2 u = c[1] - c[0], v = c[2] - c[0];
+  return 0.5 * std::abs(u.x * v.y - u.y * v.x);
+}
+
 class LitSide {
  public:
   LitSide(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers,
@@ -79,64 +84,87 @@ class LitSide {
     BentFacet surface;
   };
 
+  struct Point {
+    LitFrame frame;
+    double path;
+  };
+
   LitFrame frame_at(const Facet& facet, const dvec2& l) const {
     return {target_.frame(facet.triangle, l, facet.side), look_.incident};
   }
 
-  // The phase over the longest side of a triangle [rad].
-  double phase_over(const std::array<dvec3, 3>& corners) const {
-    double most = 0.0;
-    for (int c = 0; c < 3; ++c)
-      most = std::max(most, std::abs(glm::dot(look_.scattered - look_.incident, corners[(c + 1) % 3] - corners[c])));
-    return highest_ * most;
-  }
-
   // By how much xi changes over it, about.
-  double turn_over(const Facet& facet, const LitFrame& frame, const std::array<dvec3, 3>& corners) const {
+  double turn_over(const Facet& facet, const LitFrame& frame, const Corners& corners) const {
     const glm::dmat3 turn = target_.curvatures.at(facet.triangle, dvec2(1.0 / 3)).normal_turn;
     double most = 0.0;
-    for (int c = 0; c < 3; ++c)
-      most = std::max(most, std::abs(glm::dot(look_.incident, turn * (corners[(c + 1) % 3] - corners[c]))));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const dvec3 way = facet.surface.point(corners[(c + 1) % 3]) - facet.surface.point(corners[c]);
+      most = std::max(most, std::abs(glm::dot(look_.incident, turn * way)));
+    }
     const double grazing = std::max(-glm::dot(frame.normal, look_.incident), rounding);
     return most * std::min(-frame.distance(highest_), least_lit) / grazing;
   }
 
   void add_part(const Facet& facet, const LitFrame& frame, const Corners& corners) {
-    std::array<dvec3, 3> points;
-    for (std::size_t c = 0; c < 3; ++c) points[c] = facet.surface.point(corners[c]);
-    const double phase = phase_over(points);
-    const double cuts = std::max(phase / longest_phase, turn_over(facet, frame, points) / longest_turn);
+    const double cuts = std::min(turn_over(facet, frame, corners) / longest_turn, most_parts);
     const int parts = std::max(1, static_cast<int>(std::ceil(cuts - rounding)));
     const dvec2 u = (corners[1] - corners[0]) / double(parts), v = (corners[2] - corners[0]) / double(parts);
     for (int i = 0; i < parts; ++i)
       for (int j = 0; i + j < parts; ++j) {
-        const dvec2 from = corners[0] + double(i) * u + double(j) * v;
-        add_triangle(facet, from, u, v, phase < point_phase);
-        if (i + j + 1 < parts) add_triangle(facet, from + u + v, -u, -v, phase < point_phase);
+        const dvec2 from = corners[0] + double(i) * u + double(j) * v, to = from + u + v;
+        add_triangle(facet, {from, from + u, from + v});
+        if (i + j + 1 < parts) add_triangle(facet, {to, to - u, to - v});
       }
   }
 
-  void add_triangle(const Facet& facet, const dvec2& from, const dvec2& u, const dvec2& v, bool single) {
-    const double area = 0.5 * std::abs(u.x * v.y - u.y * v.x);
-    if (single) return add_point(facet, from + (u + v) / 3.0, area);
-    add_point(facet, from + six * (u + v), area / 3);
-    add_point(facet, from + 4 * six * u + six * v, area / 3);
-    add_point(facet, from + six * u + 4 * six * v, area / 3);
+  // One point, or three that have two thirds of one corner and a sixth of each other one: at a corner that the wave grazes the
+  // amplitude has no value.
+  void add_triangle(const Facet& facet, const Corners& corners) {
+    const dvec2 centre = middle(corners);
+    std::array<double, 3> at_corners;
+    for (std::size_t c = 0; c < 3; ++c) at_corners[c] = path(facet.surface.point(corners[c]));
+    const double phase = highest_ * (std::ranges::max(at_corners) - std::ranges::min(at_corners));
+    points_.clear();
+    if (phase < point_phase)
+      add_point(facet, centre);
+    else
+      for (const dvec2& corner : corners) add_point(facet, 0.5 * (centre + corner));
+    const double size = area(corners) * glm::length(glm::cross(facet.surface.along_1(centre), facet.surface.along_2(centre)));
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+      ScatteringMatrix s = phase < longest_phase ? mean_of_points(wavenumbers_[f]) : mean_over(at_corners, wavenumbers_[f]);
+      put(f, facet.surface.point(centre), s *= Complex(0, -wavenumbers_[f] / (4 * pi)) * size);
+    }
+    work_ +=
+        work::lit_point * static_cast<double>(points_.size()) + work::lit_frequency * static_cast<double>(wavenumbers_.size());
   }
 
-  void add_point(const Facet& facet, const dvec2& l, double weight) {
-    const LitFrame frame = frame_at(facet, l);
-    const dvec3 position = facet.surface.point(l);
-    const double area = weight * glm::length(glm::cross(facet.surface.along_1(l), facet.surface.along_2(l)));
-    const double path = glm::dot(look_.scattered - look_.incident, position);
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const double k = wavenumbers_[f];
-      ScatteringMatrix s = radiated(frame, lit_share(frame, k));
-      s *= Complex(0, -k / (4 * pi)) * std::polar(area, k * path);
-      sum_[f] += s;
-      if (places_ != nullptr && places_->wavenumber == f) places_->pieces.push_back({position, position, s});
-    }
-    work_ += work::lit_point + work::lit_frequency * static_cast<double>(wavenumbers_.size());
+  void add_point(const Facet& facet, const dvec2& l) { points_.push_back({frame_at(facet, l), path(facet.surface.point(l))}); }
+
+  ScatteringMatrix mean_of_points(double k) const {
+    ScatteringMatrix sum;
+    for (const Point& point : points_)
+      sum += radiated(point.frame, lit_share(point.frame, k)) *=
+          std::polar(1.0 / static_cast<double>(points_.size()), k * point.path);
+    return sum;
+  }
+
+  // Amplitude and path linear, in closed form.
+  ScatteringMatrix mean_over(const std::array<double, 3>& paths, double k) const {
+    std::array<ScatteringMatrix, 3> values;
+    ScatteringMatrix third, mean;
+    for (std::size_t c = 0; c < 3; ++c) third += values[c] = radiated(points_[c].frame, lit_share(points_[c].frame, k));
+    third *= -1.0 / 3.0;
+    const auto [m11, m22, m33, m12, m23, m31] = triangle_moments({k * paths[0], k * paths[1], k * paths[2]});
+    const std::array<Complex, 3> weights{m11 + m12 + m31, m22 + m12 + m23, m33 + m31 + m23};
+    for (std::size_t c = 0; c < 3; ++c) mean += ((values[c] *= 2.0) += third) *= weights[c];
+    return mean;
+  }
+
+  double path(const dvec3& position) const { return glm::dot(look_.scattered - look_.incident, position); }
+
+  void put(std::size_t frequency, const dvec3& position, const ScatteringMatrix& s) {
+    sum_[frequency] += s;
+    if (places_ != nullptr && places_->wavenumber == frequency) places_->pieces.push_back({position, position, s});
   }
 
   // 2 n x H, each part of it times its share.
@@ -157,6 +185,7 @@ class LitSide {
   std::span<ScatteringMatrix> sum_;
   StripPlaces* places_;
   double lowest_, highest_, work_ = 0.0;
+  std::vector<Point> points_;  // of the triangle at hand
 };
 
 }  // namespace
