@@ -94,7 +94,7 @@ RowEvidence ModelUncertainty::evidence(const LookResult& result, std::size_t fre
   if (!result.edges.higher.empty()) row.higher = result.edges.higher[frequency];
   if (!result.interaction.scattering.empty()) row.interaction = result.interaction.scattering[frequency];
   const bool none_afforded = result.interaction.skipped.pairs > 0 && frobenius_norm(row.interaction) == 0.0;
-  row.has_surface_waves = !result.surface.scattering.empty();
+  row.has_surface_waves = !result.surface.scattering.empty() && plan_.sweep.materials.empty();  // they run on conductors
   row.has_interaction = !result.interaction.scattering.empty() && !none_afforded;
   if (!result.interaction.left_out.empty()) row.left_out = result.interaction.left_out[frequency];
   row.edge_order = plan_.mechanisms.fringe ? plan_.edges.order : 0;

@@ -58,7 +58,7 @@ void write_lines(OutputFile& out, std::span<const SurfaceRay> rays) {
   out.write("<Lines>\n");
   {
     DataArray points(out, "Int64", "connectivity");
-    for (std::size_t i = 0; i < points_of(rays); ++i) points.line(fmt::format("{}", i));
+    for (std::size_t i = 0, count = points_of(rays); i < count; ++i) points.line(fmt::format("{}", i));
   }
   {
     DataArray ends(out, "Int64", "offsets");

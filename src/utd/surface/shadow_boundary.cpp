@@ -8,7 +8,8 @@ namespace raytube {
 
 namespace {
 
-constexpr double tie = 1e-9;  // of the target's radius
+constexpr std::size_t most_images = 16;  // of a line that is its own: what has more is a circle, wherever its pieces begin
+constexpr double tie = 1e-9;             // of the target's radius
 
 // The boundary over one facet.
 struct Crossing {
@@ -161,7 +162,8 @@ class ShadowBoundary {
     const double all = sums.back();
     if (all <= 0.0) return;
     const bool closed = after(line.back()).crossing == line.front().crossing;
-    const std::vector<double> ends = closed ? foremost(line, sums) : std::vector<double>{0.0};
+    std::vector<double> ends = closed ? foremost(line, sums) : std::vector<double>{0.0};
+    if (ends.size() > most_images) ends.erase(ends.begin() + 1, ends.end());
     // As many as make each image of a line that is its own image fall on its pieces, if it can.
     const double many = static_cast<double>(closed ? std::max<std::size_t>(2, ends.size()) : 1);
     const double parts = std::max(many, many * std::ceil(all / many - 1e-9)), part = all / parts;

@@ -2,10 +2,12 @@
 //
 // Physical optics stops sharply where a smooth surface turns dark. The current does not: it falls off over a width 1 / (m kappa),
 // m = (k / 2 kappa)^(1/3), and runs on into the dark along geodesics, as Fock found (1946). What it has beside physical optics is
-// integrated along strips across the shadow boundary, both ways. docs/theory/surface_waves.md.
+// integrated over lit facets near the boundary, and along strips from it into the dark. docs/theory/surface_waves.md.
 //   fock              the current as a function of the distance from the boundary
+//   lit_frame         the current at a lit point, lit_currents its integral over facets
+//   shadow_boundary   the boundary of a look, in pieces
 //   surface_ray       geodesics over facets
-//   surface_waves     the boundary of a look, its strips, their sum
+//   surface_waves     strips from the boundary, their sum
 #pragma once
 
 #include <span>
