@@ -168,19 +168,9 @@ void print_wedges(const std::vector<Wedge>& wedges) {
   if (classes.size() > most_lines) fmt::print("  and {} more angles\n", classes.size() - most_lines);
 }
 
-// Facets of curved surfaces that conduct; waves run over no others.
-std::size_t conducting_facets(const SolvePlan& plan) {
-  const TriangleMesh& mesh = plan.target.mesh;
-  std::size_t count = 0;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    if (plan.wave_surfaces->region(t) != no_index && mesh.patches[mesh.triangle_patch[t]].material == no_index) ++count;
-  return count;
-}
-
 std::string surface_waves_text(const SolvePlan& plan) {
   if (plan.surface_waves != SurfaceWaveState::computed) return fmt::format("none: {}", why_not(plan.surface_waves));
-  const std::size_t facets = conducting_facets(plan), others = plan.wave_surfaces->facets() - facets;
-  if (facets == 0) return "none: no curved surface is a perfect conductor";
+  const std::size_t facets = plan.wave_surfaces->conducting_facets(), others = plan.wave_surfaces->facets() - facets;
   return fmt::format("computed: over {} facets{}", facets,
                      others == 0 ? "" : fmt::format(", not over {} more that are no perfect conductors", others));
 }

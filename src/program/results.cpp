@@ -126,7 +126,7 @@ fs::path folder_of_named_file(const char* option, const fs::path& file, std::str
   std::string first;
   if (std::ifstream in(file); in && std::getline(in, first) && first + '\n' != head)
     throw InputError(
-        fmt::format("{} {}: holds something else than an earlier list; name another file, or delete it", option, file.string()));
+        fmt::format("{} {}: holds something else than an earlier result; name another file, or delete it", option, file.string()));
   return folder;
 }
 

@@ -79,6 +79,8 @@ void plan_surface_waves(SolvePlan& plan) {
   if (bent->any()) plan.wave_surfaces = bent;
   if (!plan.wave_surfaces)
     plan.surface_waves = SurfaceWaveState::no_curved_surface;
+  else if (bent->conducting_facets() == 0)
+    plan.surface_waves = SurfaceWaveState::no_conductor;
   else if (!all_far(plan.sweep))
     plan.surface_waves = SurfaceWaveState::near_antennas;
   else if (bent->boundary_length() > longest_surface_edges * wavelength)
@@ -193,6 +195,8 @@ const char* why_not(SurfaceWaveState state) {
       return "facets are what is meant by tubes.curved \"never\" and by tubes that are not clipped";
     case SurfaceWaveState::no_curved_surface:
       return "no curved surface";
+    case SurfaceWaveState::no_conductor:
+      return "no curved surface is a perfect conductor";
     case SurfaceWaveState::near_antennas:
       return "antennas at a finite distance";
     case SurfaceWaveState::long_edges:

@@ -14,7 +14,16 @@
 namespace raytube {
 
 /// Whether waves run over curved surfaces, or why they do not.
-enum class SurfaceWaveState { computed, not_asked, no_edge_currents, facets_meant, no_curved_surface, near_antennas, long_edges };
+enum class SurfaceWaveState {
+  computed,
+  not_asked,
+  no_edge_currents,
+  facets_meant,
+  no_curved_surface,
+  no_conductor,
+  near_antennas,
+  long_edges
+};
 
 /// What of a surface's edges they may run from [wavelength]: more strips start there than all the rest of a look would cost.
 inline constexpr double longest_surface_edges = 200.0;

@@ -57,6 +57,13 @@ TEST(LitFrame, HollowSurfacesAreAsFlat) {
   EXPECT_EQ(lit_share(LitFrame(bent(-1.0, -2.0), glm::normalize(dvec3(-0.2, 1, 0))), 10.0).soft, 0.0);
 }
 
+TEST(LitFrame, NothingWhereTheSurfaceIsHollowAlongTheWave) {
+  // A saddle, grazed along its hollow direction: what it is convex by across the wave makes no shadow boundary there.
+  const LitFrame frame(bent(-1.0, 2.0), glm::normalize(dvec3(-1e-3, 1, 0)));
+  EXPECT_EQ(lit_share(frame, 10.0).hard, 0.0);
+  EXPECT_EQ(lit_share(frame, 10.0).soft, 0.0);
+}
+
 // Of a hard wave that meets a circular cylinder of radius 1 (Bowman, Senior & Uslenghi 1969, eq. 2.2.1.3): the current at
 // `angle` from the shadow boundary, in the dark.
 Complex current_of_a_cylinder(double k, double angle) {

@@ -150,6 +150,19 @@ TEST(SurfaceWaves, AreTheSameWithRaysKept) {
   EXPECT_EQ(rays.size(), with.strips);
 }
 
+TEST(SurfaceWaves, CostGrowsWithTheLengthOfACylinder) {
+  // Ten times as long, of as many facets: ten times as many strips, and no more points on the lit side. Facets in pieces of a
+  // wavelength would make it a hundred times.
+  const auto work = [](double length) {
+    const LoadedMesh loaded = build_mesh(shapes::cylinder(1.0, length, 72), 1.0);
+    const Target target(loaded.mesh);
+    const SmoothSurfaces smooth(loaded.mesh, 15 * degree, 0.1);
+    const double frequencies[] = {20 / (2 * pi) * speed_of_light};
+    return surface_wave_scattering({target.tracer, smooth, true}, look_vectors({{1.0, 0.4}, {1.0, 0.4}}), frequencies).work;
+  };
+  EXPECT_LE(work(100.0), 12.0 * work(10.0));
+}
+
 TEST(SurfaceWaves, NoneOnFlatFaces) {
   Sweep sweep = monostatic({{1.0, 0.4}}, speed_of_light);
   SolveOptions options;

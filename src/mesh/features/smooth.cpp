@@ -194,6 +194,12 @@ SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, doub
   }
 }
 
+std::size_t SmoothSurfaces::conducting_facets() const {
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < region_.size(); ++t) count += conducts(t);
+  return count;
+}
+
 double SmoothSurfaces::boundary_length() const {
   double sum = 0.0;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)

@@ -67,6 +67,12 @@ class SmoothSurfaces {
   /// The surface a triangle is part of; no_index: it is flat.
   std::uint32_t region(std::uint32_t triangle) const { return region_[triangle]; }
 
+  /// Whether a triangle is part of a surface that is a perfect conductor; and how many are.
+  bool conducts(std::uint32_t triangle) const {
+    return region_[triangle] != no_index && mesh_.patches[mesh_.triangle_patch[triangle]].material == no_index;
+  }
+  std::size_t conducting_facets() const;
+
   /// Whether the side from `corner` of a triangle to the next one bounds its surface.
   bool on_boundary(std::uint32_t triangle, int corner) const { return boundary_[3 * std::size_t{triangle} + corner]; }
 

@@ -18,15 +18,6 @@ struct CurvedTarget {
         curvatures(tracer.mesh(), surfaces),
         convex(is_convex) {}
 
-  /// Whether waves run over a triangle: it is part of a curved, perfectly conducting surface.
-  bool runs_on(std::uint32_t triangle) const {
-    const TriangleMesh& mesh = tracer.mesh();
-    return surfaces.region(triangle) != no_index && mesh.patches[mesh.triangle_patch[triangle]].material == no_index;
-  }
-  bool closed(std::uint32_t triangle) const {
-    return tracer.mesh().components[tracer.mesh().triangle_component[triangle]].closed;
-  }
-
   /// At barycentric coordinates of a triangle, seen from one of its sides: 1 its front, -1 its back.
   SurfaceFrame frame(std::uint32_t triangle, const dvec2& l, double side) const {
     SurfaceFrame frame = curvatures.at(triangle, l);

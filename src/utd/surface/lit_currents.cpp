@@ -65,10 +65,9 @@ class LitSide {
   double work() const { return work_; }
 
   void add(std::uint32_t triangle, double side) {
-    std::array<double, 3> facing;
-    for (int c = 0; c < 3; ++c) facing[c] = side * target_.facing(triangle, c, look_.incident);
-    const LitParts parts(facing);
-    const Facet facet{triangle, side, target_.surfaces.facet(triangle)};
+    Facet facet{triangle, side, {}, target_.surfaces.facet(triangle)};
+    for (int c = 0; c < 3; ++c) facet.facing[c] = side * target_.facing(triangle, c, look_.incident);
+    const LitParts parts(facet.facing);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const dvec2 l = middle(parts[i]);
       const LitFrame frame = frame_at(facet, l);
@@ -81,6 +80,7 @@ class LitSide {
   struct Facet {
     std::uint32_t triangle;
     double side;
+    std::array<double, 3> facing;  // n . d at its corners
     BentFacet surface;
   };
 
@@ -95,14 +95,12 @@ class LitSide {
 
   // By how much xi changes over it, about.
   double turn_over(const Facet& facet, const LitFrame& frame, const Corners& corners) const {
-    const glm::dmat3 turn = target_.curvatures.at(facet.triangle, dvec2(1.0 / 3)).normal_turn;
-    double most = 0.0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const dvec3 way = facet.surface.point(corners[(c + 1) % 3]) - facet.surface.point(corners[c]);
-      most = std::max(most, std::abs(glm::dot(look_.incident, turn * way)));
-    }
+    const auto facing = [&](const dvec2& l) {
+      return (1.0 - l.x - l.y) * facet.facing[0] + l.x * facet.facing[1] + l.y * facet.facing[2];
+    };
+    const auto [low, high] = std::minmax({facing(corners[0]), facing(corners[1]), facing(corners[2])});
     const double grazing = std::max(-glm::dot(frame.normal, look_.incident), rounding);
-    return most * std::min(-frame.distance(highest_), least_lit) / grazing;
+    return (high - low) * std::min(-frame.distance(highest_), least_lit) / grazing;
   }
 
   void add_part(const Facet& facet, const LitFrame& frame, const Corners& corners) {
@@ -194,9 +192,9 @@ double add_lit_currents(const CurvedTarget& target, const LookVectors& look, std
                         std::span<ScatteringMatrix> sum, StripPlaces* places) {
   LitSide lit(target, look, wavenumbers, sum, places);
   for (std::uint32_t t = 0; t < target.tracer.mesh().triangles.size(); ++t) {
-    if (!target.runs_on(t)) continue;
+    if (!target.surfaces.conducts(t)) continue;
     lit.add(t, 1.0);
-    if (!target.closed(t)) lit.add(t, -1.0);
+    if (!target.tracer.mesh().closed(t)) lit.add(t, -1.0);
   }
   return lit.work();
 }

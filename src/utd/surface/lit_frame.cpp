@@ -31,7 +31,8 @@ LitFrame::LitFrame(const SurfaceFrame& frame, const dvec3& incident_direction) :
   const double larger = std::sqrt(share), smaller = radius > 0.0 ? 0.5 * uv / (radius * larger) : 0.0;
   bent = half >= 0.0 ? larger * u + smaller * v : std::abs(smaller) * u + std::copysign(larger, uv) * v;
   straight = glm::cross(incident_direction, bent);
-  bend = std::max((std::max(mean + radius, 0.0) - std::max(mean - radius, 0.0)) / -facing, least_bend);
+  const double hollow = std::min(mean - radius, 0.0);
+  bend = std::max((mean + radius - std::max(mean - radius, 0.0) + hollow) / -facing, least_bend);
 }
 
 FockCurrents lit_share(const LitFrame& frame, double wavenumber) {

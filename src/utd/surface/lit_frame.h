@@ -16,7 +16,7 @@ struct LitFrame {
 
   dvec3 normal;
   dvec3 bent, straight;  // unit, across the wave: axes of C with its larger and its smaller curvature
-  double bend;           // their difference over |n . d| [1/m]; none of it is negative: concave is as flat
+  double bend;           // their difference over |n . d| [1/m], less what the smaller one is hollow by; not negative
 
   /// xi < 0, from the shadow boundary in units of its width: |xi|^3 = k / (2 bend). It is Fock's near the boundary, exactly so on
   /// cylinders; and elsewhere 1 +- j / (4 xi^3) is the current to the second order in 1/k on any surface at normal incidence.

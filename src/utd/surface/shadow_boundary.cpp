@@ -25,7 +25,7 @@ class ShadowBoundary {
   ShadowBoundary(const CurvedTarget& target, const LookVectors& look, double widest, double most_turn)
       : target_(target), look_(look), widest_(widest), most_turn_(most_turn) {
     for (std::uint32_t t = 0; t < target.tracer.mesh().triangles.size(); ++t)
-      if (target.runs_on(t)) cross(t);
+      if (target.surfaces.conducts(t)) cross(t);
     link();
   }
 
@@ -58,24 +58,27 @@ class ShadowBoundary {
     if (dark == 0 || dark == 3) return;
     Crossing crossing{t, {}, {}, {no_index, no_index}, 0.0};
     std::array<dvec3, 2> normals;
-    const BentFacet facet = target_.surfaces.facet(t);
     int found = 0;
     for (int c = 0; c < 3; ++c) {
       const int next = (c + 1) % 3;
-      if ((f[c] > 0) == (f[next] > 0)) continue;
-      const double x = f[c] / (f[c] - f[next]);
-      double l[3] = {};
-      l[c] = 1.0 - x, l[next] = x;
-      crossing.ends[found] = {l[1], l[2]};
-      crossing.points[found] = facet.point(crossing.ends[found]);
-      normals[found] = glm::normalize(glm::mix(target_.curvatures.normal(t, c), target_.curvatures.normal(t, next), x));
-      if (!target_.surfaces.on_boundary(t, c))
-        edge_ends_.push_back({target_.edges.edge_of(t, c), static_cast<std::uint32_t>(crossings_.size()), found});
-      ++found;
+      if ((f[c] > 0) != (f[next] > 0)) normals[found] = end_on_side(c, f[c] / (f[c] - f[next]), crossing, found), ++found;
     }
     crossing.measure = std::max(glm::distance(crossing.points[0], crossing.points[1]) / widest_,
                                 glm::distance(normals[0], normals[1]) / most_turn_);
     crossings_.push_back(crossing);
+  }
+
+  // At fraction x of the side from corner c; the normal there.
+  dvec3 end_on_side(int c, double x, Crossing& crossing, int end) {
+    const int next = (c + 1) % 3;
+    double l[3] = {};
+    l[c] = 1.0 - x, l[next] = x;
+    const std::uint32_t t = crossing.triangle;
+    crossing.ends[end] = {l[1], l[2]};
+    crossing.points[end] = target_.surfaces.facet(t).point(crossing.ends[end]);
+    if (!target_.surfaces.on_boundary(t, c))
+      edge_ends_.push_back({target_.edges.edge_of(t, c), static_cast<std::uint32_t>(crossings_.size()), end});
+    return glm::normalize(glm::mix(target_.curvatures.normal(t, c), target_.curvatures.normal(t, next), x));
   }
 
   void link() {

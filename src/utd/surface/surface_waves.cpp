@@ -33,6 +33,18 @@ struct StripPoint {
   double curvature, gaussian;
 };
 
+/// A strip into the dark from a point of the shadow boundary, as far as it has come.
+struct DarkStrip {
+  StripPoint q;   // of the boundary
+  double across;  // its width there [m]
+  StripPoint end;
+  StripWidth width;
+  DarkWay way{};
+  double s = 0.0, since = 0.0;  // from q, and from where the current was put last [m]
+  Complex area = 0.0;           // of that: root of the widths there and at q, with the caustics
+  double path = 0.0;            // of that, in phase [m]
+};
+
 class SurfaceLook {
  public:
   SurfaceLook(const CurvedTarget& target, const LookVectors& look, std::span<const double> frequencies, StripPlaces* places,
@@ -50,10 +62,10 @@ class SurfaceLook {
   SurfaceWaveResult take() {
     for (const BoundaryPiece& piece : shadow_boundary(target_, look_, widest_piece * shortest_, most_turn)) {
       add_strip(piece, 1.0);
-      if (!target_.closed(piece.middle.triangle)) add_strip(piece, -1.0);
+      if (!mesh_.closed(piece.middle.triangle)) add_strip(piece, -1.0);
     }
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (target_.runs_on(t)) find_far_sides(t);
+      if (target_.surfaces.conducts(t)) find_far_sides(t);
     if (rays_ != nullptr) std::erase_if(*rays_, [](const SurfaceRay& ray) { return ray.points.size() < 2; });
     result_.work += add_lit_currents(target_, look_, wavenumbers_, result_.scattering, places_);
     return std::move(result_);
@@ -70,7 +82,7 @@ class SurfaceLook {
       const dvec3 inwards = glm::cross(mesh_.patches[mesh_.triangle_patch[t]].normal, way);
       if (glm::dot(inwards, look_.incident) > -1e-9 * glm::length(inwards)) continue;
       add_far_sides(t, c, way, 1.0);
-      if (!target_.closed(t)) add_far_sides(t, c, way, -1.0);
+      if (!mesh_.closed(t)) add_far_sides(t, c, way, -1.0);
     }
   }
 
@@ -142,36 +154,6 @@ class SurfaceLook {
     return std::min({longest_step * shortest_, bend, fock}) / (fine ? at_caustic : 1.0);
   }
 
-  /// Calls visit(point, h, last) at points of a geodesic, h from the one before, until it returns false; `last`: the next one may
-  /// be more than a step_limit after the last such point. Fine over pieces for which fine(length) holds. The side of facet
-  /// `end` at which the surface ended it, -1 if it did not.
-  template <class Fine, class Visit>
-  int walk(const FacetPoint& start, double curvature, const dvec3& direction, double side, Fine fine, Visit visit,
-           std::uint32_t& end) const {
-    Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, direction);
-    GeodesicPiece piece;
-    double since = 0.0;
-    while (geodesic.next(piece)) {
-      const BentFacet facet = target_.surfaces.facet(piece.from.triangle);
-      const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
-      if (chord <= 0.0) continue;
-      const double turn = curvature * chord, length = chord * (1.0 + turn * turn / 24.0);
-      const double limit = step_limit(curvature, fine(length));
-      const int steps = std::max(1, static_cast<int>(std::ceil(length / limit - no_more)));
-      for (int i = 1; i <= steps; ++i) {
-        const dvec2 l = glm::mix(piece.from.l, piece.to, static_cast<double>(i) / steps);
-        const StripPoint point = at(facet, {piece.from.triangle, l}, piece.direction, side);
-        curvature = point.curvature;
-        since += length / steps;
-        const bool last = since + length / steps > limit;
-        if (!visit(point, length / steps, last)) return -1;
-        if (last) since = 0.0;
-      }
-      end = piece.from.triangle;
-    }
-    return geodesic.ended_at();
-  }
-
   /// S of a current per unit of -jk / 4 pi, its parts along t and b for both transmitted polarisations.
   ScatteringMatrix radiated(const StripPoint& point, const std::array<Complex, 2>& along,
                             const std::array<Complex, 2>& across) const {
@@ -182,71 +164,84 @@ class SurfaceLook {
     return s;
   }
 
-  void put(bool first, double step, double path, const StripPoint& point) {
-    result_.work += work::surface_step + work::surface_frequency * static_cast<double>(wavenumbers_.size());
-    sum_->add(first, step, path, point.position, amplitudes_);
+  // m = (k / 2 kappa)^(1/3)
+  double fock_scale(const StripPoint& point, double k) const {
+    return std::cbrt(0.5 * k / std::max(point.curvature, least_curvature / mesh_.radius));
   }
 
   // For pictures.
-  void keep_dark(const StripPoint& point, double s, const DarkWay& way, double width) {
-    const double k = wavenumbers_.front(), share = std::abs(width);
-    const FockCurrents fock = way.currents(k);
+  void keep_end(const DarkStrip& strip) {
+    const double k = wavenumbers_.front(), share = std::abs(strip.width.width) / strip.across;
+    const FockCurrents fock = strip.way.currents(k);
     const double factor = 1.0 / std::sqrt(std::max(share, least_width));
-    const double m = std::cbrt(0.5 * k / std::max(point.curvature, least_curvature / mesh_.radius));
-    if (s == 0.0) rays_->push_back({SurfaceRayKind::into_the_dark, 1});
-    rays_->back().points.push_back(
-        {point.position, s, way.distance(k), share, factor * std::abs(fock.hard), factor * std::abs(fock.soft) / m});
+    if (strip.s == 0.0) rays_->push_back({SurfaceRayKind::into_the_dark, 1});
+    rays_->back().points.push_back({strip.end.position, strip.s, strip.way.distance(k), share, factor * std::abs(fock.hard),
+                                    factor * std::abs(fock.soft) / fock_scale(strip.end, k)});
   }
 
-  // The current Q sends into the dark; `area` is the root of its width there and at Q, with its caustics.
-  void set_dark_amplitudes(const StripPoint& point, const StripPoint& q, const DarkWay& way, Complex area) {
+  void set_amplitudes(const DarkStrip& strip) {
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
       const double k = wavenumbers_[f];
-      const FockCurrents fock = way.currents(k);
-      const Complex factor = Complex(0, -k / (4 * pi)) * area;
-      const double m = std::cbrt(0.5 * k / std::max(point.curvature, least_curvature / mesh_.radius));
+      const FockCurrents fock = strip.way.currents(k);
+      const Complex factor = Complex(0, -k / (4 * pi)) * strip.area;
       std::array<Complex, 2> along, across;
       for (int t = 0; t < 2; ++t) {
-        along[t] = factor * fock.hard * glm::dot(look_.magnetic[t], q.binormal);
-        across[t] = factor * fock.soft / m * glm::dot(look_.electric[t], q.binormal);
+        along[t] = factor * fock.hard * glm::dot(look_.magnetic[t], strip.q.binormal);
+        across[t] = factor * fock.soft / fock_scale(strip.end, k) * glm::dot(look_.electric[t], strip.q.binormal);
       }
-      amplitudes_[f] = radiated(point, along, across);
+      amplitudes_[f] = radiated(strip.end, along, across);
     }
   }
 
+  // The current at the strip's end, and what lies between it and the last one.
+  void put_end(DarkStrip& strip) {
+    strip.area = std::polar(std::sqrt(strip.across * std::abs(strip.width.width)), 0.5 * pi * strip.width.caustics);
+    strip.path = glm::dot(look_.scattered, strip.end.position) - glm::dot(look_.incident, strip.q.position) - strip.s;
+    set_amplitudes(strip);
+    result_.work += work::surface_step + work::surface_frequency * static_cast<double>(wavenumbers_.size());
+    sum_->add(strip.s == 0.0, strip.since, strip.path, strip.end.position, amplitudes_);
+    if (rays_ != nullptr) keep_end(strip);
+    strip.since = 0.0;
+  }
+
+  // On by h; the current is wanted where another such step would be one too far. False: the strip ends before or there.
+  bool go_on(DarkStrip& strip, const StripPoint& point, double h, double limit) {
+    StripWidth width = strip.width;
+    width.step(point.gaussian, h);
+    if (point.curvature < 0.0 || std::abs(width.width) > widest * strip.across) return false;
+    strip.way.step(point.curvature, point.gaussian, h);
+    strip.width = width;
+    strip.end = point;
+    strip.s += h, strip.since += h;
+    if (strip.since + h > limit) put_end(strip);
+    return strip.way.distance(lowest_) < last_xi;
+  }
+
+  bool go_over(DarkStrip& strip, const GeodesicPiece& piece, double side) {
+    const BentFacet facet = target_.surfaces.facet(piece.from.triangle);
+    const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
+    if (chord <= 0.0) return true;
+    const double turn = strip.end.curvature * chord, length = chord * (1.0 + turn * turn / 24.0);
+    const double limit = step_limit(strip.end.curvature, strip.width.near_caustic(length));
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / limit - no_more)));
+    for (int i = 1; i <= steps; ++i) {
+      const dvec2 l = glm::mix(piece.from.l, piece.to, static_cast<double>(i) / steps);
+      if (!go_on(strip, at(facet, {piece.from.triangle, l}, piece.direction, side), length / steps, limit)) return false;
+    }
+    return true;
+  }
+
   void follow_dark(const FacetPoint& start, const StripPoint& q, double across, double side) {
-    double s = 0.0, since = 0.0, path = 0.0;
-    DarkWay way;
-    Complex area;
-    StripPoint end = q;
-    std::uint32_t facet = start.triangle;
-    StripWidth width{across};
-    const double origin = glm::dot(look_.incident, q.position);
-    const auto put_end = [&](bool first) {
-      area = std::polar(std::sqrt(across * std::abs(width.width)), 0.5 * pi * width.caustics);
-      path = glm::dot(look_.scattered, end.position) - origin - s;
-      set_dark_amplitudes(end, q, way, area);
-      put(first, since, path, end);
-      if (rays_ != nullptr) keep_dark(end, s, way, width.width / across);
-      since = 0.0;
-    };
-    put_end(true);
-    const auto visit = [&](const StripPoint& point, double h, bool last) {
-      if (point.curvature < 0.0) return false;
-      width.step(point.gaussian, h);
-      if (std::abs(width.width) > widest * across) return false;
-      way.step(point.curvature, point.gaussian, h);
-      s += h, since += h;
-      end = point;
-      if (last) put_end(false);
-      return way.distance(lowest_) < last_xi;
-    };
-    const int corner = walk(
-        start, q.curvature, look_.incident, side, [&](double length) { return width.near_caustic(length); }, visit, facet);
-    if (since > 0.0) put_end(false);
-    if (corner < 0) return;
-    arrive(facet, corner, side, end, q.binormal,
-           [&](double k) { return 0.5 * area * way.currents(k).hard * std::polar(1.0, k * path); });
+    DarkStrip strip{q, across, q, StripWidth{across}};
+    put_end(strip);
+    Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, look_.incident);
+    GeodesicPiece piece{start, start.l, look_.incident};
+    bool goes_on = true;
+    while (goes_on && geodesic.next(piece)) goes_on = go_over(strip, piece, side);
+    if (strip.since > 0.0) put_end(strip);
+    if (!goes_on || geodesic.ended_at() < 0) return;
+    arrive(piece.from.triangle, geodesic.ended_at(), side, strip.end, q.binormal,
+           [&](double k) { return 0.5 * strip.area * strip.way.currents(k).hard * std::polar(1.0, k * strip.path); });
   }
 
   const CurvedTarget& target_;
