@@ -21,7 +21,7 @@
 #include "core/field.h"
 #include "core/progress.h"
 #include "mesh/features/convexity.h"
-#include "mesh/features/smooth.h"
+#include "mesh/smooth/smooth.h"
 #include "mesh/model/face_tree.h"
 #include "mesh/trace/tracer.h"
 #include "sbr/beams/tube_sums.h"

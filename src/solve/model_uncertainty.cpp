@@ -55,7 +55,10 @@ std::string remedy_of(Omission omission, const SolvePlan& plan, const SkipCounts
 }
 
 ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
-    : plan_(plan), curved_(find_curved_parts(plan.target.mesh, plan.target.options.min_wedge_angle)) {
+    : plan_(plan),
+      curved_(find_curved_parts(plan.target.mesh, plan.target.options.min_wedge_angle)),
+      dents_(plan.target.mesh, plan.smooth.get(), plan.target.options.min_wedge_angle),
+      rim_dent_(rim_dent(plan.target.wedges, plan.target.options.min_wedge_angle)) {
   std::map<std::tuple<std::size_t, double, double>, std::size_t> known;
   for (std::size_t f = 0; f < plan.sweep.frequencies.size(); ++f) {
     const double frequency = plan.sweep.frequencies[f], middle = middle_of_band(frequency);
@@ -66,7 +69,6 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
     band_of_.push_back(static_cast<std::size_t>(std::ranges::find(bands_, band) - bands_.begin()));
     if (band_of_.back() == bands_.size()) bands_.push_back(band);
   }
-  if (!plan.smooth) flat_rise_ = curved_.rise;
 }
 
 void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
@@ -85,11 +87,14 @@ EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
   return currents;
 }
 
-RowEvidence ModelUncertainty::evidence(const LookResult& result, std::size_t frequency,
+RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& result, std::size_t frequency,
                                        std::vector<ScatteringMatrix>& bounces) const {
   bounces.clear();
   for (const std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) bounces.push_back(bounce[frequency]);
-  RowEvidence row{curved_.share, flat_rise_, plan_.target.mesh.radius, bounces};
+  RowEvidence row{.facets = dents_.relative_error(look, bands_[band_of_[frequency]].frequency),
+                  .rim_dent = rim_dent_,
+                  .half_extent = plan_.target.mesh.radius,
+                  .bounces = bounces};
   if (!result.edges.scattering.empty()) row.edges = result.edges.scattering[frequency];
   if (!result.edges.higher.empty()) row.higher = result.edges.higher[frequency];
   if (!result.interaction.scattering.empty()) row.interaction = result.interaction.scattering[frequency];
@@ -113,7 +118,7 @@ std::vector<OmissionErrors> ModelUncertainty::of(const Look& look, const LookRes
   std::vector<OmissionErrors> errors;
   std::vector<ScatteringMatrix> bounces;
   for (std::size_t f = 0; f < plan_.sweep.frequencies.size(); ++f)
-    errors.push_back(estimate_omissions(features[band_of_[f]], evidence(result, f, bounces)));
+    errors.push_back(estimate_omissions(features[band_of_[f]], evidence(look, result, f, bounces)));
   return errors;
 }
 

@@ -6,6 +6,7 @@
 
 #include "solve/look_result.h"
 #include "solve/plan.h"
+#include "uncertainty/facet_error.h"
 #include "uncertainty/omissions.h"
 
 namespace raytube {
@@ -27,14 +28,16 @@ class ModelUncertainty {
   };
   void find_edges(std::size_t frequency, double wavelength);
   EdgeCurrents edge_currents(std::size_t frequency) const;
-  RowEvidence evidence(const LookResult& result, std::size_t frequency, std::vector<ScatteringMatrix>& bounces) const;
+  RowEvidence evidence(const Look& look, const LookResult& result, std::size_t frequency,
+                       std::vector<ScatteringMatrix>& bounces) const;
 
   const SolvePlan& plan_;
   CurvedParts curved_;
   std::vector<EdgeFeatures> edges_;
   std::vector<Band> bands_;
   std::vector<std::size_t> band_of_;  // [frequency] in bands_
-  double flat_rise_ = 0.0;            // of curved surfaces that count as their facets [m]
+  FacetDents dents_;
+  double rim_dent_;
 };
 
 /// What would make a part of the model uncertainty less in this solve, once it is done: a key of the case, or "none: ...".

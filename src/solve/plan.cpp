@@ -14,8 +14,12 @@ namespace raytube {
 
 namespace {
 
-// A surface that rises from its facets by more than this many wavelengths is not known well enough to be anything but facets.
+// Tubes see facets where waves run over the surface behind them: rises of more than this many wavelengths put both out of phase.
 constexpr double most_rise = 1.0 / 32.0;
+
+// How deep a facet may seem to lie below its neighbours on a convex surface, in rises of that over its facets: normals at
+// vertices are means of few facets, wrong by up to what the surface turns over one of them.
+constexpr double most_dent = 4.0;
 
 // k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
 constexpr double most_phase = 0.5;
@@ -39,26 +43,28 @@ double ray_range_of(const SolvePlan& plan) {
   return range;
 }
 
-// Creases of a tessellation that are hollow by less than the rise of a surface over its facets reflect nothing.
-Convexity convexity_of(const SolvePlan& plan) {
+// Facets are taken as the surfaces they stand for where a body is convex, or always if asked.
+bool bends_facets(const SolvePlan& plan) {
+  return plan.edges.method != EdgeMethod::utd && plan.tubes.refines() && plan.tubes.curved != CurvedSurfaces::never;
+}
+
+// A body all of whose hollows are those between the facets of its surfaces reflects nothing onto itself.
+Convexity convexity_of(const SolvePlan& plan, const SmoothSurfaces& surfaces) {
   Convexity convexity = plan.target.convexity;
-  const double allowed = most_rise * plan.shortest_wavelength();
-  if (!convexity.no_reflection && plan.tubes.skip && plan.edges.method != EdgeMethod::utd && plan.tubes.refines() &&
-      plan.tubes.curved != CurvedSurfaces::never && convex_up_to(plan.target.mesh, allowed))
-    convexity.no_reflection = SmoothSurfaces(plan.target.mesh, plan.target.options.min_wedge_angle, allowed).facets() >
-                              plan.target.mesh.triangles.size() / 2;
+  const TriangleMesh& mesh = plan.target.mesh;
+  if (convexity.no_reflection || !plan.tubes.skip || surfaces.facets() <= mesh.triangles.size() / 2) return convexity;
+  const double dent = std::max(most_rise * plan.shortest_wavelength(), most_dent * surfaces.rise());
+  convexity.no_reflection = convex_up_to(mesh, dent);
   return convexity;
 }
 
-std::shared_ptr<const SmoothSurfaces> smooth_surfaces(const SolvePlan& plan) {
-  const TubeOptions& tubes = plan.tubes;
-  if (plan.mechanisms.rays || !tubes.refines() || tubes.curved == CurvedSurfaces::never) return {};
-  const bool convex_only = tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
-  if (convex_only && !plan.convexity.no_reflection) return {};
-  auto smooth = std::make_shared<const SmoothSurfaces>(plan.target.mesh, plan.target.options.min_wedge_angle,
-                                                       most_rise * plan.shortest_wavelength());
-  if (!smooth->any()) return {};
-  return smooth;
+void plan_curved_surfaces(SolvePlan& plan) {
+  if (!bends_facets(plan)) return;
+  auto surfaces = std::make_shared<const SmoothSurfaces>(plan.target.mesh, plan.target.options.min_wedge_angle);
+  if (!surfaces->any()) return;
+  plan.convexity = convexity_of(plan, *surfaces);
+  const bool convex_only = plan.tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
+  if (!convex_only || plan.convexity.no_reflection) plan.smooth = std::move(surfaces);
 }
 
 // Waves run over the curved surfaces of any body, even of one whose tubes meet its facets, unless the facets are what is meant.
@@ -171,10 +177,10 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
       keep_parts(options.keep_parts) {
   check_all(*this);
   const auto start = std::chrono::steady_clock::now();
-  convexity = convexity_of(*this);
+  convexity = target.convexity;
+  plan_curved_surfaces(*this);
   mechanisms = mechanisms_of(*this);
   ray_range = ray_range_of(*this);
-  smooth = smooth_surfaces(*this);
   plan_surface_waves(*this);
   looks = looks_of(*this);
   skips = skips_of(*this);

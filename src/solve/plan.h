@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "mesh/features/smooth.h"
+#include "mesh/smooth/smooth.h"
 #include "scene/look_plan.h"
 #include "scene/options.h"
 #include "scene/skipped.h"

@@ -32,6 +32,7 @@ constexpr double cavity_spread = 0.8;        // the same after some reflections,
 constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
 constexpr double wave_amplitude = 0.15, tight_wave_amplitude = 1.0;  // where waves run on: of that, and of tight bends
 constexpr double rim_amplitude = 5.0;                                // of a sharply curved rim, over the same
+constexpr double rim_error = 9.2;                                    // of the currents of a rim, over its chords' dent in wavelengths
 constexpr int interacting_bounces = 3;                               // that edge-face interaction mends
 
 double square(double x) { return x * x; }
@@ -91,8 +92,8 @@ class RowEstimate {
 
   void set_facets(int p, int q) {
     if (row_.bounces.empty()) return;
-    const double phase = 4.0 * pi / row_.wavelength * row_.rise;
-    at(Omission::facets)[p][q] = row_.curved_share * std::min(1.0, phase) * std::abs(row_.bounces[0].at(p, q));
+    const double rims = std::min(1.0, rim_error * row_.rim_dent / row_.wavelength) * typical(row_.edges, p, q);
+    at(Omission::facets)[p][q] = std::hypot(row_.facets * std::abs(row_.bounces[0].at(p, q)), rims);
   }
 
   // Rayleigh's limit: a body of half extent a much below the wavelength has |S| about k^2 a^3, whatever it is like. Too much is

@@ -42,7 +42,8 @@ using OmissionErrors = std::array<ChannelErrors, omissions>;
 
 /// What a row is made of, and how.
 struct RowEvidence {
-  double curved_share = 0.0, rise = 0.0;        // of facets: CurvedParts; the rise of those that are taken as flat [m]
+  double facets = 0.0;                          // FacetDents::relative_error
+  double rim_dent = 0.0;                        // [m]
   double half_extent = 0.0;                     // half of the target's longest dimension [m]
   std::span<const ScatteringMatrix> bounces{};  // PO currents of bounce 1, 2, ... [m]
   ScatteringMatrix edges{}, higher{}, interaction{};

@@ -161,23 +161,12 @@ double crease_angle(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, turned ? -b : b));
 }
 
-double share_of_patches(const TriangleMesh& mesh, const std::vector<bool>& patches) {
-  double all = 0.0, part = 0.0;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const double area = triangle_area(mesh, t);
-    all += area;
-    if (patches[mesh.triangle_patch[t]]) part += area;
-  }
-  return all > 0.0 ? part / all : 0.0;
-}
-
 }  // namespace
 
 CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) {
   CurvedParts parts;
   parts.patches.resize(mesh.patches.size());
   const EdgeTable edges(mesh.triangles, mesh.vertices.size());
-  double risen = 0.0, length = 0.0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const double angle = crease_angle(mesh, edges[e]);
     if (angle < flat_crease || angle >= min_wedge_angle) continue;
@@ -189,12 +178,8 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
                              static_cast<float>(step / angle),
                              static_cast<float>(angle),
                              static_cast<float>(0.5 * area)});
-    risen += along * step * angle / 8.0;  // sagitta of a chord
-    length += along;
     parts.patches[mesh.triangle_patch[a]] = parts.patches[mesh.triangle_patch[b]] = true;
   }
-  if (length > 0.0) parts.rise = risen / length;
-  parts.share = share_of_patches(mesh, parts.patches);
   return parts;
 }
 

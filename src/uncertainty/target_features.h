@@ -37,8 +37,6 @@ struct SmoothCrease {
 struct CurvedParts {
   std::vector<SmoothCrease> creases;
   std::vector<bool> patches;  // [patch] it is a facet of a curved surface
-  double share = 0.0;         // of the target's area
-  double rise = 0.0;          // mean height of the surface over the middles of its facets [m]
 };
 
 /// Corners, and edges whose currents are missing or wrong, at wavelengths at which the same plates are thin.

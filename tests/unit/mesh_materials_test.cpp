@@ -6,7 +6,7 @@
 
 #include "mesh/features/enclosed.h"
 #include "mesh/features/overlaps.h"
-#include "mesh/features/smooth.h"
+#include "mesh/smooth/smooth.h"
 #include "mesh/features/symmetry.h"
 #include "mesh/model/join.h"
 #include "unit/mesh_shapes.h"

@@ -1,11 +1,12 @@
 // Which facets stand for a curved surface, and how well the surface found there is the one they were made from.
 #include <gtest/gtest.h>
 
-#include "mesh/features/smooth.h"
 #include "mesh/load.h"
+#include "mesh/smooth/smooth.h"
 #include "mesh/trace/tracer.h"
 #include "run.h"
 #include "shapes.h"
+#include "smooth_bodies.h"
 
 namespace raytube {
 namespace {
@@ -65,10 +66,19 @@ TEST(SmoothSurfaces, CylinderBendsOneWayAndItsCapsNotAtAll) {
   EXPECT_LE(largest_entry(s.curvature + glm::outerProduct(around, around) + glm::outerProduct(radial, radial)), 1e-3);
 }
 
-// A surface that would rise further from its facets than allowed is facets, and so is a body all of whose creases are wedges.
-TEST(SmoothSurfaces, CoarseOrEdgedMeshesStayFacets) {
-  const LoadedMesh sphere = build_mesh(shapes::icosphere(4), 1.0);
-  EXPECT_FALSE(SmoothSurfaces(sphere.mesh, crease, 1e-4).any());  // sides of .07 rise by .07^2 / 8 = 6e-4
+// Facets near the poles are smaller than those about the equator, and rise by less: a limit between makes all facets, or none.
+TEST(SmoothSurfaces, ASurfaceIsCurvedAsAWholeOrNotAtAll) {
+  const LoadedMesh uneven = build_mesh(shapes::spheroid(shapes::FacetKind::longitudes, 1.0, 1.0, 2000), 1.0);
+  const double rise = SmoothSurfaces(uneven.mesh, crease).rise();
+  for (const double limit : {0.02 * rise, 0.2 * rise, 0.5 * rise, 1.1 * rise}) {
+    const std::size_t facets = SmoothSurfaces(uneven.mesh, crease, limit).facets();
+    EXPECT_TRUE(facets == 0 || facets == uneven.mesh.triangles.size()) << facets;
+  }
+  EXPECT_EQ(SmoothSurfaces(uneven.mesh, crease, 1.1 * rise).facets(), uneven.mesh.triangles.size());
+  EXPECT_FALSE(SmoothSurfaces(uneven.mesh, crease, 0.02 * rise).any());
+}
+
+TEST(SmoothSurfaces, EdgedBodiesStayFacets) {
   EXPECT_FALSE(SmoothSurfaces(build_mesh(shapes::cube(1.0), 1.0).mesh, crease, 1.0).any());
 }
 
@@ -92,6 +102,36 @@ TEST(SmoothSurfaces, PanelKeepsItsPlaneNextToAFillet) {
   const LocalSurface start = surface_below(loaded.mesh, smooth, 0.002 - shift.x, 0.1);
   // The panel's normal turns into the middle one of the next two facets, 5 degrees, over 0.1: 0.1 degrees on 0.002.
   EXPECT_LE(std::acos(std::abs(start.normal.z)), 0.2 * degree);
+}
+
+// Where the long facets of a cylinder meet the first ring of a dome, these alone give the normals: they are straight along the
+// axis, however far they reach, and bend about it as the dome does.
+TEST(SmoothSurfaces, WallOfACapsuleIsStraightAndRound) {
+  const LoadedMesh loaded = build_mesh(shapes::capsule(1.0, 20.0, 72), 1.0);
+  const SmoothSurfaces smooth(loaded.mesh, crease);
+  EXPECT_EQ(smooth.facets(), loaded.mesh.triangles.size());
+  for (std::uint32_t t = 0; t < loaded.mesh.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const Triangle& corners = loaded.mesh.triangles[t];
+      const dvec3 side = loaded.mesh.vertices[corners[(c + 1) % 3]] - loaded.mesh.vertices[corners[c]];
+      if (glm::length(side) < 10.0) continue;
+      // Of a dome's first ring, one facet wide, a normal between the two would bend a side of 20 by 20 x 2.5 degrees.
+      const bool along_axis = glm::length(dvec2(side)) < 1e-9;
+      EXPECT_LE(glm::length(smooth.bend(t, c)), along_axis ? 1e-9 : 0.004);  // the circle's chord of 5 degrees rises by .001
+    }
+}
+
+// Facets of all shapes, half of them with a neighbour a quarter as wide: none of them is a panel, and normals are those of the
+// sphere, for which their weights are exact.
+TEST(SmoothSurfaces, UnevenFacetsOfASphereAreNoPanels) {
+  const LoadedMesh loaded = build_mesh(shapes::spheroid(shapes::FacetKind::uneven, 1.0, 1.0, 4000), 1.0);
+  const SmoothSurfaces smooth(loaded.mesh, 40.0 * degree);
+  EXPECT_EQ(smooth.facets(), loaded.mesh.triangles.size());
+  for (std::uint32_t t = 0; t < loaded.mesh.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const dvec3 at = loaded.mesh.vertices[loaded.mesh.triangles[t][c]] + loaded.mesh.center;
+      EXPECT_LE(glm::length(smooth.normal(t, c) - glm::normalize(at)), 1e-9);
+    }
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ const fs::path source = RAYTUBE_SOURCE_DIR "/src";
 constexpr int most_files = 30;
 
 /// What every method may use.
-const std::set<std::string> base = {"core", "math", "scene", "mesh/model", "mesh/trace", "mesh/features"};
+const std::set<std::string> base = {"core", "math", "scene", "mesh/model", "mesh/trace", "mesh/features", "mesh/smooth"};
 
 std::set<std::string> operator+(std::set<std::string> rooms, const std::set<std::string>& others) {
   rooms.insert(others.begin(), others.end());
@@ -42,6 +42,7 @@ const Rooms may_include = {
     {"mesh/repair", {"core", "scene", "mesh/model"}},
     {"mesh/trace", {"core", "math", "mesh/model"}},
     {"mesh/features", {"core", "mesh/model", "mesh/trace"}},
+    {"mesh/smooth", {"core", "mesh/model", "mesh/features"}},
     {"mesh", {"mesh/read", "mesh/repair"}},
 
     {"sbr/launch", base},

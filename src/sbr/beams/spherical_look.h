@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/features/smooth.h"
+#include "mesh/smooth/smooth.h"
 #include "sbr/beams/beam.h"
 #include "sbr/beams/footprint.h"
 #include "sbr/beams/tube_sums.h"

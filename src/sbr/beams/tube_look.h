@@ -4,7 +4,7 @@
 #include <span>
 
 #include "mesh/features/convexity.h"
-#include "mesh/features/smooth.h"
+#include "mesh/smooth/smooth.h"
 #include "mesh/model/face_tree.h"
 #include "mesh/trace/tracer.h"
 #include "sbr/beams/spectrum.h"

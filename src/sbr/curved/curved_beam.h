@@ -1,7 +1,7 @@
 // A narrow tube with a curved wavefront: a ray, and how it changes across the launch plane.
 #pragma once
 
-#include "mesh/features/smooth.h"
+#include "mesh/smooth/smooth.h"
 #include "sbr/beams/footprint.h"
 
 namespace raytube {

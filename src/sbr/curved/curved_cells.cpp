@@ -19,9 +19,11 @@ constexpr double widest_cell_phase = 60.0;
 // Share of a cell's far field that its quadrature and the shadow boundary of a tessellation may miss: some times what spheres
 // show.
 constexpr double integration_error = 2e-3;
-// Smallest cell in wavelengths, and in rises of the surface over its facets: what lies between the facets' outline and the shadow
-// boundary beyond it is found from the cells that this outline crosses.
-constexpr double smallest_cell = 1.0 / 32.0, least_rises = 16.0;
+// Smallest cell in wavelengths; and, in rises of the surface over the facets in it, of those that the facets' outline crosses:
+// what lies between it and the shadow boundary beyond it is found from these.
+constexpr double smallest_cell = 1.0 / 32.0, outline_cell = 16.0;
+// Share of a cell that facets may leave free, by rounding.
+constexpr double free_share = 1e-9;
 
 ConvexPolygon rectangle(const Bounds& box) {
   ConvexPolygon polygon;
@@ -85,7 +87,7 @@ class CellTrace {
         light_{look.grid, look.transmit, look.receive, look.surfaces},
         map_light_(light_),
         highest_(std::ranges::max(look.wavenumbers())),
-        smallest_(std::max(smallest_cell * 2.0 * pi / highest_, least_rises * look.smooth->rise())),
+        smallest_(smallest_cell * 2.0 * pi / highest_),
         visible_(look.faces, look.tracer) {
     if (!look.map) return;
     map_materials_ = at_frequency({look.surfaces.materials.begin(), look.surfaces.materials.end()}, look.map->frequency_index());
@@ -104,17 +106,20 @@ class CellTrace {
   // `triangles` in facing_ are all that reach into the cell.
   void cell(const Bounds& box, std::span<const std::uint32_t> triangles) {
     if (std::ranges::none_of(triangles, [&](std::uint32_t t) { return facing_[t].region != no_index; })) return;
-    const bool smallest = glm::length(box.high - box.low) < smallest_;
+    const double size = glm::length(box.high - box.low);
+    const bool smallest = size < smallest_;
     if (triangles.size() > many && !smallest) return split(box, triangles);
     const std::optional<CurvedPiece> piece = piece_in(box, triangles);
     if (!piece) return;
     const Verdict verdict = judge(*piece, box, triangles);
-    const bool as_one_piece = verdict == Verdict::one_piece || (smallest && verdict == Verdict::bent);
-    if (as_one_piece) {
+    const bool within_dents = verdict == Verdict::bent && (smallest || size < outline_cell * rise(triangles));
+    const bool on_outline = within_dents && (smallest || !is_covered(box, triangles));
+    if (verdict == Verdict::one_piece || on_outline) {
       const auto triangle_at = [&](const dvec2& at) { return surface_at(at, triangles); };
       return add(*piece, box, triangle_at);
     }
-    if (smallest || (verdict == Verdict::above_limit && triangles.size() <= few)) return facets(box);
+    const bool splits = verdict == Verdict::bent && !within_dents;
+    if (smallest || (!splits && triangles.size() <= few)) return facets(box);
     split(box, triangles);
   }
 
@@ -127,6 +132,23 @@ class CellTrace {
       std::ranges::copy_if(triangles, std::back_inserter(inside), [&](std::uint32_t t) { return facing_[t].reaches(quarter); });
       cell(quarter, inside);
     }
+  }
+
+  // Of the piece's surface over these facets [m].
+  double rise(std::span<const std::uint32_t> triangles) const {
+    double most = 0.0;
+    for (const std::uint32_t t : triangles)
+      if (facing_[t].region == base_->region) most = std::max(most, look_.smooth->rise(facing_[t].triangle));
+    return most;
+  }
+
+  // Whether facets of the piece's surface hide all of the launch plane's cell.
+  bool is_covered(const Bounds& box, std::span<const std::uint32_t> triangles) {
+    double free = area(box);
+    const double most_free = free_share * free;
+    for (const std::uint32_t t : triangles)
+      if (facing_[t].region == base_->region && clip(facing_[t], box)) free -= area(clipped_);
+    return free <= most_free;
   }
 
   std::uint32_t region(std::uint32_t face) const { return look_.smooth->region(look_.faces.faces()[face].triangle); }
@@ -290,7 +312,8 @@ class CellTrace {
   Beam incident_;
   Illumination light_, map_light_;
   std::vector<Material> map_materials_;  // at the map's frequency
-  double highest_, smallest_;            // wavenumber [rad/m], cell [m]
+  double highest_;                       // wavenumber [rad/m]
+  double smallest_;                      // cell [m]
   BeamVisibility visible_;
   const FacingTriangle* base_ = nullptr;
   double phase_off_ = 0.0;  // of the facets' sides from the piece in question [rad], at the highest frequency

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "math/conic.h"
-#include "mesh/features/smooth.h"
+#include "mesh/smooth/smooth.h"
 #include "sbr/launch/launch.h"
 
 namespace raytube {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mesh/features/curvature_field.h"
+#include "mesh/smooth/curvature_field.h"
 #include "mesh/model/edge_table.h"
 #include "mesh/trace/tracer.h"
 

@@ -1,7 +1,7 @@
 // The current on the lit side of a convex surface, point by point.
 #pragma once
 
-#include "mesh/features/curvature_field.h"
+#include "mesh/smooth/curvature_field.h"
 #include "utd/surface/fock.h"
 
 namespace raytube {

@@ -1,7 +1,7 @@
 // Geodesics over the facets of curved surfaces.
 #pragma once
 
-#include "mesh/features/curvature_field.h"
+#include "mesh/smooth/curvature_field.h"
 #include "mesh/model/edge_table.h"
 
 namespace raytube {

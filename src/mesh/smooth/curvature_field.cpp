@@ -1,4 +1,4 @@
-#include "mesh/features/curvature_field.h"
+#include "mesh/smooth/curvature_field.h"
 
 #include <cmath>
 

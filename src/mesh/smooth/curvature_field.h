@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mesh/features/smooth.h"
+#include "mesh/smooth/smooth.h"
 
 namespace raytube {
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "mesh/model/triangle_mesh.h"
+#include "mesh/smooth/creases.h"
 
 namespace raytube {
 
@@ -46,14 +48,14 @@ class BentFacet {
   std::array<dvec3, 3> x_, b_;
 };
 
-/// Facets joined by creases flatter than wedges are one surface with averaged normals. Facets stay flat where that is truer:
-/// alone in their plane, or much wider than their neighbours across a crease (a panel that runs into a fillet), or where the
-/// surface would rise from the facet by more than `max_rise`: so coarse a mesh does not say what it stands for. Materials change
-/// nothing about the shape, but surfaces end where they meet.
+/// Facets joined by creases flatter than wedges are chords of one surface with averaged normals (CornerNormals), however deep
+/// the dents between them: its vertices lie on it, so that it is truer than they are. Materials change nothing about the shape,
+/// but surfaces end where they meet.
 class SmoothSurfaces {
  public:
-  /// Creases below `max_crease` [rad] are tessellation; `max_rise` in metres.
-  SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise);
+  /// Creases below `max_crease` [rad] are tessellation. Surfaces that rise above their facets by more than `max_rise` [m] in the
+  /// mean stay facets, each as a whole.
+  SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise = std::numeric_limits<double>::infinity());
 
   bool any() const { return facets_ > 0; }
   std::size_t facets() const { return facets_; }
@@ -63,6 +65,7 @@ class SmoothSurfaces {
 
   /// The most by which a surface rises from its facets [m]: so far the outline of the facets lies within its shadow boundary.
   double rise() const { return rise_; }
+  double rise(std::uint32_t triangle) const;  // from one that has a region
 
   /// The surface a triangle is part of; no_index: it is flat.
   std::uint32_t region(std::uint32_t triangle) const { return region_[triangle]; }
@@ -94,11 +97,15 @@ class SmoothSurfaces {
   LocalSurface at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const;
 
  private:
+  void find_regions(const Creases& creases, const std::vector<bool>& is_plane);
+  void keep_flat_above(double max_rise);
+
   const TriangleMesh& mesh_;
   std::vector<std::uint32_t> region_;
   std::vector<bool> boundary_;
   std::vector<std::uint32_t> corner_normal_;  // in normals_, three a triangle
   std::vector<dvec3> normals_;
+  std::vector<bool> one_sided_;  // [normal]
   std::size_t facets_ = 0;
   double rise_ = 0.0;
 };

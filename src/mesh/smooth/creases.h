@@ -1,0 +1,46 @@
+// The edges across which facets may be chords of one smooth surface, and how wide the facets are beside them.
+#pragma once
+
+#include <vector>
+
+#include "mesh/features/patch_borders.h"
+#include "mesh/model/edge_table.h"
+#include "mesh/model/triangle_mesh.h"
+#include "mesh/model/triangle_rows.h"
+
+namespace raytube {
+
+class Creases {
+ public:
+  /// What turns by less than `max_turn` [rad] is tessellation. Keeps a reference to the mesh.
+  Creases(const TriangleMesh& mesh, double max_turn);
+
+  const EdgeTable& edges() const { return edges_; }
+
+  /// Whether a smooth surface may go on across the edge; and whether it would turn there.
+  bool crossable(std::size_t edge) const { return crossable_[edge]; }
+  bool is_crease(const EdgeTable::Edge& edge) const;
+
+  /// A number in common for the triangles of one plane that hang together. Materials cut patches, but change nothing about the
+  /// shape.
+  std::uint32_t plane(std::uint32_t triangle) const { return plane_[mesh_.triangle_patch[triangle]]; }
+  std::size_t planes() const { return patches_.size(); }
+
+  /// How far a triangle reaches from its side on the edge [m].
+  double width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const;
+
+  /// Whether a plane reaches further than `width` [m] from an edge of it.
+  bool reaches(std::uint32_t plane, const EdgeTable::Edge& edge, double width) const;
+
+ private:
+  bool is_smooth(const EdgeTable::Edge& edge, double least_cosine) const;
+
+  const TriangleMesh& mesh_;
+  EdgeTable edges_;
+  PatchBorders borders_;
+  std::vector<std::uint32_t> plane_;  // of each patch
+  TriangleRows patches_;              // of each plane
+  std::vector<bool> crossable_;
+};
+
+}  // namespace raytube

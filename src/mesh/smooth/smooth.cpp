@@ -1,0 +1,177 @@
+#include "mesh/smooth/smooth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/smooth/corner_normals.h"
+
+namespace raytube {
+
+namespace {
+
+// Twice the harmonic mean; nothing of what bends both ways. The mean of a wide flank's and a narrow nose's curvature that does
+// not make the flank bulge.
+double twice_harmonic_mean(double a, double b) { return a * b > 0.0 ? 4.0 * a * b / (a + b) : 0.0; }
+
+// The end of a side: the normal there, and whether it knows one side of the vertex only.
+struct SideEnd {
+  const dvec3& normal;
+  bool one_sided;
+};
+
+// The parabola over a side between these ends, along the mean of their normals: r = a + x (b - a) - x (1 - x) bend. How far the
+// normals lean along the side tells the curvature at its ends; one of which says nothing has the other's.
+dvec3 bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b) {
+  const dvec3 sum = a.normal + b.normal;
+  double lean_a = glm::dot(a.normal, side), lean_b = -glm::dot(b.normal, side);
+  if (a.one_sided && !b.one_sided) lean_a = lean_b;
+  if (b.one_sided && !a.one_sided) lean_b = lean_a;
+  return sum * (twice_harmonic_mean(lean_a, lean_b) / glm::dot(sum, sum));
+}
+
+}  // namespace
+
+SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise) : mesh_(mesh) {
+  const Creases creases(mesh, max_crease);
+  CornerNormals corners(mesh, creases);
+  corner_normal_ = std::move(corners.group);
+  normals_ = std::move(corners.normals);
+  one_sided_ = std::move(corners.one_sided);
+  find_regions(creases, corners.is_plane);
+  keep_flat_above(max_rise);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (region_[t] == no_index) continue;
+    ++facets_;
+    rise_ = std::max(rise_, rise(t));
+  }
+}
+
+void SmoothSurfaces::find_regions(const Creases& creases, const std::vector<bool>& is_plane) {
+  const auto bends = [&](std::uint32_t t) { return !is_plane[creases.plane(t)]; };
+  const auto material = [&](std::uint32_t t) { return mesh_.patches[mesh_.triangle_patch[t]].material; };
+  boundary_.assign(3 * mesh_.triangles.size(), true);
+  std::vector<std::uint32_t> parents(mesh_.triangles.size());
+  for (std::uint32_t i = 0; i < parents.size(); ++i) parents[i] = i;
+  for (std::size_t e = 0; e < creases.edges().size(); ++e) {
+    if (!creases.crossable(e)) continue;
+    const auto sides = creases.edges()[e].sides;
+    const std::uint32_t a = sides[0].triangle, b = sides[1].triangle;
+    if (!bends(a) || !bends(b) || material(a) != material(b)) continue;
+    for (const EdgeTable::Side& side : sides) boundary_[3 * std::size_t{side.triangle} + side.corner] = false;
+    parents[find_root(parents, b)] = find_root(parents, a);
+  }
+  region_ = number_sets(std::move(parents));
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    if (!bends(t)) region_[t] = no_index;
+}
+
+double SmoothSurfaces::rise(std::uint32_t triangle) const {
+  return 0.25 * std::max({glm::length(bend(triangle, 0)), glm::length(bend(triangle, 1)), glm::length(bend(triangle, 2))});
+}
+
+// A surface of which one half is curved and the other half facets is worse than either: the halves are out of phase.
+void SmoothSurfaces::keep_flat_above(double max_rise) {
+  std::vector<double> risen(mesh_.triangles.size(), 0.0), areas(mesh_.triangles.size(), 0.0);
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (region_[t] == no_index) continue;
+    const double area = glm::length(area_vector(mesh_.vertices, mesh_.triangles[t]));
+    risen[region_[t]] += area * rise(t);
+    areas[region_[t]] += area;
+  }
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    if (region_[t] != no_index && risen[region_[t]] > max_rise * areas[region_[t]]) region_[t] = no_index;
+}
+
+std::size_t SmoothSurfaces::conducting_facets() const {
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < region_.size(); ++t) count += conducts(t);
+  return count;
+}
+
+double SmoothSurfaces::boundary_length() const {
+  double sum = 0.0;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c)
+      if (region_[t] != no_index && on_boundary(t, c))
+        sum += glm::distance(mesh_.vertices[mesh_.triangles[t][c]], mesh_.vertices[mesh_.triangles[t][(c + 1) % 3]]);
+  return sum;
+}
+
+dvec3 SmoothSurfaces::bend(std::uint32_t triangle, int corner) const {
+  const Triangle& t = mesh_.triangles[triangle];
+  const int next = (corner + 1) % 3;
+  const auto end = [&](int c) { return SideEnd{normal(triangle, c), one_sided_[normal_index(triangle, c)]}; };
+  return bend_of(mesh_.vertices[t[next]] - mesh_.vertices[t[corner]], end(corner), end(next));
+}
+
+namespace {
+
+// Where the line meets it: Newton's method across the line, from the facet's plane. Nothing if that does not settle near it.
+std::optional<dvec2> meet(const BentFacet& s, const dvec3& origin, const dvec3& direction) {
+  dvec2 l(1.0 / 3.0);
+  const double size = glm::distance(s.corners()[1], s.corners()[0]) + glm::distance(s.corners()[2], s.corners()[0]);
+  for (int step = 0; step < 12; ++step) {
+    // Solves off + dl1 a + dl2 b = (anything) direction.
+    const dvec3 off = s.point(l) - origin, a = s.along_1(l), b = s.along_2(l);
+    const double determinant = glm::dot(glm::cross(a, b), direction);
+    if (std::abs(determinant) < 1e-12 * size * size) return {};
+    const dvec2 change = -dvec2(glm::dot(glm::cross(off, b), direction), glm::dot(glm::cross(a, off), direction)) / determinant;
+    l += change;
+    if (std::max(std::abs(l.x - 1.0 / 3.0), std::abs(l.y - 1.0 / 3.0)) > 4.0) return {};
+    if (std::max(std::abs(change.x), std::abs(change.y)) < 1e-10) return l;
+  }
+  return {};
+}
+
+LocalSurface facet_plane(const Patch& patch, const dvec3& origin, const dvec3& direction) {
+  const double facing = glm::dot(patch.normal, direction);
+  const double distance = (patch.offset - glm::dot(patch.normal, origin)) / facing;
+  return {origin + distance * direction, facing < 0.0 ? patch.normal : -patch.normal, glm::dmat3(0.0)};
+}
+
+// Second fundamental form of a parametrised surface with tangents a1, a2 and second derivatives r11, r12, r22 (do Carmo 1976,
+// section 3-3), as a matrix of space, with the stronger principal curvature along the normal.
+glm::dmat3 curvature_of(const dvec3& a1, const dvec3& a2, const dvec3& n, const dvec3& r11, const dvec3& r12, const dvec3& r22) {
+  const dvec3 dual1 = glm::cross(a2, n) / glm::dot(a1, glm::cross(a2, n)),
+              dual2 = glm::cross(n, a1) / glm::dot(a2, glm::cross(n, a1));
+  const double l = glm::dot(n, r11), m = glm::dot(n, r12), r = glm::dot(n, r22);
+  const dvec3 area = glm::cross(a1, a2);
+  const double sum = l * glm::dot(dual1, dual1) + 2.0 * m * glm::dot(dual1, dual2) + r * glm::dot(dual2, dual2);
+  const double product = (l * r - m * m) / glm::dot(area, area);
+  const double stronger = 0.5 * sum + std::copysign(std::sqrt(std::max(0.0, 0.25 * sum * sum - product)), sum);
+  return l * glm::outerProduct(dual1, dual1) + m * (glm::outerProduct(dual1, dual2) + glm::outerProduct(dual2, dual1)) +
+         r * glm::outerProduct(dual2, dual2) + stronger * glm::outerProduct(n, n);
+}
+
+}  // namespace
+
+SurfacePoint BentFacet::over(const dvec3& r) const {
+  const dvec3 e1 = x_[1] - x_[0], e2 = x_[2] - x_[0], across = glm::cross(e1, e2), step = r - x_[0];
+  const double square = glm::dot(across, across);
+  const dvec2 l{glm::dot(glm::cross(step, e2), across) / square, glm::dot(glm::cross(e1, step), across) / square};
+  const dvec3 normal = glm::cross(along_1(l), along_2(l));
+  const double size = glm::length(normal);
+  return {point(l), normal / size, size / std::sqrt(square)};
+}
+
+BentFacet SmoothSurfaces::facet(std::uint32_t triangle) const {
+  const Triangle& t = mesh_.triangles[triangle];
+  return {{mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]},
+          {bend(triangle, 0), bend(triangle, 1), bend(triangle, 2)}};
+}
+
+LocalSurface SmoothSurfaces::at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const {
+  const Patch& patch = mesh_.patches[mesh_.triangle_patch[triangle]];
+  const BentFacet s = facet(triangle);
+  const std::optional<dvec2> l = meet(s, origin, direction);
+  if (!l) return facet_plane(patch, origin, direction);
+  const dvec3 a1 = s.along_1(*l), a2 = s.along_2(*l);
+  dvec3 n = glm::normalize(glm::cross(a1, a2));
+  const bool from_front = glm::dot(patch.normal, direction) < 0.0;
+  if ((glm::dot(n, direction) < 0.0) != from_front) return facet_plane(patch, origin, direction);
+  if (!from_front) n = -n;
+  const dvec3 point = origin + glm::dot(s.point(*l) - origin, direction) * direction;
+  return {point, n, curvature_of(a1, a2, n, 2.0 * s.bend(0), s.bend(0) - s.bend(1) + s.bend(2), 2.0 * s.bend(2))};
+}
+
+}  // namespace raytube

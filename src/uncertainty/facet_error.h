@@ -1,0 +1,40 @@
+// What flat facets in the place of curved surfaces, and surfaces guessed from few facets, do to physical optics.
+#pragma once
+
+#include <vector>
+
+#include "mesh/features/wedges.h"
+#include "mesh/smooth/smooth.h"
+#include "scene/sweep.h"
+
+namespace raytube {
+
+/// How far facets lie off the surface that they may stand for.
+class FacetDents {
+ public:
+  /// `taken`: the curved surfaces that tubes see; null: all facets are flat. Creases up to twice as steep as
+  /// `min_wedge_angle` [rad] may be tessellation, too. Keeps a reference to the mesh.
+  FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, double min_wedge_angle);
+
+  /// The error of the physical-optics amplitude of a look over that amplitude, 0 ... 2: that of the facets which are turned so
+  /// that they reflect to the receiver. With s the dent of a chord and t its turning [rad], measured in two dimensions on circles
+  /// and ellipses of even and uneven chords: flat 9.2 s / wavelength, up to 2; bent 0.31 t^{3/2} times that. Surfaces have two
+  /// curvatures and triangles of any shape: 1.2 covers those of docs/theory/model_uncertainty.md.
+  double relative_error(const Look& look, double frequency) const;
+
+ private:
+  struct Dent {
+    dvec3 normal;  // of the facet
+    double area;   // [m^2]
+    double depth;  // mean depth of the facet below the surface that it may stand for, beyond that of the one taken [m]
+    double bent;   // of the one taken, times its share that is wrong [m]
+  };
+  const TriangleMesh& mesh_;
+  std::vector<Dent> dents_;  // [triangle]; none where nothing is curved
+};
+
+/// Mean dent of the chords of rims: of wedges that go on in one another with less than twice `min_wedge_angle` [rad] of turning,
+/// by length [m].
+double rim_dent(std::span<const Wedge> wedges, double min_wedge_angle);
+
+}  // namespace raytube
