@@ -59,7 +59,7 @@ std::set<std::string> results_of_run(const fs::path& folder, const JsonValue& re
   for (const char* table : {"parts.csv", "random.csv"})
     if (head_of(folder / table).starts_with("# Time factor exp(+j omega t); a wave travels as exp(-j k r).")) names.insert(table);
   const JsonValue* plots = output ? output->find("plots") : nullptr;
-  if (plots && plots->boolean) names.insert({"rcs.png", "rcs.svg"});
+  if (plots && plots->boolean) names.insert({"rcs.png", "rcs.svg", "rcs_polar.png", "rcs_polar.svg"});
   if (output && output->find("image_look")) names.merge(names_of_images(folder));
   return names;
 }
