@@ -20,6 +20,7 @@
 #include "output/files/sha256.h"
 #include "output/files/unlisted_results.h"
 #include "output/plots/plot.h"
+#include "output/plots/polar_plot.h"
 #include "output/tables/csv.h"
 #include "output/words/summary.h"
 #include "program/commands.h"
@@ -163,6 +164,7 @@ JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
 ResultNames names_of_results(const Request& request, const Case& c) {
   ResultNames names = image_names(c);
   if (c.plots) names.pictures.insert(names.pictures.end(), {"rcs.png", "rcs.svg"});
+  if (c.plots && has_full_circle(c.sweep)) names.pictures.insert(names.pictures.end(), {"rcs_polar.png", "rcs_polar.svg"});
   names.tables.emplace_back("channels.csv");
   if (request.parts) names.tables.emplace_back("parts.csv");
   if (c.incoherent) names.tables.emplace_back("incoherent.csv");
@@ -175,7 +177,8 @@ ResultNames names_of_results(const Request& request, const Case& c) {
 std::vector<std::string> names_of_earlier_results(const fs::path& folder) {
   const std::set<std::string> images = names_of_images(folder);
   std::vector<std::string> names(images.begin(), images.end());
-  names.insert(names.end(), {"incoherent.csv", "parts.csv", "random.csv", "rcs.png", "rcs.svg"});
+  names.insert(names.end(),
+               {"incoherent.csv", "parts.csv", "random.csv", "rcs.png", "rcs.svg", "rcs_polar.png", "rcs_polar.svg"});
   return names;
 }
 

@@ -107,7 +107,7 @@ TEST(SamplingWarnings, SayStepLimitAndRemedy) {
       sampling_warnings({{RowCoordinates::phi, 5.0, 0.02199}, {RowCoordinates::frequency, 0.5, 0.034}}),
       ElementsAre(
           "sampling: steps of 5 deg in phi are too wide for this target's lobes, which ask for 0.021 deg or less; take finer "
-          "steps, or read each row by itself (plots show points, not lines)",
+          "steps, or read each row by itself (plots show points and what sliding sectors hold, not lines)",
           AllOf(HasSubstr("steps of 0.5 GHz in frequency"), HasSubstr("0.034 GHz or less"))));
 }
 

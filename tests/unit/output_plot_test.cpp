@@ -4,7 +4,10 @@
 #include <limits>
 
 #include "output/plots/plot.h"
+#include "output/plots/polar_plot.h"
 #include "output/tables/cuts.h"
+#include "output/tables/sliding_sector.h"
+#include "output/tables/sweep_map.h"
 #include "scratch.h"
 
 namespace raytube {
@@ -52,6 +55,18 @@ TEST(Cuts, TooManyAreSampledFromFirstToLast) {
   ASSERT_EQ(cuts.cuts.size(), 3u);
   EXPECT_EQ(cuts.cuts.front().fixed, "10 GHz, θ = 10°");
   EXPECT_EQ(cuts.cuts.back().fixed, "10 GHz, θ = 70°");
+}
+
+// As above, but with the peak in a cut that is not among the evenly spread ones.
+TEST(Cuts, ThatThroughThePeakIsAmongTheChosen) {
+  const Sweep sweep = grid({10, 20, 30, 40, 50, 60, 70}, {0, 1, 2, 3, 4, 5, 6, 7}, {10});
+  SweepResult result = constant(sweep, 1.0, 0.0);
+  result.total[4 * 8 + 3].at(1, 1) = 2.0;
+  const Cuts cuts = choose_cuts(sweep, result, 3);
+  ASSERT_EQ(cuts.cuts.size(), 3u);
+  EXPECT_EQ(cuts.cuts[0].fixed, "10 GHz, θ = 10°");
+  EXPECT_EQ(cuts.cuts[1].fixed, "10 GHz, θ = 50°");
+  EXPECT_EQ(cuts.cuts[2].fixed, "10 GHz, θ = 70°");
 }
 
 TEST(Cuts, UnorderedListsAreDrawnByNumber) {
@@ -102,9 +117,123 @@ TEST(Plot, StepsTooWideForTheLobesAreNotJoined) {
   EXPECT_THAT(drawn(0.44, {90}),
               AllOf(HasSubstr("using 1:2 with points"), HasSubstr("keyentry with points"), Not(HasSubstr("with lines")),
                     HasSubstr("set title '10 GHz, θ = 90°; points not joined: steps too wide for the lobes'")));
+  EXPECT_THAT(drawn(0.44, {90}), Not(HasSubstr("$sectors")));  // three rows have no sector
   // Near the pole phi turns the direction less: one panel is joined, the other is not.
   EXPECT_THAT(drawn(0.44, {30, 90}),
               AllOf(HasSubstr("$cut0 using 1:2 with linespoints"), HasSubstr("$cut1 using 1:2 with points")));
+}
+
+TEST(Plot, GridsAreMapsWithTheCutsThroughThePeak) {
+  const Sweep sweep = grid({10, 20, 30, 40, 50, 60}, {0, 1, 2, 3, 4, 5, 6, 7}, {10});
+  SweepResult result = constant(sweep, 1.0, 1e-9);
+  result.total[4 * 8 + 3].at(1, 1) = 10.0;  // 20 dB above the rest: 10 lg 4 pi + 20 = 31.0 dBsm
+  const std::string text = rcs_plot_script("svg", "x.svg", "t", sweep, result);
+  EXPECT_THAT(text, AllOf(HasSubstr("$map0"), HasSubstr("$map3"), Not(HasSubstr("$map1"))));
+  EXPECT_THAT(text, HasSubstr("peak 31.0 dBsm, HH, at 10 GHz, θ = 50°, φ = 3°"));
+  EXPECT_THAT(text, HasSubstr("set title 'through the peak: 10 GHz, θ = 50°'"));
+  EXPECT_THAT(text, HasSubstr("set title 'through the peak: 10 GHz, φ = 3°'"));
+  EXPECT_THAT(text, AllOf(HasSubstr("\n50 10.9921 "), HasSubstr(" 30.9921\n")));
+  EXPECT_THAT(text, HasSubstr("set cbrange [10:31]\nset cblabel 'σ (dBsm)'"));
+  result.total[0].at(0, 1) = 1.1;  // 19.2 dB below the peak
+  EXPECT_THAT(rcs_plot_script("svg", "x.svg", "t", sweep, result), AllOf(HasSubstr("$map1"), HasSubstr("$map2")));
+}
+
+TEST(Plot, AMapDiffersInTwoQuantitiesOnly) {
+  const Sweep sweep = grid({10, 20, 30, 40, 50}, {0, 1, 2, 3, 4, 5}, {10, 11});
+  const RowCoordinates coordinates = coordinates_of_rows(sweep);
+  const auto map = map_through(7, coordinates, plan_cuts(coordinates), 4);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->across, RowCoordinates::phi);
+  EXPECT_EQ(map->up, RowCoordinates::theta);
+  EXPECT_EQ(map->fixed, "11 GHz");
+  EXPECT_EQ(map->rows[5 + 6 * 4], sweep.row(5 + 6 * 4, 1));
+  EXPECT_FALSE(map_through(7, coordinates, plan_cuts(coordinates), 12));  // few enough for panels
+  Sweep gap = sweep;
+  gap.looks.pop_back();
+  const RowCoordinates others = coordinates_of_rows(gap);
+  EXPECT_FALSE(map_through(7, others, plan_cuts(others), 4));
+}
+
+// Levels that rise by 1 dB a step: of the 11 rows about the i-th the second, the sixth and the tenth are i - 4, i and i + 4.
+TEST(SlidingSectors, OfALineAreParallelLines) {
+  Cut cut{"", {}, {}, {}, RowCoordinates::theta};
+  for (int i = 0; i < 40; ++i) {
+    cut.x.push_back(0.5 * i);
+    for (auto& channel : cut.sigma_dbsm) channel.push_back(i);
+  }
+  const auto sectors = sliding_sectors(cut);
+  ASSERT_TRUE(sectors);
+  EXPECT_DOUBLE_EQ(sectors->width, 5.0);
+  ASSERT_EQ(sectors->x.size(), 30u);  // five rows at either end have no whole sector
+  for (std::size_t i = 0; i < 30; ++i) {
+    EXPECT_EQ(sectors->x[i], cut.x[i + 5]);
+    EXPECT_EQ(sectors->levels[3][i].low, cut.sigma_dbsm[3][i + 5] - 4.0);
+    EXPECT_EQ(sectors->levels[3][i].median, cut.sigma_dbsm[3][i + 5]);
+    EXPECT_EQ(sectors->levels[3][i].high, cut.sigma_dbsm[3][i + 5] + 4.0);
+  }
+  cut.quantity = RowCoordinates::look_number;
+  EXPECT_FALSE(sliding_sectors(cut));
+}
+
+// One strong row in a circle: with it at either end the sectors about the other end have it, too, whether or not the first
+// azimuth is there twice.
+TEST(SlidingSectors, GoOnOverTheEndsOfACircle) {
+  for (const int rows : {360, 361}) {
+    Cut cut{"", {}, {}, {}, RowCoordinates::phi};
+    for (int i = 0; i < rows; ++i) {
+      cut.x.push_back(i);
+      for (auto& channel : cut.sigma_dbsm) channel.push_back(i % 360 < 2 ? 0.0 : -50.0);
+    }
+    const auto sectors = sliding_sectors(cut);
+    ASSERT_TRUE(sectors);
+    EXPECT_EQ(sectors->width, 10.0);
+    ASSERT_EQ(sectors->x.size(), cut.x.size());
+    EXPECT_EQ(sectors->levels[0][356].high, 0.0);    // 351 ... 361: two of eleven
+    EXPECT_EQ(sectors->levels[0][355].high, -50.0);  // 350 ... 360: one of them
+    EXPECT_EQ(sectors->levels[0][5].high, 0.0);      // 0 ... 10: two
+    EXPECT_EQ(sectors->levels[0][6].high, -50.0);
+  }
+}
+
+TEST(SlidingSectors, AreDrawnWhereStepsAreTooWide) {
+  const std::vector<dvec3> rod{{0.0, -0.5, 0.0}, {0.0, 0.5, 0.0}};
+  std::vector<double> phi;
+  for (int i = 0; i <= 40; ++i) phi.push_back(0.5 * i);
+  const Sweep sweep = grid({90}, phi, {10});
+  const std::string text = rcs_plot_script("svg", "x.svg", "t", sweep, constant(sweep, 1.0, 1e-9), rod);
+  EXPECT_THAT(text, AllOf(HasSubstr("set key title 'sectors of 5°'"), HasSubstr("title 'VV 10–90 %'"),
+                          HasSubstr("title 'HH median'"), HasSubstr("$cut0 using 1:2 with points"), Not(HasSubstr("VH median"))));
+}
+
+TEST(PolarPlot, IsOfCirclesWithoutWideGaps) {
+  const auto circle = [](double from, double step, int count) {
+    std::vector<double> degrees;
+    for (int i = 0; i < count; ++i) degrees.push_back(from + step * i);
+    return degrees;
+  };
+  EXPECT_TRUE(goes_round(circle(0, 5, 72)));
+  EXPECT_TRUE(goes_round(circle(-180, 1, 361)));
+  EXPECT_TRUE(goes_round(circle(-175, 1, 351)));
+  EXPECT_FALSE(goes_round(circle(0, 1, 350)));  // 349 ... 360
+  EXPECT_FALSE(goes_round(circle(0, 15, 25)));
+  EXPECT_TRUE(has_full_circle(grid({90}, circle(0, 5, 72), {10})));
+  EXPECT_FALSE(has_full_circle(grid(circle(0, 1, 181), {0}, {10})));
+}
+
+// sigma = 4 pi |S|^2 of S = 1 m is 10.99 dBsm: over a middle of 0 dBsm, a ring below the next ten.
+TEST(PolarPlot, HoldsTheCutThroughThePeak) {
+  std::vector<double> phi;
+  for (int i = 0; i < 36; ++i) phi.push_back(10.0 * i);
+  const Sweep sweep = grid({30, 60, 90}, phi, {10});
+  SweepResult result = constant(sweep, 1.0, 1e-9);
+  result.total[36 + 9].at(0, 0) = 2.0;  // 6.02 dB more, at theta 60, phi 90
+  const auto text = polar_plot_script("svg", "x.svg", "t", sweep, result, {});
+  ASSERT_TRUE(text);
+  EXPECT_THAT(*text, AllOf(HasSubstr("10 GHz, θ = 60°; σ (dBsm) over azimuth φ (degrees)"),
+                           HasSubstr("\n80 10.9921\n90 17.0127\n"), HasSubstr("set label '10' at 10,0 "),
+                           HasSubstr("set label '20' at 20,0 "), HasSubstr("\n350 10.9921\n0 10.9921\nEOD")));
+  EXPECT_FALSE(
+      polar_plot_script("svg", "x.svg", "t", grid({90}, {0, 1, 2}, {10}), constant(grid({90}, {0, 1, 2}, {10}), 1.0, 0.0), {}));
 }
 
 // A stand-in for gnuplot that is content and draws nothing.
@@ -130,6 +259,19 @@ TEST(Plot, WritesBothPicturesOrSaysWhyNot) {
   EXPECT_EQ(text_of(scratch / "rcs.png").substr(1, 3), "PNG");
   EXPECT_THAT(text_of(scratch / "rcs.svg"), HasSubstr("<svg"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch.folder()), {}), 2);
+}
+
+TEST(Plot, AFullCircleHasAPolarPlotBeside) {
+  const Scratch scratch;
+  std::vector<double> phi;
+  for (int i = 0; i < 72; ++i) phi.push_back(5.0 * i);
+  const Sweep sweep = grid({10, 20, 30, 40, 50}, phi, {10});
+  const std::string trouble = plot_rcs(scratch.folder(), "t", sweep, constant(sweep, 1.0, 0.5));
+  if (!trouble.empty()) GTEST_SKIP() << trouble;
+  EXPECT_EQ(text_of(scratch / "rcs_polar.png").substr(1, 3), "PNG");
+  EXPECT_THAT(text_of(scratch / "rcs_polar.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(text_of(scratch / "rcs.svg"), HasSubstr("<image"));  // the map
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch.folder()), {}), 4);
 }
 
 }  // namespace

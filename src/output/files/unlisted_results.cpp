@@ -50,8 +50,8 @@ std::optional<JsonValue> case_of_run(const fs::path& folder) {
   return sha256->text == sha256_of_file(folder / "rcs.csv") ? std::optional(*resolved) : std::nullopt;
 }
 
-// What a run with this resolved case writes. It does not say whether parts.csv or random.csv were asked for: their heads do.
-// Nothing if the case has another type of output than a run writes there.
+// What a run with this resolved case writes. It does not say whether parts.csv or random.csv were asked for, or whether a cut
+// went all round: their heads do. Nothing if the case has another type of output than a run writes there.
 std::set<std::string> results_of_run(const fs::path& folder, const JsonValue& resolved) {
   const JsonValue* output = resolved.find("output");
   if (output && output->kind != JsonValue::Kind::table) return {};
@@ -60,6 +60,8 @@ std::set<std::string> results_of_run(const fs::path& folder, const JsonValue& re
     if (head_of(folder / table).starts_with("# Time factor exp(+j omega t); a wave travels as exp(-j k r).")) names.insert(table);
   const JsonValue* plots = output ? output->find("plots") : nullptr;
   if (plots && plots->boolean) names.insert({"rcs.png", "rcs.svg"});
+  if (plots && plots->boolean && head_of(folder / "rcs_polar.svg").find("Produced by GNUPLOT") != std::string::npos)
+    names.insert({"rcs_polar.png", "rcs_polar.svg"});
   if (output && output->find("image_look")) names.merge(names_of_images(folder));
   return names;
 }

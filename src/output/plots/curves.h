@@ -18,6 +18,11 @@ inline constexpr const char* channel_styles =
     "set style line 3 lc rgb '#c040c0' lw 2 dt (16,16) pt 4 ps 1.1\n"
     "set style line 4 lc rgb '#d9480f' lw 2 dt (10,6) pt 6 ps 1.1\n";
 
+/// Colours of levels: perceptually even and read in grey, too ("viridis", Smith & van der Walt 2015).
+inline constexpr const char* level_palette =
+    "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', 6 '#5ec962', "
+    "7 '#addc30', 8 '#fde725')\n";
+
 struct Scale {
   double bottom, top;
   double floor;  // values below are not shown

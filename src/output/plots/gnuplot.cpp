@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -82,6 +83,17 @@ std::string gnuplot_quoted(const std::string& text) {
     inside += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
   return '\'' + inside + '\'';
+}
+
+// The line breaks alone stand in double quotes: nothing of the text takes part in gnuplot's escapes.
+std::string gnuplot_quoted_lines(const std::string& text) {
+  std::string joined;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    joined += (joined.empty() ? "" : ".\"\\n\".") + gnuplot_quoted(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return joined;
 }
 
 std::string gnuplot_preamble(const std::string& terminal, const std::string& canvas, const std::string& file) {

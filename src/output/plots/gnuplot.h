@@ -10,6 +10,9 @@ namespace raytube {
 /// Text as gnuplot takes it literally.
 std::string gnuplot_quoted(const std::string& text);
 
+/// The same of several lines, one under the other.
+std::string gnuplot_quoted_lines(const std::string& text);
+
 /// The commands every script begins with: `terminal` is "pngcairo" or "svg", `canvas` its size "1100,640" in pixels.
 std::string gnuplot_preamble(const std::string& terminal, const std::string& canvas, const std::string& file);
 

@@ -26,10 +26,7 @@ constexpr double shown_range = 40.0;        // [dB] below the strongest cell
 constexpr double window_wavelengths = 6.0;  // faces turned by 10 degrees and more then show their edges only
 constexpr dvec2 most_dots{700.0, 560.0};    // of a panel, in pixels
 
-// Perceptually even and read in grey, too ("viridis", Smith & van der Walt 2015); for angles one that ends as it begins.
-constexpr const char* level_palette =
-    "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', 6 '#5ec962', "
-    "7 '#addc30', 8 '#fde725')\n";
+// For angles, ends as it begins.
 constexpr const char* phase_palette =
     "set palette defined (0 '#e2d9e2', 1 '#9fbbc9', 2 '#6587be', 3 '#5e43a5', 4 '#2f1436', 5 '#7c2051', 6 '#b25652', "
     "7 '#cb9d84', 8 '#e2d9e2')\n";
@@ -156,17 +153,6 @@ std::string strongest(const LookImage& image) {
                      sigma_dbsm(cell->at(most / 2, most % 2)), middle.x, middle.y);
 }
 
-// One line under the other, and none takes part in gnuplot's own escapes.
-std::string quoted_lines(const std::string& text) {
-  std::string joined;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    joined += (joined.empty() ? "" : ".\"\\n\".") + gnuplot_quoted(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return joined;
-}
-
 std::string plot_command(const fs::path& data, const ImageLattice& lattice, const Dots& dots, int number) {
   const dvec2 dot = static_cast<double>(dots.cells) * lattice.cell, first = lattice.corner + 0.5 * dot;
   return fmt::format("plot {} binary array=({},{}) dx={} dy={} origin=({},{}) format='%4float' using {} with image notitle\n",
@@ -210,8 +196,8 @@ std::string draw(const fs::path& picture, const std::string& heading, const Imag
   const Layout layout(lattice, dots);
   const fs::path data = picture.string() + ".dots";
   write_dots(data, dots, shown);
-  std::string trouble = draw_picture(picture, preamble(layout, picture, quoted_lines(heading)) + colors(dots, shown, label) +
-                                                  panels(layout, data, lattice, dots));
+  std::string trouble = draw_picture(picture, preamble(layout, picture, gnuplot_quoted_lines(heading)) +
+                                                  colors(dots, shown, label) + panels(layout, data, lattice, dots));
   fs::remove(data);
   return trouble;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 #include "core/decimal.h"
@@ -64,13 +65,25 @@ CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowCoordin
   return cut;
 }
 
-Cut curves_of(const CutRows& rows, const SweepResult& result) {
-  Cut cut{rows.fixed, rows.x, {}, rows.rows};
+Cut curves_of(const CutRows& rows, Quantity quantity, const SweepResult& result) {
+  Cut cut{rows.fixed, rows.x, {}, rows.rows, quantity};
   for (const std::size_t row : rows.rows) {
     const ScatteringMatrix& s = result.total[row];
     for (int channel = 0; channel < 4; ++channel) cut.sigma_dbsm[channel].push_back(sigma_dbsm(s.at(channel / 2, channel % 2)));
   }
   return cut;
+}
+
+bool holds(const std::vector<std::size_t>& rows, std::size_t row) { return std::ranges::find(rows, row) != rows.end(); }
+
+// Of the evenly spread cuts the nearest one makes room for that through the peak.
+std::vector<std::size_t> choice_with_peak(const std::vector<CutRows>& cuts, std::size_t peak, std::size_t most) {
+  std::vector<std::size_t> choice = spread_choice(cuts.size(), most);
+  const auto through = std::ranges::find_if(cuts, [&](const CutRows& cut) { return holds(cut.rows, peak); }) - cuts.begin();
+  const auto nearest =
+      std::ranges::min_element(choice, {}, [&](std::size_t i) { return std::abs(static_cast<std::ptrdiff_t>(i) - through); });
+  if (nearest != choice.end()) *nearest = static_cast<std::size_t>(through);
+  return choice;
 }
 
 }  // namespace
@@ -99,6 +112,8 @@ std::vector<std::vector<std::size_t>> rows_along(Quantity quantity, const RowCoo
   return groups;
 }
 
+std::string axis_label(Quantity quantity) { return axis_labels[quantity]; }
+
 CutPlan plan_cuts(const RowCoordinates& coordinates) {
   const std::vector<Values>& rows = coordinates.rows;
   Quantity axis = RowCoordinates::phi;
@@ -107,7 +122,7 @@ CutPlan plan_cuts(const RowCoordinates& coordinates) {
        {RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta, RowCoordinates::frequency})
     if (auto grouped = groups_along(other, rows); grouped.size() < groups.size()) axis = other, groups = std::move(grouped);
   if (rows.size() > 1 && 2 * groups.size() > rows.size()) groups = groups_along(axis = RowCoordinates::look_number, rows);
-  CutPlan plan{axis, axis_labels[axis], {}};
+  CutPlan plan{axis, axis_label(axis), {}};
   for (auto& group : groups) plan.cuts.push_back(cut_rows(std::move(group), axis, coordinates));
   return plan;
 }
@@ -123,10 +138,21 @@ std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most) {
   return choice;
 }
 
+std::size_t peak_row(const SweepResult& result) {
+  return static_cast<std::size_t>(std::ranges::max_element(result.total, {}, largest_amplitude) - result.total.begin());
+}
+
+Cut cut_through(std::size_t row, Quantity quantity, const RowCoordinates& coordinates, const SweepResult& result) {
+  for (auto& group : groups_along(quantity, coordinates.rows))
+    if (holds(group, row)) return curves_of(cut_rows(std::move(group), quantity, coordinates), quantity, result);
+  return {};
+}
+
 Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most_cuts) {
   const CutPlan plan = plan_cuts(coordinates_of_rows(sweep));
   Cuts chosen{plan.axis, {}, plan.cuts.size()};
-  for (const std::size_t i : spread_choice(plan.cuts.size(), most_cuts)) chosen.cuts.push_back(curves_of(plan.cuts[i], result));
+  for (const std::size_t i : choice_with_peak(plan.cuts, peak_row(result), most_cuts))
+    chosen.cuts.push_back(curves_of(plan.cuts[i], plan.quantity, result));
   return chosen;
 }
 

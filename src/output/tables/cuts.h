@@ -36,6 +36,9 @@ struct CutPlan {
 /// Rows that differ in this quantity only, ordered by it; the groups in the order of their first row.
 std::vector<std::vector<std::size_t>> rows_along(RowCoordinates::Quantity quantity, const RowCoordinates& coordinates);
 
+/// "azimuth φ (degrees)"
+std::string axis_label(RowCoordinates::Quantity quantity);
+
 /// Takes the quantity that leaves the fewest cuts as the axis, or the look's number if no quantity orders the looks.
 CutPlan plan_cuts(const RowCoordinates& coordinates);
 
@@ -49,17 +52,24 @@ std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most);
 struct Cut {
   std::string fixed;  // "10 GHz, θ = 90°"
   std::vector<double> x;
-  std::array<std::vector<double>, 4> sigma_dbsm;  // VV, VH, HV, HH
-  std::vector<std::size_t> rows{};                // of the sweep; empty: not told
+  std::array<std::vector<double>, 4> sigma_dbsm;                    // VV, VH, HV, HH
+  std::vector<std::size_t> rows{};                                  // of the sweep; empty: not told
+  RowCoordinates::Quantity quantity = RowCoordinates::look_number;  // of x
 };
 
 struct Cuts {
   std::string axis;  // label with unit
   std::vector<Cut> cuts;
-  std::size_t total = 0;  // cuts of the sweep; `cuts` holds a few of them, evenly spread, if there are too many to draw
+  std::size_t total = 0;  // cuts of the sweep; `cuts` holds a few of them if there are too many to draw
 };
 
-/// The curves of plan_cuts, or the few of them that spread_choice takes.
+/// The row of the largest amplitude in any channel, the first one of equals.
+std::size_t peak_row(const SweepResult& result);
+
+/// The curve over one quantity that holds this row.
+Cut cut_through(std::size_t row, RowCoordinates::Quantity quantity, const RowCoordinates& coordinates, const SweepResult& result);
+
+/// The curves of plan_cuts, or the few of them that spread_choice takes, the nearest one replaced by that through the peak.
 Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most_cuts);
 
 }  // namespace raytube

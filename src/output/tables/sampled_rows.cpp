@@ -21,13 +21,6 @@ double turn_between(const Sweep& sweep, std::span<const dvec3> outermost, std::s
                     scattering_vector(sweep.looks[b / count], sweep.frequencies[b % count]));
 }
 
-bool in_even_steps(std::span<const double> x) {
-  const double step = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
-  for (std::size_t i = 1; i < x.size(); ++i)
-    if (!(std::abs(x[i] - x[i - 1] - step) < 1e-3 * step)) return false;  // a list may be written with few digits
-  return true;
-}
-
 // The widest steps of one quantity so far, by the phase they turn.
 class Widest {
  public:
@@ -92,6 +85,13 @@ void add_frequencies(const Sweep& sweep, std::span<const dvec3> outermost, std::
 }
 
 }  // namespace
+
+bool in_even_steps(std::span<const double> x) {
+  const double step = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+  for (std::size_t i = 1; i < x.size(); ++i)
+    if (!(std::abs(x[i] - x[i - 1] - step) < 1e-3 * step)) return false;
+  return true;
+}
 
 std::vector<CoarseSteps> coarse_steps(const Sweep& sweep, std::span<const dvec3> outermost) {
   std::vector<CoarseSteps> all;

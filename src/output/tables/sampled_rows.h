@@ -18,6 +18,9 @@ struct CoarseSteps {
 /// quantities held fixed; single directions and lists are none.
 std::vector<CoarseSteps> coarse_steps(const Sweep& sweep, std::span<const dvec3> outermost);
 
+/// Whether ascending values are in even steps, to the few digits that a list may be written with.
+bool in_even_steps(std::span<const double> x);
+
 /// Whether the rows, in this order, are close enough to be joined by a line; so are those of a target not known, without points.
 bool can_be_joined(const Sweep& sweep, std::span<const dvec3> outermost, std::span<const std::size_t> rows);
 

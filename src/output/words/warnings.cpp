@@ -28,7 +28,7 @@ std::string sentence(const CoarseSteps& steps) {
   return fmt::format(
       "sampling: steps of {:.4g} {} in {} are too wide for this target's lobes, which ask for {:.2g} {} or less; take finer "
       "steps, "
-      "or read each row by itself (plots show points, not lines)",
+      "or read each row by itself (plots show points and what sliding sectors hold, not lines)",
       steps.step, unit, names[steps.quantity], rounded_down(steps.limit), unit);
 }
 
