@@ -60,6 +60,57 @@ inline PolygonSoup box_with_flap() {
   return soup;
 }
 
+/// Turned, and with coordinates of so many digits behind the point, as text files have them: what was flat is no longer.
+inline PolygonSoup written(PolygonSoup soup, double digits) {
+  const double unit = std::pow(10.0, -digits);
+  for (dvec3& p : soup.points) {
+    p = {std::cos(0.3) * p.x - std::sin(0.3) * p.y, std::sin(0.3) * p.x + std::cos(0.3) * p.y, p.z};
+    p = {p.x, std::cos(0.2) * p.y - std::sin(0.2) * p.z, std::sin(0.2) * p.y + std::cos(0.2) * p.z};
+    p = unit * glm::round(p / unit);
+  }
+  return soup;
+}
+
+/// A grid of triangles over the unit square, as `at` places its points.
+template <class Place>
+PolygonSoup plating(int columns, int rows, Place at) {
+  PolygonSoup soup;
+  for (int i = 0; i <= columns; ++i)
+    for (int j = 0; j <= rows; ++j) soup.points.push_back(at(double(i) / columns, double(j) / rows));
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const auto a = static_cast<std::uint32_t>(i * (rows + 1) + j), b = a + static_cast<std::uint32_t>(rows) + 1;
+      soup.polygons.push_back({a, b, b + 1});
+      soup.polygons.push_back({a, b + 1, a + 1});
+    }
+  return soup;
+}
+
+/// The shell of a ship, 1 long: two sides that meet in the keel, a deck, a transom and a blunt stem with sharp edges all round.
+inline PolygonSoup hull(int stations, int waterlines) {
+  const auto side = [](double x, double t, double sign) {
+    const double beam = 0.07 * (x < 0.6 ? 0.75 + 0.25 * std::min(1.0, x / 0.3) : 1.05 - std::pow((x - 0.6) / 0.4, 2));
+    return dvec3(x, sign * beam * std::pow(t, 0.3 + 0.7 * std::abs(x - 0.45)), 0.1 * t);
+  };
+  const auto across = [&](double x, double z, double t) { return glm::mix(side(x, z, 1.0), side(x, z, -1.0), t); };
+  PolygonSoup all = plating(stations, waterlines, [&](double x, double t) { return side(x, t, 1.0); });
+  add(all, plating(stations, waterlines, [&](double x, double t) { return side(x, t, -1.0); }), {});
+  add(all, plating(stations, waterlines / 4, [&](double x, double t) { return across(x, 1.0, t); }), {});
+  for (const double end : {0.0, 1.0})
+    add(all, plating(waterlines / 4, waterlines, [&](double t, double z) { return across(end, z, t); }), {});
+  return all;
+}
+
+/// Boxes that stand on a plate and in one another.
+inline PolygonSoup towers() {
+  PolygonSoup all = box({1.6, 1.6, 0.05});
+  for (int i = 0; i < 40; ++i) {
+    const double width = 0.08 + 0.003 * (i * 7 % 20), height = 0.1 + 0.01 * (i * 11 % 30);
+    add(all, box({width, 0.2 - width, height}), {-0.7 + 0.0371 * (i * 17 % 40), -0.7 + 0.0353 * i, 0.5 * height + 0.025});
+  }
+  return all;
+}
+
 inline std::vector<std::pair<std::string, PolygonSoup>> nasty_bodies() {
   std::vector<std::pair<std::string, PolygonSoup>> all = {
       {"gear of 24 teeth", gear(24, 0.01)},
@@ -90,6 +141,14 @@ inline std::vector<std::pair<std::string, PolygonSoup>> nasty_bodies() {
   all.emplace_back("spheres through one another", spheres);
   all.emplace_back("gears through one another", gears);
   return all;
+}
+
+/// Bodies whose patches are not quite flat.
+inline std::vector<std::pair<std::string, PolygonSoup>> uneven_bodies() {
+  return {{"hull", hull(80, 40)},
+          {"hull of six digits", written(hull(80, 40), 6)},
+          {"towers of six digits", written(towers(), 6)},
+          {"towers of five digits", written(towers(), 5)}};
 }
 
 }  // namespace raytube::shapes

@@ -209,6 +209,7 @@ class Run {
       const Solved solved = solve_with_progress(plan_, request_, journal_);
       journal_.keep_all();
       for (const BeyondBound& part : solved.result.statistics.beyond_bound) warn(beyond_bound_sentence(part));
+      warn_of_lost_rays(solved.result.statistics);
       write(solved, total);
       if (!request_.quiet) print(solved);
     } catch (const Interrupted&) {
@@ -220,6 +221,10 @@ class Run {
   }
 
  private:
+  void warn_of_lost_rays(const Statistics& statistics) const {
+    if (statistics.lost_rays > 0) warn(lost_rays_sentence(statistics, case_.metres_per_unit, case_.unit));
+  }
+
   // Once more if somebody removes the folder meanwhile.
   void write(const Solved& solved, const Stopwatch& total) {
     try {

@@ -26,6 +26,17 @@ struct BeyondBound {
   double ratio = 0.0;       // of the amplitude there to its bound
 };
 
+/// A ray that met a closed body from inside.
+struct LostRay {
+  dvec3 at{0.0};               // where [m]
+  std::uint32_t triangle = 0;  // of the mesh as it is traced
+  std::uint64_t look = 0;      // counted from 0
+  Direction transmit{};
+};
+
+/// Lost rays that are told by their place: the first ones of the first looks, so that threads do not choose.
+inline constexpr std::size_t most_lost_rays_told = 3;
+
 /// Why a tube was truncated.
 enum class Truncation : std::uint8_t {
   bounces,  // it would have met a surface after the last bounce
@@ -74,10 +85,12 @@ struct Statistics {
   std::uint64_t rays = 0;           // segments traced: launched tubes and every reflected segment
   std::vector<std::uint64_t> hits;  // hits[m]: tubes that met a surface at bounce m + 1
   std::uint64_t lost_rays = 0;      // rays that met a closed body from inside (a leak); their tube ends there
-  TruncatedSums truncated;          // tubes: sum over looks; sigma: the largest one of a look
-  double sliver_area = 0.0;         // [m^2], sum over looks: parts of adaptive tubes too thin to be more than rounding, left out
-  std::uint64_t wedges = 0;         // wedges of the target, convex and concave
-  std::uint64_t wedges_lit = 0;     // sum over looks of the convex wedges at least partly lit, at the highest frequency
+  std::uint64_t looks_with_lost_rays = 0;
+  std::vector<LostRay> first_lost_rays;  // most_lost_rays_told at most, in metres of the mesh's own coordinates
+  TruncatedSums truncated;               // tubes: sum over looks; sigma: the largest one of a look
+  double sliver_area = 0.0;      // [m^2], sum over looks: parts of adaptive tubes too thin to be more than rounding, left out
+  std::uint64_t wedges = 0;      // wedges of the target, convex and concave
+  std::uint64_t wedges_lit = 0;  // sum over looks of the convex wedges at least partly lit, at the highest frequency
   std::uint64_t thin_plate_edges_lowest = 0, thin_plate_edges_highest = 0;  // half planes at the lowest and the highest frequency
   std::uint64_t surface_strips = 0;       // sum over looks: strips across shadow boundaries of curved surfaces
   std::uint64_t illuminating_pieces = 0;  // sum over looks: pieces of edges that light other surfaces, once for each wave on them

@@ -88,7 +88,7 @@ template <class Archive, class Look>
 void visit(Archive& archive, Look& look) {
   auto& [tubes, edges, between, surface] = look;
   archive(tubes.bounces), archive(tubes.incoherent), archive(tubes.error), archive(tubes.hits);
-  archive(tubes.tubes), archive(tubes.rays), archive(tubes.lost_rays), archive(tubes.truncated);
+  archive(tubes.tubes), archive(tubes.rays), archive(tubes.lost_rays), archive(tubes.truncated), archive(tubes.first_lost);
   archive(tubes.empty_cells), archive(tubes.faces_away), archive(tubes.sliver_area), archive(tubes.met);
   archive(edges.scattering), archive(edges.higher), archive(edges.windowed);
   archive(edges.wedges_lit), archive(edges.lit);

@@ -96,6 +96,7 @@ Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, cons
   }
   s.tubes = random.samples * drawn.size();
   s.rays = sum.rays, s.hits = sum.hits, s.lost_rays = sum.lost_rays;
+  s.looks_with_lost_rays = 0, s.first_lost_rays.clear();
   s.sliver_area = 0.0;
   s.skipped = plan.skipped_wedges;
   return s;

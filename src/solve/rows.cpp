@@ -78,6 +78,7 @@ void RowCollector::count(std::size_t index, const LookResult& look) {
   all.tubes += look.tubes.tubes;
   all.rays += look.tubes.rays;
   all.lost_rays += look.tubes.lost_rays;
+  if (look.tubes.lost_rays > 0) lost_rays_[index] = look.tubes.first_lost;
   add_look(all.truncated, look.tubes.truncated);
   sliver_areas_[index] = look.tubes.sliver_area;
   if (all.hits.size() < look.tubes.hits.size()) all.hits.resize(look.tubes.hits.size());
@@ -186,6 +187,7 @@ void RowCollector::compare(std::size_t part, std::size_t row, const ScatteringMa
 
 SweepResult RowCollector::finish() {
   finish_model();
+  tell_lost_rays();
   Statistics& all = result_.statistics;
   all.sliver_area = std::accumulate(sliver_areas_.begin(), sliver_areas_.end(), 0.0);
   if (looks_without_tubes_) all.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
@@ -198,6 +200,17 @@ SweepResult RowCollector::finish() {
   all.ray_range = plan_.ray_range;
   if (plan_.mechanisms.fringe) count_thin_plate_edges();
   return std::move(result_);
+}
+
+void RowCollector::tell_lost_rays() {
+  Statistics& all = result_.statistics;
+  all.looks_with_lost_rays = lost_rays_.size();
+  for (const auto& [index, rays] : lost_rays_)
+    for (const LostRay& ray : rays) {
+      if (all.first_lost_rays.size() == most_lost_rays_told) return;
+      const std::size_t look = plan_.looks.computed[index];
+      all.first_lost_rays.push_back({ray.at + plan_.target.mesh.center, ray.triangle, look, sweep_.looks[look].transmit});
+    }
 }
 
 void RowCollector::count_thin_plate_edges() {

@@ -1,6 +1,7 @@
 // From looks to the rows of a sweep.
 #pragma once
 
+#include <map>
 #include <mutex>
 
 #include "scene/skipped.h"
@@ -31,6 +32,7 @@ class RowCollector {
   void add_rows(std::size_t look, const LookResult& part, const LookSource& source);
   void add_row(std::size_t look, std::size_t frequency_index, const LookResult& part, const LookSource& source);
   void compare(std::size_t part, std::size_t row, const ScatteringMatrix& s, double bound);
+  void tell_lost_rays();
   void count_thin_plate_edges();
 
   const SolvePlan& plan_;
@@ -40,6 +42,7 @@ class RowCollector {
       following_;                     // looks that follow from computed look i: following_[first_[i]...first_[i + 1] - 1]
   std::vector<double> sliver_areas_;  // of each computed look: the one count whose sum depends on its order
   std::vector<std::array<double, omissions>> model_squares_;  // of each computed look: sums over its rows, too [m^2]
+  std::map<std::size_t, std::vector<LostRay>> lost_rays_;     // of each computed look with any, the first ones
   std::uint64_t looks_without_tubes_ = 0;
   SkipCounts skipped_;
   PhysicalBounds bounds_;

@@ -66,6 +66,14 @@ void expect_same(const SweepResult& one, const SweepResult& other) {
     EXPECT_EQ(a.truncated[reason].tubes, b.truncated[reason].tubes);
     EXPECT_EQ(a.truncated[reason].sigma, b.truncated[reason].sigma);
   }
+  EXPECT_EQ(a.lost_rays, b.lost_rays);
+  EXPECT_EQ(a.looks_with_lost_rays, b.looks_with_lost_rays);
+  ASSERT_EQ(a.first_lost_rays.size(), b.first_lost_rays.size());
+  for (std::size_t i = 0; i < a.first_lost_rays.size(); ++i) {
+    EXPECT_EQ(a.first_lost_rays[i].at, b.first_lost_rays[i].at);
+    EXPECT_EQ(a.first_lost_rays[i].triangle, b.first_lost_rays[i].triangle);
+    EXPECT_EQ(a.first_lost_rays[i].look, b.first_lost_rays[i].look);
+  }
   EXPECT_EQ(a.sliver_area, b.sliver_area);
   EXPECT_EQ(a.wedges_lit, b.wedges_lit);
   EXPECT_EQ(a.illuminating_pieces, b.illuminating_pieces);
@@ -107,6 +115,24 @@ void expect_same_after_stops(const PolygonSoup& soup, SolveOptions o) {
 
 TEST(KeptLooks, UniformTubes) { expect_same_after_stops(shapes::trihedral(0.5), options(EdgeMethod::fringe)); }
 
+// A body that crosses itself, so that the smaller part of it is inside out.
+PolygonSoup crossed() {
+  PolygonSoup soup = shapes::cube(0.1);
+  std::swap(soup.points[1], soup.points[3]);
+  std::swap(soup.points[5], soup.points[7]);
+  for (const std::size_t corner : {0, 2, 4, 6}) soup.points[corner].y *= 2.0;
+  return soup;
+}
+
+TEST(KeptLooks, PlacesOfLostRays) {
+  const SweepResult result = solve_soup(crossed(), some_looks(), options(EdgeMethod::fringe));
+  ASSERT_EQ(result.statistics.first_lost_rays.size(), most_lost_rays_told);
+  EXPECT_GT(result.statistics.lost_rays, result.statistics.looks_with_lost_rays);
+  EXPECT_EQ(result.statistics.first_lost_rays[0].transmit,
+            some_looks().looks[result.statistics.first_lost_rays[0].look].transmit);
+  expect_same_after_stops(crossed(), options(EdgeMethod::fringe));
+}
+
 TEST(KeptLooks, AdaptiveTubesWithWavesBetweenSurfaces) {
   SolveOptions o = options(EdgeMethod::fringe);
   o.tubes.mode = TubeMode::adaptive;
@@ -131,6 +157,8 @@ LookResult some_look() {
   look.tubes.rays = 15;
   look.tubes.met = {0.3, 0.1};
   look.tubes.truncated[Truncation::width] = {3, 1e-300};
+  look.tubes.lost_rays = 2;
+  look.tubes.first_lost = {{{0.1, 1e-300, -0.0}, 7}, {{0.2, 3.0, 4.0}, 8}};
   look.tubes.sliver_area = 1e-17;
   look.edges.scattering.resize(2);
   look.edges.windowed = {false, true};

@@ -90,6 +90,16 @@ TEST(Summary, OfManyLooksCountsAddUpAndTheLargestRemainsStays) {
   EXPECT_EQ(all.sigma(), 0.5);
 }
 
+TEST(Summary, LostRaysAreToldWithTheirPlace) {
+  Statistics statistics;
+  statistics.rays = 1000, statistics.lost_rays = 7, statistics.looks_with_lost_rays = 2;
+  statistics.first_lost_rays = {{{0.5, -1.25, 2.0}, 12, 3, {0.5 * pi, 0.25 * pi}}};
+  EXPECT_THAT(
+      lost_rays_sentence(statistics, 1e-3, "mm"),
+      HasSubstr("7 of 1000 rays met a closed body from inside and ended there, in 2 looks, first at (500, -1250, 2000) mm "
+                "on triangle 12 in look 3 (theta 90, phi 45): "));
+}
+
 TEST(Summary, PartsBeyondTheirBoundAreNamed) {
   EXPECT_THAT(beyond_bound_sentence({"later bounces", 2, 7, 10.0}),
               ::testing::HasSubstr("2 rows with more than the size of the target allows, row 7 by 20.0 dB"));

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "mesh/model/geometry.h"
 #include "nasty_bodies.h"
 #include "sbr/launch/launch.h"
 #include "shapes.h"
@@ -62,6 +63,34 @@ TEST(Watertight, NastyBodiesLoseNoRay) {
     const LoadedMesh loaded = build_mesh(soup, 1.0);
     EXPECT_EQ(loaded.report.open_edges, 0u) << name;
     EXPECT_EQ(lost_of_looks(loaded.mesh, 60), 0u) << name;
+  }
+}
+
+// Rays from afar, not grazing, to points up to 3e-6 of the radius beside the edges of all triangles.
+std::vector<Ray> rays_beside_edges(const TriangleMesh& mesh, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const auto random = [&] { return 2.0 * dvec3(uniform(generator), uniform(generator), uniform(generator)) - 1.0; };
+  std::vector<Ray> rays;
+  for (const Triangle& corners : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const dvec3 at = glm::mix(mesh.vertices[corners[k]], mesh.vertices[corners[(k + 1) % 3]], uniform(generator));
+      const dvec3 direction = glm::normalize(random());
+      if (std::abs(glm::dot(direction, glm::normalize(area_vector(mesh.vertices, corners)))) < 0.01) continue;
+      rays.push_back({at + 3e-6 * mesh.radius * random() - 3.0 * mesh.radius * direction, direction});
+    }
+  return rays;
+}
+
+TEST(Watertight, RaysReflectedBesideEdgesOfFacetsThatAreNotQuiteFlatAreNotLost) {
+  // Facets are up to 2e-6 of the diagonal off the planes of their patches, on which reflected rays start: beside an edge the
+  // start may be beneath the next patch. Two rays in a thousand of the hulls meet that one from behind unless asked again.
+  for (const auto& [name, soup] : shapes::uneven_bodies()) {
+    const LoadedMesh loaded = build_mesh(soup, 1.0);
+    const Tracer tracer(loaded.mesh);
+    EXPECT_EQ(loaded.report.open_edges, 0u) << name;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+      EXPECT_EQ(met_from_inside(tracer, rays_beside_edges(loaded.mesh, seed)), 0u) << name;
   }
 }
 

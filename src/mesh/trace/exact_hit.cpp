@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include "math/exact_sign.h"
 #include "mesh/model/geometry.h"
@@ -17,8 +18,6 @@ namespace {
 constexpr double depth_uncertainty = 2e-6, line_uncertainty = 1e-5, narrow_angle = 0.25;
 // Sine of the angle between ray and plane below which single precision may put the hit in any triangle of a patch.
 constexpr double grazing = 1e-3;
-// Of the target's radius: fronts so close behind a facet met from its back are met in its place.
-constexpr double facing_distance = 8e-7;
 
 }  // namespace
 
@@ -28,6 +27,8 @@ ExactHit::ExactHit(const TriangleMesh& mesh, std::size_t longest_list)
       // A point on the ray and a plane offset each carry a few roundings of numbers up to the radius.
       rounding_(8.0 * std::numeric_limits<double>::epsilon() * mesh.radius),
       edge_uncertainty_(line_uncertainty * mesh.radius),
+      // Facets of either patch are off its plane by a fraction of the diagonal, which is at most 2 sqrt(3) times the radius.
+      plane_uncertainty_(2.0 * flat_fraction * 2.0 * std::numbers::sqrt3 * mesh.radius),
       tree_(mesh),
       at_vertex_(triangle_rows(mesh.vertices.size(), mesh.triangles, std::identity())),
       of_patch_(triangle_rows(mesh.patches.size(), mesh.triangle_patch, [](std::uint32_t patch) { return std::array{patch}; })),
@@ -199,13 +200,31 @@ void ExactHit::keep_nearer_of_patch(const Ray& ray, std::uint32_t grazed, const 
     for (const std::uint32_t other : of_patch_[grazed]) keep_nearer(ray, other, ignored_patches, nearest);
 }
 
-bool ExactHit::from_behind(const Ray& ray, std::uint32_t triangle) const {
-  return mesh_.closed(triangle) && glm::dot(mesh_.patches[patch(triangle)].normal, ray.direction) > 0.0;
+// Into the closed body whose surface it leaves.
+bool ExactHit::leaves_inwards(const Ray& ray) const {
+  if (ray.source_patch == no_index || !mesh_.closed(of_patch_[ray.source_patch].front())) return false;
+  return glm::dot(mesh_.patches[ray.source_patch].normal, ray.direction) < 0.0;
+}
+
+// How far along the way on which a ray came its start may be off the facet [m].
+double ExactHit::start_uncertainty(const Ray& ray) const {
+  const double leaving = std::abs(glm::dot(mesh_.patches[ray.source_patch].normal, ray.direction));
+  return plane_uncertainty_ / std::max(leaving, grazing);
+}
+
+bool ExactHit::begins_beneath(const Ray& ray, std::uint32_t triangle) const {
+  const Patch& plane = mesh_.patches[patch(triangle)];
+  return plane.offset - glm::dot(plane.normal, ray.origin) <= start_uncertainty(ray);
+}
+
+Ray ExactHit::moved_back(const Ray& ray) const {
+  const dvec3& normal = mesh_.patches[ray.source_patch].normal;
+  const dvec3 incoming = ray.direction - 2.0 * glm::dot(normal, ray.direction) * normal;
+  return {ray.origin - start_uncertainty(ray) * incoming, ray.direction, ray.source_patch};
 }
 
 Hit ExactHit::front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const {
-  const bool inside = ray.source_patch != no_index && glm::dot(mesh_.patches[ray.source_patch].normal, ray.direction) < 0.0;
-  if (inside || !from_behind(ray, hit.triangle)) return hit;
+  if (!is_lost(ray, hit.triangle)) return hit;
   Hit front;
   if (has_long_corner(hit.triangle))
     keep_nearer_of_all(ray, ignored_patches, front,
@@ -224,7 +243,7 @@ Hit ExactHit::front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ign
   if (!front) return hit;
   const double least = std::min(std::abs(glm::dot(mesh_.patches[patch(hit.triangle)].normal, ray.direction)),
                                 std::abs(glm::dot(mesh_.patches[patch(front.triangle)].normal, ray.direction)));
-  return (front.distance - hit.distance) * least <= facing_distance * mesh_.radius ? front : hit;
+  return (front.distance - hit.distance) * least <= plane_uncertainty_ ? front : hit;
 }
 
 }  // namespace raytube

@@ -72,11 +72,25 @@ class ExactHit {
   /// rounding says which is the nearer one. If `hit` is on the one turned away, the hit on the other one; else `hit`.
   Hit front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const;
 
+  /// True if a ray that does not run inside a closed body meets one from inside.
+  bool is_lost(const Ray& ray, std::uint32_t triangle) const { return from_behind(ray, triangle) && !leaves_inwards(ray); }
+
+  /// True if a ray that leaves a patch starts beneath a facet turned away only by as much as facets may be off the planes of
+  /// their patches.
+  bool begins_beneath(const Ray& ray, std::uint32_t triangle) const;
+
+  /// A ray that leaves a patch, moved back by as much along the way on which it came to be reflected.
+  Ray moved_back(const Ray& ray) const;
+
  private:
   std::array<double, 3> edge_sides(const Ray& ray, std::uint32_t triangle) const;
   double depth(const Ray& ray, std::uint32_t triangle, const std::array<double, 3>& sides) const;
   void keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const;
-  bool from_behind(const Ray& ray, std::uint32_t triangle) const;
+  bool from_behind(const Ray& ray, std::uint32_t triangle) const {
+    return glm::dot(mesh_.patches[patch(triangle)].normal, ray.direction) > 0.0 && mesh_.closed(triangle);
+  }
+  bool leaves_inwards(const Ray& ray) const;
+  double start_uncertainty(const Ray& ray) const;
   bool grazes(const Ray& ray, std::uint32_t patch) const;
   bool stays_off(const Ray& ray, std::uint32_t patch) const;
   bool is_long(std::span<const std::uint32_t> list) const { return list.size() > longest_list_; }
@@ -91,6 +105,7 @@ class ExactHit {
   std::size_t longest_list_;
   double rounding_;
   double edge_uncertainty_;
+  double plane_uncertainty_;  // of the height of a facet of one patch over the plane of another patch beside it [m]
   TriangleTree tree_;
   TriangleRows at_vertex_, of_patch_;
   NearCoincident near_coincident_;

@@ -66,6 +66,9 @@ struct Tracer::Scene {
   void closest(std::span<const Ray> rays, const IgnoredPatches& ignored, bool from_behind, std::span<std::uint32_t> found) const;
   Proposal propose_beyond(const Ray& ray, const IgnoredPatches& ignored, std::span<const std::uint32_t> refused) const;
   std::uint32_t decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const;
+  std::uint32_t ask_alone(const Ray& ray, const IgnoredPatches& ignored) const;
+  bool is_lost(const Ray& ray, std::uint32_t triangle) const { return triangle != no_index && exact.is_lost(ray, triangle); }
+  std::uint32_t found_again(const Ray& ray, std::uint32_t lost) const;
   bool is_inside(const Ray& ray, const Packet& packet, std::size_t lane) const;
 
   const TriangleMesh& mesh;
@@ -302,7 +305,24 @@ void Tracer::Scene::closest(std::span<const Ray> rays, const IgnoredPatches& ign
       found[lane] = decide(rays[lane], ignored, {found[lane], (packet.start[lane] + packet.rays.ray.tfar[lane]) / scale});
     else if (!exact.is_alone(found[lane]))
       found[lane] = exact.front_of(rays[lane], exact.nearest_near_coincident(rays[lane], found[lane], ignored), ignored).triangle;
+    if (rays[lane].source_patch != no_index && is_lost(rays[lane], found[lane]))
+      found[lane] = found_again(rays[lane], found[lane]);
   }
+}
+
+std::uint32_t Tracer::Scene::ask_alone(const Ray& ray, const IgnoredPatches& ignored) const {
+  const Proposal first = propose_beyond(ray, ignored, {});
+  return first ? decide(ray, ignored, first) : no_index;
+}
+
+// A ray starts on the plane of its patch. Beside an edge that may be beneath the facets of another patch: of one that it leaves
+// upwards, and did not meet, or of one that it would have met at once, and runs through the body from there. Such a ray is asked
+// again, without that patch, or from the way on which it came.
+std::uint32_t Tracer::Scene::found_again(const Ray& ray, std::uint32_t lost) const {
+  std::uint32_t found = lost;
+  if (exact.begins_beneath(ray, lost)) found = ask_alone(ray, {exact.patch(lost), no_index, no_index});
+  if (is_lost(ray, found)) found = ask_alone(exact.moved_back(ray), nothing_ignored);
+  return is_lost(ray, found) ? lost : found;
 }
 
 // The nearest of Embree's triangles other than the refused ones.
@@ -359,9 +379,7 @@ void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const 
 }
 
 std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction, const IgnoredPatches& ignored_patches) const {
-  const Ray ray{origin, direction};
-  const Proposal first = scene_->propose_beyond(ray, ignored_patches, {});
-  return first ? scene_->decide(ray, ignored_patches, first) : no_index;
+  return scene_->ask_alone({origin, direction}, ignored_patches);
 }
 
 void Tracer::blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches, std::span<std::uint32_t> found) const {

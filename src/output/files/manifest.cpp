@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/decimal.h"
 #include "core/json.h"
 #include "output/files/files.h"
 
@@ -20,12 +21,23 @@ JsonValue count_or_length(double value) {
   return value == std::floor(value) && value < 1e15 ? JsonValue(static_cast<std::uint64_t>(value)) : JsonValue(value);
 }
 
+JsonValue lost_ray_json(const LostRay& ray) {
+  return {{"look", ray.look},
+          {"theta_deg", decimal_degrees(ray.transmit.theta)},
+          {"phi_deg", decimal_degrees(ray.transmit.phi)},
+          {"triangle", static_cast<std::uint64_t>(ray.triangle)},
+          {"at_m", std::vector<JsonValue>{ray.at.x, ray.at.y, ray.at.z}}};
+}
+
 JsonValue counts_json(const Statistics& statistics) {
   JsonValue json;
   json["rays"] = statistics.rays;
   json["tubes"] = statistics.tubes;
   json["hits_per_bounce"] = statistics.hits;
   json["lost_rays"] = statistics.lost_rays;
+  json["looks_with_lost_rays"] = statistics.looks_with_lost_rays;
+  json["first_lost_rays"] = std::vector<JsonValue>();
+  for (const LostRay& ray : statistics.first_lost_rays) json["first_lost_rays"].append(lost_ray_json(ray));
   for (const Truncation reason : truncations) {
     const char* const name = truncated_names[static_cast<std::size_t>(reason)];
     json[fmt::format("tubes_cut_{}", name)] = statistics.truncated[reason].tubes;

@@ -152,6 +152,23 @@ std::string beyond_bound_sentence(const BeyondBound& part) {
       part.part, part.rows, part.rows == 1 ? "" : "s", part.worst, 20.0 * std::log10(part.ratio));
 }
 
+std::string lost_rays_sentence(const Statistics& statistics, double metres_per_unit, const std::string& unit) {
+  std::vector<std::string> places;
+  for (const LostRay& ray : statistics.first_lost_rays) {
+    const dvec3 at = ray.at / metres_per_unit;
+    places.push_back(fmt::format("({:.6g}, {:.6g}, {:.6g}) {} on triangle {} in look {} (theta {}, phi {})", at.x, at.y, at.z,
+                                 unit, ray.triangle, ray.look, number_text(decimal_degrees(ray.transmit.theta)),
+                                 number_text(decimal_degrees(ray.transmit.phi))));
+  }
+  const std::uint64_t looks = statistics.looks_with_lost_rays;
+  const std::string where =
+      places.empty() ? "" : fmt::format(", in {} look{}, first at {}", looks, looks == 1 ? "" : "s", joined(places, "; "));
+  return fmt::format(
+      "{} of {} rays met a closed body from inside and ended there{}: a part of the body is inside out there, or crosses itself; "
+      "mend it in the CAD program (docs/guide/own_mesh.md)",
+      statistics.lost_rays, statistics.rays, where);
+}
+
 std::string summary_text(const SweepResult& result, const RunFacts& facts) {
   std::string text = work_lines(result.statistics, facts);
   for (const Skipped& skipped : result.statistics.skipped)

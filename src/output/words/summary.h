@@ -22,6 +22,9 @@ struct RunFacts {
 /// What is to be said, once a solve is done, of a mechanism that exceeds its bound.
 std::string beyond_bound_sentence(const BeyondBound& part);
 
+/// What is to be said of lost rays: how many, and where the first ones were in units of the mesh.
+std::string lost_rays_sentence(const Statistics& statistics, double metres_per_unit, const std::string& unit);
+
 /// Lines of a name and what is to be said of it.
 std::string summary_text(const SweepResult& result, const RunFacts& facts);
 

@@ -1,5 +1,7 @@
 #include "sbr/beams/tube_sums.h"
 
+#include <algorithm>
+
 namespace raytube {
 
 namespace {
@@ -36,6 +38,13 @@ void TubeSums::meet(int bounce, double area, double amplitude) {
   add_at(met, static_cast<std::size_t>(bounce), area * amplitude * amplitude);
 }
 
+void TubeSums::lose(const Ray& ray, std::uint32_t triangle, const TriangleMesh& mesh) {
+  if (lost_rays++ >= most_lost_rays_told) return;
+  const Patch& plane = mesh.patches[mesh.triangle_patch[triangle]];
+  const double distance = (plane.offset - glm::dot(plane.normal, ray.origin)) / glm::dot(plane.normal, ray.direction);
+  first_lost.push_back({ray.origin + distance * ray.direction, triangle});
+}
+
 void TubeSums::add_incoherent(const Spectrum& spectrum, double area) {
   incoherent.resize(std::max(incoherent.size(), spectrum.size()));
   for (std::size_t f = 0; f < spectrum.size(); ++f)
@@ -70,6 +79,8 @@ void TubeSums::add(const TubeSums& other) {
   tubes += other.tubes;
   rays += other.rays;
   lost_rays += other.lost_rays;
+  const std::size_t room = most_lost_rays_told - first_lost.size(), more = std::min(room, other.first_lost.size());
+  first_lost.insert(first_lost.end(), other.first_lost.begin(), other.first_lost.begin() + static_cast<std::ptrdiff_t>(more));
   empty_cells += other.empty_cells;
   faces_away += other.faces_away;
   sliver_area += other.sliver_area;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/field.h"
+#include "mesh/trace/ray.h"
 #include "sbr/beams/spectrum.h"
 #include "scene/results.h"
 
@@ -38,6 +39,7 @@ struct TubeSums {
   std::vector<std::uint64_t> hits;                // [bounce]
   std::vector<double> met;                        // [bounce] area times squared amplitude of the waves that met surfaces [m^2]
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0;
+  std::vector<LostRay> first_lost;                // of these, in recentred coordinates, their look not yet told
   TruncatedSums truncated;                        // of this look
   std::uint64_t empty_cells = 0, faces_away = 0;  // not traced: see SkipCounts
   double sliver_area = 0.0;                       // [m^2] of the launch plane, left out by adaptive tubes
@@ -47,6 +49,9 @@ struct TubeSums {
 
   /// A tube of this area across its wave [m^2], of this amplitude of unit incident ones, met a surface.
   void meet(int bounce, double area, double amplitude);
+
+  /// A ray met this triangle of a closed body from inside.
+  void lose(const Ray& ray, std::uint32_t triangle, const TriangleMesh& mesh);
 
   /// What the currents of this wave scatter incoherently from so much area across it.
   void add_incoherent(const Spectrum& spectrum, double area);

@@ -90,7 +90,7 @@ class CurvedTubes {
       if (!hit) continue;
       const std::uint32_t patch = mesh.triangle_patch[hit.triangle];
       if (mesh.closed(hit.triangle) && glm::dot(mesh.patches[patch].normal, rays_[i].direction) > 0.0) {
-        ++sums_.lost_rays;
+        sums_.lose(rays_[i], hit.triangle, mesh);
         continue;
       }
       Tube tube = tubes_[i];

@@ -106,7 +106,7 @@ void CellTubes::reflect(int bounce) {
                         node = beams_.child(beam, patch, {grid_.u_center(column), grid_.v_center(row)});
     // Only a ray that slipped through an edge meets a closed body from inside.
     if (beams_.from_behind(node) && mesh.closed(triangle)) {
-      ++sums_.lost_rays;
+      sums_.lose(rays_[i], triangle, mesh);
       continue;
     }
     sums_.meet(bounce, grid_.du * grid_.dv, beams_.amplitude(beam));
