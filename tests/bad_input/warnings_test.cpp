@@ -80,6 +80,24 @@ TEST_F(Warnings, WithoutATerminalALineSaysWhatIsDone) {
   EXPECT_EQ(output(), "");
 }
 
+TEST_F(Warnings, ABoxWithoutItsTop) {
+  const std::string corners = "0 0 0\n30 0 0\n30 30 0\n0 30 0\n0 0 30\n30 0 30\n30 30 30\n0 30 30\n";
+  const std::string sides = "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  const std::string sentence =
+      "open bodies: component 0, 100 % of the surface, is closed but for a hole: 900 cm^2 beside 4500 cm^2 of surface, with a "
+      "border of 120 cm round (15, 15, 30) cm; rays enter there, and the inside reflects as the outside does; add the missing "
+      "facets in the CAD program, unless the opening is meant, as that of a duct";
+  const std::string words = " case.toml --set target.unit=cm --set output.plots=false --set edges.method=none";
+  scratch.write("mesh.off", "OFF\n8 5 0\n" + corners + sides);
+  EXPECT_EQ(raytube("check" + words).code, 0);
+  EXPECT_THAT(output(), HasSubstr("\nwarnings\n  " + sentence + "\n"));
+  EXPECT_THAT(raytube("run" + words).complaint, StartsWith("raytube: " + sentence + "\n"));
+  EXPECT_EQ(told(), nlohmann::json::array({sentence}));
+  scratch.write("mesh.off", "OFF\n8 6 0\n" + corners + sides + "4 4 5 6 7\n");
+  EXPECT_EQ(raytube("run" + words).complaint.find("open bodies"), std::string::npos);
+  EXPECT_EQ(told().size(), 0u);
+}
+
 TEST_F(Warnings, TruncatedTubesAreTold) {
   scratch.write("mesh.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n1 0 1\n0 0 1\n0 1 0\n0 1 1\n4 0 1 2 3\n4 0 3 5 4\n");
   const std::string corner = "run case.toml --set look.theta_deg=90 --set look.phi_deg=45" + metres;

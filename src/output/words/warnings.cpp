@@ -23,6 +23,33 @@ std::string at_wavelength(const Validity& v) {
 
 std::string percent(const SmallFeatures& features) { return fmt::format("{:.2g} %", 100.0 * features.share); }
 
+// To a thousandth of `size`.
+std::string place(const dvec3& point, double size, const MeshUnit& unit) {
+  const double step = std::pow(10.0, std::floor(std::log10(size / unit.metres)) - 3.0);
+  const dvec3 p = glm::round(point / unit.metres / step) * step + 0.0;
+  return fmt::format("({:.7g}, {:.7g}, {:.7g}) {}", p.x, p.y, p.z, unit.name);
+}
+
+std::string hole_text(const OpenBodies& bodies, const MeshUnit& unit) {
+  const Hole& hole = bodies.largest;
+  const double square = unit.metres * unit.metres;
+  return fmt::format("{:.6g} {}^2 beside {:.6g} {}^2 of surface, with a border of {:.4g} {} round {}", hole.area / square,
+                     unit.name, bodies.area / square, unit.name, hole.border / unit.metres, unit.name,
+                     place(hole.middle, hole.border, unit));
+}
+
+std::string bodies_text(const OpenBodies& bodies, const MeshUnit& unit) {
+  const double percent = 100.0 * bodies.share;
+  const std::string hole = hole_text(bodies, unit);
+  if (bodies.holes == 1)
+    return fmt::format("component {}, {:.3g} % of the surface, is closed but for a hole: {}", bodies.component, percent, hole);
+  const std::string which = bodies.count == 1
+                                ? fmt::format("component {}, {:.3g} % of the surface, is", bodies.component, percent)
+                                : fmt::format("{} components, {:.3g} % of the surface, are", bodies.count, percent);
+  const std::string where = bodies.count == 1 ? "" : fmt::format(", in component {},", bodies.component);
+  return fmt::format("{} closed but for {} holes; the largest{} is {}", which, bodies.holes, where, hole);
+}
+
 std::string sentence(const CoarseSteps& steps) {
   const char* const unit = steps.quantity == RowCoordinates::frequency ? "GHz" : "deg";
   return fmt::format(
@@ -33,6 +60,15 @@ std::string sentence(const CoarseSteps& steps) {
 }
 
 }  // namespace
+
+std::vector<std::string> open_body_warnings(const OpenBodies& bodies, const MeshUnit& unit) {
+  if (bodies.count == 0 || bodies.share < least_share) return {};
+  return {
+      fmt::format("open bodies: {}; rays enter there, and the inside reflects as the outside does; add the missing facets in the "
+                  "CAD program, "
+                  "unless the opening is meant, as that of a duct",
+                  bodies_text(bodies, unit))};
+}
 
 std::vector<std::string> validity_warnings(const Validity& v) {
   if (too_small(v))

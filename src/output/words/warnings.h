@@ -5,9 +5,19 @@
 #include <vector>
 
 #include "output/tables/sampled_rows.h"
+#include "scene/open_bodies.h"
 #include "scene/validity.h"
 
 namespace raytube {
+
+/// Places and lengths are told in the unit of the mesh, where one looks for them.
+struct MeshUnit {
+  double metres = 1.0;
+  std::string name = "m";
+};
+
+/// One sentence, unless they are a small share of the surface.
+std::vector<std::string> open_body_warnings(const OpenBodies& bodies, const MeshUnit& unit);
 
 /// One sentence for each kind of feature too small for the methods; of a target too small as a whole only that.
 std::vector<std::string> validity_warnings(const Validity& validity);
