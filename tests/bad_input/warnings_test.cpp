@@ -1,4 +1,5 @@
 // What run and check say of targets too small, steps too wide and the work under way; and the words at the end.
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -96,6 +97,47 @@ TEST_F(Warnings, ABoxWithoutItsTop) {
   scratch.write("mesh.off", "OFF\n8 6 0\n" + corners + sides + "4 4 5 6 7\n");
   EXPECT_EQ(raytube("run" + words).complaint.find("open bodies"), std::string::npos);
   EXPECT_EQ(told().size(), 0u);
+}
+
+// On a plate of 1 m, which has edges but nothing for their waves to meet.
+TEST_F(Warnings, EdgeKeysWithoutEffect) {
+  const std::string quiet = "check case.toml --set target.unit=m ";
+  const std::map<std::string, std::string> reasons = {
+      {"--set edges.method=none --set edges.order=2", "order has no effect: edges.method is \"none\"; leave the key out"},
+      {"--set edges.method=utd --set edges.thin_sheets=true", "thin_sheets has no effect: edges.method is \"utd\""},
+      {"--set edges.order=1 --set edges.transition=as-printed", "transition has no effect: edges.order is 1"},
+      {"--set edges.between=true", "between has no effect: nothing stands in front of any face of the target"},
+      {"--set edges.between=false --set edges.between_budget=9", "between_budget has no effect: edges.between is false"},
+      {"--set edges.receiver_shadow=true", "receiver_shadow has no effect: looks are monostatic"}};
+  for (const auto& [words, reason] : reasons) {
+    EXPECT_EQ(raytube(quiet + words).code, 0) << words;
+    EXPECT_THAT(output(), HasSubstr(": edges." + reason));
+  }
+  for (const std::string words : {"--set edges.between=false", "--set edges.order=2 --set edges.transition=as-printed",
+                                  "--set edges.method=none --set edges.receiver_shadow=false", "--set edges.min_wedge_deg=20",
+                                  "--set edges.receiver_shadow=true --set receive.theta_deg=40 --set receive.phi_deg=0"}) {
+    EXPECT_EQ(raytube(quiet + words).code, 0) << words;
+    EXPECT_THAT(output(), HasSubstr("\nwarnings\n  none\n")) << words;
+  }
+}
+
+TEST_F(Warnings, EdgeKeysOfTheFileAreToldWithTheirLine) {
+  scratch.write("case.toml", good_case + "[edges]\nmethod = \"none\"\norder = 2\n");
+  const std::string words = "run case.toml --set output.plots=false --set target.unit=m";
+  EXPECT_THAT(
+      raytube(words).complaint,
+      StartsWith("raytube: case.toml, line 11: edges.order has no effect: edges.method is \"none\"; leave the key out, or "
+                 "change that\n"));
+  EXPECT_EQ(told().size(), 1u);
+  raytube(words + " --set edges.method=none");
+  EXPECT_EQ(told().size(), 0u);  // who turns edges off for once means their keys, too
+}
+
+TEST_F(Warnings, ConvergeMakesNoImages) {
+  const std::string words = "converge case.toml --quiet --densities 2,3,4" + metres;
+  EXPECT_EQ(raytube(words + "--set output.image_look=0").complaint,
+            "raytube: case.toml: output.image_look has no effect here: a study of density makes no images; use raytube run for "
+            "them\n");
 }
 
 TEST_F(Warnings, TruncatedTubesAreTold) {

@@ -4,6 +4,7 @@
 
 #include "mesh/soundness/open_bodies.h"
 #include "output/words/warnings.h"
+#include "program/warnings/idle_keys.h"
 #include "solve/validity.h"
 
 namespace raytube {
@@ -15,6 +16,7 @@ std::vector<std::string> warnings_of(const Case& c, const SolvePlan& plan, std::
       open_body_warnings(find_open_bodies(target.mesh, target.components_enclosed, plan.sweep.materials), unit);
   std::ranges::copy(validity_warnings(validity_of(target, plan.sweep, outermost)), std::back_inserter(sentences));
   std::ranges::copy(sampling_warnings(coarse_steps(plan.sweep, outermost)), std::back_inserter(sentences));
+  std::ranges::copy(idle_key_warnings(c, plan), std::back_inserter(sentences));
   return sentences;
 }
 
