@@ -99,6 +99,18 @@ TEST_F(Warnings, ABoxWithoutItsTop) {
   EXPECT_EQ(told().size(), 0u);
 }
 
+// A mesh in metres whose coat was given in micrometres.
+TEST_F(Warnings, ACoatThickerThanItsPlate) {
+  const std::string coat =
+      " --set target.material=coat --set materials.coat.kind=coated --set materials.coat.eps_r=4 --set "
+      "materials.coat.thickness_mm=";
+  EXPECT_EQ(raytube("check case.toml" + metres + coat + "2000").code, 0);
+  EXPECT_THAT(output(), HasSubstr("materials: the layers of \"coat\" are 2 m thick, but component 0 round (0.5, 0.5, 0) m is "
+                                  "only 1 m wide; check thickness_mm and target.unit"));
+  EXPECT_EQ(raytube("check case.toml" + metres + coat + "2").code, 0);
+  EXPECT_THAT(output(), HasSubstr("\nwarnings\n  none\n"));
+}
+
 // On a plate of 1 m, which has edges but nothing for their waves to meet.
 TEST_F(Warnings, EdgeKeysWithoutEffect) {
   const std::string quiet = "check case.toml --set target.unit=m ";

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+
+#include "core/text.h"
 
 namespace raytube {
 
@@ -50,6 +54,16 @@ std::string bodies_text(const OpenBodies& bodies, const MeshUnit& unit) {
   return fmt::format("{} closed but for {} holes; the largest{} is {}", which, bodies.holes, where, hole);
 }
 
+std::string sentence(const ThickLayers& narrowest, std::size_t components, const Material& material, const MeshUnit& unit) {
+  const auto length = [&](double metres) { return fmt::format("{:.4g} {}", metres / unit.metres, unit.name); };
+  const std::string more = components == 1 ? "" : fmt::format(" ({} components are too narrow)", components);
+  return fmt::format(
+      "materials: the layers of \"{}\" are {} thick{}, but component {} round {} is only {} {}{}; check "
+      "thickness_mm and target.unit, or take what such parts return as rough: layers count as parts of infinite planes",
+      quotable(material.name), length(narrowest.thickness), narrowest.both_sides ? " on both sides" : "", narrowest.component,
+      place(narrowest.middle, narrowest.thickness, unit), length(narrowest.width), narrowest.closed ? "thick" : "wide", more);
+}
+
 std::string sentence(const CoarseSteps& steps) {
   const char* const unit = steps.quantity == RowCoordinates::frequency ? "GHz" : "deg";
   return fmt::format(
@@ -68,6 +82,20 @@ std::vector<std::string> open_body_warnings(const OpenBodies& bodies, const Mesh
                   "CAD program, "
                   "unless the opening is meant, as that of a duct",
                   bodies_text(bodies, unit))};
+}
+
+std::vector<std::string> thick_layer_warnings(const std::vector<ThickLayers>& layers, std::span<const Material> materials,
+                                              const MeshUnit& unit) {
+  std::vector<std::string> sentences;
+  for (std::uint32_t m = 0; m < materials.size(); ++m) {
+    const auto of_material = [&](const ThickLayers& thick) { return thick.material == m; };
+    std::vector<ThickLayers> found;
+    std::ranges::copy_if(layers, std::back_inserter(found), of_material);
+    if (found.empty()) continue;
+    const ThickLayers& narrowest = *std::ranges::min_element(found, {}, &ThickLayers::width);
+    sentences.push_back(sentence(narrowest, found.size(), materials[m], unit));
+  }
+  return sentences;
 }
 
 std::vector<std::string> validity_warnings(const Validity& v) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/soundness/open_bodies.h"
+#include "mesh/soundness/thick_layers.h"
 #include "output/words/warnings.h"
 #include "program/warnings/idle_keys.h"
 #include "solve/validity.h"
@@ -14,6 +15,8 @@ std::vector<std::string> warnings_of(const Case& c, const SolvePlan& plan, std::
   const Target& target = plan.target;
   std::vector<std::string> sentences =
       open_body_warnings(find_open_bodies(target.mesh, target.components_enclosed, plan.sweep.materials), unit);
+  std::ranges::copy(thick_layer_warnings(find_thick_layers(target.mesh, plan.sweep.materials), plan.sweep.materials, unit),
+                    std::back_inserter(sentences));
   std::ranges::copy(validity_warnings(validity_of(target, plan.sweep, outermost)), std::back_inserter(sentences));
   std::ranges::copy(sampling_warnings(coarse_steps(plan.sweep, outermost)), std::back_inserter(sentences));
   std::ranges::copy(idle_key_warnings(c, plan), std::back_inserter(sentences));
