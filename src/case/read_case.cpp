@@ -138,7 +138,17 @@ MaterialEdgeMethod read_material_edges(const CaseValue& value, const CaseValue* 
   return MaterialEdgeMethod::luebbers;
 }
 
+std::vector<WrittenKey> written_keys(const CaseValue* section) {
+  std::vector<WrittenKey> keys;
+  for (std::size_t i = 0; section && i < section->keys.size(); ++i) {
+    const std::string& location = section->items[i].location;
+    keys.push_back({section->keys[i], location, is_override(location)});
+  }
+  return keys;
+}
+
 void read_edges(const CaseValue& root, Case& c) {
+  c.edge_keys = written_keys(root.find("edges"));
   const CaseValue* method = find(root, "edges", "method");
   if (method) c.edges.method = read_method(*method);
   if (const CaseValue* range = find(root, "edges", "utd_range_m")) {

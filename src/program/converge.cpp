@@ -185,6 +185,9 @@ void converge_command(const Request& request) {
   std::optional<Target> built;
   run_on_threads(request.threads, [&] { built.emplace(load_target(c).mesh, c.wedges); });
   const Target& target = *built;
+  if (!c.image_looks.empty())
+    warn(fmt::format("{}: output.image_look has no effect here: a study of density makes no images; use raytube run for them",
+                     c.file.string()));
   check_antennas(target.mesh, c.sweep);
   check_finest(densities.back(), request.densities, c, target.mesh);
   check_study_memory(target, c, request, densities);

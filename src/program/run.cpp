@@ -32,7 +32,7 @@
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "program/solvable.h"
-#include "program/warnings.h"
+#include "program/warnings/warnings.h"
 #include "scene/sampling.h"
 #include "solve/random.h"
 #include "solve/solve.h"
@@ -203,7 +203,7 @@ class Run {
   /// If it does not come to its end it leaves the finished looks for another one to resume.
   void run(const Stopwatch& total) {
     const InterruptFlag interrupt_flag([this] { return last_words(); });
-    manifest_.warnings = warnings_of(plan_, outermost_);
+    manifest_.warnings = warnings_of(case_, plan_, outermost_);
     for (const std::string& sentence : manifest_.warnings) warn(sentence);
     try {
       const Solved solved = solve_with_progress(plan_, request_, journal_);

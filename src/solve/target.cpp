@@ -14,7 +14,8 @@ Target::Target(TriangleMesh triangles, const WedgeOptions& how)
       faces(mesh),
       convexity(find_convexity(mesh)),
       wedges(find_wedges(mesh, how.min_wedge_angle)),
-      wedges_enclosed(mark_enclosed(mesh, find_enclosed_components(faces), wedges)),
+      components_enclosed(find_enclosed_components(faces)),
+      wedges_enclosed(mark_enclosed(mesh, components_enclosed, wedges)),
       outlines(mesh, wedges, how.min_wedge_angle),
       thin_plate_edges(how.thin_plates ? find_thin_plate_edges(mesh, wedges) : std::vector<ThinPlateEdge>()) {}
 

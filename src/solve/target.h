@@ -30,7 +30,8 @@ struct Target {
   FaceTree faces;
   Convexity convexity;
   std::vector<Wedge> wedges;
-  std::uint64_t wedges_enclosed;  // of these, inside a closed body
+  std::vector<bool> components_enclosed;  // find_enclosed_components
+  std::uint64_t wedges_enclosed;          // of these, inside a closed body
   Outlines outlines;
   std::vector<ThinPlateEdge> thin_plate_edges;
 };

@@ -1,4 +1,5 @@
 // What run and check say of targets too small, steps too wide and the work under way; and the words at the end.
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -78,6 +79,77 @@ TEST_F(Warnings, WithoutATerminalALineSaysWhatIsDone) {
   EXPECT_EQ(raytube("converge case.toml --densities 2,3,4" + metres).complaint, "raytube: solving 1 looks at 3 densities\n");
   EXPECT_EQ(raytube("converge case.toml --quiet --densities 2,3,4" + metres).complaint, "");
   EXPECT_EQ(output(), "");
+}
+
+TEST_F(Warnings, ABoxWithoutItsTop) {
+  const std::string corners = "0 0 0\n30 0 0\n30 30 0\n0 30 0\n0 0 30\n30 0 30\n30 30 30\n0 30 30\n";
+  const std::string sides = "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  const std::string sentence =
+      "open bodies: component 0, 100 % of the surface, is closed but for a hole: 900 cm^2 beside 4500 cm^2 of surface, with a "
+      "border of 120 cm round (15, 15, 30) cm; rays enter there, and the inside reflects as the outside does; add the missing "
+      "facets in the CAD program, unless the opening is meant, as that of a duct";
+  const std::string words = " case.toml --set target.unit=cm --set output.plots=false --set edges.method=none";
+  scratch.write("mesh.off", "OFF\n8 5 0\n" + corners + sides);
+  EXPECT_EQ(raytube("check" + words).code, 0);
+  EXPECT_THAT(output(), HasSubstr("\nwarnings\n  " + sentence + "\n"));
+  EXPECT_THAT(raytube("run" + words).complaint, StartsWith("raytube: " + sentence + "\n"));
+  EXPECT_EQ(told(), nlohmann::json::array({sentence}));
+  scratch.write("mesh.off", "OFF\n8 6 0\n" + corners + sides + "4 4 5 6 7\n");
+  EXPECT_EQ(raytube("run" + words).complaint.find("open bodies"), std::string::npos);
+  EXPECT_EQ(told().size(), 0u);
+}
+
+// A mesh in metres whose coat was given in micrometres.
+TEST_F(Warnings, ACoatThickerThanItsPlate) {
+  const std::string coat =
+      " --set target.material=coat --set materials.coat.kind=coated --set materials.coat.eps_r=4 --set "
+      "materials.coat.thickness_mm=";
+  EXPECT_EQ(raytube("check case.toml" + metres + coat + "2000").code, 0);
+  EXPECT_THAT(output(), HasSubstr("materials: the layers of \"coat\" are 2 m thick, but component 0 round (0.5, 0.5, 0) m is "
+                                  "only 1 m wide; check thickness_mm and target.unit"));
+  EXPECT_EQ(raytube("check case.toml" + metres + coat + "2").code, 0);
+  EXPECT_THAT(output(), HasSubstr("\nwarnings\n  none\n"));
+}
+
+// On a plate of 1 m, which has edges but nothing for their waves to meet.
+TEST_F(Warnings, EdgeKeysWithoutEffect) {
+  const std::string quiet = "check case.toml --set target.unit=m ";
+  const std::map<std::string, std::string> reasons = {
+      {"--set edges.method=none --set edges.order=2", "order has no effect: edges.method is \"none\"; leave the key out"},
+      {"--set edges.method=utd --set edges.thin_sheets=true", "thin_sheets has no effect: edges.method is \"utd\""},
+      {"--set edges.order=1 --set edges.transition=as-printed", "transition has no effect: edges.order is 1"},
+      {"--set edges.between=true", "between has no effect: nothing stands in front of any face of the target"},
+      {"--set edges.between=false --set edges.between_budget=9", "between_budget has no effect: edges.between is false"},
+      {"--set edges.receiver_shadow=true", "receiver_shadow has no effect: looks are monostatic"}};
+  for (const auto& [words, reason] : reasons) {
+    EXPECT_EQ(raytube(quiet + words).code, 0) << words;
+    EXPECT_THAT(output(), HasSubstr(": edges." + reason));
+  }
+  for (const std::string words : {"--set edges.between=false", "--set edges.order=2 --set edges.transition=as-printed",
+                                  "--set edges.method=none --set edges.receiver_shadow=false", "--set edges.min_wedge_deg=20",
+                                  "--set edges.receiver_shadow=true --set receive.theta_deg=40 --set receive.phi_deg=0"}) {
+    EXPECT_EQ(raytube(quiet + words).code, 0) << words;
+    EXPECT_THAT(output(), HasSubstr("\nwarnings\n  none\n")) << words;
+  }
+}
+
+TEST_F(Warnings, EdgeKeysOfTheFileAreToldWithTheirLine) {
+  scratch.write("case.toml", good_case + "[edges]\nmethod = \"none\"\norder = 2\n");
+  const std::string words = "run case.toml --set output.plots=false --set target.unit=m";
+  EXPECT_THAT(
+      raytube(words).complaint,
+      StartsWith("raytube: case.toml, line 11: edges.order has no effect: edges.method is \"none\"; leave the key out, or "
+                 "change that\n"));
+  EXPECT_EQ(told().size(), 1u);
+  raytube(words + " --set edges.method=none");
+  EXPECT_EQ(told().size(), 0u);  // who turns edges off for once means their keys, too
+}
+
+TEST_F(Warnings, ConvergeMakesNoImages) {
+  const std::string words = "converge case.toml --quiet --densities 2,3,4" + metres;
+  EXPECT_EQ(raytube(words + "--set output.image_look=0").complaint,
+            "raytube: case.toml: output.image_look has no effect here: a study of density makes no images; use raytube run for "
+            "them\n");
 }
 
 TEST_F(Warnings, TruncatedTubesAreTold) {

@@ -43,6 +43,7 @@ const Rooms may_include = {
     {"mesh/trace", {"core", "math", "mesh/model"}},
     {"mesh/features", {"core", "mesh/model", "mesh/trace"}},
     {"mesh/smooth", {"core", "mesh/model", "mesh/features"}},
+    {"mesh/soundness", {"core", "scene", "mesh/model"}},
     {"mesh", {"mesh/read", "mesh/repair"}},
 
     {"sbr/launch", base},
@@ -80,9 +81,10 @@ const Rooms may_include = {
     {"output/compare", {"core", "scene", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
-    {"program", base + std::set<std::string>{"case", "case/data", "case/materials", "mesh", "output/compare", "output/files",
-                                             "output/plots", "output/words", "output/tables", "point_source", "sbr", "sbr/launch",
-                                             "solve", "utd/shadow", "utd/wedge"}},
+    {"program/warnings", base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "solve"}},
+    {"program", base + std::set<std::string>{"program/warnings", "case", "case/data", "case/materials", "mesh", "output/compare",
+                                             "output/files", "output/plots", "output/words", "output/tables", "point_source",
+                                             "sbr", "sbr/launch", "solve", "utd/shadow", "utd/wedge"}},
 };
 
 struct SourceFile {

@@ -74,6 +74,12 @@ struct MaterialAssignment {
   std::vector<Facets> facets;  // ascending, and no facet in two of them
 };
 
+/// A key of a section, and where it is written: file and line, or option.
+struct WrittenKey {
+  std::string name, location;
+  bool overriding;  // written on the command line
+};
+
 /// A case, read and checked: what `sweep`, `tubes`, `edges` and `wedges` hold goes to the solver as it is.
 struct Case {
   std::string title;
@@ -90,6 +96,7 @@ struct Case {
   RadarChoice radar;
   TubeOptions tubes;
   EdgeOptions edges;
+  std::vector<WrittenKey> edge_keys;  // of [edges] that are written
   SurfaceOptions surfaces;
   WedgeOptions wedges;
   bool plots = true;

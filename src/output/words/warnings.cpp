@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+
+#include "core/text.h"
 
 namespace raytube {
 
@@ -23,6 +27,43 @@ std::string at_wavelength(const Validity& v) {
 
 std::string percent(const SmallFeatures& features) { return fmt::format("{:.2g} %", 100.0 * features.share); }
 
+// To a thousandth of `size`.
+std::string place(const dvec3& point, double size, const MeshUnit& unit) {
+  const double step = std::pow(10.0, std::floor(std::log10(size / unit.metres)) - 3.0);
+  const dvec3 p = glm::round(point / unit.metres / step) * step + 0.0;
+  return fmt::format("({:.7g}, {:.7g}, {:.7g}) {}", p.x, p.y, p.z, unit.name);
+}
+
+std::string hole_text(const OpenBodies& bodies, const MeshUnit& unit) {
+  const Hole& hole = bodies.largest;
+  const double square = unit.metres * unit.metres;
+  return fmt::format("{:.6g} {}^2 beside {:.6g} {}^2 of surface, with a border of {:.4g} {} round {}", hole.area / square,
+                     unit.name, bodies.area / square, unit.name, hole.border / unit.metres, unit.name,
+                     place(hole.middle, hole.border, unit));
+}
+
+std::string bodies_text(const OpenBodies& bodies, const MeshUnit& unit) {
+  const double percent = 100.0 * bodies.share;
+  const std::string hole = hole_text(bodies, unit);
+  if (bodies.holes == 1)
+    return fmt::format("component {}, {:.3g} % of the surface, is closed but for a hole: {}", bodies.component, percent, hole);
+  const std::string which = bodies.count == 1
+                                ? fmt::format("component {}, {:.3g} % of the surface, is", bodies.component, percent)
+                                : fmt::format("{} components, {:.3g} % of the surface, are", bodies.count, percent);
+  const std::string where = bodies.count == 1 ? "" : fmt::format(", in component {},", bodies.component);
+  return fmt::format("{} closed but for {} holes; the largest{} is {}", which, bodies.holes, where, hole);
+}
+
+std::string sentence(const ThickLayers& narrowest, std::size_t components, const Material& material, const MeshUnit& unit) {
+  const auto length = [&](double metres) { return fmt::format("{:.4g} {}", metres / unit.metres, unit.name); };
+  const std::string more = components == 1 ? "" : fmt::format(" ({} components are too narrow)", components);
+  return fmt::format(
+      "materials: the layers of \"{}\" are {} thick{}, but component {} round {} is only {} {}{}; check "
+      "thickness_mm and target.unit, or take what such parts return as rough: layers count as parts of infinite planes",
+      quotable(material.name), length(narrowest.thickness), narrowest.both_sides ? " on both sides" : "", narrowest.component,
+      place(narrowest.middle, narrowest.thickness, unit), length(narrowest.width), narrowest.closed ? "thick" : "wide", more);
+}
+
 std::string sentence(const CoarseSteps& steps) {
   const char* const unit = steps.quantity == RowCoordinates::frequency ? "GHz" : "deg";
   return fmt::format(
@@ -33,6 +74,29 @@ std::string sentence(const CoarseSteps& steps) {
 }
 
 }  // namespace
+
+std::vector<std::string> open_body_warnings(const OpenBodies& bodies, const MeshUnit& unit) {
+  if (bodies.count == 0 || bodies.share < least_share) return {};
+  return {
+      fmt::format("open bodies: {}; rays enter there, and the inside reflects as the outside does; add the missing facets in the "
+                  "CAD program, "
+                  "unless the opening is meant, as that of a duct",
+                  bodies_text(bodies, unit))};
+}
+
+std::vector<std::string> thick_layer_warnings(const std::vector<ThickLayers>& layers, std::span<const Material> materials,
+                                              const MeshUnit& unit) {
+  std::vector<std::string> sentences;
+  for (std::uint32_t m = 0; m < materials.size(); ++m) {
+    const auto of_material = [&](const ThickLayers& thick) { return thick.material == m; };
+    std::vector<ThickLayers> found;
+    std::ranges::copy_if(layers, std::back_inserter(found), of_material);
+    if (found.empty()) continue;
+    const ThickLayers& narrowest = *std::ranges::min_element(found, {}, &ThickLayers::width);
+    sentences.push_back(sentence(narrowest, found.size(), materials[m], unit));
+  }
+  return sentences;
+}
 
 std::vector<std::string> validity_warnings(const Validity& v) {
   if (too_small(v))

@@ -1,13 +1,30 @@
 // What a case asks that its target does not bear out, in sentences: each with the number, the limit and the remedy.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "output/tables/sampled_rows.h"
+#include "scene/material.h"
+#include "scene/open_bodies.h"
+#include "scene/thick_layers.h"
 #include "scene/validity.h"
 
 namespace raytube {
+
+/// Places and lengths are told in the unit of the mesh, where one looks for them.
+struct MeshUnit {
+  double metres = 1.0;
+  std::string name = "m";
+};
+
+/// One sentence, unless they are a small share of the surface.
+std::vector<std::string> open_body_warnings(const OpenBodies& bodies, const MeshUnit& unit);
+
+/// One sentence for each of the materials, about its narrowest component.
+std::vector<std::string> thick_layer_warnings(const std::vector<ThickLayers>& layers, std::span<const Material> materials,
+                                              const MeshUnit& unit);
 
 /// One sentence for each kind of feature too small for the methods; of a target too small as a whole only that.
 std::vector<std::string> validity_warnings(const Validity& validity);
