@@ -57,8 +57,8 @@ void check_frequency(const CaseValue& value, double ghz) {
 }
 
 void read_frequencies(const CaseValue& root, Case& c) {
-  const CaseValue& value = require(root, "frequency", "ghz", "ghz = a number, a list or { start, stop, count }");
-  for (const double ghz : read_counted(value, "frequency.ghz")) {
+  const CaseValue& value = require(root, "frequency", "ghz", std::string("ghz = a number, a list or ") + range_forms);
+  for (const double ghz : read_values(value, "frequency.ghz", c.warnings)) {
     check_frequency(value, ghz);
     c.sweep.frequencies.push_back(rounded_to_15_digits(ghz * 1e9));
   }

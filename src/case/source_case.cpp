@@ -42,8 +42,10 @@ void check_keys(const CaseValue& table, const std::string& prefix) {
     if (!is_above_known(key)) {
       const bool holds_key = value.kind == Kind::table && !value.keys.empty();
       const std::string meant = holds_key ? key + "." + value.keys.front() : key;
-      reject(value,
-             fmt::format("unknown key \"{}\"; did you mean \"{}\"?", quotable(meant), nearest_key(meant, source_case_keys)));
+      const std::string_view nearest = nearest_key(meant, source_case_keys);
+      reject(value, fmt::format("unknown key \"{}\"; {}", quotable(meant),
+                                nearest.empty() ? "choose among " + joined(source_case_keys, ", ")
+                                                : fmt::format("did you mean \"{}\"?", nearest)));
     }
     if (key == "scene.parts") {
       if (value.kind != Kind::list) reject(value, "scene.parts must be a list of parts; write [[scene.parts]] before each");

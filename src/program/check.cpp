@@ -226,8 +226,8 @@ void print_skipped(const MeshReport& r, const SolvePlan& plan) {
   for (const std::string& line : lines) fmt::print("  {}\n", line);
 }
 
-void print_warnings(const SolvePlan& plan) {
-  const std::vector<std::string> sentences = warnings_of(plan, outermost_points(plan.target.mesh.vertices));
+void print_warnings(const Case& c, const SolvePlan& plan) {
+  const std::vector<std::string> sentences = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
   fmt::print("\nwarnings\n");
   for (const std::string& sentence : sentences) fmt::print("  {}\n", sentence);
   if (sentences.empty()) fmt::print("  none\n");
@@ -311,7 +311,7 @@ void check_command(const Request& request) {
   print_thin_plate_edges(c, target.thin_plate_edges);
   print_surface_waves(plan);
   print_skipped(loaded.report, plan);
-  print_warnings(plan);
+  print_warnings(c, plan);
   print_cost(plan);
   print_memory(plan, c);
   if (!request.wedges_csv.empty()) {

@@ -200,7 +200,7 @@ class Run {
   /// If it does not come to its end it leaves the finished looks for another one to resume.
   void run(const Stopwatch& total) {
     const InterruptFlag interrupt_flag([this] { return last_words(); });
-    manifest_.warnings = warnings_of(plan_, outermost_);
+    manifest_.warnings = warnings_of(case_, plan_, outermost_);
     for (const std::string& sentence : manifest_.warnings) warn(sentence);
     try {
       const Solved solved = solve_with_progress(plan_, request_, journal_);

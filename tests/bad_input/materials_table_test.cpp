@@ -226,9 +226,9 @@ std::vector<BadRow> place_rows() {
       other_mesh(
           "part_went_with_its_mesh", parts + "door = \"glass\"\n",
           "raytube: --set target.mesh=mesh.off: this mesh has no part \"door\", to which bad.toml, line 15 gives a material in "
-          "target.parts; did you mean"),
+          "target.parts; to do without these parts add --set 'target.parts={}', or choose among"),
       other_mesh("file_went_with_its_parts", parts + "\"mesh.obj\" = \"glass\"\n",
-                 "did you mean \"mesh.off\" there? To do without these parts add --set 'target.parts={}'"),
+                 "to do without these parts add --set 'target.parts={}', or did you mean \"mesh.off\"?"),
       other_mesh(
           "facet_went_with_its_mesh", facets + "paint = [[0, 5]]\n",
           "raytube: --set target.mesh=mesh.off: this mesh has 2 facets, counted from 0, but target.facets.paint names facet 5 "
