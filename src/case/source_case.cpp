@@ -86,8 +86,7 @@ ScenePart read_part(const CaseValue& table, const std::filesystem::path& folder)
   ScenePart part;
   part.name = read_part_name(require_of_part(table, "name", "name = \"screen\""));
   const CaseValue& mesh = require_of_part(table, "mesh", "mesh = \"file.off\"");
-  const std::string file = read_text(mesh, "scene.parts.mesh");
-  if (file.empty()) reject(mesh, "scene.parts.mesh is empty; give the mesh file, relative to the case file");
+  const std::string file = read_file_name(mesh, "scene.parts.mesh", "mesh");
   part.mesh_file = (folder / file).lexically_normal();
   part.metres_per_unit = read_unit(
       require_of_part(table, "unit", "unit = \"m\" (or cm, mm, um, in, ft: the length of one mesh unit)"), "scene.parts.unit");

@@ -16,7 +16,7 @@ struct Bad {
 const Bad bad_values[] = {
     {"title=3", "title must be a text in double quotes"},
     {"target.mesh=3", "target.mesh must be a text"},
-    {"target.mesh=\"\"", "give the mesh file"},
+    {"target.mesh=\"\"", "give the file of the mesh"},
     {"target.unit=km", "write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\""},
     {"target.material=glas", "\"glas\" is no material; add [materials.glas], or choose among pec, absorber"},
     {"target.material=glass", "\"glass\" is no material but a medium; add [materials.glass] with a kind and medium"},

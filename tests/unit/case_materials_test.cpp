@@ -317,7 +317,7 @@ TEST(CaseMaterials, BadPlacesNameTheRemedy) {
   EXPECT_THAT(complaint(smallest, {"target.facets=3"}), HasSubstr("target.facets must be a section"));
   EXPECT_THAT(complaint(smallest, {"target.part.a=pec"}), HasSubstr("did you mean \"target.parts\""));
   EXPECT_THAT(complaint(smallest, {"target.mesh=[]"}), HasSubstr("target.mesh is an empty list"));
-  EXPECT_THAT(complaint(smallest, {"target.mesh=[\"a.stl\", 3]"}), HasSubstr("every entry of target.mesh must be a text"));
+  EXPECT_THAT(complaint(smallest, {"target.mesh=[\"a.stl\", 3]"}), HasSubstr("entry 2 of target.mesh must be a text"));
 }
 
 // Capitals count less than letters.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 #include <numeric>
 
@@ -168,12 +167,6 @@ void check_materials(const CaseValue& materials) {
 }
 
 }  // namespace
-
-std::string lower_case(std::string_view name) {
-  std::string lower(name);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
 
 // Capitals tell apart only what nothing else does.
 std::string_view nearest_name(std::string_view name, std::span<const std::string> known) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "case/text/keys.h"
+#include "core/text.h"
 
 namespace raytube {
 

@@ -217,6 +217,12 @@ std::string read_text(const CaseValue& value, const std::string& key) {
 std::string read_file_name(const CaseValue& value, const std::string& key, const std::string& what) {
   std::string name = read_text(value, key);
   if (name.empty()) reject(value, fmt::format("{} is empty; give the file of the {}, relative to the case file", key, what));
+  const auto control = [](unsigned char c) { return c < ' ' || c == 127; };
+  if (std::ranges::any_of(name, control))
+    reject(value,
+           fmt::format("{} holds a control character, which \"\\t\", \"\\n\" and the like stand for; write / between folders, or "
+                       "put the path in 'single quotes'",
+                       key));
   return name;
 }
 
