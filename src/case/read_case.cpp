@@ -21,18 +21,17 @@ namespace raytube {
 
 namespace {
 
-void read_mesh(const CaseValue& value, const std::string& key, const std::string& empty, Case& c) {
-  c.meshes.push_back(read_text(value, key));
-  if (c.meshes.back().empty()) reject(value, empty + " is empty; give the mesh file, relative to the case file");
+void read_mesh(const CaseValue& value, const std::string& key, Case& c) {
+  c.meshes.push_back(read_file_name(value, key, "mesh"));
   c.mesh_files.push_back((c.file.parent_path() / c.meshes.back()).lexically_normal());
 }
 
 void read_meshes(const CaseValue& value, Case& c) {
   c.mesh_location = value.location;
-  if (value.kind != CaseValue::Kind::list) return read_mesh(value, "target.mesh", "target.mesh", c);
+  if (value.kind != CaseValue::Kind::list) return read_mesh(value, "target.mesh", c);
   if (value.items.empty()) reject(value, "target.mesh is an empty list; give at least one mesh file");
   for (std::size_t i = 0; i < value.items.size(); ++i)
-    read_mesh(value.items[i], "every entry of target.mesh", fmt::format("entry {} of target.mesh", i + 1), c);
+    read_mesh(value.items[i], fmt::format("entry {} of target.mesh", i + 1), c);
 }
 
 void read_target(const CaseValue& root, Case& c) {
@@ -57,8 +56,8 @@ void check_frequency(const CaseValue& value, double ghz) {
 }
 
 void read_frequencies(const CaseValue& root, Case& c) {
-  const CaseValue& value = require(root, "frequency", "ghz", "ghz = a number, a list or { start, stop, count }");
-  for (const double ghz : read_counted(value, "frequency.ghz")) {
+  const CaseValue& value = require(root, "frequency", "ghz", std::string("ghz = a number, a list or ") + range_forms);
+  for (const double ghz : read_values(value, "frequency.ghz", c.warnings)) {
     check_frequency(value, ghz);
     c.sweep.frequencies.push_back(rounded_to_15_digits(ghz * 1e9));
   }

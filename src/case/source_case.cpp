@@ -42,8 +42,10 @@ void check_keys(const CaseValue& table, const std::string& prefix) {
     if (!is_above_known(key)) {
       const bool holds_key = value.kind == Kind::table && !value.keys.empty();
       const std::string meant = holds_key ? key + "." + value.keys.front() : key;
-      reject(value,
-             fmt::format("unknown key \"{}\"; did you mean \"{}\"?", quotable(meant), nearest_key(meant, source_case_keys)));
+      const std::string_view nearest = nearest_key(meant, source_case_keys);
+      reject(value, fmt::format("unknown key \"{}\"; {}", quotable(meant),
+                                nearest.empty() ? "choose among " + joined(source_case_keys, ", ")
+                                                : fmt::format("did you mean \"{}\"?", nearest)));
     }
     if (key == "scene.parts") {
       if (value.kind != Kind::list) reject(value, "scene.parts must be a list of parts; write [[scene.parts]] before each");
@@ -84,8 +86,7 @@ ScenePart read_part(const CaseValue& table, const std::filesystem::path& folder)
   ScenePart part;
   part.name = read_part_name(require_of_part(table, "name", "name = \"screen\""));
   const CaseValue& mesh = require_of_part(table, "mesh", "mesh = \"file.off\"");
-  const std::string file = read_text(mesh, "scene.parts.mesh");
-  if (file.empty()) reject(mesh, "scene.parts.mesh is empty; give the mesh file, relative to the case file");
+  const std::string file = read_file_name(mesh, "scene.parts.mesh", "mesh");
   part.mesh_file = (folder / file).lexically_normal();
   part.metres_per_unit = read_unit(
       require_of_part(table, "unit", "unit = \"m\" (or cm, mm, um, in, ft: the length of one mesh unit)"), "scene.parts.unit");

@@ -45,15 +45,15 @@ class NamedMaterials {
 
   [[noreturn]] void reject_unknown(const Part& part) const {
     const std::vector<std::string>& names = soup_.names.all();
-    const std::string_view nearest = nearest_name(part.name, names);
+    const std::string meant = name_meant(part.name, names);
     // The mesh that had the name may have gone.
     if (is_override(case_.mesh_location) && !is_override(part.location))
       throw InputError(
-          fmt::format("{}: this mesh has no part \"{}\", to which {} gives a material in target.parts; did you mean \"{}\" "
-                      "there? To do without these parts add --set 'target.parts={{}}'",
-                      case_.mesh_location, quotable(part.name), part.location, quotable(nearest)));
+          fmt::format("{}: this mesh has no part \"{}\", to which {} gives a material in target.parts; to do "
+                      "without these parts add --set 'target.parts={{}}', or {}",
+                      case_.mesh_location, quotable(part.name), part.location, meant));
     const std::string where = fmt::format("{}: target.parts.{} is no name in the mesh", part.location, quotable(part.name));
-    throw InputError(fmt::format("{}; did you mean \"{}\"?", where, quotable(nearest)));
+    throw InputError(fmt::format("{}; {}", where, meant));
   }
 
   [[noreturn]] static void reject_two(std::size_t polygon, const Part& first, const Part& second) {

@@ -53,7 +53,8 @@ std::vector<std::string> cells_of(const std::string& line, char separator) {
 CsvReader::CsvReader(const std::filesystem::path& file, const std::string& remedy) : file_(file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(file, error)) stream_.open(file, std::ios::binary);  // a pipe may never end
-  if (!stream_.is_open()) throw InputError(fmt::format("{}: cannot be read; {}", file.string(), remedy));
+  if (!stream_.is_open())
+    throw InputError(fmt::format("{}: cannot be read; {}{}", file.string(), remedy, backslash_remedy(file.string())));
   if (next_line()) columns_ = std::move(cells_);
 }
 

@@ -1,6 +1,7 @@
 #include "core/text.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace raytube {
 
@@ -47,6 +48,16 @@ bool is_utf8(std::string_view text) {
     text.remove_prefix(length);
   }
   return true;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+std::string_view backslash_remedy(std::string_view path) {
+  return path.find('\\') == std::string_view::npos ? "" : "; write / between folders, \\ separates none here";
 }
 
 std::string quotable(std::string_view text) {

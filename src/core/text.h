@@ -16,6 +16,12 @@ constexpr bool is_utf16(std::string_view text) { return text.starts_with("\xFF\x
 /// True if every byte belongs to a character of UTF-8.
 bool is_utf8(std::string_view text);
 
+/// The text with capitals made small (ASCII).
+std::string lower_case(std::string_view text);
+
+/// Behind a sentence about a file that is not there: what is wrong with a path as Windows writes it; empty for others.
+std::string_view backslash_remedy(std::string_view path);
+
 /// The text as a sentence can quote it: of long ones the beginning, and '?' for what is no printable character.
 std::string quotable(std::string_view text);
 

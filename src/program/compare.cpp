@@ -87,8 +87,8 @@ void compare_command(const Request& request) {
                  {{"the first table", request.result}, {"the second table", request.reference}});
   const ColumnMap result_columns = parsed_column_map("--result-columns", request.result_columns),
                   reference_columns = parsed_column_map("--reference-columns", request.reference_columns);
-  ResultTable result = read_result_table(request.result, result_columns),
-              reference = read_result_table(request.reference, reference_columns);
+  ResultTable result = read_result_table(request.result, result_columns, "--result-columns"),
+              reference = read_result_table(request.reference, reference_columns, "--reference-columns");
   keep_chosen_rows(result, reference, request.only);
   const Comparison comparison = compare_results(std::move(result), std::move(reference), request.within_db, request.free_scale);
   fmt::print("{}", comparison_text(comparison));

@@ -46,12 +46,24 @@ std::vector<BadRow> text_rows() {
       text("case_matlab_comment", "% looks\n" + good_case, ", line 1: not valid TOML; a comment begins with #"),
       text("case_matlab_semicolon", "title = \"a\";\n" + good_case, ", line 1: not valid TOML; a line ends without a semicolon"),
       text("case_not_utf8", "title = \"\xE9t\xE9\"\n" + good_case, ", line 1: not valid TOML"),
-      text("case_with_nul", std::string("title = \"a\0b\"\n", 14) + good_case, ", line 1: not valid TOML"),
+      text("case_with_nul", std::string("title = \"a\0b\"\n", 14) + good_case,
+           ": is a program or another binary file, not a case; give"),
       text("case_is_a_program",
            "\x7f"
            "ELF\x02\x01\x01",
-           ", line 1: not valid TOML"),
-      text("case_is_a_mesh", plate, ", line 1: not valid TOML"),
+           ": is a program or another binary file, not a case; give"),
+      text("case_is_a_mesh", plate, ": is a mesh, not a case; write a case file (TOML) with mesh = \"bad.toml\" under [target]"),
+      text("case_mesh_of_windows", "[target]\nmesh = \"C:\\Users\\me\\plate.stl\"\n",
+           ", line 2: not valid TOML; in a path write / for \\, or put it in 'single quotes'; correct"),
+      text("case_mesh_of_windows_in_a_list", "[target]\nmesh = [\"a.stl\", \"..\\meshes\\plate.stl\"]\n",
+           ", line 2: not valid TOML; in a path write / for \\"),
+      text("case_mesh_with_a_tab", "[target]\nmesh = \"a\\table.stl\"\nunit = \"m\"\n" + frequency + look,
+           ", line 2: target.mesh holds a control character"),
+      {"case_mesh_of_windows_in_single_quotes", "run bad.toml",
+       "mesh file 'a\\plate.stl': not found; check the path, which is relative to the case file; write / between folders",
+       [](const Scratch& scratch) {
+         scratch.write("bad.toml", "[target]\nmesh = 'a\\plate.stl'\nunit = \"m\"\n" + frequency + look);
+       }},
       text("case_key_twice", target + "unit = \"m\"\n" + frequency + look, ", line 4: not valid TOML"),
       text("case_section_twice", good_case + target, "not valid TOML"),
       text("case_section_unknown", good_case + "[tube]\nmode = \"uniform\"\n",
@@ -87,16 +99,17 @@ std::vector<BadRow> value_rows() {
       set("unit_in_capitals", "target.unit=MM", "target.unit \"MM\" is unknown"),
       set("unit_is_a_number", "target.unit=0.001", "target.unit must be a text in double quotes"),
       set("mesh_is_a_number", "target.mesh=5", "target.mesh must be a text in double quotes"),
-      set("mesh_is_empty", "target.mesh=\"\"", "target.mesh is empty; give the mesh file"),
-      set("mesh_of_a_list_is_empty", "target.mesh=[\"mesh.off\",\"\"]", ": entry 2 of target.mesh is empty; give the mesh file"),
+      set("mesh_is_empty", "target.mesh=\"\"", "target.mesh is empty; give the file of the mesh"),
+      set("mesh_of_a_list_is_empty", "target.mesh=[\"mesh.off\",\"\"]",
+          ": entry 2 of target.mesh is empty; give the file of the mesh"),
       set("mesh_is_a_blank", "target.mesh=\" \"", "mesh file ' ': not found; check the path"),
       set("material_empty", "target.material=\"\"", "target.material is empty; write \"pec\", \"absorber\" or the NAME"),
       set("material_without_name", "materials.\"\".kind=pec", "a material has no name; write [materials.NAME]"),
       set("part_without_name", "target.parts={\"\"=\"pec\"}", "target.parts has a part without a name; give"),
       set("part_without_material", "target.parts={a=\"\"}", "target.parts.a is empty; write \"pec\""),
       set("material_unknown", "target.material=steel",
-          "target.material \"steel\" is no material; add [materials.steel], or did you mean \"pec\"?"),
-      set("frequency_text", "frequency.ghz=\"10\"", "frequency.ghz must be a number, a list or { start, stop, count }"),
+          "target.material \"steel\" is no material; add [materials.steel], or choose among pec, absorber"),
+      set("frequency_text", "frequency.ghz=\"10\"", "frequency.ghz must be a number, a list or { start, stop, step } (or count)"),
       set("frequency_zero", "frequency.ghz=0", "frequency.ghz must be greater than 0 (found 0)"),
       set("frequency_of_a_list_negative", "frequency.ghz=[1,-2]", "frequency.ghz must be greater than 0 (found -2)"),
       set("frequency_nan", "frequency.ghz=nan", "frequency.ghz must be a finite number"),
@@ -118,21 +131,29 @@ std::vector<BadRow> value_rows() {
       set("frequency_count_half", "frequency.ghz={start=1,stop=2,count=2.5}", "must be a whole number of at least 1 (found 2.5)"),
       set("frequency_count_1e12", "frequency.ghz={start=1,stop=2,count=1e12}",
           "asks for 1e+12 values, more than the 1000000 allowed; choose another count"),
-      set("frequency_with_a_step", "frequency.ghz={start=1,stop=2,step=1}", "unknown key \"frequency.ghz.step\"; write"),
+      set("frequency_with_step_and_count", "frequency.ghz={start=1,stop=2,step=1,count=2}",
+          "frequency.ghz has both a step and a count; leave one of them out"),
+      set("frequency_with_a_half_step", "frequency.ghz={start=1,stop=2,half=1}", "unknown key \"frequency.ghz.half\"; write"),
       set("frequency_without_stop", "frequency.ghz={start=1,count=3}", "frequency.ghz has no stop; write"),
       set("theta_below_zero", "look.theta_deg=-1e-9", "look.theta_deg must lie in 0 to 180 degrees"),
-      set("theta_text", "look.theta_deg=up", "look.theta_deg must be a number, a list or { start, stop, step }"),
+      set("theta_is_an_elevation", "look.theta_deg={start=-30,stop=30,step=1}",
+          "look.theta_deg must lie in 0 to 180 degrees, from +z (found -30); it is 90 - elevation: for an elevation of -30 write "
+          "120"),
+      set("theta_text", "look.theta_deg=up", "look.theta_deg must be a number, a list or { start, stop, step } (or count)"),
       set("theta_true", "look.theta_deg=true", "look.theta_deg must be a number, a list or"),
       set("theta_range_of_matlab", "look.theta_deg=0:0.5:90",
-          "look.theta_deg must be a number, a list or { start, stop, step }; for 0:0.5:90 write { start = 0, stop = 90, step = "
+          "look.theta_deg must be a number, a list or { start, stop, step } (or count); for 0:0.5:90 write { start = 0, stop = "
+          "90, step = "
           "0.5 }"),
       set("phi_range_of_matlab_by_one", "look.phi_deg=-3:3", "for -3:3 write { start = -3, stop = 3, step = 1 }"),
-      set("phi_range_of_four_parts", "look.phi_deg=0:1:2:3", "look.phi_deg must be a number, a list or { start, stop, step }\n"),
+      set("phi_range_of_four_parts", "look.phi_deg=0:1:2:3",
+          "look.phi_deg must be a number, a list or { start, stop, step } (or count)\n"),
       set("frequency_range_of_matlab", "frequency.ghz=92:0.5:94",
-          "frequency.ghz must be a number, a list or { start, stop, count }; for 92:0.5:94 write { start = 92, stop = 94, count "
-          "= 5 }"),
-      set("phi_range_of_steps_zero_with_colons", "look.phi_deg=0:0:3", "or { start, stop, step }\n"),
-      set("frequency_range_that_ends_early", "frequency.ghz=1:0.3:2", "write { start = 1, stop = 1.9, count = 4 }"),
+          "frequency.ghz must be a number, a list or { start, stop, step } (or count); for 92:0.5:94 write { start = 92, stop = "
+          "94, "
+          "step = 0.5 }"),
+      set("phi_range_of_steps_zero_with_colons", "look.phi_deg=0:0:3", "or { start, stop, step } (or count)\n"),
+      set("frequency_range_that_ends_early", "frequency.ghz=1:0.3:2", "write { start = 1, stop = 1.9, step = 0.3 }"),
       set("phi_no_values", "look.phi_deg=[]", "look.phi_deg is an empty list; give at least one number"),
       set("phi_infinite", "look.phi_deg=-inf", "look.phi_deg must be a finite number"),
       set("phi_1e308", "look.phi_deg=1e308",
@@ -143,7 +164,7 @@ std::vector<BadRow> value_rows() {
       set("phi_range_below_rounding", "look.phi_deg={start=1e6,stop=1000000.000001,step=1e-8}",
           "look.phi_deg has steps of 1e-08, which numbers of the size of 1000000.000001 do not resolve; choose larger steps"),
       set("theta_range_of_1e_301", "look.theta_deg={start=0,stop=1e-300,step=1e-301}",
-          "look.theta_deg.step 1e-301 is finer than any direction; write at least 1e-12 degrees"),
+          "look.theta_deg has steps of 1e-301, finer than any direction; write at least 1e-12 degrees"),
       set("theta_1e308", "look.theta_deg=1e308", "look.theta_deg is 1e+308, where numbers lie"),
       set("phi_range_without_end", "look.phi_deg={start=0,stop=inf,step=1}", "look.phi_deg.stop must be a finite number"),
       set("phi_range_of_steps_zero", "look.phi_deg={start=0,stop=1,step=0}", "look.phi_deg.step must not be zero; write"),
@@ -242,6 +263,31 @@ std::vector<BadRow> verdict_rows() {
   return rows;
 }
 
+// Words of other programs, and names far from all others.
+std::vector<BadRow> word_rows() {
+  const std::string phi = "look.phi_deg is the azimuth, from +x towards +y; write that",
+                    theta = "write look.theta_deg = 90 - elevation, the angle from +z",
+                    channels = "all four channels, VV, VH, HV and HH, are always computed; remove it";
+  return {
+      set("word_azimuth", "look.azimuth=5", "unknown key \"look.azimuth\"; " + phi),
+      set("word_azimuth_deg", "azimuth_deg=5", "unknown key \"azimuth_deg\"; " + phi),
+      set("word_elevation", "look.Elevation=5", "unknown key \"look.Elevation\"; " + theta),
+      set("word_elevation_as_a_section", "elevation.start=5", "a range is one value; write for example phi_deg = { start"),
+      set("word_scale", "target.scale=0.001", "unknown key \"target.scale\"; target.unit is the length of one mesh unit; write"),
+      set("word_polarization", "look.polarization=VV", "unknown key \"look.polarization\"; " + channels),
+      set("word_polarisation", "polarisation=HH", "unknown key \"polarisation\"; " + channels),
+      set("word_vv", "output.VV=true", "unknown key \"output.VV\"; " + channels),
+      set("word_polarisation_of_the_transmitter", "polarisation.tx=V", channels),
+      set("word_start", "frequency.start=8", "a range is one value; write for example"),
+      set("word_threads", "threads=4", "it is an option of the command line; write --threads N there"),
+      set("name_far_from_all_of_a_section", "look.zenith=4",
+          "unknown key \"look.zenith\"; choose among look.theta_deg, look.phi_deg, look.looks_csv"),
+      set("name_far_from_all", "solver.zenith=4", "unknown key \"solver.zenith\"; choose among materials, title, target, freq"),
+      set("name_without_unit", "look.theta=4", "unknown key \"look.theta\"; did you mean \"look.theta_deg\"?"),
+      set("part_far_from_all", "target.parts.wing=pec", "target.parts.wing is no name in the mesh; choose among mesh.off"),
+  };
+}
+
 std::vector<BadRow> override_rows() {
   return {
       set("set_without_value", "tubes.mode", "--set tubes.mode: no KEY=VALUE; write"),
@@ -276,6 +322,11 @@ std::vector<BadRow> override_rows() {
 std::vector<BadRow> file_rows() {
   return {
       {"case_missing", "run none.toml", "none.toml: no such file; give the path of a case file"},
+      {"case_by_a_windows_path", "run 'cases\\none.toml'",
+       "none.toml: no such file; give the path of a case file (TOML); write / "},
+      {"case_is_the_mesh", "run mesh.off",
+       "mesh.off: is a mesh, not a case; write a case file (TOML) with mesh = \"mesh.off\" under [target] and give that"},
+      {"case_is_the_program", "run " RAYTUBE_PROGRAM, "raytube: is"},
       {"case_folder", "run .", ".: cannot be read; give the path of a readable case file"},
       {"case_below_a_file", "run case.toml/case.toml", "case.toml/case.toml: no such file"},
       {"case_endless_device", "run /dev/zero", "/dev/zero: is a pipe or a device; copy"},
@@ -296,6 +347,7 @@ std::vector<BadRow> file_rows() {
 INSTANTIATE_TEST_SUITE_P(CaseText, BadTable, ::testing::ValuesIn(text_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(CaseValues, BadTable, ::testing::ValuesIn(value_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Verdicts, BadTable, ::testing::ValuesIn(verdict_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(CaseWords, BadTable, ::testing::ValuesIn(word_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Overrides, BadTable, ::testing::ValuesIn(override_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(CaseFiles, BadTable, ::testing::ValuesIn(file_rows()), row_name);
 

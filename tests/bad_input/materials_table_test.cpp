@@ -226,9 +226,9 @@ std::vector<BadRow> place_rows() {
       other_mesh(
           "part_went_with_its_mesh", parts + "door = \"glass\"\n",
           "raytube: --set target.mesh=mesh.off: this mesh has no part \"door\", to which bad.toml, line 15 gives a material in "
-          "target.parts; did you mean"),
+          "target.parts; to do without these parts add --set 'target.parts={}', or choose among"),
       other_mesh("file_went_with_its_parts", parts + "\"mesh.obj\" = \"glass\"\n",
-                 "did you mean \"mesh.off\" there? To do without these parts add --set 'target.parts={}'"),
+                 "to do without these parts add --set 'target.parts={}', or did you mean \"mesh.off\"?"),
       other_mesh(
           "facet_went_with_its_mesh", facets + "paint = [[0, 5]]\n",
           "raytube: --set target.mesh=mesh.off: this mesh has 2 facets, counted from 0, but target.facets.paint names facet 5 "
@@ -281,8 +281,9 @@ std::vector<BadRow> section_rows() {
           "target.material \"glass\" is no material but a medium; add [materials.glass] with a kind and medium = \"glass\""),
       set("part_misspelt", "target.part.roof=pec", "unknown key \"target.part\"; did you mean \"target.parts\"?"),
       set("mesh_of_no_files", "target.mesh=[]", "target.mesh is an empty list; give at least one mesh file"),
-      set("mesh_of_a_number", "target.mesh=[\"mesh.off\", 3]", "every entry of target.mesh must be a text in double quotes"),
-      set("mesh_of_an_empty_name", "target.mesh=[\"mesh.off\", \"\"]", "entry 2 of target.mesh is empty; give the mesh file"),
+      set("mesh_of_a_number", "target.mesh=[\"mesh.off\", 3]", "entry 2 of target.mesh must be a text in double quotes"),
+      set("mesh_of_an_empty_name", "target.mesh=[\"mesh.off\", \"\"]",
+          "entry 2 of target.mesh is empty; give the file of the mesh"),
       set("mesh_second_missing", "target.mesh=[\"mesh.off\", \"none.stl\"]", "none.stl': not found; check the path"),
       with_file("materials_in_a_case_of_sources", "bad.toml", "[materials.steel]\nkind = \"pec\"\n", "sources bad.toml",
                 ", line 1: [materials] belongs to a case for raytube run; run it with that command"),

@@ -66,6 +66,21 @@ TEST_F(Warnings, FrequenciesTooFarApart) {
               HasSubstr("steps of 0.25 GHz in frequency are too wide for this target's lobes, which ask for 0.086 GHz or less"));
 }
 
+TEST_F(Warnings, ARangeThatEndsBeforeItsStop) {
+  const std::string early = metres + "--set 'look.phi_deg={start=0,stop=1,step=0.4}' ";
+  const std::string says =
+      "look.phi_deg: steps of 0.4 from 0 end at 0.8, short of stop = 1; to reach it write count = 4 in the "
+      "place of step, or else stop = 0.8";
+  EXPECT_THAT(raytube("run case.toml" + early).complaint, HasSubstr(says));
+  EXPECT_EQ(told().size(), 1u);
+  EXPECT_EQ(raytube("check case.toml" + early).code, 0);
+  EXPECT_THAT(output(), HasSubstr(says));
+  EXPECT_THAT(raytube("run case.toml" + metres + "--set 'frequency.ghz={start=10,stop=10.1,step=0.2}'").complaint,
+              HasSubstr("frequency.ghz: steps of 0.2 from 10 end at 10, short of stop = 10.1; to reach it write count = 2"));
+  EXPECT_EQ(raytube("run case.toml" + metres + "--set 'look.phi_deg={start=0,stop=1,step=0.1}'").code, 0);
+  EXPECT_EQ(told().size(), 0u);
+}
+
 TEST_F(Warnings, AListOfLooksIsNoSweep) {
   scratch.write("looks.csv", "theta_deg,phi_deg\n10,0\n20,30\n45,60\n70,10\n80,80\n");
   scratch.write("listed.toml", target + frequency + "[look]\nlooks_csv = \"looks.csv\"\n");

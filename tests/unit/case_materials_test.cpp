@@ -253,7 +253,7 @@ TEST(CaseMaterials, BadMediaNamePlaceAndRemedy) {
       {"kind = \"coated\"\nlayers = [ 3 ]\n", ".layers[0] must be a layer"},
       {"kind = \"coated\"\nlayers = [ { thickness_mm = 1, eps_r = 2 }, { eps_r = 2 } ]\n", ".layers[1].thickness_mm is missing"},
       {"kind = \"coated\"\nlayers = [ { thickness_mm = 1, kind = \"pec\" } ]\n",
-       "unknown key \"materials.it.layers[0].kind\"; did"},
+       "unknown key \"materials.it.layers[0].kind\"; choose"},
       {"kind = \"sheet\"\nresistance_ohm = -2\n", ".resistance_ohm must be at least 0 (found -2)"},
       {"kind = \"sheet\"\nresistance_ohm = 2\nthickness_mm = 1\n", ".thickness_mm cannot go with resistance_ohm; remove one"},
       {"kind = \"sheet\"\nconductance_s = 2\nmedium = \"glass\"\n", ".medium cannot go with conductance_s; remove one of them"},
@@ -317,7 +317,7 @@ TEST(CaseMaterials, BadPlacesNameTheRemedy) {
   EXPECT_THAT(complaint(smallest, {"target.facets=3"}), HasSubstr("target.facets must be a section"));
   EXPECT_THAT(complaint(smallest, {"target.part.a=pec"}), HasSubstr("did you mean \"target.parts\""));
   EXPECT_THAT(complaint(smallest, {"target.mesh=[]"}), HasSubstr("target.mesh is an empty list"));
-  EXPECT_THAT(complaint(smallest, {"target.mesh=[\"a.stl\", 3]"}), HasSubstr("every entry of target.mesh must be a text"));
+  EXPECT_THAT(complaint(smallest, {"target.mesh=[\"a.stl\", 3]"}), HasSubstr("entry 2 of target.mesh must be a text"));
 }
 
 // Capitals count less than letters.

@@ -115,6 +115,8 @@ TEST(CaseRead, GigahertzGiveTheHertzMeant) {
 TEST(CaseRead, FrequencyRangeHoldsBothEnds) {
   EXPECT_THAT(read_text(smallest, {"frequency.ghz={start=92, stop=96, count=5}"}).sweep.frequencies,
               ElementsAre(92e9, 93e9, 94e9, 95e9, 96e9));
+  EXPECT_THAT(read_text(smallest, {"frequency.ghz={start=92, stop=93, step=0.5}"}).sweep.frequencies,
+              ElementsAre(92e9, 92.5e9, 93e9));
   EXPECT_THAT(read_text(smallest, {"frequency.ghz={start=2, stop=2, count=1}"}).sweep.frequencies, ElementsAre(2e9));
   EXPECT_THAT(read_text(smallest, {"frequency.ghz={start=2, stop=1, count=2}"}).sweep.frequencies, ElementsAre(2e9, 1e9));
 }
@@ -131,6 +133,7 @@ TEST(CaseRead, SteppedRangeEndsAtTheLastStepWithinStop) {
   EXPECT_THAT(phi("{start=0, stop=1, step=0.3}"), ElementsAre(0, 0.3, 0.6, 0.9));
   EXPECT_THAT(phi("{start=1, stop=0, step=-0.5}"), ElementsAre(1, 0.5, 0));
   EXPECT_THAT(phi("{start=5, stop=5, step=1}"), ElementsAre(5));
+  EXPECT_THAT(phi("{start=0, stop=1, count=3}"), ElementsAre(0, 0.5, 1));
   EXPECT_THAT(phi("{start=0, stop=0.99999999999, step=0.25}"), ElementsAre(0, 0.25, 0.5, 0.75, 0.99999999999));
 }
 

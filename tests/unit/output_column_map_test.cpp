@@ -61,6 +61,32 @@ TEST(ColumnMap, AChosenColumnGoesBeforeOneOfThatName) {
   EXPECT_EQ(table.rows[0].key[ResultTable::phi], 1.0);
 }
 
+TEST(ColumnMap, NamesInQuotesHoldAnySign) {
+  const ColumnMap map = parsed_column_map("--x", "sigma_vv_m2=\"RCS, +VV [m*m]\",phi_deg=\"Phi [deg]\"*-1+90");
+  ASSERT_EQ(map.size(), 2u);
+  EXPECT_EQ(map[0].theirs, "rcs, +vv [m*m]");
+  EXPECT_EQ(map[0].factor, 1.0);
+  EXPECT_EQ(map[1].theirs, "phi [deg]");
+  EXPECT_EQ(map[1].factor, -1.0);
+  EXPECT_EQ(map[1].offset, 90.0);
+}
+
+TEST(ColumnMap, UnitsOfHeadersCount) {
+  const std::string text = "\"Freq [GHz]\",\"Phi [rad]\",\"RCS [dBsm]\",\"Arg (deg)\"\n10,0.5,0,90\n";
+  const std::string map = "freq_hz=\"Freq [GHz]\",phi_deg=\"Phi [rad]\",sigma_vv_dbsm=\"RCS [dBsm]\",phase_vv_rad=\"Arg (deg)\"";
+  const ResultTable::Row row = table_of(text, map).rows[0];
+  EXPECT_EQ(row.key[ResultTable::frequency], 10e9);
+  EXPECT_DOUBLE_EQ(row.key[ResultTable::phi], 0.5 / degree);
+  EXPECT_NEAR(std::abs(row.s[0] - Complex(0.0, 1.0 / root)), 0.0, 1e-15);  // of 90 degrees, rounded
+  EXPECT_EQ(table_of(text, "freq_hz=\"Freq [GHz]\"*1e6,sigma_vv_dbsm=\"RCS [dBsm]\"").rows[0].key[ResultTable::frequency], 10e6);
+}
+
+TEST(ColumnMap, SigmaInSquareMetres) {
+  const ResultTable table = table_of("phi_deg,sigma_vv_m2\n0,100\n1,0\n");
+  EXPECT_NEAR(table.rows[0].sigma_dbsm[0], 20.0, 1e-13);  // rounding of a root and two logarithms
+  EXPECT_TRUE(std::isinf(table.rows[1].sigma_dbsm[0]));
+}
+
 TEST(ColumnMap, ALevelWithAPhaseIsAnAmplitude) {
   const ResultTable table = table_of("phi_deg,sigma_hh_dbsm,phase_hh_rad\n0,10,0.5\n1,-inf,0\n");
   EXPECT_NEAR(std::abs(table.rows[0].s[3] - std::polar(std::sqrt(10.0) / root, 0.5)), 0.0, 1e-15);  // rounding

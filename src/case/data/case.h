@@ -103,6 +103,7 @@ struct Case {
   bool incoherent = false;               // what rough surfaces scatter incoherently is written, too
   std::vector<std::size_t> image_looks;  // of which images are made
   double image_per_wavelength = 10.0;
+  std::vector<std::string> warnings;  // sentences about what was likely meant otherwise
 };
 
 }  // namespace raytube

@@ -7,6 +7,7 @@
 #include "case/directions/looks_csv.h"
 #include "case/directions/radar.h"
 #include "case/directions/row_limit.h"
+#include "case/text/users_words.h"
 #include "case/text/values.h"
 #include "core/error.h"
 
@@ -16,25 +17,21 @@ namespace {
 
 constexpr double finest_step = 1e-12;  // [deg]: less is lost beside the 1 of a cosine
 
-std::string theta_sentence(const std::string& key, double theta_deg) {
-  return fmt::format("{} must lie in 0 to 180 degrees, from +z (found {})", key, theta_deg);
-}
-
 std::vector<double> read_angles(const CaseValue& root, const CaseValue& section, const std::string& section_name,
-                                const std::string& name) {
+                                const std::string& name, std::vector<std::string>& warnings) {
   const std::string key = section_name + "." + name;
   const CaseValue* value = section.find(name);
   if (!value)
-    throw InputError(fmt::format("{}: {} is missing; add {} = a number, a list or {{ start, stop, step }} under [{}]",
-                                 root.location, key, name, section_name));
-  std::vector<double> angles = read_stepped(*value, key);
+    throw InputError(fmt::format("{}: {} is missing; add {} = a number, a list or {} under [{}]", root.location, key, name,
+                                 range_forms, section_name));
+  std::vector<double> angles = read_values(*value, key, warnings);
   if (value->kind == CaseValue::Kind::table && angles.size() > 1 && std::abs(angles[1] - angles[0]) < finest_step)
-    reject(*value, fmt::format("{}.step {:.3g} is finer than any direction; write at least {:g} degrees", key,
+    reject(*value, fmt::format("{} has steps of {:.3g}, finer than any direction; write at least {:g} degrees", key,
                                angles[1] - angles[0], finest_step));
   for (const double angle : angles)
     if (const std::string sentence = unresolved_angle(key, angle); !sentence.empty()) reject(*value, sentence);
   for (const double angle : angles)
-    if (name == "theta_deg" && (angle < 0.0 || angle > 180.0)) reject(*value, theta_sentence(key, angle));
+    if (name == "theta_deg" && (angle < 0.0 || angle > 180.0)) reject(*value, theta_outside(key, angle));
   return angles;
 }
 
@@ -79,12 +76,12 @@ void read_looks(const CaseValue& root, Case& c) {
   if (has_positions(root)) return read_positions(root, c);
   if (!look) throw InputError(root.location + ": no directions; add a [look] section with theta_deg and phi_deg");
   if (look->find("looks_csv")) return fill_from_list(*look, receive, c);
-  c.looks.theta_deg = read_angles(root, *look, "look", "theta_deg");
-  c.looks.phi_deg = read_angles(root, *look, "look", "phi_deg");
+  c.looks.theta_deg = read_angles(root, *look, "look", "theta_deg", c.warnings);
+  c.looks.phi_deg = read_angles(root, *look, "look", "phi_deg", c.warnings);
   c.sweep.bistatic = receive != nullptr;
   if (receive) {
-    c.looks.rx_theta_deg = read_angles(root, *receive, "receive", "theta_deg");
-    c.looks.rx_phi_deg = read_angles(root, *receive, "receive", "phi_deg");
+    c.looks.rx_theta_deg = read_angles(root, *receive, "receive", "theta_deg", c.warnings);
+    c.looks.rx_phi_deg = read_angles(root, *receive, "receive", "phi_deg", c.warnings);
   }
   fill_from_angles(*look, c);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "case/directions/row_limit.h"
+#include "case/text/users_words.h"
 #include "case/text/values.h"
 #include "core/csv_reader.h"
 #include "core/error.h"
@@ -33,7 +34,7 @@ double angle(const CsvReader& reader, std::size_t column) {
 Direction direction(const CsvReader& reader, std::size_t column) {
   const double theta_deg = angle(reader, column), phi_deg = angle(reader, column + 1);
   if (theta_deg < 0.0 || theta_deg > 180.0)
-    throw InputError(fmt::format("{}: theta must lie in 0 to 180 degrees, from +z (found {})", reader.location(), theta_deg));
+    throw InputError(fmt::format("{}: {}", reader.location(), theta_outside("theta", theta_deg)));
   return {theta_deg * degree, phi_deg * degree};
 }
 

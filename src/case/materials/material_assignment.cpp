@@ -25,11 +25,9 @@ constexpr double most_facets = 9007199254740992.0;  // 2^53: whole numbers of a 
 void check_name(const CaseValue& value, const std::string& sentence, const std::string& name,
                 const std::vector<std::string>& names) {
   if (std::ranges::find(names, name) != names.end()) return;
-  const std::string_view nearest = nearest_name(name, names);
-  const std::string medium = lower_case(nearest) == lower_case(name) ? "" : medium_meant(name);
+  const std::string medium = lower_case(nearest_name(name, names)) == lower_case(name) ? "" : medium_meant(name);
   if (medium.empty())
-    reject(value, fmt::format("{} is no material; add [materials.{}], or did you mean \"{}\"?", sentence, quotable(name),
-                              quotable(nearest)));
+    reject(value, fmt::format("{} is no material; add [materials.{}], or {}", sentence, quotable(name), name_meant(name, names)));
   reject(value,
          fmt::format("{0} is no material but a medium; add [materials.{1}] with a kind and medium = \"{1}\", and name that here",
                      sentence, medium));

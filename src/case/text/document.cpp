@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "case/text/not_a_case.h"
 #include "core/error.h"
 #include "core/text.h"
 
@@ -106,8 +107,10 @@ std::size_t line_of_deep_key(const std::string& text) {
 std::string text_of_file(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
-    throw InputError(fmt::format("{}: no such file; give the path of a case file (TOML)", file.string()));
+    throw InputError(
+        fmt::format("{}: no such file; give the path of a case file (TOML){}", file.string(), backslash_remedy(file.string())));
   const bool folder = std::filesystem::is_directory(file, error);
+  if (!folder) refuse_mesh_as_case(file);
   if (!folder && !std::filesystem::is_regular_file(file, error))
     throw InputError(fmt::format("{}: is a pipe or a device; copy the case into a file", file.string()));
   if (!folder && std::filesystem::file_size(file, error) > longest_file)
@@ -144,10 +147,18 @@ bool numbers_with_between(const std::string& line, char mark) {
   return false;
 }
 
-// What people who come from MATLAB write in a line that is no TOML.
+// True for a backslash that begins no quote and no backslash between double quotes, as in a path of Windows.
+bool has_lone_backslash(const std::string& line) {
+  for (std::size_t at = line.find('"'); (at = line.find('\\', at)) != std::string::npos; at += 2)
+    if (std::string_view("\"\\").find(line[std::min(at + 1, line.size() - 1)]) == std::string_view::npos) return true;
+  return false;
+}
+
+// What people who come from MATLAB or from Windows write in a line that is no TOML.
 std::string_view habit_in_line(const std::string& text, std::size_t number) {
   const std::string line = line_of(text, number);
   const std::size_t last = line.find_last_not_of(blanks);
+  if (has_lone_backslash(line)) return "; in a path write / for \\, or put it in 'single quotes'";
   if (line.find('%') < line.find('"')) return "; a comment begins with #";
   if (numbers_with_between(line, ':')) return "; a range is written { start = 0, stop = 90, step = 1 }";
   if (last != std::string::npos && line[last] == ';') return "; a line ends without a semicolon";
@@ -159,12 +170,16 @@ CaseValue parsed_file(const std::filesystem::path& file) {
   const Source source{file.string(), true};
   const std::string text = text_of_file(file);
   if (is_utf16(text)) throw InputError(fmt::format("{}: is text in UTF-16; save it as UTF-8", source.name));
-  if (const std::size_t line = line_of_deep_key(text)) reject_deep_key(fmt::format("{}, line {}", source.name, line));
+  if (const std::size_t line = line_of_deep_key(text)) {
+    refuse_other_kinds(file, text);
+    reject_deep_key(fmt::format("{}, line {}", source.name, line));
+  }
   try {
     CaseValue root = converted(toml::parse(text), source);
     root.location = source.name;
     return root;
   } catch (const toml::parse_error& error) {
+    refuse_other_kinds(file, text);
     throw InputError(fmt::format("{}: not valid TOML{}; correct this line ({})", source.location(error.source()),
                                  habit_in_line(text, error.source().begin.line), error.description()));
   }

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <iterator>
 #include <numeric>
 
+#include "case/text/users_words.h"
 #include "core/text.h"
 
 namespace raytube {
@@ -93,9 +94,41 @@ std::size_t key_distance(std::string_view key, std::string_view known) {
   return std::min(edit_distance(key, known), 1 + edit_distance(last_part(key), last_part(known)));
 }
 
+// Farther away another word was meant: a third of the letters, so that a letter may be wrong in "unit", two in "order".
+bool are_near(std::string_view name, std::string_view known) {
+  return edit_distance(name, known) <= std::max<std::size_t>((name.size() + 1) / 3, 1);
+}
+
+// Also "theta" for theta_deg, "thickness" for thickness_mm: the name without its unit.
+bool are_near_keys(std::string_view key, std::string_view known) {
+  const std::string name = lower_case(last_part(key));
+  return are_near(name, last_part(known)) || last_part(known).starts_with(name + "_");
+}
+
+std::string keys_of_section(std::string_view section) {
+  std::vector<std::string_view> keys;
+  for (const std::string_view known : known_keys)
+    if (known.substr(0, known.find('.')) == section) keys.push_back(known);
+  return joined(keys, ", ");
+}
+
+std::string sections() {
+  std::vector<std::string_view> names = {"materials"};
+  for (const std::string_view known : known_keys)
+    if (const std::string_view section = known.substr(0, known.find('.')); !contains(names, section)) names.push_back(section);
+  return joined(names, ", ");
+}
+
+std::string remedy_for_key(std::string_view key) {
+  if (const std::string_view remedy = remedy_for_word(key); !remedy.empty()) return std::string(remedy);
+  if (const std::string_view nearest = nearest_key(key, known_keys); !nearest.empty())
+    return fmt::format("did you mean \"{}\"?", nearest);
+  const std::string keys = keys_of_section(key.substr(0, key.find('.')));
+  return "choose among " + (keys.empty() ? sections() : keys);
+}
+
 void check_key(const CaseValue& value, const std::string& key) {
-  if (!contains(known_keys, key))
-    reject(value, fmt::format("unknown key \"{}\"; did you mean \"{}\"?", quotable(key), nearest_key(key, known_keys)));
+  if (!contains(known_keys, key)) reject(value, fmt::format("unknown key \"{}\"; {}", quotable(key), remedy_for_key(key)));
 }
 
 // A key inside tells better than its misspelt section which one was meant.
@@ -110,9 +143,12 @@ void check_unknown_section(const CaseValue& value, const std::string& section) {
 
 void check_keys_among(const CaseValue& table, std::span<const std::string_view> known, const std::string& path) {
   for (std::size_t i = 0; i < table.keys.size(); ++i)
-    if (!contains(known, table.keys[i]))
-      reject(table.items[i], fmt::format("unknown key \"{0}.{1}\"; did you mean \"{0}.{2}\"?", path, quotable(table.keys[i]),
-                                         nearest_key(table.keys[i], known)));
+    if (const std::string& key = table.keys[i]; !contains(known, key)) {
+      const std::string_view nearest = nearest_key(key, known);
+      reject(table.items[i], fmt::format("unknown key \"{}.{}\"; {}", path, quotable(key),
+                                         nearest.empty() ? "choose among " + joined(known, ", ")
+                                                         : fmt::format("did you mean \"{}.{}\"?", path, nearest)));
+    }
 }
 
 void check_material(const CaseValue& material, const std::string& path) {
@@ -132,23 +168,29 @@ void check_materials(const CaseValue& materials) {
 
 }  // namespace
 
-std::string lower_case(std::string_view name) {
-  std::string lower(name);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
 // Capitals tell apart only what nothing else does.
 std::string_view nearest_name(std::string_view name, std::span<const std::string> known) {
   const std::string lower = lower_case(name);
-  return *std::ranges::min_element(known, {}, [&](const std::string& other) {
+  const std::string_view nearest = *std::ranges::min_element(known, {}, [&](const std::string& other) {
     return std::pair(edit_distance(lower, lower_case(other)), edit_distance(name, other));
   });
+  return are_near(lower, lower_case(nearest)) ? nearest : std::string_view();
+}
+
+std::string name_meant(std::string_view name, std::span<const std::string> known) {
+  constexpr std::size_t most = 12;
+  if (const std::string_view nearest = nearest_name(name, known); !nearest.empty())
+    return fmt::format("did you mean \"{}\"?", quotable(nearest));
+  std::vector<std::string> names;
+  for (const std::string& other : known.first(std::min(known.size(), most))) names.push_back(quotable(other));
+  return fmt::format("choose among {}{}", joined(names, ", "), known.size() > most ? ", ..." : "");
 }
 
 std::string_view nearest_key(std::string_view key, std::span<const std::string_view> known) {
-  return *std::min_element(known.begin(), known.end(),
-                           [&](auto a, auto b) { return key_distance(key, a) < key_distance(key, b); });
+  std::vector<std::string_view> near;
+  std::ranges::copy_if(known, std::back_inserter(near), [&](std::string_view other) { return are_near_keys(key, other); });
+  const auto nearest = std::ranges::min_element(near, {}, [&](std::string_view other) { return key_distance(key, other); });
+  return nearest == near.end() ? std::string_view() : *nearest;
 }
 
 void check_case_keys(const CaseValue& root) {

@@ -32,11 +32,21 @@ struct Range {
   double start, stop, third;  // third: step or count
 };
 
-Range read_range(const CaseValue& table, const std::string& key, std::string_view third) {
+void check_range_keys(const CaseValue& table, const std::string& key) {
   for (std::size_t i = 0; i < table.keys.size(); ++i)
-    if (const std::string& name = table.keys[i]; name != "start" && name != "stop" && name != third)
+    if (const std::string& name = table.keys[i]; name != "start" && name != "stop" && name != "step" && name != "count")
       reject(table.items[i],
-             fmt::format("unknown key \"{0}.{1}\"; write {0} = {{ start, stop, {2} }}", key, quotable(name), third));
+             fmt::format("unknown key \"{0}.{1}\"; write {0} = {{ start, stop, step }} or {{ start, stop, count }}", key,
+                         quotable(name)));
+  if (table.find("step") && table.find("count")) reject(table, key + " has both a step and a count; leave one of them out");
+  if (!table.find("step") && !table.find("count"))
+    reject(table,
+           fmt::format("{0} has neither step nor count; write {0} = {{ start = ..., stop = ..., step = ... }}, or count = ... "
+                       "in the place of step",
+                       key));
+}
+
+Range read_range(const CaseValue& table, const std::string& key, std::string_view third) {
   const auto entry = [&](std::string_view name) {
     const CaseValue* value = table.find(name);
     if (!value)
@@ -64,7 +74,16 @@ std::vector<double> equally_spaced(const CaseValue& table, const std::string& ke
   return values;
 }
 
-std::vector<double> stepped_range(const CaseValue& table, const std::string& key) {
+std::string stops_early(const CaseValue& table, const std::string& key, double last) {
+  const auto [start, stop, step] = read_range(table, key, "step");
+  return fmt::format(
+      "{}: {}: steps of {} from {} end at {}, short of stop = {}; to reach it write count = {} in the place of step, "
+      "or else stop = {}",
+      table.location, key, number_text(step), number_text(start), number_text(last), number_text(stop),
+      std::max(std::round((stop - start) / step), 1.0) + 1.0, number_text(last));
+}
+
+std::vector<double> stepped_range(const CaseValue& table, const std::string& key, std::vector<std::string>& warnings) {
   const auto [start, stop, step] = read_range(table, key, "step");
   if (step == 0.0) reject(table, key + ".step must not be zero; write a single number for a single value");
   const double steps = (stop - start) / step;
@@ -74,7 +93,10 @@ std::vector<double> stepped_range(const CaseValue& table, const std::string& key
   const double whole = std::floor(steps + 1e-9);
   check_count(table, key, whole + 1.0, "step");
   std::vector<double> values = equally_spaced(table, key, start, step, static_cast<std::size_t>(whole) + 1);
-  if (std::abs(steps - whole) <= 1e-9) values.back() = stop;
+  if (std::abs(steps - whole) <= 1e-9)
+    values.back() = stop;
+  else
+    warnings.push_back(stops_early(table, key, values.back()));
   return values;
 }
 
@@ -104,16 +126,14 @@ std::optional<Range> range_with_colons(const CaseValue& value) {
   return Range{parts.front(), parts.back(), parts.size() == 3 ? parts[1] : 1.0};
 }
 
-[[noreturn]] void reject_values(const CaseValue& value, const std::string& key, std::string_view third) {
-  const std::string forms = fmt::format("{} must be a number, a list or {{ start, stop, {} }}", key, third);
+[[noreturn]] void reject_values(const CaseValue& value, const std::string& key) {
+  const std::string forms = fmt::format("{} must be a number, a list or {}", key, range_forms);
   const std::optional<Range> meant = range_with_colons(value);
   const double steps = meant ? std::floor((meant->stop - meant->start) / meant->third + 1e-9) : -1.0;
   if (!(steps >= 0.0 && std::isfinite(steps))) reject(value, forms);
   const auto [start, stop, step] = *meant;
-  const bool counted = third == "count";
-  reject(value, fmt::format("{}; for {} write {{ start = {}, stop = {}, {} = {} }}", forms, quotable(value.text),
-                            number_text(start), number_text(counted ? rounded_at_scale(start + steps * step, stop) : stop), third,
-                            number_text(counted ? steps + 1.0 : step)));
+  reject(value, fmt::format("{}; for {} write {{ start = {}, stop = {}, step = {} }}", forms, quotable(value.text),
+                            number_text(start), number_text(rounded_at_scale(start + steps * step, stop)), number_text(step)));
 }
 
 std::vector<double> listed(const CaseValue& list, const std::string& key) {
@@ -197,6 +217,12 @@ std::string read_text(const CaseValue& value, const std::string& key) {
 std::string read_file_name(const CaseValue& value, const std::string& key, const std::string& what) {
   std::string name = read_text(value, key);
   if (name.empty()) reject(value, fmt::format("{} is empty; give the file of the {}, relative to the case file", key, what));
+  const auto control = [](unsigned char c) { return c < ' ' || c == 127; };
+  if (std::ranges::any_of(name, control))
+    reject(value,
+           fmt::format("{} holds a control character, which \"\\t\", \"\\n\" and the like stand for; write / between folders, or "
+                       "put the path in 'single quotes'",
+                       key));
   return name;
 }
 
@@ -207,18 +233,12 @@ double read_unit(const CaseValue& value, const std::string& key) {
   reject(value, fmt::format("{} \"{}\" is unknown; write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\"", key, quotable(name)));
 }
 
-std::vector<double> read_stepped(const CaseValue& value, const std::string& key) {
-  if (value.kind == Kind::table) return stepped_range(value, key);
+std::vector<double> read_values(const CaseValue& value, const std::string& key, std::vector<std::string>& warnings) {
   if (value.kind == Kind::list) return listed(value, key);
   if (value.kind == Kind::number) return {read_number(value, key)};
-  reject_values(value, key, "step");
-}
-
-std::vector<double> read_counted(const CaseValue& value, const std::string& key) {
-  if (value.kind == Kind::table) return counted_range(value, key);
-  if (value.kind == Kind::list) return listed(value, key);
-  if (value.kind == Kind::number) return {read_number(value, key)};
-  reject_values(value, key, "count");
+  if (value.kind != Kind::table) reject_values(value, key);
+  check_range_keys(value, key);
+  return value.find("count") ? counted_range(value, key) : stepped_range(value, key, warnings);
 }
 
 }  // namespace raytube

@@ -37,10 +37,11 @@ std::string read_file_name(const CaseValue& value, const std::string& key, const
 /// Metres of the unit of length that the text names: m, cm, mm, um, in, ft.
 double read_unit(const CaseValue& value, const std::string& key);
 
-/// A number, a list of numbers, or { start, stop, step } with `stop` included when a step lands on it.
-std::vector<double> read_stepped(const CaseValue& value, const std::string& key);
+/// How a sentence names the two kinds of ranges.
+inline constexpr const char* range_forms = "{ start, stop, step } (or count)";
 
-/// A number, a list of numbers, or { start, stop, count }, both ends included.
-std::vector<double> read_counted(const CaseValue& value, const std::string& key);
+/// A number, a list of numbers, { start, stop, count } with both ends, or { start, stop, step } with `stop` included when a step
+/// lands on it; when none does, a sentence is added to `warnings`.
+std::vector<double> read_values(const CaseValue& value, const std::string& key, std::vector<std::string>& warnings);
 
 }  // namespace raytube

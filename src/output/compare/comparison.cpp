@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "output/compare/curve_lag.h"
+#include "output/compare/square_metres.h"
 #include "output/tables/csv.h"
 
 namespace raytube {
@@ -114,6 +115,7 @@ Comparison compare_results(ResultTable result, ResultTable reference, double wit
   Comparison c;
   c.result = std::move(result), c.reference = std::move(reference), c.within_db = within_db;
   c.match = match_rows(c.result, c.reference);
+  refuse_square_metres(c.result, c.reference, c.match);
   if (free_scale) {
     c.scale = fit_scale(c.result, c.reference, c.match);
     apply_scale(c.result, c.scale->factor);

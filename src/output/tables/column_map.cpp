@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -16,17 +15,12 @@ namespace raytube {
 
 namespace {
 
-std::string in_small_letters(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 std::vector<std::string> known_columns() {
   std::vector<std::string> names{"freq_hz",     "freq_ghz",    "theta_deg",  "phi_deg", "rx_theta_deg",
                                  "rx_phi_deg",  "theta_i_deg", "phi_i_deg",  "tx_pol",  "v_magnitude",
                                  "v_phase_rad", "h_magnitude", "h_phase_rad"};
   for (const char* pq : channel_names)
-    for (const char* form : {"re_{}", "im_{}", "sigma_{}_dbsm", "magnitude_{}", "phase_{}_rad"})
+    for (const char* form : {"re_{}", "im_{}", "sigma_{}_dbsm", "sigma_{}_m2", "magnitude_{}", "phase_{}_rad"})
       names.push_back(fmt::format(fmt::runtime(form), pq));
   return names;
 }
@@ -40,10 +34,13 @@ std::optional<double> number_at(const std::string& text, std::size_t& at) {
   return value;
 }
 
-// "theirs", "theirs*2", "theirs+90" or "theirs*-1+90".
+// "theirs", "theirs*2", "theirs+90" or "theirs*-1+90"; theirs also in double quotes, with whatever signs it holds.
 bool read_source(const std::string& text, ColumnChoice& choice) {
-  std::size_t at = std::min(text.find_first_of("*+"), text.size());
-  choice.theirs = in_small_letters(text.substr(0, at));
+  const std::size_t quote = text.starts_with('"') ? 1 : 0;
+  const std::size_t end = quote ? text.find('"', 1) : std::min(text.find_first_of("*+"), text.size());
+  if (end == std::string::npos) return false;
+  choice.theirs = lower_case(text.substr(quote, end - quote));
+  std::size_t at = end + quote;
   for (const auto& [sign, value] : {std::pair{'*', &choice.factor}, std::pair{'+', &choice.offset}}) {
     if (at == text.size() || text[at] != sign) continue;
     const std::optional<double> number = number_at(text, ++at);
@@ -57,7 +54,7 @@ bool is_a_number(const std::string& ours) { return ours != "tx_pol" && !ours.end
 
 ColumnChoice parsed_choice(const std::string& option, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  ColumnChoice choice{in_small_letters(text.substr(0, equals)), {}};
+  ColumnChoice choice{lower_case(text.substr(0, equals)), {}};
   if (equals == text.size() || !read_source(text.substr(equals + 1), choice))
     throw InputError(
         fmt::format("{} {}: write OURS=THEIRS, with *FACTOR and +OFFSET where units differ, for example freq_hz=f*1e9", option,
@@ -70,12 +67,19 @@ ColumnChoice parsed_choice(const std::string& option, const std::string& text) {
   return choice;
 }
 
+// The next comma that is not between double quotes.
+std::size_t end_of_choice(const std::string& text, std::size_t at) {
+  for (bool quoted = false; at < text.size() && (quoted || text[at] != ','); ++at)
+    if (text[at] == '"') quoted = !quoted;
+  return at;
+}
+
 }  // namespace
 
 ColumnMap parsed_column_map(const std::string& option, const std::string& text) {
   ColumnMap map;
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::size_t end = end_of_choice(text, at);
     map.push_back(parsed_choice(option, text.substr(at, end - at)));
     at = end + 1;
   }

@@ -13,8 +13,9 @@ struct ColumnChoice {
 };
 using ColumnMap = std::vector<ColumnChoice>;
 
-/// Reads "freq_hz=f*1e9,theta_deg=elevation*-1+90,...": ours=theirs, then *factor and +offset where needed. `option` is what
-/// messages call it. Throws InputError for anything else and for names of ours that no table has.
+/// Reads "freq_hz=f*1e9,theta_deg=elevation*-1+90,...": ours=theirs, then *factor and +offset where needed. Theirs may stand in
+/// double quotes: "RCS [dBsm]". `option` is what messages call it. Throws InputError for anything else and for names of ours that
+/// no table has.
 ColumnMap parsed_column_map(const std::string& option, const std::string& text);
 
 }  // namespace raytube

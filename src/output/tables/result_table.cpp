@@ -31,9 +31,10 @@ struct Source {
 
 // Columns of one channel: real and imaginary part, or a level and perhaps a phase.
 struct ChannelSource {
-  Source re, im, magnitude, sigma, phase;
+  Source re, im, magnitude, power, level, phase;
 
-  bool any() const { return re || magnitude || sigma; }
+  bool any() const { return re || magnitude || power || level; }
+  bool has_level() const { return level && !re && !magnitude && !power; }
   bool has_phase() const { return re || (any() && phase); }
 };
 
@@ -53,26 +54,74 @@ std::string first_of(const std::vector<std::string>& names) {
   return joined(listed, ", ");
 }
 
+// What stands in brackets at the end of a column's name: "deg" of "theta [deg]".
+std::string_view unit_of(std::string_view name) {
+  if (!name.ends_with(']') && !name.ends_with(')')) return {};
+  const std::size_t open = name.find_last_of("[(");
+  return open == std::string_view::npos ? std::string_view() : name.substr(open + 1, name.size() - open - 2);
+}
+
+bool is_square_metres(std::string_view unit) {
+  constexpr std::array<std::string_view, 6> names = {"m2", "m^2", "m**2", "m*m", "m\xC2\xB2", "sqm"};
+  return std::ranges::find(names, unit) != names.end();
+}
+
+// What makes numbers of this unit those of our column.
+double unit_factor(std::string_view ours, std::string_view unit) {
+  struct Known {
+    std::string_view ending, unit;
+    double factor;
+  };
+  constexpr std::array<Known, 8> all = {{{"freq_hz", "khz", 1e3},
+                                         {"freq_hz", "mhz", 1e6},
+                                         {"freq_hz", "ghz", 1e9},
+                                         {"freq_ghz", "hz", 1e-9},
+                                         {"freq_ghz", "khz", 1e-6},
+                                         {"freq_ghz", "mhz", 1e-3},
+                                         {"_deg", "rad", 180.0 / pi},
+                                         {"_rad", "deg", pi / 180.0}}};
+  for (const Known& known : all)
+    if (ours.ends_with(known.ending) && unit == known.unit) return known.factor;
+  return 1.0;
+}
+
 // Columns by name, in small or capital letters.
 class Header {
  public:
-  Header(const CsvReader& reader, const ColumnMap& map) : location_(reader.location()), names_(reader.columns()), map_(map) {
+  Header(const CsvReader& reader, const ColumnMap& map, const std::string& option)
+      : location_(reader.location()), names_(reader.columns()), map_(map), option_(option) {
     for (std::string& name : names_)
       std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const ColumnChoice& choice : map)
       if (!column(choice.theirs))
-        reject(fmt::format("no column is named {}; choose among {}", quotable(choice.theirs), first_of(names_)));
+        reject(fmt::format("no column is named {}; choose among {} in {}", quotable(choice.theirs), first_of(names_), option_));
+    for (const ColumnChoice& choice : map) check_unit_of_sigma(choice);
   }
 
   Source find(const std::string& name) const {
     const auto chosen = std::ranges::find(map_, name, &ColumnChoice::ours);
     if (chosen == map_.end()) return {column(name)};
-    return {column(chosen->theirs), chosen->factor, chosen->offset};
+    const bool in_theirs = chosen->factor == 1.0 && chosen->offset == 0.0;
+    return {column(chosen->theirs), in_theirs ? unit_factor(name, unit_of(chosen->theirs)) : chosen->factor, chosen->offset};
+  }
+
+  /// What to do about a missing column that has another name.
+  std::string remedy(const std::string& ours) const {
+    return fmt::format("or say which of {} it is, as in {} {}=NAME", first_of(names_), option_, ours);
   }
 
   [[noreturn]] void reject(const std::string& sentence) const { throw InputError(location_ + ": " + sentence); }
 
  private:
+  // Decibels and square metres have names of their own.
+  void check_unit_of_sigma(const ColumnChoice& choice) const {
+    const bool dbsm = choice.ours.ends_with("_dbsm"), m2 = choice.ours.ends_with("_m2");
+    const std::string_view unit = unit_of(choice.theirs);
+    if ((!dbsm || !is_square_metres(unit)) && (!m2 || !unit.starts_with("db"))) return;
+    reject(fmt::format("{0} is in {1}, not in {2}; write {3} '{4}=\"{0}\"'", quotable(choice.theirs), quotable(unit),
+                       dbsm ? "dBsm" : "m^2", option_, choice.ours.substr(0, choice.ours.rfind('_')) + (dbsm ? "_m2" : "_dbsm")));
+  }
+
   Column column(const std::string& name) const {
     const auto found = std::ranges::find(names_, name);
     if (found == names_.end()) return std::nullopt;
@@ -84,6 +133,7 @@ class Header {
   std::string location_;
   std::vector<std::string> names_;
   const ColumnMap& map_;
+  const std::string& option_;
 };
 
 Source frequency_source(const Header& header) {
@@ -102,12 +152,17 @@ void find_keys(const Header& header, Layout& layout) {
                  rx_theta ? rx_theta : theta, rx_phi ? rx_phi : phi};
   if (std::ranges::none_of(layout.keys, [](const Source& source) { return source.column.has_value(); }))
     header.reject(
-        "no column to match rows by; name at least one of freq_hz, freq_ghz, theta_deg, phi_deg, rx_theta_deg, rx_phi_deg");
+        "no column to match rows by; name at least one of freq_hz, freq_ghz, theta_deg, phi_deg, rx_theta_deg, rx_phi_deg, " +
+        header.remedy("phi_deg"));
 }
 
 ChannelSource channel_source(const Header& header, const std::string& pq) {
-  const ChannelSource source{header.find("re_" + pq), header.find("im_" + pq), header.find("magnitude_" + pq),
-                             header.find("sigma_" + pq + "_dbsm"), header.find("phase_" + pq + "_rad")};
+  const ChannelSource source{header.find("re_" + pq),
+                             header.find("im_" + pq),
+                             header.find("magnitude_" + pq),
+                             header.find("sigma_" + pq + "_m2"),
+                             header.find("sigma_" + pq + "_dbsm"),
+                             header.find("phase_" + pq + "_rad")};
   if (source.re.column.has_value() != source.im.column.has_value())
     header.reject(fmt::format("re_{0} and im_{0} go together; add the missing one or remove the other", pq));
   return source;
@@ -128,16 +183,17 @@ void find_channels(const Header& header, Layout& layout) {
   if (layout.transmit) find_received(header, layout);
   if (std::ranges::any_of(layout.channels, &ChannelSource::any)) return;
   header.reject(layout.transmit ? "no channel beside tx_pol; name v_magnitude or h_magnitude, and v_phase_rad or h_phase_rad"
-                                : "no channel; name at least re_vv and im_vv, or sigma_vv_dbsm (vh, hv, hh alike)");
+                                : "no channel; name at least re_vv and im_vv, or sigma_vv_dbsm (vh, hv, hh alike), " +
+                                      header.remedy("sigma_vv_dbsm"));
 }
 
-Layout layout_of(const CsvReader& reader, const ColumnMap& map) {
+Layout layout_of(const CsvReader& reader, const ColumnMap& map, const std::string& option) {
   const bool numbers =
       std::ranges::all_of(reader.columns(), [](const std::string& cell) { return parsed_number(cell).has_value(); });
   if (numbers)
-    Header(reader, {})
+    Header(reader, {}, option)
         .reject("no header; put a line with the names of the columns first, for example freq_hz,theta_deg,phi_deg,sigma_vv_dbsm");
-  const Header header(reader, map);
+  const Header header(reader, map, option);
   Layout layout;
   find_keys(header, layout);
   find_channels(header, layout);
@@ -148,15 +204,31 @@ double value_of(const CsvReader& reader, const Source& source, const std::string
   return source.factor * reader.finite_number(*source.column, remedy) + source.offset;
 }
 
+constexpr double highest_level = 500.0;  // [dBsm]: about what a plate of the Sun's width returns in visible light
+
 double sigma_cell(const CsvReader& reader, const Source& source) {
   constexpr double zero = -std::numeric_limits<double>::infinity();
   if (parsed_number(reader.cell(*source.column)) == zero) return zero;
-  return value_of(reader, source, "write decibels as a number, and -inf for zero");
+  const double level = value_of(reader, source, "write decibels as a number, and -inf for zero");
+  if (level > highest_level)
+    throw InputError(
+        fmt::format("{}: {:g} dBsm is no radar cross-section; write 10 log10 of square metres, or give those as sigma_vv_m2",
+                    reader.location(), level));
+  return level;
 }
 
-// |S|, of sqrt(sigma) or of a level.
+double power_cell(const CsvReader& reader, const Source& source) {
+  const double power = value_of(reader, source, "write sigma in square metres");
+  if (power < 0.0)
+    throw InputError(fmt::format("{}: sigma in square metres must be 0 or more; if it is in dBsm give it as sigma_vv_dbsm",
+                                 reader.location()));
+  return power;
+}
+
+// |S|, of sqrt(sigma), of sigma or of a level.
 double amplitude(const CsvReader& reader, const ChannelSource& source) {
-  if (!source.magnitude) return std::pow(10.0, sigma_cell(reader, source.sigma) / 20.0) / std::sqrt(4.0 * pi);
+  if (source.has_level()) return std::pow(10.0, sigma_cell(reader, source.level) / 20.0) / std::sqrt(4.0 * pi);
+  if (!source.magnitude) return std::sqrt(power_cell(reader, source.power) / (4.0 * pi));
   const double magnitude = value_of(reader, source.magnitude, "write the root of sigma in metres");
   if (magnitude < 0.0) throw InputError(fmt::format("{}: a magnitude must be 0 or more", reader.location()));
   return magnitude / std::sqrt(4.0 * pi);
@@ -171,8 +243,7 @@ void read_channel(const CsvReader& reader, const ChannelSource& source, int chan
         std::polar(amplitude(reader, source), source.phase ? value_of(reader, source.phase, "write a phase in radians") : 0.0);
   else
     return;
-  const bool level = !source.re && !source.magnitude;
-  row.sigma_dbsm[channel] = level ? sigma_cell(reader, source.sigma) : sigma_dbsm(row.s[channel]);
+  row.sigma_dbsm[channel] = source.has_level() ? sigma_cell(reader, source.level) : sigma_dbsm(row.s[channel]);
 }
 
 // 0 for V, 1 for H.
@@ -242,11 +313,11 @@ class Rows {
 
 }  // namespace
 
-ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map) {
+ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map, const std::string& option) {
   CsvReader reader(file, "give the path of a readable table, for example out/rcs.csv");
   if (reader.columns().empty())
     throw InputError(fmt::format("{}: holds no table; give a file with a header and rows", file.string()));
-  const Layout layout = layout_of(reader, map);
+  const Layout layout = layout_of(reader, map, option);
   Rows rows(layout);
   while (reader.next()) rows.read(reader);
   ResultTable table;
@@ -256,6 +327,7 @@ ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap
   for (int k = 0; k < ResultTable::keys; ++k) table.has_key[k] = layout.keys[k].column.has_value();
   for (int c = 0; c < 4; ++c) {
     table.has_channel[c] = layout.channels[c].any() && rows.transmitted(c % 2);
+    table.has_level[c] = layout.channels[c].has_level() && rows.transmitted(c % 2);
     table.has_phase[c] = layout.channels[c].has_phase() && rows.transmitted(c % 2);
   }
   return table;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/field.h"
@@ -24,6 +25,7 @@ struct ResultTable {
   std::filesystem::path file;
   std::array<bool, keys> has_key{};
   std::array<bool, 4> has_channel{}, has_phase{};
+  std::array<bool, 4> has_level{};  // read from a column in dBsm
   std::vector<Row> rows;
 };
 
@@ -37,11 +39,14 @@ constexpr bool is_azimuth(ResultTable::Key key) { return key == ResultTable::phi
 ///   Keys: freq_hz or freq_ghz; theta_deg, phi_deg to the transmitter; rx_theta_deg, rx_phi_deg to the receiver, which are those
 ///   to the transmitter where they are missing. With theta_i_deg, phi_i_deg these lead to the transmitter, theta_deg, phi_deg to
 ///   the receiver. At least one is needed.
-///   Channels pq = vv, vh, hv, hh: re_pq and im_pq [m]; or else magnitude_pq, the root of sigma [m], or sigma_pq_dbsm, and
-///   perhaps phase_pq_rad. At least one is needed. With tx_pol, v or h, a row holds one transmit polarisation, as in
-///   channels.csv: v_magnitude [m], v_phase_rad, h_magnitude [m], h_phase_rad as received. Rows with the same keys become one.
-/// `map` says which column has another name or unit. Throws InputError with line and column.
-ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map = {});
+///   Channels pq = vv, vh, hv, hh: re_pq and im_pq [m]; or else magnitude_pq, the root of sigma [m], sigma_pq_m2 or
+///   sigma_pq_dbsm, and perhaps phase_pq_rad. At least one is needed. With tx_pol, v or h, a row holds one transmit polarisation,
+///   as in channels.csv: v_magnitude [m], v_phase_rad, h_magnitude [m], h_phase_rad as received. Rows with the same keys become
+///   one.
+/// `map` says which column has another name or unit: a unit in brackets at the end of that name counts where no factor is given.
+/// `option` is what a sentence calls the map. Throws InputError with line and column.
+ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map = {},
+                              const std::string& option = "--result-columns");
 
 /// Keeps the rows whose key lies in low...high, ends included; an azimuth may lie there by full turns, which are then taken off
 /// it. A table without that key keeps all. Throws InputError if none is left.
