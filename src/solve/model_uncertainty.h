@@ -37,7 +37,4 @@ class ModelUncertainty {
   double flat_rise_ = 0.0;            // of curved surfaces that count as their facets [m]
 };
 
-/// What would make a part of the model uncertainty less in this solve, once it is done: a key of the case, or "none: ...".
-std::string remedy_of(Omission omission, const SolvePlan& plan, const SkipCounts& skips, const TruncatedSums& truncated);
-
 }  // namespace raytube
