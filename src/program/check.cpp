@@ -29,7 +29,7 @@ namespace raytube {
 namespace {
 
 // Looks are timed for so long, and the first ones given up after so long [s].
-constexpr double probe_seconds = 1.5, probe_patience = 8.0;
+constexpr double probe_seconds = 1.5, probe_patience = 2.0;
 constexpr std::size_t most_lines = 10;
 
 std::string values_text(const std::vector<double>& values) {
@@ -276,9 +276,9 @@ std::string seconds_text(double seconds) {
 void print_time(const SolvePlan& plan) {
   const TimePrediction time = predict_time(plan, probe_seconds, probe_patience);
   const std::string threads = fmt::format("{} thread{}", plan.threads, plan.threads == 1 ? "" : "s");
-  if (time.at_least)
-    fmt::print("\ntime\n  more than {} on {}: a look takes more than {}\n", seconds_text(time.solve_s), threads,
-               seconds_text(time.look_s));
+  if (time.at_most)
+    fmt::print("\ntime\n  at most about {} on {}, and at least {}: no look was done in {:.0f} s, each takes at most about {}\n",
+               seconds_text(time.solve_s), threads, seconds_text(time.least_s), probe_patience, seconds_text(time.look_s));
   else
     fmt::print("\ntime\n  about {} on {}, about {} a look ({} tried)\n", seconds_text(time.solve_s), threads,
                seconds_text(time.look_s), time.looks);
@@ -302,7 +302,7 @@ void check_command(const Request& request) {
   if (!request.wedges_csv.empty()) check_wedges_file(request.wedges_csv);
   LoadedMesh loaded = load_target(c);
   const Target target(std::move(loaded.mesh), c.wedges);
-  const SolvePlan plan = plan_of_case(target, c, all_threads(), false);
+  const SolvePlan plan = plan_of_case(target, c, request.threads > 0 ? request.threads : all_threads(), false);
   print_case(c);
   print_mesh(loaded.report, target);
   fmt::print("{}", materials_text(c, target));

@@ -37,6 +37,7 @@ constexpr const char* check_examples =
     "Prints the resolved case, the mesh report, the wedges, what will be skipped and the expected cost.\n\n"
     "Examples:\n"
     "  raytube check case.toml --set target.unit=mm\n"
+    "  raytube check case.toml --threads 8\n"
     "  raytube check case.toml --wedges wedges.csv";
 constexpr const char* trace_examples =
     "Prints every bounce of the tube at (U, V), or writes the rays that waves over curved surfaces follow, or both.\n\n"
@@ -88,10 +89,14 @@ void add_output_option(CLI::App& command, Request& request, const char* descript
   });
 }
 
-void add_machine_options(CLI::App& command, Request& request) {
+void add_threads_option(CLI::App& command, Request& request) {
   command.add_option("--threads", request.threads, "Number of threads; default all cores")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
+}
+
+void add_machine_options(CLI::App& command, Request& request) {
+  add_threads_option(command, request);
   command
       .add_option("--instruction-set", request.instruction_set,
                   "Use none wider than this one: sse2, sse4.2, avx, avx2, avx512; default the processor's. Results are the same")
@@ -157,6 +162,7 @@ CLI::App* add_run(CLI::App& app, Request& request) {
 CLI::App* add_check(CLI::App& app, Request& request) {
   CLI::App* check = add_command(app, "check", "Report on a case without computing it", check_examples);
   add_case_options(*check, request);
+  add_threads_option(*check, request);
   check->add_option("--wedges", request.wedges_csv, "Also write a list of all wedges")->type_name("FILE.csv");
   return check;
 }

@@ -13,12 +13,13 @@ void tell(const std::string& line) { fmt::print(stderr, "raytube: {}\n", line); 
 
 }  // namespace
 
-ProgressBar::ProgressBar(bool quiet, const std::string& work)
+ProgressBar::ProgressBar(bool quiet, const std::string& work, double there)
     : kind_(quiet                        ? Kind::none
             : isatty(STDERR_FILENO) != 0 ? Kind::bar
                                          : Kind::lines),
       start_(Clock::now()),
-      last_(start_) {
+      last_(start_),
+      left_(there) {
   if (kind_ == Kind::lines) tell(work);
 }
 
@@ -28,17 +29,18 @@ ProgressBar::~ProgressBar() {
 
 void ProgressBar::show(double share) {
   const Clock::time_point now = Clock::now();
-  if (kind_ == Kind::none || share <= 0.0 || now - last_ < std::chrono::milliseconds(100)) return;
-  last_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  if (kind_ == Kind::bar) return draw(share, elapsed);
-  if (const auto line = lines_.due(share, elapsed)) tell(*line);
+  const std::optional<double> left = left_.after(share, elapsed);
+  if (kind_ == Kind::none || !left || now - last_ < std::chrono::milliseconds(100)) return;
+  last_ = now;
+  if (kind_ == Kind::bar) return draw(share, *left);
+  if (const auto line = lines_.due(share, elapsed, *left)) tell(*line);
 }
 
-void ProgressBar::draw(double share, double elapsed) const {
+void ProgressBar::draw(double share, double left) const {
   const int filled = static_cast<int>(40.0 * share);
   fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} %  {} left\033[K", "", filled, "", 40 - filled, 100.0 * share,
-             duration_text(elapsed * (1.0 - share) / share));
+             duration_text(left));
   std::fflush(stderr);
 }
 

@@ -5,13 +5,15 @@
 #include <string>
 
 #include "core/progress_lines.h"
+#include "core/time_left.h"
 
 namespace raytube {
 
 class ProgressBar {
  public:
-  /// `work` says in a line at the start, where there is no terminal, what will be done. Shows nothing if `quiet`.
-  ProgressBar(bool quiet, const std::string& work);
+  /// `work` says in a line at the start, where there is no terminal, what will be done; `there` is the share of it that is
+  /// done already. Shows nothing if `quiet`.
+  ProgressBar(bool quiet, const std::string& work, double there = 0.0);
   ~ProgressBar();  // leaves a clean line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -25,10 +27,11 @@ class ProgressBar {
   using Clock = std::chrono::steady_clock;
   enum class Kind { none, lines, bar };
 
-  void draw(double share, double elapsed) const;
+  void draw(double share, double left) const;
 
   Kind kind_;
   Clock::time_point start_, last_;
+  TimeLeft left_;
   ProgressLines lines_;
 };
 

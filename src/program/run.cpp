@@ -65,7 +65,8 @@ std::string work_text(const SolvePlan& plan) {
 }
 
 Solved solve_with_progress(const SolvePlan& plan, const Request& request, LookJournal& journal) {
-  ProgressBar bar(request.quiet, work_text(plan));
+  const double there = static_cast<double>(journal.resumed()) / static_cast<double>(plan.looks.computed.size());
+  ProgressBar bar(request.quiet, work_text(plan), there);
   const auto progress = [&](double share) {
     bar.show(share);
     journal.write_now_and_then();

@@ -88,7 +88,8 @@ struct SolveOptions {
   SurfaceOptions surfaces{};
   int threads = 0;          // 0: all cores
   bool keep_parts = false;  // fill SweepResult::bounces, edges_first, edges_higher and interaction
-  /// Called now and then with the finished share of the work (0..1); return false to stop (solve then throws Interrupted).
+  /// Called now and then with the finished share of the work (0..1), kept looks first; return false to stop (solve then throws
+  /// Interrupted).
   std::function<bool(double)> progress{};
   KeptLooks kept{};
 };

@@ -61,13 +61,16 @@ LookSolver::LookSolver(const SolvePlan& plan)
   if (plan.mechanisms.rays) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
 }
 
-LookResult LookSolver::solve(std::size_t index, Progress& progress, double share) const {
+LookResult LookSolver::solve(std::size_t index, Progress& progress, double share,
+                             const std::function<void(LookStage)>& begins) const {
   const Look& look = plan_.sweep.looks[index];
   if (plan_.mechanisms.rays) return rays(look, progress, share);
   LookResult result;
   result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, share});
+  if (begins) begins(LookStage::edges);
   if (curved_) result.surface = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies);
   result.edges = edges_of(look, result.surface.arrivals);
+  if (begins) begins(LookStage::interaction);
   result.interaction = interaction(look, result);
   if (!plan_.sweep.bistatic) make_reciprocal(result);
   return result;

@@ -1,6 +1,7 @@
 // The mechanisms of a look, one after the other.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace raytube {
 /// A budget of edge-face interaction from which on it has no limit, and nothing is left out.
 inline constexpr double unlimited_interaction_budget = 1e6;
 
+/// What a look is at, in this order; waves over curved surfaces count with the edges.
+enum class LookStage { tubes, edges, interaction };
+
 /// Computes the looks of a plan. What all looks share is made once. Refers to the plan. Thread-safe.
 class LookSolver {
  public:
@@ -23,8 +27,9 @@ class LookSolver {
   LookSolver(const LookSolver&) = delete;
 
   /// All mechanisms of look `index` of the sweep at every frequency, phase reference at the centre of the mesh (at a finite
-  /// distance: the origin of its coordinates). Adds `share` to `progress` by and by.
-  LookResult solve(std::size_t index, Progress& progress, double share) const;
+  /// distance: the origin of its coordinates). Adds `share` to `progress` by and by. Tells when a stage
+  /// after the first `begins`.
+  LookResult solve(std::size_t index, Progress& progress, double share, const std::function<void(LookStage)>& begins = {}) const;
 
   /// The tubes alone; `map` takes their currents at one frequency, with where on the target they are.
   TubeSums tubes(const Look& look, Progress& progress, CurrentMap& map) const;

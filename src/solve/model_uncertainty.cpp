@@ -26,33 +26,7 @@ double edge_strength(const Material& material, std::size_t frequency, double wav
   return std::min(1.0, std::max(std::abs(response.reflected.te), std::abs(1.0 - response.transmitted.te)));
 }
 
-const char* remedy_of_edges(const SolvePlan& plan) {
-  if (plan.edges.method == EdgeMethod::none) return "edges.method = \"fringe\"";
-  if (!plan.sweep.materials.empty() && plan.edges.materials == MaterialEdgeMethod::none) return "edges.materials = \"luebbers\"";
-  return "none: a full-wave method where such edges matter";
-}
-
-const char* remedy_of_interaction(const SolvePlan& plan, const SkipCounts& skips) {
-  if (!plan.edges.interaction) return "edges.between = true";
-  if (skips.pairs_beyond_budget + skips.reflections_beyond_budget + skips.fringe_beyond_budget + skips.unbudgeted_looks > 0)
-    return "a larger edges.between_budget";
-  return "none: a full-wave method where faces see one another";
-}
-
-const char* remedy_of_cut_tubes(const TruncatedSums& truncated) {
-  const bool by_bounces = truncated[Truncation::bounces].sigma >= truncated[Truncation::width].sigma;
-  return by_bounces ? "more tubes.max_bounces" : "more tubes.per_wavelength";
-}
-
 }  // namespace
-
-std::string remedy_of(Omission omission, const SolvePlan& plan, const SkipCounts& skips, const TruncatedSums& truncated) {
-  if (omission == Omission::edges) return remedy_of_edges(plan);
-  if (omission == Omission::interaction) return remedy_of_interaction(plan, skips);
-  if (omission == Omission::cut_tubes) return remedy_of_cut_tubes(truncated);
-  if (omission == Omission::edge_orders && plan.edges.order < 3) return "edges.order = 3";
-  return text_of(omission).remedy;
-}
 
 ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
     : plan_(plan),

@@ -40,7 +40,4 @@ class ModelUncertainty {
   double rim_dent_;
 };
 
-/// What would make a part of the model uncertainty less in this solve, once it is done: a key of the case, or "none: ...".
-std::string remedy_of(Omission omission, const SolvePlan& plan, const SkipCounts& skips, const TruncatedSums& truncated);
-
 }  // namespace raytube

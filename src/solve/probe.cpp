@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/threads.h"
+#include "solve/admissible.h"
 #include "solve/look_solver.h"
 
 namespace raytube {
@@ -57,6 +58,17 @@ std::size_t spread(std::size_t n, std::size_t count) {
   return std::min(count - 1, static_cast<std::size_t>(place * static_cast<double>(count)));
 }
 
+// The same looks, tubes at once as dense as may be, without edge-face interaction, which has a budget.
+SolvePlan bounded_part(const SolvePlan& plan) {
+  SolvePlan part = plan;
+  part.mechanisms.interaction = part.edges.interaction = false;
+  if (!plan.tubes.refines()) return part;
+  const double densest = densest_tubes(plan.target.mesh, plan.sweep, plan.tubes);
+  part.tubes.per_wavelength = std::max(first_density(plan.tubes), std::min(plan.tubes.max_per_wavelength, 0.9 * densest));
+  part.tubes.max_per_wavelength = part.tubes.per_wavelength;
+  return part;
+}
+
 class Probe {
  public:
   Probe(const SolvePlan& plan, const LookSolver& solver) : plan_(plan), solver_(solver) {}
@@ -64,10 +76,11 @@ class Probe {
   // Seconds that a batch of looks takes, side by side as in a solve; none if it was given up.
   std::optional<double> batch(std::size_t size, double patience) {
     tbb::task_group_context context;
+    last_.assign(size, {});
     const auto start = Clock::now();
     {
       const Deadline deadline(context, patience);
-      const auto solve = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { solve_look(next_ + i); }); };
+      const auto solve = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { solve_look(next_ + i, last_[i]); }); };
       try {
         tbb::parallel_for(std::size_t{0}, size, solve, context);
       } catch (const Interrupted&) {
@@ -79,18 +92,49 @@ class Probe {
     return seconds_since(start);
   }
 
+  // What the longest look of the last batch takes at most in the whole plan.
+  double longest(const SolvePlan& whole) const {
+    double seconds = 0.0;
+    for (const LookSoFar& look : last_) seconds = std::max(seconds, longest_look(look, whole));
+    return seconds;
+  }
+
  private:
-  void solve_look(std::size_t n) const {
-    Progress none({});
+  void solve_look(std::size_t n, LookSoFar& so_far) const {
+    const auto start = Clock::now();
+    Progress progress([&](double share) {
+      so_far.share = share, so_far.share_s = so_far.passed_s = seconds_since(start);
+      return true;
+    });
+    const auto begins = [&](LookStage stage) {
+      (stage == LookStage::edges ? so_far.tubes_s : so_far.edges_s) = so_far.passed_s = seconds_since(start);
+    };
     const std::size_t look = plan_.looks.computed[spread(n, plan_.looks.computed.size())];
-    look_bytes(solver_.solve(look, none, 0.0));
+    try {
+      look_bytes(solver_.solve(look, progress, 1.0, begins));
+    } catch (const Interrupted&) {
+      so_far.passed_s = seconds_since(start);
+      throw;
+    }
     stop_if_cancelled();
   }
 
   const SolvePlan& plan_;
   const LookSolver& solver_;
   std::size_t next_ = 0;
+  std::vector<LookSoFar> last_;  // of the last batch
 };
+
+// Of looks that were not done: from those of their parts whose time is known or bounded.
+TimePrediction bound(const SolvePlan& plan, double patience, std::size_t batch, double least_look_s) {
+  const SolvePlan part = bounded_part(plan);
+  const LookSolver solver(part);
+  Probe probe(part, solver);
+  const std::optional<double> took = probe.batch(batch, patience);
+  const double look_s = std::max(least_look_s, probe.longest(plan));
+  const auto batches = static_cast<double>((plan.looks.computed.size() + batch - 1) / batch);
+  return {look_s * batches, look_s, batch, true, std::max(least_look_s, took.value_or(0.0)) * batches};
+}
 
 // The first batch warms up: it counts only if there is no other.
 TimePrediction timed_looks(const SolvePlan& plan, const LookSolver& solver, double seconds, double patience) {
@@ -106,11 +150,8 @@ TimePrediction timed_looks(const SolvePlan& plan, const LookSolver& solver, doub
   };
   for (std::size_t done = 0; goes_on(done); done += batch) {
     const std::optional<double> took = probe.batch(batch, std::max(patience - seconds_since(start), seconds));
-    if (!took) {
-      result.at_least = result.looks == 0;
-      if (result.at_least) sum = seconds_since(start), result.looks = batch;
-      break;
-    }
+    if (!took && result.looks == 0) return bound(plan, patience, batch, seconds_since(start));
+    if (!took) break;
     if (done == batch) sum = 0.0, result.looks = 0;
     sum += *took;
     result.looks += batch;
@@ -123,6 +164,17 @@ TimePrediction timed_looks(const SolvePlan& plan, const LookSolver& solver, doub
 
 }  // namespace
 
+double longest_look(const LookSoFar& look, const SolvePlan& plan) {
+  constexpr double least_share = 0.01, unknown_edges = 30.0, least_growth = 1.5;
+  const double all_passes = plan.tubes.refines() ? 1.0 / (1.0 - 1.0 / (least_growth * least_growth)) : 1.0;
+  const double so_far = look.share > 0.0 ? look.share_s / std::min(look.share, 1.0) : look.passed_s / least_share;
+  const double pass = look.tubes_s.value_or(std::max(look.passed_s, so_far));
+  const double begun = look.tubes_s ? std::max(0.1 * pass, look.passed_s - pass) : pass;
+  const double edges = look.edges_s ? *look.edges_s - pass : unknown_edges * begun;
+  const double budget = plan.mechanisms.interaction ? plan.edges.interaction_budget : 0.0;
+  return (all_passes * pass + edges) * (1.0 + budget);
+}
+
 TimePrediction predict_time(const SolvePlan& plan, double seconds, double patience) {
   const auto start = Clock::now();
   const LookSolver solver(plan);
@@ -130,6 +182,7 @@ TimePrediction predict_time(const SolvePlan& plan, double seconds, double patien
   TimePrediction result;
   run_on_threads(plan.threads, [&] { result = timed_looks(plan, solver, seconds, patience); });
   result.solve_s += setup;
+  result.least_s += setup;
   return result;
 }
 

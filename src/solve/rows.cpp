@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "solve/phase_reference.h"
+#include "uncertainty/remedies.h"
 
 namespace raytube {
 
@@ -43,6 +44,7 @@ RowCollector::RowCollector(const SolvePlan& plan, std::vector<double> edge_lengt
       following_(sweep_.looks.size()),
       sliver_areas_(plan.looks.computed.size()),
       model_squares_(plan.looks.computed.size()),
+      interaction_left_out_(plan.looks.computed.size()),
       skipped_(plan.skips),
       bounds_(plan, std::move(edge_lengths)),
       beyond_bound_(parts) {
@@ -85,6 +87,9 @@ void RowCollector::count(std::size_t index, const LookResult& look) {
   for (std::size_t b = 0; b < look.tubes.hits.size(); ++b) all.hits[b] += look.tubes.hits[b];
   skipped_.empty_cells += look.tubes.empty_cells;
   skipped_.faces_away += look.tubes.faces_away;
+  interaction_pairs_ += look.interaction.pairs;
+  for (const double left_out : look.interaction.left_out)
+    interaction_left_out_[index] += static_cast<double>(first_[index + 1] - first_[index]) * left_out * left_out;
   skipped_.weak_pairs += look.interaction.skipped.weak_pairs;
   skipped_.pairs_beyond_budget += look.interaction.skipped.pairs;
   skipped_.reflections_beyond_budget += look.interaction.skipped.reflected_pairs;
@@ -116,11 +121,23 @@ void RowCollector::finish_model() {
   for (const std::array<double, omissions>& look : model_squares_)
     for (std::size_t part = 0; part < omissions; ++part) sums[part] += look[part];
   const double all = std::accumulate(sums.begin(), sums.end(), 0.0);
+  const double left_out = std::accumulate(interaction_left_out_.begin(), interaction_left_out_.end(), 0.0);
+  const double of_interaction = sums[static_cast<std::size_t>(Omission::interaction)];
+  const Target& target = plan_.target;
+  const RemedyEvidence evidence{plan_.edges,
+                                plan_.tubes,
+                                !sweep_.materials.empty(),
+                                static_cast<double>(target.wedges.size()) * static_cast<double>(target.mesh.patches.size()),
+                                skipped_,
+                                result_.statistics.truncated,
+                                result_.statistics.hits,
+                                interaction_pairs_,
+                                of_interaction > 0.0 ? left_out / of_interaction : 0.0};
   for (std::size_t i = 0; i < omissions; ++i) {
     const OmissionText& text = text_of(static_cast<Omission>(i));
     ModelPart& part = result_.model_parts[i];
     part.name = text.name, part.what = text.what;
-    part.remedy = remedy_of(static_cast<Omission>(i), plan_, skipped_, result_.statistics.truncated);
+    part.remedy = remedy_of(static_cast<Omission>(i), evidence);
     part.rms = std::sqrt(sums[i] / static_cast<double>(sweep_.rows()));
     part.share = all > 0.0 ? sums[i] / all : 0.0;
   }

@@ -43,6 +43,9 @@ class RowCollector {
   std::vector<double> sliver_areas_;  // of each computed look: the one count whose sum depends on its order
   std::vector<std::array<double, omissions>> model_squares_;  // of each computed look: sums over its rows, too [m^2]
   std::map<std::size_t, std::vector<LostRay>> lost_rays_;     // of each computed look with any, the first ones
+  // Of each computed look: sum over its rows of the squares of edge-face interaction left out for the sake of its budget [m^2].
+  std::vector<double> interaction_left_out_;
+  std::uint64_t interaction_pairs_ = 0;
   std::uint64_t looks_without_tubes_ = 0;
   SkipCounts skipped_;
   PhysicalBounds bounds_;

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 #include "core/threads.h"
 #include "solve/look_solver.h"
@@ -31,12 +32,17 @@ SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& call
   RowCollector rows(plan, solver.edges().radiating_lengths());
   Progress progress(callback);
   const double share = 1.0 / static_cast<double>(looks);
+  std::vector<char> known(looks);
 
+  const auto take_kept = [&](std::size_t index) {
+    const std::optional<LookResult> look = kept_look(kept, index, plan.sweep.frequencies.size());
+    if (!look) return;
+    rows.add(index, *look);
+    known[index] = 1;
+    progress.add(share);
+  };
   const auto solve_look = [&](std::size_t index) {
-    if (const std::optional<LookResult> known = kept_look(kept, index, plan.sweep.frequencies.size())) {
-      rows.add(index, *known);
-      return progress.add(share);
-    }
+    if (known[index]) return;
     // Tubes, then edges, then edges on faces: physical optics of every bounce and what it lacks.
     LookResult found = solver.solve(plan.looks.computed[index], progress, share);
     stop_if_cancelled();
@@ -49,6 +55,9 @@ SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& call
   // Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the result. A
   // thread that waits for the tiles of its look begins no other look: so many looks are under way as there are threads.
   run_on_threads(plan.threads, [&] {
+    // Kept looks before all others, so that whoever is told of the progress sees at what rate the others are computed.
+    tbb::parallel_for(std::size_t{0}, looks, take_kept);
+    progress.add(0.0);
     tbb::parallel_for(std::size_t{0}, looks,
                       [&](std::size_t index) { tbb::this_task_arena::isolate([&] { solve_look(index); }); });
   });

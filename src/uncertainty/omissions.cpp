@@ -7,18 +7,19 @@ namespace raytube {
 
 namespace {
 
-constexpr const char* falls_with_wavelength = "none: it falls with the wavelength beside the target";
+constexpr const char* falls_with_wavelength = "none, but it falls with the wavelength beside the target";
 constexpr std::array<OmissionText, omissions> texts = {{
     {"corners", "waves that start at corners of edges", falls_with_wavelength},
     {"edge_orders", "diffraction at more edges in a row than are followed", falls_with_wavelength},
-    {"edges", "edges without currents, or with curved faces", "none"},
-    {"interaction", "edge-face interaction that is not computed", "none"},
-    {"cavities", "waves that were reflected more than three times", "none: a full-wave method for the cavity"},
+    {"edges", "edges without currents, or with curved faces", "none short of a full-wave method"},
+    {"interaction", "edge-face interaction that is not computed", "none short of a full-wave method"},
+    {"cavities", "waves that were reflected more than three times", "none short of a full-wave method for the cavity"},
     {"smooth_surfaces", "creeping and travelling waves, shadow boundaries on curved surfaces",
-     "none: it falls with k times radius"},
-    {"facets", "flat facets in the place of curved surfaces", "a finer mesh, or tubes.curved = \"always\""},
+     "none, but it falls with k times radius"},
+    {"facets", "flat facets in the place of curved surfaces",
+     "a finer mesh, or tubes.curved = \"always\", slow where curved surfaces face one another"},
     {"cut_tubes", "bounces after tubes.max_bounces, tubes too wide or too many", "more tubes.max_bounces"},
-    {"small_target", "a target that is not large against the wavelength", "a full-wave method"},
+    {"small_target", "a target that is not large against the wavelength", "none short of a full-wave method"},
 }};
 
 constexpr double corner_amplitude = 0.06;    // of a sharp corner, over the wavelength

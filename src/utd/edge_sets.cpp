@@ -209,6 +209,7 @@ InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimit
 
 void EdgeSets::put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const {
   all.work += part.work;
+  all.pairs += part.pairs;
   all.skipped += part.skipped;
   if (part.scattering.empty()) return;
   all.scattering.resize(setup_.frequencies.size());

@@ -228,6 +228,7 @@ std::vector<BadRow> command_rows() {
       {"command_in_capitals", "RUN case.toml", "unknown command \"RUN\"; write"},
       {"command_of_1e5_letters", std::string(100000, 'f'), "unknown command \"fff"},
       {"option_unknown", "run case.toml --fast", "--fast; see raytube --help"},
+      {"check_threads_none", "check case.toml --threads 0", "--threads"},
       {"option_of_another_command", "check case.toml --parts", "--parts; see raytube --help"},
       {"two_cases", "run case.toml case.toml", "case.toml; see raytube --help"},
       {"run_without_case", "run", "case is required; see raytube --help"},

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/time_left.h"
 #include "run.h"
 #include "shapes.h"
 #include "solve/look_result.h"
@@ -146,6 +147,34 @@ TEST(KeptLooks, CurvedSurfaces) {
 }
 
 TEST(KeptLooks, RaysInThePlaceOfCurrents) { expect_same_after_stops(shapes::trihedral(0.5), options(EdgeMethod::utd)); }
+
+// 24 of 40 looks are there, all over the sweep; each of the others takes a second, by a clock of the test's own. Looks are
+// equally much work, so that only what is left of rounding, and of shares told within a look, is in the way of an exact forecast.
+TEST(KeptLooks, TimeLeftIsThatOfTheOthers) {
+  Sweep sweep{{9e9}, {}};
+  for (int i = 0; i < 40; ++i) sweep.looks.push_back({{0.3 + 0.03 * i, 0.1}, {0.3 + 0.03 * i, 0.1}});
+  SolveOptions o = options(EdgeMethod::none);
+  Store store;
+  o.kept = store.hooks();
+  o.threads = 1;
+  solve_soup(shapes::plate(0.1), sweep, o);
+  ASSERT_EQ(store.looks.size(), 40u);
+  std::erase_if(store.looks, [](const auto& look) { return look.first % 5 < 2; });
+
+  TimeLeft left(24.0 / 40.0);
+  double seconds = 0.0, share = 0.0;
+  int computed = 0;
+  o.progress = [&](double done) { return left.after(share = done, seconds), true; };
+  o.kept.keep = [&](std::size_t, const std::string&) {
+    seconds += 1.0;
+    const double truth = 16.0 - ++computed;
+    const std::optional<double> said = left.after(share, seconds);
+    ASSERT_TRUE(said);
+    EXPECT_NEAR(*said, truth, 1e-6) << share;
+  };
+  solve_soup(shapes::plate(0.1), sweep, o);
+  EXPECT_EQ(computed, 16);
+}
 
 LookResult some_look() {
   LookResult look;

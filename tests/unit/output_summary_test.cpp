@@ -77,8 +77,29 @@ TEST(Summary, ModelUncertaintyIsNeverMixedWithTheNumericalError) {
   EXPECT_THAT(
       summary_text(result, facts()),
       AllOf(HasSubstr("numerical error    at most VV, HH 0.0087 dB;"),
-            HasSubstr("model uncertainty  median 3.5 dB within 40 dB of the peak; at most VV, HH 3.5 dB;"),
+            HasSubstr("model uncertainty  within 40 dB of the peak: VV, HH median 3.5 dB, at most 3.5 dB\n"),
             HasSubstr("\n                   mostly waves from corners (62 %); remedy: none\n"), Not(HasSubstr("edges (38"))));
+}
+
+// Of 20 dB below the peak, a level of 0.5 is 3.5 dB and one of 0.1 is 0.83 dB; one row is 46 dB below, and all of it uncertain.
+TEST(Summary, MedianAndMaximumAreOfTheSameRows) {
+  SweepResult result = rows({{1.0, 0.0, 0.0, 1.0}, {0.1, 0.02, 0.001, 0.005}}, {{}, {}});
+  result.model = {{{{0.1, 0.0}, {0.0, 0.1}}}, {{{0.05, 0.01}, {1.0, 1.0}}}};
+  EXPECT_THAT(summary_text(result, facts()), HasSubstr("within 40 dB of the peak: VV, HH median 0.83 dB, at most 3.5 dB; "
+                                                       "VH, HV median 3.5 dB, at most 3.5 dB\n"));
+  result.total = {{}, {}};
+  EXPECT_THAT(summary_text(result, facts()), HasSubstr("model uncertainty  0 dB: nothing comes back\n"));
+}
+
+// A tenth of 0.1 dB of the weakest row within 40 dB of a peak of 1 m: 1.15e-5 m, -88 dBsm.
+TEST(Summary, CutTubesThatDoNotMatterNeedNoRemedy) {
+  const auto text = [](double dbsm) {
+    SweepResult result = rows({{1.0, 0.0, 0.0, 1.0}}, {{}});
+    result.statistics.truncated[Truncation::bounces] = {12, std::pow(10.0, dbsm / 10.0)};
+    return summary_text(result, facts());
+  };
+  EXPECT_THAT(text(-87.0), HasSubstr("in the model uncertainty: raise it\n"));
+  EXPECT_THAT(text(-89.0), HasSubstr("in the model uncertainty; too little to matter\n"));
 }
 
 TEST(Summary, OfManyLooksCountsAddUpAndTheLargestRemainsStays) {

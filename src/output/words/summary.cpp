@@ -16,6 +16,7 @@ namespace {
 // Channels so far below the strongest of their row are told by themselves: a small error is large against them.
 constexpr int low_db = 20;
 constexpr double low_share = 0.1;
+constexpr double near_peak = 0.01;  // of the largest amplitude: 40 dB below it
 
 std::string line(const char* name, const std::string& text) { return fmt::format("{:<18} {}\n", name, text); }
 
@@ -73,50 +74,74 @@ std::string error_lines(const SweepResult& result, const RunFacts& facts) {
                                              result.total.size(), number_text(facts.tubes.tolerance_db), remedy(result, facts)));
 }
 
-// What it is mostly, and the handle that makes it less.
-// Median of the co-polar levels [dB] of what is within 40 dB of the sweep's largest amplitude.
-double typical_level_db(const SweepResult& result, const std::vector<ChannelErrors>& errors) {
+double largest_co_polar(const SweepResult& result) {
   double peak = 0.0;
   for (const ScatteringMatrix& s : result.total) peak = std::max({peak, std::abs(s.vv()), std::abs(s.hh())});
-  std::vector<double> levels;
-  for (std::size_t row = 0; row < result.total.size(); ++row)
-    for (const int channel : {0, 3})
-      if (std::abs(result.total[row].at(channel / 3, channel / 3)) >= 0.01 * peak && peak > 0.0)
-        levels.push_back(error_levels_db(result.total[row], errors[row])[static_cast<std::size_t>(channel)]);
-  if (levels.empty()) return 0.0;
-  const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
-  std::ranges::nth_element(levels, middle);
-  return *middle;
+  return peak;
 }
 
-std::string model_lines(const SweepResult& result, const RunFacts& facts) {
+// The levels [dB] of two channels where they are within 40 dB of the sweep's largest co-polar amplitude.
+std::vector<double> levels_near_peak(const SweepResult& result, const std::vector<ChannelErrors>& errors,
+                                     const std::array<int, 2>& channels) {
+  const double least = near_peak * largest_co_polar(result);
+  std::vector<double> levels;
+  for (std::size_t row = 0; least > 0.0 && row < result.total.size(); ++row)
+    for (const int channel : channels)
+      if (std::abs(result.total[row].at(channel / 2, channel % 2)) >= least)
+        levels.push_back(error_levels_db(result.total[row], errors[row])[static_cast<std::size_t>(channel)]);
+  return levels;
+}
+
+std::string median_text(const char* channels, std::vector<double> levels) {
+  const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
+  std::ranges::nth_element(levels, middle);
+  const double median = *middle;
+  return fmt::format("{} median {:.2g} dB, at most {:.2g} dB", channels, median, std::ranges::max(levels));
+}
+
+std::string model_levels_text(const SweepResult& result) {
+  std::vector<std::string> kinds;
+  for (const auto& [channels, both] : {std::pair{"VV, HH", std::array{0, 3}}, std::pair{"VH, HV", std::array{1, 2}}})
+    if (const std::vector<double> levels = levels_near_peak(result, result.model, both); !levels.empty())
+      kinds.push_back(median_text(channels, levels));
+  return kinds.empty() ? "0 dB: nothing comes back" : "within 40 dB of the peak: " + joined(kinds, "; ");
+}
+
+// What it is mostly, and the handle that makes it less.
+std::string model_lines(const SweepResult& result) {
   if (result.model.empty()) return "";
-  const std::string levels = levels_text(largest_errors(result, result.model, facts.tubes.tolerance_db));
-  std::string text = line("model uncertainty", fmt::format("median {:.2g} dB within 40 dB of the peak; {}",
-                                                           typical_level_db(result, result.model), levels));
+  const std::string text = line("model uncertainty", model_levels_text(result));
   if (result.model_parts.empty()) return text;
   const ModelPart& largest = result.model_parts.front();
   return text + line("", fmt::format("mostly {} ({:.0f} %); remedy: {}", largest.what, 100.0 * largest.share, largest.remedy));
 }
 
+// Whether it changes any row within 40 dB of the peak by a tenth of the tolerance.
+bool matters(double sigma, const SweepResult& result, double tolerance_db) {
+  const double weakest = near_peak * largest_co_polar(result), least_share = std::pow(10.0, 0.1 * tolerance_db / 20.0) - 1.0;
+  return std::sqrt(sigma / (4.0 * pi)) > least_share * weakest;
+}
+
 // By reason: how many, what is left of those of a look, where that counts, and what would make them fewer.
-std::string truncated_lines(const TruncatedSums& truncated, const RunFacts& facts) {
+std::string truncated_lines(const SweepResult& result, const RunFacts& facts) {
   const std::array reasons{fmt::format("after tubes.max_bounces = {}", facts.tubes.max_bounces),
                            std::string("too wide off curved surfaces"), std::string("too many between sheets")};
   constexpr std::array handles{": raise it", ": raise tubes.per_wavelength", ""};
   std::string text;
   for (const Truncation reason : truncations) {
-    const auto& [tubes, sigma] = truncated[reason];
+    const auto& [tubes, sigma] = result.statistics.truncated[reason];
     const auto i = static_cast<std::size_t>(reason);
     if (tubes == 0) continue;
     const std::string left = sigma > 0.0 ? fmt::format("{:.1f} dBsm", 10.0 * std::log10(sigma)) : "nothing";
+    const char* const handle = matters(sigma, result, facts.tubes.tolerance_db) ? handles[i] : "; too little to matter";
     text += line("cut tubes", fmt::format("{} {}, {} of a look left at most, in the {}{}", tubes, reasons[i], left,
-                                          facts.materials ? "numerical error" : "model uncertainty", handles[i]));
+                                          facts.materials ? "numerical error" : "model uncertainty", handle));
   }
   return text;
 }
 
-std::string work_lines(const Statistics& s, const RunFacts& facts) {
+std::string work_lines(const SweepResult& result, const RunFacts& facts) {
+  const Statistics& s = result.statistics;
   const bool paths = s.ray_range > 0.0;
   std::string text = line("rays", fmt::format("{} in {} {}, {:.2f} s on {} thread{}", s.rays, s.tubes, paths ? "paths" : "tubes",
                                               s.solve_s, facts.threads, facts.threads == 1 ? "" : "s"));
@@ -126,7 +151,7 @@ std::string work_lines(const Statistics& s, const RunFacts& facts) {
   text += line("lost rays", fmt::format("{}", s.lost_rays));
   if (paths && s.truncated.tubes())
     text += line("cut search", fmt::format("in {} looks: too many sequences of mirrors", s.truncated.tubes()));
-  return paths ? text : text + truncated_lines(s.truncated, facts);
+  return paths ? text : text + truncated_lines(result, facts);
 }
 
 std::string beyond_bound_lines(const Statistics& statistics) {
@@ -170,12 +195,12 @@ std::string lost_rays_sentence(const Statistics& statistics, double metres_per_u
 }
 
 std::string summary_text(const SweepResult& result, const RunFacts& facts) {
-  std::string text = work_lines(result.statistics, facts);
+  std::string text = work_lines(result, facts);
   for (const Skipped& skipped : result.statistics.skipped)
     text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, skipped.why));
   text += line("peak sigma", fmt::format("{:.2f} dBsm", peak_sigma_dbsm(result)));
   if (result.statistics.ray_range == 0.0 && !facts.random) text += error_lines(result, facts);
-  text += model_lines(result, facts);
+  text += model_lines(result);
   text += beyond_bound_lines(result.statistics);
   if (facts.warnings) text += line("warnings", fmt::format("{}, at the beginning and in run.json", facts.warnings));
   return text + line("results", facts.folder);

@@ -164,6 +164,7 @@ class InteractionLook {
     work_ += choice.work;
     const double for_pairs = std::max(0.0, pair_share * (most_work_ - work_));
     IlluminationSum sum = illuminate_strongest(look, jobs_, choice.strongest, share_of(options.tolerance), for_pairs);
+    result.pairs = sum.pairs;
     result.skipped.weak_pairs = choice.weak.count;
     result.skipped.pairs = choice.beyond.count + sum.beyond.count + axes_left_out_ * scene_.faces.by_area.size();
     known_squares_ = sum.squares;

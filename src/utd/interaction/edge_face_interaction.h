@@ -55,7 +55,8 @@ struct InteractionResult {
   /// (docs/theory/interaction.md). Empty: nothing was left out.
   std::vector<double> left_out;
   InteractionSkips skipped{};
-  double work = 0.0;  // counted (core/work.h)
+  std::uint64_t pairs = 0;  // of an edge and a face, computed; counted where work is limited
+  double work = 0.0;        // counted (core/work.h)
 };
 
 /// A target as diffracted waves meet it.

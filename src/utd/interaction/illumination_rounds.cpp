@@ -79,6 +79,7 @@ class Summer {
       sum_.beyond.squares += group.bounds.squares;
       return;
     }
+    sum_.pairs += group.bounds.count;
     sum_.bound_squares += group.bounds.squares;
     if (look_.jobs_at) sum_.of_jobs[group.index] += part.scattering[*look_.jobs_at];
     for (std::size_t f = 0; f < sum_.scattering.size(); ++f) {

@@ -15,6 +15,7 @@ struct IlluminationSum {
   ChannelErrors error{};                     // of quadrature [m]
   std::vector<double> squares;               // per wavenumber: sum over what was computed of the largest |S_pq|^2 [m^2]
   double bound_squares = 0.0;                // of the same pairs [m^2]
+  std::uint64_t pairs = 0;                   // so many these are
   LeftOut beyond;                            // pairs for which no work was left
   double work = 0.0;                         // counted (core/work.h)
 };

@@ -1,0 +1,31 @@
+// What would make a part of the model uncertainty less, what that costs, and whether it is worth naming.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/options.h"
+#include "scene/results.h"
+#include "scene/skipped.h"
+#include "uncertainty/omissions.h"
+
+namespace raytube {
+
+/// What a solve was asked for, and what it has shown once it is done.
+struct RemedyEvidence {
+  const EdgeOptions& edges;
+  const TubeOptions& tubes;
+  bool materials = false;       // other than perfect conductors
+  double possible_pairs = 0.0;  // of an edge and a face of the target
+  const SkipCounts& skips;
+  const TruncatedSums& truncated;
+  const std::vector<std::uint64_t>& hits;  // tubes that met a surface, by bounce
+  std::uint64_t interaction_pairs = 0;     // of an edge and a face, that were computed
+  double interaction_left_out = 0.0;       // of the squares of what is missing of edge-face interaction: for its budget's sake
+};
+
+/// A key of the case and about how much longer the run will take, or "none ...". A key is named only where it makes the part less
+/// by a noticeable share, for at most ten times the time.
+std::string remedy_of(Omission omission, const RemedyEvidence& evidence);
+
+}  // namespace raytube

@@ -1,0 +1,64 @@
+// Remedies say what they cost, and are named only where they help.
+#include "uncertainty/remedies.h"
+
+#include <gmock/gmock.h>
+
+namespace raytube {
+namespace {
+
+using ::testing::StartsWith;
+
+// What a solve of a small target has shown, with a budget of 4.
+struct Solve {
+  SkipCounts skips;
+  TruncatedSums truncated;
+  std::uint64_t pairs = 0;
+  double left_out = 1.0;
+  std::vector<std::uint64_t> hits{};
+  double possible_pairs = 14.0;
+
+  std::string remedy(Omission omission, const EdgeOptions& edges = {}) const {
+    return remedy_of(omission, {edges, {}, false, possible_pairs, skips, truncated, hits, pairs, left_out});
+  }
+};
+
+// All pairs at twice the budget: 9 parts of work in the place of 5.
+TEST(Remedies, ABudgetThatCanBeHadComesWithItsCost) {
+  Solve solve{{.pairs_beyond_budget = 100}, {}, 100};
+  EXPECT_EQ(solve.remedy(Omission::interaction), "edges.between_budget = 8, about 1.8 times the time");
+}
+
+TEST(Remedies, ABudgetThatCannotBeHadIsNotNamed) {
+  Solve solve{{.pairs_beyond_budget = 3'900'000'000}, {}, 5000};
+  EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none short of a full-wave method"));
+  solve.pairs = 0;  // not even the first
+  EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none short of a full-wave method"));
+}
+
+TEST(Remedies, ABudgetIsNotNamedWhereItIsNotWhatIsMissing) {
+  Solve solve{{.pairs_beyond_budget = 100}, {}, 100, 0.1};
+  EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none short of a full-wave method"));
+}
+
+TEST(Remedies, InteractionThatIsSwitchedOff) {
+  EXPECT_EQ(Solve{}.remedy(Omission::interaction, {.interaction = false}), "edges.between = true, at most 5 times the time");
+  Solve vehicle;
+  vehicle.possible_pairs = 8e7;
+  EXPECT_THAT(vehicle.remedy(Omission::interaction, {.interaction = false}), StartsWith("none short of a full-wave method"));
+}
+
+// Half of the meetings are those of the last bounce.
+TEST(Remedies, MoreBounces) {
+  Solve solve;
+  solve.truncated[Truncation::bounces] = {1, 1.0};
+  solve.hits = {50, 50};
+  EXPECT_EQ(solve.remedy(Omission::cut_tubes), "tubes.max_bounces = 16, at most 5 times the time of the tubes");
+}
+
+TEST(Remedies, ReadAsSentences) {
+  for (std::size_t i = 0; i < omissions; ++i)
+    EXPECT_EQ(Solve{}.remedy(static_cast<Omission>(i)).find("none:"), std::string::npos) << i;
+}
+
+}  // namespace
+}  // namespace raytube
