@@ -146,6 +146,12 @@ std::vector<WrittenKey> written_keys(const CaseValue* section) {
   return keys;
 }
 
+Use read_use(const CaseValue& value, const std::string& key) {
+  if (value.kind == CaseValue::Kind::boolean) return value.boolean;
+  if (value.kind == CaseValue::Kind::text && value.text == "auto") return {};
+  reject(value, key + " must be true, false or \"auto\", which takes it where it can change the answer");
+}
+
 void read_edges(const CaseValue& root, Case& c) {
   c.edge_keys = written_keys(root.find("edges"));
   const CaseValue* method = find(root, "edges", "method");
@@ -156,7 +162,7 @@ void read_edges(const CaseValue& root, Case& c) {
     c.edges.utd_range = read_between(*range, "edges.utd_range_m", 0.0, farthest);
   }
   if (const CaseValue* order = find(root, "edges", "order")) c.edges.order = read_whole(*order, "edges.order", 1, 3);
-  if (const CaseValue* between = find(root, "edges", "between")) c.edges.interaction = read_flag(*between, "edges.between");
+  if (const CaseValue* between = find(root, "edges", "between")) c.edges.interaction = read_use(*between, "edges.between");
   if (const CaseValue* budget = find(root, "edges", "between_budget")) {
     c.edges.interaction_budget = read_number(*budget, "edges.between_budget");
     if (!(c.edges.interaction_budget >= 0.0))
@@ -177,7 +183,7 @@ void read_edges(const CaseValue& root, Case& c) {
 }
 
 void read_surfaces(const CaseValue& root, Case& c) {
-  if (const CaseValue* waves = find(root, "surfaces", "waves")) c.surfaces.waves = read_flag(*waves, "surfaces.waves");
+  if (const CaseValue* waves = find(root, "surfaces", "waves")) c.surfaces.waves = read_use(*waves, "surfaces.waves");
 }
 
 std::size_t read_image_look(const CaseValue& value, const Case& c) {

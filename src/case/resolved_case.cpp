@@ -32,15 +32,17 @@ JsonValue tubes_json(const TubeOptions& tubes) {
   return json;
 }
 
+JsonValue use_json(const Use& use) {
+  if (use.forced()) return true;
+  if (use.possible()) return "auto";
+  return false;
+}
+
 JsonValue edges_json(const EdgeOptions& edges, const WedgeOptions& wedges, bool has_materials) {
-  JsonValue json = {{"method", edge_method_name(edges.method)},
-                    {"order", edges.order},
-                    {"between", edges.interaction},
-                    {"between_budget", edges.interaction_budget},
-                    {"receiver_shadow", edges.receiver_shadow},
-                    {"transition", transition_name(edges.transition)},
-                    {"thin_sheets", wedges.thin_plates},
-                    {"min_wedge_deg", decimal_degrees(wedges.min_wedge_angle)}};
+  JsonValue json = {{"method", edge_method_name(edges.method)}, {"order", edges.order},
+                    {"between", use_json(edges.interaction)},   {"between_budget", edges.interaction_budget},
+                    {"receiver_shadow", edges.receiver_shadow}, {"transition", transition_name(edges.transition)},
+                    {"thin_sheets", wedges.thin_plates},        {"min_wedge_deg", decimal_degrees(wedges.min_wedge_angle)}};
   if (has_materials) json["materials"] = material_edge_name(edges.materials);
   if (edges.utd_range > 0.0) json["utd_range_m"] = edges.utd_range;
   return json;
@@ -142,7 +144,7 @@ JsonValue resolved_case(const Case& c) {
   json["tubes"] = tubes_json(c.tubes);
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};
   json["edges"] = edges_json(c.edges, c.wedges, !c.sweep.materials.empty());
-  json["surfaces"] = {{"waves", c.surfaces.waves}};
+  json["surfaces"] = {{"waves", use_json(c.surfaces.waves)}};
   json["output"] = {{"plots", c.plots}};
   if (c.incoherent) json["output"]["incoherent"] = true;
   if (!c.image_looks.empty()) {

@@ -88,7 +88,7 @@ void print_case(const Case& c) {
     fmt::print("edges        none\n");
   else if (c.edges.method == EdgeMethod::fringe)
     fmt::print("edges        fringe currents, order {}, creases of {} deg and more{}\n", c.edges.order,
-               decimal_degrees(c.wedges.min_wedge_angle), c.edges.interaction ? "; waves between surfaces" : "");
+               decimal_degrees(c.wedges.min_wedge_angle), c.edges.interaction.possible() ? "; waves between surfaces" : "");
   if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
     fmt::print("             transition function {}{}\n", transition_name(c.edges.transition),
                c.edges.order == 1 ? ", which plays no part at order 1" : "");

@@ -53,10 +53,24 @@ enum class EdgeMethod { none, fringe, utd };
 /// What edges add beside other materials than perfect conductors. luebbers: utd/fringe/material_edges.h.
 enum class MaterialEdgeMethod { none, luebbers };
 
+/// Whether a mechanism takes part: always, never, or where it can change the answer.
+class Use {
+ public:
+  constexpr Use() = default;
+  constexpr Use(bool on) : kind_(on ? Kind::always : Kind::never) {}
+
+  constexpr bool possible() const { return kind_ != Kind::never; }
+  constexpr bool forced() const { return kind_ == Kind::always; }
+
+ private:
+  enum class Kind { never, where_it_counts, always };
+  Kind kind_ = Kind::where_it_counts;
+};
+
 struct EdgeOptions {
   EdgeMethod method = EdgeMethod::fringe;
   int order = 3;                    // edges in a row that a current passes, 1 to 3; 1 takes every face as semi-infinite
-  bool interaction = true;          // edges light other surfaces: diffraction between surfaces
+  Use interaction;                  // edges light other surfaces; by default where its budget reaches half of what is expected
   double interaction_budget = 4.0;  // work that this may take in a look, in units of all its other work; 0: none
   bool receiver_shadow = false;     // an edge hidden from the receiver does not count
   TransitionTier transition = TransitionTier::exact;  // plays a part at order 2 and 3 only
@@ -65,7 +79,8 @@ struct EdgeOptions {
 };
 
 struct SurfaceOptions {
-  bool waves = true;  // currents run smoothly into the dark over curved surfaces, and on in it; with edges.method fringe
+  Use waves;  // currents run smoothly into the dark over curved surfaces, and on in it; with edges.method fringe. By default in
+              // looks to which they may add tolerance_db
 };
 
 /// Which creases of a mesh are edges: what a Target is made with.

@@ -47,7 +47,7 @@ std::vector<ImageEdge> edge_pieces(const LookSolver& solver, const Look& look, s
                                    const ImageLattice& lattice, const TubeSums& tubes) {
   std::vector<ImageEdge> pieces;
   if (solver.edges_count()) pieces = solver.edges().pieces(look, frequency_index, lattice);
-  std::ranges::copy(solver.surface_pieces(look, frequency_index), std::back_inserter(pieces));
+  std::ranges::copy(solver.surface_pieces(look, tubes, frequency_index), std::back_inserter(pieces));
   if (!solver.edges().interact()) return pieces;
   // The budget of the look as a solve has it.
   const InteractionLimits limits = solver.interaction_limits(tubes, solver.edge_work(look));

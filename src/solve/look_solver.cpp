@@ -14,7 +14,8 @@ namespace raytube {
 
 namespace {
 
-constexpr double ray_step = 0.1;  // of the wavelength, between points of rays for pictures
+constexpr double least_reach = 0.5;  // of the squares expected of edge-face interaction, unless it is forced
+constexpr double ray_step = 0.1;     // of the wavelength, between points of rays for pictures
 
 EdgeSetup edge_setup(const SolvePlan& plan, const CurvedTarget* curved) {
   const Target& target = plan.target;
@@ -38,6 +39,17 @@ void thin_out(SurfaceRay& ray, double step) {
   ray.points = std::move(kept);
 }
 
+// Of all bounces, the mean of both co-polar channels, summed over frequencies [m^2].
+double co_polar_squares(const TubeSums& tubes, std::size_t frequencies) {
+  double squares = 0.0;
+  for (std::size_t f = 0; f < frequencies; ++f) {
+    ScatteringMatrix sum;
+    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
+    squares += 0.5 * (std::norm(sum.vv()) + std::norm(sum.hh()));
+  }
+  return squares;
+}
+
 void make_reciprocal(LookResult& look) {
   for (std::vector<ScatteringMatrix>& bounce : look.tubes.bounces) make_reciprocal(bounce);
   for (ChannelErrors& error : look.tubes.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);
@@ -58,6 +70,7 @@ LookSolver::LookSolver(const SolvePlan& plan)
                                             : std::nullopt),
       edges_(edge_setup(plan, curved_ ? &*curved_ : nullptr)),
       edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
+  if (curved_ && !plan.surfaces.waves.forced()) prospect_.emplace(plan.target.mesh, plan.target.options.min_wedge_angle);
   if (plan.mechanisms.rays) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
 }
 
@@ -68,7 +81,8 @@ LookResult LookSolver::solve(std::size_t index, Progress& progress, double share
   LookResult result;
   result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, share});
   if (begins) begins(LookStage::edges);
-  if (curved_) result.surface = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies);
+  if (surface_waves_count(look, result.tubes))
+    result.surface = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies);
   result.edges = edges_of(look, result.surface.arrivals);
   if (begins) begins(LookStage::interaction);
   result.interaction = interaction(look, result);
@@ -80,8 +94,20 @@ TubeSums LookSolver::tubes(const Look& look, Progress& progress, CurrentMap& map
   return sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, 1.0, &map});
 }
 
-std::vector<ImageEdge> LookSolver::surface_pieces(const Look& look, std::size_t frequency_index) const {
-  if (!curved_) return {};
+// In the mean over the frequencies they may change the level by the tolerance.
+bool LookSolver::surface_waves_count(const Look& look, const TubeSums& tubes) const {
+  if (!curved_ || !prospect_) return curved_.has_value();
+  double waves = 0.0;
+  for (const double frequency : plan_.sweep.frequencies) {
+    const double amplitude = prospect_->amplitude(look, frequency);
+    waves += amplitude * amplitude;
+  }
+  const double share = relative_tolerance(plan_.tubes.tolerance_db);
+  return waves > share * share * co_polar_squares(tubes, plan_.sweep.frequencies.size());
+}
+
+std::vector<ImageEdge> LookSolver::surface_pieces(const Look& look, const TubeSums& tubes, std::size_t frequency_index) const {
+  if (!surface_waves_count(look, tubes)) return {};
   StripPlaces places{frequency_index};
   const SurfaceWaveResult waves = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies, &places);
   if (edges_count_)
@@ -117,7 +143,8 @@ InteractionLimits LookSolver::interaction_limits(const TubeSums& tubes, double e
                            work::tube_frequency * met * frequencies;
   const double budget = plan_.edges.interaction_budget;
   const bool limited = budget < unlimited_interaction_budget;
-  return {interaction_tolerance(tubes), limited ? budget * (tube_work + edge_work) : std::numeric_limits<double>::infinity()};
+  return {interaction_tolerance(tubes), limited ? budget * (tube_work + edge_work) : std::numeric_limits<double>::infinity(),
+          plan_.edges.interaction.forced() ? 0.0 : least_reach};
 }
 
 InteractionResult LookSolver::interaction(const Look& look, const LookResult& others) const {

@@ -9,6 +9,7 @@
 #include "sbr/sbr.h"
 #include "solve/look_result.h"
 #include "solve/plan.h"
+#include "uncertainty/surface_wave_prospect.h"
 #include "utd/edge_sets.h"
 #include "utd/gtd/ray_fields.h"
 
@@ -38,8 +39,8 @@ class LookSolver {
   bool edges_count() const { return edges_count_; }
   const EdgeSets& edges() const { return edges_; }
 
-  /// Surface waves of a look at one frequency, point by point; none if they do not count.
-  std::vector<ImageEdge> surface_pieces(const Look& look, std::size_t frequency_index) const;
+  /// Surface waves of a look with these tubes at one frequency, point by point; none if they do not count.
+  std::vector<ImageEdge> surface_pieces(const Look& look, const TubeSums& tubes, std::size_t frequency_index) const;
 
   /// The rays over curved surfaces of a look at the first frequency, in the mesh's own coordinates; none if they do not count.
   /// Their points are a tenth of the wavelength apart, or more.
@@ -52,13 +53,15 @@ class LookSolver {
 
  private:
   LookResult rays(const Look& look, Progress& progress, double share) const;
+  bool surface_waves_count(const Look& look, const TubeSums& tubes) const;
   EdgeLookResult edges_of(const Look& look, std::span<const SurfaceArrival> arrivals) const;
   InteractionResult interaction(const Look& look, const LookResult& others) const;
   double interaction_tolerance(const TubeSums& tubes) const;
 
   const SolvePlan& plan_;
   TubeScene tube_scene_;
-  std::optional<CurvedTarget> curved_;  // if surface waves count
+  std::optional<CurvedTarget> curved_;           // if surface waves count
+  std::optional<SurfaceWaveProspect> prospect_;  // if they do so only in some looks
   EdgeSets edges_;
   bool edges_count_;
   std::optional<RayFields> ray_fields_;

@@ -31,7 +31,7 @@ Mechanisms mechanisms_of(const SolvePlan& plan) {
           .fringe = fringe,
           .material_edges = fringe && plan.edges.materials == MaterialEdgeMethod::luebbers,
           .screens = fringe && std::ranges::any_of(plan.sweep.materials, &Material::transmits),
-          .interaction = fringe && plan.edges.interaction && plan.edges.interaction_budget > 0.0 &&
+          .interaction = fringe && plan.edges.interaction.possible() && plan.edges.interaction_budget > 0.0 &&
                          !plan.convexity.no_reflection && plane_conductors};
 }
 
@@ -69,7 +69,7 @@ void plan_curved_surfaces(SolvePlan& plan) {
 
 // Waves run over the curved surfaces of any body, even of one whose tubes meet its facets, unless the facets are what is meant.
 SurfaceWaveState surface_waves_asked(const SolvePlan& plan) {
-  if (!plan.surfaces.waves) return SurfaceWaveState::not_asked;
+  if (!plan.surfaces.waves.possible()) return SurfaceWaveState::not_asked;
   if (!plan.mechanisms.fringe) return SurfaceWaveState::no_edge_currents;
   const bool facets_meant = !plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never;
   return facets_meant ? SurfaceWaveState::facets_meant : SurfaceWaveState::computed;
@@ -126,7 +126,7 @@ void count_too_small(const SolvePlan& plan, SkipCounts& counts) {
 }
 
 SkipCounts skips_of(const SolvePlan& plan) {
-  const bool asked = plan.edges.interaction && plan.edges.method == EdgeMethod::fringe && !plan.convexity.no_reflection;
+  const bool asked = plan.edges.interaction.possible() && plan.edges.method == EdgeMethod::fringe && !plan.convexity.no_reflection;
   const std::uint64_t looks = plan.sweep.looks.size();
   SkipCounts counts{.repeated_looks = plan.looks.repeated, .mirrored_looks = plan.looks.mirrored};
   if (asked && plan.edges.interaction_budget == 0.0) counts.unbudgeted_looks = looks;

@@ -61,7 +61,8 @@ std::size_t spread(std::size_t n, std::size_t count) {
 // The same looks, tubes at once as dense as may be, without edge-face interaction, which has a budget.
 SolvePlan bounded_part(const SolvePlan& plan) {
   SolvePlan part = plan;
-  part.mechanisms.interaction = part.edges.interaction = false;
+  part.mechanisms.interaction = false;
+  part.edges.interaction = false;
   if (!plan.tubes.refines()) return part;
   const double densest = densest_tubes(plan.target.mesh, plan.sweep, plan.tubes);
   part.tubes.per_wavelength = std::max(first_density(plan.tubes), std::min(plan.tubes.max_per_wavelength, 0.9 * densest));

@@ -96,7 +96,8 @@ void RowCollector::count(std::size_t index, const LookResult& look) {
   skipped_.fringe_beyond_budget += look.interaction.skipped.fringe_pieces;
   if (plan_.mechanisms.interaction && plan_.skips.frequencies_without_large < sweep_.frequencies.size() &&
       look.interaction.scattering.empty())
-    ++skipped_.dark_interaction_looks;
+    ++(look.interaction.unreached ? skipped_.unreached_looks : skipped_.dark_interaction_looks);
+  if (plan_.mechanisms.surface_waves && look.surface.scattering.empty()) ++skipped_.weak_surface_looks;
 }
 
 // The same for every look that follows from this one.

@@ -45,9 +45,9 @@ std::string larger_budget(double budget, const RemedyEvidence& evidence) {
 std::string remedy_of_interaction(const RemedyEvidence& evidence) {
   const double budget = evidence.edges.interaction_budget, usual = EdgeOptions{}.interaction_budget;
   if (evidence.edges.method != EdgeMethod::fringe) return no_interaction;
-  const bool is_off = !evidence.edges.interaction || evidence.skips.unbudgeted_looks > 0;
+  const bool is_off = !evidence.edges.interaction.possible() || evidence.skips.unbudgeted_looks > 0;
   if (is_off && evidence.possible_pairs > few_pairs) return no_interaction;
-  if (!evidence.edges.interaction) return up_to_budget("edges.between = true", budget);
+  if (!evidence.edges.interaction.possible()) return up_to_budget("edges.between = true", budget);
   if (evidence.skips.unbudgeted_looks > 0) return up_to_budget(fmt::format("edges.between_budget = {}", usual).c_str(), usual);
   return larger_budget(budget, evidence);
 }

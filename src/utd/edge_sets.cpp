@@ -32,7 +32,7 @@ void EdgeSets::group_frequencies() {
     const std::size_t thin = count_thin(setup_.thin_plate_edges, frequency);
     auto set =
         std::ranges::find_if(sets_, [&](const Set& known) { return known.thin_edges == thin && known.detail_limit == details; });
-    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}, {}, {}, {}});
+    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}, {}, {}, {}, {}});
     set->indices.push_back(f);
     set->frequencies.push_back(setup_.frequencies[f]);
   }
@@ -84,6 +84,7 @@ void EdgeSets::prepare_interaction() {
     }
     set.parts = std::move(parts);
     set.interaction = interaction_groups(set.parts, set.frequencies, std::vector<bool>(set.indices.size(), true));
+    for (const InteractionGroup& group : set.interaction) set.reach.push_back(reach_of(set.parts, group));
   }
   std::ranges::move(without, std::back_inserter(sets_));
   std::ranges::sort(sets_, std::ranges::greater{}, [](const Set& set) { return std::ranges::max(set.frequencies); });
@@ -177,14 +178,19 @@ bool EdgeSets::interact() const {
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {
   const InteractionParts& parts = set.parts;
   const ReceivingFaces faces{setup_.faces, group.large, parts.corners, {}, std::span(parts.by_area).first(group.large_faces)};
-  return {{set.wedges, set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches};
+  return {{set.wedges, set.outlines, setup_.tracer},
+          faces,
+          parts.axes,
+          group.shortest_axis,
+          parts.patches,
+          &set.reach[static_cast<std::size_t>(&group - set.interaction.data())]};
 }
 
 // `share` of the work allowed, for a group of frequencies.
 InteractionOptions EdgeSets::interaction_options(const Set& set, const InteractionLimits& limits, double share) const {
   const bool few = set.parts.axes.size() * set.parts.patches.size() <= few_pairs;
   const double work = few ? std::numeric_limits<double>::infinity() : limits.work * share;
-  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work};
+  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work, limits.least_reach};
 }
 
 std::size_t EdgeSets::interacting_frequencies() const {
@@ -211,6 +217,7 @@ void EdgeSets::put(const Set& set, const InteractionGroup& group, const Interact
   all.work += part.work;
   all.pairs += part.pairs;
   all.skipped += part.skipped;
+  all.unreached = all.unreached || part.unreached;
   if (part.scattering.empty()) return;
   all.scattering.resize(setup_.frequencies.size());
   all.error.resize(setup_.frequencies.size());

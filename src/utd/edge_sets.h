@@ -33,8 +33,9 @@ struct EdgeSetup {
 
 /// What edge-face interaction of one look may leave and take.
 struct InteractionLimits {
-  double tolerance;  // of its quadrature [m]
-  double work;       // counted (core/work.h); bodies of few parts are computed whole
+  double tolerance;          // of its quadrature [m]
+  double work;               // counted (core/work.h); bodies of few parts are computed whole
+  double least_reach = 0.0;  // InteractionOptions::least_reach
 };
 
 /// Frequencies at which the same plates are thin share a set of edges; no set depends on the others.
@@ -85,6 +86,7 @@ class EdgeSets {
     std::shared_ptr<const CurvedFaces> curved;   // from order 2 on, where waves over curved surfaces count
     std::vector<InteractionGroup> interaction;   // its indices are those of the set's frequencies
     InteractionParts parts;                      // empty where there is no interaction
+    std::vector<PairReach> reach;                // of each group
 
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);

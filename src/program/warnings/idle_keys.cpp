@@ -37,10 +37,10 @@ Reason no_interaction(const SolvePlan& plan) {
   return {};
 }
 
-Reason why_between(const SolvePlan& plan) { return plan.edges.interaction ? no_interaction(plan) : ""; }
+Reason why_between(const SolvePlan& plan) { return plan.edges.interaction.possible() ? no_interaction(plan) : ""; }
 
 Reason why_budget(const SolvePlan& plan) {
-  if (!plan.edges.interaction) return "edges.between is false";
+  if (!plan.edges.interaction.possible()) return "edges.between is false";
   return plan.edges.interaction_budget == 0.0 ? "" : no_interaction(plan);
 }
 

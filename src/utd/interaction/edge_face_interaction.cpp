@@ -22,6 +22,8 @@ constexpr double least_tolerance = 1e-4;  // [wavelengths] the rules along the r
 
 // Shares of the work: of finding direct light, reflected light, the bounds of pairs, and of the pairs themselves.
 constexpr double light_share = 0.15, reflected_share = 0.15, bound_share = 0.1, pair_share = 0.75;
+constexpr double least_pair_work =
+    5e5;  // of a pair of edge and face: vehicles of 100 to 300 wavelengths show twice as much and more
 constexpr std::size_t edges_at_a_time = 8;                      // whose fringe currents are found together where work is limited
 constexpr double first_guess_of_fringe = 4 * work::strip_tree;  // of one edge
 // Of its bound that an unknown contribution has, root mean square, and that it has at least (measured: docs).
@@ -71,6 +73,7 @@ class InteractionLook {
       result.scattering.resize(frequencies_.size());
       result.illuminating_pieces = jobs_.size();
       add(illuminate(options, {}, result), result);
+      if (result.unreached) return unreached();
       const double fringe_squares = options.order > 1 ? add_fringe(options, result) + add_penumbra(result) : 0.0;
       estimate_left_out(fringe_squares, result);
     }
@@ -84,6 +87,7 @@ class InteractionLook {
     if (jobs_.empty()) return images;
     const IlluminationSum sum = illuminate(options, frequency_index, result);
     work_ += sum.work;
+    if (result.unreached) return images;
     for (std::size_t i = 0; i < jobs_.size(); ++i) images.push_back(image_of(*jobs_[i].piece, sum.of_jobs[i]));
     if (options.order == 1) return images;
     add_penumbra(frequency_index, images);
@@ -163,7 +167,10 @@ class InteractionLook {
     const PairChoice choice = choose_pairs(jobs_, scene_.faces.tree.mesh(), scene_.extents, scene_.faces.by_area, limits);
     work_ += choice.work;
     const double for_pairs = std::max(0.0, pair_share * (most_work_ - work_));
-    IlluminationSum sum = illuminate_strongest(look, jobs_, choice.strongest, share_of(options.tolerance), for_pairs);
+    const std::size_t needed = pairs_for(options.least_reach, choice);
+    if (for_pairs < least_pair_work * static_cast<double>(needed)) return give_up(result);
+    IlluminationSum sum = illuminate_strongest(look, jobs_, choice.strongest, {share_of(options.tolerance), for_pairs, needed});
+    if (sum.pairs < std::min(needed, choice.strongest.size())) return give_up(result, sum.work);
     result.pairs = sum.pairs;
     result.skipped.weak_pairs = choice.weak.count;
     result.skipped.pairs = choice.beyond.count + sum.beyond.count + axes_left_out_ * scene_.faces.by_area.size();
@@ -172,6 +179,35 @@ class InteractionLook {
     const double left = sum.beyond.squares + choice.beyond.squares + choice.weak.squares;
     left_out_squares_ = left + left_out_axes_ * (left + sum.bound_squares);
     return sum;
+  }
+
+  // How many of the strongest have this share of what is expected of all, as far as they are kept.
+  static std::size_t pairs_for(double reach, const PairChoice& choice) {
+    if (reach == 0.0) return 0;
+    LeftOut kept;
+    for (const EdgeFacePair& pair : choice.strongest) kept.add(pair);
+    const double wanted = reach * (kept.squares + choice.beyond.squares + choice.weak.squares);
+    LeftOut strongest;
+    for (const EdgeFacePair& pair : choice.strongest) {
+      if (strongest.squares >= wanted) break;
+      strongest.add(pair);
+    }
+    return strongest.squares >= wanted ? strongest.count : std::numeric_limits<std::uint32_t>::max();
+  }
+
+  IlluminationSum give_up(InteractionResult& result, double work = 0.0) const {
+    result.unreached = true;
+    IlluminationSum none;
+    none.scattering.resize(frequencies_.size());
+    none.work = work;
+    return none;
+  }
+
+  InteractionResult unreached() const {
+    InteractionResult result;
+    result.unreached = true;
+    result.work = work_;
+    return result;
   }
 
   // What pairs leave out is taken to be as large a share of what is expected of them, root mean square, as with those computed.
@@ -300,15 +336,27 @@ class InteractionLook {
 
 }  // namespace
 
+namespace {
+
+bool is_out_of_reach(const InteractionScene& scene, const InteractionOptions& options) {
+  return options.least_reach > 0.0 && std::isfinite(options.work) &&
+         scene.reach->of(pair_share * options.work / least_pair_work) < options.least_reach;
+}
+
+}  // namespace
+
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options) {
   if (scene.axes.empty()) return {};
-  return InteractionLook(scene, look, frequencies, options.work).solve(options);
+  if (!is_out_of_reach(scene, options)) return InteractionLook(scene, look, frequencies, options.work).solve(options);
+  InteractionResult none;
+  none.unreached = true;
+  return none;
 }
 
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                           std::size_t frequency_index, const InteractionOptions& options) {
-  if (scene.axes.empty()) return {};
+  if (scene.axes.empty() || is_out_of_reach(scene, options)) return {};
   return InteractionLook(scene, look, frequencies, options.work).pieces(options, frequency_index);
 }
 

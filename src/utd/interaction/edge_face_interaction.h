@@ -29,6 +29,7 @@
 #include "utd/interaction/edge_axes.h"
 #include "utd/interaction/illuminated_faces.h"
 #include "utd/interaction/pair_bound.h"
+#include "utd/interaction/pair_reach.h"
 
 namespace raytube {
 
@@ -55,6 +56,7 @@ struct InteractionResult {
   /// (docs/theory/interaction.md). Empty: nothing was left out.
   std::vector<double> left_out;
   InteractionSkips skipped{};
+  bool unreached = false;   // not begun, or given up: the work allowed reaches less than `least_reach`
   std::uint64_t pairs = 0;  // of an edge and a face, computed; counted where work is limited
   double work = 0.0;        // counted (core/work.h)
 };
@@ -66,6 +68,7 @@ struct InteractionScene {
   std::span<const EdgeAxis> axes;          // of edges that illuminate others; into edges.wedges
   double shortest_axis = 0.0;              // of those that count [m]
   std::span<const PatchExtent> extents{};  // of the mesh's patches, and faces.by_area: needed where work is limited
+  const PairReach* reach = nullptr;        // of the same edges and faces: needed for InteractionOptions::least_reach
 };
 
 struct InteractionOptions {
@@ -73,6 +76,9 @@ struct InteractionOptions {
   TransitionTier transition = TransitionTier::exact;
   double tolerance = 0.0;                                 // at which quadrature stops, as far as it can tell [m]
   double work = std::numeric_limits<double>::infinity();  // that a look may take (core/work.h), or little more
+  // Of the sum of squares that is expected of all pairs: nothing is computed where the work allowed reaches less. A part of a sum
+  // whose terms are out of phase is no better than none.
+  double least_reach = 0.0;
 };
 
 /// Reflections of a path from the transmitter over an edge to the last face it illuminates, before and after the edge together.

@@ -134,12 +134,14 @@ IlluminationSum illuminate_all(const IlluminationLook& look, std::span<const Ill
 }
 
 IlluminationSum illuminate_strongest(const IlluminationLook& look, std::span<const IlluminationJob> jobs,
-                                     std::span<const EdgeFacePair> pairs, double tolerance, double work) {
-  Summer summer(look, jobs.size(), tolerance);
+                                     std::span<const EdgeFacePair> pairs, const PairBudget& budget) {
+  Summer summer(look, jobs.size(), budget.tolerance);
   std::size_t done = std::min(first_pairs, pairs.size());
-  summer.add(groups_of(jobs, pairs.first(done), first_share * work / first_pairs));
-  while (done < pairs.size() && summer.sum().bound_squares > 0.0) {
-    const double left = work - summer.sum().work, each = summer.expected_work() / static_cast<double>(done);
+  const double fair = budget.work / static_cast<double>(std::max<std::size_t>(budget.needed, 1));
+  summer.add(groups_of(jobs, pairs.first(done), std::min(first_share * budget.work / first_pairs, most_of_mean * fair)));
+  const auto out_of_reach = [&] { return budget.needed > 0 && summer.expected_work() > static_cast<double>(done) * fair; };
+  while (done < pairs.size() && summer.sum().bound_squares > 0.0 && !out_of_reach()) {
+    const double left = budget.work - summer.sum().work, each = summer.expected_work() / static_cast<double>(done);
     if (!(left > each)) break;
     const double fit = left / (each * most_of_mean);
     const auto count = static_cast<std::size_t>(std::clamp(fit, 1.0, static_cast<double>(pairs.size() - done)));

@@ -32,11 +32,17 @@ struct IlluminationLook {
 /// Sum over all jobs, each on all faces, with its share `tolerance` of the error.
 IlluminationSum illuminate_all(const IlluminationLook& look, std::span<const IlluminationJob> jobs, double tolerance);
 
+/// What a sum over pairs may take.
+struct PairBudget {
+  double tolerance;    // each job's share of the error [m]
+  double work;         // counted (core/work.h); exceeded by a point of quadrature a job at most
+  std::size_t needed;  // of the first pairs: nothing more is tried once it shows that so many take more. 0: as many as there are
+};
+
 /// Sum over the pairs from the first on, in rounds of known cost: the mean cost of the pairs before says how many the next round
 /// takes, and a pair that would take a multiple of it is given up. Where not even the strongest can be had nothing more is tried.
-/// `work` is exceeded by a point of quadrature a job at most.
 IlluminationSum illuminate_strongest(const IlluminationLook& look, std::span<const IlluminationJob> jobs,
-                                     std::span<const EdgeFacePair> pairs, double tolerance, double work);
+                                     std::span<const EdgeFacePair> pairs, const PairBudget& budget);
 
 /// Bytes that one look under way takes at most, for so many frequencies and pairs of an edge and a face.
 double illumination_bytes(std::size_t frequencies, double pairs);

@@ -80,4 +80,12 @@ std::vector<InteractionGroup> interaction_groups(const InteractionParts& parts, 
   return groups;
 }
 
+PairReach reach_of(const InteractionParts& parts, const InteractionGroup& group) {
+  std::vector<double> lengths, areas;
+  for (const EdgeAxis& axis : parts.axes)
+    if (axis.length >= group.shortest_axis) lengths.push_back(axis.length);
+  for (std::size_t i = 0; i < group.large_faces; ++i) areas.push_back(parts.patches[parts.by_area[i]].area);
+  return {std::move(lengths), std::move(areas)};
+}
+
 }  // namespace raytube

@@ -6,6 +6,7 @@
 
 #include "utd/interaction/edge_axes.h"
 #include "utd/interaction/pair_bound.h"
+#include "utd/interaction/pair_reach.h"
 
 namespace raytube {
 
@@ -38,6 +39,9 @@ struct TooSmall {
 };
 
 TooSmall too_small_to_interact(const TriangleMesh& mesh, std::span<const Wedge> wedges, double frequency);
+
+/// What work reaches of a group's edges and faces.
+PairReach reach_of(const InteractionParts& parts, const InteractionGroup& group);
 
 /// The groups of the `wanted` ones among the frequencies [Hz], without those at which there is nothing to illuminate.
 std::vector<InteractionGroup> interaction_groups(const InteractionParts& parts, std::span<const double> frequencies,

@@ -1,0 +1,24 @@
+// What waves over curved surfaces may add to a look, before they are computed.
+#pragma once
+
+#include "scene/sweep.h"
+#include "uncertainty/target_features.h"
+
+namespace raytube {
+
+/// Keeps a reference to the mesh.
+class SurfaceWaveProspect {
+ public:
+  /// Creases flatter than `min_wedge_angle` [rad] are curvature.
+  SurfaceWaveProspect(const TriangleMesh& mesh, double min_wedge_angle);
+
+  /// Size of |S| of the co-polar channels [m]: of the correction at shadow boundaries, of that where surfaces bend tightly, and
+  /// of sharply bent rims (docs/theory/model_uncertainty.md, B, C and E), as large as they are on spheres; no bound.
+  double amplitude(const Look& look, double frequency) const;
+
+ private:
+  const TriangleMesh& mesh_;
+  CurvedParts curved_;
+};
+
+}  // namespace raytube
