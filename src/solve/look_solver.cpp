@@ -70,7 +70,9 @@ LookSolver::LookSolver(const SolvePlan& plan)
                                             : std::nullopt),
       edges_(edge_setup(plan, curved_ ? &*curved_ : nullptr)),
       edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
-  if (curved_ && !plan.surfaces.waves.forced()) prospect_.emplace(plan.target.mesh, plan.target.options.min_wedge_angle);
+  if (curved_ && !plan.surfaces.waves.forced())
+    prospect_.emplace(plan.target.mesh, plan.target.wedges, plan.target.options.min_wedge_angle,
+                      wavelength(std::ranges::min(plan.sweep.frequencies)));
   if (plan.mechanisms.rays) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
 }
 

@@ -7,14 +7,22 @@
 
 namespace raytube {
 
-SurfaceWaveProspect::SurfaceWaveProspect(const TriangleMesh& mesh, double min_wedge_angle)
-    : mesh_(mesh), curved_(find_curved_parts(mesh, min_wedge_angle)) {}
+namespace {
+
+constexpr double amplitude_of_edges = 1.2;  // as of Omission::edges
+
+}  // namespace
+
+SurfaceWaveProspect::SurfaceWaveProspect(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle,
+                                         double longest_wavelength)
+    : mesh_(mesh),
+      curved_(find_curved_parts(mesh, min_wedge_angle)),
+      edges_(find_edge_features(wedges, curved_, {}, longest_wavelength)) {}
 
 double SurfaceWaveProspect::amplitude(const Look& look, double frequency) const {
-  const EdgeFeatures no_edges;
-  const LookFeatures features = find_look_features({mesh_, curved_, no_edges}, look, frequency);
+  const LookFeatures features = find_look_features({mesh_, curved_, edges_}, look, frequency);
   const double boundaries = std::max(features.shadow_boundaries[0][0], features.shadow_boundaries[1][1]);
-  return std::hypot(boundaries, features.tight_curves, features.rims);
+  return std::hypot(std::hypot(boundaries, features.tight_curves, features.rims), amplitude_of_edges * features.edges);
 }
 
 }  // namespace raytube
