@@ -1,4 +1,5 @@
-# Installed: the program, the library, its public headers and a CMake package (find_package(raytube)).
+# Installed: the program, the library, its public headers, a CMake package (find_package(raytube)), and in the layout of the sources, so
+# that links hold, the documentation with example and cases.
 include(CMakePackageConfigHelpers)
 install(TARGETS raytube RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS raytube_solver EXPORT raytubeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -23,3 +24,7 @@ configure_package_config_file(raytubeConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/raytubeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfigVersion.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/raytube)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/cases DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        PATTERN out EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md
+              ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
