@@ -1,4 +1,5 @@
-# Installed: the program, the library, its public headers and a CMake package (find_package(raytube)).
+# Installed: the program, the library, its public headers, a CMake package (find_package(raytube)), and in the layout of the sources, so
+# that links hold, the documentation with example and cases.
 include(CMakePackageConfigHelpers)
 install(TARGETS raytube RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS raytube_solver EXPORT raytubeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -6,9 +7,10 @@ set(public_headers
     core/complex_vector.h core/error.h core/field.h core/progress.h
     scene/antenna.h scene/image.h scene/layers.h scene/look_plan.h scene/material.h scene/random_result.h
     scene/results.h scene/sweep.h
-    mesh/load.h mesh/model/face_tree.h mesh/model/faces.h mesh/model/geometry.h mesh/model/part_names.h mesh/model/polygon_soup.h
-    mesh/model/triangle_mesh.h mesh/read/read_mesh.h mesh/repair/build_mesh.h
-    mesh/features/convexity.h mesh/features/outlines.h mesh/smooth/smooth.h mesh/features/thin_plates.h mesh/features/wedges.h
+    mesh/load.h mesh/model/edge_table.h mesh/model/face_tree.h mesh/model/faces.h mesh/model/geometry.h mesh/model/part_names.h
+    mesh/model/polygon_soup.h mesh/model/triangle_mesh.h mesh/model/triangle_rows.h mesh/read/read_mesh.h mesh/repair/build_mesh.h
+    mesh/features/convexity.h mesh/features/outlines.h mesh/features/patch_borders.h mesh/features/thin_plates.h mesh/features/wedges.h
+    mesh/smooth/creases.h mesh/smooth/smooth.h
     mesh/trace/ray.h mesh/trace/tracer.h
     sbr/replay.h sbr/sbr.h sbr/beams/spectrum.h sbr/beams/tube_sums.h sbr/launch/launch.h
     utd/wedge/diffracted_field.h utd/wedge/ray_source.h utd/wedge/transition.h
@@ -23,3 +25,7 @@ configure_package_config_file(raytubeConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/raytubeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfigVersion.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/raytube)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/cases DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        PATTERN out EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md
+              ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

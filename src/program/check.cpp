@@ -11,6 +11,7 @@
 #include "core/decimal.h"
 #include "core/threads.h"
 #include "mesh/features/symmetry.h"
+#include "output/tables/sampled_rows.h"
 #include "program/commands.h"
 #include "program/material_report.h"
 #include "program/memory.h"
@@ -68,6 +69,14 @@ void print_antennas(const Case& c) {
 
 double densest(const TubeOptions& tubes) { return tubes.refines() ? tubes.max_per_wavelength : tubes.per_wavelength; }
 
+// A target deeper than that is warned of.
+void print_range_profile(const std::vector<double>& frequencies) {
+  if (frequencies.size() < 4 || !in_even_steps(frequencies)) return;
+  const double step = frequencies[1] - frequencies[0], count = static_cast<double>(frequencies.size());
+  fmt::print("             in steps of {:.4g} GHz: a range profile resolves {:.3g} m and repeats after {:.3g} m\n", step / 1e9,
+             speed_of_light / (2.0 * step * count), speed_of_light / (2.0 * step));
+}
+
 void print_case(const Case& c) {
   std::vector<double> ghz;
   for (const double hertz : c.sweep.frequencies) ghz.push_back(hertz / 1e9);
@@ -76,6 +85,7 @@ void print_case(const Case& c) {
   fmt::print("mesh         {}, one unit is {} m ({}){}\n", mesh_names(c), c.metres_per_unit, c.unit,
              c.sweep.materials.empty() ? ", perfect conductor" : "");
   fmt::print("frequency    {} GHz\n", values_text(ghz));
+  print_range_profile(c.sweep.frequencies);
   fmt::print("looks        {}\n", looks_text(c));
   print_antennas(c);
   if (c.edges.method == EdgeMethod::utd)

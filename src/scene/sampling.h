@@ -26,6 +26,12 @@ double phase_turn(std::span<const dvec3> outermost, const dvec3& from, const dve
 /// a period: Shannon 1949). From the scattering vector it follows that monostatic steps are wavelength / (4 extent across the
 /// line of sight) rad at most, bistatic ones, where one antenna moves, twice that; steps in frequency c / (4 extent along it).
 inline constexpr double most_turn = pi;
-inline bool resolved(double turn) { return turn <= most_turn * (1.0 + 1e-9); }  // rounding of a step that is just that wide
+
+/// A range profile is made of complex rows, which take half as many: its unambiguous range, c / (2 step), holds the extent along
+/// the line of sight while no two points turn by more than a whole turn from row to row.
+inline constexpr double most_turn_of_profile = 2.0 * pi;
+
+/// With some room for the rounding of a step that is just that wide.
+inline bool resolved(double turn, double most = most_turn) { return turn <= most * (1.0 + 1e-9); }
 
 }  // namespace raytube

@@ -8,6 +8,7 @@
 //     + currents that edge-diffracted waves excite on other faces                       (utd/interaction/edge_face_interaction.h)
 #pragma once
 
+#include "core/error.h"  // what is thrown, for whoever catches it
 #include "scene/results.h"
 #include "solve/plan.h"
 #include "solve/target.h"

@@ -60,7 +60,7 @@ std::vector<BadRow> text_rows() {
       text("case_mesh_with_a_tab", "[target]\nmesh = \"a\\table.stl\"\nunit = \"m\"\n" + frequency + look,
            ", line 2: target.mesh holds a control character"),
       {"case_mesh_of_windows_in_single_quotes", "run bad.toml",
-       "mesh file 'a\\plate.stl': not found; check the path, which is relative to the case file; write / between folders",
+       "mesh file 'a\\plate.stl': not found; check the path, which in a case file is relative to it; write / between folders",
        [](const Scratch& scratch) {
          scratch.write("bad.toml", "[target]\nmesh = 'a\\plate.stl'\nunit = \"m\"\n" + frequency + look);
        }},

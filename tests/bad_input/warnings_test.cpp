@@ -62,8 +62,15 @@ TEST_F(Warnings, FiveDegreesAt94GHz) {
 TEST_F(Warnings, FrequenciesTooFarApart) {
   EXPECT_EQ(raytube("check case.toml" + metres + "--set look.theta_deg=60 --set 'frequency.ghz={start=10,stop=11,count=5}'").code,
             0);
-  EXPECT_THAT(output(),
-              HasSubstr("steps of 0.25 GHz in frequency are too wide for this target's lobes, which ask for 0.086 GHz or less"));
+  EXPECT_THAT(
+      output(),
+      HasSubstr("steps of 0.25 GHz in frequency are too wide for a range profile: it repeats after 0.6 m, and the target is "
+                "0.866 m deep; take steps of 0.17 GHz or less"));
+  EXPECT_EQ(
+      raytube("check case.toml" + metres + "--set look.theta_deg=60 --set 'frequency.ghz={start=10,stop=11,step=0.125}'").code,
+      0);
+  EXPECT_THAT(output(), AllOf(HasSubstr("in steps of 0.125 GHz: a range profile resolves 0.133 m and repeats after 1.2 m\n"),
+                              HasSubstr("\nwarnings\n  none\n")));
 }
 
 TEST_F(Warnings, ARangeThatEndsBeforeItsStop) {

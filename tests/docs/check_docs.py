@@ -6,7 +6,7 @@
 - every relative link leads to a file that exists, and to a heading of it (anchors by GitHub's rules);
 - every page of docs/ is reached by links from docs/README.md;
 - the files in src/, docs/ and tests/ and the tests (`Suite.Name`) that pages name exist;
-- the program on the library's page is that of examples/library;
+- the program on the library's page is that of examples/library, and the page has every case key that the solver's sentences name;
 - README.md has at most 150 lines; no line outside tables and code is longer than 160 characters.
 """
 import re
@@ -19,6 +19,9 @@ LINE_LENGTH = 160
 LINK = re.compile(r"\]\(([^()\s]*(?:\([^()\s]*\)[^()\s]*)*)\)")
 CODE_SPAN = re.compile(r"`[^`]*`")
 PATH = re.compile(r"(?<![\w/.*-])(?:src|docs|tests)/[\w./-]*\w")
+STRING = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
+SOLVER_ROOMS = ("mesh", "sbr", "utd", "uncertainty", "solve")
+CASE_KEY = re.compile(r"\b(?:target|frequency|look|receive|radar|tubes|accuracy|edges|surfaces|output)\.[a-z_]*[a-z]\b")
 TEST = re.compile(r"`([A-Z]\w*)\.(\*|[A-Z]\w*…?)`")
 
 
@@ -133,6 +136,18 @@ def example_faults(root):
             yield f"docs/reference/library.md:1: its program is not {example.relative_to(root)}"
 
 
+def key_faults(root):
+    """Who has no case file finds on the library's page what to change when a sentence of the solver names a key."""
+    page = root / "docs/reference/library.md"
+    known = page.read_text(encoding="utf-8") if page.exists() else ""
+    for room in SOLVER_ROOMS:
+        for file in sorted((root / "src" / room).rglob("*.cpp")):
+            text = re.sub(r"#include.*", "", file.read_text(encoding="utf-8"))
+            keys = {key for words in STRING.findall(text) for key in CASE_KEY.findall(words)}
+            for key in sorted(key for key in keys if f"`{key}`" not in known):
+                yield f"docs/reference/library.md:1: {file.relative_to(root)} names {key}, the page does not"
+
+
 def faults(root):
     known = test_names(root)
     for path in pages(root):
@@ -143,6 +158,7 @@ def faults(root):
     if count > README_LINES:
         yield f"README.md:{count}: {count} lines; at most {README_LINES}"
     yield from example_faults(root)
+    yield from key_faults(root)
     for path in unreachable(root):
         yield f"{path.relative_to(root)}:1: not reached by links from docs/README.md"
 

@@ -24,6 +24,7 @@ FAULTS = {
     "characters": ("docs/guide/page.md", "word " * 40 + "\n"),
     "lines": ("README.md", "\n" * 150),
     "its program": ("examples/library/main.cpp", "int other;\n"),
+    "names tubes.other_key": ("src/solve/b.cpp", 'throw InputError("tubes.other_key must be positive");\n'),
     "not reached": ("docs/guide/other.md", "# Other\n"),
 }
 

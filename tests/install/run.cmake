@@ -1,4 +1,4 @@
-# Installs the build into a scratch folder, builds the example against it with find_package(raytube), and runs it.
+# Installs the build into a scratch folder, builds the example that is installed with it with find_package(raytube), and runs it.
 #   cmake -DBUILD=... -DSOURCE=... -DSCRATCH=... -DFLAGS=... -P run.cmake      FLAGS: compiler flags of the build
 function(must)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -10,12 +10,22 @@ endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
 must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
-must(${CMAKE_COMMAND} -S ${SOURCE}/examples/library -B ${SCRATCH}/example -G Ninja -DCMAKE_BUILD_TYPE=Release
+set(docs ${SCRATCH}/prefix/share/doc/raytube)
+foreach(page README.md docs/guide/recipes.md docs/figures/dihedral.png cases/plate/plate.off)
+  if(NOT EXISTS ${docs}/${page})
+    message(FATAL_ERROR "${page} is not installed in ${docs}")
+  endif()
+endforeach()
+must(${CMAKE_COMMAND} -S ${docs}/examples/library -B ${SCRATCH}/example -G Ninja -DCMAKE_BUILD_TYPE=Release
      -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix "-DCMAKE_CXX_FLAGS=${FLAGS}")
 must(${CMAKE_COMMAND} --build ${SCRATCH}/example)
-must(${SCRATCH}/example/example ${SOURCE}/cases/plate/plate.off)
+must(${SCRATCH}/example/example ${docs}/cases/plate/plate.off)
 # Broadside of a 1.5 m plate at 3 GHz: A / lambda = 2.25 / 0.0999308 = 22.5156 m, and -0.14 % from its edges.
 if(NOT output MATCHES "22\\.484")
   message(FATAL_ERROR "the example printed '${output}', not |S_vv| = 22.484... m")
+endif()
+execute_process(COMMAND ${SCRATCH}/example/example no_mesh.off RESULT_VARIABLE code ERROR_VARIABLE output)
+if(NOT code EQUAL 2 OR NOT output MATCHES "no_mesh\\.off")
+  message(FATAL_ERROR "without its mesh the example ended with ${code} and '${output}', not with 2 and a sentence")
 endif()
 must(${SCRATCH}/prefix/bin/raytube --version)

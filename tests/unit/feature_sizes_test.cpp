@@ -104,11 +104,14 @@ TEST(ValidityWarnings, FacetsTakenForFaces) {
 
 TEST(SamplingWarnings, SayStepLimitAndRemedy) {
   EXPECT_THAT(
-      sampling_warnings({{RowCoordinates::phi, 5.0, 0.02199}, {RowCoordinates::frequency, 0.5, 0.034}}),
+      sampling_warnings({{RowCoordinates::phi, 5.0, 0.02199}, {RowCoordinates::frequency, 0.05, 0.0347}}),
       ElementsAre(
           "sampling: steps of 5 deg in phi are too wide for this target's lobes, which ask for 0.021 deg or less; take finer "
           "steps, or read each row by itself (plots show points and what sliding sectors hold, not lines)",
-          AllOf(HasSubstr("steps of 0.5 GHz in frequency"), HasSubstr("0.034 GHz or less"))));
+          "sampling: steps of 0.05 GHz in frequency are too wide for a range profile: it repeats after 3 m, and the target is "
+          "4.32 m "
+          "deep; take steps of 0.034 GHz or less, or read each row by itself (plots show points and what sliding sectors hold, "
+          "not lines)"));
 }
 
 }  // namespace

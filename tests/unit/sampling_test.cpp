@@ -69,7 +69,8 @@ TEST(Sampling, FewPointsAreAsWideAsAll) {
 
 Sweep sweep_of_phi(std::size_t count, double step_deg, std::vector<double> frequencies = {frequency}) {
   Sweep sweep{std::move(frequencies), {}};
-  for (std::size_t i = 0; i < count; ++i) sweep.looks.push_back(monostatic(0.5 * pi, (80.0 + step_deg * static_cast<double>(i)) * degree));
+  for (std::size_t i = 0; i < count; ++i)
+    sweep.looks.push_back(monostatic(0.5 * pi, (80.0 + step_deg * static_cast<double>(i)) * degree));
   return sweep;
 }
 
@@ -103,7 +104,22 @@ TEST(CoarseSteps, EachSweptQuantityByItself) {
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[1].quantity, RowCoordinates::frequency);
   EXPECT_NEAR(found[1].step, 1.0, 1e-9);
-  EXPECT_NEAR(found[1].limit, 0.0749, 0.0005);  // c / 4 m, in GHz
+  EXPECT_NEAR(found[1].limit, 0.1499, 0.001);  // c / 2 m, in GHz; seen 10 degrees off at most
+}
+
+// Steps whose unambiguous range holds the target are fine for its range profile, though too wide for a line through levels.
+TEST(CoarseSteps, InFrequencyAreJudgedByTheUnambiguousRange) {
+  const std::vector<dvec3> deep{{-8.0, 0.0, 0.0}, {3.5, 0.0, 0.0}};  // 11.5 m
+  const auto sweep_by = [](double step) {
+    Sweep sweep{{}, {monostatic(0.5 * pi, 0.0)}};
+    for (int i = 0; i < 8; ++i) sweep.frequencies.push_back(frequency + step * i);
+    return sweep;
+  };
+  const std::vector<std::size_t> rows{0, 1, 2, 3, 4, 5, 6, 7};
+  EXPECT_THAT(coarse_steps(sweep_by(7.5e6), deep), IsEmpty());  // c / (2 7.5 MHz) = 20 m
+  EXPECT_FALSE(can_be_joined(sweep_by(7.5e6), deep, rows));
+  EXPECT_THAT(coarse_steps(sweep_by(0.999 * speed_of_light / 23.0), deep), IsEmpty());
+  EXPECT_EQ(coarse_steps(sweep_by(1.001 * speed_of_light / 23.0), deep).size(), 1u);
 }
 
 TEST(CoarseSteps, JoinedByALineOnlyWhereLobesAreResolved) {

@@ -30,7 +30,7 @@ MeshFile read_bytes(const std::filesystem::path& path) {
   MeshFile file{path.string(), {}};
   std::error_code error;
   if (!std::filesystem::exists(path, error))
-    file.reject(fmt::format("not found; check the path, which is relative to the case file{}", backslash_remedy(file.name)));
+    file.reject(fmt::format("not found; check the path, which in a case file is relative to it{}", backslash_remedy(file.name)));
   if (std::filesystem::is_directory(path, error)) file.reject("is a folder; name the mesh file in it");
   if (!std::filesystem::is_regular_file(path, error)) file.reject("is a pipe or a device; copy the mesh into a file");
   if (std::filesystem::file_size(path, error) > installed_memory())

@@ -25,24 +25,28 @@ double turn_between(const Sweep& sweep, std::span<const dvec3> outermost, std::s
 class Widest {
  public:
   Widest(const Sweep& sweep, std::span<const dvec3> outermost, Quantity quantity)
-      : sweep_(sweep), outermost_(outermost), found_{quantity, 0.0, 0.0} {}
+      : sweep_(sweep),
+        outermost_(outermost),
+        found_{quantity, 0.0, 0.0},
+        most_(quantity == RowCoordinates::frequency ? most_turn_of_profile : most_turn) {}
 
   void add(std::span<const std::size_t> rows, std::span<const double> x) {
     if (x.size() < least_values || !in_even_steps(x)) return;
     for (const std::size_t i : spread_choice(rows.size() - 1, most_steps)) {
       const double turn = turn_between(sweep_, outermost_, rows[i], rows[i + 1]), step = x[i + 1] - x[i];
-      if (turn > turn_) turn_ = turn, found_.step = step, found_.limit = step * most_turn / turn;
+      if (turn > turn_) turn_ = turn, found_.step = step, found_.limit = step * most_ / turn;
     }
   }
 
   void tell(std::vector<CoarseSteps>& all) const {
-    if (!resolved(turn_)) all.push_back(found_);
+    if (!resolved(turn_, most_)) all.push_back(found_);
   }
 
  private:
   const Sweep& sweep_;
   std::span<const dvec3> outermost_;
   CoarseSteps found_;
+  double most_;
   double turn_ = 0.0;
 };
 

@@ -8,7 +8,8 @@
 
 namespace raytube {
 
-/// Steps of a swept quantity that do not resolve lobes, and the widest that would [degrees or GHz].
+/// Steps of a swept quantity that are too wide, and the widest that would do [degrees or GHz]: of angles for lobes, of frequency
+/// for a range profile.
 struct CoarseSteps {
   RowCoordinates::Quantity quantity;
   double step, limit;

@@ -13,7 +13,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<const char*, 5> names = {"phi", "theta", "receiver phi", "receiver theta", "frequency"};
+constexpr std::array<const char*, 4> names = {"phi", "theta", "receiver phi", "receiver theta"};
 
 // Two digits, never above the value.
 double rounded_down(double value) {
@@ -64,13 +64,20 @@ std::string sentence(const ThickLayers& narrowest, std::size_t components, const
       place(narrowest.middle, narrowest.thickness, unit), length(narrowest.width), narrowest.closed ? "thick" : "wide", more);
 }
 
+// By how far apart along the line of sight points may be to be told from one another by steps of so many GHz [m].
+double unambiguous_range(double gigahertz) { return speed_of_light / (2e9 * gigahertz); }
+
 std::string sentence(const CoarseSteps& steps) {
-  const char* const unit = steps.quantity == RowCoordinates::frequency ? "GHz" : "deg";
+  if (steps.quantity == RowCoordinates::frequency)
+    return fmt::format(
+        "sampling: steps of {:.4g} GHz in frequency are too wide for a range profile: it repeats after {:.3g} m, and the target "
+        "is {:.3g} m deep; take steps of {:.2g} GHz or less, or read each row by itself (plots show points and what sliding "
+        "sectors hold, not lines)",
+        steps.step, unambiguous_range(steps.step), unambiguous_range(steps.limit), rounded_down(steps.limit));
   return fmt::format(
-      "sampling: steps of {:.4g} {} in {} are too wide for this target's lobes, which ask for {:.2g} {} or less; take finer "
-      "steps, "
-      "or read each row by itself (plots show points and what sliding sectors hold, not lines)",
-      steps.step, unit, names[steps.quantity], rounded_down(steps.limit), unit);
+      "sampling: steps of {:.4g} deg in {} are too wide for this target's lobes, which ask for {:.2g} deg or less; take finer "
+      "steps, or read each row by itself (plots show points and what sliding sectors hold, not lines)",
+      steps.step, names[steps.quantity], rounded_down(steps.limit));
 }
 
 }  // namespace
