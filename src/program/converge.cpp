@@ -19,6 +19,7 @@
 #include "program/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
+#include "program/unusable_rows.h"
 #include "solve/admissible.h"
 #include "solve/solve.h"
 
@@ -111,6 +112,7 @@ class DensityStudy {
     };
     SweepResult result = solve(target_, case_.sweep, options_);
     finished_ += work(density);
+    if (warn_of_unusable_rows(result.statistics)) unusable_ = true;
     const Statistics& s = result.statistics;
     study_.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
     study_.convergence = study_convergence(study_.results);
@@ -120,6 +122,8 @@ class DensityStudy {
   /// On disk.
   std::size_t finished() const { return finished_densities_; }
   std::string text() const { return convergence_text(study_); }
+  /// Whether any density has rows that must not be used.
+  bool unusable() const { return unusable_; }
 
   const fs::path& folder() const { return folder_.path(); }
 
@@ -166,6 +170,7 @@ class DensityStudy {
   std::size_t densities_;
   std::atomic<std::size_t> finished_densities_ = 0;
   std::atomic<bool> complete_ = false;
+  bool unusable_ = false;
   ProgressBar bar_;
   SolveOptions options_;
   ConvergenceStudy study_;
@@ -203,6 +208,7 @@ void converge_command(const Request& request) {
   } catch (const Interrupted&) {
     throw Interrupted(study.interrupted_sentence());
   }
+  if (study.unusable()) throw unusable_rows_in(study.folder());
 }
 
 }  // namespace raytube

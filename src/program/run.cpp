@@ -32,6 +32,7 @@
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "program/solvable.h"
+#include "program/unusable_rows.h"
 #include "program/warnings/warnings.h"
 #include "scene/sampling.h"
 #include "solve/random.h"
@@ -201,15 +202,17 @@ class Run {
       LookJournal::refuse_leftover(folder_.path());  // once more: since the first time the folder was free for others
   }
 
-  /// If it does not come to its end it leaves the finished looks for another one to resume.
+  /// If it does not come to its end it leaves the finished looks for another one to resume. Throws after its end if there are
+  /// rows that must not be used.
   void run(const Stopwatch& total) {
     const InterruptFlag interrupt_flag([this] { return last_words(); });
     manifest_.warnings = warnings_of(case_, plan_, outermost_);
     for (const std::string& sentence : manifest_.warnings) warn(sentence);
+    bool unusable = false;
     try {
       const Solved solved = solve_with_progress(plan_, request_, journal_);
       journal_.keep_all();
-      for (const BeyondBound& part : solved.result.statistics.beyond_bound) warn(beyond_bound_sentence(part));
+      unusable = warn_of_unusable_rows(solved.result.statistics);
       warn_of_lost_rays(solved.result.statistics);
       write(solved, total);
       if (!request_.quiet) print(solved);
@@ -219,6 +222,7 @@ class Run {
       if (const std::string kept = journal_.keep_all(); !kept.empty()) warn(kept);
       throw;
     }
+    if (unusable) throw unusable_rows_in(folder_.path());
   }
 
  private:

@@ -129,6 +129,17 @@ std::vector<SurfaceRay> LookSolver::surface_rays(const Look& look) const {
   return rays;
 }
 
+// What a material blocks is 1 - T, at most twice what a conductor does: its edges count as two.
+std::vector<double> LookSolver::edge_lengths() const {
+  std::vector<double> lengths = edges_.radiating_lengths();
+  if (!plan_.mechanisms.material_edges) return lengths;
+  double sum = 0.0;
+  for (const Wedge& wedge : plan_.target.wedges)
+    if (is_material_edge(wedge)) sum += 2.0 * wedge.length();
+  for (double& length : lengths) length += sum;
+  return lengths;
+}
+
 EdgeLookResult LookSolver::edges_of(const Look& look, std::span<const SurfaceArrival> arrivals) const {
   EdgeLookResult result;
   if (edges_count_) result = edges_.scattering(look, plan_.sweep.radar, arrivals);

@@ -39,6 +39,9 @@ class LookSolver {
   bool edges_count() const { return edges_count_; }
   const EdgeSets& edges() const { return edges_; }
 
+  /// How long all edges that may add to S are together, per frequency [m].
+  std::vector<double> edge_lengths() const;
+
   /// Surface waves of a look with these tubes at one frequency, point by point; none if they do not count.
   std::vector<ImageEdge> surface_pieces(const Look& look, const TubeSums& tubes, std::size_t frequency_index) const;
 

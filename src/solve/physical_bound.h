@@ -25,7 +25,7 @@ struct PhysicalBound {
 /// Of a target and a sweep. Keeps a reference to the plan.
 class PhysicalBounds {
  public:
-  /// `edge_lengths`: of the edges that radiate, all in all, per frequency [m].
+  /// `edge_lengths`: of the edges that add to S, all in all, per frequency [m] (LookSolver::edge_lengths).
   PhysicalBounds(const SolvePlan& plan, std::vector<double> edge_lengths);
 
   PhysicalBound of(const Look& look, std::size_t frequency_index) const;

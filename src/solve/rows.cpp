@@ -190,11 +190,12 @@ void RowCollector::add_row(std::size_t look, std::size_t frequency_index, const 
 // Some parts reach their bound: physical optics of a plate, broadside.
 constexpr double rounding = 1e-9;
 
-// Ranges of rays and their edges have laws of their own. What cannot be compared, no number, is beyond any bound.
+// Rays and their edges have laws of their own. What is no number is beyond any bound.
 void RowCollector::compare(std::size_t part, std::size_t row, const ScatteringMatrix& s, double bound) {
   const double largest = largest_amplitude(s);
   const bool finite = std::isfinite(frobenius_norm(s));
-  if (plan_.mechanisms.rays || (finite && (largest <= bound * (1.0 + rounding) || largest == 0.0))) return;
+  const bool bounded = plan_.mechanisms.rays || largest <= bound * (1.0 + rounding) || largest == 0.0;
+  if (finite && bounded) return;
   BeyondBound& beyond = beyond_bound_[part];
   const double ratio = finite ? largest / bound : std::numeric_limits<double>::infinity();
   if (beyond.rows++ == 0 || ratio > beyond.ratio || (ratio == beyond.ratio && row < beyond.worst)) {

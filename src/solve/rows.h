@@ -16,7 +16,7 @@ namespace raytube {
 /// that no look is held longer than it takes. Refers to the plan.
 class RowCollector {
  public:
-  /// `edge_lengths`: of the edges that radiate, all in all, per frequency [m].
+  /// `edge_lengths`: of the edges that add to S, all in all, per frequency [m].
   RowCollector(const SolvePlan& plan, std::vector<double> edge_lengths);
 
   /// The result of plan.looks.computed[index]; each once, in any order, from any thread.

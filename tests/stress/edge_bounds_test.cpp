@@ -37,7 +37,7 @@ struct Solved {
 Solved solve_body(const PolygonSoup& soup, const Sweep& sweep, const SolveOptions& options) {
   const Target target(build_mesh(soup, 1.0).mesh);
   const SolvePlan plan(target, sweep, options);
-  const PhysicalBounds bounds(plan, LookSolver(plan).edges().radiating_lengths());
+  const PhysicalBounds bounds(plan, LookSolver(plan).edge_lengths());
   Solved solved{solve(plan), {}};
   for (const Look& look : sweep.looks) solved.bounds.push_back(bounds.of(look, 0));
   return solved;

@@ -22,14 +22,35 @@ FaceCoefficients coefficients_of(const WedgeFace& face, std::span<const Material
   return {1.0 - transmitted.te, 1.0 - transmitted.tm, reflected.te, reflected.tm};
 }
 
-// A conductor's kernels are G_s = (A- - A+) / 2, G_h = (A- + A+) / (2 sin g) and G_x = constant - cos g G_h (edge_currents.h): A-
-// belongs to the shadow boundary, A+ to that of reflection.
-FringeKernels by_coefficients(const FringeKernels& conductor, const GrazingRay& ray, const FaceCoefficients& by) {
-  const Complex both = ray.sine * conductor.hard, shadow = both + conductor.soft, reflection = both - conductor.soft;
-  const Complex soft = 0.5 * (by.blocked_soft * shadow + by.reflected_soft * reflection),
-                hard = (by.blocked_hard * shadow + by.reflected_hard * reflection) / (2.0 * ray.sine),
-                constant = conductor.axial + ray.cosine * conductor.hard;
-  return {soft, hard, 0.5 * (by.blocked_hard + by.reflected_hard) * constant - ray.cosine * hard};
+// A conductor's kernels are G_s = (A- - A+) / 2 and G_h = (A- + A+) / (2 sin g), g = |pi - phi| (edge_currents.h). In front of
+// the face A- belongs to the reflection boundary, phi = pi - phi', and A+ to that of the shadow, phi = pi + phi'; behind it the
+// other way round. So what the coefficients have in common multiplies a conductor's currents, and what they differ by exchanges
+// A- - A+ and A- + A+, with the sign of sin(phi).
+
+// S of the exchange where H is along the edge: on the cone the moment is parallel to sin(phi) phi_hat, whose sine cancels.
+void add_hard_exchange(ScatteringMatrix& sum, Complex kernel, const FaceIncidence& arriving, const LookVectors& look) {
+  const dvec3 across = glm::cross(arriving.tangent, look.scattered);
+  const double length = glm::length(across);
+  if (length == 0.0) return;
+  const Complex factor = kernel / (2 * pi * arriving.sin_cone * length);
+  for (const int receive : {0, 1})
+    for (const int transmit : {0, 1})
+      sum.at(receive, transmit) +=
+          factor * glm::dot(look.magnetic[transmit], arriving.tangent) * glm::dot(look.receive[receive], across);
+}
+
+// face_amplitude by coefficients. Off the cone s . n_f / sin(beta') stands for sin(phi).
+ScatteringMatrix amplitude_by(const FaceCoefficients& by, const FringeKernels& conductor, const WedgeFace& face,
+                              const FaceIncidence& arriving, const LookVectors& look) {
+  const Complex soft = 0.5 * (by.blocked_soft - by.reflected_soft), hard = 0.5 * (by.blocked_hard + by.reflected_hard);
+  const Complex soft_exchange = 0.5 * (by.blocked_soft + by.reflected_soft),
+                hard_exchange = 0.5 * (by.blocked_hard - by.reflected_hard);
+  const double sine = glm::dot(look.scattered, face.normal) / arriving.sin_cone;
+  const FringeKernels kernels{soft * conductor.soft - soft_exchange * conductor.hard * sine, hard * conductor.hard,
+                              hard * conductor.axial};
+  ScatteringMatrix result = face_amplitude(kernels, face, arriving, look);
+  add_hard_exchange(result, hard_exchange * conductor.soft, arriving, look);
+  return result;
 }
 
 // S of one face per length of edge.
@@ -38,12 +59,11 @@ ScatteringMatrix face_part(const Wedge& wedge, int side, const WedgeIncidence& i
   const WedgeFace& face = wedge.faces[side];
   const FaceIncidence& arriving = incidence.faces[side];
   const double half_cosine = grazing_half_cosine(face, arriving, look.scattered);
-  const GrazingRay ray = grazing_ray_at(half_cosine);
   const SplitKernels kernels = split_kernels(wedge.n, arriving, half_cosine);
-  ScatteringMatrix part = face_amplitude(by_coefficients(kernels.regular, ray, by), face, arriving, look);
+  ScatteringMatrix part = amplitude_by(by, kernels.regular, face, arriving, look);
   if (kernels.active) {
     const WindowedPole window = windowed_pole(kernels.angle, k, face.width);
-    ScatteringMatrix pole = face_amplitude(by_coefficients(kernels.pole, ray, by), face, arriving, look);
+    ScatteringMatrix pole = amplitude_by(by, kernels.pole, face, arriving, look);
     part += (pole *= window.value);
     windowed = windowed || window.touched;
   }
@@ -84,6 +104,8 @@ class MaterialEdges {
 
 }  // namespace
 
+bool is_material_edge(const Wedge& wedge) { return wedge.convex() && !wedge.conducting(); }
+
 void add_material_edges(EdgeLookResult& sum, const EdgeScene& scene, std::span<const Material> materials, const Look& look,
                         std::span<const double> frequencies, bool receiver_shadow) {
   const LookVectors vectors = look_vectors(look);
@@ -91,7 +113,7 @@ void add_material_edges(EdgeLookResult& sum, const EdgeScene& scene, std::span<c
   MaterialEdges edges(sum, materials, vectors, frequencies);
   for (std::uint32_t index = 0; index < scene.wedges.size(); ++index) {
     const Wedge& wedge = scene.wedges[index];
-    if (!wedge.convex() || wedge.conducting()) continue;
+    if (!is_material_edge(wedge)) continue;
     const WedgeIncidence incidence = incidence_on(wedge, vectors.incident);
     if (incidence.weight != 0.0 && light.find(index, incidence)) edges.add(wedge, incidence, light.lit());
   }

@@ -10,7 +10,10 @@
 
 namespace raytube {
 
-/// Adds to `sum` the fringe currents at first order on all convex wedges with a face of one of these materials: of the terms of
+/// Whether the heuristic gives this wedge a current: a convex one with a face that is no perfect conductor.
+bool is_material_edge(const Wedge& wedge);
+
+/// Adds to `sum` the fringe currents at first order on all material edges: of the terms of
 /// each face of a perfect conductor, those that make up for the jump at the shadow boundary are times what the face blocks, those
 /// at the reflection boundary times what it reflects (Luebbers 1984, IEEE Trans. AP-32, 70, for opaque wedges; Burnside &
 /// Burgener 1983, IEEE Trans. AP-31, 104, for thin sheets). Valid where the edge is met at about a right angle, as E and H along
