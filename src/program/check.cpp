@@ -11,6 +11,7 @@
 #include "core/decimal.h"
 #include "core/threads.h"
 #include "mesh/features/symmetry.h"
+#include "mesh/smooth/pieces.h"
 #include "output/tables/sampled_rows.h"
 #include "program/commands.h"
 #include "program/material_report.h"
@@ -178,6 +179,23 @@ void print_wedges(const std::vector<Wedge>& wedges) {
   if (classes.size() > most_lines) fmt::print("  and {} more angles\n", classes.size() - most_lines);
 }
 
+// Which facets tubes see as the surfaces they stand for, piece by piece.
+void print_curved_surfaces(const SolvePlan& plan) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  const SmoothSurfaces surfaces(mesh, plan.target.options.min_wedge_angle);
+  const std::vector<SmoothPiece> pieces = smooth_pieces(mesh, surfaces);
+  const std::size_t all = mesh.triangles.size();
+  fmt::print("\ncurved surfaces\n");
+  if (pieces.empty()) return fmt::print("  none: all {} facets are flat\n", all);
+  const char* how = plan.smooth ? "curved" : "flat (tubes.curved)";
+  fmt::print("  {} of {} facets stand for curved surfaces and count as {}\n", surfaces.facets(), all, how);
+  constexpr std::size_t most_lines = 4;
+  for (std::size_t i = 0; i < std::min(pieces.size(), most_lines); ++i)
+    fmt::print("  piece of {} facets: the surface rises above them by up to {:.3g} wavelengths\n", pieces[i].facets,
+               pieces[i].rise / plan.shortest_wavelength());
+  if (pieces.size() > most_lines) fmt::print("  and {} smaller pieces\n", pieces.size() - most_lines);
+}
+
 std::string surface_waves_text(const SolvePlan& plan) {
   if (plan.surface_waves != SurfaceWaveState::computed) return fmt::format("none: {}", why_not(plan.surface_waves));
   const std::size_t facets = plan.wave_surfaces->conducting_facets(), others = plan.wave_surfaces->facets() - facets;
@@ -319,6 +337,7 @@ void check_command(const Request& request) {
   print_wedges(target.wedges);
   print_material_edges(c.edges, target.wedges);
   print_thin_plate_edges(c, target.thin_plate_edges);
+  print_curved_surfaces(plan);
   print_surface_waves(plan);
   print_skipped(loaded.report, plan);
   print_warnings(c, plan);

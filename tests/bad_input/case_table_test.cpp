@@ -207,6 +207,8 @@ std::vector<BadRow> value_rows() {
       set("edges_wedge_negative", "edges.min_wedge_deg=-1", "edges.min_wedge_deg must be at least 0"),
       set("edges_transition_unknown", "edges.transition=uniform", "edges.transition \"uniform\" is unknown; write"),
       set("utd_range_without_utd", "edges.utd_range_m=5", "edges.utd_range_m needs edges.method = \"utd\"; "),
+      set("between_neither", "edges.between=maybe", "edges.between must be true, false or \"auto\""),
+      set("surface_waves_neither", "surfaces.waves=1", "surfaces.waves must be true, false or \"auto\""),
       set("between_budget_negative", "edges.between_budget=-1", "edges.between_budget is negative; write how many times"),
       set("between_budget_infinite", "edges.between_budget=inf", "edges.between_budget must be a finite number"),
       set("utd_range_1e300", "edges.method=utd|edges.utd_range_m=1e300",

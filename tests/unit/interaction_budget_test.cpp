@@ -58,6 +58,42 @@ std::uint64_t skipped(const SweepResult& result, const std::string& what, const 
   return 0;
 }
 
+// Equal pairs: shares are counts. One pair beside weak ones: it has nearly all.
+TEST(PairReach, IsTheShareOfTheStrongest) {
+  const PairReach equal(std::vector(100, 2.0), std::vector(50, 3.0));
+  for (const double pairs : {1.0, 8.0, 64.0, 1024.0}) EXPECT_NEAR(equal.of(pairs), pairs / 5000.0, 1e-9);
+  EXPECT_EQ(equal.of(5000.0), 1.0);
+  EXPECT_EQ(equal.of(0.5), 0.0);
+  std::vector<double> lengths(100, 0.1);
+  lengths[70] = 10.0;
+  const PairReach uneven(lengths, std::vector(1, 1.0));
+  EXPECT_NEAR(uneven.of(1.0), 100.0 / (100.0 + 99 * 0.01), 1e-6);
+}
+
+// Forty boxes: with next to no work it is not begun, with all it needs it is what it is when forced, and forced it does what can
+// be had of too little.
+TEST(InteractionReach, LessThanHalfIsNone) {
+  const Target target(build_mesh(boxes(40, 2.0 * lambda), 1.0).mesh);
+  const auto solved = [&](Use use, double budget) {
+    SolveOptions o = adaptive(true, 2);
+    o.edges.interaction = use;
+    o.edges.interaction_budget = budget;
+    return solve(target, monostatic({{70 * degree, 25 * degree}}, frequency), o);
+  };
+  const char* looks = "looks without waves between surfaces";
+  const char* why = "edges.between_budget reaches less than half";
+  const SweepResult poor = solved({}, 0.01), forced = solved(true, 0.01), without = solved(false, 0.01);
+  EXPECT_EQ(skipped(poor, looks, why), 1u);
+  EXPECT_EQ(skipped(forced, looks, why), 0u);
+  EXPECT_EQ(skipped(poor, "pairs of edge and face", "beyond"), 0u);
+  EXPECT_GT(skipped(forced, "pairs of edge and face", "beyond"), 0u);
+  EXPECT_EQ(frobenius_norm(poor.interaction[0]), 0.0);
+  EXPECT_EQ(poor.model[0][0][0], without.model[0][0][0]);
+  const SweepResult rich = solved({}, 1e3), all = solved(true, 1e3);
+  EXPECT_EQ(skipped(rich, looks, why), 0u);
+  EXPECT_EQ(std::memcmp(&rich.total[0], &all.total[0], sizeof(ScatteringMatrix)), 0);
+}
+
 TEST(PairBound, HoldsForRandomPairsAndTheirAzimuthsMissNothing) {
   std::mt19937 random(7);
   double closest = 0.0;
