@@ -189,7 +189,6 @@ void print_curved_surfaces(const SolvePlan& plan) {
   if (pieces.empty()) return fmt::print("  none: all {} facets are flat\n", all);
   const char* how = plan.smooth ? "curved" : "flat (tubes.curved)";
   fmt::print("  {} of {} facets stand for curved surfaces and count as {}\n", surfaces.facets(), all, how);
-  constexpr std::size_t most_lines = 4;
   for (std::size_t i = 0; i < std::min(pieces.size(), most_lines); ++i)
     fmt::print("  piece of {} facets: the surface rises above them by up to {:.3g} wavelengths\n", pieces[i].facets,
                pieces[i].rise / plan.shortest_wavelength());
