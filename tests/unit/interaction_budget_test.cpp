@@ -70,10 +70,10 @@ TEST(PairReach, IsTheShareOfTheStrongest) {
   EXPECT_NEAR(uneven.of(1.0), 100.0 / (100.0 + 99 * 0.01), 1e-6);
 }
 
-// Forty boxes: with next to no work it is not begun, with all it needs it is what it is when forced, and forced it does what can
+// Four boxes: with next to no work it is not begun, with all it needs it is what it is when forced, and forced it does what can
 // be had of too little.
 TEST(InteractionReach, LessThanHalfIsNone) {
-  const Target target(build_mesh(boxes(40, 2.0 * lambda), 1.0).mesh);
+  const Target target(build_mesh(boxes(4, 1.2 * lambda), 1.0).mesh);
   const auto solved = [&](Use use, double budget) {
     SolveOptions o = adaptive(true, 2);
     o.edges.interaction = use;
@@ -89,7 +89,7 @@ TEST(InteractionReach, LessThanHalfIsNone) {
   EXPECT_GT(skipped(forced, "pairs of edge and face", "beyond"), 0u);
   EXPECT_EQ(frobenius_norm(poor.interaction[0]), 0.0);
   EXPECT_EQ(poor.model[0][0][0], without.model[0][0][0]);
-  const SweepResult rich = solved({}, 1e3), all = solved(true, 1e3);
+  const SweepResult rich = solved({}, 1e4), all = solved(true, 1e4);
   EXPECT_EQ(skipped(rich, looks, why), 0u);
   EXPECT_EQ(std::memcmp(&rich.total[0], &all.total[0], sizeof(ScatteringMatrix)), 0);
 }

@@ -13,6 +13,9 @@ constexpr double panel_ratio = 4.0;
 // turn by at their far ends, where a chord of one curve would lean by panel_ratio + 1 times as much; and without the panel they
 // turn by this share of it at most at the crease, where one curve would turn by as much.
 constexpr double most_lean = 3.0, most_turn = 0.5;
+// A facet so many times as narrow as another one at a vertex is a sliver: how it lies is rounding, and its surface is the
+// other's.
+constexpr double sliver_ratio = 25.0;
 
 class Finder {
  public:
@@ -21,6 +24,7 @@ class Finder {
 
   void find() {
     group_corners();
+    find_slivers();
     leads_.assign(found_.group.size(), false);
     is_led_.assign(groups_, false);
     add_up();
@@ -53,6 +57,29 @@ class Finder {
     found_.group = number_sets(std::move(parents));
     groups_ = found_.group.empty() ? 0 : *std::ranges::max_element(found_.group) + 1;
     corners_ = triangle_rows(groups_, found_.group, [](std::uint32_t group) { return std::array{group}; });
+  }
+
+  void find_slivers() {
+    const std::vector<double> widths = plane_widths();
+    is_sliver_.assign(found_.group.size(), false);
+    for (std::uint32_t group = 0; group < groups_; ++group) {
+      double widest = 0.0;
+      for (const std::uint32_t corner : corners_[group]) widest = std::max(widest, widths[plane_of_corner(corner)]);
+      for (const std::uint32_t corner : corners_[group])
+        is_sliver_[corner] = sliver_ratio * widths[plane_of_corner(corner)] < widest;
+    }
+  }
+
+  // Area over length.
+  std::vector<double> plane_widths() const {
+    std::vector<double> areas(creases_.planes(), 0.0);
+    std::vector<Box> boxes(creases_.planes());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      areas[creases_.plane(t)] += glm::length(area_vector(mesh_.vertices, mesh_.triangles[t]));
+      for (const std::uint32_t v : mesh_.triangles[t]) boxes[creases_.plane(t)].add(mesh_.vertices[v]);
+    }
+    for (std::size_t p = 0; p < areas.size(); ++p) areas[p] /= boxes[p].diagonal();
+    return areas;
   }
 
   void find_leaders() {
@@ -121,8 +148,8 @@ class Finder {
   dvec3 normal_without(std::uint32_t group, std::uint32_t plane) const {
     dvec3 sum(0.0);
     for (const std::uint32_t corner : corners_[group])
-      if (plane_of_corner(corner) != plane) sum += weighted_normal(corner);
-    return glm::normalize(sum);
+      if (plane_of_corner(corner) != plane && !is_sliver_[corner]) sum += weighted_normal(corner);
+    return sum == dvec3(0.0) ? sum : glm::normalize(sum);
   }
 
   dvec3 weighted_normal(std::uint32_t corner) const {
@@ -132,11 +159,13 @@ class Finder {
     return glm::cross(a, b) / (glm::dot(a, a) * glm::dot(b, b));
   }
 
+  bool gives_normal(std::uint32_t corner) const { return is_led_[found_.group[corner]] ? leads_[corner] : !is_sliver_[corner]; }
+
   void add_up() {
     found_.normals.assign(groups_, dvec3(0.0));
     for (std::uint32_t group = 0; group < groups_; ++group) {
       for (const std::uint32_t corner : corners_[group])
-        if (!is_led_[group] || leads_[corner]) found_.normals[group] += weighted_normal(corner);
+        if (gives_normal(corner)) found_.normals[group] += weighted_normal(corner);
       found_.normals[group] = glm::normalize(found_.normals[group]);
     }
   }
@@ -155,7 +184,7 @@ class Finder {
       std::uint32_t only = no_index;
       bool mixed = false;
       for (const std::uint32_t corner : corners_[group]) {
-        if (is_led_[group] && !leads_[corner]) continue;
+        if (!gives_normal(corner)) continue;
         mixed = mixed || (only != no_index && only != plane_of_corner(corner));
         only = plane_of_corner(corner);
       }
@@ -168,9 +197,10 @@ class Finder {
   const Creases& creases_;
   CornerNormals& found_;
   std::uint32_t groups_ = 0;
-  TriangleRows corners_;      // of each group
-  std::vector<bool> leads_;   // [corner] its normal counts where there are others of narrow facets
-  std::vector<bool> is_led_;  // [group]
+  TriangleRows corners_;         // of each group
+  std::vector<bool> is_sliver_;  // [corner]
+  std::vector<bool> leads_;      // [corner] its normal counts where there are others of narrow facets
+  std::vector<bool> is_led_;     // [group]
 };
 
 }  // namespace

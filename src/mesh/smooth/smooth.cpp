@@ -13,6 +13,10 @@ namespace {
 // not make the flank bulge.
 double twice_harmonic_mean(double a, double b) { return a * b > 0.0 ? 4.0 * a * b / (a + b) : 0.0; }
 
+// A side leans off the normals at its ends by less than this many of the steepest creases where it is a chord, and by so much at
+// most; of a surface no more than this share may lean more.
+constexpr double most_creases = 1.5, widest_lean = 60.0 * degree, doubtful_share = 0.01;
+
 // The end of a side: the normal there, and whether it knows one side of the vertex only.
 struct SideEnd {
   const dvec3& normal;
@@ -20,25 +24,28 @@ struct SideEnd {
 };
 
 // The parabola over a side between these ends, along the mean of their normals: r = a + x (b - a) - x (1 - x) bend. How far the
-// normals lean along the side tells the curvature at its ends; one of which says nothing has the other's.
-dvec3 bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b) {
+// normals lean along the side tells the curvature at its ends; one of which says nothing has the other's. Nothing where one
+// leans by more than a share of the side that no chord does.
+dvec3 bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b, double steepest) {
   const dvec3 sum = a.normal + b.normal;
   double lean_a = glm::dot(a.normal, side), lean_b = -glm::dot(b.normal, side);
   if (a.one_sided && !b.one_sided) lean_a = lean_b;
   if (b.one_sided && !a.one_sided) lean_b = lean_a;
+  if (std::max(std::abs(lean_a), std::abs(lean_b)) > steepest * glm::length(side)) return dvec3(0.0);
   return sum * (twice_harmonic_mean(lean_a, lean_b) / glm::dot(sum, sum));
 }
 
 }  // namespace
 
-SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise) : mesh_(mesh) {
+SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise)
+    : mesh_(mesh), steepest_(std::sin(std::min(most_creases * max_crease, widest_lean))) {
   const Creases creases(mesh, max_crease);
   CornerNormals corners(mesh, creases);
   corner_normal_ = std::move(corners.group);
   normals_ = std::move(corners.normals);
   one_sided_ = std::move(corners.one_sided);
   find_regions(creases, corners.is_plane);
-  keep_flat_above(max_rise);
+  keep_flat(max_rise);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (region_[t] == no_index) continue;
     ++facets_;
@@ -69,17 +76,33 @@ double SmoothSurfaces::rise(std::uint32_t triangle) const {
   return 0.25 * std::max({glm::length(bend(triangle, 0)), glm::length(bend(triangle, 1)), glm::length(bend(triangle, 2))});
 }
 
+bool SmoothSurfaces::is_doubtful(std::uint32_t triangle) const {
+  const Triangle& t = mesh_.triangles[triangle];
+  for (int c = 0; c < 3; ++c) {
+    const dvec3 side = mesh_.vertices[t[(c + 1) % 3]] - mesh_.vertices[t[c]];
+    const double lean =
+        std::max(std::abs(glm::dot(normal(triangle, c), side)), std::abs(glm::dot(normal(triangle, (c + 1) % 3), side)));
+    if (lean > steepest_ * glm::length(side)) return true;
+  }
+  return false;
+}
+
 // A surface of which one half is curved and the other half facets is worse than either: the halves are out of phase.
-void SmoothSurfaces::keep_flat_above(double max_rise) {
-  std::vector<double> risen(mesh_.triangles.size(), 0.0), areas(mesh_.triangles.size(), 0.0);
+void SmoothSurfaces::keep_flat(double max_rise) {
+  std::vector<double> risen(mesh_.triangles.size(), 0.0), areas(mesh_.triangles.size(), 0.0),
+      doubtful(mesh_.triangles.size(), 0.0);
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (region_[t] == no_index) continue;
     const double area = glm::length(area_vector(mesh_.vertices, mesh_.triangles[t]));
     risen[region_[t]] += area * rise(t);
     areas[region_[t]] += area;
+    if (is_doubtful(t)) doubtful[region_[t]] += area;
   }
+  const auto stays_flat = [&](std::uint32_t region) {
+    return risen[region] > max_rise * areas[region] || doubtful[region] > doubtful_share * areas[region];
+  };
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-    if (region_[t] != no_index && risen[region_[t]] > max_rise * areas[region_[t]]) region_[t] = no_index;
+    if (region_[t] != no_index && stays_flat(region_[t])) region_[t] = no_index;
 }
 
 std::size_t SmoothSurfaces::conducting_facets() const {
@@ -101,7 +124,7 @@ dvec3 SmoothSurfaces::bend(std::uint32_t triangle, int corner) const {
   const Triangle& t = mesh_.triangles[triangle];
   const int next = (corner + 1) % 3;
   const auto end = [&](int c) { return SideEnd{normal(triangle, c), one_sided_[normal_index(triangle, c)]}; };
-  return bend_of(mesh_.vertices[t[next]] - mesh_.vertices[t[corner]], end(corner), end(next));
+  return bend_of(mesh_.vertices[t[next]] - mesh_.vertices[t[corner]], end(corner), end(next), steepest_);
 }
 
 namespace {

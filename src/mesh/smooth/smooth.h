@@ -53,8 +53,9 @@ class BentFacet {
 /// but surfaces end where they meet.
 class SmoothSurfaces {
  public:
-  /// Creases below `max_crease` [rad] are tessellation. Surfaces that rise above their facets by more than `max_rise` [m] in the
-  /// mean stay facets, each as a whole.
+  /// Creases below `max_crease` [rad] are tessellation. Surfaces whose facets are no chords of it, as the normals at their
+  /// corners differ more than creases do (slivers of rounding), stay facets, and those that rise above their facets by more than
+  /// `max_rise` [m] in the mean, each as a whole.
   SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise = std::numeric_limits<double>::infinity());
 
   bool any() const { return facets_ > 0; }
@@ -98,9 +99,11 @@ class SmoothSurfaces {
 
  private:
   void find_regions(const Creases& creases, const std::vector<bool>& is_plane);
-  void keep_flat_above(double max_rise);
+  bool is_doubtful(std::uint32_t triangle) const;
+  void keep_flat(double max_rise);
 
   const TriangleMesh& mesh_;
+  double steepest_;  // of the leans of sides that are chords, a sine
   std::vector<std::uint32_t> region_;
   std::vector<bool> boundary_;
   std::vector<std::uint32_t> corner_normal_;  // in normals_, three a triangle

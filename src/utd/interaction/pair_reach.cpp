@@ -42,8 +42,9 @@ PairReach::PairReach(std::vector<double> lengths, std::vector<double> areas) {
   std::vector<double> area_squares{0.0};
   for (const double area : areas) area_squares.push_back(area_squares.back() + area * area);
   const double all = sum_of_squares(lengths) * area_squares.back();
-  for (double pairs = 1.0; pairs < static_cast<double>(lengths.size() * areas.size()); pairs *= 2.0) {
-    double low = 0.0, high = lengths.front() * areas.front();
+  all_ = static_cast<double>(lengths.size()) * static_cast<double>(areas.size());
+  for (double pairs = 1.0; pairs < all_; pairs *= 2.0) {
+    double low = 0.0, high = 2.0 * lengths.front() * areas.front();  // no pair is as strong as that
     for (int i = 0; i < bisections; ++i) {
       const double limit = 0.5 * (low + high);
       (above(limit, lengths, areas, area_squares).pairs > pairs ? low : high) = limit;
@@ -56,10 +57,10 @@ PairReach::PairReach(std::vector<double> lengths, std::vector<double> areas) {
 }
 
 double PairReach::of(double pairs) const {
-  if (shares_.empty() || pairs < 1.0) return shares_.empty() ? 1.0 : 0.0;
+  if (pairs >= all_) return 1.0;
+  if (pairs < 1.0) return 0.0;
   const double place = std::log2(pairs);
   const auto below = static_cast<std::size_t>(place);
-  if (below >= shares_.size()) return 1.0;
   const double next = below + 1 < shares_.size() ? shares_[below + 1] : 1.0;
   return shares_[below] + (place - static_cast<double>(below)) * (next - shares_[below]);
 }

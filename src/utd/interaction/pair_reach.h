@@ -17,6 +17,7 @@ class PairReach {
 
  private:
   std::vector<double> shares_;  // of 2^i pairs
+  double all_ = 0.0;            // pairs
 };
 
 }  // namespace raytube
