@@ -78,8 +78,8 @@ TEST_F(BadInput, RaysInThePlaceOfCurrentsNameTheirRange) {
 }
 
 TEST_F(BadInput, DiffractionBetweenSurfaces) {
-  expect_refused("run case.toml --set edges.between=1", "edges.between must be true or false");
-  expect_refused("run case.toml --set edges.between=yes", "edges.between must be true or false");
+  expect_refused("run case.toml --set edges.between=1", "edges.between must be true, false or \"auto\"");
+  expect_refused("run case.toml --set edges.between=yes", "edges.between must be true, false or \"auto\"");
   expect_refused("run case.toml --set edges.beetween=true", "did you mean \"edges.between\"?");
   EXPECT_EQ(raytube("check case.toml --set edges.between=false").code, 0);
 }
