@@ -39,15 +39,15 @@ void thin_out(SurfaceRay& ray, double step) {
   ray.points = std::move(kept);
 }
 
-// Of all bounces, the mean of both co-polar channels, summed over frequencies [m^2].
-double co_polar_squares(const TubeSums& tubes, std::size_t frequencies) {
+// Of all bounces, the mean of both co-polar channels and over frequencies [m^2].
+double co_polar_square(const TubeSums& tubes, std::size_t frequencies) {
   double squares = 0.0;
   for (std::size_t f = 0; f < frequencies; ++f) {
     ScatteringMatrix sum;
     for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
     squares += 0.5 * (std::norm(sum.vv()) + std::norm(sum.hh()));
   }
-  return squares;
+  return squares / static_cast<double>(frequencies);
 }
 
 void make_reciprocal(LookResult& look) {
@@ -96,16 +96,21 @@ TubeSums LookSolver::tubes(const Look& look, Progress& progress, CurrentMap& map
   return sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, 1.0, &map});
 }
 
-// In the mean over the frequencies they may change the level by the tolerance.
+// In the mean over the sweep's band, and a little beside it so that no chance of phases decides, they may change the level by the
+// tolerance. Forward of grazing the estimate has lobes of its own: other looks than monostatic ones take them.
 bool LookSolver::surface_waves_count(const Look& look, const TubeSums& tubes) const {
-  if (!curved_ || !prospect_) return curved_.has_value();
+  if (!curved_ || !prospect_ || !(look.transmit == look.receive)) return curved_.has_value();
+  constexpr int samples = 5;
+  constexpr double beside = 0.05;
+  const auto [lowest, highest] = std::ranges::minmax(plan_.sweep.frequencies);
+  const double from = (1.0 - beside) * lowest, to = (1.0 + beside) * highest;
   double waves = 0.0;
-  for (const double frequency : plan_.sweep.frequencies) {
-    const double amplitude = prospect_->amplitude(look, frequency);
-    waves += amplitude * amplitude;
+  for (int i = 0; i < samples; ++i) {
+    const double amplitude = prospect_->amplitude(look, from + (to - from) * i / (samples - 1));
+    waves += amplitude * amplitude / samples;
   }
   const double share = relative_tolerance(plan_.tubes.tolerance_db);
-  return waves > share * share * co_polar_squares(tubes, plan_.sweep.frequencies.size());
+  return waves > share * share * co_polar_square(tubes, plan_.sweep.frequencies.size());
 }
 
 std::vector<ImageEdge> LookSolver::surface_pieces(const Look& look, const TubeSums& tubes, std::size_t frequency_index) const {

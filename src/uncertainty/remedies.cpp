@@ -74,6 +74,8 @@ std::string remedy_of(Omission omission, const RemedyEvidence& evidence) {
   if (omission == Omission::edges) return remedy_of_edges(evidence);
   if (omission == Omission::interaction) return remedy_of_interaction(evidence);
   if (omission == Omission::cut_tubes) return remedy_of_cut_tubes(evidence);
+  if (omission == Omission::smooth_surfaces && evidence.skips.weak_surface_looks > 0)
+    return "surfaces.waves = true, two to ten times the time of the tubes";
   if (omission == Omission::edge_orders && evidence.edges.order < 3) return "edges.order = 3, a few times the time of the edges";
   return text_of(omission).remedy;
 }
