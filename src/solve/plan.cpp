@@ -58,12 +58,18 @@ Convexity convexity_of(const SolvePlan& plan, const SmoothSurfaces& surfaces) {
   return convexity;
 }
 
+// Only convex bodies bend their facets by default, and a mesh of several components is none.
+bool may_be_convex(const SolvePlan& plan) {
+  const std::vector<Component>& components = plan.target.mesh.components;
+  return plan.convexity.no_reflection || (plan.tubes.skip && components.size() == 1 && components[0].closed);
+}
+
 void plan_curved_surfaces(SolvePlan& plan) {
-  if (!bends_facets(plan)) return;
+  const bool convex_only = plan.tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
+  if (!bends_facets(plan) || (convex_only && !may_be_convex(plan))) return;
   auto surfaces = std::make_shared<const SmoothSurfaces>(plan.target.mesh, plan.target.options.min_wedge_angle);
   if (!surfaces->any()) return;
   plan.convexity = convexity_of(plan, *surfaces);
-  const bool convex_only = plan.tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
   if (!convex_only || plan.convexity.no_reflection) plan.smooth = std::move(surfaces);
 }
 
@@ -126,7 +132,8 @@ void count_too_small(const SolvePlan& plan, SkipCounts& counts) {
 }
 
 SkipCounts skips_of(const SolvePlan& plan) {
-  const bool asked = plan.edges.interaction.possible() && plan.edges.method == EdgeMethod::fringe && !plan.convexity.no_reflection;
+  const bool asked =
+      plan.edges.interaction.possible() && plan.edges.method == EdgeMethod::fringe && !plan.convexity.no_reflection;
   const std::uint64_t looks = plan.sweep.looks.size();
   SkipCounts counts{.repeated_looks = plan.looks.repeated, .mirrored_looks = plan.looks.mirrored};
   if (asked && plan.edges.interaction_budget == 0.0) counts.unbudgeted_looks = looks;

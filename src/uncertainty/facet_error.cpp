@@ -17,8 +17,6 @@ constexpr double doubtful = 2.0;
 constexpr double per_depth = 13.8;
 constexpr double most_error = 2.0;
 constexpr double bent_share = 1.2;
-// Facets count by this power of the cosine of their turn away from the mirror's normal.
-constexpr int mirror_power = 8;
 
 dvec3 bend_sum(const SmoothSurfaces& surfaces, std::uint32_t triangle) {
   return surfaces.bend(triangle, 0) + surfaces.bend(triangle, 1) + surfaces.bend(triangle, 2);
@@ -35,29 +33,31 @@ double turning(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, std::ui
   return most;
 }
 
-double to_power(double x, int power) {
-  double product = 1.0;
-  for (int i = 0; i < power; ++i) product *= x;
-  return product;
+// Facets count by the eighth power of the cosine of their turn away from the mirror's normal.
+double mirror_weight(double cosine) {
+  const double square = cosine * cosine;
+  return square * square * square * square;
 }
 
 }  // namespace
 
-FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, double min_wedge_angle) : mesh_(mesh) {
+FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, double min_wedge_angle) {
   const SmoothSurfaces meant(mesh, doubtful * min_wedge_angle);
   if (!meant.any()) return;
+  for (const Patch& patch : mesh.patches) dents_.push_back({patch.normal, 0.0, 0.0});
   constexpr double mean_height = 1.0 / 12.0;  // of the product of two barycentric coordinates
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const dvec3 area = 0.5 * area_vector(mesh.vertices, mesh.triangles[t]);
-    Dent dent{mesh.patches[mesh.triangle_patch[t]].normal, glm::length(area), 0.0, 0.0};
-    dvec3 depth(0.0);
-    if (meant.region(t) != no_index) depth = bend_sum(meant, t);
+    const double area = 0.5 * glm::length(area_vector(mesh.vertices, mesh.triangles[t]));
+    dvec3 missing(0.0);
+    double depth = 0.0;
+    if (meant.region(t) != no_index) missing = bend_sum(meant, t);
     if (taken && taken->region(t) != no_index) {
-      depth -= bend_sum(*taken, t);
-      dent.bent = mean_height * glm::length(bend_sum(*taken, t)) * bent_share * std::pow(turning(mesh, *taken, t), 1.5);
+      missing -= bend_sum(*taken, t);
+      depth = glm::length(bend_sum(*taken, t)) * bent_share * std::pow(turning(mesh, *taken, t), 1.5);
     }
-    dent.depth = mean_height * glm::length(depth);
-    dents_.push_back(dent);
+    Dent& dent = dents_[mesh.triangle_patch[t]];
+    dent.depth = (dent.area * dent.depth + area * mean_height * (glm::length(missing) + depth)) / (dent.area + area);
+    dent.area += area;
   }
 }
 
@@ -70,8 +70,8 @@ double FacetDents::relative_error(const Look& look, double frequency) const {
   for (const Dent& dent : dents_) {
     const double cosine = glm::dot(dent.normal, middle) / size;
     if (cosine <= 0.0) continue;
-    const double weight = dent.area * to_power(cosine, mirror_power);
-    sum += weight * std::min(most_error, per_metre * (dent.depth + dent.bent));
+    const double weight = dent.area * mirror_weight(cosine);
+    sum += weight * std::min(most_error, per_metre * dent.depth);
     weights += weight;
   }
   return weights > 0.0 ? sum / weights : 0.0;
