@@ -43,7 +43,7 @@ double to_power(double x, int power) {
 
 }  // namespace
 
-FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, double min_wedge_angle) : mesh_(mesh) {
+FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, double min_wedge_angle) {
   const SmoothSurfaces meant(mesh, doubtful * min_wedge_angle);
   if (!meant.any()) return;
   constexpr double mean_height = 1.0 / 12.0;  // of the product of two barycentric coordinates

@@ -13,7 +13,7 @@ namespace raytube {
 class FacetDents {
  public:
   /// `taken`: the curved surfaces that tubes see; null: all facets are flat. Creases up to twice as steep as
-  /// `min_wedge_angle` [rad] may be tessellation, too. Keeps a reference to the mesh.
+  /// `min_wedge_angle` [rad] may be tessellation, too.
   FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, double min_wedge_angle);
 
   /// The error of the physical-optics amplitude of a look over that amplitude, 0 ... 2: that of the facets which are turned so
@@ -29,7 +29,6 @@ class FacetDents {
     double depth;  // mean depth of the facet below the surface that it may stand for, beyond that of the one taken [m]
     double bent;   // of the one taken, times its share that is wrong [m]
   };
-  const TriangleMesh& mesh_;
   std::vector<Dent> dents_;  // [triangle]; none where nothing is curved
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/model/triangle_rows.h"
+
 namespace raytube {
 
 namespace {
@@ -13,6 +15,9 @@ constexpr double panel_ratio = 4.0;
 // turn by at their far ends, where a chord of one curve would lean by panel_ratio + 1 times as much; and without the panel they
 // turn by this share of it at most at the crease, where one curve would turn by as much.
 constexpr double most_lean = 3.0, most_turn = 0.5;
+
+// Cosine of the angle by which a facet may lie off the plane of its patch.
+constexpr double least_agreement = 0.999;
 
 class Finder {
  public:
@@ -125,11 +130,14 @@ class Finder {
     return glm::normalize(sum);
   }
 
+  // Needles within a plane may be turned off it or folded over: they have its normal.
   dvec3 weighted_normal(std::uint32_t corner) const {
     const Triangle& t = mesh_.triangles[corner / 3];
     const auto side_to = [&](std::uint32_t i) { return mesh_.vertices[t[(corner + i) % 3]] - mesh_.vertices[t[corner % 3]]; };
-    const dvec3 a = side_to(1), b = side_to(2);
-    return glm::cross(a, b) / (glm::dot(a, a) * glm::dot(b, b));
+    const dvec3 a = side_to(1), b = side_to(2), area = glm::cross(a, b);
+    const dvec3& plane = mesh_.patches[mesh_.triangle_patch[corner / 3]].normal;
+    const double size = glm::length(area);
+    return (glm::dot(area, plane) > least_agreement * size ? area : size * plane) / (glm::dot(a, a) * glm::dot(b, b));
   }
 
   void add_up() {
@@ -147,6 +155,15 @@ class Finder {
       for (const std::uint32_t side : {corner % 3, (corner + 2) % 3})
         if (!is_led_[found_.group[corner]] && !creases_.crossable(creases_.edges().edge_of(corner / 3, static_cast<int>(side))))
           found_.one_sided[found_.group[corner]] = true;
+    for (std::uint32_t corner = 0; corner < found_.group.size(); ++corner)
+      if (is_at_tip(corner)) found_.one_sided[found_.group[corner]] = true;
+  }
+
+  // Round a vertex of a smooth surface no facet leans off the normal by more than one crease turns; round the tip of a cone all
+  // do.
+  bool is_at_tip(std::uint32_t corner) const {
+    const dvec3& plane = mesh_.patches[mesh_.triangle_patch[corner / 3]].normal;
+    return glm::dot(plane, found_.normals[found_.group[corner]]) < creases_.least_cosine();
   }
 
   void find_planes() {

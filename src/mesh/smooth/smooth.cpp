@@ -20,8 +20,10 @@ struct SideEnd {
 };
 
 // The parabola over a side between these ends, along the mean of their normals: r = a + x (b - a) - x (1 - x) bend. How far the
-// normals lean along the side tells the curvature at its ends; one of which says nothing has the other's.
+// normals lean along the side tells the curvature at its ends; one of which says nothing has the other's. Over a right angle and
+// more nothing is known of what lies between.
 dvec3 bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b) {
+  if (glm::dot(a.normal, b.normal) <= 0.0) return dvec3(0.0);
   const dvec3 sum = a.normal + b.normal;
   double lean_a = glm::dot(a.normal, side), lean_b = -glm::dot(b.normal, side);
   if (a.one_sided && !b.one_sided) lean_a = lean_b;
