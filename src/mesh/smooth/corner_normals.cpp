@@ -19,6 +19,9 @@ constexpr double most_lean = 3.0, most_turn = 0.5;
 // Cosine of the angle by which a facet may lie off the plane of its patch.
 constexpr double least_agreement = 0.999;
 
+// Turns below this share of a lean are rounding.
+constexpr double least_turn = 1e-6;
+
 class Finder {
  public:
   Finder(const TriangleMesh& mesh, const Creases& creases, CornerNormals& found)
@@ -73,6 +76,8 @@ class Finder {
     const std::uint32_t plane = creases_.plane(own.triangle);
     if (!creases_.reaches(plane, edge, panel_ratio * creases_.width(edge, other))) return false;
     const Across across = look_across(edge, own, other);
+    // A bevel that ends in an edge or a plane does not turn at all.
+    if (across.turn_there <= least_turn * across.lean) return true;
     return across.lean < most_lean * across.turn_there && across.turn_here < most_turn * across.turn_there &&
            creases_.reaches(plane, edge, panel_ratio * across.reach);
   }
