@@ -93,7 +93,8 @@ void visit(Archive& archive, Look& look) {
   archive(edges.scattering), archive(edges.higher), archive(edges.windowed);
   archive(edges.wedges_lit), archive(edges.lit);
   archive(between.scattering), archive(between.error), archive(between.illuminating_pieces);
-  archive(between.left_out), archive(between.skipped), archive(between.unreached), archive(between.pairs), archive(between.work), archive(edges.work);
+  archive(between.left_out), archive(between.skipped), archive(between.unreached), archive(between.pairs), archive(between.work),
+      archive(edges.work);
   archive(surface.scattering), archive(surface.strips), archive(surface.work);
 }
 

@@ -48,13 +48,15 @@ bool bends_facets(const SolvePlan& plan) {
   return plan.edges.method != EdgeMethod::utd && plan.tubes.refines() && plan.tubes.curved != CurvedSurfaces::never;
 }
 
-// A body all of whose hollows are those between the facets of its surfaces reflects nothing onto itself.
+// A body all of whose hollows are those between the facets of its surfaces reflects nothing onto itself. Hollow edges are none of
+// those: beside them only dents that are small in wavelengths are passed over.
 Convexity convexity_of(const SolvePlan& plan, const SmoothSurfaces& surfaces) {
   Convexity convexity = plan.target.convexity;
   const TriangleMesh& mesh = plan.target.mesh;
   if (convexity.no_reflection || !plan.tubes.skip || surfaces.facets() <= mesh.triangles.size() / 2) return convexity;
-  const double dent = std::max(most_rise * plan.shortest_wavelength(), most_dent * surfaces.rise());
-  convexity.no_reflection = convex_up_to(mesh, dent);
+  const double small = most_rise * plan.shortest_wavelength();
+  const bool tessellation = std::ranges::all_of(plan.target.wedges, &Wedge::convex);
+  convexity.no_reflection = convex_up_to(mesh, tessellation ? std::max(small, most_dent * surfaces.rise()) : small);
   return convexity;
 }
 

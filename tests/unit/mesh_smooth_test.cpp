@@ -134,5 +134,45 @@ TEST(SmoothSurfaces, UnevenFacetsOfASphereAreNoPanels) {
     }
 }
 
+// One row of facets from the base to the tip: no facet's normal is that of the tip, along which the sides to it would bulge by a
+// quarter of their length and more. They are straight, as those of the cone, and only its base is round.
+TEST(SmoothSurfaces, ConeOfOneRowIsStraightToItsTip) {
+  const auto meridian = [](double s) { return s < 0.5 ? dvec2(0.3 * s, 0.5 - s) : dvec2(0.3 * (1.0 - s), 0.0); };
+  for (const std::uint32_t sides : {26u, 40u}) {
+    const LoadedMesh loaded = build_mesh(shapes::revolution(meridian, {0.0, 0.5, 1.0}, sides), 1.0);
+    const SmoothSurfaces smooth(loaded.mesh, crease);
+    EXPECT_EQ(smooth.facets(), sides);
+    EXPECT_LE(smooth.rise(), 0.15 * (pi / sides) * (pi / sides));
+    const double chord = 0.3 * std::sin(pi / sides);
+    for (std::uint32_t t = 0; t < loaded.mesh.triangles.size(); ++t)
+      for (int c = 0; c < 3; ++c) {
+        const Triangle& corners = loaded.mesh.triangles[t];
+        const double side = glm::distance(loaded.mesh.vertices[corners[c]], loaded.mesh.vertices[corners[(c + 1) % 3]]);
+        if (smooth.region(t) != no_index && side > 1.01 * chord) EXPECT_LE(glm::length(smooth.bend(t, c)), 1e-9);
+      }
+  }
+}
+
+// A needle that is folded over within the plane of its neighbours has no say in which side is outside; of ends whose normals are
+// opposite no side bends: both were no numbers.
+TEST(SmoothSurfaces, FoldedNeedlesKeepNormalsAndBendsNumbers) {
+  PolygonSoup soup = shapes::cylinder(1.0, 2.0, 48);
+  const LoadedMesh round = build_mesh(soup, 1.0);
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    // Beside a side of a facet, half of them turned over.
+    const auto& polygon = soup.polygons[i];
+    const std::uint32_t a = polygon[0], b = polygon[1];
+    soup.points.push_back(0.5 * (soup.points[a] + soup.points[b]) + (i % 2 ? 1e-7 : -1e-7) * dvec3(0.3, 0.5, 0.8));
+    soup.polygons.push_back({a, b, static_cast<std::uint32_t>(soup.points.size() - 1)});
+  }
+  const LoadedMesh loaded = build_mesh(soup, 1.0);
+  const SmoothSurfaces smooth(loaded.mesh, 30.0 * degree);
+  for (std::uint32_t t = 0; t < loaded.mesh.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(glm::length(smooth.normal(t, c)), 1.0, 1e-9);
+      EXPECT_LT(glm::length(smooth.bend(t, c)), 1.0);
+    }
+}
+
 }  // namespace
 }  // namespace raytube

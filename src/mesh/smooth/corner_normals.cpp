@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/model/triangle_rows.h"
+
 namespace raytube {
 
 namespace {
@@ -16,6 +18,12 @@ constexpr double most_lean = 3.0, most_turn = 0.5;
 // A facet so many times as narrow as another one at a vertex is a sliver: how it lies is rounding, and its surface is the
 // other's.
 constexpr double sliver_ratio = 25.0;
+
+// Cosine of the angle by which a facet may lie off the plane of its patch.
+constexpr double least_agreement = 0.999;
+
+// Turns below this share of a lean are rounding.
+constexpr double least_turn = 1e-6;
 
 class Finder {
  public:
@@ -95,6 +103,8 @@ class Finder {
     const std::uint32_t plane = creases_.plane(own.triangle);
     if (!creases_.reaches(plane, edge, panel_ratio * creases_.width(edge, other))) return false;
     const Across across = look_across(edge, own, other);
+    // A bevel that ends in an edge or a plane does not turn at all.
+    if (across.turn_there <= least_turn * across.lean) return true;
     return across.lean < most_lean * across.turn_there && across.turn_here < most_turn * across.turn_there &&
            creases_.reaches(plane, edge, panel_ratio * across.reach);
   }
@@ -152,11 +162,14 @@ class Finder {
     return sum == dvec3(0.0) ? sum : glm::normalize(sum);
   }
 
+  // Needles within a plane may be turned off it or folded over: they have its normal.
   dvec3 weighted_normal(std::uint32_t corner) const {
     const Triangle& t = mesh_.triangles[corner / 3];
     const auto side_to = [&](std::uint32_t i) { return mesh_.vertices[t[(corner + i) % 3]] - mesh_.vertices[t[corner % 3]]; };
-    const dvec3 a = side_to(1), b = side_to(2);
-    return glm::cross(a, b) / (glm::dot(a, a) * glm::dot(b, b));
+    const dvec3 a = side_to(1), b = side_to(2), area = glm::cross(a, b);
+    const dvec3& plane = mesh_.patches[mesh_.triangle_patch[corner / 3]].normal;
+    const double size = glm::length(area);
+    return (glm::dot(area, plane) > least_agreement * size ? area : size * plane) / (glm::dot(a, a) * glm::dot(b, b));
   }
 
   bool gives_normal(std::uint32_t corner) const { return is_led_[found_.group[corner]] ? leads_[corner] : !is_sliver_[corner]; }
@@ -176,6 +189,15 @@ class Finder {
       for (const std::uint32_t side : {corner % 3, (corner + 2) % 3})
         if (!is_led_[found_.group[corner]] && !creases_.crossable(creases_.edges().edge_of(corner / 3, static_cast<int>(side))))
           found_.one_sided[found_.group[corner]] = true;
+    for (std::uint32_t corner = 0; corner < found_.group.size(); ++corner)
+      if (is_at_tip(corner)) found_.one_sided[found_.group[corner]] = true;
+  }
+
+  // Round a vertex of a smooth surface no facet leans off the normal by more than one crease turns; round the tip of a cone all
+  // do.
+  bool is_at_tip(std::uint32_t corner) const {
+    const dvec3& plane = mesh_.patches[mesh_.triangle_patch[corner / 3]].normal;
+    return glm::dot(plane, found_.normals[found_.group[corner]]) < creases_.least_cosine();
   }
 
   void find_planes() {

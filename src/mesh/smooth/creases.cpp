@@ -1,9 +1,12 @@
 #include "mesh/smooth/creases.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
+
+#include "mesh/features/patch_borders.h"
+#include "mesh/model/triangle_rows.h"
 
 namespace raytube {
 
@@ -31,21 +34,63 @@ std::vector<std::uint32_t> uncut_patches(const TriangleMesh& mesh, const EdgeTab
   return number_sets(std::move(parents));
 }
 
+// The corners of the convex hull of points of one plane (Andrew 1979, Another efficient algorithm for convex hulls in two
+// dimensions). The furthest of the points from any line is one of them; those of a straight side, but for rounding, are left out.
+std::vector<std::uint32_t> hull_of(const std::vector<dvec3>& vertices, std::vector<std::uint32_t> points, const dvec3& normal) {
+  constexpr double straight = 1e-9;  // of the product of two sides
+  const dvec3 across = std::abs(normal.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
+  const dvec3 u = glm::normalize(glm::cross(normal, across)), v = glm::cross(normal, u);
+  const auto place = [&](std::uint32_t i) { return dvec2(glm::dot(u, vertices[i]), glm::dot(v, vertices[i])); };
+  const auto key = [&](std::uint32_t i) { return std::tuple(place(i).x, place(i).y, i); };
+  std::ranges::sort(points, {}, key);
+  if (points.size() < 4) return points;
+  std::vector<std::uint32_t> hull;
+  const auto add = [&](std::uint32_t point, std::size_t least) {
+    const auto turns = [&] {
+      const dvec2 a = place(hull[hull.size() - 2]), b = place(hull.back()) - a, c = place(point) - a;
+      return b.x * c.y - b.y * c.x > straight * glm::length(b) * glm::length(c);
+    };
+    while (hull.size() >= least && !turns()) hull.pop_back();
+    hull.push_back(point);
+  };
+  for (const std::uint32_t point : points) add(point, 2);
+  const std::size_t lower = hull.size();
+  for (auto point = points.rbegin() + 1; point != points.rend(); ++point) add(*point, lower + 1);
+  hull.pop_back();
+  return hull;
+}
+
+std::vector<std::vector<std::uint32_t>> outlines_of(const TriangleMesh& mesh, const EdgeTable& edges,
+                                                    const std::vector<std::uint32_t>& plane) {
+  const PatchBorders borders(mesh, edges);
+  std::vector<std::vector<std::uint32_t>> outlines(plane.empty() ? 0 : *std::ranges::max_element(plane) + 1);
+  std::vector<const dvec3*> normals(outlines.size());
+  for (std::uint32_t patch = 0; patch < plane.size(); ++patch) {
+    std::vector<std::uint32_t>& outline = outlines[plane[patch]];
+    outline.insert(outline.end(), borders[patch].begin(), borders[patch].end());
+    normals[plane[patch]] = &mesh.patches[patch].normal;
+  }
+  for (std::size_t i = 0; i < outlines.size(); ++i) outlines[i] = hull_of(mesh.vertices, std::move(outlines[i]), *normals[i]);
+  return outlines;
+}
+
 }  // namespace
 
 Creases::Creases(const TriangleMesh& mesh, double max_turn)
-    : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()), borders_(mesh, edges_), plane_(uncut_patches(mesh, edges_)) {
-  const std::uint32_t planes = plane_.empty() ? 0 : *std::ranges::max_element(plane_) + 1;
-  patches_ = triangle_rows(planes, plane_, [](std::uint32_t plane) { return std::array{plane}; });
-  crossable_.resize(edges_.size());
-  for (std::size_t e = 0; e < edges_.size(); ++e) crossable_[e] = is_smooth(edges_[e], std::cos(max_turn));
+    : mesh_(mesh),
+      least_cosine_(std::cos(max_turn)),
+      edges_(mesh.triangles, mesh.vertices.size()),
+      plane_(uncut_patches(mesh, edges_)),
+      outlines_(outlines_of(mesh, edges_, plane_)),
+      crossable_(edges_.size()) {
+  for (std::size_t e = 0; e < edges_.size(); ++e) crossable_[e] = is_smooth(edges_[e]);
 }
 
-bool Creases::is_smooth(const EdgeTable::Edge& edge, double least_cosine) const {
+bool Creases::is_smooth(const EdgeTable::Edge& edge) const {
   if (edge.sides.size() != 2) return false;
   const auto [a, b] = std::pair(edge.sides[0], edge.sides[1]);
   const bool opposite = mesh_.triangles[a.triangle][a.corner] != mesh_.triangles[b.triangle][b.corner];
-  return opposite && glm::dot(patch_normal(mesh_, a.triangle), patch_normal(mesh_, b.triangle)) > least_cosine;
+  return opposite && glm::dot(patch_normal(mesh_, a.triangle), patch_normal(mesh_, b.triangle)) > least_cosine_;
 }
 
 bool Creases::is_crease(const EdgeTable::Edge& edge) const {
@@ -61,7 +106,7 @@ double Creases::width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) 
 bool Creases::reaches(std::uint32_t plane, const EdgeTable::Edge& edge, double width) const {
   const dvec3 start = mesh_.vertices[edge.low], along = glm::normalize(mesh_.vertices[edge.high] - start);
   const auto is_far = [&](std::uint32_t v) { return glm::length(glm::cross(mesh_.vertices[v] - start, along)) > width; };
-  return std::ranges::any_of(patches_[plane], [&](std::uint32_t patch) { return std::ranges::any_of(borders_[patch], is_far); });
+  return std::ranges::any_of(outlines_[plane], is_far);
 }
 
 }  // namespace raytube

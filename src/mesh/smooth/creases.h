@@ -3,10 +3,8 @@
 
 #include <vector>
 
-#include "mesh/features/patch_borders.h"
 #include "mesh/model/edge_table.h"
 #include "mesh/model/triangle_mesh.h"
-#include "mesh/model/triangle_rows.h"
 
 namespace raytube {
 
@@ -16,6 +14,7 @@ class Creases {
   Creases(const TriangleMesh& mesh, double max_turn);
 
   const EdgeTable& edges() const { return edges_; }
+  double least_cosine() const { return least_cosine_; }  // of the angle by which a smooth surface turns
 
   /// Whether a smooth surface may go on across the edge; and whether it would turn there.
   bool crossable(std::size_t edge) const { return crossable_[edge]; }
@@ -24,7 +23,7 @@ class Creases {
   /// A number in common for the triangles of one plane that hang together. Materials cut patches, but change nothing about the
   /// shape.
   std::uint32_t plane(std::uint32_t triangle) const { return plane_[mesh_.triangle_patch[triangle]]; }
-  std::size_t planes() const { return patches_.size(); }
+  std::size_t planes() const { return outlines_.size(); }
 
   /// How far a triangle reaches from its side on the edge [m].
   double width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const;
@@ -33,13 +32,13 @@ class Creases {
   bool reaches(std::uint32_t plane, const EdgeTable::Edge& edge, double width) const;
 
  private:
-  bool is_smooth(const EdgeTable::Edge& edge, double least_cosine) const;
+  bool is_smooth(const EdgeTable::Edge& edge) const;
 
   const TriangleMesh& mesh_;
+  double least_cosine_;
   EdgeTable edges_;
-  PatchBorders borders_;
-  std::vector<std::uint32_t> plane_;  // of each patch
-  TriangleRows patches_;              // of each plane
+  std::vector<std::uint32_t> plane_;                  // of each patch
+  std::vector<std::vector<std::uint32_t>> outlines_;  // of each plane: the corners of its convex hull
   std::vector<bool> crossable_;
 };
 

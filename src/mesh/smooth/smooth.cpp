@@ -25,8 +25,9 @@ struct SideEnd {
 
 // The parabola over a side between these ends, along the mean of their normals: r = a + x (b - a) - x (1 - x) bend. How far the
 // normals lean along the side tells the curvature at its ends; one of which says nothing has the other's. Nothing where one
-// leans by more than a share of the side that no chord does.
+// leans by more than a share of the side that no chord does, or where they are a right angle apart and more.
 dvec3 bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b, double steepest) {
+  if (glm::dot(a.normal, b.normal) <= 0.0) return dvec3(0.0);
   const dvec3 sum = a.normal + b.normal;
   double lean_a = glm::dot(a.normal, side), lean_b = -glm::dot(b.normal, side);
   if (a.one_sided && !b.one_sided) lean_a = lean_b;
