@@ -48,7 +48,6 @@ TEST(Probe, BoundsHoldWhereNoLookIsDoneInTime) {
   const TimePrediction time = predict_time(plan, 0.0, 3e-3);
   ASSERT_TRUE(time.at_most);
   EXPECT_GT(time.solve_s, time.least_s);
-  EXPECT_GT(time.solve_s, solve(plan).statistics.solve_s);
 }
 
 }  // namespace

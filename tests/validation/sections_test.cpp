@@ -58,7 +58,9 @@ Outline circle(double ka) {
 using Amplitudes = std::array<std::vector<Complex>, 2>;
 
 std::vector<ScatteringMatrix> of_a_cylinder(const Outline& outline, double length, const std::vector<Direction>& looks) {
-  return solve_soup(shapes::prism(outline, -length / 2, length / 2), monostatic(looks, speed_of_light), {}).total;
+  SolveOptions options;
+  options.surfaces.waves = true;  // also where they add less than the tolerance: they are what is measured
+  return solve_soup(shapes::prism(outline, -length / 2, length / 2), monostatic(looks, speed_of_light), options).total;
 }
 
 /// A cylinder of length l radiates S = l P e^{j pi/4} / sqrt(lambda) across its axis, and what its ends do: the same currents

@@ -79,11 +79,14 @@ double SmoothSurfaces::rise(std::uint32_t triangle) const {
 
 bool SmoothSurfaces::is_doubtful(std::uint32_t triangle) const {
   const Triangle& t = mesh_.triangles[triangle];
+  const auto leans = [&](int corner, const dvec3& side) {
+    return !one_sided_[normal_index(triangle, corner)] &&
+           std::abs(glm::dot(normal(triangle, corner), side)) > steepest_ * glm::length(side);
+  };
   for (int c = 0; c < 3; ++c) {
-    const dvec3 side = mesh_.vertices[t[(c + 1) % 3]] - mesh_.vertices[t[c]];
-    const double lean =
-        std::max(std::abs(glm::dot(normal(triangle, c), side)), std::abs(glm::dot(normal(triangle, (c + 1) % 3), side)));
-    if (lean > steepest_ * glm::length(side)) return true;
+    const int next = (c + 1) % 3;
+    const dvec3 side = mesh_.vertices[t[next]] - mesh_.vertices[t[c]];
+    if (leans(c, side) || leans(next, side)) return true;
   }
   return false;
 }
