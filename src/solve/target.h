@@ -25,7 +25,7 @@ struct Target {
 
  public:
   const TriangleMesh& mesh;
-  WedgeOptions options;  // it was made with
+  WedgeOptions options;  // it was made with; creases of the threshold to 1e-3 are tessellation
   Tracer tracer;
   FaceTree faces;
   Convexity convexity;

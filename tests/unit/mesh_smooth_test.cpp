@@ -154,6 +154,13 @@ TEST(SmoothSurfaces, ConeOfOneRowIsStraightToItsTip) {
   }
 }
 
+// Creases of 15 degrees to rounding, as a wall of 24 sides has: none is an edge.
+TEST(SmoothSurfaces, ThresholdToRoundingIsTessellation) {
+  const Target target(build_mesh(shapes::cylinder(0.15, 0.5, 24), 1.0).mesh);
+  EXPECT_EQ(target.wedges.size(), 48u);  // of both rims
+  EXPECT_EQ(SmoothSurfaces(target.mesh, target.options.min_wedge_angle).facets(), 48u);
+}
+
 // A needle that is folded over within the plane of its neighbours has no say in which side is outside; of ends whose normals are
 // opposite no side bends: both were no numbers.
 TEST(SmoothSurfaces, FoldedNeedlesKeepNormalsAndBendsNumbers) {

@@ -40,7 +40,7 @@ TEST(Probe, TheLongestThatALookMayTake) {
   EXPECT_NEAR(longest_look({.passed_s = 1.0}, plan), 5.0 * (1.8 * 100.0 + 30.0 * 100.0), 1e-9);
 }
 
-// Where no look is done in time there is a bound below and one above, and the solve keeps to them.
+// Where no look is done in time there is a bound below and one above.
 TEST(Probe, BoundsHoldWhereNoLookIsDoneInTime) {
   const Target target(build_mesh(shapes::icosphere(4, 0.3), 1.0).mesh, {});
   const Sweep sweep = eight_looks();
