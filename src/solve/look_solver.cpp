@@ -81,7 +81,7 @@ LookResult LookSolver::solve(std::size_t index, Progress& progress, double share
   const Look& look = plan_.sweep.looks[index];
   if (plan_.mechanisms.rays) return rays(look, progress, share);
   LookResult result;
-  result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, share});
+  result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, first_tubes_share * share});
   if (begins) begins(LookStage::edges);
   if (surface_waves_count(look, result.tubes))
     result.surface = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies);
@@ -89,6 +89,7 @@ LookResult LookSolver::solve(std::size_t index, Progress& progress, double share
   if (begins) begins(LookStage::interaction);
   result.interaction = interaction(look, result);
   if (!plan_.sweep.bistatic) make_reciprocal(result);
+  progress.add((1.0 - first_tubes_share) * share);
   return result;
 }
 

@@ -18,6 +18,9 @@ namespace raytube {
 /// A budget of edge-face interaction from which on it has no limit, and nothing is left out.
 inline constexpr double unlimited_interaction_budget = 1e6;
 
+/// Of the progress of a look, what is told as its tubes go on for the first time: they may be refined, and edges follow.
+inline constexpr double first_tubes_share = 0.5;
+
 /// What a look is at, in this order; waves over curved surfaces count with the edges.
 enum class LookStage { tubes, edges, interaction };
 

@@ -22,7 +22,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double least_seconds = 0.2;  // looks are timed again where all of them together take less [s]
+constexpr double share_rounding = 1e-9;  // of a share that is a sum of many
+constexpr double least_seconds = 0.2;    // looks are timed again where all of them together take less [s]
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -104,7 +105,9 @@ class Probe {
   void solve_look(std::size_t n, LookSoFar& so_far) const {
     const auto start = Clock::now();
     Progress progress([&](double share) {
-      so_far.share = share, so_far.share_s = so_far.passed_s = seconds_since(start);
+      so_far.passed_s = seconds_since(start);
+      const double of_tubes = share / first_tubes_share;
+      if (of_tubes <= 1.0 + share_rounding) so_far.share = of_tubes, so_far.share_s = so_far.passed_s;
       return true;
     });
     const auto begins = [&](LookStage stage) {
