@@ -94,9 +94,11 @@ void RowCollector::count(std::size_t index, const LookResult& look) {
   skipped_.pairs_beyond_budget += look.interaction.skipped.pairs;
   skipped_.reflections_beyond_budget += look.interaction.skipped.reflected_pairs;
   skipped_.fringe_beyond_budget += look.interaction.skipped.fringe_pieces;
-  if (plan_.mechanisms.interaction && plan_.skips.frequencies_without_large < sweep_.frequencies.size() &&
-      look.interaction.scattering.empty())
-    ++(look.interaction.unreached ? skipped_.unreached_looks : skipped_.dark_interaction_looks);
+  if (look.interaction.unreached)
+    ++skipped_.unreached_looks;
+  else if (plan_.mechanisms.interaction && plan_.skips.frequencies_without_large < sweep_.frequencies.size() &&
+           look.interaction.scattering.empty())
+    ++skipped_.dark_interaction_looks;
   if (plan_.mechanisms.surface_waves && look.surface.scattering.empty()) ++skipped_.weak_surface_looks;
 }
 

@@ -22,8 +22,8 @@ constexpr double least_tolerance = 1e-4;  // [wavelengths] the rules along the r
 
 // Shares of the work: of finding direct light, reflected light, the bounds of pairs, and of the pairs themselves.
 constexpr double light_share = 0.15, reflected_share = 0.15, bound_share = 0.1, pair_share = 0.75;
-constexpr double least_pair_work =
-    5e5;  // of a pair of edge and face: vehicles of 100 to 300 wavelengths show twice as much and more
+// Of a pair of edge and face; vehicles of 100 to 300 wavelengths show twice as much and more.
+constexpr double least_pair_work = 5e5;
 constexpr std::size_t edges_at_a_time = 8;                      // whose fringe currents are found together where work is limited
 constexpr double first_guess_of_fringe = 4 * work::strip_tree;  // of one edge
 // Of its bound that an unknown contribution has, root mean square, and that it has at least (measured: docs).
@@ -42,6 +42,13 @@ ReflectedLook reflected_look(const ReflectedWave& wave, const LookVectors& look,
   for (int q = 0; q < 2; ++q) result.look.magnetic[q] = glm::cross(wave.wave.direction, wave.wave.electric[q]);
   for (const LitEdgePiece& piece : wave.lit)
     result.edges.push_back({static_cast<std::uint32_t>(piece.edge->wedge - first_wedge), {along_wedge(piece)}, piece.weight});
+  return result;
+}
+
+InteractionResult unreached(double work) {
+  InteractionResult result;
+  result.unreached = true;
+  result.work = work;
   return result;
 }
 
@@ -73,7 +80,7 @@ class InteractionLook {
       result.scattering.resize(frequencies_.size());
       result.illuminating_pieces = jobs_.size();
       add(illuminate(options, {}, result), result);
-      if (result.unreached) return unreached();
+      if (result.unreached) return unreached(work_);
       const double fringe_squares = options.order > 1 ? add_fringe(options, result) + add_penumbra(result) : 0.0;
       estimate_left_out(fringe_squares, result);
     }
@@ -186,7 +193,7 @@ class InteractionLook {
     if (reach == 0.0) return 0;
     LeftOut kept;
     for (const EdgeFacePair& pair : choice.strongest) kept.add(pair);
-    const double wanted = reach * (kept.squares + choice.beyond.squares + choice.weak.squares);
+    const double wanted = reach * (kept.squares + choice.beyond.squares);
     LeftOut strongest;
     for (const EdgeFacePair& pair : choice.strongest) {
       if (strongest.squares >= wanted) break;
@@ -201,13 +208,6 @@ class InteractionLook {
     none.scattering.resize(frequencies_.size());
     none.work = work;
     return none;
-  }
-
-  InteractionResult unreached() const {
-    InteractionResult result;
-    result.unreached = true;
-    result.work = work_;
-    return result;
   }
 
   // What pairs leave out is taken to be as large a share of what is expected of them, root mean square, as with those computed.
@@ -348,10 +348,8 @@ bool is_out_of_reach(const InteractionScene& scene, const InteractionOptions& op
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options) {
   if (scene.axes.empty()) return {};
-  if (!is_out_of_reach(scene, options)) return InteractionLook(scene, look, frequencies, options.work).solve(options);
-  InteractionResult none;
-  none.unreached = true;
-  return none;
+  if (is_out_of_reach(scene, options)) return unreached(0.0);
+  return InteractionLook(scene, look, frequencies, options.work).solve(options);
 }
 
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
