@@ -229,17 +229,17 @@ std::string name_of_mesh(const std::filesystem::path& file) {
   return (lower_case(file.extension().string()) == ".gz" ? file.stem() : file).stem().string();
 }
 
-}  // namespace
-
-Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const CaseValue root = read_case_document(file, overrides);
+Case resolved(const CaseValue& root, const std::filesystem::path& file, const LookNumbers* looks) {
   check_case_keys(root);
   Case c;
   c.file = file;
   read_target(root, c);
   read_frequencies(root, c);
   read_materials(root, c);
-  read_looks(root, c);
+  if (looks)
+    fill_looks(*looks, root.location, c);
+  else
+    read_looks(root, c);
   read_tubes(root, c);
   read_edges(root, c);
   read_surfaces(root, c);
@@ -248,6 +248,16 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   const CaseValue* title = root.find("title");
   c.title = title ? read_text(*title, "title") : name_of_mesh(c.mesh_files.front());
   return c;
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return resolved(read_case_document(file, overrides), file, nullptr);
+}
+
+Case case_of_values(const CaseValue& root, const std::string& name, const LookNumbers* looks) {
+  return resolved(root, name, looks);
 }
 
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const Case& c) {

@@ -67,8 +67,24 @@ JsonValue radar_json(const Case& c) {
   return json;
 }
 
-void put_looks(const LookChoice& looks, JsonValue& json) {
-  if (!looks.looks_csv.empty())
+// Columns, as a look list has them.
+JsonValue look_list_json(const Sweep& sweep) {
+  JsonValue json;
+  for (const Look& look : sweep.looks) {
+    json["theta_deg"].append(decimal_degrees(look.transmit.theta));
+    json["phi_deg"].append(decimal_degrees(look.transmit.phi));
+    if (!sweep.bistatic) continue;
+    json["rx_theta_deg"].append(decimal_degrees(look.receive.theta));
+    json["rx_phi_deg"].append(decimal_degrees(look.receive.phi));
+  }
+  return json;
+}
+
+void put_looks(const Case& c, JsonValue& json) {
+  const LookChoice& looks = c.looks;
+  if (looks.given_as_numbers)
+    json["look"] = {{"list", look_list_json(c.sweep)}};
+  else if (!looks.looks_csv.empty())
     json["look"] = {{"looks_csv", looks.looks_csv}};
   else
     json["look"] = {{"theta_deg", one_or_list(looks.theta_deg)}, {"phi_deg", one_or_list(looks.phi_deg)}};
@@ -139,7 +155,7 @@ JsonValue resolved_case(const Case& c) {
   json["target"] = target_json(c);
   for (const MaterialChoice& material : c.materials) json["materials"][material.name] = material_json(material);
   json["frequency"] = frequency_json(c.sweep);
-  if (c.radar.positions.empty()) put_looks(c.looks, json);
+  if (c.radar.positions.empty()) put_looks(c, json);
   if (!c.sweep.looks.front().far()) json["radar"] = radar_json(c);
   json["tubes"] = tubes_json(c.tubes);
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};

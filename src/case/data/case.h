@@ -21,10 +21,11 @@
 
 namespace raytube {
 
-/// The look section as the user gave it [deg]: either the name of a look list, relative to the case's folder, or the values of
-/// each angle.
+/// The look section as the user gave it [deg]: the name of a look list, relative to the case's folder, or a list of numbers, which
+/// stands in the sweep alone, or the values of each angle.
 struct LookChoice {
   std::string looks_csv;
+  bool given_as_numbers = false;
   std::vector<double> theta_deg, phi_deg;
   std::vector<double> rx_theta_deg, rx_phi_deg;  // empty when monostatic
 };

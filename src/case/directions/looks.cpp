@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "case/directions/looks_csv.h"
 #include "case/directions/radar.h"
 #include "case/directions/row_limit.h"
 #include "case/text/users_words.h"
@@ -84,6 +83,15 @@ void read_looks(const CaseValue& root, Case& c) {
     c.looks.rx_phi_deg = read_angles(root, *receive, "receive", "phi_deg", c.warnings);
   }
   fill_from_angles(*look, c);
+}
+
+void fill_looks(const LookNumbers& numbers, const std::string& location, Case& c) {
+  CaseValue place;
+  place.location = location;
+  check_rows(place, static_cast<double>(numbers.rows.size()), c.sweep.frequencies.size());
+  c.looks.given_as_numbers = true;
+  c.sweep.bistatic = numbers.bistatic;
+  c.sweep.looks = looks_of_numbers(numbers, location);
 }
 
 }  // namespace raytube

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "case/data/case.h"
+#include "case/directions/looks_csv.h"
 #include "case/text/document.h"
 
 namespace raytube {
@@ -9,5 +10,8 @@ namespace raytube {
 /// Fills c.looks, c.sweep.looks and c.sweep.bistatic from [look] and [receive]; frequencies must be known already.
 /// Throws InputError.
 void read_looks(const CaseValue& root, Case& c);
+
+/// The same from numbers, which stand in the place of [look] and [receive]; `location` is for sentences. Throws InputError.
+void fill_looks(const LookNumbers& numbers, const std::string& location, Case& c);
 
 }  // namespace raytube

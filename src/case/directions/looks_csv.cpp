@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "case/directions/row_limit.h"
 #include "case/text/users_words.h"
@@ -25,17 +26,24 @@ void check_header(const CsvReader& reader) {
 }
 
 double angle(const CsvReader& reader, std::size_t column) {
-  const double value = reader.finite_number(column, "write angles in degrees, separated by commas");
+  return reader.finite_number(column, "write angles in degrees, separated by commas");
+}
+
+void check_angle(double value, std::size_t column, const std::string& location) {
   if (const std::string sentence = unresolved_angle(look_columns[column], value); !sentence.empty())
-    throw InputError(fmt::format("{}: {}", reader.location(), sentence));
-  return value == 0.0 ? 0.0 : value;  // never -0
+    throw InputError(fmt::format("{}: {}", location, sentence));
+}
+
+// The angles in two columns from this one.
+Direction direction(double theta_deg, double phi_deg, std::size_t column, const std::string& location) {
+  check_angle(theta_deg, column, location);
+  check_angle(phi_deg, column + 1, location);
+  if (theta_deg < 0.0 || theta_deg > 180.0) throw InputError(fmt::format("{}: {}", location, theta_outside("theta", theta_deg)));
+  return {(theta_deg + 0.0) * degree, (phi_deg + 0.0) * degree};  // + 0.0: never -0
 }
 
 Direction direction(const CsvReader& reader, std::size_t column) {
-  const double theta_deg = angle(reader, column), phi_deg = angle(reader, column + 1);
-  if (theta_deg < 0.0 || theta_deg > 180.0)
-    throw InputError(fmt::format("{}: {}", reader.location(), theta_outside("theta", theta_deg)));
-  return {theta_deg * degree, phi_deg * degree};
+  return direction(angle(reader, column), angle(reader, column + 1), column, reader.location());
 }
 
 }  // namespace
@@ -53,6 +61,20 @@ std::vector<Look> read_looks_csv(const std::filesystem::path& file, bool& bistat
   }
   if (looks.empty())
     throw InputError(fmt::format("{}: no looks; write the header theta_deg,phi_deg and one line per direction", file.string()));
+  return looks;
+}
+
+std::vector<Look> looks_of_numbers(const LookNumbers& numbers, const std::string& location) {
+  std::vector<Look> looks;
+  looks.reserve(numbers.rows.size());
+  for (const auto& [theta, phi, rx_theta, rx_phi] : numbers.rows) {
+    const std::string where = fmt::format("{}, look {}", location, looks.size());
+    for (const double value : {theta, phi, rx_theta, rx_phi})
+      if (!std::isfinite(value)) throw InputError(fmt::format("{}: {} is no angle; give finite degrees", where, value));
+    const Direction transmit = direction(theta, phi, 0, where);
+    looks.push_back({transmit, numbers.bistatic ? direction(rx_theta, rx_phi, 2, where) : transmit});
+  }
+  if (looks.empty()) throw InputError(location + ": no looks; give at least one direction");
   return looks;
 }
 
