@@ -34,12 +34,18 @@ std::vector<std::pair<std::string, double>> mesh_counts(const MeshReport& r) {
           {"weld_distance_m", r.weld_distance}};
 }
 
-Manifest described_inputs(const Case& c, const MeshReport& report) {
+std::vector<std::string> sha256_of_meshes(const Case& c) {
+  std::vector<std::string> hashes;
+  for (const fs::path& mesh : c.mesh_files) hashes.push_back(sha256_of_file(mesh));
+  return hashes;
+}
+
+Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<std::string> mesh_sha256) {
   Manifest manifest;
   manifest.case_file = fs::absolute(c.file).lexically_normal().string();
   manifest.case_json = resolved_case_json(c);
   manifest.program_version = RAYTUBE_VERSION;
-  for (const fs::path& mesh : c.mesh_files) manifest.mesh_sha256.push_back(sha256_of_file(mesh));
+  manifest.mesh_sha256 = std::move(mesh_sha256);
   if (!c.looks.looks_csv.empty()) manifest.looks_csv_sha256 = sha256_of_file(c.file.parent_path() / c.looks.looks_csv);
   for (const auto& [name, table] : medium_tables(c)) manifest.table_csv_sha256.emplace_back(name, sha256_of_file(table));
   manifest.mesh_report = mesh_counts(report);

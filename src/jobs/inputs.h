@@ -14,7 +14,10 @@ namespace raytube {
 /// The counts of a mesh report by the names they have in files.
 std::vector<std::pair<std::string, double>> mesh_counts(const MeshReport& report);
 
-/// The case, the program and the files: what of run.json is known before the solve.
-Manifest described_inputs(const Case& c, const MeshReport& report);
+/// SHA-256 of each mesh file.
+std::vector<std::string> sha256_of_meshes(const Case& c);
+
+/// The case, the program and the files, meshes by their hashes: what of run.json is known before the solve.
+Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<std::string> mesh_sha256);
 
 }  // namespace raytube

@@ -12,15 +12,14 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "core/threads.h"
+#include "jobs/density_study.h"
 #include "output/compare/convergence_report.h"
 #include "output/plots/convergence_plot.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
-#include "jobs/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "program/unusable_rows.h"
-#include "solve/admissible.h"
 #include "solve/solve.h"
 
 namespace raytube {
@@ -29,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_densities = 100;
+std::string option_text(const std::string& option) { return fmt::format("--densities {}", quotable(option)); }
 
 std::vector<double> parsed_densities(const std::string& option) {
   std::vector<double> densities;
@@ -38,27 +37,11 @@ std::vector<double> parsed_densities(const std::string& option) {
     const auto density = parsed_number(option.substr(at, end - at));
     if (!density || !std::isfinite(*density) || *density <= 0.0)
       throw InputError(
-          fmt::format("--densities {}: write tubes per wavelength with commas between, for example 4,8,16", quotable(option)));
+          fmt::format("{}: write tubes per wavelength with commas between, for example 4,8,16", option_text(option)));
     densities.push_back(*density);
     at = end + 1;
   }
-  if (densities.size() > most_densities)
-    throw InputError(fmt::format("--densities: {} are more than {}; leave some out", densities.size(), most_densities));
-  std::ranges::sort(densities);
-  if (densities.size() < 3 || std::ranges::adjacent_find(densities) != densities.end())
-    throw InputError(
-        fmt::format("--densities {}: an order needs three different densities or more, for example 4,8,16", quotable(option)));
-  return densities;
-}
-
-// Refuses now what the last density would be refused for after hours.
-void check_finest(double density, const std::string& option, const Case& c, const TriangleMesh& mesh) {
-  const double most = densest_tubes(mesh, c.sweep, c.tubes);
-  if (density > most)
-    throw InputError(fmt::format(
-        "--densities {}: {} tubes per wavelength are more than 10^6 along one side of the launch plane; {} would fit, or check "
-        "target.unit and frequency.ghz",
-        quotable(option), number_text(density), rounded_down_text(most)));
+  return densities_from_coarse_to_fine(std::move(densities), option_text(option));
 }
 
 // Shares of the whole study's work: tubes grow with the square of the density.
@@ -68,24 +51,6 @@ ResultNames names_of_convergence_results(bool with_plot) {
   ResultNames names{{}, {"converge.csv"}};
   if (with_plot) names.pictures = {"converge.png", "converge.svg"};
   return names;
-}
-
-// Clipped tubes have no density to study.
-SolveOptions options_of(const Case& c, const Request& request) {
-  TubeOptions tubes = c.tubes;
-  if (tubes.clip) tubes.mode = TubeMode::uniform;
-  return {tubes, c.edges, c.surfaces, request.threads > 0 ? request.threads : all_threads(), false, {}};
-}
-
-// The amplitudes of every density are kept to the end.
-void check_study_memory(const Target& target, const Case& c, const Request& request, const std::vector<double>& densities) {
-  SolveOptions finest = options_of(c, request);
-  finest.tubes.per_wavelength = densities.back();
-  const SolvePlan plan(target, c.sweep, finest);
-  const double kept = static_cast<double>(densities.size() * c.sweep.rows() * sizeof(ScatteringMatrix));
-  Case study = c;
-  study.image_looks.clear();
-  check_memory(plan, study, nullptr, kept);
 }
 
 // Solves one density after the other and keeps what is finished on disk.
@@ -100,7 +65,7 @@ class DensityStudy {
         densities_(densities.size()),
         bar_(request.quiet, fmt::format("solving {} looks at {} densities", c.sweep.looks.size(), densities.size())),
         study_{c.title, c.sweep, {}, {}} {
-    options_ = options_of(c, request);
+    options_ = options_of_study(c, request.threads);
     for (const double density : densities) whole_ += work(density);
   }
 
@@ -182,9 +147,7 @@ class DensityStudy {
 void converge_command(const Request& request) {
   const std::vector<double> densities = parsed_densities(request.densities);
   const Case c = read_case(request.case_file, request.overrides);
-  if (c.edges.method == EdgeMethod::utd)
-    throw InputError(
-        fmt::format("{}: edges.method \"utd\" has no tubes whose density could be studied; remove it", c.file.string()));
+  refuse_study_of_rays(c);
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   check_output(destination, names_of_convergence_results(c.plots), input_files(c));
   std::optional<Target> built;
@@ -193,9 +156,7 @@ void converge_command(const Request& request) {
   if (!c.image_looks.empty())
     warn(fmt::format("{}: output.image_look has no effect here: a study of density makes no images; use raytube run for them",
                      c.file.string()));
-  check_antennas(target.mesh, c.sweep);
-  check_finest(densities.back(), request.densities, c, target.mesh);
-  check_study_memory(target, c, request, densities);
+  check_study(c, target, request.threads, densities, option_text(request.densities));
   DensityStudy study(c, target, request, destination, densities);
   const InterruptFlag interrupt_flag([&study] { return study.last_words(); });
   try {

@@ -14,6 +14,11 @@
 #include "case/target.h"
 #include "core/instruction_set.h"
 #include "core/threads.h"
+#include "jobs/inputs.h"
+#include "jobs/material_report.h"
+#include "jobs/memory.h"
+#include "jobs/solvable.h"
+#include "jobs/warnings/warnings.h"
 #include "output/compare/random_report.h"
 #include "output/files/files.h"
 #include "output/files/manifest.h"
@@ -27,14 +32,9 @@
 #include "program/images.h"
 #include "program/interrupt.h"
 #include "program/look_journal.h"
-#include "jobs/inputs.h"
-#include "jobs/material_report.h"
-#include "jobs/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
-#include "jobs/solvable.h"
 #include "program/unusable_rows.h"
-#include "jobs/warnings/warnings.h"
 #include "scene/sampling.h"
 #include "solve/random.h"
 #include "solve/solve.h"
@@ -286,7 +286,7 @@ void run_command(const Request& request) {
   if (const auto count = loaded.report.free_forms_read)
     warn(fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
                      mesh_names(c), count));
-  Manifest manifest = described_inputs(c, loaded.report);
+  Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c));
   manifest.time.read_s = total.seconds();
   manifest.threads = request.threads > 0 ? request.threads : all_threads();
   std::optional<Target> built;

@@ -1,0 +1,79 @@
+#include "bindings/interruptible.h"
+
+#include <condition_variable>
+#include <mutex>
+
+namespace raytube::python {
+
+namespace py = pybind11;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto look_out = 20ms;    // for signals
+constexpr auto patience = 300ms;   // with work that should end by itself
+constexpr auto between_shares = 100ms;
+
+std::mutex counting;
+std::condition_variable none_left;
+int workers = 0;
+
+class Shares {
+ public:
+  explicit Shares(const py::object& progress) : progress_(progress) {}
+
+  void tell(double share) {
+    const auto now = std::chrono::steady_clock::now();
+    if (progress_.is_none() || share == told_ || now - told_at_ < between_shares) return;
+    told_ = share;
+    told_at_ = now;
+    progress_(share);
+  }
+
+  void tell_end() {
+    if (!progress_.is_none()) progress_(1.0);
+  }
+
+ private:
+  const py::object& progress_;
+  double told_ = 0.0;
+  std::chrono::steady_clock::time_point told_at_{};
+};
+
+}  // namespace
+
+void Workers::begun() {
+  const std::lock_guard lock(counting);
+  ++workers;
+}
+
+void Workers::ended() {
+  const std::lock_guard lock(counting);
+  if (--workers == 0) none_left.notify_all();
+}
+
+void Workers::wait_for_all() {
+  std::unique_lock lock(counting);
+  none_left.wait(lock, [] { return workers == 0; });
+}
+
+void wait_for(const std::function<bool(std::chrono::milliseconds)>& done_within, Watch& watch, const py::object& progress) {
+  const auto ready = [&](std::chrono::milliseconds time) {
+    const py::gil_scoped_release others_go_on;
+    return done_within(time);
+  };
+  Shares shares(progress);
+  try {
+    while (!ready(look_out)) {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      shares.tell(watch.share);
+    }
+  } catch (...) {
+    watch.stop = true;
+    ready(patience);
+    throw;
+  }
+  shares.tell_end();
+}
+
+}  // namespace raytube::python

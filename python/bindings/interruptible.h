@@ -1,0 +1,59 @@
+// Long work that Ctrl-C stops, while other Python threads go on.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <functional>
+#include <future>
+#include <memory>
+#include <thread>
+
+namespace raytube::python {
+
+/// Between the work and the thread of Python that waits for it.
+struct Watch {
+  std::atomic<bool> stop = false;
+  std::atomic<double> share = 0.0;
+
+  /// As solve() wants it: may be called from any thread.
+  std::function<bool(double)> progress() {
+    return [this](double done) {
+      share = done;
+      return !stop;
+    };
+  }
+};
+
+/// Threads whose work nobody waits for any more: Ctrl-C does not wait until it looks at its flag.
+class Workers {
+ public:
+  static void begun();
+  static void ended();
+  /// Blocks until none is left: before the libraries that they use are taken down.
+  static void wait_for_all();
+};
+
+/// Waits without the interpreter's lock. Calls `progress`, if it is no None, with the finished share. Sets watch.stop and throws what
+/// Python has raised (KeyboardInterrupt, or an exception of `progress`) at most half a second after it was.
+void wait_for(const std::function<bool(std::chrono::milliseconds)>& done_within, Watch& watch, const pybind11::object& progress);
+
+/// The value of work(watch), done on a thread of its own. The work must own all it uses, none of it Python's, for it may outlive
+/// this call.
+template <class Work>
+auto interruptibly(Work work, const pybind11::object& progress = pybind11::none()) {
+  using Value = decltype(work(std::declval<Watch&>()));
+  const auto watch = std::make_shared<Watch>();
+  const auto task = std::make_shared<std::packaged_task<Value()>>([work = std::move(work), watch]() mutable { return work(*watch); });
+  std::future<Value> value = task->get_future();
+  Workers::begun();
+  std::thread([task]() mutable {
+    (*task)();
+    task.reset();
+    Workers::ended();
+  }).detach();
+  wait_for([&value](std::chrono::milliseconds time) { return value.wait_for(time) == std::future_status::ready; }, *watch, progress);
+  return value.get();
+}
+
+}  // namespace raytube::python

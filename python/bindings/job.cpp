@@ -1,0 +1,85 @@
+#include "bindings/job.h"
+
+#include <algorithm>
+
+#include "case/target.h"
+#include "core/threads.h"
+#include "jobs/check_report.h"
+#include "jobs/inputs.h"
+#include "jobs/material_report.h"
+#include "jobs/memory.h"
+#include "jobs/solvable.h"
+#include "jobs/warnings/warnings.h"
+#include "output/tables/stored.h"
+#include "output/words/summary.h"
+#include "scene/sampling.h"
+#include "solve/image.h"
+#include "solve/solve.h"
+
+namespace raytube::python {
+
+namespace {
+
+int threads_of(int threads) { return threads > 0 ? threads : all_threads(); }
+
+std::vector<std::string> sentences_of(const Job& job, const SolvePlan& plan, const Statistics& statistics) {
+  const Case& c = job.asked;
+  std::vector<std::string> sentences = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
+  for (const std::string& sentence : {duplicates_sentence(job.built->report), overlap_note(c, plan.target).sentence})
+    if (!sentence.empty()) sentences.push_back(sentence);
+  for (const BeyondBound& part : statistics.beyond_bound) sentences.push_back(beyond_bound_sentence(part));
+  if (statistics.lost_rays > 0) sentences.push_back(lost_rays_sentence(statistics, c.metres_per_unit, c.unit));
+  return sentences;
+}
+
+std::vector<std::pair<std::string, std::string>> attributes(const Job& job, const SolvePlan& plan, const SweepResult& result) {
+  Manifest manifest = described_inputs(job.asked, job.built->report, job.mesh_sha256);
+  manifest.warnings = sentences_of(job, plan, result.statistics);
+  manifest.statistics = result.statistics;
+  manifest.model_parts = result.model_parts;
+  return attributes_of(manifest);
+}
+
+}  // namespace
+
+std::shared_ptr<const Job> Job::of_file(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  Case c = read_case(file, overrides);
+  std::vector<std::string> sha256 = sha256_of_meshes(c);
+  LoadedMesh loaded = load_target(c);
+  auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges));
+  return std::make_shared<const Job>(std::move(c), std::move(sha256), std::move(built));
+}
+
+std::shared_ptr<const Job> Job::of_target(TargetSource& target, const CaseValue& values, const LookNumbers* looks) {
+  Case c = case_of_values(values, values.location, looks);
+  auto built = target.built_for(c);
+  return std::make_shared<const Job>(std::move(c), target.sha256(), std::move(built));
+}
+
+StoredResult Job::solve(int threads, bool parts, Watch& watch) const {
+  const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), parts);
+  check_memory(plan, asked, nullptr);
+  const SweepResult result = raytube::solve(plan, watch.progress());
+  StoredResult stored_result = stored(asked.sweep, result);
+  stored_result.attributes = attributes(*this, plan, result);
+  return stored_result;
+}
+
+TextAndData Job::check(int threads) const {
+  const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), false);
+  std::string text;
+  CheckReport report([&text](const std::string& piece) { text += piece; });
+  tell_case(report, asked, built->report, plan);
+  check_memory(plan, asked, nullptr);
+  tell_time(report, plan);
+  return {std::move(text), std::move(report.data)};
+}
+
+LookImage Job::image(std::size_t look, double per_wavelength, int threads, Watch& watch) const {
+  if (look >= asked.sweep.looks.size())
+    throw InputError(fmt::format("look {}: there are {} direction pair(s), counted from 0; choose among these", look, asked.sweep.looks.size()));
+  const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), false);
+  return naming_the_case(asked, [&] { return image_of_look(plan, look, per_wavelength, watch.progress()); });
+}
+
+}  // namespace raytube::python

@@ -1,0 +1,49 @@
+// A case and its target, ready to be solved, checked, traced and drawn.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bindings/interruptible.h"
+#include "bindings/target.h"
+#include "case/read_case.h"
+#include "core/json.h"
+#include "output/compare/convergence_report.h"
+#include "output/netcdf/stored_result.h"
+#include "sbr/replay.h"
+#include "scene/image.h"
+
+namespace raytube::python {
+
+struct TextAndData {
+  std::string text;
+  JsonValue data;
+};
+
+struct Study {
+  std::string text;
+  std::vector<DensityResult> results;
+  Convergence convergence;
+};
+
+/// Immutable and shared: work on it may outlive the call that began it. Everything throws InputError for bad input and Interrupted
+/// once `watch` says stop.
+struct Job {
+  Case asked;
+  std::vector<std::string> mesh_sha256;
+  std::shared_ptr<const BuiltTarget> built;
+
+  static std::shared_ptr<const Job> of_file(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+  static std::shared_ptr<const Job> of_target(TargetSource& target, const CaseValue& values, const LookNumbers* looks);
+
+  StoredResult solve(int threads, bool parts, Watch& watch) const;
+  TextAndData check(int threads) const;
+  LookImage image(std::size_t look, double per_wavelength, int threads, Watch& watch) const;
+  TubeTrace trace(std::size_t look, const dvec2& at) const;
+  Study converge(const std::vector<double>& densities, int threads, Watch& watch) const;
+};
+
+}  // namespace raytube::python

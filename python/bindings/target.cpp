@@ -1,0 +1,70 @@
+#include "bindings/target.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/resolved_case.h"
+#include "case/target.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "output/files/sha256.h"
+
+namespace raytube::python {
+
+namespace {
+
+constexpr std::size_t most_built = 4;
+constexpr const char* name_of_arrays = "arrays";
+
+std::string joined_names(const std::vector<std::filesystem::path>& files) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : files) names.push_back(file.string());
+  return joined(names, ", ");
+}
+
+// All that the mesh made ready depends on.
+std::string dependencies(const Case& c) {
+  std::string text = fmt::format("{} {}", c.wedges.min_wedge_angle, c.wedges.thin_plates);
+  if (c.sweep.materials.empty() && c.assignment.parts.empty() && c.assignment.facets.empty()) return text;
+  for (const auto& [key, value] : numerical_keys(c))
+    if (key.starts_with("target.") || key.starts_with("materials.") || key.starts_with("frequency.")) text += key + '=' + value;
+  return text;
+}
+
+}  // namespace
+
+TargetSource::TargetSource(const std::vector<std::filesystem::path>& files, std::string unit)
+    : name_(joined_names(files)), unit_(std::move(unit)) {
+  for (const std::filesystem::path& file : files) {
+    PolygonSoup part = read_polygon_soup(file);
+    if (files.size() > 1) add_name(part, file.string());
+    add_polygons(part, soup_);
+    sha256_.push_back(sha256_of_file(file));
+  }
+}
+
+TargetSource::TargetSource(PolygonSoup soup, std::string unit)
+    : name_(name_of_arrays), unit_(std::move(unit)), soup_(std::move(soup)) {}
+
+std::shared_ptr<const BuiltTarget> TargetSource::built_for(const Case& c) {
+  const std::lock_guard lock(building_);
+  const std::string key = dependencies(c);
+  const auto found = std::ranges::find(built_, key, [](const auto& entry) { return entry.first; });
+  if (found != built_.end()) return found->second;
+  PolygonSoup soup = soup_;
+  assign_materials(soup, c);
+  LoadedMesh loaded = build_mesh(std::move(soup), c.metres_per_unit, name_, c.sweep.materials);
+  auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges));
+  if (built_.size() == most_built) built_.erase(built_.begin());
+  built_.emplace_back(key, built);
+  return built;
+}
+
+PolygonSoup soup_of(std::vector<dvec3> vertices, std::vector<std::vector<std::uint32_t>> polygons, const std::vector<std::string>& names) {
+  PolygonSoup soup{std::move(vertices), std::move(polygons)};
+  for (std::size_t i = 0; i < names.size(); ++i) soup.names.give(i, soup.names.list({names[i]}));
+  return soup;
+}
+
+}  // namespace raytube::python

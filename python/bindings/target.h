@@ -1,0 +1,53 @@
+// A target as Python holds it: polygons, and what was made ready of them, once for many solves.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "case/data/case.h"
+#include "mesh/load.h"
+#include "solve/target.h"
+
+namespace raytube::python {
+
+/// Mesh, wedges and trees for one choice of materials and creases.
+struct BuiltTarget {
+  MeshReport report;
+  Target target;
+};
+
+/// Polygons with the names of their parts. May be used from several threads.
+class TargetSource {
+ public:
+  /// Reads the files as one target. Throws InputError.
+  TargetSource(const std::vector<std::filesystem::path>& files, std::string unit);
+
+  /// Polygons in units of `unit`; `names`: that of each one's part, or none at all.
+  TargetSource(PolygonSoup soup, std::string unit);
+
+  const std::string& name() const { return name_; }
+  const std::string& unit() const { return unit_; }
+  const std::vector<std::string>& parts() const { return soup_.names.all(); }
+  const PolygonSoup& soup() const { return soup_; }
+  const std::vector<std::string>& sha256() const { return sha256_; }
+
+  /// Ready for a case whose [target] is this one. The last few are kept, so that a sweep of anything but materials and creases builds
+  /// once. Throws InputError.
+  std::shared_ptr<const BuiltTarget> built_for(const Case& c);
+
+ private:
+  std::string name_, unit_;
+  PolygonSoup soup_;
+  std::vector<std::string> sha256_;  // of the files
+  std::mutex building_;
+  std::vector<std::pair<std::string, std::shared_ptr<const BuiltTarget>>> built_;  // what it depends on, the newest last
+};
+
+/// A polygon for each row of `corners`, three or more, -1 after the last one.
+PolygonSoup soup_of(std::vector<dvec3> vertices, std::vector<std::vector<std::uint32_t>> polygons, const std::vector<std::string>& names);
+
+}  // namespace raytube::python

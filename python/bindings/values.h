@@ -1,0 +1,19 @@
+// Python values as those of a case file, and JSON as Python values.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "case/text/document.h"
+#include "core/json.h"
+
+namespace raytube::python {
+
+/// Numbers, texts, truth values, and dictionaries and sequences (also NumPy arrays) of these; entries that are None are left out.
+/// `location` is where sentences say that the values stand. Throws InputError for anything else.
+CaseValue case_value(const pybind11::handle& value, const std::string& location);
+
+pybind11::object python_value(const JsonValue& json);
+
+}  // namespace raytube::python

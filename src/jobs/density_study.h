@@ -1,0 +1,26 @@
+// Studies over the density of uniform tubes: what they ask of a case.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/data/case.h"
+#include "solve/solve.h"
+
+namespace raytube {
+
+/// Sorted. Throws InputError, which begins with `asked`, for fewer than three, for equal ones, and for more than 100.
+std::vector<double> densities_from_coarse_to_fine(std::vector<double> densities, const std::string& asked);
+
+/// Throws InputError for a case without tubes.
+void refuse_study_of_rays(const Case& c);
+
+/// How the case is solved, but for tubes.per_wavelength: clipped tubes have no density to study, so the study is of uniform ones.
+SolveOptions options_of_study(const Case& c, int threads);
+
+/// Throws InputError now for what the last density would be refused for after hours: of `asked`, and for want of memory. The
+/// amplitudes of every density are kept to the end.
+void check_study(const Case& c, const Target& target, int threads, const std::vector<double>& densities,
+                 const std::string& asked);
+
+}  // namespace raytube
