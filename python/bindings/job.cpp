@@ -1,10 +1,13 @@
 #include "bindings/job.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "case/target.h"
 #include "core/threads.h"
 #include "jobs/check_report.h"
+#include "jobs/density_study.h"
 #include "jobs/inputs.h"
 #include "jobs/material_report.h"
 #include "jobs/memory.h"
@@ -38,6 +41,12 @@ std::vector<std::pair<std::string, std::string>> attributes(const Job& job, cons
   manifest.statistics = result.statistics;
   manifest.model_parts = result.model_parts;
   return attributes_of(manifest);
+}
+
+void check_look(const Case& c, std::size_t look) {
+  if (look >= c.sweep.looks.size())
+    throw InputError(fmt::format("look {}: there are {} direction pair(s), counted from 0; choose among these", look,
+                                 c.sweep.looks.size()));
 }
 
 }  // namespace
@@ -76,10 +85,35 @@ TextAndData Job::check(int threads) const {
 }
 
 LookImage Job::image(std::size_t look, double per_wavelength, int threads, Watch& watch) const {
-  if (look >= asked.sweep.looks.size())
-    throw InputError(fmt::format("look {}: there are {} direction pair(s), counted from 0; choose among these", look, asked.sweep.looks.size()));
+  check_look(asked, look);
   const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), false);
   return naming_the_case(asked, [&] { return image_of_look(plan, look, per_wavelength, watch.progress()); });
+}
+
+TubeTrace Job::trace(std::size_t look, const dvec2& at) const {
+  const Sweep& sweep = asked.sweep;
+  check_look(asked, look);
+  const auto highest = static_cast<std::size_t>(std::ranges::max_element(sweep.frequencies) - sweep.frequencies.begin());
+  const std::vector<Material> materials = at_frequency(sweep.materials, highest);
+  const ReplayScene scene{built->target.tracer, materials, sweep.radar};
+  return naming_the_case(asked, [&] { return trace_tube(scene, sweep.looks[look], sweep.frequencies[highest], asked.tubes, at); });
+}
+
+Study Job::converge(const std::vector<double>& densities, int threads, Watch& watch) const {
+  refuse_study_of_rays(asked);
+  const std::vector<double> ordered = densities_from_coarse_to_fine(densities, "densities");
+  check_study(asked, built->target, threads, ordered, "densities");
+  SolveOptions options = options_of_study(asked, threads);
+  options.progress = watch.progress();
+  ConvergenceStudy study{asked.title, asked.sweep, {}, {}};
+  for (const double density : ordered) {
+    options.tubes.per_wavelength = density;
+    SweepResult result = raytube::solve(built->target, asked.sweep, options);
+    const Statistics& s = result.statistics;
+    study.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
+  }
+  study.convergence = study_convergence(study.results);
+  return {convergence_text(study), std::move(study.results), std::move(study.convergence)};
 }
 
 }  // namespace raytube::python

@@ -1,0 +1,14 @@
+// Results as Python holds them: arrays without a copy.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace raytube::python {
+
+/// StoredResult as the class `Stored`: arrays of the shape [look, frequency, receive, transmit].
+void bind_stored(pybind11::module_& module);
+
+/// compare: two results as Comparison.
+void bind_comparison(pybind11::module_& module);
+
+}  // namespace raytube::python
