@@ -98,7 +98,25 @@ JsonValue time_json(const Timing& time, double solve_s, std::uint64_t looks_resu
   return json;
 }
 
+std::string title_of(const JsonValue& resolved) {
+  const JsonValue* title = resolved.find("title");
+  return title ? title->text : "";
+}
+
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> attributes_of(const Manifest& manifest) {
+  const std::vector<std::string>& hashes = manifest.mesh_sha256;
+  return {{"title", title_of(*parsed_json(manifest.case_json))},
+          {"source", "raytube " + manifest.program_version},
+          {"raytube_version", manifest.program_version},
+          {"case", manifest.case_json},
+          {"mesh_sha256", hashes.size() == 1 ? hashes.front() : json_text(hashes, -1)},
+          {"rcs_csv_sha256", manifest.rcs_csv_sha256},
+          {"warnings", json_text(manifest.warnings, -1)},
+          {"counts", json_text(counts_json(manifest.statistics), -1)},
+          {"model_uncertainty", json_text(model_json(manifest.model_parts), -1)}};
+}
 
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest) {
   JsonValue json;

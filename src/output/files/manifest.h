@@ -44,6 +44,10 @@ struct Manifest {
   std::string rcs_csv_sha256;
 };
 
+/// What a result should carry wherever it goes, by name: title and resolved case, version, hashes, warnings, counts, parts of the
+/// model uncertainty; JSON but for single words. Nothing of the machine, its folders or its time: equal runs say the same.
+std::vector<std::pair<std::string, std::string>> attributes_of(const Manifest& manifest);
+
 /// Writes run.json. Throws std::runtime_error if the disk does not take it.
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest);
 
