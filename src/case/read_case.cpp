@@ -214,6 +214,7 @@ void read_image_looks(const CaseValue& root, const CaseValue& value, Case& c) {
 
 void read_output(const CaseValue& root, Case& c) {
   if (const CaseValue* plots = find(root, "output", "plots")) c.plots = read_flag(*plots, "output.plots");
+  if (const CaseValue* netcdf = find(root, "output", "netcdf")) c.netcdf = read_flag(*netcdf, "output.netcdf");
   if (const CaseValue* incoherent = find(root, "output", "incoherent")) {
     c.incoherent = read_flag(*incoherent, "output.incoherent");
     if (c.incoherent && !any_rough(c.sweep.materials))

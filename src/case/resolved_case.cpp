@@ -161,7 +161,7 @@ JsonValue resolved_case(const Case& c) {
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};
   json["edges"] = edges_json(c.edges, c.wedges, !c.sweep.materials.empty());
   json["surfaces"] = {{"waves", use_json(c.surfaces.waves)}};
-  json["output"] = {{"plots", c.plots}};
+  json["output"] = {{"plots", c.plots}, {"netcdf", c.netcdf}};
   if (c.incoherent) json["output"]["incoherent"] = true;
   if (!c.image_looks.empty()) {
     json["output"]["image_look"] = c.image_looks;

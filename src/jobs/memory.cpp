@@ -14,6 +14,7 @@
 #include "core/csv_reader.h"
 #include "core/decimal.h"
 #include "core/error.h"
+#include "output/tables/stored.h"
 #include "solve/image.h"
 #include "solve/memory.h"
 
@@ -110,7 +111,9 @@ Need need_of(const SolvePlan& plan, const Case& c, const RandomOptions* random) 
   const MemoryEstimate solve = estimate_memory(plan);
   const auto values = static_cast<double>(c.looks.theta_deg.size() + c.looks.phi_deg.size() + c.looks.rx_theta_deg.size() +
                                           c.looks.rx_phi_deg.size() + c.sweep.frequencies.size());
-  return {solve.rows + (random ? random_bytes(c, *random) : 0.0), image_bytes(plan, c),
+  const double stored =
+      c.netcdf ? stored_bytes_per_row(plan.keep_parts, c.tubes.max_bounces) * static_cast<double>(c.sweep.rows()) : 0.0;
+  return {solve.rows + stored + (random ? random_bytes(c, *random) : 0.0), image_bytes(plan, c),
           solve.sums + plan.threads * bytes_per_thread,
           held_now().resident + solve.edges + journal_bytes + values * bytes_per_angle};
 }

@@ -8,6 +8,7 @@
 
 #include "core/csv_reader.h"
 #include "core/error.h"
+#include "core/text.h"
 #include "program/commands.h"
 
 namespace raytube {
@@ -26,12 +27,14 @@ constexpr const char* main_footer =
 
 constexpr const char* run_examples =
     "Writes rcs.csv, channels.csv, rcs.png, rcs.svg and run.json. Stopped in any way, it leaves its finished looks there for\n"
-    "--resume.\n\n"
+    "--resume.\n"
+    "-o FILE.nc writes that netCDF file alone, with all of rcs.csv, parts and the resolved case in it: no table, no picture.\n\n"
     "Examples:\n"
     "  raytube run cases/dihedral/case.toml\n"
     "  raytube run case.toml -o results --threads 4 --parts\n"
     "  raytube run case.toml --set tubes.per_wavelength=20 --set edges.method=none\n"
     "  raytube run case.toml --resume\n"
+    "  raytube run case.toml -o result.nc\n"
     "  raytube run case.toml --launch random --samples 100000 --seed 1 --repeat 10      (also writes random.csv)";
 constexpr const char* check_examples =
     "Prints the resolved case, the mesh report, the wedges, what will be skipped and the expected cost.\n\n"
@@ -50,6 +53,7 @@ constexpr const char* compare_examples =
     "rx_phi_deg]\n"
     "and, for each channel pq = vv, vh, hv, hh, re_pq and im_pq [m], magnitude_pq [m] and phase_pq_rad, or sigma_pq_dbsm.\n"
     "Rows with equal frequency and angles are compared.\n"
+    "A netCDF file (.nc) of raytube's will do, too.\n"
     "With -o it also writes compare.csv, compare.png and compare.svg.\n\n"
     "Examples:\n"
     "  raytube compare out/rcs.csv reference.csv\n"
@@ -62,10 +66,20 @@ constexpr const char* converge_examples =
     "the\n"
     "extrapolated value with its uncertainty, and which density is fine enough. Writes converge.csv, converge.png and "
     "converge.svg.\n"
-    "Interrupted, it leaves converge.csv with the densities it finished.\n\n"
+    "Interrupted, it leaves converge.csv with the densities it finished.\n"
+    "Given netCDF files of runs with uniform tubes in place of the case, it computes nothing and studies these.\n\n"
     "Examples:\n"
     "  raytube converge cases/convergence/case.toml\n"
-    "  raytube converge case.toml --densities 5,10,20 --set look.phi_deg=0";
+    "  raytube converge case.toml --densities 5,10,20 --set look.phi_deg=0\n"
+    "  raytube converge n5.nc n10.nc n20.nc -o study";
+
+constexpr const char* convert_examples =
+    "There and back gives the same numbers bit for bit, and of a table that raytube has written the same bytes. A table holds "
+    "no\n"
+    "parts and no attributes. Replaces only what raytube has written.\n\n"
+    "Examples:\n"
+    "  raytube convert out/rcs.csv rcs.nc\n"
+    "  raytube convert rcs.nc rcs.csv";
 
 constexpr const char* sources_examples =
     "Traces a scene of named parts from a point, with rays launched by six models, and counts what they hit. Writes "
@@ -75,12 +89,16 @@ constexpr const char* sources_examples =
     "  raytube sources cases/double_slit/case.toml\n"
     "  raytube sources case.toml --set source.rays=1000000 --set source.models=geometry";
 
-void add_case_options(CLI::App& command, Request& request) {
-  command.add_option("case", request.case_file, "Case file (TOML)")->required()->type_name("CASE.toml");
+void add_set_option(CLI::App& command, Request& request) {
   command.add_option("--set", request.overrides, "Override a case key: KEY=VALUE with a dotted key; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_case_options(CLI::App& command, Request& request) {
+  command.add_option("case", request.case_file, "Case file (TOML)")->required()->type_name("CASE.toml");
+  add_set_option(command, request);
 }
 
 void add_output_option(CLI::App& command, Request& request, const char* description) {
@@ -150,7 +168,7 @@ void add_random_options(CLI::App& run, Request& request) {
 CLI::App* add_run(CLI::App& app, Request& request) {
   CLI::App* run = add_command(app, "run", "Compute a case and write the results", run_examples);
   add_case_options(*run, request);
-  add_output_option(*run, request, "Folder for the results; default <case folder>/out");
+  add_output_option(*run, request, "Folder for the results, or FILE.nc; default <case folder>/out");
   add_machine_options(*run, request);
   run->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
   run->add_flag("--resume", request.resume, "Go on with the looks that a run stopped before has left in the folder");
@@ -198,8 +216,8 @@ std::string not_relative(const std::string& text) {
 
 CLI::App* add_compare(CLI::App& app, Request& request) {
   CLI::App* compare = add_command(app, "compare", "Measure how far a result is from a reference", compare_examples);
-  compare->add_option("result", request.result, "Table to be judged")->required()->type_name("A.csv");
-  compare->add_option("reference", request.reference, "Table to judge it by")->required()->type_name("B.csv");
+  compare->add_option("result", request.result, "Table to be judged")->required()->type_name("A");
+  compare->add_option("reference", request.reference, "Table to judge it by")->required()->type_name("B");
   add_output_option(*compare, request, "Folder for compare.csv and the picture; default none");
   compare->add_option("--tolerance-db", request.tolerance_db, "Exit with 1 if the rms error of a channel exceeds this")
       ->type_name("X")
@@ -230,13 +248,39 @@ CLI::App* add_compare(CLI::App& app, Request& request) {
 
 CLI::App* add_converge(CLI::App& app, Request& request) {
   CLI::App* converge = add_command(app, "converge", "Study how a case converges with tube density", converge_examples);
-  add_case_options(*converge, request);
-  add_output_option(*converge, request, "Folder for the results; default <case folder>/out");
+  converge->add_option("case", request.studied, "Case file (TOML), or netCDF files of runs at different densities")
+      ->required()
+      ->type_name("CASE.toml|FILE.nc...");
+  add_set_option(*converge, request);
+  add_output_option(*converge, request, "Folder for the results; default <case folder>/out, or out beside the first netCDF file");
   add_machine_options(*converge, request);
   converge->add_option("--densities", request.densities, "Tubes per wavelength, at least three; default 2,4,8,16,32,64")
       ->type_name("N,N,...");
   add_quiet_option(*converge, request, "table");
   return converge;
+}
+
+// One case, or results of several runs.
+void sort_out_studied(const CLI::App& converge, Request& request) {
+  const std::vector<std::filesystem::path>& files = request.studied;
+  if (files.size() == 1 && lower_case(files.front().extension().string()) != ".nc") {
+    request.case_file = files.front();
+    request.studied.clear();
+    return;
+  }
+  for (const std::filesystem::path& file : files)
+    if (lower_case(file.extension().string()) != ".nc")
+      throw InputError(fmt::format("{}: is no netCDF file; converge takes one case, or netCDF files (.nc) alone", file.string()));
+  for (const char* option : {"--set", "--densities", "--threads", "--instruction-set"})
+    if (converge.count(option) > 0)
+      throw InputError(fmt::format("{}: means nothing for results that are there; leave it out, or give a case", option));
+}
+
+CLI::App* add_convert(CLI::App& app, Request& request) {
+  CLI::App* convert = add_command(app, "convert", "Turn rcs.csv into a netCDF file, or back", convert_examples);
+  convert->add_option("from", request.result, "What there is")->required()->type_name("A.csv|A.nc");
+  convert->add_option("to", request.reference, "What is made of it")->required()->type_name("B.nc|B.csv");
+  return convert;
 }
 
 CLI::App* add_sources(CLI::App& app, Request& request) {
@@ -260,13 +304,14 @@ bool wants_tube(const CLI::App& trace) {
 void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2)
     throw InputError(
-        "no command; write run, check, trace, converge or sources and a case file, or compare and two tables (see raytube "
+        "no command; write run, check, trace, converge or sources and a case file, or compare or convert and two files (see "
+        "raytube "
         "--help)");
   const std::string word = argv[1];
   const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
-    throw InputError(
-        fmt::format("unknown command \"{}\"; write run, check, trace, converge, sources or compare (see raytube --help)", word));
+    throw InputError(fmt::format(
+        "unknown command \"{}\"; write run, check, trace, converge, sources, compare or convert (see raytube --help)", word));
 }
 
 }  // namespace
@@ -282,6 +327,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   CLI::App* trace = add_trace(app, request);
   CLI::App* compare = add_compare(app, request);
   CLI::App* converge = add_converge(app, request);
+  CLI::App* convert = add_convert(app, request);
   CLI::App* sources = add_sources(app, request);
   check_first_word(app, argc, argv);
   try {
@@ -291,17 +337,19 @@ Request parse_command_line(int argc, const char* const* argv) {
     app.exit(error);
     return request;
   }
-  const std::array<std::pair<const CLI::App*, Command>, 6> commands = {{{run, Command::run},
+  const std::array<std::pair<const CLI::App*, Command>, 7> commands = {{{run, Command::run},
                                                                         {check, Command::check},
                                                                         {trace, Command::trace},
                                                                         {compare, Command::compare},
                                                                         {converge, Command::converge},
+                                                                        {convert, Command::convert},
                                                                         {sources, Command::sources}}};
   if (run->count("--launch") == 0) request.random.reset();
   if (request.random && request.parts)
     throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");
   if (request.random && request.resume)
     throw InputError("--resume: random tubes are drawn anew as a whole; leave out --resume or --launch random");
+  if (*converge) sort_out_studied(*converge, request);
   if (*trace) request.tube = wants_tube(*trace);
   for (const auto& [given, command] : commands)
     if (*given) request.command = command;

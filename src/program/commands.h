@@ -1,7 +1,7 @@
 // The room of the program: the command line, and nothing that another program could want.
 //
 //     command_line  arguments -> Request;  main: Request -> command, exceptions -> sentence and exit code
-//     run, check, trace, compare, converge, sources: the commands, each in a file of its name
+//     run, check, trace, compare, converge, convert, sources: the commands, each in a file of its name
 //     results, look_journal, interrupt, progress_bar: how a command brings its files into place, survives being stopped and
 //                   tells how far it is
 //
@@ -17,13 +17,14 @@
 
 namespace raytube {
 
-enum class Command { none, run, check, trace, compare, converge, sources };
+enum class Command { none, run, check, trace, compare, converge, convert, sources };
 
 struct Request {
   Command command = Command::none;  // none: help or version was printed
   std::filesystem::path case_file;
+  std::vector<std::filesystem::path> studied;  // converge: netCDF files in place of a case
   std::vector<std::string> overrides;
-  std::filesystem::path output_folder;  // empty: <case folder>/out; compare: no files
+  std::filesystem::path output_folder;  // empty: <case folder>/out; compare: no files; run: perhaps one file, *.nc
   int threads = 0;                      // 0: all cores
   std::string instruction_set;          // empty: the widest one
   std::filesystem::path wedges_csv;     // check: list of wedges; empty: none wanted
@@ -36,7 +37,7 @@ struct Request {
   bool tube = true;                               // trace: the tube there
   std::filesystem::path surface_rays_vtp;         // trace: rays over curved surfaces; empty: none wanted
   std::string densities = "2,4,8,16,32,64";       // converge: tubes per wavelength
-  std::filesystem::path result, reference;        // compare
+  std::filesystem::path result, reference;        // compare; convert: from, to
   std::string result_columns, reference_columns;  // compare: OURS=THEIRS,...
   bool free_scale = false;                        // compare: fit one factor first
   std::vector<std::string> only;                  // compare: COLUMN=LOW:HIGH
@@ -54,6 +55,8 @@ void check_command(const Request& request);
 void trace_command(const Request& request);
 void compare_command(const Request& request);
 void converge_command(const Request& request);
+void converge_results(const Request& request);  // converge_command for results that are there
+void convert_command(const Request& request);
 void sources_command(const Request& request);
 
 }  // namespace raytube

@@ -145,6 +145,7 @@ class DensityStudy {
 }  // namespace
 
 void converge_command(const Request& request) {
+  if (!request.studied.empty()) return converge_results(request);
   const std::vector<double> densities = parsed_densities(request.densities);
   const Case c = read_case(request.case_file, request.overrides);
   refuse_study_of_rays(c);

@@ -40,6 +40,8 @@ void execute(const Request& request) {
       return compare_command(request);
     case Command::converge:
       return converge_command(request);
+    case Command::convert:
+      return convert_command(request);
     case Command::sources:
       return sources_command(request);
     case Command::none:

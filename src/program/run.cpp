@@ -24,9 +24,11 @@
 #include "output/files/manifest.h"
 #include "output/files/sha256.h"
 #include "output/files/unlisted_results.h"
+#include "output/netcdf/netcdf_file.h"
 #include "output/plots/plot.h"
 #include "output/plots/polar_plot.h"
 #include "output/tables/csv.h"
+#include "output/tables/stored.h"
 #include "output/words/summary.h"
 #include "program/commands.h"
 #include "program/images.h"
@@ -79,10 +81,11 @@ Solved solve_with_progress(const SolvePlan& plan, const Request& request, LookJo
   return {random.mean, std::move(random)};
 }
 
+std::string note_of(const Solved& solved) { return solved.by_chance ? random_note(solved.by_chance->options) : ""; }
+
+// Those beside rcs.csv.
 void write_tables(const fs::path& folder, const Case& c, const Solved& solved, bool parts) {
   const auto& [result, by_chance] = solved;
-  write_rcs_csv(folder / "rcs.csv", c.sweep, result, by_chance ? random_note(by_chance->options) : "");
-  stop_if_interrupted();
   write_channels_csv(folder / "channels.csv", c.sweep, result);
   stop_if_interrupted();
   if (parts) write_parts_csv(folder / "parts.csv", c.sweep, result);
@@ -125,7 +128,24 @@ JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
   return identity;
 }
 
-ResultNames names_of_results(const Request& request, const Case& c) {
+// Where the results go: a folder, or one netCDF file alone in it.
+struct Destination {
+  fs::path folder;
+  std::string file;  // empty: all files
+
+  bool one_file() const { return !file.empty(); }
+  std::string text() const { return (one_file() ? folder / file : folder).string(); }
+};
+
+Destination destination_of(const Request& request, const Case& c) {
+  const fs::path& asked = request.output_folder;
+  if (asked.empty()) return {c.file.parent_path() / "out", ""};
+  if (!is_netcdf_name(asked) || fs::is_directory(asked)) return {asked, ""};
+  return {fs::absolute(asked).parent_path(), asked.filename().string()};
+}
+
+ResultNames names_of_results(const Request& request, const Case& c, const Destination& destination) {
+  if (destination.one_file()) return {{}, {destination.file}};
   ResultNames names = image_names(c);
   if (c.plots) names.pictures.insert(names.pictures.end(), {"rcs.png", "rcs.svg"});
   if (c.plots && has_full_circle(c.sweep)) names.pictures.insert(names.pictures.end(), {"rcs_polar.png", "rcs_polar.svg"});
@@ -133,29 +153,32 @@ ResultNames names_of_results(const Request& request, const Case& c) {
   if (request.parts) names.tables.emplace_back("parts.csv");
   if (c.incoherent) names.tables.emplace_back("incoherent.csv");
   if (request.random) names.tables.emplace_back("random.csv");
+  if (c.netcdf) names.tables.emplace_back("rcs.nc");
   names.tables.insert(names.tables.end(), {"rcs.csv", "run.json"});
   return names;
 }
 
-// What a run with other wishes may have left.
-std::vector<std::string> names_of_earlier_results(const fs::path& folder) {
-  const std::set<std::string> images = names_of_images(folder);
+// What a run with other wishes may have left. One file replaces nothing but itself.
+std::vector<std::string> names_of_earlier_results(const Destination& destination) {
+  if (destination.one_file()) return {};
+  const std::set<std::string> images = names_of_images(destination.folder);
   std::vector<std::string> names(images.begin(), images.end());
   names.insert(names.end(),
-               {"incoherent.csv", "parts.csv", "random.csv", "rcs.png", "rcs.svg", "rcs_polar.png", "rcs_polar.svg"});
+               {"incoherent.csv", "parts.csv", "random.csv", "rcs.nc", "rcs.png", "rcs.svg", "rcs_polar.png", "rcs_polar.svg"});
   return names;
 }
 
 // A run from the computation on, into its folder.
 class Run {
  public:
-  Run(const Request& request, const Case& c, const SolvePlan& plan, const fs::path& destination, Manifest& manifest)
+  Run(const Request& request, const Case& c, const SolvePlan& plan, const Destination& destination, Manifest& manifest)
       : request_(request),
         case_(c),
         plan_(plan),
         outermost_(outermost_points(plan.target.mesh.vertices)),
         manifest_(manifest),
-        folder_(destination),
+        destination_(destination),
+        folder_(destination.folder),
         journal_(
             folder_.path(), [this] { return identity_of(case_, manifest_); }, [this] { make_again_if_gone(folder_); }) {
     if (request.resume)
@@ -205,24 +228,43 @@ class Run {
   }
 
   void write_into_folder(const Solved& solved, const Stopwatch& total) {
+    make_again_if_gone(folder_);
+    NewResults results(folder_.path());
+    complete_manifest(solved);
+    write_rcs_csv(results.folder() / "rcs.csv", case_.sweep, solved.result, note_of(solved));
+    stop_if_interrupted();
+    manifest_.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
+    if (case_.netcdf) write_netcdf_of(solved, results.folder());
+    if (!destination_.one_file()) write_others(solved, results.folder(), total);
+    replace_results(results, folder_.path(), names_of_results(request_, case_, destination_),
+                    names_of_earlier_results(destination_), [this] { complete_ = true; });
+    journal_.remove();
+  }
+
+  void complete_manifest(const Solved& solved) {
     const auto& [result, by_chance] = solved;
     manifest_.statistics = result.statistics;
     manifest_.model_parts = result.model_parts;
     for (ModelPart& part : manifest_.model_parts) part.rows.clear();
     manifest_.looks_resumed = journal_.resumed();
     if (by_chance) manifest_.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
-    make_again_if_gone(folder_);
-    NewResults results(folder_.path());
-    write_tables(results.folder(), case_, solved, request_.parts);
-    const double drawing_s = write_images(results.folder(), plan_, case_);
-    manifest_.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
+  }
+
+  void write_netcdf_of(const Solved& solved, const fs::path& folder) const {
+    StoredResult result = stored(case_.sweep, solved.result, note_of(solved));
+    result.attributes = attributes_of(manifest_);
+    write_netcdf(folder / (destination_.one_file() ? destination_.file : "rcs.nc"), result);
+    stop_if_interrupted();
+  }
+
+  // What comes beside rcs.csv and rcs.nc.
+  void write_others(const Solved& solved, const fs::path& folder, const Stopwatch& total) {
+    write_tables(folder, case_, solved, request_.parts);
+    const double drawing_s = write_images(folder, plan_, case_);
     manifest_.peak_rss_bytes = peak_rss_bytes();
     manifest_.time.total_s = total.seconds() - drawing_s;
-    write_manifest(results.folder() / "run.json", manifest_);
-    if (case_.plots) draw_plots(results.folder(), case_, result, outermost_);
-    replace_results(results, folder_.path(), names_of_results(request_, case_), names_of_earlier_results(folder_.path()),
-                    [this] { complete_ = true; });
-    journal_.remove();
+    write_manifest(folder / "run.json", manifest_);
+    if (case_.plots) draw_plots(folder, case_, solved.result, outermost_);
   }
 
   void print(const Solved& solved) const {
@@ -237,7 +279,7 @@ class Run {
             manifest_.threads,
             manifest_.looks_resumed,
             manifest_.warnings.size(),
-            folder_.path().string()};
+            Destination{folder_.path(), destination_.file}.text()};
   }
 
   std::string interrupted_sentence() {
@@ -257,6 +299,7 @@ class Run {
   const SolvePlan& plan_;
   std::vector<dvec3> outermost_;  // points of the target as wide as all of it
   Manifest& manifest_;
+  const Destination& destination_;
   OutputFolder folder_;
   LookJournal journal_;
   std::atomic<bool> complete_ = false;
@@ -273,14 +316,32 @@ void refuse_random_tubes(const Case& c) {
                      ": output.incoherent: random tubes do not add up what roughness scatters; remove it, or --launch random");
 }
 
+// The case with what one netCDF file alone means for it.
+Case case_for(const Destination& destination, const Request& request, Case c) {
+  if (!destination.one_file()) return c;
+  if (request.random)
+    throw InputError(
+        fmt::format("-o {}: one netCDF file has no place for the spread of random tubes; give a folder, or leave out "
+                    "--launch random",
+                    request.output_folder.string()));
+  if (!c.image_looks.empty())
+    warn(fmt::format("{}: output.image_look has no effect with -o {}: give a folder for images", c.file.string(),
+                     request.output_folder.string()));
+  c.image_looks.clear();
+  c.plots = false;
+  c.netcdf = true;
+  return c;
+}
+
 }  // namespace
 
 void run_command(const Request& request) {
   const Stopwatch total;
-  const Case c = read_case(request.case_file, request.overrides);
-  const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
-  check_output(destination, names_of_results(request, c), input_files(c));
-  if (!request.resume) LookJournal::refuse_leftover(destination);
+  Case read = read_case(request.case_file, request.overrides);
+  const Destination destination = destination_of(request, read);
+  const Case c = case_for(destination, request, std::move(read));
+  check_output(destination.folder, names_of_results(request, c, destination), input_files(c));
+  if (!request.resume) LookJournal::refuse_leftover(destination.folder);
   if (request.random) refuse_random_tubes(c);
   LoadedMesh loaded = load_target(c);
   if (const auto count = loaded.report.free_forms_read)

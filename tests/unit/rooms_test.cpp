@@ -77,16 +77,17 @@ const Rooms may_include = {
     {"case/materials", {"core", "scene", "case/data", "case/text"}},
     {"case", {"core", "scene", "mesh", "mesh/model", "case/data", "case/text", "case/directions", "case/materials"}},
     {"output/files", {"core", "scene"}},
-    {"output/tables", {"core", "scene", "output/files"}},
-    {"output/compare", {"core", "scene", "output/files", "output/tables"}},
+    {"output/netcdf", {"core"}},
+    {"output/tables", {"core", "scene", "output/files", "output/netcdf"}},
+    {"output/compare", {"core", "scene", "output/files", "output/netcdf", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
     {"jobs/warnings", base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "solve"}},
     {"jobs", base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/files",
                                           "output/tables", "sbr", "sbr/launch", "solve"}},
     {"program", base + std::set<std::string>{"jobs", "jobs/warnings", "case", "case/data", "case/materials", "mesh",
-                                             "output/compare", "output/files", "output/plots", "output/words", "output/tables",
-                                             "point_source", "sbr", "solve", "utd/shadow", "utd/wedge"}},
+                                             "output/compare", "output/files", "output/netcdf", "output/plots", "output/words",
+                                             "output/tables", "point_source", "sbr", "solve", "utd/shadow", "utd/wedge"}},
 };
 
 struct SourceFile {
@@ -204,7 +205,7 @@ Findings types_defined_twice(const std::vector<SourceFile>& files) {
 }
 
 Findings foreign_libraries_in_headers(const std::vector<SourceFile>& files) {
-  static const std::regex foreign(R"(#include\s+<(embree|CGAL|OpenMesh|CLI|toml|nlohmann|openssl))");
+  static const std::regex foreign(R"(#include\s+<(embree|CGAL|OpenMesh|CLI|toml|nlohmann|openssl|netcdf))");
   Findings found;
   for (const SourceFile& file : files)
     if (file.is_header())

@@ -101,6 +101,7 @@ struct Case {
   SurfaceOptions surfaces;
   WedgeOptions wedges;
   bool plots = true;
+  bool netcdf = false;                   // the results are written as rcs.nc, too
   bool incoherent = false;               // what rough surfaces scatter incoherently is written, too
   std::vector<std::size_t> image_looks;  // of which images are made
   double image_per_wavelength = 10.0;

@@ -14,7 +14,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 42> known_keys = {"title",
+constexpr std::array<std::string_view, 43> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -53,6 +53,7 @@ constexpr std::array<std::string_view, 42> known_keys = {"title",
                                                          "radar.beamwidth_deg",
                                                          "radar.pattern_csv",
                                                          "output.plots",
+                                                         "output.netcdf",
                                                          "output.incoherent",
                                                          "output.image_look",
                                                          "output.image_per_wavelength"};

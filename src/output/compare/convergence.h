@@ -16,7 +16,7 @@ inline constexpr double fine_enough_db = 0.1;
 struct DensityResult {
   double per_wavelength;
   std::uint64_t tubes, rays;
-  double solve_s;
+  double solve_s;  // NaN: not known
   std::vector<ScatteringMatrix> total;
 };
 

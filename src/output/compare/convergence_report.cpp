@@ -15,6 +15,8 @@ namespace {
 
 std::string three_digits(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
 
+std::string seconds_text(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3f}", value); }
+
 Complex strongest(const ConvergenceStudy& study, const std::vector<ScatteringMatrix>& total) {
   const int c = study.convergence.strongest_channel;
   return total[study.convergence.strongest_row].at(c / 2, c % 2);
@@ -31,10 +33,10 @@ constexpr const char* table_line = "{:>6}{:>12}{:>12}{:>9}{:>11}{:>11}{:>11}{:>1
 std::string density_line(const ConvergenceStudy& study, std::size_t i) {
   const DensityResult& result = study.results[i];
   const DensityErrors& errors = study.convergence.densities[i];
-  return fmt::format(table_line, number_text(result.per_wavelength), result.tubes, result.rays,
-                     fmt::format("{:.3f}", result.solve_s), fmt::format("{:.4f}", sigma_dbsm(strongest(study, result.total))),
-                     fmt::format("{:.5g}", errors.norm), three_digits(errors.change), three_digits(errors.relative_change),
-                     three_digits(errors.order), three_digits(errors.relative_error), three_digits(errors.rms_db));
+  return fmt::format(table_line, number_text(result.per_wavelength), result.tubes, result.rays, seconds_text(result.solve_s),
+                     fmt::format("{:.4f}", sigma_dbsm(strongest(study, result.total))), fmt::format("{:.5g}", errors.norm),
+                     three_digits(errors.change), three_digits(errors.relative_change), three_digits(errors.order),
+                     three_digits(errors.relative_error), three_digits(errors.rms_db));
 }
 
 std::string order_text(const ConvergenceStudy& study) {

@@ -1,6 +1,7 @@
 // The room of results: what is written, read back, compared and drawn. It knows results, neither meshes nor rays nor cases.
 //
 //     files    how files come to be: folders, locks, hashes, run.json, the journal of finished looks
+//     netcdf   results as netCDF-4 files, written and read
 //     tables   rcs.csv and its relatives, written; tables from any source, read
 //     compare  two results beside each other, convergence over tube density, random runs
 //     plots    pictures through gnuplot

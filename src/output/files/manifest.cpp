@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/decimal.h"
+#include "core/json.h"
 #include "output/files/files.h"
 
 namespace raytube {
@@ -22,34 +23,7 @@ JsonValue lost_ray_json(const LostRay& ray) {
           {"at_m", std::vector<JsonValue>{ray.at.x, ray.at.y, ray.at.z}}};
 }
 
-JsonValue mesh_json(const Manifest& manifest) {
-  const std::vector<std::string>& hashes = manifest.mesh_sha256;
-  JsonValue json = {{"sha256", hashes.size() == 1 ? JsonValue(hashes.front()) : JsonValue(hashes)}};
-  for (const auto& [name, value] : manifest.mesh_report) json[name] = count_or_length(value);
-  json["notes"] = std::vector<JsonValue>();
-  for (const auto& [what, count] : manifest.mesh_notes) json["notes"].append({{"what", what}, {"count", count_or_length(count)}});
-  return json;
-}
-
-JsonValue launch_json(const RandomRuns& random) {
-  return {{"kind", "random"},
-          {"generator", "Philox4x32-10"},
-          {"samples", random.options.samples},
-          {"seed", random.options.seed},
-          {"repeat", random.options.runs},
-          {"run_s", random.run_s},
-          {"deterministic_s", random.deterministic_s}};
-}
-
-JsonValue time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) {
-  JsonValue json = {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
-  if (looks_resumed > 0) json["looks_resumed"] = looks_resumed;
-  return json;
-}
-
-}  // namespace
-
-JsonValue statistics_json(const Statistics& statistics) {
+JsonValue counts_json(const Statistics& statistics) {
   JsonValue json;
   json["rays"] = statistics.rays;
   json["tubes"] = statistics.tubes;
@@ -81,7 +55,7 @@ JsonValue statistics_json(const Statistics& statistics) {
   return json;
 }
 
-JsonValue model_parts_json(const std::vector<ModelPart>& parts) {
+JsonValue model_json(const std::vector<ModelPart>& parts) {
   JsonValue json = std::vector<JsonValue>();
   for (const ModelPart& part : parts)
     json.append({{"part", part.name},
@@ -91,6 +65,51 @@ JsonValue model_parts_json(const std::vector<ModelPart>& parts) {
                  {"share", part.share},
                  {"rows_largest", part.rows_largest}});
   return json;
+}
+
+JsonValue mesh_json(const Manifest& manifest) {
+  const std::vector<std::string>& hashes = manifest.mesh_sha256;
+  JsonValue json = {{"sha256", hashes.size() == 1 ? JsonValue(hashes.front()) : JsonValue(hashes)}};
+  for (const auto& [name, value] : manifest.mesh_report) json[name] = count_or_length(value);
+  json["notes"] = std::vector<JsonValue>();
+  for (const auto& [what, count] : manifest.mesh_notes) json["notes"].append({{"what", what}, {"count", count_or_length(count)}});
+  return json;
+}
+
+JsonValue launch_json(const RandomRuns& random) {
+  return {{"kind", "random"},
+          {"generator", "Philox4x32-10"},
+          {"samples", random.options.samples},
+          {"seed", random.options.seed},
+          {"repeat", random.options.runs},
+          {"run_s", random.run_s},
+          {"deterministic_s", random.deterministic_s}};
+}
+
+JsonValue time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) {
+  JsonValue json = {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
+  if (looks_resumed > 0) json["looks_resumed"] = looks_resumed;
+  return json;
+}
+
+std::string title_of(const JsonValue& resolved) {
+  const JsonValue* title = resolved.find("title");
+  return title ? title->text : "";
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> attributes_of(const Manifest& manifest) {
+  const std::vector<std::string>& hashes = manifest.mesh_sha256;
+  return {{"title", title_of(*parsed_json(manifest.case_json))},
+          {"source", "raytube " + manifest.program_version},
+          {"raytube_version", manifest.program_version},
+          {"case", manifest.case_json},
+          {"mesh_sha256", hashes.size() == 1 ? hashes.front() : json_text(hashes, -1)},
+          {"rcs_csv_sha256", manifest.rcs_csv_sha256},
+          {"warnings", json_text(manifest.warnings, -1)},
+          {"counts", json_text(counts_json(manifest.statistics), -1)},
+          {"model_uncertainty", json_text(model_json(manifest.model_parts), -1)}};
 }
 
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest) {
@@ -106,8 +125,8 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["threads"] = manifest.threads;
   if (manifest.random) json["launch"] = launch_json(*manifest.random);
   json["warnings"] = manifest.warnings;
-  json["counts"] = statistics_json(manifest.statistics);
-  json["model_uncertainty"] = model_parts_json(manifest.model_parts);
+  json["counts"] = counts_json(manifest.statistics);
+  json["model_uncertainty"] = model_json(manifest.model_parts);
   json["time"] = time_json(manifest.time, manifest.statistics.solve_s, manifest.looks_resumed);
   json["peak_rss_bytes"] = manifest.peak_rss_bytes;
   json["rcs_csv_sha256"] = manifest.rcs_csv_sha256;

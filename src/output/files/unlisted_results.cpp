@@ -62,6 +62,8 @@ std::set<std::string> results_of_run(const fs::path& folder, const JsonValue& re
   if (plots && plots->boolean) names.insert({"rcs.png", "rcs.svg"});
   if (plots && plots->boolean && head_of(folder / "rcs_polar.svg").find("Produced by GNUPLOT") != std::string::npos)
     names.insert({"rcs_polar.png", "rcs_polar.svg"});
+  const JsonValue* netcdf = output ? output->find("netcdf") : nullptr;
+  if (netcdf && netcdf->boolean) names.insert("rcs.nc");
   if (output && output->find("image_look")) names.merge(names_of_images(folder));
   return names;
 }

@@ -19,9 +19,15 @@ constexpr const char* styles =
     "set style line 3 lc rgb '#d9480f' lw 2 pt 6 ps 2\nset style line 4 lc rgb '#2e8b3d' lw 1.5 dt (3,4)\n"
     "set key inside right top opaque\nset logscale xy\nset format y '%g'\nset ylabel 'estimated relative error of S'\n";
 
-std::vector<double> times(const ConvergenceStudy& study) {
+// Results made earlier say no times.
+bool is_timed(const ConvergenceStudy& study) { return !std::isnan(study.results.front().solve_s); }
+
+// Times, or else rays.
+std::vector<double> costs(const ConvergenceStudy& study) {
   std::vector<double> values;
-  for (const DensityResult& result : study.results) values.push_back(std::max(result.solve_s, least_time));
+  for (const DensityResult& result : study.results)
+    values.push_back(is_timed(study) ? std::max(result.solve_s, least_time)
+                                     : static_cast<double>(std::max<std::uint64_t>(result.rays, 1)));
   return values;
 }
 
@@ -32,12 +38,12 @@ std::vector<double> errors(const ConvergenceStudy& study) {
   return values;
 }
 
-// density, time, error
+// density, cost, error
 std::string data_block(const ConvergenceStudy& study) {
-  const std::vector<double> time = times(study), error = errors(study);
+  const std::vector<double> cost = costs(study), error = errors(study);
   std::string text = "$study << EOD\n";
   for (std::size_t i = 0; i < study.results.size(); ++i)
-    text += fmt::format("{} {:.6g} {:.6g}\n", number_text(study.results[i].per_wavelength), time[i], error[i]);
+    text += fmt::format("{} {:.6g} {:.6g}\n", number_text(study.results[i].per_wavelength), cost[i], error[i]);
   return text + "EOD\n";
 }
 
@@ -84,8 +90,9 @@ std::string convergence_plot_script(const std::string& terminal, const std::stri
   for (const DensityResult& result : results)
     script += fmt::format("{0}'{1}' {1}", &result == &results.front() ? "" : ", ", number_text(result.per_wavelength));
   script += ")\nplot " + points(1, results.size()) + order_line(study) + '\n';
-  script += "unset arrow 1\nunset label 1\nset xlabel 'time (s)'\nset xtics auto\nset format x '%g'\n";
-  script += decades("x", times(study)) + "plot " + points(2, results.size());
+  script += fmt::format("unset arrow 1\nunset label 1\nset xlabel '{}'\nset xtics auto\nset format x '%g'\n",
+                        is_timed(study) ? "time (s)" : "rays");
+  script += decades("x", costs(study)) + "plot " + points(2, results.size());
   return script + ", \\\n     $study using 2:3:1 with labels offset 1.5,0.7 notitle\nunset multiplot\nset output\n";
 }
 

@@ -25,17 +25,13 @@ constexpr const char* wave_conventions =
     "transmitter, rx_ to the receiver.\n"
     "# V is theta-hat and H is phi-hat of each one's own direction, for the transmitter and for the receiver.\n";
 
-std::string antenna_note(const Sweep& sweep) {
-  if (sweep.looks.front().far()) return {};
+std::string antenna_note(bool far) {
+  if (far) return {};
   return "# Antennas at a finite distance: S is the apparent amplitude, that of something at the origin that would make the same "
          "signal.\n"
          "# range_m: from the origin of the mesh's coordinates to the transmitter, rx_range_m to the receiver. Off their lines "
          "to the "
          "origin V and H are turned with the ray (Ludwig's third definition).\n";
-}
-
-std::string range_text(const Look& look) {
-  return look.far() ? "" : ',' + number_text(look.transmit_range) + ',' + number_text(look.receive_range);
 }
 
 std::string range_note(const SweepResult& result) {
@@ -66,15 +62,6 @@ std::string complex_columns(const std::string& suffix) {
   return names;
 }
 
-std::string rcs_header(const Sweep& sweep) {
-  std::string header = key_columns + complex_columns("");
-  for (const char* channel : channel_names) header += fmt::format(",sigma_{}_dbsm", channel);
-  for (const char* channel : channel_names) header += fmt::format(",err_{}_db", channel);
-  for (const char* channel : channel_names) header += fmt::format(",model_{}_db", channel);
-  if (!sweep.looks.front().far()) header += ",range_m,rx_range_m";
-  return header + '\n';
-}
-
 std::string complex_values(const ScatteringMatrix& s) {
   std::string text;
   for (const Complex value : channels(s)) text += ',' + complex_text(value);
@@ -86,6 +73,20 @@ std::string error_values(const ChannelErrors& errors) {
   for (const std::array<double, 2>& receive : errors)
     for (const double value : receive) text += ',' + number_text(value);
   return text;
+}
+
+ChannelErrors by_channel(const std::array<double, 4>& values) { return {{{values[0], values[1]}, {values[2], values[3]}}}; }
+
+ChannelErrors sigmas_dbsm(const ScatteringMatrix& s) {
+  return {{{sigma_dbsm(s.vv()), sigma_dbsm(s.vh())}, {sigma_dbsm(s.hv()), sigma_dbsm(s.hh())}}};
+}
+
+std::string rcs_row(const std::string& frequency, const StoredLook& look, const ScatteringMatrix& s, const RcsLevels& levels) {
+  std::string line = frequency;
+  for (const double angle : {look.theta_deg, look.phi_deg, look.rx_theta_deg, look.rx_phi_deg}) line += ',' + number_text(angle);
+  line += complex_values(s) + error_values(levels.sigma_dbsm) + error_values(levels.err_db) + error_values(levels.model_db);
+  if (!look.far()) line += ',' + number_text(look.range_m) + ',' + number_text(look.rx_range_m);
+  return line + '\n';
 }
 
 std::string polar_text(Complex value) {
@@ -114,17 +115,49 @@ std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelEr
   return levels;
 }
 
+std::string rcs_comment(const Sweep& sweep, const SweepResult& result, const std::string& note) {
+  return conventions(result) + antenna_note(sweep.looks.front().far()) + note;
+}
+
+std::string rcs_columns(bool far) {
+  std::string header = key_columns + complex_columns("");
+  for (const char* channel : channel_names) header += fmt::format(",sigma_{}_dbsm", channel);
+  for (const char* channel : channel_names) header += fmt::format(",err_{}_db", channel);
+  for (const char* channel : channel_names) header += fmt::format(",model_{}_db", channel);
+  return header + (far ? "" : ",range_m,rx_range_m");
+}
+
+StoredLook stored_look(const Look& look) {
+  return {decimal_degrees(look.transmit.theta),
+          decimal_degrees(look.transmit.phi),
+          decimal_degrees(look.receive.theta),
+          decimal_degrees(look.receive.phi),
+          look.transmit_range,
+          look.receive_range};
+}
+
+RcsLevels rcs_levels(const SweepResult& result, std::size_t row) {
+  const ScatteringMatrix& s = result.total[row];
+  return {sigmas_dbsm(s), by_channel(error_levels_db(s, result.error[row])), by_channel(error_levels_db(s, result.model[row]))};
+}
+
 void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result, const std::string& note) {
   OutputFile out(file);
-  out.write(conventions(result) + antenna_note(sweep) + note + rcs_header(sweep));
+  out.write(rcs_comment(sweep, result, note) + rcs_columns(sweep.looks.front().far()) + '\n');
   for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
-    const ScatteringMatrix& s = result.total[row];
-    std::string line = key_text(frequency, look) + complex_values(s);
-    for (const Complex value : channels(s)) line += ',' + number_text(sigma_dbsm(value));
-    for (const double level : error_levels_db(s, result.error[row])) line += ',' + number_text(level);
-    for (const double level : error_levels_db(s, result.model[row])) line += ',' + number_text(level);
-    out.write(line + range_text(look) + '\n');
+    out.write(rcs_row(frequency, stored_look(look), result.total[row], rcs_levels(result, row)));
   });
+  out.commit();
+}
+
+void write_rcs_csv(const std::filesystem::path& file, const StoredResult& result) {
+  OutputFile out(file);
+  out.write(result.comment + rcs_columns(result.far()) + '\n');
+  for (std::size_t row = 0; row < result.rows(); ++row) {
+    const std::size_t frequencies = result.frequency_hz.size();
+    out.write(rcs_row(number_text(result.frequency_hz[row % frequencies]), result.looks[row / frequencies], result.s[row],
+                      {result.sigma_dbsm[row], result.err_db[row], result.model_db[row]}));
+  }
   out.commit();
 }
 
@@ -161,9 +194,10 @@ void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep,
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
-  std::string header = conventions(result) + antenna_note(sweep) + key_columns;
+  std::string header = conventions(result) + antenna_note(sweep.looks.front().far()) + key_columns;
   for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
-  header += complex_columns("_edges_first_order") + complex_columns("_edges_second_order") + complex_columns("_between") + complex_columns("_surface");
+  header += complex_columns("_edges_first_order") + complex_columns("_edges_second_order") + complex_columns("_between") +
+            complex_columns("_surface");
   for (const ModelPart& part : result.model_parts)
     for (const char* channel : channel_names) header += fmt::format(",model_{}_{}_m", part.name, channel);
   out.write(header + '\n');

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "output/netcdf/stored_result.h"
 #include "scene/results.h"
 #include "scene/sweep.h"
 
@@ -27,9 +28,24 @@ std::string conventions(const SweepResult& result);
 /// A row's values under key_columns; the frequency as number_text() has it.
 std::string key_text(const std::string& frequency, const Look& look);
 
+/// The head of rcs.csv: comment lines, of which `note` is the last one, or empty; and the names of its columns.
+std::string rcs_comment(const Sweep& sweep, const SweepResult& result, const std::string& note);
+std::string rcs_columns(bool far);
+
+StoredLook stored_look(const Look& look);
+
+/// What a row of rcs.csv says of its S.
+struct RcsLevels {
+  ChannelErrors sigma_dbsm, err_db, model_db;
+};
+RcsLevels rcs_levels(const SweepResult& result, std::size_t row);
+
 /// rcs.csv: complex S and sigma of the four channels. `note` is a further comment line at its head, or empty.
 void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result,
                    const std::string& note = "");
+
+/// The same of a stored result: the same bytes. What rcs.csv has no columns for is not written.
+void write_rcs_csv(const std::filesystem::path& file, const StoredResult& result);
 
 /// channels.csv: magnitude sqrt(sigma) [m] and phase [rad] received in V and H, one row per transmit polarisation.
 void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);

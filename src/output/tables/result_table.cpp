@@ -13,6 +13,7 @@
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "output/netcdf/netcdf_file.h"
 #include "output/tables/csv.h"
 
 namespace raytube {
@@ -311,9 +312,42 @@ class Rows {
   std::vector<ResultTable::Row> rows_;
 };
 
+ResultTable table_of(const std::filesystem::path& file, const StoredResult& stored) {
+  ResultTable table;
+  table.file = file;
+  table.has_key.fill(true);
+  table.has_channel.fill(true);
+  table.has_phase.fill(true);
+  for (std::size_t row = 0; row < stored.rows(); ++row) {
+    const StoredLook& look = stored.looks[row / stored.frequency_hz.size()];
+    const double hertz = stored.frequency_hz[row % stored.frequency_hz.size()];
+    ResultTable::Row& ours = table.rows.emplace_back();
+    ours.key = {hertz, look.theta_deg, look.phi_deg, look.rx_theta_deg, look.rx_phi_deg};
+    ours.s = {stored.s[row].vv(), stored.s[row].vh(), stored.s[row].hv(), stored.s[row].hh()};
+    for (std::size_t c = 0; c < 4; ++c) ours.sigma_dbsm[c] = sigma_dbsm(ours.s[c]);
+  }
+  return table;
+}
+
+void require_numbers(const ResultTable& table) {
+  for (const ResultTable::Row& row : table.rows)
+    for (const Complex s : row.s)
+      if (!std::isfinite(s.real()) || !std::isfinite(s.imag()))
+        throw InputError(fmt::format("{}: S at {} Hz, theta {}, phi {} is not a finite number; leave that row out with --only",
+                                     table.file.string(), number_text(row.key[ResultTable::frequency]),
+                                     number_text(row.key[ResultTable::theta]), number_text(row.key[ResultTable::phi])));
+}
+
 }  // namespace
 
 ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map, const std::string& option) {
+  if (is_netcdf_name(file)) {
+    if (!map.empty())
+      throw InputError(fmt::format("{}: {} has variables, no columns; leave the option out", option, file.string()));
+    ResultTable table = table_of(file, read_netcdf(file));
+    require_numbers(table);
+    return table;
+  }
   CsvReader reader(file, "give the path of a readable table, for example out/rcs.csv");
   if (reader.columns().empty())
     throw InputError(fmt::format("{}: holds no table; give a file with a header and rows", file.string()));

@@ -43,6 +43,7 @@ constexpr bool is_azimuth(ResultTable::Key key) { return key == ResultTable::phi
 ///   sigma_pq_dbsm, and perhaps phase_pq_rad. At least one is needed. With tx_pol, v or h, a row holds one transmit polarisation,
 ///   as in channels.csv: v_magnitude [m], v_phase_rad, h_magnitude [m], h_phase_rad as received. Rows with the same keys become
 ///   one.
+/// A netCDF file (.nc) that raytube has written has all of these, and takes no map.
 /// `map` says which column has another name or unit: a unit in brackets at the end of that name counts where no factor is given.
 /// `option` is what a sentence calls the map. Throws InputError with line and column.
 ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map = {},

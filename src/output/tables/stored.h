@@ -1,0 +1,26 @@
+// Results on their way into files of any kind and back.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "output/netcdf/stored_result.h"
+#include "scene/results.h"
+#include "scene/sweep.h"
+
+namespace raytube {
+
+/// All that files say of a solve. `note` is a further comment line of rcs.csv, or empty. Attributes are the caller's.
+StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::string& note = "");
+
+/// Bytes that stored() takes for each row, and its way into a file; parts for so many bounces.
+double stored_bytes_per_row(bool parts, int bounces);
+
+/// What was asked for, as far as a file says it: frequencies and looks, without antennas and materials.
+Sweep sweep_of(const StoredResult& result);
+
+/// Reads rcs.csv as a run writes it, from the numbers to the comment lines. Throws InputError, with the line, if it has other
+/// columns or if its rows are not every look at every frequency, frequency fastest.
+StoredResult read_rcs_csv(const std::filesystem::path& file);
+
+}  // namespace raytube
