@@ -10,8 +10,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto look_out = 20ms;    // for signals
-constexpr auto patience = 300ms;   // with work that should end by itself
+constexpr auto look_out = 20ms;   // for signals
+constexpr auto patience = 300ms;  // with work that should end by itself
 constexpr auto between_shares = 100ms;
 
 std::mutex counting;

@@ -34,8 +34,8 @@ class Workers {
   static void wait_for_all();
 };
 
-/// Waits without the interpreter's lock. Calls `progress`, if it is no None, with the finished share. Sets watch.stop and throws what
-/// Python has raised (KeyboardInterrupt, or an exception of `progress`) at most half a second after it was.
+/// Waits without the interpreter's lock. Calls `progress`, if it is no None, with the finished share. Sets watch.stop and throws
+/// what Python has raised (KeyboardInterrupt, or an exception of `progress`) at most half a second after it was.
 void wait_for(const std::function<bool(std::chrono::milliseconds)>& done_within, Watch& watch, const pybind11::object& progress);
 
 /// The value of work(watch), done on a thread of its own. The work must own all it uses, none of it Python's, for it may outlive
@@ -44,15 +44,17 @@ template <class Work>
 auto interruptibly(Work work, const pybind11::object& progress = pybind11::none()) {
   using Value = decltype(work(std::declval<Watch&>()));
   const auto watch = std::make_shared<Watch>();
-  const auto task = std::make_shared<std::packaged_task<Value()>>([work = std::move(work), watch]() mutable { return work(*watch); });
+  const auto task =
+      std::make_shared<std::packaged_task<Value()>>([work = std::move(work), watch]() mutable { return work(*watch); });
   std::future<Value> value = task->get_future();
   Workers::begun();
-  std::thread([task]() mutable {
+  std::thread([task = std::move(task)]() mutable {
     (*task)();
     task.reset();
     Workers::ended();
   }).detach();
-  wait_for([&value](std::chrono::milliseconds time) { return value.wait_for(time) == std::future_status::ready; }, *watch, progress);
+  wait_for([&value](std::chrono::milliseconds time) { return value.wait_for(time) == std::future_status::ready; }, *watch,
+           progress);
   return value.get();
 }
 

@@ -45,8 +45,8 @@ std::vector<std::pair<std::string, std::string>> attributes(const Job& job, cons
 
 void check_look(const Case& c, std::size_t look) {
   if (look >= c.sweep.looks.size())
-    throw InputError(fmt::format("look {}: there are {} direction pair(s), counted from 0; choose among these", look,
-                                 c.sweep.looks.size()));
+    throw InputError(
+        fmt::format("look {}: there are {} direction pair(s), counted from 0; choose among these", look, c.sweep.looks.size()));
 }
 
 }  // namespace
@@ -96,7 +96,8 @@ TubeTrace Job::trace(std::size_t look, const dvec2& at) const {
   const auto highest = static_cast<std::size_t>(std::ranges::max_element(sweep.frequencies) - sweep.frequencies.begin());
   const std::vector<Material> materials = at_frequency(sweep.materials, highest);
   const ReplayScene scene{built->target.tracer, materials, sweep.radar};
-  return naming_the_case(asked, [&] { return trace_tube(scene, sweep.looks[look], sweep.frequencies[highest], asked.tubes, at); });
+  return naming_the_case(asked,
+                         [&] { return trace_tube(scene, sweep.looks[look], sweep.frequencies[highest], asked.tubes, at); });
 }
 
 Study Job::converge(const std::vector<double>& densities, int threads, Watch& watch) const {

@@ -29,8 +29,8 @@ struct Study {
   Convergence convergence;
 };
 
-/// Immutable and shared: work on it may outlive the call that began it. Everything throws InputError for bad input and Interrupted
-/// once `watch` says stop.
+/// Immutable and shared: work on it may outlive the call that began it. Everything throws InputError for bad input and
+/// Interrupted once `watch` says stop.
 struct Job {
   Case asked;
   std::vector<std::string> mesh_sha256;

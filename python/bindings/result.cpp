@@ -35,7 +35,7 @@ template <class Value>
 py::object view(const void* data, std::vector<py::ssize_t> shape, const py::handle& owner) {
   py::array_t<Value> array(std::move(shape), static_cast<const Value*>(data), owner);
   array.attr("flags").attr("writeable") = false;
-  return std::move(array);
+  return py::object(std::move(array));
 }
 
 std::vector<py::ssize_t> shape_of(const StoredResult& r, std::vector<py::ssize_t> more) {
@@ -80,8 +80,9 @@ Shared from_arrays(const Numbers& frequency_hz, const Numbers& looks, bool bista
                    const std::vector<std::pair<std::string, std::string>>& attributes) {
   require(frequency_hz.ndim() == 1 && frequency_hz.size() > 0, "frequency_hz: give one or more frequencies");
   require(looks.ndim() == 2 && looks.shape(0) > 0 && looks.shape(1) == 4, "looks: give rows of four angles");
-  require(s.ndim() == 4 && s.shape(0) == looks.shape(0) && s.shape(1) == frequency_hz.size() && s.shape(2) == 2 && s.shape(3) == 2,
-          "S: give amplitudes of the shape (looks, frequencies, 2, 2)");
+  require(
+      s.ndim() == 4 && s.shape(0) == looks.shape(0) && s.shape(1) == frequency_hz.size() && s.shape(2) == 2 && s.shape(3) == 2,
+      "S: give amplitudes of the shape (looks, frequencies, 2, 2)");
   auto r = std::make_shared<StoredResult>();
   r->frequency_hz.assign(frequency_hz.data(), frequency_hz.data() + frequency_hz.size());
   fill_looks(*r, looks);
@@ -125,8 +126,10 @@ py::object incoherent_of(const py::object& self) {
 void bind_stored(py::module_& module) {
   py::class_<StoredResult, Shared> stored(module, "Stored");
   stored.def_static("from_arrays", &from_arrays);
-  stored.def_static("read_netcdf", [](const std::filesystem::path& file) { return std::make_shared<StoredResult>(read_netcdf(file)); });
-  stored.def_static("read_csv", [](const std::filesystem::path& file) { return std::make_shared<StoredResult>(read_rcs_csv(file)); });
+  stored.def_static("read_netcdf",
+                    [](const std::filesystem::path& file) { return std::make_shared<StoredResult>(read_netcdf(file)); });
+  stored.def_static("read_csv",
+                    [](const std::filesystem::path& file) { return std::make_shared<StoredResult>(read_rcs_csv(file)); });
   stored.def("write_netcdf", [](const StoredResult& r, const std::filesystem::path& file) { write_netcdf(file, r); });
   stored.def("write_csv", [](const StoredResult& r, const std::filesystem::path& file) { write_rcs_csv(file, r); });
   stored.def_property_readonly("frequency_hz", [](const py::object& self) {

@@ -61,7 +61,8 @@ std::shared_ptr<const BuiltTarget> TargetSource::built_for(const Case& c) {
   return built;
 }
 
-PolygonSoup soup_of(std::vector<dvec3> vertices, std::vector<std::vector<std::uint32_t>> polygons, const std::vector<std::string>& names) {
+PolygonSoup soup_of(std::vector<dvec3> vertices, std::vector<std::vector<std::uint32_t>> polygons,
+                    const std::vector<std::string>& names) {
   PolygonSoup soup{std::move(vertices), std::move(polygons)};
   for (std::size_t i = 0; i < names.size(); ++i) soup.names.give(i, soup.names.list({names[i]}));
   return soup;

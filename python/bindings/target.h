@@ -35,8 +35,8 @@ class TargetSource {
   const PolygonSoup& soup() const { return soup_; }
   const std::vector<std::string>& sha256() const { return sha256_; }
 
-  /// Ready for a case whose [target] is this one. The last few are kept, so that a sweep of anything but materials and creases builds
-  /// once. Throws InputError.
+  /// Ready for a case whose [target] is this one. The last few are kept, so that a sweep of anything but materials and creases
+  /// builds once. Throws InputError.
   std::shared_ptr<const BuiltTarget> built_for(const Case& c);
 
  private:
@@ -48,6 +48,7 @@ class TargetSource {
 };
 
 /// A polygon for each row of `corners`, three or more, -1 after the last one.
-PolygonSoup soup_of(std::vector<dvec3> vertices, std::vector<std::vector<std::uint32_t>> polygons, const std::vector<std::string>& names);
+PolygonSoup soup_of(std::vector<dvec3> vertices, std::vector<std::vector<std::uint32_t>> polygons,
+                    const std::vector<std::string>& names);
 
 }  // namespace raytube::python

@@ -80,7 +80,8 @@ CaseValue scalar(const py::handle& value, const std::string& location) {
 CaseValue any(const py::handle& value, const std::string& location) {
   if (py::isinstance<py::dict>(value)) return table(py::reinterpret_borrow<py::dict>(value), location);
   if (is_array(value)) return array(value, location);
-  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value) || PyRange_Check(value.ptr())) return list(value, location);
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value) || PyRange_Check(value.ptr()))
+    return list(value, location);
   return scalar(value, location);
 }
 

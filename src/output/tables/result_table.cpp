@@ -312,30 +312,27 @@ class Rows {
   std::vector<ResultTable::Row> rows_;
 };
 
-ResultTable table_of(const std::filesystem::path& file, const StoredResult& stored) {
-  ResultTable table;
-  table.file = file;
-  table.has_key.fill(true);
-  table.has_channel.fill(true);
-  table.has_phase.fill(true);
-  for (std::size_t row = 0; row < stored.rows(); ++row) {
-    const StoredLook& look = stored.looks[row / stored.frequency_hz.size()];
-    const double hertz = stored.frequency_hz[row % stored.frequency_hz.size()];
-    ResultTable::Row& ours = table.rows.emplace_back();
-    ours.key = {hertz, look.theta_deg, look.phi_deg, look.rx_theta_deg, look.rx_phi_deg};
-    ours.s = {stored.s[row].vv(), stored.s[row].vh(), stored.s[row].hv(), stored.s[row].hh()};
-    for (std::size_t c = 0; c < 4; ++c) ours.sigma_dbsm[c] = sigma_dbsm(ours.s[c]);
-  }
-  return table;
-}
+bool finite(Complex s) { return std::isfinite(s.real()) && std::isfinite(s.imag()); }
 
 void require_numbers(const ResultTable& table) {
   for (const ResultTable::Row& row : table.rows)
-    for (const Complex s : row.s)
-      if (!std::isfinite(s.real()) || !std::isfinite(s.imag()))
+    for (std::size_t c = 0; c < 4; ++c)
+      if (table.has_channel[c] && !finite(row.s[c]))
         throw InputError(fmt::format("{}: S at {} Hz, theta {}, phi {} is not a finite number; leave that row out with --only",
                                      table.file.string(), number_text(row.key[ResultTable::frequency]),
                                      number_text(row.key[ResultTable::theta]), number_text(row.key[ResultTable::phi])));
+}
+
+std::vector<ResultTable::Row> rows_of(const StoredResult& stored) {
+  std::vector<ResultTable::Row> rows(stored.rows());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const StoredLook& look = stored.looks[row / stored.frequency_hz.size()];
+    const double hertz = stored.frequency_hz[row % stored.frequency_hz.size()];
+    rows[row].key = {hertz, look.theta_deg, look.phi_deg, look.rx_theta_deg, look.rx_phi_deg};
+    rows[row].s = {stored.s[row].vv(), stored.s[row].vh(), stored.s[row].hv(), stored.s[row].hh()};
+    for (std::size_t c = 0; c < 4; ++c) rows[row].sigma_dbsm[c] = sigma_dbsm(rows[row].s[c]);
+  }
+  return rows;
 }
 
 }  // namespace
@@ -344,9 +341,7 @@ ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap
   if (is_netcdf_name(file)) {
     if (!map.empty())
       throw InputError(fmt::format("{}: {} has variables, no columns; leave the option out", option, file.string()));
-    ResultTable table = table_of(file, read_netcdf(file));
-    require_numbers(table);
-    return table;
+    return table_of(read_netcdf(file), file);
   }
   CsvReader reader(file, "give the path of a readable table, for example out/rcs.csv");
   if (reader.columns().empty())
@@ -364,6 +359,17 @@ ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap
     table.has_level[c] = layout.channels[c].has_level() && rows.transmitted(c % 2);
     table.has_phase[c] = layout.channels[c].has_phase() && rows.transmitted(c % 2);
   }
+  return table;
+}
+
+ResultTable table_of(const StoredResult& stored, const std::filesystem::path& name) {
+  ResultTable table;
+  table.file = name;
+  table.has_key.fill(true);
+  table.rows = rows_of(stored);
+  for (std::size_t c = 0; c < 4; ++c)
+    table.has_channel[c] = table.has_phase[c] = std::ranges::any_of(table.rows, [c](const auto& row) { return finite(row.s[c]); });
+  require_numbers(table);
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/field.h"
+#include "output/netcdf/stored_result.h"
 #include "output/tables/column_map.h"
 
 namespace raytube {
@@ -48,6 +49,10 @@ constexpr bool is_azimuth(ResultTable::Key key) { return key == ResultTable::phi
 /// `option` is what a sentence calls the map. Throws InputError with line and column.
 ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map = {},
                               const std::string& option = "--result-columns");
+
+/// A result that is at hand; sentences call it `name`. A channel without a single number is none. Throws InputError for other rows
+/// without a number.
+ResultTable table_of(const StoredResult& stored, const std::filesystem::path& name);
 
 /// Keeps the rows whose key lies in low...high, ends included; an azimuth may lie there by full turns, which are then taken off
 /// it. A table without that key keeps all. Throws InputError if none is left.

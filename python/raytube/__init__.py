@@ -1,0 +1,31 @@
+"""Radar cross-sections of triangle meshes: deterministic shooting and bouncing rays with edges, complex and polarimetric.
+
+A target is built once and solved as often as you like; every keyword is a key of a case file, and every sentence about a wrong one
+is that of the program.
+
+>>> import raytube as rt
+>>> plate = rt.Target([[0, 0, 0], [.3, 0, 0], [.3, .3, 0], [0, .3, 0]], [[0, 1, 2, 3]], unit="m")
+>>> result = rt.solve(plate, ghz=10.0, looks=rt.monostatic(theta_deg=[0, 10, 20], phi_deg=0))
+>>> result.S.shape                       # complex amplitudes in metres: look, frequency, receive, transmit
+(3, 1, 2, 2)
+
+Conventions: time factor exp(+j omega t); theta from +z and phi from +x point from the target towards the radar [deg]; V is
+theta-hat and H is phi-hat of each one's own direction; ``vh`` is receive V, transmit H; sigma = 4 pi |S|^2; the phase reference is the
+origin of the mesh's coordinates.
+
+Target, monostatic, bistatic, looks, solve: what is asked. Result, load: what comes out. run, check, converge, image, trace: what the
+program of the same name does, for a case file or for a target. compare: two results of any source.
+"""
+
+from raytube._core import InputError, __version__
+from raytube._jobs import CheckReport, Convergence, check, converge, image, run, solve, trace
+from raytube._comparison import Comparison, compare
+from raytube._looks import Looks, bistatic, looks, monostatic
+from raytube._radar_explorer import read_radar_explorer
+from raytube._result import RaytubeWarning, Result, load
+from raytube._target import Target
+
+__all__ = ["CheckReport", "Comparison", "Convergence", "InputError", "Looks", "RaytubeWarning", "Result", "Target", "bistatic", "check",
+           "compare", "converge", "image", "load", "looks", "monostatic", "read_radar_explorer", "run", "solve", "trace", "__version__"]
+InputError.__doc__ = """Bad input: one sentence that says what is wrong, where, and what to do. A ValueError."""
+InputError.__module__ = "raytube"

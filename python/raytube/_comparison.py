@@ -1,0 +1,83 @@
+"""Two results beside each other."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from raytube import _core
+from raytube._radar_explorer import read_radar_explorer
+from raytube._result import Result
+
+
+class Comparison:
+    """How far a result is from a reference, channel by channel.
+
+    Attributes
+    ----------
+    channels : dict of str to dict
+        Measures of each channel that both results have and in which there is a signal: ``rms_db``, ``mean_abs_db``,
+        ``median_abs_db``, ``p95_abs_db``, ``largest_abs_db``, ``bias_db`` over the rows within `within_db` of the reference's peak;
+        ``relative_error`` (complex), ``austin_db``, ``correlation`` over all rows.
+    relative_error : float
+        ``||S - S_ref|| / ||S_ref||`` over all rows and channels; infinite where one of them lacks rows, channels or phase.
+    rows : int
+        Rows that both have.
+    """
+
+    def __init__(self, core: Any):
+        self._core = core
+        self.channels: dict[str, dict[str, float]] = core.channels
+        self.relative_error: float = core.relative_error
+        self.rows: int = core.rows
+
+    def within(self, tolerance_db: float) -> bool:
+        """True if the rms error of no channel exceeds the tolerance [dB]."""
+        return self._core.above_tolerance(tolerance_db) == ""
+
+    def __repr__(self) -> str:
+        return self._core.text
+
+
+def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[str, Any] | None = None,
+            free_scale: bool = False) -> Comparison:
+    """Compares two results of any source in the rows that have equal frequency and angles.
+
+    Parameters
+    ----------
+    result, reference : Result or path
+        What `solve` or `load` gave, or a file: ``.nc``, a table with a header (``rcs.csv`` and others, see ``raytube compare --help``), or
+        the ``.json`` of the Radar Explorer Toolkit.
+    within_db : float
+        Measures in dB are over the rows whose reference is so near to its channel's peak.
+    only : dict, optional
+        Rows that count: ``{"phi_deg": (-45, 45), "freq_hz": 10e9}``.
+    free_scale : bool
+        Fit one complex factor first.
+
+    Returns
+    -------
+    Comparison
+        Its ``repr`` is the table that ``raytube compare`` prints.
+
+    Raises
+    ------
+    InputError
+        If a file cannot be read, or if nothing is in common.
+    """
+    ranges = {name: _range(value) for name, value in (only or {}).items()}
+    return Comparison(_core.compare(_table(result, "result"), _table(reference, "reference"), ranges, within_db, free_scale))
+
+
+def _range(value: Any) -> tuple[float, float]:
+    return (float(value[0]), float(value[1])) if isinstance(value, (tuple, list)) else (float(value), float(value))
+
+
+def _table(source: Any, name: str) -> Any:
+    if isinstance(source, Result):
+        return _core.Table.of_stored(source._stored, name)
+    file = os.fspath(source)
+    if file.lower().endswith(".json"):
+        return _core.Table.of_stored(read_radar_explorer(file)._stored, file)
+    return _core.Table.of_file(file)

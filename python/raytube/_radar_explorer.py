@@ -1,0 +1,139 @@
+"""Interchange with the Radar Explorer Toolkit of Ansys: metadata in JSON, one channel in an HDF5 file that pandas reads."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raytube import _core
+from raytube._core import InputError
+from raytube._result import CHANNELS, Result
+
+# value = sqrt(4 pi) S: |value|^2 is sigma in m^2; time factor and angles are those of raytube.
+_SCALE = np.sqrt(4.0 * np.pi)
+_LEVELS = ["Freq", "IWavePhi", "IWaveTheta"]
+_HERTZ = {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6, "GHz": 1e9, "THz": 1e12}
+_KEY = "df"
+
+
+def write_radar_explorer(result: Result, folder: str | os.PathLike, name: str | None = None, channels: Sequence[str] = CHANNELS,
+                         geometry: Sequence[str | os.PathLike] = ()) -> list[Path]:
+    """See `Result.to_radar_explorer`."""
+    if result._stored.bistatic:
+        raise InputError("to_radar_explorer: these files hold monostatic results; this one is bistatic")
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    name = name or result.title or "raytube"
+    name = "".join(c if c.isalnum() or c in "-_" else "_" for c in name)
+    return [_write_channel(result, folder, name, channel.lower(), [Path(file) for file in geometry]) for channel in channels]
+
+
+def read_radar_explorer(file: str | os.PathLike) -> Result:
+    """Reads what the Radar Explorer Toolkit opens.
+
+    Parameters
+    ----------
+    file : path
+        The metadata file of one channel (``.json``). Those of the other channels are read, too, where they lie beside it under the same
+        name with another channel at its beginning: ``HH_name.json``, ``VV_name.json``.
+
+    Returns
+    -------
+    Result
+        Channels without a file are NaN. Its ``attributes`` hold the metadata.
+
+    Raises
+    ------
+    InputError
+        If a file is missing or holds something else.
+    """
+    path = Path(file)
+    first = _read_channel(path)
+    frames = {first[0]: first[1]}
+    for channel in CHANNELS:
+        sibling = _sibling(path, first[0], channel)
+        if channel not in frames and sibling is not None and sibling.is_file():
+            found, frame, _ = _read_channel(sibling)
+            frames[found] = frame
+    return _result_of(frames, first[2], path)
+
+
+def _write_channel(result: Result, folder: Path, name: str, channel: str, geometry: list[Path]) -> Path:
+    if channel not in CHANNELS:
+        raise InputError(f"to_radar_explorer: there is no channel {channel!r}; choose among {', '.join(CHANNELS)}")
+    upper = channel.upper()
+    frame = _frame(result, channel, upper)
+    data, metadata = folder / f"{upper}_data_{name}.h5", folder / f"{upper}_{name}.json"
+    beside = data.with_suffix(".h5.part")
+    frame.to_hdf(beside, key=_KEY, mode="w", format="table")
+    os.replace(beside, data)
+    text = {"solution": name, "monostatic_file": data.name, "model_units": "meter", "frequency_units": "GHz",
+            "model_info": {part.stem: [part.name, [143, 175, 143], 1.0, "meter"] for part in geometry}}
+    beside = metadata.with_suffix(".json.part")
+    beside.write_text(json.dumps(text, indent=2))
+    os.replace(beside, metadata)
+    return metadata
+
+
+def _frame(result: Result, channel: str, name: str) -> Any:
+    import pandas
+
+    values = _SCALE * result.S.values[:, :, "vh".index(channel[0]), "vh".index(channel[1])]
+    looks, frequencies = values.shape
+    ghz = result._stored.frequency_hz / 1e9
+    index = pandas.MultiIndex.from_arrays(
+        [np.tile(ghz, looks), np.repeat(result._stored.phi_deg, frequencies), np.repeat(result._stored.theta_deg, frequencies)], names=_LEVELS)
+    return pandas.DataFrame({name: values.reshape(-1)}, index=index).sort_index()
+
+
+def _read_channel(path: Path) -> tuple[str, Any, dict[str, Any]]:
+    import pandas
+
+    try:
+        metadata = json.loads(path.read_text())
+        data = path.parent / metadata["monostatic_file"]
+        unit = metadata["frequency_units"]
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror}); give a metadata file of the Radar Explorer Toolkit") from None
+    except (ValueError, KeyError, TypeError):
+        raise InputError(f"{path}: is no metadata file of the Radar Explorer Toolkit: no JSON with monostatic_file and frequency_units") from None
+    if unit not in _HERTZ:
+        raise InputError(f"{path}: frequency_units {unit!r} is unknown; write one of {', '.join(_HERTZ)}")
+    try:
+        frame = pandas.read_hdf(data)
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise InputError(f"{data}, named in {path}: cannot be read as a table of pandas ({error})") from None
+    if list(frame.index.names) != _LEVELS or len(frame.columns) != 1 or str(frame.columns[0]).lower() not in CHANNELS:
+        raise InputError(f"{data}: needs one column named after a channel (HH, HV, VH, VV) and the index {', '.join(_LEVELS)}")
+    channel = str(frame.columns[0]).lower()
+    frame = frame.rename(columns={frame.columns[0]: channel})
+    frame.index = frame.index.set_levels(np.round(frame.index.levels[0] * _HERTZ[unit], 6), level=0)
+    return channel, frame, metadata
+
+
+def _sibling(path: Path, channel: str, other: str) -> Path | None:
+    name = path.name
+    return path.with_name(other.upper() + name[2:]) if name[:2].lower() == channel else None
+
+
+def _result_of(frames: dict[str, Any], metadata: dict[str, Any], path: Path) -> Result:
+    import pandas
+
+    table = pandas.concat(frames.values(), axis=1).sort_index()
+    frequencies = table.index.levels[0].to_numpy()
+    directions = table.index.droplevel(0).unique()
+    looks = np.array([[theta, phi, theta, phi] for phi, theta in directions])
+    if len(table) != len(frequencies) * len(looks):
+        raise InputError(f"{path}: not every direction is there at every frequency; raytube's results have all of them")
+    s = np.full((len(looks), len(frequencies), 2, 2), complex(np.nan, np.nan))
+    for channel in frames:
+        values = table[channel].to_numpy().reshape(len(frequencies), len(looks))
+        s[:, :, "vh".index(channel[0]), "vh".index(channel[1])] = values.T / _SCALE
+    attributes = [("title", str(metadata.get("solution", path.stem))), ("source", "Radar Explorer Toolkit"),
+                  ("radar_explorer", json.dumps(metadata))]
+    return Result(_core.Stored.from_arrays(frequencies, looks, False, s, attributes))

@@ -1,0 +1,326 @@
+"""What comes out of a solve."""
+
+from __future__ import annotations
+
+import json
+import os
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from raytube import _core
+from raytube._core import InputError
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+
+CHANNELS = ("vv", "vh", "hv", "hh")
+_S_UNITS = {"units": "m", "long_name": "scattering amplitude S"}
+
+
+class RaytubeWarning(UserWarning):
+    """What a result may not be meant to be: of mesh, case or rows, in a sentence with the remedy."""
+
+
+class Result:
+    """Complex scattering amplitudes of looks and frequencies, with their errors. Made by `solve`, `run` and `load`.
+
+    Arrays are read-only views of the result, labelled by xarray: ``result.S.values`` is the NumPy array itself.
+    """
+
+    def __init__(self, stored: Any):
+        self._stored = stored
+
+    @cached_property
+    def S(self) -> xr.DataArray:
+        """Scattering amplitudes [m], complex, dimensions (look, frequency, receive, transmit).
+
+        ``E_p(scattered) = S_pq E_q(incident) exp(-j k r) / r``; at a finite range apparent ones.
+        """
+        return self._array(self._stored.S, ("receive", "transmit"), _S_UNITS)
+
+    @cached_property
+    def sigma_dbsm(self) -> xr.DataArray:
+        """Radar cross-section [dBsm], dimensions (look, frequency, channel); -inf for zero. Channel ``vh`` is receive V, transmit H."""
+        return self._channels(self._stored.sigma_dbsm, {"units": "dBsm", "long_name": "radar cross-section"})
+
+    @cached_property
+    def error_db(self) -> xr.DataArray:
+        """Estimated numerical error [dB], dimensions (look, frequency, channel): 20 log10(1 + error / max(|S_pq|, S_max / 100))."""
+        return self._channels(self._stored.error_db, {"units": "dB", "long_name": "estimated numerical error"})
+
+    @cached_property
+    def model_db(self) -> xr.DataArray:
+        """Model uncertainty [dB], dimensions (look, frequency, channel): what asymptotic physics may leave out, as `error_db`."""
+        return self._channels(self._stored.model_db, {"units": "dB", "long_name": "model uncertainty"})
+
+    @property
+    def parts(self) -> xr.Dataset:
+        """S by mechanism [m], complex, one variable each: ``bounce1``, ``bounce2``, ..., ``edges_first_order``, ``edges_second_order``,
+        ``between``, ``surface``; they add up to S to rounding.
+
+        Raises
+        ------
+        InputError
+            If the result was made without ``keep_parts=True``.
+        """
+        parts = self._stored.parts
+        if not parts:
+            raise InputError("parts: the result does not keep its mechanisms apart; solve with keep_parts=True")
+        return xr.Dataset({name: self._array(values, ("receive", "transmit"), _S_UNITS) for name, values in parts.items()})
+
+    @property
+    def incoherent_m2(self) -> xr.DataArray | None:
+        """Radar cross-section that rough surfaces scatter incoherently [m^2], by transmit polarisation, both receive polarisations
+        together; to be added as power. None where no surface is rough."""
+        values = self._stored.incoherent_m2
+        return None if values is None else self._array(values, ("transmit",), {"units": "m2"})
+
+    @property
+    def title(self) -> str:
+        """Title of the case."""
+        return self.attributes.get("title", "")
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """Texts that the result carries: title, version, resolved case, hashes."""
+        return self._stored.attributes
+
+    @property
+    def case(self) -> dict[str, Any]:
+        """The case as it was understood, every default filled in; empty where it is not known."""
+        return self._json("case", {})
+
+    @property
+    def statistics(self) -> dict[str, Any]:
+        """Counts of the solve: rays, tubes, hits, lost rays and more, as in ``run.json``; empty where they are not known."""
+        return self._json("counts", {})
+
+    @property
+    def skipped(self) -> list[dict[str, Any]]:
+        """What was left out, how often, and why."""
+        return self.statistics.get("skipped", [])
+
+    @property
+    def warnings(self) -> list[str]:
+        """Sentences about what may not be meant."""
+        return self._json("warnings", [])
+
+    @property
+    def model_parts(self) -> list[dict[str, Any]]:
+        """What the model uncertainty is made of, the largest share first, with remedies."""
+        return self._json("model_uncertainty", [])
+
+    def to_xarray(self) -> xr.Dataset:
+        """The result as a dataset.
+
+        Returns
+        -------
+        xarray.Dataset
+            ``S`` (look, frequency, receive, transmit), ``sigma_dbsm``, ``error_db``, ``model_db`` (look, frequency, channel), with
+            ``frequency`` [Hz] and the angles of each look as coordinates.
+        """
+        variables = {"S": self.S, "sigma_dbsm": self.sigma_dbsm, "error_db": self.error_db, "model_db": self.model_db}
+        return xr.Dataset(variables, attrs=self.attributes)
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """The result as a table: one row for each look and frequency, frequency fastest.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Columns ``freq_hz``, ``theta_deg``, ``phi_deg``, ``rx_theta_deg``, ``rx_phi_deg`` and, for each channel, ``S_vv`` [m], complex,
+            ``sigma_vv_dbsm``, ``err_vv_db``, ``model_vv_db``.
+        """
+        import pandas
+
+        looks, frequencies = self.S.shape[:2]
+        columns: dict[str, np.ndarray] = {"freq_hz": np.tile(self._stored.frequency_hz, looks)}
+        for name in ("theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg"):
+            columns[name] = np.repeat(getattr(self._stored, name), frequencies)
+        for i, channel in enumerate(CHANNELS):
+            columns[f"S_{channel}"] = self._stored.S.reshape(-1, 4)[:, i]
+        for name, values in (("sigma_{}_dbsm", self._stored.sigma_dbsm), ("err_{}_db", self._stored.error_db),
+                             ("model_{}_db", self._stored.model_db)):
+            for i, channel in enumerate(CHANNELS):
+                columns[name.format(channel)] = values.reshape(-1, 4)[:, i]
+        return pandas.DataFrame(columns)
+
+    def plot(self, channels: tuple[str, ...] = ("vv", "hh"), ax: Axes | None = None) -> Axes:
+        """Draws sigma against what is swept: a curve a channel, or a map of the first one where looks and frequencies are.
+
+        Parameters
+        ----------
+        channels : tuple of str
+            Among "vv", "vh", "hv", "hh".
+        ax : matplotlib Axes, optional
+            Default: a new figure.
+
+        Returns
+        -------
+        matplotlib Axes
+        """
+        from raytube import _plots
+
+        return _plots.plot(self, channels, ax)
+
+    def plot_polar(self, channels: tuple[str, ...] = ("vv", "hh"), ax: Axes | None = None) -> Axes:
+        """Draws sigma against azimuth all round, in a polar diagram.
+
+        Parameters
+        ----------
+        channels : tuple of str
+            Among "vv", "vh", "hv", "hh".
+        ax : matplotlib polar Axes, optional
+            Default: a new figure.
+
+        Returns
+        -------
+        matplotlib Axes
+
+        Raises
+        ------
+        InputError
+            If the looks differ in anything but one azimuth.
+        """
+        from raytube import _plots
+
+        return _plots.plot_polar(self, channels, ax)
+
+    def save(self, file: str | os.PathLike) -> None:
+        """Writes the result to a file, which appears when it is complete.
+
+        Parameters
+        ----------
+        file : path
+            ``.nc``: everything, as netCDF-4, which `load`, xarray, MATLAB, Octave and ParaView read. ``.csv``: the table ``rcs.csv``.
+
+        Raises
+        ------
+        InputError
+            For another suffix.
+        """
+        file = os.fspath(file)
+        kind = os.path.splitext(file)[1].lower()
+        if kind not in (".nc", ".csv"):
+            raise InputError(f"{file}: results are saved as .nc or .csv; give one of these suffixes")
+        beside = f"{file}.{os.getpid()}.part{kind}"
+        try:
+            (self._stored.write_netcdf if kind == ".nc" else self._stored.write_csv)(beside)
+            os.replace(beside, file)
+        finally:
+            if os.path.exists(beside):
+                os.remove(beside)
+
+    def to_radar_explorer(self, folder: str | os.PathLike, name: str | None = None, channels: tuple[str, ...] = CHANNELS,
+                          geometry: tuple[str | os.PathLike, ...] = ()) -> list[Any]:
+        """Writes what the Radar Explorer Toolkit of Ansys opens: for each channel ``HH_name.json`` and ``HH_data_name.h5``.
+
+        Parameters
+        ----------
+        folder : path
+            Is made if it is not there.
+        name : str, optional
+            Of the solution; default the title.
+        channels : tuple of str
+            Among "vv", "vh", "hv", "hh".
+        geometry : tuple of paths, optional
+            OBJ files in metres to be shown with the result, named in the metadata; they are not copied.
+
+        Returns
+        -------
+        list of pathlib.Path
+            The metadata files.
+
+        Raises
+        ------
+        InputError
+            For a bistatic result.
+        """
+        from raytube._radar_explorer import write_radar_explorer
+
+        return write_radar_explorer(self, folder, name, channels, geometry)
+
+    def __repr__(self) -> str:
+        looks, frequencies = self.S.shape[:2]
+        kind = "bistatic" if self._stored.bistatic else "monostatic"
+        ghz = self._stored.frequency_hz / 1e9
+        span = f"{ghz[0]:g} GHz" if frequencies == 1 else f"{frequencies} frequencies from {ghz[0]:g} to {ghz[-1]:g} GHz"
+        lines = [f"Result: {self.title}", f"  {looks} {kind} look{'s' if looks > 1 else ''}, {span}", f"  peak {self._peak_text()}"]
+        for name, values in (("numerical error", self._stored.error_db), ("model uncertainty", self._stored.model_db)):
+            near = values[self._near_peak()]
+            if near.size and not np.all(np.isnan(near)):
+                lines.append(f"  {name} within 20 dB of the peak: median {np.nanmedian(near):.2g} dB, at most {np.nanmax(near):.2g} dB")
+        lines += [f"  warning: {sentence}" for sentence in self.warnings]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        import html
+
+        return f"<pre>{html.escape(repr(self))}</pre>{self.to_xarray()._repr_html_()}"
+
+    def _near_peak(self) -> np.ndarray:
+        sigma = self._stored.sigma_dbsm
+        return sigma >= np.nanmax(sigma) - 20.0 if np.any(np.isfinite(sigma)) else np.zeros(sigma.shape, bool)
+
+    def _peak_text(self) -> str:
+        sigma = self.sigma_dbsm.values
+        if not np.any(np.isfinite(sigma)):
+            return "none: nothing comes back"
+        look, frequency, channel = np.unravel_index(np.nanargmax(sigma), sigma.shape)
+        place = f"theta {self._stored.theta_deg[look]:g} deg, phi {self._stored.phi_deg[look]:g} deg"
+        return f"{sigma[look, frequency, channel]:.2f} dBsm in {CHANNELS[channel]} at {self._stored.frequency_hz[frequency] / 1e9:g} GHz, {place}"
+
+    def _json(self, name: str, otherwise: Any) -> Any:
+        text = self.attributes.get(name)
+        return json.loads(text) if text else otherwise
+
+    @cached_property
+    def _coordinates(self) -> dict[str, Any]:
+        stored = self._stored
+        coordinates: dict[str, Any] = {"frequency": ("frequency", stored.frequency_hz, {"units": "Hz", "long_name": "frequency"})}
+        names = {"theta_deg": "polar angle to the transmitter", "phi_deg": "azimuth to the transmitter"}
+        if stored.bistatic:
+            names |= {"rx_theta_deg": "polar angle to the receiver", "rx_phi_deg": "azimuth to the receiver"}
+        for name, what in names.items():
+            coordinates[name] = ("look", getattr(stored, name), {"units": "degree", "long_name": what})
+        if np.all(np.isfinite(stored.range_m)):
+            for name, what in (("range_m", "distance of the transmitter"), ("rx_range_m", "distance of the receiver")):
+                coordinates[name] = ("look", getattr(stored, name), {"units": "m", "long_name": what})
+        return coordinates
+
+    def _array(self, values: np.ndarray, more: tuple[str, ...], attributes: dict[str, str]) -> xr.DataArray:
+        polarisations = {name: (name, ["v", "h"]) for name in more}
+        return xr.DataArray(values, dims=("look", "frequency", *more), coords=self._coordinates | polarisations, attrs=attributes)
+
+    def _channels(self, values: np.ndarray, attributes: dict[str, str]) -> xr.DataArray:
+        channels = {"channel": ("channel", list(CHANNELS))}
+        return xr.DataArray(values.reshape(*values.shape[:2], 4), dims=("look", "frequency", "channel"),
+                            coords=self._coordinates | channels, attrs=attributes)
+
+
+def load(file: str | os.PathLike) -> Result:
+    """Reads a result that raytube has written.
+
+    Parameters
+    ----------
+    file : path
+        ``.nc``, or ``rcs.csv`` (which knows neither parts nor the case).
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or holds something else. Tables of other programs are read by `compare`.
+    """
+    file = os.fspath(file)
+    kind = os.path.splitext(file)[1].lower()
+    if kind not in (".nc", ".csv"):
+        raise InputError(f"{file}: results are loaded from .nc or .csv; for the .json of the Radar Explorer Toolkit there is read_radar_explorer")
+    return Result(_core.Stored.read_netcdf(file) if kind == ".nc" else _core.Stored.read_csv(file))
