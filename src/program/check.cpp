@@ -326,7 +326,7 @@ void print_memory(const SolvePlan& plan, const Case& c) {
 
 void check_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
-  if (!request.wedges_csv.empty()) check_wedges_file(request.wedges_csv);
+  if (!request.wedge_list.empty()) check_wedges_file(request.wedge_list);
   LoadedMesh loaded = load_target(c);
   const Target target(std::move(loaded.mesh), c.wedges);
   const SolvePlan plan = plan_of_case(target, c, request.threads > 0 ? request.threads : all_threads(), false);
@@ -342,10 +342,10 @@ void check_command(const Request& request) {
   print_warnings(c, plan);
   print_cost(plan);
   print_memory(plan, c);
-  if (!request.wedges_csv.empty()) {
+  if (!request.wedge_list.empty()) {
     const double highest = highest_frequency(c.sweep);
     const std::vector<Wedge> used = merge_thin_plate_edges(target.wedges, target.thin_plate_edges, thin_limit(highest));
-    write_wedges_csv(request.wedges_csv, target.mesh, used, c.sweep);
+    write_wedge_list(request.wedge_list, target.mesh, used, c.sweep);
   }
   check_memory(plan, c, nullptr);  // as a run would
   print_time(plan);

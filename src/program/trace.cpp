@@ -1,4 +1,4 @@
-// raytube trace: one tube, bounce by bounce; and the rays of waves over curved surfaces.
+// raytube trace: one tube, bounce by bounce; all tubes; the rays of waves over curved surfaces.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,10 +9,11 @@
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/threads.h"
-#include "output/tables/surface_rays_vtp.h"
+#include "output/vtk/surface_rays_vtp.h"
 #include "program/commands.h"
 #include "program/results.h"
 #include "program/solvable.h"
+#include "program/trace_all.h"
 #include "sbr/replay.h"
 #include "solve/admissible.h"
 #include "solve/look_solver.h"
@@ -125,12 +126,18 @@ void trace_command(const Request& request) {
   if (!std::isfinite(request.u) || !std::isfinite(request.v)) throw InputError("--u and --v must be finite numbers of metres");
   const bool rays_wanted = !request.surface_rays_vtp.empty();
   if (rays_wanted) folder_of_rays(request.surface_rays_vtp);
+  check_trace_files(request);
   LoadedMesh loaded = load_target(c);
   naming_the_case(c, [&] { check_antennas(loaded.mesh, c.sweep); });
   if (request.tube) trace_at(request, c, look, loaded.mesh);
+  if (request.all_tubes) {
+    const TubePaths tubes = all_tubes(request, c, loaded.mesh, highest_of(c.sweep));
+    if (!request.tube) print_look(request.look, look);
+    tell_tubes(request, loaded.mesh, tubes);
+  }
   if (!rays_wanted) return;
   const std::vector<SurfaceRay> rays = surface_rays_of(c, look, std::move(loaded.mesh));
-  if (!request.tube) print_look(request.look, look);
+  if (!request.tube && !request.all_tubes) print_look(request.look, look);
   write_rays(request.surface_rays_vtp, rays, c.sweep.frequencies[highest_of(c.sweep)]);
 }
 

@@ -6,7 +6,7 @@
 
 #include "output/plots/image_window.h"
 #include "output/tables/image_csv.h"
-#include "output/tables/vtu.h"
+#include "output/vtk/image_vtu.h"
 #include "run.h"
 #include "scratch.h"
 

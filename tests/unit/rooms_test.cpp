@@ -78,13 +78,14 @@ const Rooms may_include = {
     {"case", {"core", "scene", "mesh", "mesh/model", "case/data", "case/text", "case/directions", "case/materials"}},
     {"output/files", {"core", "scene"}},
     {"output/tables", {"core", "scene", "output/files"}},
+    {"output/vtk", {"core", "scene", "output/files", "output/tables"}},
     {"output/compare", {"core", "scene", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
     {"program/warnings", base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "solve"}},
     {"program", base + std::set<std::string>{"program/warnings", "case", "case/data", "case/materials", "mesh", "output/compare",
-                                             "output/files", "output/plots", "output/words", "output/tables", "point_source",
-                                             "sbr", "sbr/launch", "solve", "utd/shadow", "utd/wedge"}},
+                                             "output/files", "output/plots", "output/words", "output/tables", "output/vtk",
+                                             "point_source", "sbr", "sbr/launch", "solve", "utd/shadow", "utd/wedge"}},
 };
 
 struct SourceFile {
