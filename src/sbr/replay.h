@@ -42,7 +42,7 @@ struct TubeTrace {
   double last_leg = 0.0;  // from the last bounce to where the tube was truncated or lost [m]
 };
 
-/// Replays tubes of one look, one by one. Keeps references to what it was made from.
+/// Replays tubes of one look, one by one. Keeps references to the scene.
 class TubeReplay {
  public:
   /// The launch grid is that with which a run begins. Throws InputError for materials at a finite distance.
@@ -61,7 +61,7 @@ class TubeReplay {
   dvec2 to_mesh_origin() const;
 
   ReplayScene scene_;
-  const Look& look_;
+  Look look_;
   double wavenumber_;
   int max_bounces_;
   LaunchGrid grid_;
