@@ -15,7 +15,7 @@
 #include "output/words/tubes_text.h"
 #include "program/commands.h"
 #include "program/results.h"
-#include "program/solvable.h"
+#include "jobs/solvable.h"
 #include "sbr/replay.h"
 #include "sbr/tube_paths.h"
 #include "solve/admissible.h"
