@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws every picture of README.md, docs/ and cases/*/README.md: runs the cases, joins them with their references, calls gnuplot.
-#   docs/figures/make.sh [PROGRAM]      default: build/raytube; needs gnuplot, a few minutes on two cores
+#   docs/figures/make.sh [PROGRAM]      default: build/raytube; needs gnuplot, ParaView and xvfb, a few minutes on two cores
 set -euo pipefail
 program=$(readlink -f "${1:-build/raytube}")
 cd "$(dirname "$(readlink -f "$0")")/../.."
@@ -43,6 +43,13 @@ rays almond 0 90,0 60,150 4
 rays almond 90 90,90 55,235 4
 rays wing 90 90,0 45,130 3
 rays wing 45 90,-45 45,75 3
+tubes() { # MORE OPTIONS: of a look at the truck
+  "$program" trace cases/haul_truck/case.toml --look 20 --all "$@" >/dev/null
+}
+tubes --tubes 1000000 --hits "$work/hits.vtu"
+tubes --tubes 300 --paths "$work/paths.vtp"
+"$program" check cases/haul_truck/case.toml --set look.phi_deg=10 --wedges "$work/wedges.vtp" >/dev/null
+xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' pvpython docs/figures/tubes.py "$work"/{hits.vtu,paths.vtp,wedges.vtp} docs/figures/haul_truck_tubes.png
 run haul_truck cases/haul_truck/case.toml
 grep -v '^#' "$work/haul_truck/rcs.csv" >"$work/haul_truck_errors.csv"
 for body in cube2 dihedral3; do
@@ -76,7 +83,7 @@ done
 for name in sphere radome coated_sphere; do paste -d, "$work/$name.csv" "$work/${name}_reference.csv" >"$work/${name}_both.csv"; done
 
 cd docs/figures
-pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder almond almond_rays wing wing_rays trihedral haul_truck haul_truck_image convergence_plate
+pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder almond almond_rays wing wing_rays trihedral haul_truck haul_truck_image haul_truck_tubes convergence_plate
           convergence_dihedral stochastic double_slit_launch double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','

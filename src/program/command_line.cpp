@@ -41,11 +41,14 @@ constexpr const char* check_examples =
     "Examples:\n"
     "  raytube check case.toml --set target.unit=mm\n"
     "  raytube check case.toml --threads 8\n"
-    "  raytube check case.toml --wedges wedges.csv";
+    "  raytube check case.toml --wedges wedges.csv\n"
+    "  raytube check case.toml --wedges wedges.vtp";
 constexpr const char* trace_examples =
-    "Prints every bounce of the tube at (U, V), or writes the rays that waves over curved surfaces follow, or both.\n\n"
+    "Prints every bounce of the tube at (U, V), follows all tubes of a look, or writes the rays that waves over curved surfaces\n"
+    "follow.\n\n"
     "Examples:\n"
     "  raytube trace case.toml --look 0 --u 0.01 --v -0.02\n"
+    "  raytube trace case.toml --look 0 --all --paths paths.vtp --hits hits.vtu\n"
     "  raytube trace case.toml --look 0 --surface-rays surface_rays.vtp";
 
 constexpr const char* compare_examples =
@@ -181,12 +184,32 @@ CLI::App* add_check(CLI::App& app, Request& request) {
   CLI::App* check = add_command(app, "check", "Report on a case without computing it", check_examples);
   add_case_options(*check, request);
   add_threads_option(*check, request);
-  check->add_option("--wedges", request.wedges_csv, "Also write a list of all wedges")->type_name("FILE.csv");
+  check->add_option("--wedges", request.wedge_list, "Also write a list of all wedges: a table, or lines for ParaView")
+      ->type_name("FILE.csv|FILE.vtp");
   return check;
 }
 
+// As a check of CLI11: empty, or what is wrong.
+std::string not_a_name(const std::string& name) { return name.empty() ? "needs the name of a file" : ""; }
+
+void add_all_tubes_options(CLI::App& trace, Request& request) {
+  CLI::Option* all = trace.add_flag("--all", request.all_tubes, "Follow all tubes of the look and tell where they go");
+  trace.add_option("--tubes", request.most_tubes, "Follow so many of them at most, evenly spread; default 10000")
+      ->type_name("N")
+      ->needs(all)
+      ->check(whole_number(1, 1000000));
+  trace.add_option("--paths", request.tube_paths_vtp, "Write their paths as lines, for ParaView")
+      ->type_name("FILE.vtp")
+      ->needs(all)
+      ->check(not_a_name);
+  trace.add_option("--hits", request.facet_hits_vtu, "Write how many of them meet each facet at which bounce, for ParaView")
+      ->type_name("FILE.vtu")
+      ->needs(all)
+      ->check(not_a_name);
+}
+
 CLI::App* add_trace(CLI::App& app, Request& request) {
-  CLI::App* trace = add_command(app, "trace", "Replay one tube, bounce by bounce; rays over curved surfaces", trace_examples);
+  CLI::App* trace = add_command(app, "trace", "Replay tubes, bounce by bounce; rays over curved surfaces", trace_examples);
   add_case_options(*trace, request);
   trace->add_option("--look", request.look, "Direction pair, counted from 0")
       ->required()
@@ -194,12 +217,13 @@ CLI::App* add_trace(CLI::App& app, Request& request) {
       ->check(CLI::Range(0, 1000000000));
   trace
       ->add_option("--u", request.u,
-                   "Launch coordinate along phi-hat, from the mesh's origin [m]; not needed with --surface-rays")
+                   "Launch coordinate along phi-hat, from the mesh's origin [m]; not needed with --all or --surface-rays")
       ->type_name("U");
   trace->add_option("--v", request.v, "Launch coordinate along minus theta-hat, from the mesh's origin [m]")->type_name("V");
   trace->add_option("--surface-rays", request.surface_rays_vtp, "Write the rays of waves over curved surfaces, for ParaView")
       ->type_name("FILE.vtp")
-      ->check([](const std::string& name) { return name.empty() ? "needs the name of a file" : std::string(); });
+      ->check(not_a_name);
+  add_all_tubes_options(*trace, request);
   return trace;
 }
 
@@ -292,10 +316,10 @@ CLI::App* add_sources(CLI::App& app, Request& request) {
   return sources;
 }
 
-// A tube needs both of its coordinates; who asks for surface rays may do without.
+// A tube needs both of its coordinates; who asks for all tubes or for surface rays may do without.
 bool wants_tube(const CLI::App& trace) {
   const bool u = trace.count("--u") > 0, v = trace.count("--v") > 0;
-  if (u != v || (!u && trace.count("--surface-rays") == 0))
+  if (u != v || (!u && trace.count("--all") + trace.count("--surface-rays") == 0))
     throw InputError(fmt::format("{} is required, with {} and --look; see raytube --help", u ? "--v" : "--u", u ? "--u" : "--v"));
   return u;
 }

@@ -27,7 +27,7 @@ struct Request {
   std::filesystem::path output_folder;  // empty: <case folder>/out; compare: no files; run: perhaps one file, *.nc
   int threads = 0;                      // 0: all cores
   std::string instruction_set;          // empty: the widest one
-  std::filesystem::path wedges_csv;     // check: list of wedges; empty: none wanted
+  std::filesystem::path wedge_list;     // check: list of wedges; empty: none wanted
   bool parts = false;
   std::optional<RandomOptions> random;  // run: --launch random
   bool resume = false;                  // run: go on with what a stopped one has left
@@ -35,6 +35,10 @@ struct Request {
   std::size_t look = 0;
   double u = 0.0, v = 0.0;                        // launch coordinates [m], origin = mesh origin
   bool tube = true;                               // trace: the tube there
+  bool all_tubes = false;                         // trace: all tubes of the look
+  std::uint64_t most_tubes = 10000;               // of these, so many at most
+  std::filesystem::path tube_paths_vtp;           // trace: their paths; empty: none wanted
+  std::filesystem::path facet_hits_vtu;           // trace: their hits; empty: none wanted
   std::filesystem::path surface_rays_vtp;         // trace: rays over curved surfaces; empty: none wanted
   std::string densities = "2,4,8,16,32,64";       // converge: tubes per wavelength
   std::filesystem::path result, reference;        // compare; convert: from, to

@@ -6,7 +6,8 @@
 
 #include "output/plots/image_plot.h"
 #include "output/tables/image_csv.h"
-#include "output/tables/vtu.h"
+#include "output/vtk/image_pvd.h"
+#include "output/vtk/image_vtu.h"
 #include "program/interrupt.h"
 #include "solve/image.h"
 
@@ -16,17 +17,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* series_name = "image.pvd";
+
+std::string mesh_file(const std::string& name) { return name + "_mesh.vtu"; }
+
 void write_tables(const fs::path& folder, const std::string& name, const Target& target, const Case& c, const LookImage& image) {
   write_image_csv(folder / (name + ".csv"), c.sweep, image);
   stop_if_interrupted();
   std::vector<dvec3> vertices = target.mesh.vertices;
   for (dvec3& vertex : vertices) vertex += target.mesh.center;
-  write_image_vtu(folder / (name + "_mesh.vtu"), vertices, target.mesh.triangles, image);
+  write_image_vtu(folder / mesh_file(name), vertices, target.mesh.triangles, image);
   stop_if_interrupted();
 }
 
-std::string name_of_image(const Case& c, std::size_t look) {
-  return c.image_looks.size() == 1 ? "image" : fmt::format("image_{}", look);
+bool is_series(const Case& c) { return c.image_looks.size() > 1; }
+
+std::string name_of_image(const Case& c, std::size_t look) { return is_series(c) ? fmt::format("image_{}", look) : "image"; }
+
+void write_series(const fs::path& folder, const Case& c) {
+  std::vector<SeriesFile> files;
+  for (const std::size_t look : c.image_looks) files.push_back({look, mesh_file(name_of_image(c, look))});
+  write_image_pvd(folder / series_name, files);
 }
 
 double draw(const fs::path& folder, const std::string& name, const Case& c, LookImage image) {
@@ -44,8 +55,9 @@ ResultNames image_names(const Case& c) {
   for (const std::size_t look : c.image_looks) {
     const std::string name = name_of_image(c, look);
     if (c.plots) names.pictures.insert(names.pictures.end(), {name + ".png", name + "_phase.png", name + "_window.png"});
-    names.tables.insert(names.tables.end(), {name + ".csv", name + "_mesh.vtu"});
+    names.tables.insert(names.tables.end(), {name + ".csv", mesh_file(name)});
   }
+  if (is_series(c)) names.tables.emplace_back(series_name);
   return names;
 }
 
@@ -57,6 +69,7 @@ double write_images(const fs::path& folder, const SolvePlan& plan, const Case& c
     write_tables(folder, name, plan.target, c, image);
     if (c.plots) drawing_s += draw(folder, name, c, std::move(image));
   }
+  if (is_series(c)) write_series(folder, c);
   return drawing_s;
 }
 

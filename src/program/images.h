@@ -12,7 +12,7 @@
 
 namespace raytube {
 
-/// The files they go to: image.* if there is one and image_<look>.* if there are several.
+/// The files they go to: image.* if there is one, and image_<look>.* with the series image.pvd if there are several.
 ResultNames image_names(const Case& c);
 
 /// Computes and writes them into `folder`; returns the time of drawing [s].

@@ -1,4 +1,4 @@
-// raytube trace: one tube, bounce by bounce; and the rays of waves over curved surfaces.
+// raytube trace: one tube, bounce by bounce; all tubes; the rays of waves over curved surfaces.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,11 +9,15 @@
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/threads.h"
-#include "output/tables/surface_rays_vtp.h"
+#include "jobs/solvable.h"
+#include "output/vtk/facet_hits_vtu.h"
+#include "output/vtk/surface_rays_vtp.h"
+#include "output/vtk/tube_paths_vtp.h"
+#include "output/words/tubes_text.h"
 #include "program/commands.h"
 #include "program/results.h"
-#include "jobs/solvable.h"
 #include "sbr/replay.h"
+#include "sbr/tube_paths.h"
 #include "solve/admissible.h"
 #include "solve/look_solver.h"
 
@@ -86,6 +90,59 @@ void trace_at(const Request& request, const Case& c, const Look& look, const Tri
   fmt::print("end: {}\n", trace.end);
 }
 
+// --- all tubes of a look ---
+
+// ParaView chooses its reader by the ending.
+std::filesystem::path folder_of_vtk_file(const char* option, const std::filesystem::path& file, const char* ending,
+                                         std::string_view head) {
+  if (file.extension() != ending)
+    throw InputError(
+        fmt::format("{} {}: must end in {}, by which ParaView knows what it holds; name it so", option, file.string(), ending));
+  return folder_of_named_file(option, file, head);
+}
+
+std::filesystem::path folder_of_paths(const std::filesystem::path& file) {
+  return folder_of_vtk_file("--paths", file, ".vtp", tube_paths_head);
+}
+
+std::filesystem::path folder_of_hits(const std::filesystem::path& file) {
+  return folder_of_vtk_file("--hits", file, ".vtu", facet_hits_head);
+}
+
+TubePaths all_tubes(const Request& request, const Case& c, const Look& look, const TriangleMesh& mesh) {
+  const Tracer tracer(mesh);
+  const std::size_t highest = highest_of(c.sweep);
+  const std::vector<Material> materials = at_frequency(c.sweep.materials, highest);
+  return naming_the_case(c, [&] {
+    return tube_paths({tracer, materials, c.sweep.radar}, look, c.sweep.frequencies[highest], c.tubes, request.most_tubes);
+  });
+}
+
+void write_paths(const std::filesystem::path& file, const TubePaths& tubes) {
+  NewResults results(folder_of_paths(file));
+  write_tube_paths_vtp(results.folder() / file.filename(), tubes);
+  results.place({file.filename().string()});
+  fmt::print("paths: {}\n", file.string());
+}
+
+void write_hits(const std::filesystem::path& file, const TriangleMesh& mesh, const FacetHits& hits) {
+  NewResults results(folder_of_hits(file));
+  std::vector<dvec3> vertices = mesh.vertices;
+  for (dvec3& vertex : vertices) vertex += mesh.center;
+  write_facet_hits_vtu(results.folder() / file.filename(), vertices, mesh.triangles, hits);
+  results.place({file.filename().string()});
+  fmt::print("hits: {}\n", file.string());
+}
+
+void trace_all(const Request& request, const Case& c, const Look& look, const TriangleMesh& mesh) {
+  const TubePaths tubes = all_tubes(request, c, look, mesh);
+  const FacetHits hits = facet_hits(tubes, mesh.triangles.size());
+  if (!request.tube) print_look(request.look, look);
+  fmt::print("{}", tubes_text(tubes, hits));
+  if (!request.tube_paths_vtp.empty()) write_paths(request.tube_paths_vtp, tubes);
+  if (!request.facet_hits_vtu.empty()) write_hits(request.facet_hits_vtu, mesh, hits);
+}
+
 // --- rays over curved surfaces ---
 
 std::filesystem::path folder_of_rays(const std::filesystem::path& file) {
@@ -117,20 +174,27 @@ void write_rays(const std::filesystem::path& file, std::span<const SurfaceRay> r
              number_text(frequency / 1e9), file.string());
 }
 
+// Better now than after the work.
+void check_files(const Request& request) {
+  if (!request.tube_paths_vtp.empty()) folder_of_paths(request.tube_paths_vtp);
+  if (!request.facet_hits_vtu.empty()) folder_of_hits(request.facet_hits_vtu);
+  if (!request.surface_rays_vtp.empty()) folder_of_rays(request.surface_rays_vtp);
+}
+
 }  // namespace
 
 void trace_command(const Request& request) {
   const Case c = read_case(request.case_file, request.overrides);
   const Look& look = chosen_look(c, request.look);
   if (!std::isfinite(request.u) || !std::isfinite(request.v)) throw InputError("--u and --v must be finite numbers of metres");
-  const bool rays_wanted = !request.surface_rays_vtp.empty();
-  if (rays_wanted) folder_of_rays(request.surface_rays_vtp);
+  check_files(request);
   LoadedMesh loaded = load_target(c);
   naming_the_case(c, [&] { check_antennas(loaded.mesh, c.sweep); });
   if (request.tube) trace_at(request, c, look, loaded.mesh);
-  if (!rays_wanted) return;
+  if (request.all_tubes) trace_all(request, c, look, loaded.mesh);
+  if (request.surface_rays_vtp.empty()) return;
   const std::vector<SurfaceRay> rays = surface_rays_of(c, look, std::move(loaded.mesh));
-  if (!request.tube) print_look(request.look, look);
+  if (!request.tube && !request.all_tubes) print_look(request.look, look);
   write_rays(request.surface_rays_vtp, rays, c.sweep.frequencies[highest_of(c.sweep)]);
 }
 

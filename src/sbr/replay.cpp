@@ -14,23 +14,26 @@ namespace raytube {
 
 namespace {
 
-TubeTrace find_cell(const LaunchGrid& grid, const dvec3& mesh_center, const dvec2& from_mesh_origin) {
-  const dvec2 to_mesh_origin = -launch_coordinates(incident_beam(grid, {}, dvec2(0.0)), -mesh_center);
-  const dvec2 at = from_mesh_origin - to_mesh_origin - dvec2(grid.u_begin, grid.v_begin);
-  const dvec2 extent{grid.columns * grid.du, grid.rows * grid.dv};
-  if (grid.cells() == 0) throw InputError("trace: the target has no projected area in this look; choose another --look");
-  if (at.x < 0.0 || at.y < 0.0 || at.x > extent.x || at.y > extent.y) {
-    const dvec2 low = to_mesh_origin + dvec2(grid.u_begin, grid.v_begin), high = low + extent;
-    throw InputError(
-        fmt::format("trace: --u {} --v {} lies outside the launch rectangle; use u in {:.6g}..{:.6g} m and v in "
-                    "{:.6g}..{:.6g} m",
-                    from_mesh_origin.x, from_mesh_origin.y, low.x, high.x, low.y, high.y));
+[[noreturn]] void refuse_outside(const dvec2& at, const dvec2& low, const dvec2& high) {
+  throw InputError(
+      fmt::format("trace: --u {} --v {} lies outside the launch rectangle; use u in {:.6g}..{:.6g} m and v in {:.6g}..{:.6g} m",
+                  at.x, at.y, low.x, high.x, low.y, high.y));
+}
+
+std::string words_of(TubeEnd end) {
+  switch (end) {
+    case TubeEnd::left_the_scene:
+      return "left the scene";
+    case TubeEnd::truncated:
+      return "cut at tubes.max_bounces";
+    case TubeEnd::lost:
+      return "lost: met a closed body from inside";
+    case TubeEnd::absorbed:
+      return "absorbed";
+    case TubeEnd::transmitted:
+      return "nothing reflected";
   }
-  TubeTrace trace;
-  trace.column = std::min(static_cast<std::uint32_t>(at.x / grid.du), grid.columns - 1);
-  trace.row = std::min(static_cast<std::uint32_t>(at.y / grid.dv), grid.rows - 1);
-  trace.center = to_mesh_origin + dvec2(grid.u_center(trace.column), grid.v_center(trace.row));
-  return trace;
+  return {};
 }
 
 // The wave of a tube from surface to surface.
@@ -98,32 +101,55 @@ class ReplayedWave {
 
 }  // namespace
 
-TubeTrace trace_tube(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options,
-                     const dvec2& at) {
+TubeReplay::TubeReplay(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options)
+    : scene_(scene), look_(look), wavenumber_(wavenumber(frequency_hz)), max_bounces_(options.max_bounces) {
   if (!look.far() && !scene.materials.empty())
     throw InputError("trace: antennas at a finite distance know perfect conductors only; remove [radar] or the materials");
-  const TriangleMesh& mesh = scene.tracer.mesh();
-  const double k = wavenumber(frequency_hz);
-  const LaunchGrid grid = grid_of_look(mesh, look, wavelength(frequency_hz), first_density(options), options.up);
-  TubeTrace trace = find_cell(grid, mesh.center, at);
-  ReplayedWave wave(grid, look, scene, {&k, 1}, {grid.u_center(trace.column), grid.v_center(trace.row)});
-  Ray ray = grid.ray(trace.column, trace.row);
-  trace.direction = ray.direction;
+  grid_ = grid_of_look(scene.tracer.mesh(), look, wavelength(frequency_hz), first_density(options), options.up);
+  if (grid_.cells() == 0) throw InputError("trace: the target has no projected area in this look; choose another --look");
+}
+
+dvec2 TubeReplay::to_mesh_origin() const {
+  return -launch_coordinates(incident_beam(grid_, {}, dvec2(0.0)), -scene_.tracer.mesh().center);
+}
+
+TubeTrace TubeReplay::follow(const dvec2& at) const {
+  const dvec2 low = to_mesh_origin() + dvec2(grid_.u_begin, grid_.v_begin);
+  const dvec2 extent{grid_.columns * grid_.du, grid_.rows * grid_.dv}, inside = at - low;
+  if (inside.x < 0.0 || inside.y < 0.0 || inside.x > extent.x || inside.y > extent.y) refuse_outside(at, low, low + extent);
+  return follow(std::min(static_cast<std::uint32_t>(inside.x / grid_.du), grid_.columns - 1),
+                std::min(static_cast<std::uint32_t>(inside.y / grid_.dv), grid_.rows - 1));
+}
+
+TubeTrace TubeReplay::follow(std::uint32_t column, std::uint32_t row) const {
+  const dvec2 middle{grid_.u_center(column), grid_.v_center(row)};
+  ReplayedWave wave(grid_, look_, scene_, {&wavenumber_, 1}, middle);
+  Ray ray = grid_.ray(column, row);
+  TubeTrace trace{column, row, to_mesh_origin() + middle, ray.origin, ray.direction};
+  const auto ends = [&trace](TubeEnd how, double leg) {
+    trace.ended = how;
+    trace.end = words_of(how);
+    trace.last_leg = leg;
+    return trace;
+  };
   while (true) {
     Hit hit;
-    scene.tracer.closest_hits({&ray, 1}, {&hit, 1});
-    trace.end = "left the scene";
-    if (!hit) return trace;
-    trace.end = "lost: met a closed body from inside";
-    if (wave.from_behind(mesh.triangle_patch[hit.triangle]) && mesh.closed(hit.triangle)) return trace;
-    trace.end = "cut at tubes.max_bounces";
-    if (static_cast<int>(trace.bounces.size()) == options.max_bounces) return trace;
+    scene_.tracer.closest_hits({&ray, 1}, {&hit, 1});
+    if (!hit) return ends(TubeEnd::left_the_scene, 0.0);
+    const TriangleMesh& mesh = scene_.tracer.mesh();
+    if (wave.from_behind(mesh.triangle_patch[hit.triangle]) && mesh.closed(hit.triangle))
+      return ends(TubeEnd::lost, hit.distance);
+    if (static_cast<int>(trace.bounces.size()) == max_bounces_) return ends(TubeEnd::truncated, hit.distance);
     const TubeBounce bounce = wave.reflect(hit.triangle, ray.origin + hit.distance * ray.direction);
     ray = {bounce.point, bounce.direction_out, bounce.patch};
     trace.bounces.push_back(bounce);
-    trace.end = bounce.goes_on ? "nothing reflected" : "absorbed";
-    if (!wave.is_lit()) return trace;
+    if (!wave.is_lit()) return ends(bounce.goes_on ? TubeEnd::transmitted : TubeEnd::absorbed, 0.0);
   }
+}
+
+TubeTrace trace_tube(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options,
+                     const dvec2& at) {
+  return TubeReplay(scene, look, frequency_hz, options).follow(at);
 }
 
 }  // namespace raytube

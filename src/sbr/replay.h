@@ -1,4 +1,4 @@
-// Replay of a single tube, bounce by bounce.
+// Replay of single tubes, bounce by bounce.
 #pragma once
 
 #include <array>
@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "core/complex_vector.h"
+#include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
+#include "scene/tube_paths.h"
 
 namespace raytube {
 
@@ -32,14 +34,40 @@ struct TubeBounce {
 struct TubeTrace {
   std::uint32_t column, row;  // the tube's cell in the launch grid
   dvec2 center;               // launch coordinates of the cell's middle, counted from the mesh's own origin [m]
+  dvec3 start;                // of its ray, on the launch plane, in recentred coordinates [m]
   dvec3 direction;            // as launched
-  std::vector<TubeBounce> bounces;
-  std::string end;  // why the tube ended
+  std::vector<TubeBounce> bounces{};
+  TubeEnd ended = TubeEnd::left_the_scene;
+  std::string end{};      // the same in words
+  double last_leg = 0.0;  // from the last bounce to where the tube was truncated or lost [m]
 };
 
-/// Replays the tube whose cell holds the launch coordinates `at` [m], counted from the mesh's own origin; at a finite distance
-/// they are drawn at that of the middle of the mesh. Throws InputError outside the launch rectangle, and for materials at a
-/// finite distance.
+/// Replays tubes of one look, one by one. Keeps references to the scene.
+class TubeReplay {
+ public:
+  /// The launch grid is that with which a run begins. Throws InputError for materials at a finite distance.
+  TubeReplay(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options);
+
+  const LaunchGrid& grid() const { return grid_; }
+
+  /// The tube of a cell of the grid. Thread-safe.
+  TubeTrace follow(std::uint32_t column, std::uint32_t row) const;
+
+  /// The tube whose cell holds the launch coordinates `at` [m], counted from the mesh's own origin; at a finite distance they are
+  /// drawn at that of the middle of the mesh. Throws InputError outside the launch rectangle.
+  TubeTrace follow(const dvec2& at) const;
+
+ private:
+  dvec2 to_mesh_origin() const;
+
+  ReplayScene scene_;
+  Look look_;
+  double wavenumber_;
+  int max_bounces_;
+  LaunchGrid grid_;
+};
+
+/// Replays the tube at launch coordinates, as TubeReplay does.
 TubeTrace trace_tube(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options,
                      const dvec2& at);
 

@@ -39,11 +39,23 @@ TEST_F(ImageFiles, SeveralLooksAreNumberedAndEarlierImagesGo) {
   const std::string looks = "run case.toml --set output.plots=false --set look.theta_deg=[10,20,30] --set output.image_look=";
   EXPECT_EQ(raytube(looks + "1").code, 0);
   EXPECT_TRUE(has("image.csv"));
+  EXPECT_FALSE(has("image.pvd"));
   EXPECT_EQ(raytube(looks + "[2,0,2]").code, 0);
   for (const char* name : {"image_0.csv", "image_0_mesh.vtu", "image_2.csv", "image_2_mesh.vtu"}) EXPECT_TRUE(has(name));
   for (const char* name : {"image.csv", "image_mesh.vtu", "image_1.csv", "image_0.png"}) EXPECT_FALSE(has(name)) << name;
+  const std::string series = text_of(scratch / "out/image.pvd");
+  EXPECT_THAT(series, HasSubstr("<DataSet timestep=\"0\" group=\"\" part=\"0\" file=\"image_0_mesh.vtu\"/>\n"
+                                "<DataSet timestep=\"2\" group=\"\" part=\"0\" file=\"image_2_mesh.vtu\"/>\n</Collection>"));
   EXPECT_EQ(raytube("run case.toml --set output.plots=false").code, 0);
-  for (const char* name : {"image_0.csv", "image_2_mesh.vtu"}) EXPECT_FALSE(has(name)) << name;
+  for (const char* name : {"image_0.csv", "image_2_mesh.vtu", "image.pvd"}) EXPECT_FALSE(has(name)) << name;
+}
+
+TEST_F(ImageFiles, ASeriesGoesWithoutTheListOfResults) {
+  const std::string looks = "run case.toml --set output.plots=false --set look.theta_deg=[10,20]";
+  EXPECT_EQ(raytube(looks + " --set output.image_look=[0,1]").code, 0);
+  EXPECT_TRUE(fs::remove(scratch / "out/.raytube.results"));
+  EXPECT_EQ(raytube(looks).code, 0);
+  for (const char* name : {"image.pvd", "image_0_mesh.vtu", "image_1.csv"}) EXPECT_FALSE(has(name)) << name;
 }
 
 TEST_F(ImageFiles, WhatCannotBeShownIsRefusedBeforeTheComputation) {

@@ -1,14 +1,12 @@
 // An image of a look as files.
 #include <gmock/gmock.h>
 
-#include <regex>
-#include <sstream>
-
 #include "output/plots/image_window.h"
 #include "output/tables/image_csv.h"
-#include "output/tables/vtu.h"
+#include "output/vtk/image_vtu.h"
 #include "run.h"
 #include "scratch.h"
+#include "vtk_file.h"
 
 namespace raytube {
 namespace {
@@ -46,16 +44,6 @@ TEST(ImageCsv, RowsGoUpAndColumnsToTheRight) {
   EXPECT_THAT(text_of(scratch / "image.csv"), HasSubstr("# 3 columns of 0.1 m along u = (1, 0, 0), 2 rows of 0.2 m"));
 }
 
-// The numbers of a data array of a .vtu file.
-std::vector<double> numbers(const std::string& text, const std::string& name) {
-  std::smatch match;
-  const std::size_t begin = text.find("Name=\"" + name + "\""), from = text.find('>', begin) + 1;
-  std::istringstream body(text.substr(from, text.find('<', from) - from));
-  std::vector<double> values;
-  for (double value; body >> value;) values.push_back(value);
-  return values;
-}
-
 TEST(ImageVtu, HoldsTrianglesThenEdges) {
   const Scratch scratch;
   LookImage image = image_of(1, 1);
@@ -66,14 +54,14 @@ TEST(ImageVtu, HoldsTrianglesThenEdges) {
   write_image_vtu(scratch / "image.vtu", corners, triangles, image);
   const std::string text = text_of(scratch / "image.vtu");
   EXPECT_THAT(text, HasSubstr("NumberOfPoints=\"6\" NumberOfCells=\"3\""));
-  EXPECT_EQ(numbers(text, "points").size(), 18u);
-  EXPECT_EQ(numbers(text, "connectivity"), (std::vector<double>{0, 1, 2, 0, 2, 3, 4, 5}));
-  EXPECT_EQ(numbers(text, "offsets"), (std::vector<double>{3, 6, 8}));
-  EXPECT_EQ(numbers(text, "types"), (std::vector<double>{5, 5, 3}));
-  EXPECT_EQ(numbers(text, "edge"), (std::vector<double>{0, 0, 1}));
-  EXPECT_EQ(numbers(text, "re_vv"), (std::vector<double>{1, 0, 2}));
-  EXPECT_EQ(numbers(text, "im_vv"), (std::vector<double>{0.5, 0, 1}));
-  EXPECT_EQ(numbers(text, "sigma_vv_dbsm")[1], -400.0);
+  EXPECT_EQ(vtk_numbers(text, "points").size(), 18u);
+  EXPECT_EQ(vtk_numbers(text, "connectivity"), (std::vector<double>{0, 1, 2, 0, 2, 3, 4, 5}));
+  EXPECT_EQ(vtk_numbers(text, "offsets"), (std::vector<double>{3, 6, 8}));
+  EXPECT_EQ(vtk_numbers(text, "types"), (std::vector<double>{5, 5, 3}));
+  EXPECT_EQ(vtk_numbers(text, "edge"), (std::vector<double>{0, 0, 1}));
+  EXPECT_EQ(vtk_numbers(text, "re_vv"), (std::vector<double>{1, 0, 2}));
+  EXPECT_EQ(vtk_numbers(text, "im_vv"), (std::vector<double>{0.5, 0, 1}));
+  EXPECT_EQ(vtk_numbers(text, "sigma_vv_dbsm")[1], -400.0);
 }
 
 // Cells in phase add up to the window's area, (width / 2)^2: its mean is 1/2 along each side, and exactly so for a whole number

@@ -80,14 +80,16 @@ const Rooms may_include = {
     {"output/netcdf", {"core"}},
     {"output/tables", {"core", "scene", "output/files", "output/netcdf"}},
     {"output/compare", {"core", "scene", "output/files", "output/netcdf", "output/tables"}},
+    {"output/vtk", {"core", "scene", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
     {"jobs/warnings", base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "solve"}},
     {"jobs", base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/files",
                                           "output/tables", "sbr", "sbr/launch", "solve"}},
-    {"program", base + std::set<std::string>{"jobs", "jobs/warnings", "case", "case/data", "case/materials", "mesh",
-                                             "output/compare", "output/files", "output/netcdf", "output/plots", "output/words",
-                                             "output/tables", "point_source", "sbr", "solve", "utd/shadow", "utd/wedge"}},
+    {"program",
+     base + std::set<std::string>{"jobs", "jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/compare",
+                                  "output/files", "output/netcdf", "output/plots", "output/words", "output/tables", "output/vtk",
+                                  "point_source", "sbr", "solve", "utd/shadow", "utd/wedge"}},
 };
 
 struct SourceFile {

@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <sstream>
-
 #include "run.h"
 #include "scratch.h"
 #include "shapes.h"
 #include "solve/look_solver.h"
 #include "utd/surface/fock.h"
+#include "vtk_file.h"
 
 namespace raytube {
 namespace {
@@ -90,14 +89,6 @@ TEST(SurfaceRays, OfEdgesAreHelicesRoundACylinder) {
   EXPECT_GE(from_edges, 38);  // the lit half and the dark one are 4 pi long
 }
 
-std::vector<double> numbers(const std::string& text, const std::string& name) {
-  const std::size_t begin = text.find("Name=\"" + name + "\""), from = text.find('>', begin) + 1;
-  std::istringstream body(text.substr(from, text.find('<', from) - from));
-  std::vector<double> values;
-  for (double value; body >> value;) values.push_back(value);
-  return values;
-}
-
 TEST(SurfaceRays, AreWrittenAsLines) {
   const Scratch scratch;
   const std::string file = (scratch / "rays.vtp").string();
@@ -105,16 +96,16 @@ TEST(SurfaceRays, AreWrittenAsLines) {
                                           RAYTUBE_SOURCE_DIR, file, (scratch / "said.txt").string());
   for (int time = 0; time < 2; ++time) ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);  // over its own earlier file, too
   const std::string text = text_of(file);
-  const std::vector<double> ends = numbers(text, "offsets");
+  const std::vector<double> ends = vtk_numbers(text, "offsets");
   ASSERT_FALSE(ends.empty());
   EXPECT_NE(text_of(scratch / "said.txt")
                 .find(fmt::format("surface rays: {} at shadow boundaries, 0 from edges, at 3 GHz", ends.size())),
             std::string::npos);
-  EXPECT_EQ(numbers(text, "points").size(), 3 * static_cast<std::size_t>(ends.back()));
+  EXPECT_EQ(vtk_numbers(text, "points").size(), 3 * static_cast<std::size_t>(ends.back()));
   for (const char* name : {"connectivity", "arc_length", "xi", "width", "hard", "soft"})
-    EXPECT_EQ(numbers(text, name).size(), static_cast<std::size_t>(ends.back())) << name;
-  for (const char* name : {"kind", "order"}) EXPECT_EQ(numbers(text, name).size(), ends.size()) << name;
-  const std::vector<double> lengths = numbers(text, "arc_length");
+    EXPECT_EQ(vtk_numbers(text, name).size(), static_cast<std::size_t>(ends.back())) << name;
+  for (const char* name : {"kind", "order"}) EXPECT_EQ(vtk_numbers(text, name).size(), ends.size()) << name;
+  const std::vector<double> lengths = vtk_numbers(text, "arc_length");
   EXPECT_EQ(lengths.front(), 0.0);
   // Until xi = 10: s = 10 a / m, of a sphere of 10 wavelengths; what a step may lack.
   EXPECT_NEAR(std::ranges::max(lengths), 100.0 / std::cbrt(10 * pi), 0.5);

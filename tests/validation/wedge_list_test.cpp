@@ -4,15 +4,20 @@
 
 #include "run.h"
 #include "scratch.h"
+#include "vtk_file.h"
 
 namespace raytube {
 namespace {
 
+void write_list(const std::string& file, const std::string& case_file, const std::string& more) {
+  const std::string command = std::string(RAYTUBE_PROGRAM) + " check " + case_file + " --wedges " + file + more + " > /dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);
+}
+
 /// The list that `raytube check` writes for a case.
 testing::Table wedge_list(const testing::Scratch& scratch, const std::string& case_file, const std::string& more = "") {
   const std::string file = (scratch / "wedges.csv").string();
-  const std::string command = std::string(RAYTUBE_PROGRAM) + " check " + case_file + " --wedges " + file + more + " > /dev/null";
-  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);
+  write_list(file, case_file, more);
   return testing::Table(file);
 }
 
@@ -27,6 +32,29 @@ TEST(WedgeList, NamesTheTwelveEdgesOfTheCube) {
     lit += table.number(i, "lit_fraction") > 0.0 ? 1 : 0;
   }
   EXPECT_EQ(lit, 11);  // the first look sees two faces and grazes top and bottom: only the upright edge behind is hidden
+}
+
+// Numbers are written shortest-round-trip in both, positions of lines to nine digits: 1e-10 of 0.1 m is more than half a unit.
+TEST(WedgeList, IsTheSameAsLines) {
+  const testing::Scratch scratch;
+  const std::string cube = RAYTUBE_SOURCE_DIR "/cases/powercube/case.toml", file = (scratch / "wedges.vtp").string();
+  const testing::Table table = wedge_list(scratch, cube);
+  for (int time = 0; time < 2; ++time) write_list(file, cube, "");  // over its own earlier file, too
+  const std::string text = testing::text_of(file);
+  for (const char* name :
+       {"wedge", "length_m", "interior_deg", "n", "face1_patch", "face2_patch", "lit_fraction", "thickness_m"}) {
+    const std::vector<double> lines = testing::vtk_numbers(text, name);
+    ASSERT_EQ(lines.size(), table.rows()) << name;
+    for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(lines[i], table.number(i, name)) << name;
+  }
+  const std::vector<double> points = testing::vtk_numbers(text, "points"), ends = testing::vtk_numbers(text, "offsets");
+  ASSERT_EQ(points.size(), 6 * table.rows());
+  ASSERT_EQ(ends.size(), table.rows());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    EXPECT_EQ(ends[i], 2.0 * static_cast<double>(i + 1));
+    EXPECT_NEAR(points[6 * i], table.number(i, "x1_m"), 1e-10);
+    EXPECT_NEAR(points[6 * i + 5], table.number(i, "z2_m"), 1e-10);
+  }
 }
 
 TEST(WedgeList, NamesTheHalfPlanesOfAThinPlateAtTheHighestFrequency) {

@@ -3,6 +3,7 @@
 //     files    how files come to be: folders, locks, hashes, run.json, the journal of finished looks
 //     netcdf   results as netCDF-4 files, written and read
 //     tables   rcs.csv and its relatives, written; tables from any source, read
+//     vtk      results in space, for ParaView
 //     compare  two results beside each other, convergence over tube density, random runs
 //     plots    pictures through gnuplot
 //

@@ -68,10 +68,11 @@ std::set<std::string> results_of_run(const fs::path& folder, const JsonValue& re
   return names;
 }
 
-// image.csv, image_3_mesh.vtu, image_12_phase.png and the like.
+// image.csv, image_3_mesh.vtu, image_12_phase.png, image.pvd and the like.
 bool is_image(std::string_view name) {
   constexpr std::array<std::string_view, 5> endings = {".csv", "_mesh.vtu", ".png", "_phase.png", "_window.png"};
   if (!name.starts_with("image")) return false;
+  if (name == "image.pvd") return true;
   name.remove_prefix(5);
   const std::size_t end = std::min(name.find_first_not_of("0123456789", 1), name.size());
   if (name.starts_with('_') && end > 1) name.remove_prefix(end);

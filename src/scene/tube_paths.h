@@ -1,0 +1,59 @@
+// The ways that the tubes of a look take, and the facets that they meet: plain data, for pictures.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/field.h"
+
+namespace raytube {
+
+/// Why a tube goes no further.
+enum class TubeEnd {
+  left_the_scene,
+  truncated,    // it would go on after the most bounces allowed
+  lost,         // it met a closed body from inside
+  absorbed,     // the last surface reflects nothing
+  transmitted,  // the same, but lets something through
+};
+
+/// A point of the launch plane, of a surface that reflects the tube, or where the tube ends.
+struct TubePathPoint {
+  dvec3 position;              // in the mesh's own coordinates [m]
+  int bounce = 0;              // reflections so far, with that of the point
+  double path_length = 0.0;    // from the launch plane [m]
+  double power = 1.0;          // of what was launched, the share that leaves the point: mean of both polarisations
+  std::int64_t triangle = -1;  // of the mesh as traced, that reflects here; -1: none does
+};
+
+/// From the launch plane over every bounce to where the tube ends; if it left the scene, on a sphere about the target.
+struct TubePath {
+  std::uint32_t column = 0, row = 0;  // its cell of the launch grid
+  double area = 0.0;                  // of the cells for which it stands [m^2]
+  TubeEnd end = TubeEnd::left_the_scene;
+  std::vector<TubePathPoint> points{};
+
+  int bounces() const { return points.back().bounce; }
+  double length() const { return points.back().path_length; }
+  /// For an incident wave of 1 W/m^2, what it carries in the end [W].
+  double power() const { return area * points.back().power; }
+};
+
+struct TubePaths {
+  std::uint32_t columns = 0, rows = 0;  // of the launch grid
+  std::uint32_t stride = 1;             // one tube of every block of so many columns and rows was followed
+  std::uint64_t followed = 0;           // with those that met nothing
+  std::vector<TubePath> paths{};        // of those that met the target, row by row
+};
+
+/// How many of the tubes followed met each facet.
+struct FacetHits {
+  std::vector<std::vector<std::uint32_t>> at_bounce;  // [bounce, from the first one][triangle]
+
+  std::vector<std::uint32_t> at_any_bounce() const;
+};
+
+/// Of a mesh with so many triangles; as many bounces as any of the tubes has.
+FacetHits facet_hits(const TubePaths& tubes, std::size_t triangles);
+
+}  // namespace raytube
