@@ -126,8 +126,9 @@ _raytube "$@"
 
 def zsh_action(argument):
     what, _, words = kind(argument).partition(" ")
-    patterns = "|".join(f"*.{suffix}" for suffix in words.split())
-    return {"keys": "_raytube_keys", "folders": "_files -/", "files": f'_files -g "({patterns})"', "word": f"({words})",
+    suffixes = words.replace(" ", "|")  # a pattern all in brackets would be qualifiers
+    pattern = f"*.({suffixes})" if "|" in suffixes else f"*.{suffixes}"
+    return {"keys": "_raytube_keys", "folders": "_files -/", "files": f'_files -g "{pattern}"', "word": f"({words})",
             "nothing": " "}[what]
 
 
