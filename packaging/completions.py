@@ -81,7 +81,8 @@ complete -F _raytube raytube
 
 def bash_kinds(page):
     for position, entry in enumerate(page.positionals, 1):
-        yield f'    "{page.command} {position}") echo "{kind(entry.argument)}" ;;'
+        number = '"[0-9]*' if entry.repeated else f'{position}"'
+        yield f'    "{page.command} {number}) echo "{kind(entry.argument)}" ;;'
     for entry in page.options:
         if entry.argument:
             patterns = " | ".join(f'"{page.command} {name}"' for name in entry.names)
@@ -151,7 +152,8 @@ def zsh_options(page):
 
 
 def zsh_case(page):
-    positionals = [shlex.quote(f"{i}:{zsh_plain(e.description)}:{zsh_action(e.argument)}") for i, e in enumerate(page.positionals, 1)]
+    numbers = ["*" if entry.repeated else str(i) for i, entry in enumerate(page.positionals, 1)]
+    positionals = [shlex.quote(f"{n}:{zsh_plain(e.description)}:{zsh_action(e.argument)}") for n, e in zip(numbers, page.positionals)]
     lines = " \\\n        ".join([*zsh_options(page), *positionals])
     return f"    {page.command})\n      _arguments \\\n        {lines} ;;"
 

@@ -54,11 +54,16 @@ package, completions for bash and zsh, and the documentation with its cases.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libcgal-dev, libembree-dev, libfmt-dev, libglm-dev, libopenmesh-dev, libtbb-dev, zlib1g-dev")
-# The Python module, once it is installed from here (python3/dist-packages), also wants
-#   set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, python3-numpy, python3-xarray") and python3-matplotlib among the recommended.
+if(TARGET raytube_python)
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, python3-numpy, python3-xarray")
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-matplotlib")
+endif()
 include(CPack)
 
 # Files carry the date of the changelog's entry, so that equal files make an equal package.
 add_custom_target(deb COMMAND ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${changed} ${CMAKE_CPACK_COMMAND} --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake
                   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} VERBATIM)
 add_dependencies(deb raytube raytube_solver raytube_pages)
+if(TARGET raytube_python)
+  add_dependencies(deb raytube_python)
+endif()

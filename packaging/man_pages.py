@@ -41,7 +41,7 @@ def listed(entries, label=term):
 def synopsis(page):
     options = [e for e in page.options if e.required]
     required = [f"{bold(e.names[-1])} {italic(e.argument)}" for e in options]
-    positionals = [italic(e.argument) for e in page.positionals]
+    positionals = [italic(e.argument) + "..." * e.repeated for e in page.positionals]
     return " ".join([bold(f"raytube {page.command}"), *positionals, *required, "[" + italic("OPTION") + "]..."])
 
 

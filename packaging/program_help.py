@@ -16,6 +16,7 @@ class Entry:
     names: list  # ["-o", "--output"], ["case"], ["run"]
     argument: str  # "DIR"; empty for a flag
     required: bool
+    repeated: bool  # a positional of which there may be several
     needs: str  # the option without which this one means nothing; empty if there is none
     limits: str  # "1 - 4096"; empty if there are none
     description: str
@@ -40,11 +41,14 @@ def entry(term, description):
     term, _, needs = term.partition(" Needs: ")
     required = term.endswith(" REQUIRED")
     term = term.removesuffix(" REQUIRED")
+    repeated = term.endswith(" ...")
+    if repeated:
+        term = term.removesuffix(" ...").rstrip(".")
     limits = re.search(r":\w+ in \[(.*)\]$", term)
     if limits:
         term = term[: limits.start()]
     names, _, argument = term.partition(" ")
-    return Entry(names.split(","), argument, required, needs, limits[1] if limits else "", description)
+    return Entry(names.split(","), argument, required, repeated, needs, limits[1] if limits else "", description)
 
 
 def entries(lines):
