@@ -20,7 +20,6 @@ exclude_patterns = ["build*", "out", "src", ".git", "**/out"]
 
 myst_heading_anchors = 6  # by the rules of code hosts, so that links to headings hold in both places
 highlight_language = "none"
-primary_domain = "cpp"
 
 breathe_default_project = "raytube"
 breathe_default_members = ("members",)
