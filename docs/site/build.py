@@ -58,10 +58,23 @@ def without_namespace(xml):
         header.write(file, encoding="utf-8", xml_declaration=True)
 
 
+def undocumented_values(xml):
+    """Values of enumerations without a word: Doxygen 1.9 warns of every other name, but not of these."""
+    for file in sorted(xml.glob("*.xml")):
+        for enumeration in ElementTree.parse(file).iterfind(".//memberdef[@kind='enum']"):
+            for value in enumeration.iterfind("enumvalue") if enumeration.get("prot") == "public" else ():
+                if value.find("*/para") is None:
+                    yield f"{enumeration.findtext('name')}::{value.findtext('name')}"
+
+
 def read_headers(folder):
     headers = " ".join(f'"{ROOT}/src/{header}"' for header in public_headers())
     options = DOXYGEN.format(name=NAMESPACE, folder=folder, headers=headers, root=ROOT, python=sys.executable, site=SITE)
+    shutil.rmtree(folder / "xml", ignore_errors=True)
     subprocess.run(["doxygen", "-"], input=options, text=True, check=True)
+    silent = sorted(set(undocumented_values(folder / "xml")))
+    if silent:
+        raise SystemExit(f"not documented: {', '.join(silent)}")
     without_namespace(folder / "xml")
 
 
