@@ -13,6 +13,7 @@ struct InputError : std::runtime_error {
 
 /// The computation was stopped from outside (Ctrl-C) before it was complete.
 struct Interrupted : std::runtime_error {
+  /// With the sentence for the user.
   explicit Interrupted(const std::string& sentence = "interrupted; no results written") : std::runtime_error(sentence) {}
 };
 

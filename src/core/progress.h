@@ -11,6 +11,7 @@ namespace raytube {
 /// Shares of finished work from many threads, handed to one callback at a time; a callback that returns false stops the work.
 class Progress {
  public:
+  /// Without a callback nothing is told and nothing stops.
   explicit Progress(std::function<bool(double)> callback) : callback_(std::move(callback)) {}
 
   /// Adds a share of the whole (all shares sum to 1). Throws Interrupted once the callback has said stop.

@@ -16,28 +16,29 @@ namespace raytube {
 
 /// What a replayed tube meets: materials are those of its one frequency, the radar that of looks from a finite distance.
 struct ReplayScene {
-  const Tracer& tracer;
+  const Tracer& tracer;                   // of the target
   std::span<const Material> materials{};  // [Patch::material]
-  const Radar& radar = isotropic_radar;
+  const Radar& radar = isotropic_radar;   // of looks from a finite distance
 };
 
 /// One reflection of a replayed tube, in recentred coordinates [m].
 struct TubeBounce {
-  std::uint32_t triangle, patch;
-  dvec3 point, normal;  // normal on the side the tube comes from
-  dvec3 direction_out;
+  std::uint32_t triangle, patch;       // that it meets
+  dvec3 point, normal;                 // normal on the side the tube comes from
+  dvec3 direction_out;                 // of the reflected tube, unit
   double path;                         // phase path, less that of the wave at the origin of the mesh's coordinates [m]
   std::array<ComplexVector, 2> field;  // reflected field of unit incident V and H
   bool goes_on = false;                // behind the surface, too: of that nothing is replayed
 };
 
+/// A tube from the launch grid to its end.
 struct TubeTrace {
   std::uint32_t column, row;  // the tube's cell in the launch grid
   dvec2 center;               // launch coordinates of the cell's middle, counted from the mesh's own origin [m]
   dvec3 start;                // of its ray, on the launch plane, in recentred coordinates [m]
   dvec3 direction;            // as launched
-  std::vector<TubeBounce> bounces{};
-  TubeEnd ended = TubeEnd::left_the_scene;
+  std::vector<TubeBounce> bounces{};  // in order
+  TubeEnd ended = TubeEnd::left_the_scene;  // why
   std::string end{};      // the same in words
   double last_leg = 0.0;  // from the last bounce to where the tube was truncated or lost [m]
 };

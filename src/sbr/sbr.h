@@ -21,8 +21,8 @@
 #include "core/field.h"
 #include "core/progress.h"
 #include "mesh/features/convexity.h"
-#include "mesh/smooth/smooth.h"
 #include "mesh/model/face_tree.h"
+#include "mesh/smooth/smooth.h"
 #include "mesh/trace/tracer.h"
 #include "sbr/beams/tube_sums.h"
 #include "scene/options.h"
@@ -30,6 +30,7 @@
 
 namespace raytube {
 
+/// Where the currents of a trace lie on the target (sbr/beams/current_map.h).
 class CurrentMap;
 
 /// Antennas without a pattern: what they are aimed at does not matter.
@@ -38,17 +39,17 @@ inline const Radar isotropic_radar{};
 /// What tubes meet, all of one mesh, and the antennas of looks from a finite distance. With `smooth` and such antennas nothing of
 /// the target may reflect onto the rest.
 struct TubeScene {
-  const Tracer& tracer;
-  const FaceTree& faces;
+  const Tracer& tracer;                    // rays against the mesh
+  const FaceTree& faces;                   // its faces
   const SmoothSurfaces* smooth = nullptr;  // curved surfaces; null: every facet is flat
   Convexity convexity{};                   // of the mesh
   std::span<const Material> materials{};   // [Patch::material]
-  const Radar& radar = isotropic_radar;
+  const Radar& radar = isotropic_radar;    // of looks from a finite distance
 };
 
 /// Where a trace reports to.
 struct TubeWork {
-  Progress& progress;
+  Progress& progress;         // told as tiles are done
   double share = 1.0;         // of the progress that this look is
   CurrentMap* map = nullptr;  // takes every current of the last trace as well; null: none is asked for
 };

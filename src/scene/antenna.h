@@ -23,7 +23,7 @@ struct PatternCut {
 struct AntennaPattern {
   double azimuth_beamwidth = std::numeric_limits<double>::infinity();    // half power, full width [rad]
   double elevation_beamwidth = std::numeric_limits<double>::infinity();  // infinite: isotropic
-  PatternCut azimuth{}, elevation{};
+  PatternCut azimuth{}, elevation{};                                     // in the plane of phi_hat; in that of theta_hat
 
   /// Field relative to the axis: at half a beamwidth off it the power is 1/2.
   double amplitude(double azimuth_angle, double elevation_angle) const;
@@ -31,8 +31,8 @@ struct AntennaPattern {
 
 /// What the antennas of a radar have in common.
 struct Radar {
-  AntennaPattern pattern{};
-  dvec3 aim{0.0};  // the point on their axes, in the mesh's own coordinates [m]
+  AntennaPattern pattern{};  // of transmitter and receiver alike
+  dvec3 aim{0.0};            // the point on their axes, in the mesh's own coordinates [m]
 };
 
 /// The least turn that carries the direction `from` into `to`, applied to a vector across `from`.
@@ -65,10 +65,14 @@ class Antenna {
   /// No digits are lost at long range.
   AntennaRay ray_to(const dvec3& point) const;
 
+  /// Where it stands.
   dvec3 position() const { return reference_ + range_ * basis_.radial; }
-  const dvec3& radial() const { return basis_.radial; }  // from the reference to the antenna
+  const dvec3& radial() const { return basis_.radial; }  // unit, from the reference to the antenna
+  /// The origin of the mesh's own coordinates.
   const dvec3& reference() const { return reference_; }
+  /// Unit, from the antenna to the aim.
   const dvec3& axis() const { return axis_; }
+  /// Distance from the reference [m].
   double range() const { return range_; }
   /// Angles off the axis, along phi_hat and along -theta_hat [rad].
   dvec2 off_axis(const dvec3& direction) const;

@@ -10,14 +10,17 @@ namespace raytube {
 
 /// The launch rectangle of a look in equal cells, as the radar sees it: columns along u, rows along v.
 struct ImageLattice {
-  dvec3 u_hat, v_hat;
-  dvec2 corner{0.0}, cell{0.0};  // lower corner and sides of a cell [m]
-  std::uint32_t columns = 0, rows = 0;
+  dvec3 u_hat, v_hat;                   // unit, along columns and rows
+  dvec2 corner{0.0}, cell{0.0};         // lower corner and sides of a cell [m]
+  std::uint32_t columns = 0, rows = 0;  // cells along u and along v
 
+  /// How many there are.
   std::size_t cells() const { return std::size_t{columns} * rows; }
+  /// The number of a cell, given as column and row: row by row.
   std::size_t index(const glm::uvec2& at) const { return std::size_t{at.y} * columns + at.x; }
   /// Coordinates of a point along u and v [m].
   dvec2 project(const dvec3& r) const { return {glm::dot(r, u_hat), glm::dot(r, v_hat)}; }
+  /// The middle of a cell along u and v [m].
   dvec2 middle(const glm::uvec2& at) const { return corner + (dvec2(at) + 0.5) * cell; }
 
   /// Column and row of a point, given along u and v. What rounding puts beside the rectangle belongs to the cell next to it.
@@ -29,14 +32,14 @@ struct ImageLattice {
 
 /// What comes back from a straight piece of an edge.
 struct ImageEdge {
-  dvec3 begin, end;
-  ScatteringMatrix s;
+  dvec3 begin, end;    // of the piece [m]
+  ScatteringMatrix s;  // its share of S [m]
 };
 
 /// S of a look at one frequency, cell by cell of its launch rectangle, phase reference at the origin of the mesh's coordinates
 /// as everywhere; the cells add up to S, and so do triangles and edges together.
 struct LookImage {
-  std::size_t look = 0;
+  std::size_t look = 0;                     // counted from 0
   double frequency = 0.0;                   // [Hz]
   ImageLattice lattice;                     // in the mesh's own coordinates
   std::vector<ScatteringMatrix> cells;      // row by row: of tubes launched there at all bounces, and of edges seen there

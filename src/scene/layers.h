@@ -10,12 +10,13 @@ namespace raytube {
 /// A passive medium at one frequency, relative to vacuum: eps' - j eps'', mu' - j mu'' with losses not below zero (e^{+j omega
 /// t}).
 struct Medium {
-  Complex permittivity = 1.0;
-  Complex permeability = 1.0;
+  Complex permittivity = 1.0;  // eps_r
+  Complex permeability = 1.0;  // mu_r
 };
 
+/// A plane layer of one medium.
 struct Layer {
-  Medium medium;
+  Medium medium;           // at one frequency
   double thickness = 0.0;  // [m]
 };
 
@@ -25,10 +26,11 @@ struct Layer {
 ///   (d x t).
 /// A perfect conductor has -1, +1, 0, 0. `transmitted` is the wave in vacuum behind a sheet, zero behind all else.
 struct SurfaceResponse {
+  /// The ratios of both polarisations.
   struct Polarised {
-    Complex te, tm;
+    Complex te, tm;  // E across the plane of incidence; E in it
   };
-  Polarised reflected, transmitted;
+  Polarised reflected, transmitted;  // of the electric field
 };
 
 /// A half-space of one medium. `cosine` is that of the angle of incidence, 0 < cosine <= 1, here and below.

@@ -15,6 +15,7 @@ struct LookSource {
   bool mirrored = false;  // in an odd number of planes: cross-polar amplitudes change sign
 };
 
+/// Which looks are computed, and which follow from these.
 struct LookPlan {
   std::vector<std::size_t> computed;  // looks, in the order of the sweep
   std::vector<LookSource> sources;    // of every look of the sweep

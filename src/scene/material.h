@@ -21,8 +21,10 @@ inline dvec3 reflected_field_pec(const dvec3& e, const dvec3& n) { return 2.0 * 
 /// eta J on a perfect conductor lit by a plane wave: J = 2 n x H, eta H = d x E; n points to the side of the source.
 inline dvec3 surface_current_pec(const dvec3& d, const dvec3& e, const dvec3& n) { return 2.0 * glm::cross(n, glm::cross(d, e)); }
 
+/// What a perfect conductor does to a wave.
 inline constexpr SurfaceResponse perfect_conductor{{-1.0, 1.0}, {}};
 
+/// What stands behind a surface.
 enum class MaterialKind {
   conductor,   // perfect; of interest here where it is rough
   absorber,    // reflects nothing, lets nothing through
@@ -34,8 +36,8 @@ enum class MaterialKind {
 
 /// Other than a smooth perfect conductor, at every frequency of a sweep.
 struct Material {
-  std::string name;
-  MaterialKind kind = MaterialKind::absorber;
+  std::string name;                                              // of the case file or the program that made it
+  MaterialKind kind = MaterialKind::absorber;                    // what it is built of
   double roughness = 0.0;                                        // rms height of the surface [m]
   std::vector<std::vector<Layer>> layers;                        // [frequency][layer]; of kinds without any: empty
   double resistance = std::numeric_limits<double>::infinity();   // thin_sheet [ohm]
@@ -67,7 +69,7 @@ SurfaceResponse response(const Material& material, std::size_t frequency, double
 /// tangential fields of the two sides differ by, so that they radiate all that the surface adds to the incident wave:
 /// J = n x (H_i + H_r - H_t), M = -n x (E_i + E_r - E_t)  (Love's principle: Balanis 2012, section 7.8).
 struct SurfaceWaves {
-  ComplexVector reflected, transmitted, electric_current, magnetic_current;
+  ComplexVector reflected, transmitted, electric_current, magnetic_current;  // fields; eta J; M
 };
 
 /// `n` points to the side that the wave `e`, of direction `d`, comes from.

@@ -10,6 +10,7 @@
 
 namespace raytube {
 
+/// How tubes are laid over the target.
 enum class TubeMode {
   uniform,  // one tube a cell of the launch grid
   adaptive  // tubes as wide as the surfaces they meet allow
@@ -17,22 +18,22 @@ enum class TubeMode {
 
 /// Where facets that stand for a curved surface are taken as that surface.
 enum class CurvedSurfaces {
-  never,
+  never,   // facets are flat
   convex,  // on convex targets: what a curved surface reflects has to be sampled, what facets reflect has not
-  always
+  always   // on every target
 };
 
 /// Cells are counted per wavelength along each side of the launch plane, at the highest frequency.
 struct TubeOptions {
-  TubeMode mode = TubeMode::adaptive;
-  double per_wavelength = 10.0;      // density of the grid; where it is refined, of the first one
-  double max_per_wavelength = 40.0;  // cap of the density where it is refined (refines())
-  double tolerance_db = 0.1;         // refined until the estimated error of the strongest channel is below this
-  bool clip = true;                  // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
+  TubeMode mode = TubeMode::adaptive;  // how tubes are laid
+  double per_wavelength = 10.0;        // density of the grid; where it is refined, of the first one
+  double max_per_wavelength = 40.0;    // cap of the density where it is refined (refines())
+  double tolerance_db = 0.1;           // refined until the estimated error of the strongest channel is below this
+  bool clip = true;  // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
   CurvedSurfaces curved = CurvedSurfaces::convex;  // adaptive with clip
-  int max_bounces = 8;
-  bool skip = true;         // false: also what adds nothing, or is known from another look, is computed
-  std::optional<dvec3> up;  // rows of the launch grid follow this vector's projection; default -theta_hat
+  int max_bounces = 8;                             // surfaces that a tube meets at most
+  bool skip = true;                                // false: also what adds nothing, or is known from another look, is computed
+  std::optional<dvec3> up;                         // rows of the launch grid follow this vector's projection; default -theta_hat
 
   /// Grids are refined to a tolerance only where tubes are cut exactly at edges.
   bool refines() const { return mode == TubeMode::adaptive && clip; }
@@ -41,25 +42,36 @@ struct TubeOptions {
 /// How the transition function of diffraction is evaluated: to rounding, or as it was when tables were printed, to study what
 /// that costs.
 enum class TransitionTier {
-  exact,
+  exact,               // to rounding
   kouyoumjian_pathak,  // (1974): small-argument form, linear table of eight nodes from 0.3 to 5.5, large-argument series
   as_printed           // the same with the small-argument form as misprinted in secondary sources
 };
 
-/// What edges add. utd: no currents at all, but rays of geometrical optics and rays that one edge diffracts
-/// (utd/gtd/ray_fields.h), a mode to compare with programs that trace paths.
-enum class EdgeMethod { none, fringe, utd };
+/// What edges add.
+enum class EdgeMethod {
+  none,    // nothing: physical optics alone
+  fringe,  // the currents that physical optics lacks
+  utd  // no currents at all, but rays of geometrical optics and rays that one edge diffracts (utd/gtd/ray_fields.h), a mode to
+       // compare with programs that trace paths
+};
 
-/// What edges add beside other materials than perfect conductors. luebbers: utd/fringe/material_edges.h.
-enum class MaterialEdgeMethod { none, luebbers };
+/// What edges add beside other materials than perfect conductors.
+enum class MaterialEdgeMethod {
+  none,     // nothing
+  luebbers  // fringe currents by a heuristic (utd/fringe/material_edges.h)
+};
 
 /// Whether a mechanism takes part: always, never, or where it can change the answer.
 class Use {
  public:
+  /// Where it can change the answer.
   constexpr Use() = default;
+  /// Always, or never.
   constexpr Use(bool on) : kind_(on ? Kind::always : Kind::never) {}
 
+  /// Not ruled out.
   constexpr bool possible() const { return kind_ != Kind::never; }
+  /// Asked for in any case.
   constexpr bool forced() const { return kind_ == Kind::always; }
 
  private:
@@ -67,17 +79,19 @@ class Use {
   Kind kind_ = Kind::where_it_counts;
 };
 
+/// What edges add, and how much work it may take.
 struct EdgeOptions {
-  EdgeMethod method = EdgeMethod::fringe;
-  int order = 3;                    // edges in a row that a current passes, 1 to 3; 1 takes every face as semi-infinite
+  EdgeMethod method = EdgeMethod::fringe;  // what edges add
+  int order = 3;                           // edges in a row that a current passes, 1 to 3; 1 takes every face as semi-infinite
   Use interaction;                  // edges light other surfaces; by default where its budget reaches half of what is expected
   double interaction_budget = 4.0;  // work that this may take in a look, in units of all its other work; 0: none
   bool receiver_shadow = false;     // an edge hidden from the receiver does not count
-  TransitionTier transition = TransitionTier::exact;  // plays a part at order 2 and 3 only
-  MaterialEdgeMethod materials = MaterialEdgeMethod::none;
+  TransitionTier transition = TransitionTier::exact;        // plays a part at order 2 and 3 only
+  MaterialEdgeMethod materials = MaterialEdgeMethod::none;  // what edges of other materials add
   double utd_range = 0.0;  // of transmitter and receiver with method utd [m]; 0: default_ray_range
 };
 
+/// What curved surfaces add beyond physical optics.
 struct SurfaceOptions {
   Use waves;  // currents run smoothly into the dark over curved surfaces, and on in it; with edges.method fringe. By default in
               // looks to which they may add tolerance_db
@@ -97,16 +111,17 @@ struct KeptLooks {
   std::function<void(std::size_t index, std::string bytes)> keep;  // of one just computed. Both from any thread
 };
 
+/// All that is not the target and not the sweep.
 struct SolveOptions {
-  TubeOptions tubes{};
-  EdgeOptions edges{};
-  SurfaceOptions surfaces{};
-  int threads = 0;          // 0: all cores
-  bool keep_parts = false;  // fill SweepResult::bounces, edges_first, edges_higher and interaction
+  TubeOptions tubes{};        // physical optics
+  EdgeOptions edges{};        // diffraction at edges
+  SurfaceOptions surfaces{};  // waves over curved surfaces
+  int threads = 0;            // 0: all cores
+  bool keep_parts = false;    // fill SweepResult::bounces, edges_first, edges_higher and interaction
   /// Called now and then with the finished share of the work (0..1), kept looks first; return false to stop (solve then throws
   /// Interrupted).
   std::function<bool(double)> progress{};
-  KeptLooks kept{};
+  KeptLooks kept{};  // empty: none are kept
 };
 
 }  // namespace raytube

@@ -7,10 +7,11 @@
 
 namespace raytube {
 
+/// Tubes at random places, in the place of a grid.
 struct RandomOptions {
   std::uint64_t samples = 100000;  // tubes a look and run, at least 1
-  std::uint64_t seed = 1;
-  int runs = 10;  // independent ones, at least 2
+  std::uint64_t seed = 1;          // the same seed gives the same bytes
+  int runs = 10;                   // independent ones, at least 2
 };
 
 /// How single runs scatter about their mean, in one channel of one row.
@@ -21,11 +22,12 @@ struct ChannelSpread {
 };
 using RowSpread = std::array<std::array<ChannelSpread, 2>, 2>;  // [receive][transmit]
 
+/// How random tubes scatter about the deterministic answer.
 struct RandomResult {
-  RandomOptions options;
+  RandomOptions options;  // that it was computed with
   SweepResult
       mean;  // of the runs; its errors are the standard errors of complex S [m]; its statistics count the tubes of all runs
-  SweepResult deterministic;
+  SweepResult deterministic;      // of the same target and sweep
   std::vector<RowSpread> spread;  // [row]
   double run_s = 0.0;             // time of one run
 };

@@ -13,9 +13,9 @@ namespace raytube {
 
 /// Something the solver did not do, how often, and why.
 struct Skipped {
-  std::string what;
-  std::string why;
-  std::uint64_t count = 0;
+  std::string what;         // in words
+  std::string why;          // the reason, and a remedy where there is one
+  std::uint64_t count = 0;  // how often
 };
 
 /// Rows in which a mechanism exceeds what the size of the target allows it (solve/physical_bound.h): they are wrong.
@@ -31,7 +31,7 @@ struct LostRay {
   dvec3 at{0.0};               // where [m]
   std::uint32_t triangle = 0;  // of the mesh as it is traced
   std::uint64_t look = 0;      // counted from 0
-  Direction transmit{};
+  Direction transmit{};        // of that look
 };
 
 /// Lost rays that are told by their place: the first ones of the first looks, so that threads do not choose.
@@ -43,24 +43,30 @@ enum class Truncation : std::uint8_t {
   width,    // a curved surface made it wider than what holds about its middle
   number    // there were too many at once, and it was among the weakest
 };
+/// All reasons, in order.
 inline constexpr std::array truncations{Truncation::bounces, Truncation::width, Truncation::number};
 
 /// Tubes that were truncated for one reason.
 struct TruncatedSum {
-  std::uint64_t tubes = 0;
+  std::uint64_t tubes = 0;  // how many
   double sigma =
       0.0;  // [m^2] area times squared amplitude of unit incident waves: what is left of them, into all directions alike
 
+  /// A tube of this area across its wave [m^2] and this amplitude.
   void add(double area, double amplitude) { sigma += area * amplitude * amplitude; }
 };
 
 /// Truncated tubes by reason.
 struct TruncatedSums {
-  std::array<TruncatedSum, truncations.size()> of{};
+  std::array<TruncatedSum, truncations.size()> of{};  // [Truncation]
 
+  /// Those of one reason.
   TruncatedSum& operator[](Truncation reason) { return of[static_cast<std::size_t>(reason)]; }
+  /// Those of one reason.
   const TruncatedSum& operator[](Truncation reason) const { return of[static_cast<std::size_t>(reason)]; }
+  /// Of all reasons together.
   std::uint64_t tubes() const { return of[0].tubes + of[1].tubes + of[2].tubes; }
+  /// Of all reasons together [m^2].
   double sigma() const { return of[0].sigma + of[1].sigma + of[2].sigma; }
 
   /// Other tubes of the same look.
@@ -81,13 +87,13 @@ inline void add_look(TruncatedSums& all, const TruncatedSums& look) {
 
 /// What happened during a solve; every ray is accounted for.
 struct Statistics {
-  std::uint64_t tubes = 0;          // launched
-  std::uint64_t rays = 0;           // segments traced: launched tubes and every reflected segment
-  std::vector<std::uint64_t> hits;  // hits[m]: tubes that met a surface at bounce m + 1
-  std::uint64_t lost_rays = 0;      // rays that met a closed body from inside (a leak); their tube ends there
-  std::uint64_t looks_with_lost_rays = 0;
-  std::vector<LostRay> first_lost_rays;  // most_lost_rays_told at most, in metres of the mesh's own coordinates
-  TruncatedSums truncated;               // tubes: sum over looks; sigma: the largest one of a look
+  std::uint64_t tubes = 0;                 // launched
+  std::uint64_t rays = 0;                  // segments traced: launched tubes and every reflected segment
+  std::vector<std::uint64_t> hits;         // hits[m]: tubes that met a surface at bounce m + 1
+  std::uint64_t lost_rays = 0;             // rays that met a closed body from inside (a leak); their tube ends there
+  std::uint64_t looks_with_lost_rays = 0;  // looks with at least one
+  std::vector<LostRay> first_lost_rays;    // most_lost_rays_told at most, in metres of the mesh's own coordinates
+  TruncatedSums truncated;                 // tubes: sum over looks; sigma: the largest one of a look
   double sliver_area = 0.0;      // [m^2], sum over looks: parts of adaptive tubes too thin to be more than rounding, left out
   std::uint64_t wedges = 0;      // wedges of the target, convex and concave
   std::uint64_t wedges_lit = 0;  // sum over looks of the convex wedges at least partly lit, at the highest frequency
@@ -96,7 +102,7 @@ struct Statistics {
   std::uint64_t illuminating_pieces = 0;  // sum over looks: pieces of edges that light other surfaces, once for each wave on them
   std::uint64_t windowed_rows = 0;        // rows touched by the forward-grazing window of the fringe currents
   double ray_range = 0.0;                 // [m]: edges.method utd, amplitudes are apparent ones at this range; else 0
-  std::vector<Skipped> skipped;
+  std::vector<Skipped> skipped;           // what was left out, and why
   std::vector<BeyondBound> beyond_bound;  // none in a sound solve
   double solve_s = 0.0;                   // mesh and BVH ready -> last sum
 };
@@ -131,7 +137,7 @@ struct SweepResult {
   std::vector<ScatteringMatrix> surface_waves;  // over curved surfaces, beyond physical optics
 
   std::vector<std::array<double, 2>> incoherent;  // sigma of rough surfaces for transmitted V and H [m^2]; empty: there are none
-  Statistics statistics;
+  Statistics statistics;                          // counts and times
 };
 
 }  // namespace raytube

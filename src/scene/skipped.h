@@ -8,9 +8,10 @@
 
 namespace raytube {
 
+/// What the solver leaves out, counted by reason.
 struct SkipCounts {
-  std::uint64_t repeated_looks = 0, mirrored_looks = 0;
-  std::uint64_t empty_cells = 0;                // sum over looks: cells of the grid under which the target is not
+  std::uint64_t repeated_looks = 0, mirrored_looks = 0;  // known from an equal look, or from a mirror image
+  std::uint64_t empty_cells = 0;                         // sum over looks: cells of the grid under which the target is not
   std::uint64_t faces_away = 0;                 // sum over looks: faces of closed bodies turned away from the transmitter
   std::uint64_t reflected_tubes = 0;            // of a target no face of which has anything in front of it
   std::uint64_t enclosed_wedges = 0;            // inside a closed body
@@ -36,6 +37,7 @@ struct SkipCounts {
 /// The items that are not zero.
 std::vector<Skipped> skipped_items(const SkipCounts& counts);
 
+/// The reason of a target that cannot light itself.
 inline constexpr const char* nothing_in_front = "nothing stands in front of any face of the target";
 
 }  // namespace raytube

@@ -13,31 +13,35 @@ namespace raytube {
 /// A pair of directions from the target: to the transmitter and to the receiver (equal for a monostatic look), and how far these
 /// are from the origin of the mesh's own coordinates [m]: both at a finite distance, or neither.
 struct Look {
-  Direction transmit;
-  Direction receive;
-  double transmit_range = std::numeric_limits<double>::infinity();
-  double receive_range = std::numeric_limits<double>::infinity();
+  Direction transmit;                                               // towards the transmitter
+  Direction receive;                                                // towards the receiver
+  double transmit_range = std::numeric_limits<double>::infinity();  // of the transmitter [m]
+  double receive_range = std::numeric_limits<double>::infinity();   // of the receiver [m]
 
+  /// Both are at infinity.
   bool far() const { return std::isinf(transmit_range); }
 };
 
 /// Transmitter and receiver of a look from a finite distance, in recentred coordinates. Keeps references to the pattern.
 struct AntennaPair {
+  /// `mesh_center` in the mesh's own coordinates [m].
   AntennaPair(const Look& look, const Radar& radar, const dvec3& mesh_center)
       : transmit({look.transmit, look.transmit_range}, -mesh_center, radar.aim - mesh_center, radar.pattern),
         receive({look.receive, look.receive_range}, -mesh_center, radar.aim - mesh_center, radar.pattern) {}
-  Antenna transmit, receive;
+  Antenna transmit, receive;  // equal for a monostatic look
 };
 
 /// Every look at every frequency. Rows of the result: looks vary slowest, frequency fastest.
 struct Sweep {
   std::vector<double> frequencies;  // [Hz], > 0
-  std::vector<Look> looks;
+  std::vector<Look> looks;          // in the order of rows
   bool bistatic = false;  // receive directions were given (they may still coincide); else every look is its own receiver
   Radar radar{};          // of looks from a finite distance
   std::vector<Material> materials{};  // of the target: see Patch::material
 
+  /// How many rows the result has.
   std::size_t rows() const { return frequencies.size() * looks.size(); }
+  /// Of a look and a frequency, by their indices.
   std::size_t row(std::size_t look, std::size_t frequency) const { return look * frequencies.size() + frequency; }
 };
 

@@ -15,14 +15,14 @@ namespace raytube {
 
 /// Whether waves run over curved surfaces, or why they do not.
 enum class SurfaceWaveState {
-  computed,
-  not_asked,
-  no_edge_currents,
-  facets_meant,
-  no_curved_surface,
-  no_conductor,
-  near_antennas,
-  long_edges
+  computed,           // they do
+  not_asked,          // surfaces.waves is false
+  no_edge_currents,   // edges.method is not fringe
+  facets_meant,       // tubes.curved says that facets are the surface
+  no_curved_surface,  // no facets stand for one
+  no_conductor,       // none of them conducts perfectly
+  near_antennas,      // looks are from a finite distance
+  long_edges          // more than longest_surface_edges
 };
 
 /// What of a surface's edges they may run from [wavelength]: more strips start there than all the rest of a look would cost.
@@ -50,22 +50,22 @@ struct SolvePlan {
   SolvePlan(const Target& target, Sweep&& sweep, const SolveOptions& options) = delete;
   SolvePlan(Target&& target, const Sweep& sweep, const SolveOptions& options) = delete;
 
-  const Target& target;
-  const Sweep& sweep;
-  TubeOptions tubes;
-  EdgeOptions edges;
-  SurfaceOptions surfaces;
-  int threads;      // 0: all cores
-  bool keep_parts;  // the result keeps its mechanisms apart
+  const Target& target;     // as given
+  const Sweep& sweep;       // as given
+  TubeOptions tubes;        // as asked, checked
+  EdgeOptions edges;        // as asked, checked
+  SurfaceOptions surfaces;  // as asked, checked
+  int threads;              // 0: all cores
+  bool keep_parts;          // the result keeps its mechanisms apart
 
-  Convexity convexity;  // the target's; of a curved body with dents that no wave sees, that of the body without
-  Mechanisms mechanisms;
-  double ray_range = 0.0;                        // of transmitter and receiver where rays stand for currents [m], else 0
+  Convexity convexity;     // the target's; of a curved body with dents that no wave sees, that of the body without
+  Mechanisms mechanisms;   // those that take part
+  double ray_range = 0.0;  // of transmitter and receiver where rays stand for currents [m], else 0
   std::shared_ptr<const SmoothSurfaces> smooth;  // curved surfaces that tubes see as such; null: all are flat facets
-  SurfaceWaveState surface_waves = SurfaceWaveState::not_asked;
-  std::shared_ptr<const SmoothSurfaces> wave_surfaces;  // over which waves run, or would; null: none
-  LookPlan looks;                                       // which are computed, and which follow from these
-  SkipCounts skips;                                     // known beforehand
+  SurfaceWaveState surface_waves = SurfaceWaveState::not_asked;  // why, or why not
+  std::shared_ptr<const SmoothSurfaces> wave_surfaces;           // over which waves run, or would; null: none
+  LookPlan looks;                                                // which are computed, and which follow from these
+  SkipCounts skips;                                              // known beforehand
   std::vector<Skipped>
       skipped_wedges;    // that carry no fringe current, and why; of thin plates and details at the lowest frequency
   double seconds = 0.0;  // that planning took

@@ -18,22 +18,23 @@ namespace raytube {
 /// Ray-tracing structures of a mesh, its wedges, the outlines of their faces, and the narrow faces that may be edges of thin
 /// plates (none without `thin_plates`). Owns the mesh; can be moved, not copied.
 struct Target {
+  /// Builds all of it, which takes longer than the solve of a simple look.
   explicit Target(TriangleMesh mesh, const WedgeOptions& options = {});
 
  private:
   std::unique_ptr<const TriangleMesh> owned_;  // stays where it is when the target is moved
 
  public:
-  const TriangleMesh& mesh;
-  WedgeOptions options;  // it was made with; creases of the threshold to 1e-3 are tessellation
-  Tracer tracer;
-  FaceTree faces;
-  Convexity convexity;
-  std::vector<Wedge> wedges;
-  std::vector<bool> components_enclosed;  // find_enclosed_components
-  std::uint64_t wedges_enclosed;          // of these, inside a closed body
-  Outlines outlines;
-  std::vector<ThinPlateEdge> thin_plate_edges;
+  const TriangleMesh& mesh;                     // owned
+  WedgeOptions options;                         // it was made with; creases of the threshold to 1e-3 are tessellation
+  Tracer tracer;                                // rays against the mesh
+  FaceTree faces;                               // convex polygons of its patches
+  Convexity convexity;                          // what its shape rules out
+  std::vector<Wedge> wedges;                    // convex and concave
+  std::vector<bool> components_enclosed;        // find_enclosed_components
+  std::uint64_t wedges_enclosed;                // of these, inside a closed body
+  Outlines outlines;                            // of the faces of wedges
+  std::vector<ThinPlateEdge> thin_plate_edges;  // thinnest first
 };
 
 }  // namespace raytube

@@ -5,6 +5,7 @@
 
 namespace raytube {
 
+/// What the shape of a target rules out.
 struct Convexity {
   bool no_reflection = false;  // what one face reflects meets no other: a convex body, or a plate
   bool no_shadow = false;      // every face turned to the source is lit as a whole: a convex body

@@ -9,8 +9,10 @@
 
 namespace raytube {
 
+/// The vertices on the border of each patch.
 class PatchBorders {
  public:
+  /// `edges` are those of the mesh.
   PatchBorders(const TriangleMesh& mesh, const EdgeTable& edges);
 
   /// Each once, in ascending order; the patch's extent in any direction is theirs.

@@ -16,7 +16,7 @@ namespace raytube {
 
 /// One of the two faces of a wedge, as it looks from the free space between them.
 struct WedgeFace {
-  std::uint32_t patch = no_index;
+  std::uint32_t patch = no_index;     // whose side the face is
   dvec3 into_face;                    // x_f: unit, in the face, perpendicular to the edge, away from it
   dvec3 normal;                       // n_f: unit, out of the metal into the free space of this wedge
   double width = 0.0;                 // extent of the patch along into_face [m]
@@ -27,10 +27,10 @@ struct WedgeFace {
 /// A straight edge with free space between faces[0] and faces[1]; angles are measured from faces[0] through free space,
 /// counter-clockwise about tangent() = into_face x normal of faces[0]; for faces[1] the same product is -tangent().
 struct Wedge {
-  dvec3 start, end;  // recentred coordinates [m]
-  double n = 0.0;    // exterior (free-space) angle / pi: 2 half plane, 1.5 outer edge of a cube, 0.5 inner corner
-  std::array<WedgeFace, 2> faces;
-  bool enclosed = false;                 // inside a closed body, where no wave comes (mark_enclosed)
+  dvec3 start, end;                // recentred coordinates [m]
+  double n = 0.0;                  // exterior (free-space) angle / pi: 2 half plane, 1.5 outer edge of a cube, 0.5 inner corner
+  std::array<WedgeFace, 2> faces;  // as seen from the free space between them
+  bool enclosed = false;           // inside a closed body, where no wave comes (mark_enclosed)
   std::uint32_t replaced_by = no_index;  // of an edge of a thin plate's border face: the half plane that stands for it
 
   // Of a half plane that stands for the border face of a thin plate (merge_thin_plate_edges); else 0 and no_index.
@@ -41,6 +41,7 @@ struct Wedge {
   double share = 1.0;  // of several wedges that the wave sees as one, this one's
   bool flat = false;   // the wave sees no wedge at all
 
+  /// More free space than half of all directions: an outer edge.
   bool convex() const { return n > 1.0; }
   /// Both faces are perfect conductors.
   bool conducting() const {
@@ -52,7 +53,7 @@ struct Wedge {
   bool radiates() const { return stands_alone() && !enclosed && conducting(); }
   double thickness() const { return std::abs(glm::dot(thickness_vector, faces[0].normal)); }  // of a thin plate, else 0 [m]
   double interior_angle() const { return (2.0 - n) * pi; }                                    // metal side [rad]
-  double length() const { return glm::length(end - start); }
+  double length() const { return glm::length(end - start); }                                  // [m]
 };
 
 /// All wedges, convex and concave, whose faces differ from a plane by at least `min_wedge_angle` [rad]: |pi - interior| >= it.

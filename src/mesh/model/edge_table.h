@@ -13,17 +13,21 @@ class EdgeTable {
  public:
   /// An edge as one triangle's side: from corner `corner` to the next one.
   struct Side {
-    std::uint32_t triangle;
-    std::uint32_t corner;
+    std::uint32_t triangle;  // whose side it is
+    std::uint32_t corner;    // where the side begins, 0 to 2
   };
+  /// Two vertices and the triangles that meet between them.
   struct Edge {
-    std::uint32_t low, high;  // vertices
-    std::span<const Side> sides;
+    std::uint32_t low, high;      // vertices
+    std::span<const Side> sides;  // in order of triangles
   };
 
+  /// Triangles index vertices below `vertex_count`.
   EdgeTable(std::span<const Triangle> triangles, std::size_t vertex_count);
 
+  /// Number of edges.
   std::size_t size() const { return ends_.size(); }
+  /// The edge of this number, below size().
   Edge operator[](std::size_t edge) const;
 
   /// The edge from `corner` of `triangle` to its next corner.

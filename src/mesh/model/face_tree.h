@@ -13,17 +13,18 @@ namespace raytube {
 
 /// A bundle of parallel lines, bounded by a rectangle across them and by depths along them. Coordinates count from `base`.
 struct Prism {
-  dvec3 base;
-  dvec3 u_hat, v_hat, direction;  // orthonormal
-  dvec2 low, high;                // bounds along u_hat and v_hat
-  double farthest = std::numeric_limits<double>::infinity();
-  const Patch* floor = nullptr;  // the plane the lines start from: only what reaches above it counts
-  double floor_facing = 0.0;     // above zero: the lines rise on the side its normal points to
+  dvec3 base;                                                 // recentred coordinates [m]
+  dvec3 u_hat, v_hat, direction;                              // orthonormal
+  dvec2 low, high;                                            // bounds along u_hat and v_hat
+  double farthest = std::numeric_limits<double>::infinity();  // bound along `direction` [m]
+  const Patch* floor = nullptr;                               // the plane the lines start from: only what reaches above it counts
+  double floor_facing = 0.0;                                  // above zero: the lines rise on the side its normal points to
 };
 
 /// The faces of a mesh in a tree of boxes, eight to a node. Boxes are in single precision, enlarged by what that may cost.
 class FaceTree {
  public:
+  /// Keeps a reference to the mesh, which must outlive the tree.
   explicit FaceTree(const TriangleMesh& mesh);
 
   /// All faces in the order of the tree: neighbours in space are neighbours in number.
@@ -38,8 +39,8 @@ class FaceTree {
   std::span<const std::uint32_t> triangles(std::uint32_t face) const {
     return std::span(triangles_).subspan(first_triangle_[face], first_triangle_[face + 1] - first_triangle_[face]);
   }
-  std::uint32_t face_of(std::uint32_t triangle) const { return faces_.face_of_triangle[triangle]; }
-  const TriangleMesh& mesh() const { return mesh_; }
+  std::uint32_t face_of(std::uint32_t triangle) const { return faces_.face_of_triangle[triangle]; }  // number in faces()
+  const TriangleMesh& mesh() const { return mesh_; }                                                 // as given
 
   /// Fills `found` with every face whose box reaches into the prism, in an order fixed by the tree. Gives up soon after the
   /// first `most` of them.

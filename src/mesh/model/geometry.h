@@ -10,6 +10,7 @@
 
 namespace raytube {
 
+/// Three vertices by their indices.
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Vertices closer than this fraction of the bounding box's diagonal are one: a few roundings of a single-precision file.
@@ -17,18 +18,23 @@ inline constexpr double weld_fraction = 1e-7;
 /// Vertices this fraction of the diagonal beside a plane or a line lie on it: what six digits of a text file leave of flat faces.
 inline constexpr double flat_fraction = 2e-6;
 
+/// Of least size round points, sides along the axes; inside out while it holds none.
 struct Box {
-  dvec3 low{std::numeric_limits<double>::infinity()};
-  dvec3 high{-std::numeric_limits<double>::infinity()};
+  dvec3 low{std::numeric_limits<double>::infinity()};    // least coordinates
+  dvec3 high{-std::numeric_limits<double>::infinity()};  // largest coordinates
 
+  /// Grows to hold the point.
   void add(const dvec3& p) {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
+  /// The point half-way between its corners.
   dvec3 middle() const { return 0.5 * low + 0.5 * high; }
+  /// Distance of opposite corners.
   double diagonal() const { return glm::length(high - low); }
 };
 
+/// The box round all of them.
 inline Box bounding_box(std::span<const dvec3> points) {
   Box box;
   for (const dvec3& p : points) box.add(p);
@@ -38,6 +44,7 @@ inline Box bounding_box(std::span<const dvec3> points) {
 /// Twice the area times the unit normal.
 inline dvec3 area_vector(const dvec3& a, const dvec3& b, const dvec3& c) { return glm::cross(b - a, c - a); }
 
+/// Twice the area times the unit normal.
 inline dvec3 area_vector(std::span<const dvec3> vertices, const Triangle& t) {
   return area_vector(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
 }

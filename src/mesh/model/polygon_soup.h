@@ -8,7 +8,7 @@ namespace raytube {
 
 /// Polygons as they stand in the file, in file units, in double precision: polygon i is the file's facet i + 1.
 struct PolygonSoup {
-  std::vector<dvec3> points;
+  std::vector<dvec3> points;                         // in units of the file
   std::vector<std::vector<std::uint32_t>> polygons;  // corners, as indices in `points`
   std::uint64_t free_forms = 0;                      // curves and surfaces beside them that are no polygons (OBJ)
   /// OBJ: groups (g), object (o) and material (usemtl); ASCII STL: solid. Other formats have none.

@@ -14,56 +14,58 @@
 
 namespace raytube {
 
+/// Stands for no triangle, no patch, no material.
 inline constexpr std::uint32_t no_index = 0xffffffffu;
 
 /// Connected coplanar triangles of one material; the plane is normal . r = offset, in recentred coordinates [m].
 struct Patch {
-  dvec3 normal;  // unit; outward on closed components
-  double offset;
+  dvec3 normal;                       // unit; outward on closed components
+  double offset;                      // of the plane [m]
   std::uint32_t material = no_index;  // among those of the sweep; no_index: a perfect conductor
 };
 
 /// Triangles connected through shared edges after welding.
 struct Component {
-  bool closed = false;  // bounds a volume that waves do not enter: only the outer side is exposed
-  std::uint32_t triangles = 0;
-  bool penetrable = false;  // bounds a volume, but waves enter it: both sides are exposed
+  bool closed = false;          // bounds a volume that waves do not enter: only the outer side is exposed
+  std::uint32_t triangles = 0;  // how many
+  bool penetrable = false;      // bounds a volume, but waves enter it: both sides are exposed
 };
 
 /// Vertices are in metres relative to `center`, the middle of the target's bounding box in the mesh's own coordinates.
 /// Winding is counter-clockwise seen from outside for closed components, and for those that bound a volume which waves enter;
 /// consistent within open ones.
 struct TriangleMesh {
-  std::vector<dvec3> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint32_t> triangle_patch;
-  std::vector<std::uint32_t> triangle_component;
-  std::vector<Patch> patches;
-  std::vector<Component> components;
-  dvec3 center{0.0};
-  double radius = 0.0;  // largest distance of a vertex from `center`
+  std::vector<dvec3> vertices;                          // recentred coordinates [m]
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices
+  std::vector<std::uint32_t> triangle_patch;            // [triangle]
+  std::vector<std::uint32_t> triangle_component;        // [triangle]
+  std::vector<Patch> patches;                           // numbered as triangle_patch says
+  std::vector<Component> components;                    // numbered as triangle_component says
+  dvec3 center{0.0};                                    // in the mesh's own coordinates [m]
+  double radius = 0.0;                                  // largest distance of a vertex from `center`
 
+  /// Whether a triangle is part of a closed component.
   bool closed(std::uint32_t triangle) const { return components[triangle_component[triangle]].closed; }
 };
 
 /// One line of the mesh report: what was found or mended, and how many facets, vertices or edges it concerned.
 struct MeshNote {
-  std::string what;
-  std::uint64_t count = 0;
+  std::string what;         // in words
+  std::uint64_t count = 0;  // facets, vertices or edges
 };
 
 /// Every facet read is traced or listed here:
 /// triangles_read + triangles_added = triangles_traced + triangles_degenerate + triangles_duplicate + triangles_internal.
 struct MeshReport {
-  std::uint64_t facets_read = 0;  // polygons in the file
-  std::uint64_t vertices_read = 0;
+  std::uint64_t facets_read = 0;      // polygons in the file
+  std::uint64_t vertices_read = 0;    // before welding
   std::uint64_t facets_unusable = 0;  // polygons with fewer than three distinct corners
   std::uint64_t free_forms_read = 0;  // curves and surfaces given by formulas: left out
   std::uint64_t triangles_read = 0;   // after splitting polygons into triangles
   std::uint64_t vertices_welded = 0;  // merged into another vertex
 
   // As they stand in the file, vertices welded but nothing mended; facets without area not counted.
-  std::uint64_t open_edges_read = 0;
+  std::uint64_t open_edges_read = 0;          // one facet only
   std::uint64_t non_manifold_edges_read = 0;  // more than two facets meet
   std::uint64_t badly_wound_edges_read = 0;   // its two facets run along it in the same sense
 
@@ -76,15 +78,15 @@ struct MeshReport {
   std::uint64_t triangles_flipped = 0;             // winding reversed for consistent, outward orientation
 
   // As traced.
-  std::uint64_t triangles_traced = 0;
-  std::uint64_t open_edges = 0;
-  std::uint64_t non_manifold_edges = 0;
-  std::uint64_t components = 0;
-  std::uint64_t components_closed = 0;
+  std::uint64_t triangles_traced = 0;          // of the mesh that comes out
+  std::uint64_t open_edges = 0;                // one triangle only
+  std::uint64_t non_manifold_edges = 0;        // more than two triangles meet
+  std::uint64_t components = 0;                // connected through edges
+  std::uint64_t components_closed = 0;         // no wave enters them
   std::uint64_t components_penetrable = 0;     // closed, but waves go through part of them: not among components_closed
   std::uint64_t components_nearly_closed = 0;  // open, but for a gap small against their area
-  std::uint64_t patches = 0;
-  double weld_distance = 0.0;  // [m]
+  std::uint64_t patches = 0;                   // connected and coplanar
+  double weld_distance = 0.0;                  // [m]
 
   /// Readable lines, only those with something to say.
   std::vector<MeshNote> notes() const;

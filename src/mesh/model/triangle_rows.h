@@ -7,12 +7,15 @@
 
 namespace raytube {
 
+/// A list of triangles for each number, compressed rows.
 struct TriangleRows {
-  std::vector<std::uint32_t> first, triangles;
+  std::vector<std::uint32_t> first, triangles;  // row r is triangles[first[r]] to triangles[first[r + 1] - 1]
 
+  /// The triangles of a row.
   std::span<const std::uint32_t> operator[](std::uint32_t row) const {
     return {triangles.data() + first[row], triangles.data() + first[row + 1]};
   }
+  /// Number of rows.
   std::uint32_t size() const { return static_cast<std::uint32_t>(first.size() - 1); }
 };
 

@@ -13,9 +13,10 @@
 
 namespace raytube {
 
+/// A mesh as it will be traced, and what was done to it.
 struct LoadedMesh {
-  TriangleMesh mesh;
-  MeshReport report;
+  TriangleMesh mesh;  // welded, oriented, grouped
+  MeshReport report;  // every facet accounted for
 };
 
 /// Welds, cleans, orients and groups a soup. `metres_per_unit` scales the file's coordinates. See docs for each rule.

@@ -8,21 +8,25 @@
 
 namespace raytube {
 
+/// Which edges of a mesh are creases, and across which a smooth surface may go on.
 class Creases {
  public:
   /// What turns by less than `max_turn` [rad] is tessellation. Keeps a reference to the mesh.
   Creases(const TriangleMesh& mesh, double max_turn);
 
+  /// Those of the mesh.
   const EdgeTable& edges() const { return edges_; }
   double least_cosine() const { return least_cosine_; }  // of the angle by which a smooth surface turns
 
   /// Whether a smooth surface may go on across the edge; and whether it would turn there.
   bool crossable(std::size_t edge) const { return crossable_[edge]; }
+  /// Whether the surface turns there by more than tessellation does.
   bool is_crease(const EdgeTable::Edge& edge) const;
 
   /// A number in common for the triangles of one plane that hang together. Materials cut patches, but change nothing about the
   /// shape.
   std::uint32_t plane(std::uint32_t triangle) const { return plane_[mesh_.triangle_patch[triangle]]; }
+  /// Number of planes: those of plane().
   std::size_t planes() const { return outlines_.size(); }
 
   /// How far a triangle reaches from its side on the edge [m].

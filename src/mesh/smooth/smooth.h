@@ -30,15 +30,21 @@ struct SurfacePoint {
 /// interpolation of surfaces using normal vectors, eq. 20, with the sides' bends along their mean normals).
 class BentFacet {
  public:
+  /// Corners x_i and the bends b_i of the sides from x_i to the next corner [m].
   BentFacet(const std::array<dvec3, 3>& corners, const std::array<dvec3, 3>& bends) : x_(corners), b_(bends) {}
 
+  /// The corners x_i.
   const std::array<dvec3, 3>& corners() const { return x_; }
+  /// r at (l1, l2).
   dvec3 point(const dvec2& l) const {
     const double l0 = 1.0 - l.x - l.y;
     return l0 * x_[0] + l.x * x_[1] + l.y * x_[2] - l0 * l.x * b_[0] - l.x * l.y * b_[1] - l.y * l0 * b_[2];
   }
+  /// dr/dl1.
   dvec3 along_1(const dvec2& l) const { return x_[1] - x_[0] - (1.0 - 2.0 * l.x - l.y) * b_[0] - l.y * (b_[1] - b_[2]); }
+  /// dr/dl2.
   dvec3 along_2(const dvec2& l) const { return x_[2] - x_[0] - (1.0 - l.x - 2.0 * l.y) * b_[2] - l.x * (b_[1] - b_[0]); }
+  /// b of a side [m].
   const dvec3& bend(int side) const { return b_[static_cast<std::size_t>(side)]; }
 
   /// Over a point of the facet's plane.
@@ -58,7 +64,9 @@ class SmoothSurfaces {
   /// `max_rise` [m] in the mean, each as a whole.
   SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise = std::numeric_limits<double>::infinity());
 
+  /// Whether a facet stands for a curved surface.
   bool any() const { return facets_ > 0; }
+  /// How many of them do.
   std::size_t facets() const { return facets_; }
 
   /// How long the sides that bound curved surfaces are together [m].
@@ -71,11 +79,11 @@ class SmoothSurfaces {
   /// The surface a triangle is part of; no_index: it is flat.
   std::uint32_t region(std::uint32_t triangle) const { return region_[triangle]; }
 
-  /// Whether a triangle is part of a surface that is a perfect conductor; and how many are.
+  /// Whether a triangle is part of a surface that is a perfect conductor.
   bool conducts(std::uint32_t triangle) const {
     return region_[triangle] != no_index && mesh_.patches[mesh_.triangle_patch[triangle]].material == no_index;
   }
-  std::size_t conducting_facets() const;
+  std::size_t conducting_facets() const;  // how many are
 
   /// Whether the side from `corner` of a triangle to the next one bounds its surface.
   bool on_boundary(std::uint32_t triangle, int corner) const { return boundary_[3 * std::size_t{triangle} + corner]; }
@@ -85,9 +93,11 @@ class SmoothSurfaces {
 
   /// The normal at a corner of a triangle, and its number among so many: corners of one surface share theirs at a vertex.
   const dvec3& normal(std::uint32_t triangle, int corner) const { return normals_[normal_index(triangle, corner)]; }
+  /// The number of that normal, below normals().
   std::uint32_t normal_index(std::uint32_t triangle, int corner) const {
     return corner_normal_[3 * std::size_t{triangle} + corner];
   }
+  /// How many there are.
   std::size_t normals() const { return normals_.size(); }
 
   /// The surface over a triangle with a region.

@@ -11,24 +11,27 @@ namespace raytube {
 /// A ray in recentred coordinates. A ray that leaves a surface names the patch it leaves: a straight ray cannot meet the
 /// plane it starts on again, so that patch is never hit, however thin the gap to the next one.
 struct Ray {
-  dvec3 origin;
-  dvec3 direction;  // unit
-  std::uint32_t source_patch = no_index;
+  dvec3 origin;                           // recentred coordinates [m]
+  dvec3 direction;                        // unit
+  std::uint32_t source_patch = no_index;  // that it leaves; no_index: none
 };
 
 /// The surface a ray meets; false if there is none.
 struct Hit {
-  std::uint32_t triangle = no_index;
-  double distance = 0.0;  // along the ray [m], to the plane of the triangle's patch
+  std::uint32_t triangle = no_index;  // that it meets
+  double distance = 0.0;              // along the ray [m], to the plane of the triangle's patch
+  /// Whether there is one.
   explicit operator bool() const { return triangle != no_index; }
 };
 
 /// Patches that a query leaves out; no_index fills the rest.
 using IgnoredPatches = std::array<std::uint32_t, 3>;
+/// Leaves out none.
 inline constexpr IgnoredPatches nothing_ignored{no_index, no_index, no_index};
 
 /// Rays through the cells of a grid pass so far beside the middles of these, in cells, that they never run exactly along edges
 /// of a mesh.
-inline constexpr double beside_u = 0.01 * (std::numbers::sqrt2 - 1.0), beside_v = 0.01 * (std::numbers::sqrt3 - 1.0);
+inline constexpr double beside_u = 0.01 * (std::numbers::sqrt2 - 1.0);
+inline constexpr double beside_v = 0.01 * (std::numbers::sqrt3 - 1.0);  // the same along v
 
 }  // namespace raytube

@@ -13,14 +13,17 @@
 
 namespace raytube {
 
+/// Answers what rays meet.
 class Tracer {
  public:
   /// Builds the ray-tracing structure; keeps a reference to `mesh`, which must outlive the tracer. Rays go to Embree `packet` at
   /// a time (1 or 16); nothing but speed depends on it. Throws std::bad_alloc, or std::runtime_error where Embree fails.
   explicit Tracer(const TriangleMesh& mesh, int packet = 16);
   ~Tracer();
+  /// Can be moved, not copied.
   Tracer(Tracer&&) noexcept;
 
+  /// As given.
   const TriangleMesh& mesh() const;
 
   /// The nearest surface each ray meets: in double precision, borders included, ties to the lower index - whatever Embree makes
@@ -44,6 +47,7 @@ class Tracer {
   /// a ray meets, in ascending order.
   std::span<const std::uint32_t> near_coincident(std::uint32_t triangle) const;
 
+  /// What Embree and the decision in double precision stand on.
   struct Scene;
 
  private:

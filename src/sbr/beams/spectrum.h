@@ -33,8 +33,8 @@ double amplitude(const Spectrum& spectrum);
 
 /// What the patches of a look's target are made of (Patch::material), and its wavenumbers.
 struct SpectralSurfaces {
-  std::span<const Material> materials;
-  std::span<const double> wavenumbers;
+  std::span<const Material> materials;    // [Patch::material], at the frequencies of the sweep
+  std::span<const double> wavenumbers;    // [frequency] [rad/m]
   std::size_t first_frequency_index = 0;  // among the materials' frequencies, of the first of these wavenumbers
 
   /// Of a material to a wave that comes in at this angle, `cosine` from the normal. no_index: a perfect conductor.
@@ -44,17 +44,20 @@ struct SpectralSurfaces {
   /// The largest shares of a wave's amplitude, at any frequency, that a sheet reflects and lets through; of what is opaque 1 and
   /// 0.
   std::array<double, 2> strongest(const Patch& patch, const dvec3& direction) const;
+  /// Whether roughness scatters anything.
   bool any_rough() const { return raytube::any_rough(materials); }
+  /// Whether waves go on behind a surface of this material.
   bool transmits(std::uint32_t material) const { return material != no_index && materials[material].transmits(); }
 };
 
 /// Where a wave meets a surface. `normal` points to the side the wave comes from.
 struct Incidence {
-  dvec3 direction, normal;
-  std::uint32_t material = no_index;
-  bool from_behind = false;  // the surface's own normal points the other way
-  bool reflected = false;    // somewhere before: no longer the incident wave
+  dvec3 direction, normal;            // of propagation; of the surface. Unit
+  std::uint32_t material = no_index;  // no_index: a perfect conductor
+  bool from_behind = false;           // the surface's own normal points the other way
+  bool reflected = false;             // somewhere before: no longer the incident wave
 
+  /// Of the angle of incidence.
   double cosine() const { return -glm::dot(direction, normal); }
 };
 
@@ -73,8 +76,9 @@ ChannelWeights through_screen(const SpectralSurfaces& surfaces, const Patch& pat
 /// cos(theta_i) cos(theta_s), of both receive polarisations together (effective roughness: Degli-Esposti et al. 2007, IEEE Trans.
 /// AP-55, 143).
 struct LeavingWaves {
-  Spectrum reflected, transmitted;
+  Spectrum reflected, transmitted;  // transmitted: empty where the surface lets nothing through
 };
+/// `receive` is the basis of the receive direction.
 LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Incidence& incidence, const Spectrum& arriving,
                            const SphericalBasis& receive);
 

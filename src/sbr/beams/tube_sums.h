@@ -18,6 +18,7 @@ struct ErrorSum {
 
   /// One more part.
   void add(const ScatteringMatrix& error);
+  /// The parts of another sum.
   ErrorSum& operator+=(const ErrorSum& other);
   /// The larger of the two sums' magnitudes [m].
   double size(int p, int q) const { return std::max(std::abs(coherent.at(p, q)), std::sqrt(squares[p][q])); }
@@ -32,17 +33,17 @@ struct TubeSums {
   std::vector<std::vector<ScatteringMatrix>> bounces;  // [bounce][frequency]
   /// [frequency][grid], all bounces together: fine minus coarse, summed over tiles; empty: nothing was sampled.
   std::vector<std::array<ErrorSum, coarse_grids>> coarse;
-  std::vector<ErrorSum> pieces;                   // [frequency], of single tubes whose error is known; empty: there are none
-  std::vector<ErrorSum> quadrature;               // [frequency], of spherical waves: no grid changes it; empty: there are none
-  std::vector<std::array<double, 2>> incoherent;  // [frequency][transmit] sigma of rough surfaces [m^2]; empty: there are none
-  std::vector<ChannelErrors> error;               // [frequency], estimate for the whole look [m]; empty in its parts
-  std::vector<std::uint64_t> hits;                // [bounce]
-  std::vector<double> met;                        // [bounce] area times squared amplitude of the waves that met surfaces [m^2]
-  std::uint64_t tubes = 0, rays = 0, lost_rays = 0;
-  std::vector<LostRay> first_lost;                // of these, in recentred coordinates, their look not yet told
-  TruncatedSums truncated;                        // of this look
-  std::uint64_t empty_cells = 0, faces_away = 0;  // not traced: see SkipCounts
-  double sliver_area = 0.0;                       // [m^2] of the launch plane, left out by adaptive tubes
+  std::vector<ErrorSum> pieces;                      // [frequency], of single tubes whose error is known; empty: there are none
+  std::vector<ErrorSum> quadrature;                  // [frequency], of spherical waves: no grid changes it; empty: there are none
+  std::vector<std::array<double, 2>> incoherent;     // [frequency][transmit] sigma of rough surfaces [m^2]; empty: there are none
+  std::vector<ChannelErrors> error;                  // [frequency], estimate for the whole look [m]; empty in its parts
+  std::vector<std::uint64_t> hits;                   // [bounce]
+  std::vector<double> met;                           // [bounce] area times squared amplitude of the waves that met surfaces [m^2]
+  std::uint64_t tubes = 0, rays = 0, lost_rays = 0;  // see Statistics
+  std::vector<LostRay> first_lost;                   // of these, in recentred coordinates, their look not yet told
+  TruncatedSums truncated;                           // of this look
+  std::uint64_t empty_cells = 0, faces_away = 0;     // not traced: see SkipCounts
+  double sliver_area = 0.0;                          // [m^2] of the launch plane, left out by adaptive tubes
 
   /// The sums [frequency] of a bounce, counted from 0; they and their counter of hits are made when first asked for.
   std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);

@@ -18,7 +18,7 @@ namespace raytube {
 /// u x v points to the radar. It lies in front of the whole target. Rays from an antenna at a finite distance run through the
 /// cells' points where these are drawn at the middle of the target, which is the origin.
 struct LaunchGrid {
-  dvec3 u_hat, v_hat;
+  dvec3 u_hat, v_hat;                   // unit, along columns and rows
   dvec3 direction;                      // of propagation: away from the radar
   dvec3 plane_origin;                   // point of the plane with u = v = 0
   double u_begin = 0.0, v_begin = 0.0;  // lower corner [m]
@@ -26,12 +26,16 @@ struct LaunchGrid {
   double curvature = 0.0;               // 1 / distance from the antenna to the origin [1/m]; 0: parallel rays
   std::uint32_t columns = 0, rows = 0;  // both 0 when the target has no projected area
 
+  /// u of the middle of a column [m].
   double u_center(std::uint32_t column) const { return u_begin + (column + 0.5) * du; }
+  /// v of the middle of a row [m].
   double v_center(std::uint32_t row) const { return v_begin + (row + 0.5) * dv; }
-  /// Rays from an antenna: how much closer together they are where they begin, and the depth along a Beam where that is.
+  /// Rays from an antenna: how much closer together they are where they begin.
   double narrowing() const { return 1.0 + curvature * glm::dot(direction, plane_origin); }
+  /// The depth along a Beam where that is [m].
   double launch_depth() const { return glm::dot(direction, plane_origin) / narrowing(); }
 
+  /// How many there are.
   std::uint64_t cells() const { return std::uint64_t{columns} * rows; }
 
   /// Launch coordinates of a cell's ray.

@@ -12,12 +12,13 @@ namespace raytube {
 /// A wedge with a straight edge; arc length on it is measured from `origin` along `tangent`. Angles as in EdgeWaveTerms, from the
 /// face of `into_face` and `normal`.
 struct StraightEdge {
-  dvec3 origin;
+  dvec3 origin;                                             // where arc length is 0 [m]
   dvec3 into_face, normal;                                  // x_f and n_f of face 0, unit
   double n = 2.0;                                           // exterior angle / pi, in (0, 2]
   double begin = -std::numeric_limits<double>::infinity();  // [m]
-  double end = std::numeric_limits<double>::infinity();
+  double end = std::numeric_limits<double>::infinity();     // arc lengths of its ends [m]
 
+  /// Unit, along the edge.
   dvec3 tangent() const { return glm::cross(into_face, normal); }
 };
 
@@ -49,7 +50,7 @@ bool has_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3
 
 /// The diffracted ray for a unit scalar wave that vanishes (soft) or has no slope (hard) on the wedge.
 struct DiffractedWave {
-  Complex soft, hard;
+  Complex soft, hard;  // per unit of the incident wave
 };
 
 /// The terms of EdgeWaveTerms with the argument rate sqrt(kL), each times its corner factor C = H_begin + H_end - 1. Per end,

@@ -5,25 +5,31 @@
 
 namespace raytube {
 
-enum class Spreading { plane, line, point };
+/// The form of the waves of a source.
+enum class Spreading {
+  plane,  // all along one direction
+  line,   // from a straight line
+  point   // from a point
+};
 
 /// Far from it the free field of a source of moment p is (p - d (d.p)) spread e^{-jk path}, d the ray's direction:
 ///   point  spread 1/r, path r: the waves of a short dipole, p in volts
 ///   line   spread 1/sqrt(rho), path rho, from a straight line: p in volts over the root of a metre
 ///   plane  spread 1, path d . (r - position)
 struct RaySource {
-  Spreading spreading = Spreading::point;
-  dvec3 position{0.0};       // of the source; of a plane wave, where its phase is zero [m]
-  dvec3 direction{0, 0, 1};  // unit: of travel of a plane wave, along a line; no meaning for a point
-  ComplexVector moment;
+  Spreading spreading = Spreading::point;  // form of its waves
+  dvec3 position{0.0};                     // of the source; of a plane wave, where its phase is zero [m]
+  dvec3 direction{0, 0, 1};                // unit: of travel of a plane wave, along a line; no meaning for a point
+  ComplexVector moment;                    // p
 };
 
 /// What a straight ray from the source brings to a point.
 struct Arrival {
   dvec3 direction;  // d, unit
   double path;      // [m]
-  double spread;
+  double spread;    // as in free_field()
 };
+/// Along the straight line from the source.
 Arrival arrival(const RaySource& source, const dvec3& point);
 
 /// `moment` across the ray of this direction.
