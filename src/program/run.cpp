@@ -134,6 +134,7 @@ Manifest describe_input(const Case& c, const MeshReport& report) {
   manifest.case_json = resolved_case_json(c);
   manifest.program_version = RAYTUBE_VERSION;
   for (const fs::path& mesh : c.mesh_files) manifest.mesh_sha256.push_back(sha256_of_file(mesh));
+  for (const fs::path& further : report.further_files) manifest.mesh_sha256.push_back(sha256_of_file(further));
   if (!c.looks.looks_csv.empty()) manifest.looks_csv_sha256 = sha256_of_file(c.file.parent_path() / c.looks.looks_csv);
   for (const auto& [name, table] : medium_tables(c)) manifest.table_csv_sha256.emplace_back(name, sha256_of_file(table));
   manifest.mesh_report = report_entries(report);

@@ -1,5 +1,7 @@
 // One parser for each mesh file format, over the file's bytes. CGAL 5.5 reads these formats too, but loses corners separated
-// by tabs, accepts indices out of range and crashes on some headers; OpenMesh 9 rounds every coordinate to single precision.
+// by tabs, accepts indices out of range and crashes on some headers; OpenMesh 9 rounds every coordinate to single precision, and
+// so does assimp 5.2, which also takes quantized numbers of glTF for floats, drops the unit and the names of 3MF, and knows no
+// Gmsh.
 #pragma once
 
 #include <string>
@@ -22,6 +24,9 @@ PolygonSoup parse_stl(const MeshFile& file);
 PolygonSoup parse_obj(const MeshFile& file);
 PolygonSoup parse_ply(const MeshFile& file);
 PolygonSoup parse_off(const MeshFile& file);
+PolygonSoup parse_gmsh(const MeshFile& file);
+PolygonSoup parse_gltf(const MeshFile& file);
+PolygonSoup parse_3mf(const MeshFile& file);
 
 using MeshParser = PolygonSoup (*)(const MeshFile&);
 

@@ -26,6 +26,10 @@ class TextScanner {
   /// The next word of this line or of a later one; empty at the end of the file.
   std::string_view word_of_any_line();
 
+  /// The next bytes as they stand, for files with binary numbers between words; rejects the file if there are fewer. No line is
+  /// named from there on.
+  std::string_view raw_bytes(std::size_t count);
+
   /// The value of a word; rejects the file if it is not a number.
   double number(std::string_view word) const;
   /// The value of a word as number() finds it; rejects infinity and NaN too.
@@ -50,6 +54,7 @@ class TextScanner {
   std::size_t position_ = 0;
   std::size_t line_ = 1;
   bool on_a_line_ = false;
+  bool has_lines_ = true;
 };
 
 }  // namespace raytube
