@@ -1,9 +1,12 @@
 #include "mesh/read/gltf_uri.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
+
+#include "core/text.h"
 
 namespace raytube {
 
@@ -61,7 +64,8 @@ std::optional<std::string> path_of_uri(std::string_view uri) {
   const std::string path = without_percents(uri);
   const std::filesystem::path file = std::filesystem::path(path).lexically_normal();
   const bool outside = file.is_absolute() || file.empty() || *file.begin() == "..";
-  return outside || path.find('\0') != std::string::npos ? std::nullopt : std::optional(path);
+  const bool printable = is_utf8(path) && std::ranges::all_of(path, [](char c) { return c < 0 || (c >= ' ' && c != '\x7F'); });
+  return outside || !printable ? std::nullopt : std::optional(path);
 }
 
 }  // namespace raytube

@@ -50,8 +50,7 @@ class GmshParser {
     if (!name.starts_with('$'))
       scanner_.reject(fmt::format("a section such as $Nodes was expected instead of '{}'; the file is damaged, export it again",
                                   quotable(name)));
-    if (name == "$PartitionedEntities")
-      scanner_.reject("the mesh is divided into partitions; save it unpartitioned: gmsh in.msh -unpartition -save -o out.msh");
+    if (name == "$PartitionedEntities") scanner_.reject("the mesh is divided into partitions; save it before it is partitioned");
     if (name == "$PhysicalNames")
       read_physical_names();
     else if (name == "$Entities")
@@ -151,9 +150,7 @@ class GmshParser {
     for (const ElementShape& shape : element_shapes)
       if (shape.type == type) return shape;
     scanner_.reject(
-        fmt::format("elements of type {} have curved edges or are unknown; save the mesh in first order: gmsh in.msh "
-                    "-order 1 -save -format msh41 -o out.msh",
-                    type));
+        fmt::format("elements of type {} have curved edges or are unknown; mesh the model in first order (gmsh -order 1)", type));
   }
 
   void read_elements() {

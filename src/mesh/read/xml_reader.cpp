@@ -101,7 +101,7 @@ void XmlReader::read(std::string_view text) {
 }
 
 void XmlReader::reject(const std::string& sentence) const {
-  file_.reject(fmt::format("{}, line {}: {}", part_, line_, sentence));
+  file_.reject(fmt::format("{}, line {}: {}", quotable(part_), line_, sentence));
 }
 
 }  // namespace raytube
