@@ -96,6 +96,11 @@ std::string GltfData::load_file(const std::string& uri) {
     document_.file.reject(
         fmt::format("its buffer '{}' is no file in the folder of the mesh; export it as .glb, which is one file", quotable(uri)));
   further_files_.push_back(std::filesystem::path(document_.file.name).parent_path() / *path);
+  if (std::error_code error; !std::filesystem::exists(further_files_.back(), error))
+    document_.file.reject(
+        fmt::format("its buffer '{}' is not there; copy it into the folder of the mesh, or export it as .glb, which "
+                    "is one file",
+                    quotable(uri)));
   std::string bytes = read_bytes(further_files_.back()).bytes;
   bytes_ += bytes.size();
   return bytes;

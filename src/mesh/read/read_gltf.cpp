@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -74,8 +75,12 @@ class GltfParser {
     }
     const std::vector<double> t = numbers_of(node, "translation", {0, 0, 0}), r = numbers_of(node, "rotation", {0, 0, 0, 1}),
                               s = numbers_of(node, "scale", {1, 1, 1});
-    const glm::dquat rotation = glm::normalize(glm::dquat(r[3], r[0], r[1], r[2]));
-    return glm::scale(glm::translate(glm::dmat4(1.0), {t[0], t[1], t[2]}) * glm::mat4_cast(rotation), {s[0], s[1], s[2]});
+    const glm::dquat turn(r[3], r[0], r[1], r[2]);
+    if (!(std::abs(glm::length(turn) - 1.0) < 1e-3))  // single precision leaves 1e-7, few digits of text more
+      file_.reject(fmt::format("the rotation of a node is no unit quaternion (its length is {}); export the mesh again",
+                               glm::length(turn)));
+    return glm::scale(glm::translate(glm::dmat4(1.0), {t[0], t[1], t[2]}) * glm::mat4_cast(glm::normalize(turn)),
+                      {s[0], s[1], s[2]});
   }
 
   void add_mesh(const JsonValue& node, const glm::dmat4& place, std::vector<std::string> names) {
