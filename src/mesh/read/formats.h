@@ -4,20 +4,10 @@
 // Gmsh.
 #pragma once
 
-#include <string>
-
+#include "mesh/files/mesh_file.h"
 #include "mesh/model/polygon_soup.h"
 
 namespace raytube {
-
-/// A mesh file in memory.
-struct MeshFile {
-  std::string name;
-  std::string bytes;
-
-  /// Throws InputError: the file, then `sentence`, which says what is wrong and what to do about it.
-  [[noreturn]] void reject(const std::string& sentence) const;
-};
 
 /// Each throws InputError with the line or facet and the remedy if the file is not of its format.
 PolygonSoup parse_stl(const MeshFile& file);

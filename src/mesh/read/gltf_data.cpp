@@ -7,9 +7,9 @@
 #include <cstring>
 
 #include "core/text.h"
+#include "mesh/files/mesh_file.h"
 #include "mesh/model/triangle_mesh.h"
 #include "mesh/read/gltf_uri.h"
-#include "mesh/read/read_bytes.h"
 
 namespace raytube {
 

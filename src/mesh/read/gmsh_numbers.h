@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "mesh/read/text_scanner.h"
+#include "mesh/files/text_scanner.h"
 
 namespace raytube {
 

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "core/text.h"
+#include "mesh/files/mesh_file.h"
+#include "mesh/files/xml_reader.h"
+#include "mesh/files/zip_archive.h"
 #include "mesh/read/formats.h"
-#include "mesh/read/read_bytes.h"
 #include "mesh/read/soup_instances.h"
-#include "mesh/read/xml_reader.h"
-#include "mesh/read/zip_archive.h"
 
 namespace raytube {
 

@@ -9,14 +9,12 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "mesh/read/file_contents.h"
+#include "mesh/files/file_contents.h"
+#include "mesh/files/gzip.h"
+#include "mesh/files/mesh_file.h"
 #include "mesh/read/formats.h"
-#include "mesh/read/gzip.h"
-#include "mesh/read/read_bytes.h"
 
 namespace raytube {
-
-void MeshFile::reject(const std::string& sentence) const { throw InputError(fmt::format("mesh file '{}': {}", name, sentence)); }
 
 namespace {
 

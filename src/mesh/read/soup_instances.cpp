@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "mesh/read/read_bytes.h"
+#include "mesh/files/mesh_file.h"
 
 namespace raytube {
 

@@ -1,4 +1,4 @@
-#include "mesh/read/file_contents.h"
+#include "mesh/files/file_contents.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "mesh/read/read_bytes.h"
+#include "mesh/files/mesh_file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/error.h"
 #include "core/text.h"
 
 namespace raytube {
@@ -23,6 +24,8 @@ constexpr std::uintmax_t most_facets_per_byte = 100;
 constexpr std::uintmax_t facets_always_allowed = 1'000'000;
 
 }  // namespace
+
+void MeshFile::reject(const std::string& sentence) const { throw InputError(fmt::format("mesh file '{}': {}", name, sentence)); }
 
 std::uintmax_t installed_memory() {
   return static_cast<std::uintmax_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uintmax_t>(sysconf(_SC_PAGE_SIZE));

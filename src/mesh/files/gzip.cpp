@@ -1,4 +1,4 @@
-#include "mesh/read/gzip.h"
+#include "mesh/files/gzip.h"
 
 #include <zlib.h>
 
@@ -7,8 +7,8 @@
 #include <new>
 #include <string_view>
 
-#include "mesh/read/file_contents.h"
-#include "mesh/read/read_bytes.h"
+#include "mesh/files/file_contents.h"
+#include "mesh/files/mesh_file.h"
 
 namespace raytube {
 

@@ -3,10 +3,18 @@
 
 #include <cstdint>
 #include <filesystem>
-
-#include "mesh/read/formats.h"
+#include <string>
 
 namespace raytube {
+
+/// A mesh file in memory.
+struct MeshFile {
+  std::string name;
+  std::string bytes;
+
+  /// Throws InputError: the file, then `sentence`, which says what is wrong and what to do about it.
+  [[noreturn]] void reject(const std::string& sentence) const;
+};
 
 /// The file in memory. Throws InputError: not there, no regular file, larger than this machine's memory, unreadable, empty.
 MeshFile read_bytes(const std::filesystem::path& path);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "mesh/read/formats.h"
+#include "mesh/files/mesh_file.h"
 
 struct zip;
 

@@ -1,10 +1,10 @@
-#include "mesh/read/zip_archive.h"
+#include "mesh/files/zip_archive.h"
 
 #include <fmt/format.h>
 #include <zip.h>
 
 #include "core/text.h"
-#include "mesh/read/read_bytes.h"
+#include "mesh/files/mesh_file.h"
 
 namespace raytube {
 

@@ -1,4 +1,4 @@
-#include "mesh/read/xml_reader.h"
+#include "mesh/files/xml_reader.h"
 
 #include <expat.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "mesh/read/text_scanner.h"
+#include "mesh/files/text_scanner.h"
 
 #include <fmt/format.h>
 

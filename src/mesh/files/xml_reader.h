@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/read/formats.h"
+#include "mesh/files/mesh_file.h"
 
 namespace raytube {
 
