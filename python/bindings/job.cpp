@@ -53,8 +53,8 @@ void check_look(const Case& c, std::size_t look) {
 
 std::shared_ptr<const Job> Job::of_file(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Case c = read_case(file, overrides);
-  std::vector<std::string> sha256 = sha256_of_meshes(c);
   LoadedMesh loaded = load_target(c);
+  std::vector<std::string> sha256 = sha256_of_meshes(c, loaded.report);
   auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges));
   return std::make_shared<const Job>(std::move(c), std::move(sha256), std::move(built));
 }

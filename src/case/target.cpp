@@ -90,7 +90,7 @@ void check_last_facet(const Case& c, std::size_t polygons) {
 
 // Names take memory, and are of use to parts alone.
 PolygonSoup read_named(const Case& c, std::size_t file) {
-  PolygonSoup soup = read_polygon_soup(c.mesh_files[file]);
+  PolygonSoup soup = read_polygon_soup(c.mesh_files[file], c.metres_per_unit);
   if (!c.assignment.parts.empty()) add_name(soup, c.meshes[file]);
   return soup;
 }

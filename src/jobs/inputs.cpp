@@ -34,9 +34,10 @@ std::vector<std::pair<std::string, double>> mesh_counts(const MeshReport& r) {
           {"weld_distance_m", r.weld_distance}};
 }
 
-std::vector<std::string> sha256_of_meshes(const Case& c) {
+std::vector<std::string> sha256_of_meshes(const Case& c, const MeshReport& report) {
   std::vector<std::string> hashes;
   for (const fs::path& mesh : c.mesh_files) hashes.push_back(sha256_of_file(mesh));
+  for (const fs::path& further : report.further_files) hashes.push_back(sha256_of_file(further));
   return hashes;
 }
 

@@ -1,6 +1,6 @@
 // Mesh file -> TriangleMesh: mesh/read finds the polygons, mesh/repair makes a mesh of them.
 //
-// Rooms of mesh/, each includes only from those before it: model <- { read, repair, trace, soundness } <- features <- mesh
+// Rooms of mesh/, each includes only from those before it: model, files <- { read, repair, trace, soundness } <- features <- mesh
 // itself.
 #pragma once
 

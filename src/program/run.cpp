@@ -347,7 +347,7 @@ void run_command(const Request& request) {
   if (const auto count = loaded.report.free_forms_read)
     warn(fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
                      mesh_names(c), count));
-  Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c));
+  Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
   manifest.time.read_s = total.seconds();
   manifest.threads = request.threads > 0 ? request.threads : all_threads();
   std::optional<Target> built;

@@ -277,8 +277,8 @@ TEST_F(MeshRead, FilesThatCannotBeOpened) {
   EXPECT_THROW(read_polygon_soup(folder_), InputError);
   std::filesystem::create_directory(folder_ / "folder.obj");
   EXPECT_THROW(read_polygon_soup(folder_ / "folder.obj"), InputError);
-  EXPECT_NE(complaint("a.step", "x").find(".stl, .obj, .ply or .off"), std::string::npos);
-  EXPECT_NE(complaint("mesh", "x").find(".stl, .obj, .ply or .off"), std::string::npos);
+  EXPECT_NE(complaint("a.step", "x").find(".stl, .obj, .ply, .off, .msh, .gltf, .glb or .3mf"), std::string::npos);
+  EXPECT_NE(complaint("mesh", "x").find(".stl, .obj, .ply, .off, .msh, .gltf, .glb or .3mf"), std::string::npos);
 }
 
 TEST_F(MeshRead, EmptyAndFacetlessFiles) {

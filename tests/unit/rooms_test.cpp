@@ -38,7 +38,8 @@ const Rooms may_include = {
     {"scene", {"core"}},
 
     {"mesh/model", {"core"}},
-    {"mesh/read", {"core", "mesh/model"}},
+    {"mesh/files", {"core"}},
+    {"mesh/read", {"core", "mesh/model", "mesh/files"}},
     {"mesh/repair", {"core", "scene", "mesh/model"}},
     {"mesh/trace", {"core", "math", "mesh/model"}},
     {"mesh/features", {"core", "mesh/model", "mesh/trace"}},

@@ -12,7 +12,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> mesh_endings = {".stl", ".obj", ".ply", ".off"};
+constexpr std::array<std::string_view, 8> mesh_endings = {".stl", ".obj", ".ply", ".off", ".msh", ".glb", ".gltf", ".3mf"};
 constexpr std::array<std::string_view, 4> mesh_beginnings = {"solid ", "OFF\n", "OFF\r", "ply\n"};
 
 bool has_mesh_ending(const std::filesystem::path& file) {

@@ -13,6 +13,7 @@ void add_polygons(const PolygonSoup& part, PolygonSoup& whole) {
     for (std::uint32_t& corner : whole.polygons[i]) corner += first_point;
   whole.free_forms += part.free_forms;
   whole.names.append(part.names, first_polygon);
+  whole.further_files.insert(whole.further_files.end(), part.further_files.begin(), part.further_files.end());
   if (whole.materials.empty() && part.materials.empty()) return;
   whole.materials.resize(first_polygon, no_index);
   whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());

@@ -1,19 +1,32 @@
 // Polygons of a mesh before anything is mended.
 #pragma once
 
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
 #include "mesh/model/part_names.h"
 #include "mesh/model/triangle_mesh.h"
 
 namespace raytube {
+
+/// A length of one mesh unit: as target.unit calls it, and in metres.
+struct StatedUnit {
+  std::string_view name;
+  double metres;
+};
 
 /// Polygons as they stand in the file, in file units, in double precision: polygon i is the file's facet i + 1.
 struct PolygonSoup {
   std::vector<dvec3> points;                         // in units of the file
   std::vector<std::vector<std::uint32_t>> polygons;  // corners, as indices in `points`
   std::uint64_t free_forms = 0;                      // curves and surfaces beside them that are no polygons (OBJ)
-  /// OBJ: groups (g), object (o) and material (usemtl); ASCII STL: solid. Other formats have none.
+  /// OBJ: groups (g), object (o) and material (usemtl); ASCII STL: solid; Gmsh: physical groups; glTF: nodes, mesh and material;
+  /// 3MF: objects. Other formats have none.
   PartNames names{};
-  std::vector<std::uint32_t> materials{};  // of each polygon, as Patch::material; empty: all are perfect conductors
+  std::vector<std::uint32_t> materials{};              // of each polygon, as Patch::material; empty: all are perfect conductors
+  std::optional<StatedUnit> stated_unit{};             // what the file itself says, if it says any
+  std::vector<std::filesystem::path> further_files{};  // that the file named and that were read with it (glTF)
 };
 
 /// Gives every polygon a further name, as that of the file they are from.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,7 @@ struct MeshReport {
   std::uint64_t components_nearly_closed = 0;  // open, but for a gap small against their area
   std::uint64_t patches = 0;                   // connected and coplanar
   double weld_distance = 0.0;                  // [m]
+  std::vector<std::filesystem::path> further_files;  // read beside the mesh files, which name them
 
   /// Readable lines, only those with something to say.
   std::vector<MeshNote> notes() const;

@@ -1,27 +1,22 @@
 // One parser for each mesh file format, over the file's bytes. CGAL 5.5 reads these formats too, but loses corners separated
-// by tabs, accepts indices out of range and crashes on some headers; OpenMesh 9 rounds every coordinate to single precision.
+// by tabs, accepts indices out of range and crashes on some headers; OpenMesh 9 rounds every coordinate to single precision, and
+// so does assimp 5.2, which also takes quantized numbers of glTF for floats, drops the unit and the names of 3MF, and knows no
+// Gmsh.
 #pragma once
 
-#include <string>
-
+#include "mesh/files/mesh_file.h"
 #include "mesh/model/polygon_soup.h"
 
 namespace raytube {
-
-/// A mesh file in memory.
-struct MeshFile {
-  std::string name;
-  std::string bytes;
-
-  /// Throws InputError: the file, then `sentence`, which says what is wrong and what to do about it.
-  [[noreturn]] void reject(const std::string& sentence) const;
-};
 
 /// Each throws InputError with the line or facet and the remedy if the file is not of its format.
 PolygonSoup parse_stl(const MeshFile& file);
 PolygonSoup parse_obj(const MeshFile& file);
 PolygonSoup parse_ply(const MeshFile& file);
 PolygonSoup parse_off(const MeshFile& file);
+PolygonSoup parse_gmsh(const MeshFile& file);
+PolygonSoup parse_gltf(const MeshFile& file);
+PolygonSoup parse_3mf(const MeshFile& file);
 
 using MeshParser = PolygonSoup (*)(const MeshFile&);
 

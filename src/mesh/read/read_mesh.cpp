@@ -1,46 +1,22 @@
 #include "mesh/read/read_mesh.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include "core/error.h"
 #include "core/text.h"
-#include "mesh/read/file_contents.h"
+#include "mesh/files/file_contents.h"
+#include "mesh/files/gzip.h"
+#include "mesh/files/mesh_file.h"
 #include "mesh/read/formats.h"
-#include "mesh/read/gzip.h"
 
 namespace raytube {
 
-void MeshFile::reject(const std::string& sentence) const { throw InputError(fmt::format("mesh file '{}': {}", name, sentence)); }
-
 namespace {
-
-std::uintmax_t installed_memory() {
-  return static_cast<std::uintmax_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uintmax_t>(sysconf(_SC_PAGE_SIZE));
-}
-
-MeshFile read_bytes(const std::filesystem::path& path) {
-  MeshFile file{path.string(), {}};
-  std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    file.reject(fmt::format("not found; check the path, which in a case file is relative to it{}", backslash_remedy(file.name)));
-  if (std::filesystem::is_directory(path, error)) file.reject("is a folder; name the mesh file in it");
-  if (!std::filesystem::is_regular_file(path, error)) file.reject("is a pipe or a device; copy the mesh into a file");
-  if (std::filesystem::file_size(path, error) > installed_memory())
-    file.reject("is larger than this machine's memory; take a larger machine, or divide the mesh");
-  std::ifstream stream(path, std::ios::binary);
-  file.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) file.reject("cannot be read; check its permissions");
-  if (file.bytes.empty()) file.reject("is empty; export the mesh again");
-  return file;
-}
 
 std::string ending_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
@@ -54,19 +30,26 @@ MeshParser parser_of(std::string_view ending) {
   if (ending == ".obj") return parse_obj;
   if (ending == ".ply") return parse_ply;
   if (ending == ".off") return parse_off;
+  if (ending == ".msh") return parse_gmsh;
+  if (ending == ".gltf" || ending == ".glb") return parse_gltf;
+  if (ending == ".3mf") return parse_3mf;
   return nullptr;
 }
 
 std::string_view format_name(std::string_view ending) {
-  return ending == ".stl" ? "an STL file" : ending == ".obj" ? "OBJ text" : ending == ".ply" ? "a PLY file" : "an OFF file";
+  static constexpr std::pair<std::string_view, std::string_view> names[] = {
+      {".stl", "an STL file"}, {".obj", "OBJ text"},   {".ply", "a PLY file"},         {".off", "an OFF file"},
+      {".msh", "a Gmsh file"}, {".gltf", "glTF text"}, {".glb", "a binary glTF file"}, {".3mf", "a 3MF file"}};
+  return std::ranges::find(names, ending, &std::pair<std::string_view, std::string_view>::first)->second;
 }
 
 /// Throws InputError if the file shows that it is something else than its ending says; `behind` follows each ending.
 void reject_other_contents(const MeshFile& file, std::string_view ending, std::string_view behind) {
   if (is_gzip(file.bytes)) file.reject("is gzip data; add .gz to its name");
+  const std::string_view meant = mesh_ending_of(file.bytes);
+  if (meant == ending) return;
+  if (!meant.empty()) file.reject(fmt::format("looks like {}; give its name the ending {}{}", format_name(meant), meant, behind));
   if (const std::string other = other_contents(file.bytes); !other.empty()) file.reject(other);
-  if (const std::string_view meant = mesh_ending_of(file.bytes); !meant.empty() && meant != ending)
-    file.reject(fmt::format("looks like {}; give its name the ending {}{}", format_name(meant), meant, behind));
 }
 
 bool is_finite(const dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
@@ -106,8 +89,10 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
   const MeshParser parse = parser_of(ending);
   if (!parse) {
     reject_other_contents(file, ending, packed);
-    file.reject(fmt::format("the ending '{}' is not a known mesh format; use .stl, .obj, .ply or .off, or one of these and .gz",
-                            quotable(ending)));
+    file.reject(
+        fmt::format("the ending '{}' is not a known mesh format; use .stl, .obj, .ply, .off, .msh, .gltf, .glb or .3mf, or "
+                    "one of these and .gz",
+                    quotable(ending)));
   }
   try {
     return read_polygon_soup(file, parse);
@@ -115,6 +100,17 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
     reject_other_contents(file, ending, packed);  // says more than the first word that is not of the format
     throw;
   }
+}
+
+PolygonSoup read_polygon_soup(const std::filesystem::path& path, double metres_per_unit) {
+  PolygonSoup soup = read_polygon_soup(path);
+  const std::optional<StatedUnit>& stated = soup.stated_unit;
+  if (stated && std::abs(metres_per_unit / stated->metres - 1.0) > 1e-9)
+    throw InputError(fmt::format(
+        "mesh file '{}': says that its unit is \"{}\" ({} m), but the unit given for it is {} m; write unit = \"{}\", or "
+        "export it as STL, OBJ or PLY if its numbers are in another one",
+        path.string(), stated->name, stated->metres, metres_per_unit, stated->name));
+  return soup;
 }
 
 }  // namespace raytube

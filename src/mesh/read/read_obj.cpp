@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "core/text.h"
+#include "mesh/files/text_scanner.h"
 #include "mesh/read/formats.h"
-#include "mesh/read/text_scanner.h"
 
 namespace raytube {
 

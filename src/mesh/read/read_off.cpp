@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "core/text.h"
+#include "mesh/files/text_scanner.h"
 #include "mesh/read/formats.h"
-#include "mesh/read/text_scanner.h"
 
 namespace raytube {
 

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/text.h"
+#include "mesh/files/text_scanner.h"
 #include "mesh/read/formats.h"
-#include "mesh/read/text_scanner.h"
 
 static_assert(std::endian::native == std::endian::little, "binary STL and PLY are read in the machine's own byte order");
 

@@ -145,6 +145,7 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
   report.facets_read = soup.polygons.size();
   report.vertices_read = soup.points.size();
   report.free_forms_read = soup.free_forms;
+  report.further_files = soup.further_files;
 
   drop_unused_points(soup.points, soup.polygons);
   mesh.center = recentre(soup.points, metres_per_unit);

@@ -1,4 +1,4 @@
-#include "mesh/read/file_contents.h"
+#include "mesh/files/file_contents.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +21,11 @@ struct Signature {
 };
 
 constexpr std::string_view unpack = "unpack it first", name_mesh = "name the mesh file, STL, OBJ, PLY or OFF",
-                           convert = "convert it to STL, OBJ, PLY or OFF", download = "download the file itself";
-constexpr std::array<Signature, 20> signatures = {{
+                           convert = "convert it to STL, OBJ, PLY or OFF", download = "download the file itself",
+                           mesh_it =
+                               "export its surface as STL, OBJ or PLY, or mesh it with a size of your choice: gmsh in.step -2 "
+                               "-clmax SIZE -format msh41 -o out.msh";
+constexpr std::array<Signature, 21> signatures = {{
     {"PK\x03\x04", "is a zip archive", unpack},
     {"BZh", "is bzip2 data", unpack},
     {"\xFD"
@@ -38,10 +41,11 @@ constexpr std::array<Signature, 20> signatures = {{
      "ELF",
      "is a program", name_mesh},
     {"\x89HDF\r\n", "is HDF5 data", convert},
-    {"glTF", "is a glTF scene", convert},
     {"Kaydara FBX", "is an FBX scene", convert},
     {"BLENDER", "is a Blender scene", convert},
-    {"ISO-10303-21", "is a STEP model", "export its surface as STL, OBJ, PLY or OFF"},
+    {"ISO-10303-21", "is a STEP model", mesh_it},
+    {"DBRep_DrawableShape", "is a BREP model", mesh_it},
+    {"CASCADE Topology", "is a BREP model", mesh_it},
     {"version https://git-lfs", "is a pointer of Git LFS, not the file itself", "fetch it with git lfs pull"},
     {"<!DOCTYPE html", "is a page of HTML", download},
     {"<!doctype html", "is a page of HTML", download},
@@ -80,20 +84,32 @@ bool is_binary_stl(std::string_view bytes) {
   return facets > 0 && bytes.size() == 84 + std::size_t{50} * facets;
 }
 
+bool has_text(std::string_view bytes, std::string_view text) { return bytes.find(text) != std::string_view::npos; }
+
 bool is_obj(std::string_view bytes) {
   static constexpr std::array words = {"v"sv, "vn"sv, "vt"sv, "f"sv, "o"sv, "g"sv, "s"sv, "mtllib"sv, "usemtl"sv};
-  const bool has_vertex = bytes.starts_with("v ") || bytes.find("\nv ") != std::string_view::npos;
+  const bool has_vertex = bytes.starts_with("v ") || has_text(bytes, "\nv ");
   return has_vertex && std::ranges::find(words, first_word(bytes)) != words.end();
+}
+
+// A line of 80 columns of which the 73rd holds the section, S to begin with, and the rest its number.
+bool is_iges(std::string_view bytes) {
+  return bytes.size() > 80 && bytes[72] == 'S' && bytes.substr(73, 7).find_first_not_of(" 01") == std::string_view::npos &&
+         bytes[79] == '1';
 }
 
 }  // namespace
 
 std::string_view mesh_ending_of(std::string_view bytes) {
   if (is_binary_stl(bytes)) return ".stl";
+  if (bytes.starts_with("glTF")) return ".glb";
+  if (bytes.starts_with("PK\x03\x04") && has_text(bytes, "3dmodel")) return ".3mf";
   const std::string_view word = first_word(bytes);
+  if (word == "$MeshFormat") return ".msh";
+  if (word.starts_with('{') && has_text(bytes, "\"asset\"")) return ".gltf";
   if (word == "ply") return ".ply";
   if (word.size() < 8 && word.ends_with("OFF")) return ".off";
-  if (lower_case_word(word.substr(0, 8)) == "solid" && bytes.find("vertex") != std::string_view::npos) return ".stl";
+  if (lower_case_word(word.substr(0, 8)) == "solid" && has_text(bytes, "vertex")) return ".stl";
   return is_obj(bytes) ? ".obj" : "";
 }
 
@@ -101,6 +117,7 @@ std::string other_contents(std::string_view bytes) {
   const std::string_view text = without_mark(bytes),
                          from_first = text.substr(std::min(text.find_first_not_of(blanks), text.size()));
   const auto found = std::ranges::find_if(signatures, [&](const Signature& s) { return from_first.starts_with(s.begins_with); });
+  if (found == signatures.end() && is_iges(bytes)) return fmt::format("is an IGES model; {}", mesh_it);
   return found == signatures.end() ? "" : fmt::format("{}; {}", found->is, found->remedy);
 }
 

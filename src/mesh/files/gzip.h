@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "mesh/read/formats.h"
+#include "mesh/files/mesh_file.h"
 
 namespace raytube {
 

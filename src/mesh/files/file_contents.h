@@ -6,7 +6,8 @@
 
 namespace raytube {
 
-/// The ending under which a mesh of such contents is read: ".stl", ".obj", ".ply", ".off"; empty if they look like none of these.
+/// The ending under which a mesh of such contents is read: ".stl", ".obj", ".glb" and so on; empty if they look like none of
+/// these.
 std::string_view mesh_ending_of(std::string_view bytes);
 
 /// What contents that are no mesh of these formats are, as a sentence goes on about them, with the remedy: "is a PNG image; ...".

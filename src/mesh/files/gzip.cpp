@@ -1,6 +1,5 @@
-#include "mesh/read/gzip.h"
+#include "mesh/files/gzip.h"
 
-#include <fmt/format.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -8,16 +7,12 @@
 #include <new>
 #include <string_view>
 
-#include "mesh/read/file_contents.h"
+#include "mesh/files/file_contents.h"
+#include "mesh/files/mesh_file.h"
 
 namespace raytube {
 
 namespace {
-
-// Tables of numbers shrink to a third or a tenth, regular grids in a plane to a twentieth; deflate itself reaches 1/1032 (zlib,
-// technical details), of zeros.
-constexpr std::uintmax_t most_expansion = 200;
-constexpr std::uintmax_t always_allowed = 1 << 20;  // [bytes]: the bound is for what can do harm
 
 /// zlib's state, and what it has unpacked so far.
 class Inflater {
@@ -53,7 +48,7 @@ class Inflater {
       check(state);
       bytes.remove_prefix(given - stream_.avail_in);
       unpacked_.append(piece_.data(), piece_.size() - stream_.avail_out);
-      check_size();
+      check_unpacked_size(file_, unpacked_.size(), most_bytes_);
     }
     return bytes;
   }
@@ -63,14 +58,6 @@ class Inflater {
     if (state == Z_MEM_ERROR) throw std::bad_alloc();
     if (state == Z_BUF_ERROR) file_.reject("its gzip data ends early; it is cut short, copy or compress it again");
     if (state != Z_OK && state != Z_STREAM_END) file_.reject("its gzip data is damaged; copy or compress it again");
-  }
-
-  void check_size() const {
-    const std::uintmax_t size = unpacked_.size();
-    if (size > most_bytes_) file_.reject("unpacks to more than this machine's memory; take a larger machine, or divide the mesh");
-    if (size > always_allowed && size > most_expansion * file_.bytes.size())
-      file_.reject(fmt::format("unpacks to more than {} times its {} bytes, which no mesh does; if it is one, unpack it first",
-                               most_expansion, file_.bytes.size()));
   }
 
   const MeshFile& file_;

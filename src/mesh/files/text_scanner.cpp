@@ -1,4 +1,4 @@
-#include "mesh/read/text_scanner.h"
+#include "mesh/files/text_scanner.h"
 
 #include <fmt/format.h>
 
@@ -93,6 +93,14 @@ std::string_view TextScanner::word_of_any_line() {
   return found;
 }
 
+std::string_view TextScanner::raw_bytes(std::size_t count) {
+  has_lines_ = false;
+  if (file_.bytes.size() - position_ < count) reject("ends before its last number; it is cut short, export it again");
+  const std::string_view bytes = std::string_view(file_.bytes).substr(position_, count);
+  position_ += count;
+  return bytes;
+}
+
 double TextScanner::number(std::string_view word) const {
   if (word.empty()) reject("a number is missing; the file is cut short or damaged, export it again");
   const char* first = word.data() + (word.front() == '+' ? 1 : 0);
@@ -120,6 +128,8 @@ std::uint64_t TextScanner::count(std::string_view word) const {
   return value;
 }
 
-void TextScanner::reject(const std::string& sentence) const { file_.reject(fmt::format("line {}: {}", line_, sentence)); }
+void TextScanner::reject(const std::string& sentence) const {
+  file_.reject(has_lines_ ? fmt::format("line {}: {}", line_, sentence) : sentence);
+}
 
 }  // namespace raytube

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/read/formats.h"
+#include "mesh/files/mesh_file.h"
 
 namespace raytube {
 
@@ -25,6 +25,10 @@ class TextScanner {
   std::string_view word();
   /// The next word of this line or of a later one; empty at the end of the file.
   std::string_view word_of_any_line();
+
+  /// The next bytes as they stand, for files with binary numbers between words; rejects the file if there are fewer. No line is
+  /// named from there on.
+  std::string_view raw_bytes(std::size_t count);
 
   /// The value of a word; rejects the file if it is not a number.
   double number(std::string_view word) const;
@@ -50,6 +54,7 @@ class TextScanner {
   std::size_t position_ = 0;
   std::size_t line_ = 1;
   bool on_a_line_ = false;
+  bool has_lines_ = true;
 };
 
 }  // namespace raytube

@@ -1,0 +1,30 @@
+// Files in a zip archive (libzip).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mesh/files/mesh_file.h"
+
+struct zip;
+
+namespace raytube {
+
+/// An archive in memory, which must outlive it.
+class ZipArchive {
+ public:
+  /// Throws InputError if the file is no zip archive or is damaged.
+  explicit ZipArchive(const MeshFile& file);
+
+  /// Throws InputError if the entry is missing, damaged, encrypted, or far larger than the archive.
+  std::string read(const std::string& entry) const;
+
+ private:
+  struct Close {
+    void operator()(zip* archive) const;
+  };
+  const MeshFile& file_;
+  std::unique_ptr<zip, Close> archive_;
+};
+
+}  // namespace raytube

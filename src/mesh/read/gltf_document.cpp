@@ -1,0 +1,132 @@
+#include "mesh/read/gltf_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "core/text.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr std::size_t glb_head_bytes = 12, chunk_head_bytes = 8;
+constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
+
+std::uint32_t word_at(std::string_view bytes, std::size_t position) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, bytes.data() + position, sizeof word);
+  return word;
+}
+
+/// Takes the next chunk of a binary file off `bytes`, if it is of that type.
+std::string_view take_chunk(const MeshFile& file, std::string_view& bytes, std::uint32_t type) {
+  if (bytes.size() < chunk_head_bytes || word_at(bytes, 4) != type) return {};
+  const std::size_t size = word_at(bytes, 0);
+  if (bytes.size() - chunk_head_bytes < size) file.reject("ends before its last chunk; it is cut short, export it again");
+  const std::string_view chunk = bytes.substr(chunk_head_bytes, size);
+  bytes.remove_prefix(chunk_head_bytes + size);
+  return chunk;
+}
+
+JsonValue parsed_or_rejected(const MeshFile& file, std::string_view text) {
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  std::optional<JsonValue> json = parsed_json(std::string(text));
+  if (!json || json->kind != JsonValue::Kind::table) file.reject("its JSON is damaged or cut short; export the mesh again");
+  return std::move(*json);
+}
+
+GltfDocument binary_document(const MeshFile& file) {
+  std::string_view bytes = file.bytes;
+  if (bytes.size() < glb_head_bytes) file.reject("is too short for a glTF file; export it again");
+  if (const std::uint32_t version = word_at(bytes, 4); version != 2)
+    file.reject(fmt::format("version {} of glTF is not read; export it as glTF 2.0", version));
+  if (word_at(bytes, 8) != bytes.size())
+    file.reject(fmt::format("holds {} of the {} bytes it announces; copy or export it again", bytes.size(), word_at(bytes, 8)));
+  bytes.remove_prefix(glb_head_bytes);
+  const std::string_view text = take_chunk(file, bytes, json_chunk);
+  return {file, parsed_or_rejected(file, text), take_chunk(file, bytes, binary_chunk)};
+}
+
+/// Those that a mesh can do without: looks, lights, textures. Numbers of fewer bits are read.
+bool leaves_surface_as_it_is(std::string_view extension) {
+  static constexpr std::array<std::string_view, 6> beginnings = {"KHR_mesh_quantization", "KHR_materials_", "KHR_texture_",
+                                                                 "KHR_lights_",           "EXT_texture_",   "KHR_xmp"};
+  return std::ranges::any_of(beginnings, [&](std::string_view beginning) { return extension.starts_with(beginning); });
+}
+
+void check_extensions(const GltfDocument& document) {
+  for (const JsonValue& extension : document.list(document.json, "extensionsRequired"))
+    if (!leaves_surface_as_it_is(extension.text))
+      document.file.reject(fmt::format("needs the extension {}, which is not read; export it without compression and extensions",
+                                       quotable(extension.text)));
+  for (const JsonValue& extension : document.list(document.json, "extensionsUsed"))
+    if (extension.text == "EXT_mesh_gpu_instancing")
+      document.file.reject("places its meshes by EXT_mesh_gpu_instancing, which is not read; export it without instancing");
+}
+
+void check_version(const GltfDocument& document) {
+  const JsonValue* asset = document.json.find("asset");
+  const std::string version = asset ? document.text(*asset, "version") : "";
+  if (!version.starts_with("2."))
+    document.file.reject(
+        fmt::format("its asset.version is '{}', where glTF 2.0 is read; export it as glTF 2.0", quotable(version)));
+}
+
+}  // namespace
+
+const JsonValue& GltfDocument::element(std::string_view list_name, std::uint64_t index) const {
+  const std::span<const JsonValue> items = list(json, list_name);
+  if (index >= items.size())
+    file.reject(
+        fmt::format("{}[{}] does not exist, there are {}; the file is damaged, export it again", list_name, index, items.size()));
+  return items[index];
+}
+
+std::span<const JsonValue> GltfDocument::list(const JsonValue& table, std::string_view name) const {
+  const JsonValue* value = table.find(name);
+  if (!value) return {};
+  if (value->kind != JsonValue::Kind::list) file.reject(fmt::format("'{}' is not a list; export the mesh again", name));
+  return value->items;
+}
+
+std::uint64_t GltfDocument::whole(const JsonValue& value) const {
+  if (value.kind != JsonValue::Kind::whole)
+    file.reject("a whole number is missing, or something else stands in its place; the file is damaged, export it again");
+  return value.whole;
+}
+
+std::uint64_t GltfDocument::whole(const JsonValue& table, std::string_view name, std::uint64_t otherwise) const {
+  return table.find(name) ? required_whole(table, name) : otherwise;
+}
+
+std::uint64_t GltfDocument::required_whole(const JsonValue& table, std::string_view name) const {
+  const JsonValue* value = table.find(name);
+  if (!value || value->kind != JsonValue::Kind::whole)
+    file.reject(fmt::format("'{}' is missing or not a whole number; the file is damaged, export it again", name));
+  return value->whole;
+}
+
+double GltfDocument::number(const JsonValue& value) const {
+  if (value.kind == JsonValue::Kind::whole) return static_cast<double>(value.whole);
+  if (value.kind != JsonValue::Kind::number)
+    file.reject("something else stands in the place of a number; the file is damaged, export it again");
+  return value.number;
+}
+
+std::string GltfDocument::text(const JsonValue& table, std::string_view name) const {
+  const JsonValue* value = table.find(name);
+  return value ? value->text : "";
+}
+
+GltfDocument read_gltf_document(const MeshFile& file) {
+  GltfDocument document =
+      file.bytes.starts_with("glTF") ? binary_document(file) : GltfDocument{file, parsed_or_rejected(file, file.bytes), {}};
+  check_version(document);
+  check_extensions(document);
+  return document;
+}
+
+}  // namespace raytube
