@@ -58,6 +58,11 @@ function result = read_netcdf(file)
   for attribute = info.Attributes(:)'
     result.attributes.(attribute.Name) = attribute.Value;
   end
+  for variable = info.Variables(:)'  % texts too long for an attribute
+    if strcmp(variable.Datatype, 'char') && numel(variable.Dimensions) == 1
+      result.attributes.(variable.Name) = reshape(ncread(file, variable.Name), 1, []);
+    end
+  end
 end
 
 % Both programs read the last dimension first.

@@ -74,6 +74,23 @@ TEST_F(NetcdfProgram, ConvertRefusesWithASentence) {
   EXPECT_FALSE(fs::exists(scratch / "a.nc"));
 }
 
+// HDF5 by itself crashes at its end where a disk did not take all of a file. The limit is in blocks of
+// 512 bytes or 1 kB; a file has more than 20 kB either way.
+TEST_F(NetcdfProgram, AFullDiskIsSaidAndLeavesNothing) {
+  ASSERT_EQ(raytube("run case.toml -o kept" + quick).code, 0);
+  const Outcome full = raytube("convert kept/rcs.csv a.nc", "ulimit -f 16 && ");
+  EXPECT_EQ(full.code, 1);
+  EXPECT_THAT(full.complaint, HasSubstr("a.nc: cannot be written completely; is the disk full?"));
+  EXPECT_FALSE(fs::exists(scratch / "a.nc"));
+}
+
+// A copy without hidden files has lost the list of results; run.json and rcs.csv tell what the others are.
+TEST_F(NetcdfProgram, IsKnownAgainWithoutTheList) {
+  ASSERT_EQ(raytube("run case.toml --set output.netcdf=true" + quick).code, 0);
+  fs::remove(scratch / "out/.raytube.results");
+  EXPECT_EQ(raytube("run case.toml --set output.netcdf=true" + quick).code, 0);
+}
+
 TEST_F(NetcdfProgram, WhatOneFileCannotHoldIsSaid) {
   expect_refused("run case.toml -o a.nc --launch random", "-o a.nc: one netCDF file has no place for the spread of random tubes");
   scratch.write("mine.nc", "mine");
