@@ -19,7 +19,7 @@
 #include "output/tables/stored.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
-#include "program/memory.h"
+#include "jobs/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "program/unusable_rows.h"

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 
 #include "core/decimal.h"
-#include "core/json.h"
 #include "output/files/files.h"
 
 namespace raytube {
@@ -16,61 +14,12 @@ namespace {
 // As truncations stand.
 constexpr std::array truncated_names{"at_max_bounces", "by_width", "by_number"};
 
-// Counts are whole; only lengths carry a fraction.
-JsonValue count_or_length(double value) {
-  return value == std::floor(value) && value < 1e15 ? JsonValue(static_cast<std::uint64_t>(value)) : JsonValue(value);
-}
-
 JsonValue lost_ray_json(const LostRay& ray) {
   return {{"look", ray.look},
           {"theta_deg", decimal_degrees(ray.transmit.theta)},
           {"phi_deg", decimal_degrees(ray.transmit.phi)},
           {"triangle", static_cast<std::uint64_t>(ray.triangle)},
           {"at_m", std::vector<JsonValue>{ray.at.x, ray.at.y, ray.at.z}}};
-}
-
-JsonValue counts_json(const Statistics& statistics) {
-  JsonValue json;
-  json["rays"] = statistics.rays;
-  json["tubes"] = statistics.tubes;
-  json["hits_per_bounce"] = statistics.hits;
-  json["lost_rays"] = statistics.lost_rays;
-  json["looks_with_lost_rays"] = statistics.looks_with_lost_rays;
-  json["first_lost_rays"] = std::vector<JsonValue>();
-  for (const LostRay& ray : statistics.first_lost_rays) json["first_lost_rays"].append(lost_ray_json(ray));
-  for (const Truncation reason : truncations) {
-    const char* const name = truncated_names[static_cast<std::size_t>(reason)];
-    json[fmt::format("tubes_cut_{}", name)] = statistics.truncated[reason].tubes;
-    json["tubes_cut_sigma_m2"][name] = statistics.truncated[reason].sigma;
-  }
-  json["sliver_area_m2"] = statistics.sliver_area;
-  json["wedges"] = statistics.wedges;
-  json["wedges_lit"] = statistics.wedges_lit;
-  json["surface_strips"] = statistics.surface_strips;
-  json["painted_pieces"] = statistics.illuminating_pieces;
-  json["thin_rims"] = {{"lowest_frequency", statistics.thin_plate_edges_lowest},
-                       {"highest_frequency", statistics.thin_plate_edges_highest}};
-  json["windowed_rows"] = statistics.windowed_rows;
-  if (statistics.ray_range > 0.0) json["utd_range_m"] = statistics.ray_range;
-  json["beyond_bound"] = std::vector<JsonValue>();
-  for (const BeyondBound& part : statistics.beyond_bound)
-    json["beyond_bound"].append({{"part", part.part}, {"rows", part.rows}, {"worst_row", part.worst}, {"ratio", part.ratio}});
-  json["skipped"] = std::vector<JsonValue>();
-  for (const Skipped& skipped : statistics.skipped)
-    json["skipped"].append({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});
-  return json;
-}
-
-JsonValue model_json(const std::vector<ModelPart>& parts) {
-  JsonValue json = std::vector<JsonValue>();
-  for (const ModelPart& part : parts)
-    json.append({{"part", part.name},
-                 {"what", part.what},
-                 {"remedy", part.remedy},
-                 {"rms_m", part.rms},
-                 {"share", part.share},
-                 {"rows_largest", part.rows_largest}});
-  return json;
 }
 
 JsonValue mesh_json(const Manifest& manifest) {
@@ -105,6 +54,50 @@ std::string title_of(const JsonValue& resolved) {
 
 }  // namespace
 
+JsonValue statistics_json(const Statistics& statistics) {
+  JsonValue json;
+  json["rays"] = statistics.rays;
+  json["tubes"] = statistics.tubes;
+  json["hits_per_bounce"] = statistics.hits;
+  json["lost_rays"] = statistics.lost_rays;
+  json["looks_with_lost_rays"] = statistics.looks_with_lost_rays;
+  json["first_lost_rays"] = std::vector<JsonValue>();
+  for (const LostRay& ray : statistics.first_lost_rays) json["first_lost_rays"].append(lost_ray_json(ray));
+  for (const Truncation reason : truncations) {
+    const char* const name = truncated_names[static_cast<std::size_t>(reason)];
+    json[fmt::format("tubes_cut_{}", name)] = statistics.truncated[reason].tubes;
+    json["tubes_cut_sigma_m2"][name] = statistics.truncated[reason].sigma;
+  }
+  json["sliver_area_m2"] = statistics.sliver_area;
+  json["wedges"] = statistics.wedges;
+  json["wedges_lit"] = statistics.wedges_lit;
+  json["surface_strips"] = statistics.surface_strips;
+  json["painted_pieces"] = statistics.illuminating_pieces;
+  json["thin_rims"] = {{"lowest_frequency", statistics.thin_plate_edges_lowest},
+                       {"highest_frequency", statistics.thin_plate_edges_highest}};
+  json["windowed_rows"] = statistics.windowed_rows;
+  if (statistics.ray_range > 0.0) json["utd_range_m"] = statistics.ray_range;
+  json["beyond_bound"] = std::vector<JsonValue>();
+  for (const BeyondBound& part : statistics.beyond_bound)
+    json["beyond_bound"].append({{"part", part.part}, {"rows", part.rows}, {"worst_row", part.worst}, {"ratio", part.ratio}});
+  json["skipped"] = std::vector<JsonValue>();
+  for (const Skipped& skipped : statistics.skipped)
+    json["skipped"].append({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});
+  return json;
+}
+
+JsonValue model_parts_json(const std::vector<ModelPart>& parts) {
+  JsonValue json = std::vector<JsonValue>();
+  for (const ModelPart& part : parts)
+    json.append({{"part", part.name},
+                 {"what", part.what},
+                 {"remedy", part.remedy},
+                 {"rms_m", part.rms},
+                 {"share", part.share},
+                 {"rows_largest", part.rows_largest}});
+  return json;
+}
+
 std::vector<std::pair<std::string, std::string>> attributes_of(const Manifest& manifest) {
   const std::vector<std::string>& hashes = manifest.mesh_sha256;
   return {{"title", title_of(*parsed_json(manifest.case_json))},
@@ -114,8 +107,8 @@ std::vector<std::pair<std::string, std::string>> attributes_of(const Manifest& m
           {"mesh_sha256", hashes.size() == 1 ? hashes.front() : json_text(hashes, -1)},
           {"rcs_csv_sha256", manifest.rcs_csv_sha256},
           {"warnings", json_text(manifest.warnings, -1)},
-          {"counts", json_text(counts_json(manifest.statistics), -1)},
-          {"model_uncertainty", json_text(model_json(manifest.model_parts), -1)}};
+          {"counts", json_text(statistics_json(manifest.statistics), -1)},
+          {"model_uncertainty", json_text(model_parts_json(manifest.model_parts), -1)}};
 }
 
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest) {
@@ -131,8 +124,8 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["threads"] = manifest.threads;
   if (manifest.random) json["launch"] = launch_json(*manifest.random);
   json["warnings"] = manifest.warnings;
-  json["counts"] = counts_json(manifest.statistics);
-  json["model_uncertainty"] = model_json(manifest.model_parts);
+  json["counts"] = statistics_json(manifest.statistics);
+  json["model_uncertainty"] = model_parts_json(manifest.model_parts);
   json["time"] = time_json(manifest.time, manifest.statistics.solve_s, manifest.looks_resumed);
   json["peak_rss_bytes"] = manifest.peak_rss_bytes;
   json["rcs_csv_sha256"] = manifest.rcs_csv_sha256;

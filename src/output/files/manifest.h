@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/json.h"
 #include "scene/random_result.h"
 
 namespace raytube {
@@ -43,6 +44,12 @@ struct Manifest {
   std::uint64_t peak_rss_bytes = 0;
   std::string rcs_csv_sha256;
 };
+
+/// Counts of a solve, with what was skipped and why.
+JsonValue statistics_json(const Statistics& statistics);
+
+/// The parts of the model uncertainty, without their rows.
+JsonValue model_parts_json(const std::vector<ModelPart>& parts);
 
 /// What a result should carry wherever it goes, by name: title and resolved case, version, hashes, warnings, counts, parts of the
 /// model uncertainty; JSON but for single words. Nothing of the machine, its folders or its time: equal runs say the same.
