@@ -14,7 +14,10 @@
 #include "core/threads.h"
 #include "jobs/density_study.h"
 #include "output/compare/convergence_report.h"
+#include "output/compare/density_results.h"
+#include "output/netcdf/netcdf_file.h"
 #include "output/plots/convergence_plot.h"
+#include "output/tables/stored.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
 #include "program/progress_bar.h"
@@ -171,6 +174,38 @@ void converge_command(const Request& request) {
     throw Interrupted(study.interrupted_sentence());
   }
   if (study.unusable()) throw unusable_rows_in(study.folder());
+}
+
+// Of results that are there: netCDF files of one case at several densities.
+namespace {
+
+void write_study(const ConvergenceStudy& study, const std::filesystem::path& destination) {
+  const OutputFolder folder(destination);
+  AllOrNothing ending(folder);
+  const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
+  NewResults results(folder.path());
+  write_converge_csv(results.folder() / "converge.csv", study);
+  const std::string trouble = plot_convergence(results.folder(), study);
+  stop_if_interrupted();
+  if (!trouble.empty()) warn(trouble);
+  replace_results(results, folder.path(), names_of_convergence_results(true), {}, [&ending] { ending.complete(); });
+}
+
+}  // namespace
+
+void converge_results(const Request& request) {
+  const std::filesystem::path destination = request.output_folder.empty()
+                                                ? std::filesystem::absolute(request.studied.front()).parent_path() / "out"
+                                                : request.output_folder;
+  check_output(destination, names_of_convergence_results(true), {});
+  std::vector<ResultFile> files;
+  for (const std::filesystem::path& file : request.studied) files.push_back({file, read_netcdf(file)});
+  const Sweep sweep = sweep_of(files.front().result);
+  std::vector<DensityResult> results = density_results(files);
+  const Convergence convergence = study_convergence(results);
+  const ConvergenceStudy study{attribute_of(files.front().result, "title"), sweep, std::move(results), convergence};
+  write_study(study, destination);
+  if (!request.quiet) fmt::print("{}results         {}\n", convergence_text(study), destination.string());
 }
 
 }  // namespace raytube

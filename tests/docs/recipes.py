@@ -43,7 +43,10 @@ def command(block):
     if block.language == "sh":
         return ["sh", "-e", "-c", block.text], ""
     if block.language == "octave":
-        return ["octave-cli", "--quiet", "--eval", block.text] if shutil.which("octave-cli") else None, "octave-cli"
+        wants = "pkg load netcdf" if ".nc'" in block.text else ""
+        if not shutil.which("octave-cli") or subprocess.run(["octave-cli", "--eval", wants], capture_output=True).returncode != 0:
+            return None, "octave-cli" + (" with octave-netcdf" if wants else "")
+        return ["octave-cli", "--quiet", "--eval", block.text], ""
     modules = re.findall(r"^(?:import|from) (\w+)", block.text, re.MULTILINE) or ["sys"]
     # Debian's packages of NumPy and pandas are for Debian's own Python, which need not be the first one on the path.
     for python in (sys.executable, "/usr/bin/python3"):
@@ -99,7 +102,8 @@ def main():
         folder = Path(name)
         (folder / "build").mkdir()
         os.symlink(program, folder / "build/raytube")
-        os.symlink(ROOT / "cases", folder / "cases")
+        for name in ("cases", "matlab"):
+            os.symlink(ROOT / name, folder / name)
         run_all(page, folder)
 
 

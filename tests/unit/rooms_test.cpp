@@ -78,7 +78,7 @@ const Rooms may_include = {
     {"case/materials", {"core", "scene", "case/data", "case/text"}},
     {"case", {"core", "scene", "mesh", "mesh/model", "case/data", "case/text", "case/directions", "case/materials"}},
     {"output/files", {"core", "scene"}},
-    {"output/netcdf", {"core"}},
+    {"output/netcdf", {"core", "output/files"}},
     {"output/tables", {"core", "scene", "output/files", "output/netcdf"}},
     {"output/compare", {"core", "scene", "output/files", "output/netcdf", "output/tables"}},
     {"output/vtk", {"core", "scene", "output/files", "output/tables"}},

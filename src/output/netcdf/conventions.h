@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <mutex>
 
 namespace raytube {
@@ -24,6 +25,10 @@ inline constexpr std::array<FixedAttribute, 5> convention_attributes = {
 
 inline constexpr const char* comment_attribute = "conventions";  // the comment lines of rcs.csv
 inline constexpr const char* geometry_attribute = "geometry";    // monostatic or bistatic
+
+/// HDF5 takes no attribute of 64 kB. A longer text is a variable of letters in its place, with a dimension of its own.
+inline constexpr std::size_t longest_attribute = 60'000;
+inline constexpr const char* letters_suffix = "_letters";
 
 /// HDF5, below netCDF, is not made for several threads at once.
 inline std::mutex hdf5_in_use;

@@ -13,8 +13,8 @@ namespace raytube {
 bool is_netcdf_name(const std::filesystem::path& file);
 
 /// Writes everything that the result holds: equal results give equal bytes. Attributes without text are left out. Throws
-/// std::runtime_error, and leaves no file, if the disk does not take it. May be called from any thread, but nobody else may use
-/// the HDF5 library meanwhile.
+/// std::runtime_error if the disk does not take it: the file must not be used then. May be called from any thread, but nobody
+/// else may use the HDF5 library meanwhile.
 void write_netcdf(const std::filesystem::path& file, const StoredResult& result);
 
 /// Reads what write_netcdf wrote, bit for bit. Throws InputError if the file cannot be read or holds something else.

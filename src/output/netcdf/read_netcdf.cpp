@@ -57,7 +57,7 @@ class OpenNetcdf {
 
   /// The names along a dimension.
   Names labels(const std::string& dimension) const {
-    const int id = variable(dimension.c_str(), {dimension, dimension + "_letters"});
+    const int id = variable(dimension.c_str(), {dimension, dimension + letters_suffix});
     std::string letters(size_of(id), '\0');
     require(dimension.c_str(), nc_get_var_text(file_, id, letters.data()));
     Names names(this->dimension(dimension.c_str()));
@@ -80,6 +80,24 @@ class OpenNetcdf {
       if (type != NC_CHAR) continue;
       std::string text(length, '\0');
       require(name, nc_get_att_text(file_, NC_GLOBAL, name, text.data()));
+      found.emplace_back(name, std::move(text));
+    }
+    return found;
+  }
+
+  /// Texts too long for attributes: variables with letters alone.
+  std::vector<std::pair<std::string, std::string>> long_texts() const {
+    int count = 0;
+    require("variables", nc_inq_nvars(file_, &count));
+    std::vector<std::pair<std::string, std::string>> found;
+    for (int id = 0; id < count; ++id) {
+      char name[NC_MAX_NAME + 1] = {};
+      nc_type type = NC_NAT;
+      int dimensions = 0;
+      require("variables", nc_inq_var(file_, id, name, &type, &dimensions, nullptr, nullptr));
+      if (type != NC_CHAR || dimensions != 1) continue;
+      std::string text(dimension((name + std::string(letters_suffix)).c_str()), '\0');
+      if (variable(name, {name + std::string(letters_suffix)}) == id) require(name, nc_get_var_text(file_, id, text.data()));
       found.emplace_back(name, std::move(text));
     }
     return found;
@@ -186,6 +204,7 @@ class ResultReader {
       else if (std::ranges::none_of(convention_attributes, [&](const FixedAttribute& fixed) { return name == fixed.name; }))
         result_.attributes.emplace_back(name, std::move(text));
     }
+    for (auto& named_text : file_.long_texts()) result_.attributes.push_back(std::move(named_text));
   }
 
   void per_look(const char* name, double StoredLook::*member) {

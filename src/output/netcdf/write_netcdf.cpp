@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 #include <netcdf.h>
+#include <netcdf_mem.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <initializer_list>
 #include <span>
 #include <stdexcept>
 
 #include "core/text.h"
+#include "output/files/files.h"
 #include "output/netcdf/conventions.h"
 #include "output/netcdf/netcdf_file.h"
 
@@ -14,26 +17,26 @@ namespace raytube {
 
 namespace {
 
-// A file on its way; removed again unless it is closed.
+// A file on its way, in memory: HDF5 does not survive a disk that does not take what it writes.
 class NewNetcdf {
  public:
   explicit NewNetcdf(const std::filesystem::path& path) : path_(path) {
-    require(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &file_));
+    require(nc_create_mem(path.filename().c_str(), NC_NETCDF4, 0, &file_));
     open_ = true;
     require(nc_set_fill(file_, NC_NOFILL, nullptr));
   }
   ~NewNetcdf() {
-    if (!open_) return;
-    nc_abort(file_);
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
+    if (open_) nc_abort(file_);
+    std::free(contents_.memory);
   }
   NewNetcdf(const NewNetcdf&) = delete;
   NewNetcdf& operator=(const NewNetcdf&) = delete;
 
-  void close() {
-    require(nc_close(file_));
+  /// The bytes of the file, which belong to this object.
+  std::string_view close() {
+    require(nc_close_memio(file_, &contents_));
     open_ = false;
+    return {static_cast<const char*>(contents_.memory), contents_.size};
   }
 
   void dimension(const char* name, std::size_t size) {
@@ -73,6 +76,7 @@ class NewNetcdf {
   std::filesystem::path path_;
   int file_ = 0;
   bool open_ = false;
+  NC_memio contents_{};
 };
 
 enum class Component { real, imaginary };
@@ -122,10 +126,22 @@ class ResultWriter {
 
  private:
   void write_attributes() {
-    for (const auto& [name, text] : result_.attributes) file_.attribute(NC_GLOBAL, name.c_str(), text);
+    for (const auto& [name, text] : result_.attributes)
+      if (text.size() <= longest_attribute)
+        file_.attribute(NC_GLOBAL, name.c_str(), text);
+      else
+        write_text(name, text);
     file_.attribute(NC_GLOBAL, comment_attribute, result_.comment);
     file_.attribute(NC_GLOBAL, geometry_attribute, result_.bistatic ? "bistatic" : "monostatic");
     for (const auto& [name, text] : convention_attributes) file_.attribute(NC_GLOBAL, name, text);
+  }
+
+  void write_text(const std::string& name, const std::string& text) {
+    file_.dimension((name + letters_suffix).c_str(), text.size());
+    const int variable = file_.variable(name.c_str(), NC_CHAR, {name + letters_suffix});
+    file_.attribute(variable, "long_name", "text about the whole, too long for an attribute");
+    file_.attribute(variable, "_Encoding", "utf-8");
+    file_.put(variable, text);
   }
 
   int described(const char* name, std::initializer_list<std::string> dimensions, const char* units, const char* long_name) {
@@ -152,8 +168,8 @@ class ResultWriter {
     std::size_t length = 0;
     for (const std::string& name : names) length = std::max(length, name.size());
     file_.dimension(dimension.c_str(), names.size());
-    file_.dimension((dimension + "_letters").c_str(), length);
-    const int variable = file_.variable(dimension.c_str(), NC_CHAR, {dimension, dimension + "_letters"});
+    file_.dimension((dimension + letters_suffix).c_str(), length);
+    const int variable = file_.variable(dimension.c_str(), NC_CHAR, {dimension, dimension + letters_suffix});
     file_.attribute(variable, "long_name", long_name);
     file_.attribute(variable, "_Encoding", "utf-8");
     std::string letters;
@@ -234,7 +250,9 @@ void write_netcdf(const std::filesystem::path& file, const StoredResult& result)
   const std::lock_guard lock(hdf5_in_use);
   NewNetcdf open(file);
   ResultWriter(open, result).write();
-  open.close();
+  OutputFile out(file);
+  out.write(open.close());
+  out.commit();
 }
 
 }  // namespace raytube
