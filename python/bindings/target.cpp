@@ -6,6 +6,7 @@
 
 #include "case/resolved_case.h"
 #include "case/target.h"
+#include "case/text/values.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "output/files/sha256.h"
@@ -23,6 +24,14 @@ std::string joined_names(const std::vector<std::filesystem::path>& files) {
   return joined(names, ", ");
 }
 
+double metres_of_unit(const std::string& unit) {
+  CaseValue value;
+  value.kind = CaseValue::Kind::text;
+  value.location = "Target";
+  value.text = unit;
+  return read_unit(value, "unit");
+}
+
 // All that the mesh made ready depends on.
 std::string dependencies(const Case& c) {
   std::string text = fmt::format("{} {}", c.wedges.min_wedge_angle, c.wedges.thin_plates);
@@ -37,15 +46,18 @@ std::string dependencies(const Case& c) {
 TargetSource::TargetSource(const std::vector<std::filesystem::path>& files, std::string unit)
     : name_(joined_names(files)), unit_(std::move(unit)) {
   for (const std::filesystem::path& file : files) {
-    PolygonSoup part = read_polygon_soup(file);
+    PolygonSoup part = read_polygon_soup(file, metres_of_unit(unit_));
     if (files.size() > 1) add_name(part, file.string());
     add_polygons(part, soup_);
     sha256_.push_back(sha256_of_file(file));
   }
+  for (const std::filesystem::path& further : soup_.further_files) sha256_.push_back(sha256_of_file(further));
 }
 
 TargetSource::TargetSource(PolygonSoup soup, std::string unit)
-    : name_(name_of_arrays), unit_(std::move(unit)), soup_(std::move(soup)) {}
+    : name_(name_of_arrays), unit_(std::move(unit)), soup_(std::move(soup)) {
+  metres_of_unit(unit_);  // refuses now what no case could make use of
+}
 
 std::shared_ptr<const BuiltTarget> TargetSource::built_for(const Case& c) {
   const std::lock_guard lock(building_);
