@@ -1,6 +1,7 @@
 #include "core/json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace raytube {
@@ -77,6 +78,11 @@ const JsonValue* JsonValue::find(std::string_view name) const {
 void JsonValue::append(JsonValue value) {
   kind = Kind::list;
   items.push_back(std::move(value));
+}
+
+JsonValue count_or_length(double value) {
+  return value == std::floor(value) && value >= 0.0 && value < 1e15 ? JsonValue(static_cast<std::uint64_t>(value))
+                                                                    : JsonValue(value);
 }
 
 std::string json_text(const JsonValue& value, int indent) {

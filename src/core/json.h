@@ -55,6 +55,9 @@ struct JsonMember {
   JsonValue value;
 };
 
+/// A whole number if it is one: counts are, lengths have a fraction.
+JsonValue count_or_length(double value);
+
 /// With `indent` blanks a level, or on one line if it is below 0; U+FFFD stands for what is not UTF-8.
 std::string json_text(const JsonValue& value, int indent);
 

@@ -16,7 +16,7 @@
 #include "output/plots/convergence_plot.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
-#include "program/memory.h"
+#include "jobs/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
 #include "program/unusable_rows.h"

@@ -39,10 +39,6 @@ double draw(const fs::path& folder, const std::string& name, const Case& c, Look
 
 }  // namespace
 
-void check_images(const SolvePlan& plan, const Case& c) {
-  for (const std::size_t look : c.image_looks) image_cells(plan, look, c.image_per_wavelength);
-}
-
 ResultNames image_names(const Case& c) {
   ResultNames names;
   for (const std::size_t look : c.image_looks) {

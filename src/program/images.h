@@ -12,9 +12,6 @@
 
 namespace raytube {
 
-/// Throws InputError if an image cannot be made: better now than after the computation.
-void check_images(const SolvePlan& plan, const Case& c);
-
 /// The files they go to: image.* if there is one and image_<look>.* if there are several.
 ResultNames image_names(const Case& c);
 

@@ -18,7 +18,7 @@
 #include "point_source/ray_hits.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
-#include "program/memory.h"
+#include "jobs/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
 

@@ -12,7 +12,7 @@
 #include "output/tables/surface_rays_vtp.h"
 #include "program/commands.h"
 #include "program/results.h"
-#include "program/solvable.h"
+#include "jobs/solvable.h"
 #include "sbr/replay.h"
 #include "solve/admissible.h"
 #include "solve/look_solver.h"

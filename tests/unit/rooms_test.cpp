@@ -82,10 +82,12 @@ const Rooms may_include = {
     {"output/compare", {"core", "scene", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
-    {"program/warnings", base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "solve"}},
-    {"program", base + std::set<std::string>{"program/warnings", "case", "case/data", "case/materials", "mesh", "output/compare",
-                                             "output/files", "output/plots", "output/words", "output/tables", "point_source",
-                                             "sbr", "sbr/launch", "solve", "utd/shadow", "utd/wedge"}},
+    {"jobs/warnings", base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "solve"}},
+    {"jobs", base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/files",
+                                          "output/tables", "sbr", "sbr/launch", "solve"}},
+    {"program", base + std::set<std::string>{"jobs", "jobs/warnings", "case", "case/data", "case/materials", "mesh",
+                                             "output/compare", "output/files", "output/plots", "output/words", "output/tables",
+                                             "point_source", "sbr", "solve", "utd/shadow", "utd/wedge"}},
 };
 
 struct SourceFile {

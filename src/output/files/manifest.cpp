@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 
 #include "core/decimal.h"
-#include "core/json.h"
 #include "output/files/files.h"
 
 namespace raytube {
@@ -16,11 +14,6 @@ namespace {
 // As truncations stand.
 constexpr std::array truncated_names{"at_max_bounces", "by_width", "by_number"};
 
-// Counts are whole; only lengths carry a fraction.
-JsonValue count_or_length(double value) {
-  return value == std::floor(value) && value < 1e15 ? JsonValue(static_cast<std::uint64_t>(value)) : JsonValue(value);
-}
-
 JsonValue lost_ray_json(const LostRay& ray) {
   return {{"look", ray.look},
           {"theta_deg", decimal_degrees(ray.transmit.theta)},
@@ -29,7 +22,34 @@ JsonValue lost_ray_json(const LostRay& ray) {
           {"at_m", std::vector<JsonValue>{ray.at.x, ray.at.y, ray.at.z}}};
 }
 
-JsonValue counts_json(const Statistics& statistics) {
+JsonValue mesh_json(const Manifest& manifest) {
+  const std::vector<std::string>& hashes = manifest.mesh_sha256;
+  JsonValue json = {{"sha256", hashes.size() == 1 ? JsonValue(hashes.front()) : JsonValue(hashes)}};
+  for (const auto& [name, value] : manifest.mesh_report) json[name] = count_or_length(value);
+  json["notes"] = std::vector<JsonValue>();
+  for (const auto& [what, count] : manifest.mesh_notes) json["notes"].append({{"what", what}, {"count", count_or_length(count)}});
+  return json;
+}
+
+JsonValue launch_json(const RandomRuns& random) {
+  return {{"kind", "random"},
+          {"generator", "Philox4x32-10"},
+          {"samples", random.options.samples},
+          {"seed", random.options.seed},
+          {"repeat", random.options.runs},
+          {"run_s", random.run_s},
+          {"deterministic_s", random.deterministic_s}};
+}
+
+JsonValue time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) {
+  JsonValue json = {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
+  if (looks_resumed > 0) json["looks_resumed"] = looks_resumed;
+  return json;
+}
+
+}  // namespace
+
+JsonValue statistics_json(const Statistics& statistics) {
   JsonValue json;
   json["rays"] = statistics.rays;
   json["tubes"] = statistics.tubes;
@@ -61,7 +81,7 @@ JsonValue counts_json(const Statistics& statistics) {
   return json;
 }
 
-JsonValue model_json(const std::vector<ModelPart>& parts) {
+JsonValue model_parts_json(const std::vector<ModelPart>& parts) {
   JsonValue json = std::vector<JsonValue>();
   for (const ModelPart& part : parts)
     json.append({{"part", part.name},
@@ -72,33 +92,6 @@ JsonValue model_json(const std::vector<ModelPart>& parts) {
                  {"rows_largest", part.rows_largest}});
   return json;
 }
-
-JsonValue mesh_json(const Manifest& manifest) {
-  const std::vector<std::string>& hashes = manifest.mesh_sha256;
-  JsonValue json = {{"sha256", hashes.size() == 1 ? JsonValue(hashes.front()) : JsonValue(hashes)}};
-  for (const auto& [name, value] : manifest.mesh_report) json[name] = count_or_length(value);
-  json["notes"] = std::vector<JsonValue>();
-  for (const auto& [what, count] : manifest.mesh_notes) json["notes"].append({{"what", what}, {"count", count_or_length(count)}});
-  return json;
-}
-
-JsonValue launch_json(const RandomRuns& random) {
-  return {{"kind", "random"},
-          {"generator", "Philox4x32-10"},
-          {"samples", random.options.samples},
-          {"seed", random.options.seed},
-          {"repeat", random.options.runs},
-          {"run_s", random.run_s},
-          {"deterministic_s", random.deterministic_s}};
-}
-
-JsonValue time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) {
-  JsonValue json = {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
-  if (looks_resumed > 0) json["looks_resumed"] = looks_resumed;
-  return json;
-}
-
-}  // namespace
 
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest) {
   JsonValue json;
@@ -113,8 +106,8 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["threads"] = manifest.threads;
   if (manifest.random) json["launch"] = launch_json(*manifest.random);
   json["warnings"] = manifest.warnings;
-  json["counts"] = counts_json(manifest.statistics);
-  json["model_uncertainty"] = model_json(manifest.model_parts);
+  json["counts"] = statistics_json(manifest.statistics);
+  json["model_uncertainty"] = model_parts_json(manifest.model_parts);
   json["time"] = time_json(manifest.time, manifest.statistics.solve_s, manifest.looks_resumed);
   json["peak_rss_bytes"] = manifest.peak_rss_bytes;
   json["rcs_csv_sha256"] = manifest.rcs_csv_sha256;

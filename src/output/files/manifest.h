@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/json.h"
 #include "scene/random_result.h"
 
 namespace raytube {
@@ -43,6 +44,12 @@ struct Manifest {
   std::uint64_t peak_rss_bytes = 0;
   std::string rcs_csv_sha256;
 };
+
+/// Counts of a solve, with what was skipped and why.
+JsonValue statistics_json(const Statistics& statistics);
+
+/// The parts of the model uncertainty, without their rows.
+JsonValue model_parts_json(const std::vector<ModelPart>& parts);
 
 /// Writes run.json. Throws std::runtime_error if the disk does not take it.
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest);

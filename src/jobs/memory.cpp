@@ -1,4 +1,4 @@
-#include "program/memory.h"
+#include "jobs/memory.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

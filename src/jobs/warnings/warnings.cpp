@@ -1,11 +1,11 @@
-#include "program/warnings/warnings.h"
+#include "jobs/warnings/warnings.h"
 
 #include <algorithm>
 
 #include "mesh/soundness/open_bodies.h"
 #include "mesh/soundness/thick_layers.h"
 #include "output/words/warnings.h"
-#include "program/warnings/idle_keys.h"
+#include "jobs/warnings/idle_keys.h"
 #include "solve/validity.h"
 
 namespace raytube {

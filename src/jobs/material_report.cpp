@@ -1,4 +1,4 @@
-#include "program/material_report.h"
+#include "jobs/material_report.h"
 
 #include <fmt/format.h>
 

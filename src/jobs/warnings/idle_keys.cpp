@@ -1,4 +1,4 @@
-#include "program/warnings/idle_keys.h"
+#include "jobs/warnings/idle_keys.h"
 
 #include <fmt/format.h>
 

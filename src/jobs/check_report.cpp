@@ -1,0 +1,389 @@
+#include "jobs/check_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "case/data/names.h"
+#include "case/resolved_case.h"
+#include "case/target.h"
+#include "core/decimal.h"
+#include "core/json.h"
+#include "jobs/inputs.h"
+#include "jobs/material_report.h"
+#include "jobs/memory.h"
+#include "jobs/solvable.h"
+#include "jobs/warnings/warnings.h"
+#include "mesh/features/symmetry.h"
+#include "mesh/smooth/pieces.h"
+#include "output/tables/sampled_rows.h"
+#include "sbr/launch/launch.h"
+#include "sbr/sbr.h"
+#include "scene/sampling.h"
+#include "scene/skipped.h"
+#include "solve/image.h"
+#include "solve/probe.h"
+
+namespace raytube {
+
+namespace {
+
+// Looks are timed for so long, and the first ones given up after so long [s].
+constexpr double probe_seconds = 1.5, probe_patience = 2.0;
+constexpr std::size_t most_lines = 10;
+
+std::string values_text(const std::vector<double>& values) {
+  if (values.size() == 1) return number_text(values.front());
+  return fmt::format("{} values from {} to {}", values.size(), number_text(values.front()), number_text(values.back()));
+}
+
+std::string looks_text(const Case& c) {
+  const LookChoice& l = c.looks;
+  const std::string count = fmt::format("{} {}", c.sweep.looks.size(), c.sweep.bistatic ? "bistatic" : "monostatic");
+  if (!c.radar.positions.empty()) return count + ", from the places in [radar]";
+  if (!l.looks_csv.empty()) return count + ", listed in " + l.looks_csv;
+  const std::string transmit =
+      fmt::format("{}: theta {} deg, phi {} deg", count, values_text(l.theta_deg), values_text(l.phi_deg));
+  if (!c.sweep.bistatic) return transmit;
+  return transmit + fmt::format("; receive theta {} deg, phi {} deg", values_text(l.rx_theta_deg), values_text(l.rx_phi_deg));
+}
+
+double highest_frequency(const Sweep& sweep) { return std::ranges::max(sweep.frequencies); }
+
+const char* mode_text(const TubeOptions& tubes) {
+  if (tubes.mode == TubeMode::uniform) return "uniform";
+  return tubes.clip ? "adaptive, cut exactly at edges" : "adaptive, cut at the cells of the grid";
+}
+
+void tell_antennas(CheckReport& report, const Case& c) {
+  const RadarChoice& radar = c.radar;
+  if (c.sweep.looks.front().far()) return;
+  if (radar.positions.empty())
+    report.print("antennas     {} m from the mesh's origin, the receiver {} m; S is the apparent amplitude\n", radar.range_m,
+                 radar.receive_range_m);
+  const std::string beam = radar.beamwidth_deg.empty() ? "" : fmt::format("beams of {} deg", values_text(radar.beamwidth_deg));
+  if (!beam.empty() || !radar.pattern_csv.empty())
+    report.print("             {}{}{}\n", beam, beam.empty() || radar.pattern_csv.empty() ? "" : ", ", radar.pattern_csv);
+}
+
+double densest(const TubeOptions& tubes) { return tubes.refines() ? tubes.max_per_wavelength : tubes.per_wavelength; }
+
+// A target deeper than that is warned of.
+void tell_range_profile(CheckReport& report, const std::vector<double>& frequencies) {
+  if (frequencies.size() < 4 || !in_even_steps(frequencies)) return;
+  const double step = frequencies[1] - frequencies[0], count = static_cast<double>(frequencies.size());
+  report.print("             in steps of {:.4g} GHz: a range profile resolves {:.3g} m and repeats after {:.3g} m\n", step / 1e9,
+               speed_of_light / (2.0 * step * count), speed_of_light / (2.0 * step));
+}
+
+void tell_request(CheckReport& report, const Case& c) {
+  std::vector<double> ghz;
+  for (const double hertz : c.sweep.frequencies) ghz.push_back(hertz / 1e9);
+  report.print("case         {}\n", c.file.string());
+  report.print("title        {}\n", c.title);
+  report.print("mesh         {}, one unit is {} m ({}){}\n", mesh_names(c), c.metres_per_unit, c.unit,
+               c.sweep.materials.empty() ? ", perfect conductor" : "");
+  report.print("frequency    {} GHz\n", values_text(ghz));
+  tell_range_profile(report, c.sweep.frequencies);
+  report.print("looks        {}\n", looks_text(c));
+  tell_antennas(report, c);
+  if (c.edges.method == EdgeMethod::utd)
+    report.print("tubes        none: rays in their place (edges.method \"utd\"), at most {} reflections\n", c.tubes.max_bounces);
+  else
+    report.print("tubes        {}, {} per wavelength at {} GHz, at most {} bounces\n", mode_text(c.tubes), densest(c.tubes),
+                 number_text(highest_frequency(c.sweep) / 1e9), c.tubes.max_bounces);
+  if (c.tubes.up) report.print("             grid rows follow ({}, {}, {})\n", c.tubes.up->x, c.tubes.up->y, c.tubes.up->z);
+  if (c.edges.method == EdgeMethod::none)
+    report.print("edges        none\n");
+  else if (c.edges.method == EdgeMethod::fringe)
+    report.print("edges        fringe currents, order {}, creases of {} deg and more{}\n", c.edges.order,
+                 decimal_degrees(c.wedges.min_wedge_angle), c.edges.interaction.possible() ? "; waves between surfaces" : "");
+  if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
+    report.print("             transition function {}{}\n", transition_name(c.edges.transition),
+                 c.edges.order == 1 ? ", which plays no part at order 1" : "");
+  report.print("plots        {}\n", c.plots ? "yes" : "no");
+  if (!c.image_looks.empty())
+    report.print("images       look {}: {} cells per wavelength at {} GHz\n", fmt::join(c.image_looks, ", "),
+                 c.image_per_wavelength, number_text(c.sweep.frequencies[image_frequency(c.sweep)] / 1e9));
+  report.print("rows         {}\n", c.sweep.rows());
+  report.data["case"] = parsed_json(resolved_case_json(c)).value_or(JsonValue());
+  report.data["looks"] = c.sweep.looks.size();
+  report.data["frequencies"] = c.sweep.frequencies.size();
+  report.data["rows"] = c.sweep.rows();
+}
+
+const char* state_text(const Component& component) {
+  if (component.penetrable) return "closed, but partly of sheets: seen from both sides";
+  return component.closed ? "closed" : "open";
+}
+
+void tell_components(CheckReport& report, const std::vector<Component>& components) {
+  for (std::size_t i = 0; i < std::min(components.size(), most_lines); ++i)
+    report.print("  component {}: {}, {} triangles\n", i, state_text(components[i]), components[i].triangles);
+  if (components.size() > most_lines) report.print("  and {} more components\n", components.size() - most_lines);
+}
+
+void tell_shape(CheckReport& report, const Target& target) {
+  if (target.convexity.no_reflection) report.print("  {}\n", target.convexity.no_shadow ? "convex body" : nothing_in_front);
+  const std::array<bool, 3> mirrors = find_symmetry_planes(target.mesh, target.wedges);
+  for (int axis = 0; axis < 3; ++axis)
+    if (mirrors[axis]) report.print("  its own mirror image across {} = {:.6g} m\n", "xyz"[axis], target.mesh.center[axis]);
+}
+
+JsonValue vector_json(const dvec3& v) { return std::vector<double>{v.x, v.y, v.z}; }
+
+JsonValue mesh_json(const MeshReport& counts, const Target& target) {
+  JsonValue json;
+  for (const auto& [name, value] : mesh_counts(counts)) json[name] = count_or_length(value);
+  for (const MeshNote& note : counts.notes()) json["notes"].append({{"what", note.what}, {"count", note.count}});
+  json["center_m"] = vector_json(target.mesh.center);
+  json["radius_m"] = target.mesh.radius;
+  json["convex"] = target.convexity.no_reflection && target.convexity.no_shadow;
+  return json;
+}
+
+void tell_mesh(CheckReport& report, const MeshReport& counts, const Target& target) {
+  const TriangleMesh& mesh = target.mesh;
+  report.print("\nmesh report\n  {} facets read, {} triangles traced, {} vertices\n", counts.facets_read, counts.triangles_traced,
+               mesh.vertices.size());
+  for (const MeshNote& note : counts.notes()) report.print("  {}: {}\n", note.what, note.count);
+  report.print("  centre ({:.6g}, {:.6g}, {:.6g}) m, radius {:.6g} m\n", mesh.center.x, mesh.center.y, mesh.center.z,
+               mesh.radius);
+  report.print("  planar patches: {}\n  components: {}\n", mesh.patches.size(), mesh.components.size());
+  report.data["mesh"] = mesh_json(counts, target);
+  tell_components(report, mesh.components);
+  tell_shape(report, target);
+}
+
+struct WedgeClass {
+  double n = 0.0;
+  std::uint64_t count = 0;
+  double length = 0.0;
+};
+
+// Classes of equal exterior angle, the longest in total first.
+std::vector<WedgeClass> wedge_classes(const std::vector<Wedge>& wedges) {
+  std::map<long, WedgeClass> by_angle;
+  for (const Wedge& wedge : wedges) {
+    WedgeClass& found = by_angle[std::lround(wedge.n * 1000.0)];
+    found.n = wedge.n;
+    ++found.count;
+    found.length += wedge.length();
+  }
+  std::vector<WedgeClass> classes;
+  for (const auto& [key, found] : by_angle) classes.push_back(found);
+  std::stable_sort(classes.begin(), classes.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
+  return classes;
+}
+
+void tell_material_edges(CheckReport& report, const EdgeOptions& edges, const std::vector<Wedge>& wedges) {
+  const auto count = std::ranges::count_if(wedges, [](const Wedge& w) { return w.convex() && !w.conducting(); });
+  if (count == 0 || edges.method != EdgeMethod::fringe) return;
+  report.print("  {} with a face that is no perfect conductor {} (edges.materials = \"{}\")\n", count,
+               edges.materials == MaterialEdgeMethod::none ? "add nothing" : "add their first order, by a heuristic",
+               material_edge_name(edges.materials));
+}
+
+JsonValue wedges_json(const std::vector<WedgeClass>& classes, double length) {
+  JsonValue json;
+  std::uint64_t count = 0;
+  for (const WedgeClass& found : classes) {
+    json["classes"].append(
+        {{"n", found.n}, {"interior_deg", 180.0 * (2.0 - found.n)}, {"count", found.count}, {"length_m", found.length}});
+    count += found.count;
+  }
+  json["count"] = count;
+  json["length_m"] = length;
+  return json;
+}
+
+void tell_wedges(CheckReport& report, const std::vector<Wedge>& wedges) {
+  double length = 0.0;
+  for (const Wedge& wedge : wedges) length += wedge.length();
+  report.print("\nwedges\n  {} wedges, {:.6g} m in all\n", wedges.size(), length);
+  const std::vector<WedgeClass> classes = wedge_classes(wedges);
+  report.data["wedges"] = wedges_json(classes, length);
+  for (std::size_t i = 0; i < std::min(classes.size(), most_lines); ++i)
+    report.print("  n = {:.3f} (interior {:.1f} deg): {} wedges, {:.6g} m\n", classes[i].n, 180.0 * (2.0 - classes[i].n),
+                 classes[i].count, classes[i].length);
+  if (classes.size() > most_lines) report.print("  and {} more angles\n", classes.size() - most_lines);
+}
+
+// Which facets tubes see as the surfaces they stand for, piece by piece.
+void tell_curved_surfaces(CheckReport& report, const SolvePlan& plan) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  const SmoothSurfaces surfaces(mesh, plan.target.options.min_wedge_angle);
+  const std::vector<SmoothPiece> pieces = smooth_pieces(mesh, surfaces);
+  const std::size_t all = mesh.triangles.size();
+  report.data["curved_surfaces"] = {
+      {"facets", surfaces.facets()}, {"pieces", pieces.size()}, {"counts_as", plan.smooth ? "curved" : "flat"}};
+  report.print("\ncurved surfaces\n");
+  if (pieces.empty()) return report.print("  none: all {} facets are flat\n", all);
+  const char* how = plan.smooth ? "curved" : "flat (tubes.curved)";
+  report.print("  {} of {} facets stand for curved surfaces and count as {}\n", surfaces.facets(), all, how);
+  for (std::size_t i = 0; i < std::min(pieces.size(), most_lines); ++i)
+    report.print("  piece of {} facets: the surface rises above them by up to {:.3g} wavelengths\n", pieces[i].facets,
+                 pieces[i].rise / plan.shortest_wavelength());
+  if (pieces.size() > most_lines) report.print("  and {} smaller pieces\n", pieces.size() - most_lines);
+}
+
+std::string surface_waves_text(const SolvePlan& plan) {
+  if (plan.surface_waves != SurfaceWaveState::computed) return fmt::format("none: {}", why_not(plan.surface_waves));
+  const std::size_t facets = plan.wave_surfaces->conducting_facets(), others = plan.wave_surfaces->facets() - facets;
+  return fmt::format("computed: over {} facets{}", facets,
+                     others == 0 ? "" : fmt::format(", not over {} more that are no perfect conductors", others));
+}
+
+void tell_surface_waves(CheckReport& report, const SolvePlan& plan) {
+  const std::string text = surface_waves_text(plan);
+  report.print("\nwaves over curved surfaces\n  {}\n", text);
+  report.data["surface_waves"] = text;
+  if (plan.wave_surfaces)
+    report.print("  edges of curved surfaces: {:.4g} wavelengths at {} GHz, of at most {}\n",
+                 plan.wave_surfaces->boundary_length() / plan.shortest_wavelength(),
+                 number_text(highest_frequency(plan.sweep) / 1e9), longest_surface_edges);
+}
+
+void tell_thin_plate_edges(CheckReport& report, const Case& c, std::span<const ThinPlateEdge> rims) {
+  const auto [lowest, highest] = std::ranges::minmax(c.sweep.frequencies);
+  if (c.edges.method != EdgeMethod::fringe || count_thin(rims, lowest) == 0) return;
+  const auto print = [&](double frequency) {
+    report.print("  {} half planes at {} GHz: edges of plates thinner than {:.4g} mm, a tenth of the wavelength\n",
+                 count_thin(rims, frequency), number_text(frequency / 1e9), thin_limit(frequency) * 1e3);
+  };
+  print(lowest);
+  if (highest > lowest) print(highest);
+}
+
+// What only the run itself can count.
+std::vector<std::string> skipped_as_found(const SolvePlan& plan) {
+  const Target& target = plan.target;
+  if (plan.mechanisms.rays) return {"all currents: edges.method is \"utd\", geometrical optics and diffracted rays alone"};
+  std::vector<std::string> lines;
+  if (plan.tubes.mode == TubeMode::adaptive && std::ranges::any_of(target.mesh.components, &Component::closed))
+    lines.emplace_back("in every look: faces of closed bodies turned away from the transmitter");
+  if (!plan.tubes.skip) return lines;
+  if (plan.tubes.mode == TubeMode::uniform) lines.emplace_back("in every look: empty cells of the grid");
+  if (target.convexity.no_reflection) lines.push_back(fmt::format("all reflected tubes: {}", nothing_in_front));
+  if (plan.mechanisms.fringe && std::ranges::any_of(target.wedges, &Wedge::stands_alone))
+    lines.emplace_back("in every look: edges that are not lit");
+  return lines;
+}
+
+void tell_skipped(CheckReport& report, const MeshReport& r, const SolvePlan& plan) {
+  std::vector<Skipped> skipped = {{"curves and surfaces", "of free form: only polygons are read", r.free_forms_read},
+                                  {"facets", "fewer than three distinct corners", r.facets_unusable},
+                                  {"triangles", "no area", r.triangles_degenerate},
+                                  {"triangles", "same corners as another one", r.triangles_duplicate},
+                                  {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};
+  std::ranges::copy(plan.skipped_wedges, std::back_inserter(skipped));
+  std::ranges::copy(skipped_items(plan.skips), std::back_inserter(skipped));
+  std::vector<std::string> lines;
+  for (const Skipped& s : skipped)
+    if (s.count) lines.push_back(fmt::format("{} {}: {}", s.count, s.what, s.why));
+  std::ranges::copy(skipped_as_found(plan), std::back_inserter(lines));
+  if (lines.empty()) lines.emplace_back("nothing");
+  report.print("\nskipped\n");
+  for (const std::string& line : lines) report.print("  {}\n", line);
+  report.data["skipped"] = lines;
+}
+
+void tell_warnings(CheckReport& report, const Case& c, const SolvePlan& plan) {
+  const std::vector<std::string> sentences = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
+  report.print("\nwarnings\n");
+  for (const std::string& sentence : sentences) report.print("  {}\n", sentence);
+  if (sentences.empty()) report.print("  none\n");
+  report.data["warnings"] = sentences;
+}
+
+LaunchGrid grid_of(const SolvePlan& plan, std::size_t look) {
+  return grid_of_look(plan.target.mesh, plan.sweep.looks[look], plan.shortest_wavelength(), plan.tubes.per_wavelength,
+                      plan.tubes.up);
+}
+
+void tell_clipped_cost(CheckReport& report, const SolvePlan& plan) {
+  report.print(
+      "\ncost\n  looks computed: {}\n  adaptive tubes, clipped: {} planar patches; the fewer, the quicker, at any frequency\n",
+      plan.looks.computed.size(), plan.target.mesh.patches.size());
+}
+
+void tell_rays(CheckReport& report, const SolvePlan& plan) {
+  report.print("\nrays in the place of currents (edges.method \"utd\")\n");
+  report.print("  transmitter and receiver {:.6g} m from the origin; amplitudes are apparent ones at that range\n",
+               plan.ray_range);
+  report.print("  looks computed: {}; {} planar patches as mirrors, {} wedges\n", plan.looks.computed.size(),
+               plan.target.mesh.patches.size(), plan.target.wedges.size());
+}
+
+void tell_grid_cost(CheckReport& report, const SolvePlan& plan) {
+  const LaunchGrid first = grid_of(plan, 0);
+  report.print("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm{}\n  looks computed: {}\n", first.columns,
+               first.rows, first.du * 1e3, first.dv * 1e3,
+               plan.tubes.mode == TubeMode::adaptive ? "; adaptive tubes are mostly far fewer" : "", plan.looks.computed.size());
+}
+
+void tell_cost(CheckReport& report, const SolvePlan& plan) {
+  report.data["looks_computed"] = plan.looks.computed.size();
+  if (plan.mechanisms.rays)
+    tell_rays(report, plan);
+  else if (plan.tubes.refines())
+    tell_clipped_cost(report, plan);
+  else
+    tell_grid_cost(report, plan);
+}
+
+std::string seconds_text(double seconds) {
+  if (seconds < 120.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.3g} h", seconds / 3600.0);
+}
+
+void tell_memory(CheckReport& report, const SolvePlan& plan, const Case& c) {
+  SolvePlan with_parts = plan;
+  with_parts.keep_parts = true;
+  report.data["memory_bytes"] = memory_of_run(plan, c, nullptr);
+  report.print("\nmemory\n  at most about {}, {} with --parts, however dense the tubes are; {} are to be had\n",
+               memory_text(memory_of_run(plan, c, nullptr)), memory_text(memory_of_run(with_parts, c, nullptr)),
+               memory_text(memory_to_be_had()));
+  if (std::ranges::any_of(c.sweep.materials, &Material::transmits))
+    report.print("  and about {} where sheets double as many tubes as may be; more where many stand in a row\n",
+                 memory_text(plan.threads * tubes_between_sheets_bytes(c.sweep.frequencies.size())));
+}
+
+}  // namespace
+
+void tell_case(CheckReport& report, const Case& c, const MeshReport& counts, const SolvePlan& plan) {
+  const Target& target = plan.target;
+  tell_request(report, c);
+  tell_mesh(report, counts, target);
+  report.print("{}", materials_text(c, target));
+  tell_wedges(report, target.wedges);
+  tell_material_edges(report, c.edges, target.wedges);
+  tell_thin_plate_edges(report, c, target.thin_plate_edges);
+  tell_curved_surfaces(report, plan);
+  tell_surface_waves(report, plan);
+  tell_skipped(report, counts, plan);
+  tell_warnings(report, c, plan);
+  tell_cost(report, plan);
+  tell_memory(report, plan, c);
+}
+
+void tell_time(CheckReport& report, const SolvePlan& plan) {
+  const TimePrediction time = predict_time(plan, probe_seconds, probe_patience);
+  report.data["time"] = {{"solve_s", time.solve_s},
+                         {"look_s", time.look_s},
+                         {"looks_tried", time.looks},
+                         {"at_most", time.at_most},
+                         {"threads", plan.threads}};
+  const std::string threads = fmt::format("{} thread{}", plan.threads, plan.threads == 1 ? "" : "s");
+  if (time.at_most)
+    report.print("\ntime\n  at most about {} on {}, and at least {}: no look was done in {:.0f} s, each takes at most about {}\n",
+                 seconds_text(time.solve_s), threads, seconds_text(time.least_s), probe_patience, seconds_text(time.look_s));
+  else
+    report.print("\ntime\n  about {} on {}, about {} a look ({} tried)\n", seconds_text(time.solve_s), threads,
+                 seconds_text(time.look_s), time.looks);
+}
+
+}  // namespace raytube

@@ -1,0 +1,51 @@
+#include "jobs/inputs.h"
+
+#include "case/materials/materials.h"
+#include "case/resolved_case.h"
+#include "output/files/sha256.h"
+
+namespace raytube {
+
+namespace fs = std::filesystem;
+
+std::vector<std::pair<std::string, double>> mesh_counts(const MeshReport& r) {
+  const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
+  return {{"facets_read", count(r.facets_read)},
+          {"triangles_read", count(r.triangles_read)},
+          {"vertices_read", count(r.vertices_read)},
+          {"vertices_welded", count(r.vertices_welded)},
+          {"facets_unusable", count(r.facets_unusable)},
+          {"free_forms_read", count(r.free_forms_read)},
+          {"triangles_degenerate", count(r.triangles_degenerate)},
+          {"triangles_duplicate", count(r.triangles_duplicate)},
+          {"duplicates_of_other_material", count(r.duplicates_of_other_material)},
+          {"triangles_internal", count(r.triangles_internal)},
+          {"triangles_added", count(r.triangles_added)},
+          {"t_junctions_split", count(r.t_junctions_split)},
+          {"triangles_flipped", count(r.triangles_flipped)},
+          {"triangles_traced", count(r.triangles_traced)},
+          {"open_edges", count(r.open_edges)},
+          {"non_manifold_edges", count(r.non_manifold_edges)},
+          {"components", count(r.components)},
+          {"components_closed", count(r.components_closed)},
+          {"components_penetrable", count(r.components_penetrable)},
+          {"components_nearly_closed", count(r.components_nearly_closed)},
+          {"patches", count(r.patches)},
+          {"weld_distance_m", r.weld_distance}};
+}
+
+Manifest described_inputs(const Case& c, const MeshReport& report) {
+  Manifest manifest;
+  manifest.case_file = fs::absolute(c.file).lexically_normal().string();
+  manifest.case_json = resolved_case_json(c);
+  manifest.program_version = RAYTUBE_VERSION;
+  for (const fs::path& mesh : c.mesh_files) manifest.mesh_sha256.push_back(sha256_of_file(mesh));
+  for (const fs::path& further : report.further_files) manifest.mesh_sha256.push_back(sha256_of_file(further));
+  if (!c.looks.looks_csv.empty()) manifest.looks_csv_sha256 = sha256_of_file(c.file.parent_path() / c.looks.looks_csv);
+  for (const auto& [name, table] : medium_tables(c)) manifest.table_csv_sha256.emplace_back(name, sha256_of_file(table));
+  manifest.mesh_report = mesh_counts(report);
+  for (const MeshNote& note : report.notes()) manifest.mesh_notes.emplace_back(note.what, static_cast<double>(note.count));
+  return manifest;
+}
+
+}  // namespace raytube
