@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Builds the site: the public headers through Doxygen, the examples' figures, the pages through Sphinx. Warnings are errors.
 
-    build.py FOLDER     the site is in FOLDER/html; exit code 1 on a warning, 77 where a program or a package of Python is missing
+    build.py FOLDER [PYTHON]    the site is in FOLDER/html; exit code 1 on a warning, 77 where a program or a package of Python is missing
+
+PYTHON is the folder that holds the package raytube. Without one that this Python imports, the pages about it are left out.
 """
 import importlib.util
 import os
@@ -16,8 +18,9 @@ from headers import ROOT, public_headers  # noqa: E402
 
 SITE = Path(__file__).resolve().parent
 PROGRAMS = ("doxygen", "sphinx-build")
-PACKAGES = ("sphinx", "myst_parser", "furo", "breathe")
-QUIET = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}  # nothing is left among the sources
+PACKAGES = ("sphinx", "myst_parser", "furo", "breathe", "numpydoc", "matplotlib", "pandas")
+QUIET = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1",  # nothing is left among the sources
+         "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.argv[2:]))}
 NAMESPACE = "raytube"
 DOXYGEN = """
 PROJECT_NAME = {name}
@@ -80,16 +83,22 @@ def read_headers(folder):
 
 def draw_examples(figures):
     """What docs/site/gallery.py shows: each example leaves its figure in the folder it is run in."""
-    figures.mkdir(exist_ok=True)
+    shutil.rmtree(figures, ignore_errors=True)
+    figures.mkdir()
     for example in sorted(ROOT.glob("examples/python/*.py")):
-        subprocess.run([sys.executable, example], cwd=figures, env={**QUIET, "MPLBACKEND": "agg"}, check=True)
+        with open(figures / f"{example.stem}.txt", "w", encoding="utf-8") as printed:
+            subprocess.run([sys.executable, example], cwd=figures, env={**QUIET, "MPLBACKEND": "agg"}, stdout=printed, check=True)
 
 
-def write_pages(folder):
+def has_package():
+    return subprocess.run([sys.executable, "-c", "import raytube"], env=QUIET, stderr=subprocess.DEVNULL).returncode == 0
+
+
+def write_pages(folder, *tags):
     """Afresh: pages that are kept from the last time do not repeat their warnings."""
     shutil.rmtree(folder / "html", ignore_errors=True)
     subprocess.run(["sphinx-build", "-q", "-E", "-W", "--keep-going", "-c", SITE, "-d", folder / "doctrees",
-                    "-D", f"breathe_projects.{NAMESPACE}={folder}/xml", "-D", f"gallery_figures={folder}/figures", ROOT, folder / "html"],
+                    "-D", f"breathe_projects.{NAMESPACE}={folder}/xml", "-D", f"gallery_figures={folder}/figures", *tags, ROOT, folder / "html"],
                    env=QUIET, check=True)
 
 
@@ -101,8 +110,11 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     try:
         read_headers(folder)
-        draw_examples(folder / "figures")
-        write_pages(folder)
+        if has_package():
+            draw_examples(folder / "figures")
+            write_pages(folder, "-t", "package")
+        else:
+            write_pages(folder)
     except subprocess.CalledProcessError as failed:
         return failed.returncode
     return 0

@@ -12,11 +12,14 @@ sys.path.insert(0, str(HERE))
 project = "raytube"
 version = release = re.search(r"project\(raytube VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 
-extensions = ["myst_parser", "breathe", "navigation", "offline", "public_headers", "repository_files", "gallery"]
+extensions = ["myst_parser", "breathe", "navigation", "offline", "public_headers", "repository_files", "gallery",
+              "sphinx.ext.autodoc", "sphinx.ext.autosummary", "numpydoc", "python_names"]
 root_doc = "README"
 include_patterns = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/**.md", "cases/*/README.md", "bench/report.md",
                     "tests/data/*/README.md"]
 exclude_patterns = ["build*", "out", "src", ".git", "**/out"]
+if not tags.has("package"):  # noqa: F821: the package raytube is not built
+    exclude_patterns += ["docs/guide/gallery.md", "docs/reference/python.md"]
 
 myst_heading_anchors = 6  # by the rules of code hosts, so that links to headings hold in both places
 highlight_language = "none"
@@ -24,6 +27,12 @@ highlight_language = "none"
 breathe_default_project = "raytube"
 breathe_default_members = ("members",)
 breathe_show_include = False
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"  # the docstrings have the types
+autosummary_generate = False
+default_role = "autolink"  # docstrings write names of the package and of parameters in the same way
+numpydoc_show_class_members = False
 
 nitpicky = True
 nitpick_ignore = [("cpp:identifier", name) for name in (

@@ -3,8 +3,8 @@
     ```{example} sweep
     ```
 
-stands for the text of examples/python/sweep.py and the figure that it leaves as sweep.png in the folder it is run in. build.py runs
-every example in the folder `gallery_figures`.
+stands for the figure that examples/python/sweep.py leaves as sweep.png in the folder it is run in, its text, and what it prints. build.py
+runs every example in the folder `gallery_figures` and keeps there what it prints as sweep.txt.
 """
 import os
 from pathlib import Path
@@ -15,6 +15,11 @@ from docutils.parsers.rst import Directive
 EXAMPLES = "examples/python"
 
 
+def block(file, language):
+    text = file.read_text(encoding="utf-8").rstrip()
+    return nodes.literal_block(text, text, language=language)
+
+
 class Example(Directive):
     required_arguments = 1  # name, without .py
 
@@ -22,13 +27,11 @@ class Example(Directive):
         environment = self.state.document.settings.env
         name = self.arguments[0]
         script = Path(environment.srcdir, EXAMPLES, f"{name}.py")
-        figure = Path(environment.config.gallery_figures, f"{name}.png")
+        figures = Path(environment.config.gallery_figures)
         if not script.is_file():
             raise self.error(f"there is no example {EXAMPLES}/{name}.py")
         environment.note_dependency(str(script))
-        text = script.read_text(encoding="utf-8")
-        shown = nodes.literal_block(text, text, language="python")
-        return [shown, self.picture(figure, environment)] if figure.is_file() else [shown]
+        return [self.picture(figures / f"{name}.png", environment), block(script, "python"), block(figures / f"{name}.txt", "none")]
 
     def picture(self, figure, environment):
         page = Path(environment.doc2path(environment.docname)).parent

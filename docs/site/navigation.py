@@ -13,17 +13,22 @@ SECTION = re.compile(r"^## +(.*)$", re.MULTILINE)
 LINK = re.compile(r"\[([^\]]+)\]\(([^()#\s]+)\.md\)")
 
 
+def place(page):
+    """A page that the contents name, as seen from the root."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(CONTENTS), page))
+
+
 def entry(words, page):
     """One line of a tree: words as a title, page as seen from the root."""
     title = " ".join(words.split())
-    return f"{title[0].upper()}{title[1:]} <{posixpath.normpath(posixpath.join(posixpath.dirname(CONTENTS), page))}>"
+    return f"{title[0].upper()}{title[1:]} <{place(page)}>"
 
 
-def sections(text):
-    """(caption, entries) of the contents."""
+def sections(text, pages):
+    """(caption, entries) of the contents: those among the pages of the site."""
     _, *rest = SECTION.split(text)
     for caption, body in zip(rest[::2], rest[1::2]):
-        yield caption, [entry(*link) for link in LINK.findall(body)]
+        yield caption, [entry(words, page) for words, page in LINK.findall(body) if place(page) in pages]
 
 
 def toctree(caption, entries):
@@ -33,7 +38,7 @@ def toctree(caption, entries):
 def add_navigation(app, page, source):
     if page == app.config.root_doc:
         contents = Path(app.srcdir, CONTENTS + ".md").read_text(encoding="utf-8")
-        trees = [toctree("Contents", [CONTENTS]), *(toctree(*section) for section in sections(contents))]
+        trees = [toctree("Contents", [CONTENTS]), *(toctree(*section) for section in sections(contents, app.env.found_docs))]
         source[0] += "\n\n" + "\n".join(trees)
 
 

@@ -10,7 +10,7 @@ is that of the program.
 (3, 1, 2, 2)
 
 Conventions: time factor exp(+j omega t); theta from +z and phi from +x point from the target towards the radar [deg]; V is
-theta-hat and H is phi-hat of each one's own direction; ``vh`` is receive V, transmit H; sigma = 4 pi |S|^2; the phase reference is the
+theta-hat and H is phi-hat of each one's own direction; ``vh`` is receive V, transmit H; ``sigma = 4 pi |S|^2``; the phase reference is the
 origin of the mesh's coordinates.
 
 Target, monostatic, bistatic, looks, solve: what is asked. Result, load: what comes out. run, check, converge, image, trace: what the

@@ -14,11 +14,12 @@ from raytube._core import InputError
 class Looks:
     """Pairs of directions, to the transmitter and to the receiver. Made by `monostatic`, `bistatic` and `looks`.
 
+    Angles are arrays of float, shape (looks,); those of a file are not known before the solve.
+
     Attributes
     ----------
-    theta_deg, phi_deg, rx_theta_deg, rx_phi_deg : ndarray of float, shape (looks,)
-        Directions to the transmitter and to the receiver [deg]; equal in a monostatic look. Not known before the solve of a file.
     bistatic : bool
+        Whether transmitter and receiver are apart.
     """
 
     def __init__(self, sections: dict[str, Any], rows: np.ndarray | None, bistatic: bool):
@@ -36,18 +37,22 @@ class Looks:
 
     @property
     def theta_deg(self) -> np.ndarray:
+        """Polar angle from +z of the direction to the transmitter [deg]."""
         return self._all()[:, 0]
 
     @property
     def phi_deg(self) -> np.ndarray:
+        """Azimuth from +x of the direction to the transmitter [deg]."""
         return self._all()[:, 1]
 
     @property
     def rx_theta_deg(self) -> np.ndarray:
+        """Polar angle of the direction to the receiver [deg]."""
         return self._all()[:, 2]
 
     @property
     def rx_phi_deg(self) -> np.ndarray:
+        """Azimuth of the direction to the receiver [deg]."""
         return self._all()[:, 3]
 
     def _all(self) -> np.ndarray:

@@ -49,7 +49,7 @@ class Result:
 
     @cached_property
     def error_db(self) -> xr.DataArray:
-        """Estimated numerical error [dB], dimensions (look, frequency, channel): 20 log10(1 + error / max(|S_pq|, S_max / 100))."""
+        """Estimated numerical error [dB], dimensions (look, frequency, channel): ``20 log10(1 + error / max(|S_pq|, S_max / 100))``."""
         return self._channels(self._stored.error_db, {"units": "dB", "long_name": "estimated numerical error"})
 
     @cached_property

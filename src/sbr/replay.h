@@ -49,6 +49,7 @@ class TubeReplay {
   /// The launch grid is that with which a run begins. Throws InputError for materials at a finite distance.
   TubeReplay(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options);
 
+  /// The launch grid of the look.
   const LaunchGrid& grid() const { return grid_; }
 
   /// The tube of a cell of the grid. Thread-safe.

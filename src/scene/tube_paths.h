@@ -10,11 +10,11 @@ namespace raytube {
 
 /// Why a tube goes no further.
 enum class TubeEnd {
-  left_the_scene,
-  truncated,    // it would go on after the most bounces allowed
-  lost,         // it met a closed body from inside
-  absorbed,     // the last surface reflects nothing
-  transmitted,  // the same, but lets something through
+  left_the_scene,  // nothing more is in its way
+  truncated,       // it would go on after the most bounces allowed
+  lost,            // it met a closed body from inside
+  absorbed,        // the last surface reflects nothing
+  transmitted,     // the same, but lets something through
 };
 
 /// A point of the launch plane, of a surface that reflects the tube, or where the tube ends.
@@ -28,17 +28,20 @@ struct TubePathPoint {
 
 /// From the launch plane over every bounce to where the tube ends; if it left the scene, on a sphere about the target.
 struct TubePath {
-  std::uint32_t column = 0, row = 0;  // its cell of the launch grid
-  double area = 0.0;                  // of the cells for which it stands [m^2]
-  TubeEnd end = TubeEnd::left_the_scene;
-  std::vector<TubePathPoint> points{};
+  std::uint32_t column = 0, row = 0;      // its cell of the launch grid
+  double area = 0.0;                      // of the cells for which it stands [m^2]
+  TubeEnd end = TubeEnd::left_the_scene;  // why it ends
+  std::vector<TubePathPoint> points{};    // in order, two or more
 
+  /// Reflections in all.
   int bounces() const { return points.back().bounce; }
+  /// From the launch plane to the end [m].
   double length() const { return points.back().path_length; }
   /// For an incident wave of 1 W/m^2, what it carries in the end [W].
   double power() const { return area * points.back().power; }
 };
 
+/// The tubes of one look.
 struct TubePaths {
   std::uint32_t columns = 0, rows = 0;  // of the launch grid
   std::uint32_t stride = 1;             // one tube of every block of so many columns and rows was followed
@@ -50,6 +53,7 @@ struct TubePaths {
 struct FacetHits {
   std::vector<std::vector<std::uint32_t>> at_bounce;  // [bounce, from the first one][triangle]
 
+  /// Of each triangle, all bounces together.
   std::vector<std::uint32_t> at_any_bounce() const;
 };
 

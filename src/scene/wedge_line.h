@@ -8,6 +8,7 @@
 
 namespace raytube {
 
+/// An edge of the target at which two faces meet.
 struct WedgeLine {
   dvec3 start, end;                      // in the mesh's own coordinates [m]
   double length = 0.0;                   // [m]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The site builds without a warning, and every address in it leads somewhere. 77 where what it is built with is missing.
 
-    site.py FOLDER      where it is built
+    site.py FOLDER PYTHON       where it is built; the folder that holds the package raytube
 """
 import subprocess
 import sys
@@ -14,7 +14,7 @@ BUILD = Path(__file__).resolve().parents[2] / "docs/site/build.py"
 
 
 def main():
-    built = subprocess.run([BUILD, sys.argv[1]]).returncode
+    built = subprocess.run([BUILD, *sys.argv[1:]]).returncode
     if built:
         return built
     found = list(faults(Path(sys.argv[1], "html")))

@@ -12,8 +12,8 @@ namespace raytube {
 
 /// A length of one mesh unit: as target.unit calls it, and in metres.
 struct StatedUnit {
-  std::string_view name;
-  double metres;
+  std::string_view name;  // "mm"
+  double metres;          // 1e-3
 };
 
 /// Polygons as they stand in the file, in file units, in double precision: polygon i is the file's facet i + 1.

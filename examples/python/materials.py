@@ -1,0 +1,40 @@
+"""What an absorbing coat takes away: a plate with and without it, over frequency, against the plane-wave reflection of the layers."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+import raytube as rt
+
+SIDE = 0.3
+COAT = {"kind": "coated", "thickness_mm": 1.5, "eps_r": [7.5, 0.5], "mu_r": [1.6, 1.1]}  # real part and loss, both positive
+
+half = SIDE / 2
+plate = rt.Target([[-half, -half, 0], [half, -half, 0], [half, half, 0], [-half, half, 0]], [[0, 1, 2, 3]], unit="m", parts=["front"])
+ghz = np.linspace(4.0, 18.0, 113)
+broadside = rt.monostatic(theta_deg=0, phi_deg=0)
+bare = rt.solve(plate, ghz, broadside, edges={"method": "none"})
+coated = rt.solve(plate, ghz, broadside, edges={"method": "none"}, materials={"coat": COAT}, parts={"front": "coat"})
+
+
+def reflection_db(ghz):
+    """Of a layer on a conductor at normal incidence: its input impedance is Z tanh(j k d), in units of free space."""
+    eps, mu = complex(*np.multiply(COAT["eps_r"], (1, -1))), complex(*np.multiply(COAT["mu_r"], (1, -1)))
+    impedance = np.sqrt(mu / eps) * np.tanh(2j * np.pi * ghz * 1e9 / 299792458.0 * np.sqrt(eps * mu) * COAT["thickness_mm"] * 1e-3)
+    return 20 * np.log10(abs((impedance - 1) / (impedance + 1)))
+
+
+figure, (levels, reduction) = plt.subplots(2, 1, figsize=(7, 6), sharex=True, layout="constrained")
+for result, label in ((bare, "perfect conductor"), (coated, "coated, 1.5 mm")):
+    levels.plot(ghz, result.sigma_dbsm.sel(channel="vv")[0], label=label)
+change = (coated.sigma_dbsm - bare.sigma_dbsm).sel(channel="vv").values[0]
+reduction.plot(ghz, change, label="raytube")
+reduction.plot(ghz, reflection_db(ghz), "k--", linewidth=1, label="reflection of the layer")
+levels.set(title=f"Plate of {SIDE:g} m, broadside", ylabel="σ (dBsm)", ylim=(-15, None))
+reduction.set(xlabel="frequency (GHz)", ylabel="reduction (dB)", xlim=(ghz[0], ghz[-1]))
+for ax in (levels, reduction):
+    ax.grid(alpha=0.3)
+    ax.legend()
+figure.savefig("materials.png", dpi=150)
+
+best = change.argmin()
+off = abs(change - reflection_db(ghz)).max()
+print(f"best {change[best]:.1f} dB at {ghz[best]:.2f} GHz; off the layer's reflection by at most {off:.1g} dB")

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Runs one script of examples/python in a folder of its own: it leaves its figure, and what it prints agrees with the physics.
+
+    run.py SCRIPT FOLDER        77 where raytube or matplotlib cannot be imported
+"""
+import importlib.util
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+NUMBER = r"(-?[\d.]+(?:e-?\d+)?)"
+# Of each script: what it prints, with the numbers in their places; what the numbers should be; how far off they may be, and why.
+EXPECTED = {
+    # Physical optics of one, two and three bounces is 33.06 (cases/trihedral); edges of the mouth take .2 dB of it, geometrical optics
+    # has .2 dB more. One of the faces left out is 10 dB.
+    "sweep": [(f"on the axis {NUMBER} dBsm; geometrical optics {NUMBER} dBsm", (33.06, 33.27), (0.3, 0.006))],
+    # The closed form is the double bounce alone; the single ones, edge-on at 45 degrees, are 60 dB below. The theory is first order in
+    # the error: its next term, half the square of 0.25 and 0.5 degrees and a shorter aperture, is a few hundredths of a dB.
+    "parameter_study": [(f"right angle, 94 GHz: {NUMBER} dBsm; closed form 8 pi a\\^4 / lambda\\^2: {NUMBER} dBsm", (30.972, 30.972), (0.01, 0.001)),
+                        (f"0.25 degrees off: {NUMBER} dB; theory", (-1.24,), (0.05,)), (f"0.5 degrees off: {NUMBER} dB; theory", (-5.50,), (0.05,))],
+    # Both lobes are physical optics of the whole plate; edges add waves some 40 dB below.
+    "bistatic": [(f"mirror {NUMBER} dBsm, shadow {NUMBER} dBsm; .* is {NUMBER} dBsm", (17.53, 17.53, 17.53), (0.05, 0.05, 0.006))],
+    # At normal incidence the coat is a plane layer: the formula, to rounding. Least where the layer is a quarter of a wavelength thick.
+    "materials": [(f"best {NUMBER} dB at {NUMBER} GHz; off the layer's reflection by at most {NUMBER} dB", (-31.1, 12.375, 0), (0.1, 0.006, 1e-9))],
+    # The Fresnel integral leaves out the inclination and the amplitude at the plate's rim: (D / 2R)^2, .02 dB at 3 m.
+    "finite_range": [(f"at {metres} m the peak loses {NUMBER} dB, Fresnel integral {NUMBER} dB", (loss, loss), (off, 0.006))
+                     for metres, loss, off in ((12, 0.12, 0.01), (6, 0.48, 0.02), (3, 1.93, 0.03))],
+    # A cell of the padded transform is 2.3 mm; the rear edges' waves and the other boxes' side lobes, 31 dB and more below, are .1 dB of the least.
+    "range_profile": [(f"face at {place} m: peak at {NUMBER} m, {NUMBER} dBsm", (float(place), level), (0.0025, 0.1))
+                      for place, level in (("-1.20", 13.50), ("0.30", 1.46), ("0.90", 8.50))],
+    # As in the tests of the solver against the same reference: .19 and .37 dB are what the theory is off, .02 dB is for rounding of both.
+    "measured_curve": [(f"vv: rms {NUMBER} dB, correlation {NUMBER}", (0.19, 1), (0.02, 0.001)),
+                       (f"hh: rms {NUMBER} dB, correlation {NUMBER}", (0.37, 1), (0.02, 0.002))],
+    # The same binary gives the same bytes. Edges seen from 20 degrees above are as strong as what the faces return: .4 of the peak.
+    "regression_test": [(f"same solver {NUMBER}, edges of first order {NUMBER}, tolerance 1e-06", (0, 0.4), (0, 0.2))],
+}
+
+
+def missing():
+    return [name for name in ("raytube", "matplotlib", "pandas") if not importlib.util.find_spec(name)]
+
+
+def faults(name, printed):
+    for pattern, expected, tolerances in EXPECTED[name]:
+        found = re.search(pattern, printed)
+        if not found:
+            yield f"does not print {pattern}"
+            continue
+        for text, number, tolerance in zip(found.groups(), expected, tolerances, strict=True):
+            if not abs(float(text) - number) <= tolerance:
+                yield f"{found[0]}: {text} is not {number} to {tolerance}"
+
+
+def run(script, folder):
+    """What the script prints."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    printed = subprocess.run([sys.executable, "-B", script], cwd=folder, stdout=subprocess.PIPE, text=True, check=True).stdout
+    print(printed)
+    return printed
+
+
+def main():
+    script, folder = Path(sys.argv[1]), Path(sys.argv[2])
+    if missing():
+        print(f"the examples need {', '.join(missing())}")
+        return 77
+    found = list(faults(script.stem, run(script, folder)))
+    figure = folder / f"{script.stem}.png"
+    if not (figure.is_file() and figure.read_bytes().startswith(b"\x89PNG")):
+        found.append(f"leaves no {figure.name}")
+    print("\n".join(found))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
