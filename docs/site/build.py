@@ -98,7 +98,8 @@ def write_pages(folder, *tags):
     """Afresh: pages that are kept from the last time do not repeat their warnings."""
     shutil.rmtree(folder / "html", ignore_errors=True)
     subprocess.run(["sphinx-build", "-q", "-E", "-W", "--keep-going", "-c", SITE, "-d", folder / "doctrees",
-                    "-D", f"breathe_projects.{NAMESPACE}={folder}/xml", "-D", f"gallery_figures={folder}/figures", *tags, ROOT, folder / "html"],
+                    "-D", f"breathe_projects.{NAMESPACE}={folder}/xml", "-D", f"gallery_figures={folder}/figures", *tags, ROOT,
+                    folder / "html"],
                    env=QUIET, check=True)
 
 

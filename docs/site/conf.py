@@ -8,18 +8,19 @@ from pygments.lexers.special import TextLexer
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(HERE))
+import package_pages  # noqa: E402
 
 project = "raytube"
 version = release = re.search(r"project\(raytube VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 
 extensions = ["myst_parser", "breathe", "navigation", "offline", "public_headers", "repository_files", "gallery",
-              "sphinx.ext.autodoc", "sphinx.ext.autosummary", "numpydoc", "python_names"]
+              "sphinx.ext.autodoc", "sphinx.ext.autosummary", "numpydoc", "package_pages"]
 root_doc = "README"
 include_patterns = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/**.md", "cases/*/README.md", "bench/report.md",
                     "tests/data/*/README.md"]
 exclude_patterns = ["build*", "out", "src", ".git", "**/out"]
-if not tags.has("package"):  # noqa: F821: the package raytube is not built
-    exclude_patterns += ["docs/guide/gallery.md", "docs/reference/python.md"]
+if not tags.has("package"):  # noqa: F821
+    exclude_patterns += package_pages.PAGES
 
 myst_heading_anchors = 6  # by the rules of code hosts, so that links to headings hold in both places
 highlight_language = "none"

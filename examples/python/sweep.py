@@ -12,16 +12,16 @@ import raytube as rt
 CASES = Path(__file__).resolve().parents[2] / "cases"
 LEG, GHZ = 1.5, 3.0  # metres
 
-corner = rt.Target.load(CASES / "trihedral/trihedral.off", unit="m")  # three triangular faces, legs on +x, +y, +z
+corner = rt.Target.load(CASES / "trihedral/trihedral.off", unit="m")  # faces on the planes of the axes
 azimuth = np.arange(0.0, 90.01, 0.5)
-result = rt.solve(corner, ghz=GHZ, looks=rt.monostatic(theta_deg=54.7356, phi_deg=azimuth), edges={"order": 1},
-                  title=f"Trihedral with legs of {LEG:g} m, {GHZ:g} GHz, elevation 35.3°")
+looks = rt.monostatic(theta_deg=54.7356, phi_deg=azimuth)  # along the axis of the corner at 45 degrees
+result = rt.solve(corner, GHZ, looks, title=f"Trihedral of {LEG:g} m, {GHZ:g} GHz, elevation 35.3°")
 
 figure, ax = plt.subplots(figsize=(7, 4), layout="constrained")
 result.plot(("vv", "hh"), ax=ax)
 sigma = result.sigma_dbsm.sel(channel="vv").isel(frequency=0).values
 bars = np.hypot(result.error_db, result.model_db).sel(channel="vv").isel(frequency=0).values
-ax.fill_between(azimuth, sigma - bars, sigma + bars, color="C0", alpha=0.25, linewidth=0, label="VV ± error bars")
+ax.fill_between(azimuth, sigma - bars, sigma + bars, alpha=0.25, linewidth=0, label="VV ± error bars")
 ax.set(xlim=(0, 90), ylim=(sigma.max() - 20, sigma.max() + 3))
 ax.legend(loc="lower center", ncols=3)
 figure.savefig("sweep.png", dpi=150)

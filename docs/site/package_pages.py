@@ -1,12 +1,22 @@
-"""Every public name of the package raytube is on a page: one that no page shows is a warning, and so is one without a docstring, which
-autodoc passes over."""
+"""Pages about the package raytube, which can be made only where it has been built (build.py gives the tag `package`).
+
+- Without it links to them are plain words.
+- With it every public name is on a page: one that no page shows is a warning, and so is one without a docstring, which autodoc passes over.
+"""
 import importlib
 import inspect
+from pathlib import PurePosixPath
 
 from sphinx.util import logging
 
 logger = logging.getLogger(__name__)
 PACKAGE = "raytube"
+PAGES = ("docs/guide/gallery.md", "docs/reference/python.md")
+
+
+def words_of_link(app, env, link, words):
+    name = PurePosixPath(link["reftarget"].partition("#")[0]).name
+    return words if not app.tags.has("package") and name in {PurePosixPath(page).name for page in PAGES} else None
 
 
 def public_names():
@@ -27,5 +37,6 @@ def check_complete(app, env):
 
 
 def setup(app):
+    app.connect("missing-reference", words_of_link)
     app.connect("env-check-consistency", check_complete)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
