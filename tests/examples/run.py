@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs one script of examples/python in a folder of its own: it leaves its figure, and what it prints agrees with the physics.
+"""Runs one script of examples/python in a folder of its own: it leaves its figure, and what it prints agrees with the physics. One that
+holds tests is run by pytest, too.
 
     run.py SCRIPT FOLDER        77 where raytube or matplotlib cannot be imported
 """
@@ -64,6 +65,13 @@ def run(script, folder):
     return printed
 
 
+def run_tests(script, folder):
+    """Exit code of pytest for a script that holds tests, where pytest is installed."""
+    if "\ndef test_" not in script.read_text(encoding="utf-8") or not importlib.util.find_spec("pytest"):
+        return 0
+    return subprocess.run([sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", script], cwd=folder).returncode
+
+
 def main():
     script, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
     if missing():
@@ -73,6 +81,8 @@ def main():
     figure = folder / f"{script.stem}.png"
     if not (figure.is_file() and figure.read_bytes().startswith(b"\x89PNG")):
         found.append(f"leaves no {figure.name}")
+    if run_tests(script, folder):
+        found.append("its tests fail")
     print("\n".join(found))
     return 1 if found else 0
 
