@@ -28,6 +28,11 @@ def public_names():
             yield from (f"{PACKAGE}.{name}.{member}" for member in vars(item) if not member.startswith("_"))
 
 
+def shown_signature(app, what, name, item, options, arguments, returned):
+    """Only targets are made by calling their class; of the others, which functions return, arguments would mislead."""
+    return ("", None) if what == "class" and name != f"{PACKAGE}.Target" else None
+
+
 def check_complete(app, env):
     if app.tags.has("package"):
         shown = env.get_domain("py").objects
@@ -38,5 +43,6 @@ def check_complete(app, env):
 
 def setup(app):
     app.connect("missing-reference", words_of_link)
+    app.connect("autodoc-process-signature", shown_signature)
     app.connect("env-check-consistency", check_complete)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
