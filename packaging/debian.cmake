@@ -57,6 +57,7 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libcgal-dev, libembree-dev, libfm
 if(TARGET raytube_python)
   set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, python3-numpy, python3-xarray")
   string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-matplotlib")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/debian/postinst;${CMAKE_CURRENT_SOURCE_DIR}/debian/prerm")
 endif()
 include(CPack)
 
