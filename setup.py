@@ -1,6 +1,6 @@
 """The package raytube for Python: pip install .     CMake builds its module; see docs/guide/install.md.
 
-RAYTUBE_BUILD=FOLDER takes the module from a build that is there (brought up to date first) instead of building one in a temporary folder."""
+RAYTUBE_BUILD=FOLDER takes the module from a build that is there, brought up to date first, and builds nothing else."""
 import atexit
 import os
 import re

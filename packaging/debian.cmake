@@ -54,7 +54,8 @@ completions for bash and zsh, and the documentation with its cases.")
 # needs the -dev packages below and a compiler; to recommend them would bring 270 packages of 1.1 GB to everybody who wants the program.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libcgal-dev, libembree-dev, libfmt-dev, libglm-dev, libopenmesh-dev, libtbb-dev, zlib1g-dev, libexpat1-dev, libzip-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libcgal-dev, libembree-dev, libfmt-dev, libglm-dev, libopenmesh-dev, libtbb-dev, \
+zlib1g-dev, libexpat1-dev, libzip-dev")
 if(TARGET raytube_python)
   # The module is of one version of Python, as its file name says.
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
