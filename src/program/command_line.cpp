@@ -240,8 +240,8 @@ std::string not_relative(const std::string& text) {
 
 CLI::App* add_compare(CLI::App& app, Request& request) {
   CLI::App* compare = add_command(app, "compare", "Measure how far a result is from a reference", compare_examples);
-  compare->add_option("result", request.result, "Table to be judged")->required()->type_name("A");
-  compare->add_option("reference", request.reference, "Table to judge it by")->required()->type_name("B");
+  compare->add_option("result", request.result, "Table to be judged")->required()->type_name("A.csv|A.nc");
+  compare->add_option("reference", request.reference, "Table to judge it by")->required()->type_name("B.csv|B.nc");
   add_output_option(*compare, request, "Folder for compare.csv and the picture; default none");
   compare->add_option("--tolerance-db", request.tolerance_db, "Exit with 1 if the rms error of a channel exceeds this")
       ->type_name("X")

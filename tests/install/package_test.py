@@ -25,7 +25,9 @@ usr/share/doc/raytube/README.md
 usr/share/doc/raytube/docs/guide/install.md
 usr/share/doc/raytube/cases/dihedral/case.toml
 usr/share/doc/raytube/examples/library/main.cpp
+usr/share/raytube/matlab/raytube_read.m
 """.split()
+PYTHON = "usr/lib/python3/dist-packages/raytube"  # in a package of a build with it
 HOLDS_NOT = ["usr/share/zsh/site-functions", "usr/local"]
 
 
@@ -43,8 +45,10 @@ def built_package(build, scratch):
     return package
 
 
-def check_files(root):
-    missing = [name for name in HOLDS if not (root / name).is_file()]
+def check_files(root, with_python):
+    wanted = HOLDS + ([f"{PYTHON}/__init__.py", f"{PYTHON}/py.typed"] if with_python else [])
+    missing = [name for name in wanted if not (root / name).is_file()]
+    assert not with_python or list((root / PYTHON).glob("_core.*.so")), f"no module in {PYTHON}"
     surplus = [name for name in HOLDS_NOT if (root / name).exists()]
     assert not missing and not surplus, f"missing: {missing}; not to be there: {surplus}"
 
@@ -93,7 +97,7 @@ def main(build, source, scratch):
     package = built_package(build, scratch)
     root = scratch / "root"
     run("dpkg-deb", "-x", package, root)
-    check_files(root)
+    check_files(root, any((build / "python/raytube").glob("_core.*.so")))
     check_program(root, source, scratch)
     check_pages(root, root / "usr/bin/raytube")
     check_completions(root)

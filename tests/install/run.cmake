@@ -1,5 +1,6 @@
 # Installs the build into a scratch folder, builds the example that is installed with it with find_package(raytube), and runs it.
-#   cmake -DBUILD=... -DSOURCE=... -DSCRATCH=... -DFLAGS=... -P run.cmake      FLAGS: compiler flags of the build
+#   cmake -DBUILD=... -DSOURCE=... -DSCRATCH=... -DFLAGS=... -DPYTHON=... -P run.cmake
+# FLAGS: compiler flags of the build; PYTHON: interpreter of the Python package, empty where it is not built
 function(must)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)
@@ -29,3 +30,9 @@ if(NOT code EQUAL 2 OR NOT output MATCHES "no_mesh\\.off")
   message(FATAL_ERROR "without its mesh the example ended with ${code} and '${output}', not with 2 and a sentence")
 endif()
 must(${SCRATCH}/prefix/bin/raytube --version)
+if(PYTHON)
+  must(${CMAKE_COMMAND} -E env PYTHONPATH=${SCRATCH}/prefix/lib/python3/dist-packages ${PYTHON} -c "print(__import__('raytube').__file__)")
+  if(NOT output MATCHES "^${SCRATCH}/prefix/")
+    message(FATAL_ERROR "Python imports ${output}, not what was installed")
+  endif()
+endif()

@@ -1,0 +1,64 @@
+"""The package raytube for Python: pip install .     CMake builds its module; see docs/guide/install.md.
+
+RAYTUBE_BUILD=FOLDER takes the module from a build that is there, brought up to date first, and builds nothing else."""
+import atexit
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+ROOT = Path(__file__).resolve().parent
+# What else could be built is left out; without pybind11 or the headers of Python CMake stops in words.
+CMAKE_OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", f"-DPython_EXECUTABLE={sys.executable}", "-DRAYTUBE_PYTHON=REQUIRED",
+                 "-DRAYTUBE_TESTS=OFF", "-DRAYTUBE_BENCH=OFF", "-DRAYTUBE_INSTALL=OFF"]
+
+
+def version():
+    return re.search(r"^project\(raytube VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
+
+
+def cmake(*arguments):
+    try:
+        subprocess.run(["cmake", *arguments], check=True)
+    except FileNotFoundError:
+        sys.exit("raytube is built by CMake, which is not here: install the packages that docs/guide/install.md lists for pip")
+    except subprocess.CalledProcessError as failure:
+        sys.exit(f"cmake ended with {failure.returncode}; what it said stands above")
+
+
+class BuildByCMake(build_ext):
+    """Builds raytube._core where setuptools wants it."""
+
+    def build_extension(self, extension):
+        wanted = Path(self.get_ext_fullpath(extension.name)).resolve()
+        built = self.build_folder() / "python" / "raytube" / wanted.name
+        if not built.exists():
+            sys.exit(f"{built.parent} has no {wanted.name}: it was built for another Python than {sys.executable}; unset RAYTUBE_BUILD")
+        wanted.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(built, wanted)
+
+    def build_folder(self):
+        folder = os.environ.get("RAYTUBE_BUILD")
+        if not folder:
+            folder = Path(self.build_temp).resolve()
+            cmake("-S", ROOT, "-B", folder, "-G", "Ninja", *CMAKE_OPTIONS)
+        cmake("--build", folder, "--target", "raytube_python")
+        return Path(folder)
+
+
+def temporary_folder():
+    folder = tempfile.mkdtemp(prefix="raytube-pip-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
+
+
+# setuptools would build in build/, which is CMake's here, and leave raytube.egg-info in the sources.
+scratch = temporary_folder()
+setup(version=version(), ext_modules=[Extension("raytube._core", sources=[])], cmdclass={"build_ext": BuildByCMake},
+      options={"build": {"build_base": scratch}, "egg_info": {"egg_base": scratch}})
