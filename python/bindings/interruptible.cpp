@@ -1,6 +1,10 @@
 #include "bindings/interruptible.h"
 
+#include <unistd.h>
+
 #include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
 #include <mutex>
 
 namespace raytube::python {
@@ -17,6 +21,7 @@ constexpr auto between_shares = 100ms;
 std::mutex counting;
 std::condition_variable none_left;
 int workers = 0;
+std::atomic<bool> leaving_now = false;
 
 class Shares {
  public:
@@ -52,10 +57,14 @@ void Workers::ended() {
   if (--workers == 0) none_left.notify_all();
 }
 
-void Workers::wait_for_all() {
+void Workers::leave() {
   std::unique_lock lock(counting);
-  none_left.wait(lock, [] { return workers == 0; });
+  leaving_now = true;
+  if (none_left.wait_for(lock, patience, [] { return workers == 0; })) return;
+  on_exit([](int status, void*) { std::fflush(nullptr), _exit(status); }, nullptr);
 }
+
+bool Workers::leaving() { return leaving_now; }
 
 void wait_for(const std::function<bool(std::chrono::milliseconds)>& done_within, Watch& watch, const py::object& progress) {
   const auto ready = [&](std::chrono::milliseconds time) {
@@ -65,7 +74,8 @@ void wait_for(const std::function<bool(std::chrono::milliseconds)>& done_within,
   Shares shares(progress);
   try {
     while (!ready(look_out)) {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (Workers::leaving()) PyErr_SetNone(PyExc_KeyboardInterrupt);
+      if (PyErr_Occurred() || PyErr_CheckSignals() != 0) throw py::error_already_set();
       shares.tell(watch.share);
     }
   } catch (...) {

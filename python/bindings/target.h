@@ -30,6 +30,8 @@ class TargetSource {
   TargetSource(PolygonSoup soup, std::string unit);
 
   const std::string& name() const { return name_; }
+  /// As a case would list them in target.mesh.
+  const std::vector<std::string>& meshes() const { return meshes_; }
   const std::string& unit() const { return unit_; }
   const std::vector<std::string>& parts() const { return soup_.names.all(); }
   const PolygonSoup& soup() const { return soup_; }
@@ -41,6 +43,7 @@ class TargetSource {
 
  private:
   std::string name_, unit_;
+  std::vector<std::string> meshes_;
   PolygonSoup soup_;
   std::vector<std::string> sha256_;  // of the files
   std::mutex building_;
