@@ -28,18 +28,24 @@ class Comparison:
         Rows that both have.
     """
 
-    def __init__(self, core: Any) -> None:
+    def __init__(self, core: _core.Comparison) -> None:
         self._core = core
         self.channels: dict[str, dict[str, float]] = core.channels
         self.relative_error: float = core.relative_error
         self.rows: int = core.rows
 
     def within(self, tolerance_db: float) -> bool:
-        """True if the rms error of no channel exceeds the tolerance [dB]."""
-        return bool(self._core.above_tolerance(_arguments.number(tolerance_db, "tolerance_db")) == "")
+        """True if the rms error of no channel exceeds the tolerance.
+
+        Parameters
+        ----------
+        tolerance_db : float
+            Of `channels` ``rms_db`` [dB].
+        """
+        return self._core.above_tolerance(_arguments.number(tolerance_db, "tolerance_db")) == ""
 
     def __repr__(self) -> str:
-        return str(self._core.text)
+        return self._core.text
 
 
 def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[str, Any] | None = None,
@@ -83,7 +89,7 @@ def _range(value: Any, column: str) -> tuple[float, float]:
     return float(ends[0]), float(ends[-1])
 
 
-def _table(source: Any, name: str) -> Any:
+def _table(source: Any, name: str) -> _core.Table:
     if isinstance(source, Result):
         return _core.Table.of_stored(source._stored, name)
     file = _arguments.path(source, f"compare: {name}")

@@ -83,7 +83,7 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
     return _solved(_job_of_target("solve", target, ghz, looks, keywords), keep_parts, threads, progress)
 
 
-def run(case: str | os.PathLike, overrides: Mapping[str, Any] | None = None, *, keep_parts: bool = False, threads: int = 0,
+def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None, *, keep_parts: bool = False, threads: int = 0,
         progress: _Progress = False) -> Result:
     """Computes a case file, as ``raytube run`` does, but writes nothing: see `Result.save`.
 
@@ -108,11 +108,11 @@ def run(case: str | os.PathLike, overrides: Mapping[str, Any] | None = None, *, 
     return _solved(_job_of_file("run", case, overrides), keep_parts, threads, progress)
 
 
-class CheckReport(dict):
+class CheckReport(dict[str, Any]):
     """What a solve would do: a dict of resolved case, mesh, wedges, what is skipped, warnings, memory and time. Its ``repr`` is what
     ``raytube check`` prints."""
 
-    def __init__(self, text: str, data: Mapping[str, Any]):
+    def __init__(self, text: str, data: Mapping[str, Any]) -> None:
         super().__init__(data)
         self._text = text
 
@@ -228,12 +228,12 @@ def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, 
     return _core.trace(job, _arguments.whole(look, "look"), _arguments.number(u, "u"), _arguments.number(v, "v"))
 
 
-class Convergence(dict):
+class Convergence(dict[str, Any]):
     """A study over tube density: ``densities``, a list of dicts with ``per_wavelength``, ``S``, ``relative_change``, ``order`` and
     ``rms_db``; ``recommended``, the coarsest one fine enough, where there is one; ``extrapolated_S``. Its ``repr`` is the table that
     ``raytube converge`` prints."""
 
-    def __init__(self, text: str, data: Mapping[str, Any]):
+    def __init__(self, text: str, data: Mapping[str, Any]) -> None:
         super().__init__(data)
         self._text = text
 
@@ -259,6 +259,7 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     Returns
     -------
     Convergence
+        A dict whose ``repr`` is the table.
 
     Raises
     ------
@@ -379,7 +380,8 @@ def _toml(value: Any, key: str) -> str:
         entries = value.tolist() if isinstance(value, np.ndarray) else value
         return "[" + ", ".join(_toml(entry, key) for entry in entries) + "]" if np.ndim(value) else _toml(entries, key)
     try:
-        return repr(int(value) if isinstance(value, (int, np.integer)) and abs(value) < 2**63 else float(value))
+        whole = isinstance(value, (int, np.integer)) and abs(int(value)) < 2**63
+        return repr(int(value) if whole else float(value))
     except (TypeError, ValueError, OverflowError):
         raise InputError(f"overrides: {key}: {_arguments.kind_of(value)} is nothing that a case can hold; "
                          "give numbers, texts, lists and dictionaries of these") from None

@@ -112,8 +112,8 @@ def _read_channel(path: Path) -> tuple[str, Any, dict[str, Any]]:
         raise InputError(f"{path}: frequency_units {unit!r} is unknown; write one of {', '.join(_HERTZ)}")
     try:
         frame = pandas.read_hdf(data)
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise InputError(f"{data}, named in {path}: cannot be read as a table of pandas ({error})") from None
+    except (OSError, ValueError, KeyError, TypeError, RuntimeError):  # what pandas and PyTables throw for odd files
+        raise InputError(f"{data}, named in {path}: cannot be read as a table of pandas; give the .h5 that belongs to it") from None
     if list(frame.index.names) != _LEVELS or len(frame.columns) != 1 or str(frame.columns[0]).lower() not in CHANNELS:
         raise InputError(f"{data}: needs one column named after a channel (HH, HV, VH, VV) and the index {', '.join(_LEVELS)}")
     channel = str(frame.columns[0]).lower()

@@ -36,7 +36,7 @@ class Result:
     Arrays are read-only views of the result, labelled by xarray: ``result.S.values`` is the NumPy array itself.
     """
 
-    def __init__(self, stored: Any) -> None:
+    def __init__(self, stored: _core.Stored) -> None:
         self._stored = stored
 
     @cached_property
@@ -99,27 +99,32 @@ class Result:
     @property
     def case(self) -> dict[str, Any]:
         """The case as it was understood, every default filled in; empty where it is not known."""
-        return self._json("case", {})
+        case: dict[str, Any] = self._json("case", {})
+        return case
 
     @property
     def statistics(self) -> dict[str, Any]:
         """Counts of the solve: rays, tubes, hits, lost rays and more, as in ``run.json``; empty where they are not known."""
-        return self._json("counts", {})
+        counts: dict[str, Any] = self._json("counts", {})
+        return counts
 
     @property
     def skipped(self) -> list[dict[str, Any]]:
         """What was left out, how often, and why."""
-        return self.statistics.get("skipped", [])
+        skipped: list[dict[str, Any]] = self.statistics.get("skipped", [])
+        return skipped
 
     @property
     def warnings(self) -> list[str]:
         """Sentences about what may not be meant."""
-        return self._json("warnings", [])
+        sentences: list[str] = self._json("warnings", [])
+        return sentences
 
     @property
     def model_parts(self) -> list[dict[str, Any]]:
         """What the model uncertainty is made of, the largest share first, with remedies."""
-        return self._json("model_uncertainty", [])
+        parts: list[dict[str, Any]] = self._json("model_uncertainty", [])
+        return parts
 
     def to_xarray(self) -> xr.Dataset:
         """The result as a dataset.
@@ -285,7 +290,8 @@ class Result:
 
     def _near_peak(self) -> NDArray[np.bool_]:
         sigma = self._stored.sigma_dbsm
-        return sigma >= np.nanmax(sigma) - 20.0 if np.any(np.isfinite(sigma)) else np.zeros(sigma.shape, bool)
+        peak = np.max(sigma[np.isfinite(sigma)], initial=-np.inf)
+        return np.asarray(sigma >= peak - 20.0) & np.isfinite(sigma)
 
     def _peak_text(self) -> str:
         sigma = self.sigma_dbsm.values
