@@ -291,7 +291,8 @@ class Result:
     def _near_peak(self) -> NDArray[np.bool_]:
         sigma = self._stored.sigma_dbsm
         peak = np.max(sigma[np.isfinite(sigma)], initial=-np.inf)
-        return np.asarray(sigma >= peak - 20.0) & np.isfinite(sigma)
+        near: NDArray[np.bool_] = (sigma >= peak - 20.0) & np.isfinite(sigma)
+        return near
 
     def _peak_text(self) -> str:
         sigma = self.sigma_dbsm.values
