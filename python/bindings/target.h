@@ -10,6 +10,7 @@
 
 #include "case/data/case.h"
 #include "mesh/load.h"
+#include "scene/sampling.h"
 #include "solve/target.h"
 
 namespace raytube::python {
@@ -18,6 +19,7 @@ namespace raytube::python {
 struct BuiltTarget {
   MeshReport report;
   Target target;
+  std::vector<dvec3> outermost = outermost_points(target.mesh.vertices);  // as wide as all of it
 };
 
 /// Polygons with the names of their parts. May be used from several threads.
