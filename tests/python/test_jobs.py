@@ -1,5 +1,6 @@
 """check, converge, image, trace, compare: what the program says of the same case."""
 import re
+from time import perf_counter
 
 import numpy as np
 import pytest
@@ -77,12 +78,25 @@ def test_compare_of_some_rows(sweep):
     assert comparison.rows == 4 and comparison.relative_error == 0.0
 
 
-def test_a_target_is_built_once_for_each_choice_of_materials(sphere):
-    from time import perf_counter
+def least(call, times):
+    """The time of a call when nothing else wanted the processor [s]."""
+    def once():
+        start = perf_counter()
+        call()
+        return perf_counter() - start
 
+    return min(once() for _ in range(times))
+
+
+def test_a_call_costs_little(plate):
+    """Two milliseconds are promised beside the solve itself, which takes a tenth of one here; 0.3 ms in all are usual."""
+    assert least(lambda: rt.solve(plate, 10.0, rt.monostatic(10, 0), edges={"method": "none"}, threads=1), 200) < 0.002
+
+
+def test_a_target_is_built_once(sphere):
+    """Another crease angle is another target; the same one costs next to nothing to find again."""
     looks = rt.monostatic(90, 0)
-    rt.solve(sphere, 1.0, looks, edges={"method": "none"})
     start = perf_counter()
-    for _ in range(5):
-        rt.solve(sphere, 1.0, looks, edges={"method": "none"})
-    assert (perf_counter() - start) / 5 < 0.5  # tens of milliseconds; a build alone takes longer than all of them on most machines
+    rt.trace(sphere, 1.0, looks, edges={"min_wedge_deg": 17.0})
+    first = perf_counter() - start
+    assert least(lambda: rt.trace(sphere, 1.0, looks, edges={"min_wedge_deg": 17.0}), 5) < first / 2  # a fifth is usual
