@@ -34,7 +34,8 @@ function result = read_netcdf(file)
   end
   info = ncinfo(file);
   names = {info.Variables.Name};
-  for name = {'frequency_hz', 'theta_deg', 'phi_deg', 'rx_theta_deg', 'rx_phi_deg', 'range_m', 'rx_range_m'}
+  result.frequency_hz = reshape(ncread(file, 'frequency'), [], 1);
+  for name = {'theta_deg', 'phi_deg', 'rx_theta_deg', 'rx_phi_deg', 'range_m', 'rx_range_m'}
     if any(strcmp(names, name{1}))
       result.(name{1}) = reshape(ncread(file, name{1}), [], 1);
     end

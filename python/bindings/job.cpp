@@ -27,7 +27,9 @@ int threads_of(int threads) { return threads > 0 ? threads : all_threads(); }
 std::vector<std::string> sentences_of(const Job& job, const SolvePlan& plan, const Statistics& statistics) {
   const Case& c = job.asked;
   std::vector<std::string> sentences = warnings_of(c, plan, job.built->outermost);
-  for (const std::string& sentence : {duplicates_sentence(job.built->report), overlap_note(c, plan.target).sentence})
+  const MeshReport& counts = job.built->report;
+  for (const std::string& sentence :
+       {free_forms_sentence(c, counts), duplicates_sentence(counts), overlap_note(c, plan.target).sentence})
     if (!sentence.empty()) sentences.push_back(sentence);
   for (const BeyondBound& part : statistics.beyond_bound) sentences.push_back(beyond_bound_sentence(part));
   if (statistics.lost_rays > 0) sentences.push_back(lost_rays_sentence(statistics, c.metres_per_unit, c.unit));

@@ -1,7 +1,10 @@
 #include "jobs/inputs.h"
 
+#include <fmt/format.h>
+
 #include "case/materials/materials.h"
 #include "case/resolved_case.h"
+#include "case/target.h"
 #include "output/files/sha256.h"
 
 namespace raytube {
@@ -52,6 +55,12 @@ Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<s
   manifest.mesh_report = mesh_counts(report);
   for (const MeshNote& note : report.notes()) manifest.mesh_notes.emplace_back(note.what, static_cast<double>(note.count));
   return manifest;
+}
+
+std::string free_forms_sentence(const Case& c, const MeshReport& report) {
+  if (report.free_forms_read == 0) return {};
+  return fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
+                     mesh_names(c), report.free_forms_read);
 }
 
 }  // namespace raytube

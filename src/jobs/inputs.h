@@ -20,4 +20,7 @@ std::vector<std::string> sha256_of_meshes(const Case& c, const MeshReport& repor
 /// The case, the program and the files, meshes by their hashes: what of run.json is known before the solve.
 Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<std::string> mesh_sha256);
 
+/// What is to be said of curves and surfaces that were left out; empty: there are none.
+std::string free_forms_sentence(const Case& c, const MeshReport& report);
+
 }  // namespace raytube

@@ -10,6 +10,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "core/error.h"
@@ -59,6 +60,9 @@ int complain(std::string sentence, int code) {
   return code;
 }
 
+// Of TBB, which says so in words alone.
+bool for_want_of_a_thread(const std::exception& error) { return std::string_view(error.what()).starts_with("pthread_create"); }
+
 // A file that is opened where stdout was closed would take what is printed.
 void open_standard_streams() {
   for (int stream = open("/dev/null", O_RDWR); stream >= 0; stream = open("/dev/null", O_RDWR)) {
@@ -96,6 +100,7 @@ int main(int argc, char** argv) {
   } catch (const std::system_error& error) {
     return complain(error.code() == std::errc::resource_unavailable_try_again ? too_little : error.what(), fell_short);
   } catch (const std::exception& error) {
+    if (for_want_of_a_thread(error)) return complain(too_little, fell_short);
     return complain(std::ferror(stdout) ? not_printed : error.what(), fell_short);
   }
 }

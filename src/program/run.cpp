@@ -344,9 +344,7 @@ void run_command(const Request& request) {
   if (!request.resume) LookJournal::refuse_leftover(destination.folder);
   if (request.random) refuse_random_tubes(c);
   LoadedMesh loaded = load_target(c);
-  if (const auto count = loaded.report.free_forms_read)
-    warn(fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
-                     mesh_names(c), count));
+  if (const std::string sentence = free_forms_sentence(c, loaded.report); !sentence.empty()) warn(sentence);
   Manifest manifest = described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report));
   manifest.time.read_s = total.seconds();
   manifest.threads = request.threads > 0 ? request.threads : all_threads();

@@ -32,7 +32,7 @@ method = "none"
 plots = false
 netcdf = true
 """
-UNITS = {"frequency_hz": "Hz", "theta_deg": "degree", "phi_deg": "degree", "rx_theta_deg": "degree", "rx_phi_deg": "degree",
+UNITS = {"frequency": "Hz", "theta_deg": "degree", "phi_deg": "degree", "rx_theta_deg": "degree", "rx_phi_deg": "degree",
          "S_re": "m", "S_im": "m", "sigma_dbsm": "dBsm", "err_db": "dB", "model_db": "dB", "error_m": "m", "model_m": "m",
          "S_part_re": "m", "S_part_im": "m", "model_part_m": "m"}
 CONVENTIONS = {"time_convention": "exp(+j omega t)", "phase_reference": "origin", "amplitude_convention": "4 pi |S|^2",
@@ -65,7 +65,7 @@ def check_xarray(out, rows):
         with xarray.open_dataset(out / "rcs.nc", engine=engine) as data:
             assert dict(data.S_re.sizes) == {"look": 6, "frequency": 2, "receive": 2, "transmit": 2}, data.S_re.sizes
             assert [str(x) for x in data.receive.values] == ["v", "h"] and [str(x) for x in data.transmit.values] == ["v", "h"]
-            assert {"frequency_hz", "theta_deg", "phi_deg"} <= set(data.coords)
+            assert {"frequency", "theta_deg", "phi_deg"} <= set(data.coords)
             for name, units in UNITS.items():
                 assert data[name].attrs["units"] == units and data[name].attrs["long_name"], name
             for name, words in CONVENTIONS.items():
@@ -78,7 +78,7 @@ def check_xarray(out, rows):
                     same(one[variable].values.reshape(-1), rows[column], f"{engine} {column}")
             for key in ("theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg"):
                 same(np.repeat(data[key].values, 2), rows[key], f"{engine} {key}")
-            same(np.tile(data.frequency_hz.values, 6), rows["freq_hz"], f"{engine} freq_hz")
+            same(np.tile(data.frequency.values, 6), rows["freq_hz"], f"{engine} freq_hz")
             assert np.isneginf(data.sigma_dbsm.values).any(), "a plate seen from its edge returns nothing"
             parts = [str(x) for x in data.part.values]
             assert parts[0] == "bounce1" and "edges_first_order" in parts, parts
@@ -111,7 +111,7 @@ def check_h5py(out, rows):
 def check_ncdump(out):
     header = subprocess.run(["ncdump", "-h", str(out / "rcs.nc")], capture_output=True, check=True).stdout.decode()
     for line in ("look = 6 ;", "frequency = 2 ;", "double S_re(look, frequency, receive, transmit) ;", 'S_re:units = "m" ;',
-                 'frequency_hz:units = "Hz" ;'):
+                 'frequency:units = "Hz" ;'):
         assert line in header, line
     values = subprocess.run(["ncdump", "-v", "sigma_dbsm,receive", str(out / "rcs.nc")], capture_output=True, check=True).stdout.decode()
     assert "-Infinity" in values and '"v",' in values

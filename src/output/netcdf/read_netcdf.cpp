@@ -213,7 +213,7 @@ class ResultReader {
   }
 
   void read_axes() {
-    result_.frequency_hz = file_.numbers("frequency_hz", {"frequency"});
+    result_.frequency_hz = file_.numbers("frequency", {"frequency"});
     result_.looks.resize(file_.dimension("look"));
     per_look("theta_deg", &StoredLook::theta_deg);
     per_look("phi_deg", &StoredLook::phi_deg);

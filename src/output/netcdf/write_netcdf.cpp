@@ -159,7 +159,7 @@ class ResultWriter {
   int of_rows(int variable) {
     file_.attribute(
         variable, "coordinates",
-        std::string("frequency_hz theta_deg phi_deg rx_theta_deg rx_phi_deg") + (result_.far() ? "" : " range_m rx_range_m"));
+        std::string("theta_deg phi_deg rx_theta_deg rx_phi_deg") + (result_.far() ? "" : " range_m rx_range_m"));
     return variable;
   }
 
@@ -186,7 +186,7 @@ class ResultWriter {
   void write_axes() {
     labels("receive", {"v", "h"}, "polarisation received");
     labels("transmit", {"v", "h"}, "polarisation transmitted");
-    file_.put(described("frequency_hz", {"frequency"}, "Hz", "frequency"), result_.frequency_hz);
+    file_.put(described("frequency", {"frequency"}, "Hz", "frequency"), result_.frequency_hz);
     per_look("theta_deg", "degree", "polar angle from +z of the direction to the transmitter", &StoredLook::theta_deg);
     per_look("phi_deg", "degree", "azimuth from +x towards +y of the direction to the transmitter", &StoredLook::phi_deg);
     per_look("rx_theta_deg", "degree", "polar angle from +z of the direction to the receiver", &StoredLook::rx_theta_deg);
