@@ -1,6 +1,10 @@
 #include "bindings/interruptible.h"
 
+#include <unistd.h>
+
 #include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
 #include <mutex>
 
 namespace raytube::python {
@@ -16,7 +20,24 @@ constexpr auto between_shares = 100ms;
 
 std::mutex counting;
 std::condition_variable none_left;
-int workers = 0;
+int workers = 0, waiting = 0;  // threads that work, and threads of Python in wait_for()
+std::atomic<bool> leaving_now = false;
+
+// A thread of Python that is here when the interpreter goes would be taken apart in the middle of C++.
+class Waiting {
+ public:
+  Waiting() { count(1); }
+  ~Waiting() { count(-1); }
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+
+ private:
+  static void count(int more) {
+    const std::lock_guard lock(counting);
+    waiting += more;
+    none_left.notify_all();
+  }
+};
 
 class Shares {
  public:
@@ -49,28 +70,35 @@ void Workers::begun() {
 
 void Workers::ended() {
   const std::lock_guard lock(counting);
-  if (--workers == 0) none_left.notify_all();
+  --workers;
+  none_left.notify_all();
 }
 
-void Workers::wait_for_all() {
+void Workers::leave() {
   std::unique_lock lock(counting);
-  none_left.wait(lock, [] { return workers == 0; });
+  leaving_now = true;
+  if (none_left.wait_for(lock, patience, [] { return workers == 0 && waiting == 0; })) return;
+  on_exit([](int status, void*) { std::fflush(nullptr), _exit(status); }, nullptr);
 }
+
+bool Workers::leaving() { return leaving_now; }
 
 void wait_for(const std::function<bool(std::chrono::milliseconds)>& done_within, Watch& watch, const py::object& progress) {
   const auto ready = [&](std::chrono::milliseconds time) {
     const py::gil_scoped_release others_go_on;
     return done_within(time);
   };
+  const Waiting here;
   Shares shares(progress);
   try {
     while (!ready(look_out)) {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (Workers::leaving()) PyErr_SetNone(PyExc_KeyboardInterrupt);
+      if (PyErr_Occurred() || PyErr_CheckSignals() != 0) throw py::error_already_set();
       shares.tell(watch.share);
     }
   } catch (...) {
     watch.stop = true;
-    ready(patience);
+    if (!Workers::leaving()) ready(patience);
     throw;
   }
   shares.tell_end();

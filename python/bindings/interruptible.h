@@ -25,13 +25,15 @@ struct Watch {
   }
 };
 
-/// Threads whose work nobody waits for any more: Ctrl-C does not wait until it looks at its flag.
+/// Threads that work. One whose work nobody waits for any more goes on until it looks at its flag.
 class Workers {
  public:
   static void begun();
   static void ended();
-  /// Blocks until none is left: before the libraries that they use are taken down.
-  static void wait_for_all();
+  /// For the end of the interpreter: those who wait get KeyboardInterrupt. Work that does not stop at once ends with the process,
+  /// which from here on takes down none of the libraries that the work uses.
+  static void leave();
+  static bool leaving();
 };
 
 /// Waits without the interpreter's lock. Calls `progress`, if it is no None, with the finished share. Sets watch.stop and throws

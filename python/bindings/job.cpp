@@ -15,7 +15,6 @@
 #include "jobs/warnings/warnings.h"
 #include "output/tables/stored.h"
 #include "output/words/summary.h"
-#include "scene/sampling.h"
 #include "solve/image.h"
 #include "solve/solve.h"
 
@@ -27,7 +26,7 @@ int threads_of(int threads) { return threads > 0 ? threads : all_threads(); }
 
 std::vector<std::string> sentences_of(const Job& job, const SolvePlan& plan, const Statistics& statistics) {
   const Case& c = job.asked;
-  std::vector<std::string> sentences = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
+  std::vector<std::string> sentences = warnings_of(c, plan, job.built->outermost);
   const MeshReport& counts = job.built->report;
   for (const std::string& sentence :
        {free_forms_sentence(c, counts), duplicates_sentence(counts), overlap_note(c, plan.target).sentence})

@@ -1,10 +1,13 @@
 // The module raytube._core: what the package raytube calls. Its words are for the package; users read those of python/raytube.
+#include <fmt/format.h>
 #include <pybind11/complex.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <new>
+#include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "bindings/job.h"
 #include "bindings/result.h"
@@ -23,34 +26,63 @@ using Corners = py::array_t<std::int64_t, py::array::c_style | py::array::forcec
 using SharedTarget = std::shared_ptr<TargetSource>;
 using SharedJob = std::shared_ptr<const Job>;
 
-std::vector<dvec3> points_of(const Points& vertices) {
-  if (vertices.ndim() != 2 || vertices.shape(1) != 3) throw InputError("vertices: give an array of the shape (n, 3)");
+// Rows of numbers, copied out of Python.
+template <class Number>
+struct Rows {
+  std::vector<Number> numbers;
+  std::size_t count, width;
+
+  template <class Array>
+  explicit Rows(const Array& array)
+      : numbers(array.data(), array.data() + array.size()),
+        count(static_cast<std::size_t>(array.shape(0))),
+        width(static_cast<std::size_t>(array.shape(1))) {}
+  std::span<const Number> row(std::size_t i) const { return {numbers.data() + i * width, width}; }
+};
+
+std::vector<dvec3> points_of(const Rows<double>& vertices) {
   std::vector<dvec3> points;
-  for (py::ssize_t i = 0; i < vertices.shape(0); ++i)
-    points.emplace_back(vertices.at(i, 0), vertices.at(i, 1), vertices.at(i, 2));
+  points.reserve(vertices.count);
+  for (std::size_t i = 0; i < vertices.count; ++i) {
+    const auto xyz = vertices.row(i);
+    if (!std::ranges::all_of(xyz, [](double x) { return std::isfinite(x); }))
+      throw InputError(fmt::format("vertices: vertex {} is ({}, {}, {}); give finite coordinates", i, xyz[0], xyz[1], xyz[2]));
+    points.emplace_back(xyz[0], xyz[1], xyz[2]);
+  }
   return points;
 }
 
-std::vector<std::uint32_t> polygon_of(const Corners& faces, py::ssize_t face, std::size_t points) {
-  std::vector<std::uint32_t> polygon;
-  for (py::ssize_t j = 0; j < faces.shape(1) && faces.at(face, j) >= 0; ++j) {
-    const std::int64_t corner = faces.at(face, j);
-    if (corner >= static_cast<std::int64_t>(points))
-      throw InputError("faces: face " + std::to_string(face) + " has the corner " + std::to_string(corner) + ", but there are " +
-                       std::to_string(points) + " vertices, counted from 0");
-    polygon.push_back(static_cast<std::uint32_t>(corner));
-  }
-  return polygon;
+std::vector<std::uint32_t> polygon_of(std::span<const std::int64_t> row, std::size_t face, std::size_t points) {
+  const auto end = std::ranges::find(row, -1);
+  if (!std::all_of(end, row.end(), [](std::int64_t corner) { return corner == -1; }))
+    throw InputError(fmt::format("faces: face {} has a -1 before its last corner; -1 stands behind the last one only", face));
+  if (end - row.begin() < 3)
+    throw InputError(fmt::format("faces: face {} has {} corners; give three or more", face, end - row.begin()));
+  for (const std::int64_t corner : std::span(row.begin(), end))
+    if (corner < 0 || corner >= static_cast<std::int64_t>(points))
+      throw InputError(
+          fmt::format("faces: face {} has the corner {}, but there are {} vertices, counted from 0", face, corner, points));
+  return {row.begin(), end};
+}
+
+SharedTarget target_of_rows(const Rows<double>& vertices, const Rows<std::int64_t>& faces, const std::vector<std::string>& names,
+                            const std::string& unit) {
+  std::vector<dvec3> points = points_of(vertices);
+  std::vector<std::vector<std::uint32_t>> polygons;
+  polygons.reserve(faces.count);
+  for (std::size_t i = 0; i < faces.count; ++i) polygons.push_back(polygon_of(faces.row(i), i, points.size()));
+  return std::make_shared<TargetSource>(soup_of(std::move(points), std::move(polygons), names), unit);
 }
 
 SharedTarget target_of_arrays(const Points& vertices, const Corners& faces, const std::vector<std::string>& names,
                               const std::string& unit) {
-  std::vector<dvec3> points = points_of(vertices);
-  if (faces.ndim() != 2 || faces.shape(1) < 3)
-    throw InputError("faces: give an array of the shape (n, 3), or wider with -1 after the last corner");
-  std::vector<std::vector<std::uint32_t>> polygons;
-  for (py::ssize_t i = 0; i < faces.shape(0); ++i) polygons.push_back(polygon_of(faces, i, points.size()));
-  return std::make_shared<TargetSource>(soup_of(std::move(points), std::move(polygons), names), unit);
+  if (vertices.ndim() != 2 || vertices.shape(0) == 0 || vertices.shape(1) != 3)
+    throw InputError("vertices: give an array of the shape (n, 3), one row or more");
+  if (faces.ndim() != 2 || faces.shape(0) == 0 || faces.shape(1) < 3)
+    throw InputError("faces: give an array of the shape (n, 3), one row or more, or a wider one with -1 after the last corner");
+  return interruptibly([v = Rows<double>(vertices), f = Rows<std::int64_t>(faces), names, unit](Watch&) {
+    return target_of_rows(v, f, names, unit);
+  });
 }
 
 SharedTarget target_of_files(const std::vector<std::filesystem::path>& files, const std::string& unit) {
@@ -192,6 +224,7 @@ void bind_target_and_job(py::module_& module) {
       .def_static("of_files", &target_of_files)
       .def_static("of_arrays", &target_of_arrays)
       .def_property_readonly("name", &TargetSource::name)
+      .def_property_readonly("meshes", &TargetSource::meshes)
       .def_property_readonly("unit", &TargetSource::unit)
       .def_property_readonly("parts", &TargetSource::parts)
       .def_property_readonly("facets", [](const TargetSource& target) { return target.soup().polygons.size(); })
@@ -230,6 +263,6 @@ PYBIND11_MODULE(_core, module) {
   bind_comparison(module);
   py::module_::import("atexit").attr("register")(py::cpp_function([] {
     const py::gil_scoped_release others_go_on;
-    Workers::wait_for_all();
+    Workers::leave();
   }));
 }

@@ -11,6 +11,7 @@
 
 #include "bindings/values.h"
 #include "core/error.h"
+#include "output/files/sha256.h"
 #include "output/netcdf/netcdf_file.h"
 #include "output/netcdf/stored_result.h"
 #include "output/tables/csv.h"
@@ -97,6 +98,27 @@ Shared from_arrays(const Numbers& frequency_hz, const Numbers& looks, bool bista
   return r;
 }
 
+// As a run does, the file says which rcs.csv belongs to it. That costs the writing of the table, so not before it is wanted.
+void complete_hash(StoredResult& r, const std::filesystem::path& scratch) {
+  for (auto& [name, text] : r.attributes) {
+    if (name != "rcs_csv_sha256" || !text.empty()) continue;
+    write_rcs_csv(scratch, r);
+    text = sha256_of_file(scratch);
+    std::filesystem::remove(scratch);
+  }
+}
+
+void save_netcdf(StoredResult& r, const std::filesystem::path& file) {
+  complete_hash(r, file.string() + ".csv");
+  write_netcdf(file, r);
+}
+
+Shared load_csv(const std::filesystem::path& file) {
+  auto r = std::make_shared<StoredResult>(read_rcs_csv(file));
+  r->attributes = {{"rcs_csv_sha256", sha256_of_file(file)}};
+  return r;
+}
+
 py::dict attributes_of(const StoredResult& r) {
   py::dict attributes;
   for (const auto& [name, text] : r.attributes) attributes[py::str(name)] = text;
@@ -128,9 +150,8 @@ void bind_stored(py::module_& module) {
   stored.def_static("from_arrays", &from_arrays);
   stored.def_static("read_netcdf",
                     [](const std::filesystem::path& file) { return std::make_shared<StoredResult>(read_netcdf(file)); });
-  stored.def_static("read_csv",
-                    [](const std::filesystem::path& file) { return std::make_shared<StoredResult>(read_rcs_csv(file)); });
-  stored.def("write_netcdf", [](const StoredResult& r, const std::filesystem::path& file) { write_netcdf(file, r); });
+  stored.def_static("read_csv", &load_csv);
+  stored.def("write_netcdf", &save_netcdf);
   stored.def("write_csv", [](const StoredResult& r, const std::filesystem::path& file) { write_rcs_csv(file, r); });
   stored.def_property_readonly("frequency_hz", [](const py::object& self) {
     const std::vector<double>& hertz = of(self).frequency_hz;

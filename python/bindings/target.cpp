@@ -18,10 +18,10 @@ namespace {
 constexpr std::size_t most_built = 4;
 constexpr const char* name_of_arrays = "arrays";
 
-std::string joined_names(const std::vector<std::filesystem::path>& files) {
+std::vector<std::string> names_of(const std::vector<std::filesystem::path>& files) {
   std::vector<std::string> names;
   for (const std::filesystem::path& file : files) names.push_back(file.string());
-  return joined(names, ", ");
+  return names;
 }
 
 double metres_of_unit(const std::string& unit) {
@@ -44,7 +44,9 @@ std::string dependencies(const Case& c) {
 }  // namespace
 
 TargetSource::TargetSource(const std::vector<std::filesystem::path>& files, std::string unit)
-    : name_(joined_names(files)), unit_(std::move(unit)) {
+    : unit_(std::move(unit)), meshes_(names_of(files)) {
+  if (files.empty()) throw InputError("Target: no file; name at least one");
+  name_ = joined(meshes_, ", ");
   for (const std::filesystem::path& file : files) {
     PolygonSoup part = read_polygon_soup(file, metres_of_unit(unit_));
     if (files.size() > 1) add_name(part, file.string());
@@ -55,7 +57,7 @@ TargetSource::TargetSource(const std::vector<std::filesystem::path>& files, std:
 }
 
 TargetSource::TargetSource(PolygonSoup soup, std::string unit)
-    : name_(name_of_arrays), unit_(std::move(unit)), soup_(std::move(soup)) {
+    : name_(name_of_arrays), unit_(std::move(unit)), meshes_{name_of_arrays}, soup_(std::move(soup)) {
   metres_of_unit(unit_);  // refuses now what no case could make use of
 }
 
@@ -65,6 +67,7 @@ std::shared_ptr<const BuiltTarget> TargetSource::built_for(const Case& c) {
   const auto found = std::ranges::find(built_, key, [](const auto& entry) { return entry.first; });
   if (found != built_.end()) return found->second;
   PolygonSoup soup = soup_;
+  if (meshes_.size() == 1 && !sha256_.empty() && !c.assignment.parts.empty()) add_name(soup, meshes_.front());  // as a case does
   assign_materials(soup, c);
   LoadedMesh loaded = build_mesh(std::move(soup), c.metres_per_unit, name_, c.sweep.materials);
   auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges));

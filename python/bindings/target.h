@@ -10,6 +10,7 @@
 
 #include "case/data/case.h"
 #include "mesh/load.h"
+#include "scene/sampling.h"
 #include "solve/target.h"
 
 namespace raytube::python {
@@ -18,6 +19,7 @@ namespace raytube::python {
 struct BuiltTarget {
   MeshReport report;
   Target target;
+  std::vector<dvec3> outermost = outermost_points(target.mesh.vertices);  // as wide as all of it
 };
 
 /// Polygons with the names of their parts. May be used from several threads.
@@ -30,6 +32,8 @@ class TargetSource {
   TargetSource(PolygonSoup soup, std::string unit);
 
   const std::string& name() const { return name_; }
+  /// As a case would list them in target.mesh.
+  const std::vector<std::string>& meshes() const { return meshes_; }
   const std::string& unit() const { return unit_; }
   const std::vector<std::string>& parts() const { return soup_.names.all(); }
   const PolygonSoup& soup() const { return soup_; }
@@ -41,6 +45,7 @@ class TargetSource {
 
  private:
   std::string name_, unit_;
+  std::vector<std::string> meshes_;
   PolygonSoup soup_;
   std::vector<std::string> sha256_;  // of the files
   std::mutex building_;

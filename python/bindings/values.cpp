@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
 
+#include <string_view>
+
 #include "core/error.h"
 
 namespace raytube::python {
@@ -13,76 +15,121 @@ namespace {
 
 using Kind = CaseValue::Kind;
 
-CaseValue table(const py::dict& entries, const std::string& location) {
+// Where a value stands. A list that holds itself is deeper than any case.
+struct Place {
+  const std::string& location;
+  std::string key;
+  int depth = 0;
+
+  Place below(const std::string& name) const { return {location, key.empty() ? name : key + '.' + name, depth + 1}; }
+  Place entry() const { return {location, key, depth + 1}; }
+  [[noreturn]] void reject(const std::string& sentence) const {
+    throw InputError(fmt::format("{}: {}{}{}", location, key, key.empty() ? "" : ": ", sentence));
+  }
+};
+
+constexpr int deepest = 16;
+
+CaseValue value_at(const py::handle& value, const Place& place);
+
+// Python texts may hold halves of characters, which no file can.
+std::string text_of(const py::handle& text, const Place& place) {
+  Py_ssize_t bytes = 0;
+  if (const char* utf8 = PyUnicode_AsUTF8AndSize(text.ptr(), &bytes)) return {utf8, static_cast<std::size_t>(bytes)};
+  PyErr_Clear();
+  place.reject("a text that cannot be written as UTF-8; give whole characters");
+}
+
+CaseValue table(const py::dict& entries, const Place& place) {
   CaseValue value;
   for (const auto& [key, entry] : entries) {
     if (entry.is_none()) continue;
-    value.keys.push_back(py::str(key));
-    value.items.push_back(case_value(entry, location));
+    value.keys.push_back(text_of(py::str(key), place));
+    value.items.push_back(value_at(entry, place.below(value.keys.back())));
     value.items.back().written_inline = true;
   }
   return value;
 }
 
-CaseValue list(const py::handle& sequence, const std::string& location) {
+CaseValue list(const py::handle& sequence, const Place& place) {
   CaseValue value;
   value.kind = Kind::list;
-  for (const py::handle entry : py::iter(sequence)) value.items.push_back(case_value(entry, location));
+  for (const py::handle entry : py::iter(sequence)) value.items.push_back(value_at(entry, place.entry()));
   return value;
 }
 
 // By far the quickest for thousands of angles.
-CaseValue list_of_numbers(const py::array_t<double>& numbers, const std::string& location) {
+CaseValue list_of_numbers(const py::array_t<double>& numbers, const Place& place) {
   CaseValue value;
   value.kind = Kind::list;
   value.items.resize(static_cast<std::size_t>(numbers.size()));
   for (std::size_t i = 0; i < value.items.size(); ++i) {
     value.items[i].kind = Kind::number;
-    value.items[i].location = location;
+    value.items[i].location = place.location;
     value.items[i].number = numbers.data()[i];
   }
   return value;
 }
 
-bool is_array(const py::handle& value) { return py::isinstance<py::array>(value); }
-
-CaseValue array(const py::handle& value, const std::string& location) {
-  const auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
-  if (!numbers) {
-    PyErr_Clear();
-    throw InputError(fmt::format("{}: an array that holds no numbers; give numbers", location));
-  }
-  if (numbers.ndim() == 1) return list_of_numbers(numbers, location);
-  return numbers.ndim() == 0 ? case_value(value.attr("item")(), location) : list(value, location);
+// Whatever is no plain list of numbers is told entry by entry what it is: texts, masked entries, tables of numbers.
+CaseValue array(const py::array& value, const Place& place) {
+  const bool plain = value.ndim() == 1 && std::string_view("iuf").find(value.dtype().kind()) != std::string_view::npos &&
+                     !py::hasattr(value, "mask");
+  if (plain) return list_of_numbers(py::array_t<double, py::array::c_style | py::array::forcecast>(value), place);
+  return value_at(value.attr("tolist")(), place.entry());
 }
 
-CaseValue scalar(const py::handle& value, const std::string& location) {
+CaseValue number(const py::handle& value, const Place& place) {
   CaseValue result;
-  if (py::isinstance<py::bool_>(value)) {
-    result.kind = Kind::boolean;
-    result.boolean = value.cast<bool>();
-  } else if (py::isinstance<py::str>(value)) {
-    result.kind = Kind::text;
-    result.text = value.cast<std::string>();
-  } else if (PyNumber_Check(value.ptr()) && py::hasattr(value, "__float__")) {
-    result.kind = Kind::number;
-    result.number = py::float_(py::reinterpret_borrow<py::object>(value));
-  } else if (py::hasattr(value, "__fspath__")) {
-    result.kind = Kind::text;
-    result.text = py::str(value.attr("__fspath__")());
-  } else {
-    throw InputError(fmt::format("{}: {} is nothing that a case can hold; give numbers, texts, lists and dictionaries of these",
-                                 location, py::repr(value).cast<std::string>()));
-  }
+  result.kind = Kind::number;
+  result.number = PyFloat_AsDouble(value.ptr());
+  if (!PyErr_Occurred()) return result;
+  PyErr_Clear();
+  place.reject("a number that cannot be held; give one below 1e308");
+}
+
+CaseValue text(const py::handle& value, const Place& place) {
+  CaseValue result;
+  result.kind = Kind::text;
+  result.text = text_of(value, place);
   return result;
 }
 
-CaseValue any(const py::handle& value, const std::string& location) {
-  if (py::isinstance<py::dict>(value)) return table(py::reinterpret_borrow<py::dict>(value), location);
-  if (is_array(value)) return array(value, location);
-  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value) || PyRange_Check(value.ptr()))
-    return list(value, location);
-  return scalar(value, location);
+CaseValue truth(const py::handle& value) {
+  CaseValue result;
+  result.kind = Kind::boolean;
+  result.boolean = value.ptr() == Py_True;
+  return result;
+}
+
+bool is_mapping(const py::handle& value) { return py::isinstance(value, py::module_::import("collections.abc").attr("Mapping")); }
+
+// Labelled arrays (pandas, xarray), NumPy's own scalars, decimals and fractions, paths, mappings.
+CaseValue other(const py::handle& value, const Place& place) {
+  if (is_mapping(value)) return table(py::dict(py::reinterpret_borrow<py::object>(value)), place);
+  if (py::hasattr(value, "__array__")) return array(py::module_::import("numpy").attr("asarray")(value), place);
+  if (PyNumber_Check(value.ptr()) && py::hasattr(value, "__float__")) return number(value, place);
+  if (py::hasattr(value, "__fspath__")) return text(py::module_::import("os").attr("fsdecode")(value), place);
+  place.reject(
+      fmt::format("a value of the type {} is nothing that a case can hold; give numbers, texts, lists and dictionaries of these",
+                  Py_TYPE(value.ptr())->tp_name));
+}
+
+CaseValue any(const py::handle& value, const Place& place) {
+  if (place.depth > deepest) place.reject("nested too deeply; does it hold itself?");
+  if (PyDict_Check(value.ptr())) return table(py::reinterpret_borrow<py::dict>(value), place);
+  if (PyBool_Check(value.ptr())) return truth(value);
+  if (PyUnicode_Check(value.ptr())) return text(value, place);
+  if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr())) return number(value, place);
+  if (py::isinstance<py::array>(value)) return array(py::reinterpret_borrow<py::array>(value), place);
+  if (PyList_Check(value.ptr()) || PyTuple_Check(value.ptr()) || PyRange_Check(value.ptr())) return list(value, place);
+  return other(value, place);
+}
+
+CaseValue value_at(const py::handle& value, const Place& place) {
+  CaseValue result = any(value, place);
+  result.location = place.location;
+  return result;
 }
 
 py::object python_table(const JsonValue& json) {
@@ -99,11 +146,7 @@ py::object python_list(const JsonValue& json) {
 
 }  // namespace
 
-CaseValue case_value(const py::handle& value, const std::string& location) {
-  CaseValue result = any(value, location);
-  result.location = location;
-  return result;
-}
+CaseValue case_value(const py::handle& value, const std::string& location) { return value_at(value, {location, ""}); }
 
 py::object python_value(const JsonValue& json) {
   switch (json.kind) {

@@ -8,6 +8,8 @@ is that of the program.
 >>> result = rt.solve(plate, ghz=10.0, looks=rt.monostatic(theta_deg=[0, 10, 20], phi_deg=0))
 >>> result.S.shape                       # complex amplitudes in metres: look, frequency, receive, transmit
 (3, 1, 2, 2)
+>>> round(float(result.sigma_dbsm.sel(channel="vv").max()), 1)
+20.5
 
 Conventions: time factor exp(+j omega t); theta from +z and phi from +x point from the target towards the radar [deg]; V is
 theta-hat and H is phi-hat of each one's own direction; ``vh`` is receive V, transmit H; ``sigma = 4 pi |S|^2``; the phase reference is the

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import Any
 
-from raytube import _core
+import numpy as np
+
+from raytube import _arguments, _core
+from raytube._core import InputError
 from raytube._radar_explorer import read_radar_explorer
 from raytube._result import Result
 
@@ -26,15 +28,21 @@ class Comparison:
         Rows that both have.
     """
 
-    def __init__(self, core: Any):
+    def __init__(self, core: _core.Comparison) -> None:
         self._core = core
         self.channels: dict[str, dict[str, float]] = core.channels
         self.relative_error: float = core.relative_error
         self.rows: int = core.rows
 
     def within(self, tolerance_db: float) -> bool:
-        """True if the rms error of no channel exceeds the tolerance [dB]."""
-        return self._core.above_tolerance(tolerance_db) == ""
+        """True if the rms error of no channel exceeds the tolerance.
+
+        Parameters
+        ----------
+        tolerance_db : float
+            Of `channels` ``rms_db`` [dB].
+        """
+        return self._core.above_tolerance(_arguments.number(tolerance_db, "tolerance_db")) == ""
 
     def __repr__(self) -> str:
         return self._core.text
@@ -47,7 +55,7 @@ def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[
     Parameters
     ----------
     result, reference : Result or path
-        What `solve` or `load` gave, or a file: ``.nc``, a table with a header (``rcs.csv`` and others, see ``raytube compare --help``), or
+        What `solve`, `load` or `read_radar_explorer` gave, or a file: ``.nc``, a table with a header (``rcs.csv`` and others, see ``raytube compare --help``), or
         the ``.json`` of the Radar Explorer Toolkit.
     within_db : float
         Measures in dB are over the rows whose reference is so near to its channel's peak.
@@ -66,18 +74,25 @@ def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[
     InputError
         If a file cannot be read, or if nothing is in common.
     """
-    ranges = {name: _range(value) for name, value in (only or {}).items()}
-    return Comparison(_core.compare(_table(result, "result"), _table(reference, "reference"), ranges, within_db, free_scale))
+    ranges = {_arguments.text(column, "only"): _range(value, column) for column, value in _arguments.table(only or {}, "only").items()}
+    within = _arguments.number(within_db, "within_db")
+    if within < 0.0:
+        raise InputError(f"within_db: give 0 or more decibels (found {within:g})")
+    tables = _table(result, "result"), _table(reference, "reference")
+    return Comparison(_core.compare(*tables, ranges, within, _arguments.flag(free_scale, "free_scale")))
 
 
-def _range(value: Any) -> tuple[float, float]:
-    return (float(value[0]), float(value[1])) if isinstance(value, (tuple, list)) else (float(value), float(value))
+def _range(value: Any, column: str) -> tuple[float, float]:
+    ends = np.atleast_1d(_arguments.numbers(value, f"only: {column}"))
+    if ends.shape not in ((1,), (2,)) or not ends[0] <= ends[-1]:
+        raise InputError(f"only: {column}: give a value, or the lowest and the highest one")
+    return float(ends[0]), float(ends[-1])
 
 
-def _table(source: Any, name: str) -> Any:
+def _table(source: Any, name: str) -> _core.Table:
     if isinstance(source, Result):
         return _core.Table.of_stored(source._stored, name)
-    file = os.fspath(source)
+    file = _arguments.path(source, f"compare: {name}")
     if file.lower().endswith(".json"):
         return _core.Table.of_stored(read_radar_explorer(file)._stored, file)
     return _core.Table.of_file(file)

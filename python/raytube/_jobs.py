@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-import json
+import difflib
 import os
 import warnings
 from collections.abc import Callable, Mapping
-from typing import Any
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
-from raytube import _core
+from raytube import _arguments, _core
 from raytube._core import InputError
 from raytube._looks import Looks
 from raytube._result import RaytubeWarning, Result
 from raytube._target import Target
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 _Progress = bool | Callable[[float], Any]
 
@@ -75,12 +78,12 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
     -----
     Other Python threads go on meanwhile, and may solve at the same time.
     """
-    sections = {"materials": materials, "tubes": tubes, "edges": edges, "surfaces": surfaces, "radar": radar, "accuracy": accuracy, "title": title,
-                "target": {"material": material, "parts": parts, "facets": facets}}
-    return _solved(_job_of_target(target, ghz, looks, sections, "solve"), keep_parts, threads, progress)
+    keywords = {"material": material, "parts": parts, "facets": facets, "materials": materials, "tubes": tubes, "edges": edges,
+                "surfaces": surfaces, "radar": radar, "accuracy": accuracy, "title": title}
+    return _solved(_job_of_target("solve", target, ghz, looks, keywords), keep_parts, threads, progress)
 
 
-def run(case: str | os.PathLike, overrides: Mapping[str, Any] | None = None, *, keep_parts: bool = False, threads: int = 0,
+def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None, *, keep_parts: bool = False, threads: int = 0,
         progress: _Progress = False) -> Result:
     """Computes a case file, as ``raytube run`` does, but writes nothing: see `Result.save`.
 
@@ -102,14 +105,14 @@ def run(case: str | os.PathLike, overrides: Mapping[str, Any] | None = None, *, 
     InputError, KeyboardInterrupt
         As in `solve`.
     """
-    return _solved(_job_of_file(case, overrides), keep_parts, threads, progress)
+    return _solved(_job_of_file("run", case, overrides), keep_parts, threads, progress)
 
 
-class CheckReport(dict):
+class CheckReport(dict[str, Any]):
     """What a solve would do: a dict of resolved case, mesh, wedges, what is skipped, warnings, memory and time. Its ``repr`` is what
     ``raytube check`` prints."""
 
-    def __init__(self, text: str, data: Mapping[str, Any]):
+    def __init__(self, text: str, data: Mapping[str, Any]) -> None:
         super().__init__(data)
         self._text = text
 
@@ -123,7 +126,9 @@ def check(what: Any, *args: Any, threads: int = 0, **keywords: Any) -> CheckRepo
     Parameters
     ----------
     what : Target or path
-        A target, followed by what `solve` takes; or a case file, followed by overrides as `run` takes them.
+        A target, or a case file.
+    *args, **keywords
+        Of a target ``ghz``, ``looks`` and the sections as in `solve`; of a case file ``overrides`` as in `run`.
     threads : int
         Of the solve whose time is predicted; 0: all cores.
 
@@ -138,10 +143,12 @@ def check(what: Any, *args: Any, threads: int = 0, **keywords: Any) -> CheckRepo
 
     Examples
     --------
-    >>> report = raytube.check("cases/dihedral/case.toml", {"edges.method": "none"})
-    >>> report["wedges"]["count"]
+    >>> import raytube as rt
+    >>> plate = rt.Target([[0, 0, 0], [.3, 0, 0], [.3, .3, 0], [0, .3, 0]], [[0, 1, 2, 3]], unit="m")
+    >>> rt.check(plate, 10.0, rt.monostatic(0, 0))["looks_computed"]
+    1
     """
-    text, data = _core.check(_job(what, args, keywords, "check"), threads)
+    text, data = _core.check(_job("check", what, args, keywords), _threads(threads))
     return CheckReport(text, data)
 
 
@@ -152,6 +159,8 @@ def image(what: Any, *args: Any, look: int = 0, per_wavelength: float = 10.0, th
     Parameters
     ----------
     what : Target or path
+        A target, or a case file.
+    *args, **keywords
         As in `check`.
     look : int
         Direction pair, counted from 0.
@@ -172,15 +181,22 @@ def image(what: Any, *args: Any, look: int = 0, per_wavelength: float = 10.0, th
     InputError
         As `solve` does, and for too many cells.
     """
-    job = _job(what, args, keywords, "image")
+    import xarray as xr
+
+    look, density = _arguments.whole(look, "look"), _arguments.number(per_wavelength, "per_wavelength")
+    if density <= 0.0:
+        raise InputError(f"per_wavelength: give a positive number of cells (found {density:g})")
+    job = _job("image", what, args, keywords)
     with _Reported(progress) as report:
-        frequency, u, v, cells = _core.image(job, look, per_wavelength, threads, report)
+        frequency, u, v, cells = _core.image(job, look, density, _threads(threads), report)
     with np.errstate(divide="ignore"):
         sigma = 20.0 * np.log10(np.abs(cells)) + 10.0 * np.log10(4.0 * np.pi)
     dims = ("v", "u", "receive", "transmit")
-    coordinates = {"u": ("u", u, {"units": "m"}), "v": ("v", v, {"units": "m"}), "receive": ["v", "h"], "transmit": ["v", "h"]}
-    return xr.Dataset({"S": (dims, cells, {"units": "m"}), "sigma_dbsm": (dims, sigma, {"units": "dBsm"})}, coordinates,
-                      {"frequency_hz": frequency, "look": look, "title": job.title})
+    coordinates = {"u": ("u", u, {"units": "m", "long_name": "u, along phi-hat"}),
+                   "v": ("v", v, {"units": "m", "long_name": "v, along minus theta-hat"}), "receive": ["v", "h"], "transmit": ["v", "h"]}
+    variables = {"S": (dims, cells, {"units": "m", "long_name": "scattering amplitude S of a cell"}),
+                 "sigma_dbsm": (dims, sigma, {"units": "dBsm", "long_name": "radar cross-section of a cell"})}
+    return xr.Dataset(variables, coordinates, {"frequency_hz": frequency, "look": look, "title": job.title})
 
 
 def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, **keywords: Any) -> dict[str, Any]:
@@ -189,6 +205,8 @@ def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, 
     Parameters
     ----------
     what : Target or path
+        A target, or a case file.
+    *args, **keywords
         As in `check`.
     look : int
         Direction pair, counted from 0.
@@ -206,15 +224,16 @@ def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, 
     InputError
         As `solve` does, and for a place outside the launch rectangle.
     """
-    return _core.trace(_job(what, args, keywords, "trace"), look, u, v)
+    job = _job("trace", what, args, keywords)
+    return _core.trace(job, _arguments.whole(look, "look"), _arguments.number(u, "u"), _arguments.number(v, "v"))
 
 
-class Convergence(dict):
+class Convergence(dict[str, Any]):
     """A study over tube density: ``densities``, a list of dicts with ``per_wavelength``, ``S``, ``relative_change``, ``order`` and
     ``rms_db``; ``recommended``, the coarsest one fine enough, where there is one; ``extrapolated_S``. Its ``repr`` is the table that
     ``raytube converge`` prints."""
 
-    def __init__(self, text: str, data: Mapping[str, Any]):
+    def __init__(self, text: str, data: Mapping[str, Any]) -> None:
         super().__init__(data)
         self._text = text
 
@@ -229,6 +248,8 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     Parameters
     ----------
     what : Target or path
+        A target, or a case file.
+    *args, **keywords
         As in `check`.
     densities : sequence of float
         Tubes per wavelength, three or more.
@@ -238,31 +259,38 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     Returns
     -------
     Convergence
+        A dict whose ``repr`` is the table.
 
     Raises
     ------
     InputError
         As `solve` does, and for fewer than three densities.
     """
-    job = _job(what, args, keywords, "converge")
+    finer = np.atleast_1d(_arguments.numbers(densities, "densities"))
+    if finer.ndim != 1 or not np.all(np.isfinite(finer) & (finer > 0.0)):
+        raise InputError("densities: give three or more positive numbers of tubes per wavelength, for example (4, 8, 16)")
+    job = _job("converge", what, args, keywords)
     with _Reported(progress) as report:
-        text, data = _core.converge(job, [float(density) for density in densities], threads, report)
+        text, data = _core.converge(job, finer.tolist(), _threads(threads), report)
     return Convergence(text, data)
 
 
 class _Reported:
     """A callable for the finished share, or None; closes its progress bar."""
 
-    def __init__(self, progress: _Progress):
-        self._bar = None
-        self._call = progress if callable(progress) else None
-        if progress is True:
-            try:
-                from tqdm.auto import tqdm
-            except ImportError:
-                return
-            self._bar = tqdm(total=100.0, unit="%", bar_format="{l_bar}{bar}| {elapsed}<{remaining}")
-            self._call = self._show
+    def __init__(self, progress: Any) -> None:
+        self._bar: Any = None
+        self._call: Callable[[float], Any] | None = progress if callable(progress) else None
+        if self._call is None and _arguments.flag(progress, "progress (or a callable)"):
+            self._show_bar()
+
+    def _show_bar(self) -> None:
+        try:
+            from tqdm.auto import tqdm
+        except ImportError:
+            return
+        self._bar = tqdm(total=100.0, unit="%", bar_format="{l_bar}{bar}| {elapsed}<{remaining}")
+        self._call = self._show
 
     def _show(self, share: float) -> None:
         self._bar.update(100.0 * share - self._bar.n)
@@ -270,49 +298,96 @@ class _Reported:
     def __enter__(self) -> Callable[[float], Any] | None:
         return self._call
 
-    def __exit__(self, *_: Any) -> None:
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None) -> None:
         if self._bar is not None:
             self._bar.close()
 
 
-def _solved(job: Any, keep_parts: bool, threads: int, progress: _Progress) -> Result:
+def _threads(threads: Any) -> int:
+    return _arguments.whole(threads, "threads")
+
+
+def _solved(job: Any, keep_parts: Any, threads: Any, progress: Any) -> Result:
     with _Reported(progress) as report:
-        result = Result(_core.solve(job, threads, keep_parts, report))
+        result = Result(_core.solve(job, _threads(threads), _arguments.flag(keep_parts, "keep_parts"), report))
     for sentence in result.warnings:
         warnings.warn(sentence, RaytubeWarning, stacklevel=3)
     return result
 
 
-def _job(what: Any, args: tuple[Any, ...], keywords: dict[str, Any], name: str) -> Any:
+# Sections of a case that are keywords; those of [target] first.
+_OF_TARGET = ("material", "parts", "facets")
+_KEYWORDS = (*_OF_TARGET, "materials", "tubes", "edges", "surfaces", "radar", "accuracy", "title")
+
+
+def _job(name: str, what: Any, args: tuple[Any, ...], keywords: dict[str, Any]) -> Any:
+    known = ("ghz", "looks") if isinstance(what, Target) else ("overrides",)
+    if len(args) > len(known):
+        raise InputError(f"{name}: too many arguments; after the {_arguments.kind_of(what)} come {' and '.join(known)}, the rest by keyword")
+    given = dict(zip(known, args))
+    for keyword in keywords:
+        if keyword in given:
+            raise InputError(f"{name}: {keyword} is given twice, by place and by keyword; leave out one")
+        if keyword not in (known + _KEYWORDS if isinstance(what, Target) else known):
+            raise InputError(f"{name}: there is no keyword {keyword!r} here; {_remedy(keyword, known, isinstance(what, Target))}")
+    given |= keywords
     if not isinstance(what, Target):
-        return _job_of_file(what, *args, **keywords)
-    names = dict(zip(("ghz", "looks"), args)) | keywords
-    target = {"material": names.pop("material", None), "parts": names.pop("parts", None), "facets": names.pop("facets", None)}
-    return _job_of_target(what, names.pop("ghz", None), names.pop("looks", None), names | {"target": target}, name)
+        return _job_of_file(name, what, given.get("overrides"))
+    return _job_of_target(name, what, given.pop("ghz", None), given.pop("looks", None), given)
 
 
-def _job_of_file(case: str | os.PathLike, overrides: Mapping[str, Any] | None = None) -> Any:
-    texts = [f"{key}={_toml(value)}" for key, value in (overrides or {}).items()]
-    return _core.job_of_file(os.fspath(case), texts)
+def _remedy(keyword: str, known: tuple[str, ...], of_target: bool) -> str:
+    if not of_target:
+        return "what a case file says is changed by overrides, for example {\"edges.order\": 2}"
+    near = difflib.get_close_matches(keyword, known + _KEYWORDS, 1)
+    return f"did you mean {near[0]!r}?" if near else f"choose among {', '.join(known + _KEYWORDS)}"
 
 
-def _job_of_target(target: Target, ghz: Any, looks: Looks | None, sections: dict[str, Any], name: str) -> Any:
+def _job_of_file(name: str, case: Any, overrides: Any) -> Any:
+    if isinstance(case, Target):
+        raise InputError(f"{name}: takes a case file; targets are solved by solve")
+    given = {} if overrides is None else _arguments.table(overrides, f"{name}: overrides")
+    texts = [f"{key}={_toml(value, str(key))}" for key, value in given.items() if value is not None]
+    return _core.job_of_file(_arguments.path(case, name), texts)
+
+
+def _job_of_target(name: str, target: Any, ghz: Any, looks: Any, keywords: dict[str, Any]) -> Any:
     if not isinstance(target, Target):
-        raise InputError(f"{name}: the first argument is {type(target).__name__}, no Target; use run for a case file")
+        raise InputError(f"{name}: the first argument is {_arguments.kind_of(target)}, no Target; use run for a case file")
     if looks is not None and not isinstance(looks, Looks):
-        raise InputError(f"{name}: looks are made by raytube.monostatic, raytube.bistatic or raytube.looks (found {type(looks).__name__})")
-    values = sections | {"frequency": {"ghz": ghz}} | (looks._sections if looks is not None else {})
-    values["target"] = {"mesh": target._core.name, "unit": target.unit} | values["target"]
+        raise InputError(f"{name}: looks are made by raytube.monostatic, raytube.bistatic or raytube.looks "
+                         f"(found {_arguments.kind_of(looks)})")
+    if ghz is None:
+        raise InputError(f"{name}: ghz is missing; give a number, a list, or a range {{'start': 9, 'stop': 11, 'count': 101}}")
+    if looks is None and not keywords.get("radar"):
+        raise InputError(f"{name}: looks are missing; give raytube.monostatic(theta_deg, phi_deg), bistatic or looks")
+    of_target = {key: keywords.get(key) for key in _OF_TARGET}
+    values = {key: value for key, value in keywords.items() if key not in _OF_TARGET}
+    values |= {"frequency": {"ghz": ghz}} | (looks._sections if looks is not None else {})
+    meshes = target._core.meshes
+    values["target"] = {"mesh": meshes if len(meshes) > 1 else meshes[0], "unit": target.unit} | of_target
     return _core.job_of_target(target._core, values, name, None if looks is None else looks._rows, looks is not None and looks.bistatic)
 
 
-def _toml(value: Any) -> str:
+def _toml(value: Any, key: str) -> str:
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{json.dumps(str(key))} = {_toml(entry)}" for key, entry in value.items()) + "}"
+        return "{" + ", ".join(f"{_quoted(str(name), key)} = {_toml(entry, key)}" for name, entry in value.items()) + "}"
     if isinstance(value, (str, os.PathLike)):
-        return json.dumps(os.fspath(value), ensure_ascii=False)
-    if np.ndim(value) > 0:
-        return "[" + ", ".join(_toml(entry) for entry in value) + "]"
-    return repr(value.item() if isinstance(value, np.generic) else value)
+        return _quoted(os.fsdecode(value), key)
+    if isinstance(value, (list, tuple, range, np.ndarray)):
+        entries = value.tolist() if isinstance(value, np.ndarray) else value
+        return "[" + ", ".join(_toml(entry, key) for entry in entries) + "]" if np.ndim(value) else _toml(entries, key)
+    try:
+        whole = isinstance(value, (int, np.integer)) and abs(int(value)) < 2**63
+        return repr(int(value) if whole else float(value))
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(f"overrides: {key}: {_arguments.kind_of(value)} is nothing that a case can hold; "
+                         "give numbers, texts, lists and dictionaries of these") from None
+
+
+def _quoted(text: str, key: str) -> str:
+    if any(0xD800 <= ord(c) < 0xE000 for c in text):
+        raise InputError(f"overrides: {key}: a text that cannot be written as UTF-8; give whole characters")
+    return '"' + "".join(c if c.isprintable() and c not in '"\\' else f"\\U{ord(c):08x}" for c in text) + '"'

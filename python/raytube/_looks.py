@@ -3,29 +3,33 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from raytube import _arguments
 from raytube._core import InputError
+
+_MOST = 1_000_000  # values of a range in a case file
 
 
 class Looks:
     """Pairs of directions, to the transmitter and to the receiver. Made by `monostatic`, `bistatic` and `looks`.
 
-    Angles are arrays of float, shape (looks,); those of a file are not known before the solve.
-
-    Attributes
-    ----------
-    bistatic : bool
-        Whether transmitter and receiver are apart.
+    Their number is ``len``; of a list in a file it is not known before the solve, nor are its angles.
     """
 
-    def __init__(self, sections: dict[str, Any], rows: np.ndarray | None, bistatic: bool):
+    def __init__(self, sections: dict[str, Any], rows: NDArray[np.float64] | None, bistatic: bool) -> None:
         self._sections = sections  # [look] and [receive] of a case; empty where `rows` stand instead
         self._rows = rows
-        self.bistatic = bistatic
+        self._bistatic = bistatic
+
+    @property
+    def bistatic(self) -> bool:
+        """True where transmitter and receiver may stand apart."""
+        return self._bistatic
 
     def __len__(self) -> int:
         return len(self._all())
@@ -33,29 +37,29 @@ class Looks:
     def __repr__(self) -> str:
         if self._rows is None and "looks_csv" in self._sections.get("look", {}):
             return f"Looks listed in {self._sections['look']['looks_csv']}"
-        return f"{len(self)} {'bistatic' if self.bistatic else 'monostatic'} looks"
+        return f"{len(self)} {'bistatic' if self.bistatic else 'monostatic'} look{'s' if len(self) > 1 else ''}"
 
     @property
-    def theta_deg(self) -> np.ndarray:
-        """Polar angle from +z of the direction to the transmitter [deg]."""
+    def theta_deg(self) -> NDArray[np.float64]:
+        """Polar angle to the transmitter of each look [deg]."""
         return self._all()[:, 0]
 
     @property
-    def phi_deg(self) -> np.ndarray:
-        """Azimuth from +x of the direction to the transmitter [deg]."""
+    def phi_deg(self) -> NDArray[np.float64]:
+        """Azimuth to the transmitter of each look [deg]."""
         return self._all()[:, 1]
 
     @property
-    def rx_theta_deg(self) -> np.ndarray:
-        """Polar angle of the direction to the receiver [deg]."""
+    def rx_theta_deg(self) -> NDArray[np.float64]:
+        """Polar angle to the receiver of each look [deg]; that to the transmitter in a monostatic one."""
         return self._all()[:, 2]
 
     @property
-    def rx_phi_deg(self) -> np.ndarray:
-        """Azimuth of the direction to the receiver [deg]."""
+    def rx_phi_deg(self) -> NDArray[np.float64]:
+        """Azimuth to the receiver of each look [deg]; that to the transmitter in a monostatic one."""
         return self._all()[:, 3]
 
-    def _all(self) -> np.ndarray:
+    def _all(self) -> NDArray[np.float64]:
         if self._rows is not None:
             return self._rows
         look = self._sections["look"]
@@ -80,8 +84,13 @@ def monostatic(theta_deg: Any, phi_deg: Any) -> Looks:
     Returns
     -------
     Looks
+
+    Raises
+    ------
+    InputError
+        For what is neither numbers nor a range.
     """
-    return Looks({"look": {"theta_deg": _values(theta_deg), "phi_deg": _values(phi_deg)}}, None, False)
+    return Looks({"look": _angles("monostatic", theta_deg, phi_deg)}, None, False)
 
 
 def bistatic(theta_deg: Any, phi_deg: Any, rx_theta_deg: Any, rx_phi_deg: Any) -> Looks:
@@ -97,9 +106,14 @@ def bistatic(theta_deg: Any, phi_deg: Any, rx_theta_deg: Any, rx_phi_deg: Any) -
     Returns
     -------
     Looks
+
+    Raises
+    ------
+    InputError
+        For what is neither numbers nor a range.
     """
-    return Looks({"look": {"theta_deg": _values(theta_deg), "phi_deg": _values(phi_deg)},
-                  "receive": {"theta_deg": _values(rx_theta_deg), "phi_deg": _values(rx_phi_deg)}}, None, True)
+    return Looks({"look": _angles("bistatic", theta_deg, phi_deg), "receive": _angles("bistatic", rx_theta_deg, rx_phi_deg, "rx_")},
+                 None, True)
 
 
 def looks(source: Any, phi_deg: ArrayLike | None = None, rx_theta_deg: ArrayLike | None = None,
@@ -125,29 +139,46 @@ def looks(source: Any, phi_deg: ArrayLike | None = None, rx_theta_deg: ArrayLike
         If the arrays differ in length, or one is missing.
     """
     if isinstance(source, (str, os.PathLike)):
-        return Looks({"look": {"looks_csv": os.fspath(source)}}, None, False)
+        if phi_deg is not None or rx_theta_deg is not None or rx_phi_deg is not None:
+            raise InputError("looks: a file holds all angles; give a file or arrays")
+        return Looks({"look": {"looks_csv": _arguments.path(source, "looks")}}, None, False)
     if phi_deg is None or (rx_theta_deg is None) != (rx_phi_deg is None):
         raise InputError("looks: give theta_deg and phi_deg, or all four of theta_deg, phi_deg, rx_theta_deg and rx_phi_deg")
     columns = [source, phi_deg] + ([source, phi_deg] if rx_theta_deg is None else [rx_theta_deg, rx_phi_deg])
-    arrays = [np.atleast_1d(np.asarray(column, dtype=float)) for column in columns]
+    arrays = [np.atleast_1d(_arguments.numbers(column, "looks")) for column in columns]
     if any(array.shape != arrays[0].shape or array.ndim != 1 for array in arrays):
         raise InputError("looks: the arrays differ in length; give one number of each for every look")
     return Looks({}, np.column_stack(arrays), rx_theta_deg is not None)
 
 
-def _values(angles: Any) -> Any:
-    return angles if isinstance(angles, dict) else np.atleast_1d(np.asarray(angles, dtype=float)) if not np.isscalar(angles) else angles
+def _angles(name: str, theta: Any, phi: Any, prefix: str = "") -> dict[str, Any]:
+    return {"theta_deg": _values(theta, f"{name}: {prefix}theta_deg"), "phi_deg": _values(phi, f"{name}: {prefix}phi_deg")}
 
 
-def _expanded(angles: Any) -> np.ndarray:
+def _values(angles: Any, name: str) -> Any:
+    if isinstance(angles, Mapping):
+        _expanded(dict(angles), name)  # refuses now what no case could make use of
+        return dict(angles)
+    values = _arguments.numbers(angles, name)
+    if values.ndim > 1:
+        raise InputError(f"{name}: give a number or a list of numbers (found an array of {values.ndim} dimensions)")
+    return float(values) if values.ndim == 0 else values
+
+
+def _expanded(angles: Any, name: str = "angles") -> NDArray[np.float64]:
     if not isinstance(angles, dict):
-        return np.atleast_1d(np.asarray(angles, dtype=float))
+        return np.atleast_1d(_arguments.numbers(angles, name))
+    if set(angles) not in ({"start", "stop", "step"}, {"start", "stop", "count"}):
+        raise InputError(f"{name}: a range has start, stop and step, or start, stop and count (found {', '.join(map(str, angles))})")
+    start, stop = _arguments.number(angles["start"], f"{name}: start"), _arguments.number(angles["stop"], f"{name}: stop")
     if "count" in angles:
-        return np.linspace(angles["start"], angles["stop"], int(angles["count"]))
-    steps = np.floor((angles["stop"] - angles["start"]) / angles["step"] + 1e-9)
-    return angles["start"] + angles["step"] * np.arange(steps + 1)
+        return np.linspace(start, stop, _arguments.whole(angles["count"], f"{name}: count", _MOST))
+    step = _arguments.number(angles["step"], f"{name}: step")
+    if step == 0.0 or not 0.0 <= (stop - start) / step < _MOST:
+        raise InputError(f"{name}: steps of {step:g} lead from {start:g} to {stop:g} in no number from 1 to {_MOST}; choose another step")
+    return start + step * np.arange(np.floor((stop - start) / step + 1e-9) + 1)
 
 
-def _pairs(theta: Any, phi: Any) -> np.ndarray:
+def _pairs(theta: Any, phi: Any) -> NDArray[np.float64]:
     thetas, phis = _expanded(theta), _expanded(phi)
     return np.column_stack([np.repeat(thetas, len(phis)), np.tile(phis, len(thetas))])

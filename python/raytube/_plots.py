@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from raytube._core import InputError
 
@@ -13,6 +14,8 @@ if TYPE_CHECKING:
 
 _ANGLES = {"phi_deg": "azimuth φ (degrees)", "theta_deg": "polar angle θ (degrees)", "rx_phi_deg": "azimuth φ of the receiver (degrees)",
            "rx_theta_deg": "polar angle θ of the receiver (degrees)"}
+_SYMBOLS = {"theta_deg": "θ", "phi_deg": "φ", "rx_theta_deg": "θ of the receiver", "rx_phi_deg": "φ of the receiver"}
+_DEPTH = 80.0  # below the peak there is nothing to see [dB]
 
 
 def plot(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
@@ -27,7 +30,7 @@ def plot(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
     else:
         x, label = _swept(result)
         _curves(result, channels, ax, x, label, 1)
-    ax.set_title(result.title)
+    ax.set_title(_title(result))
     return ax
 
 
@@ -38,16 +41,33 @@ def plot_polar(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
     if "azimuth" not in label or result.S.shape[1] != 1:
         raise InputError("plot_polar: needs looks that differ in one azimuth, at one frequency; choose these, or use plot")
     ax = ax or plt.subplots(subplot_kw={"projection": "polar"}, constrained_layout=True)[1]
-    floor = np.nanmax(result.sigma_dbsm.values) - 60.0
+    floor = _peak(result.sigma_dbsm.sel(channel=list(channels)).values) - 60.0
     for channel in channels:
         ax.plot(np.radians(x), np.maximum(result.sigma_dbsm.sel(channel=channel).values[:, 0], floor), label=channel.upper())
     ax.set_rlabel_position(90)
-    ax.set_title(f"{result.title}\nσ in dBsm")
-    ax.legend(loc="lower left", bbox_to_anchor=(-0.1, -0.1))
+    ax.set_ylim(bottom=floor)
+    ax.set_title(f"{_title(result)}\nσ (dBsm) against {label}")
+    ax.legend(loc="lower left", bbox_to_anchor=(-0.15, -0.1))
     return ax
 
 
-def _swept(result: Result) -> tuple[np.ndarray, str]:
+def _title(result: Result) -> str:
+    """The title of the case, and what all rows have in common."""
+    words = [result.title] if result.title else []
+    if result.S.shape[1] == 1:
+        words.append(f"{result._stored.frequency_hz[0] / 1e9:g} GHz")
+    for name, symbol in _SYMBOLS.items():
+        angles = getattr(result._stored, name)
+        if np.ptp(angles) == 0.0 and (result._stored.bistatic or not name.startswith("rx_")):
+            words.append(f"{symbol} = {angles[0]:g}°")
+    return ", ".join(words)
+
+
+def _peak(sigma: NDArray[np.float64]) -> float:
+    return float(np.max(sigma[np.isfinite(sigma)], initial=-300.0))
+
+
+def _swept(result: Result) -> tuple[NDArray[Any], str]:
     varying = [name for name in _ANGLES if np.ptp(getattr(result._stored, name)) > 0.0]
     if not result._stored.bistatic:
         varying = [name for name in varying if not name.startswith("rx_")]
@@ -56,11 +76,13 @@ def _swept(result: Result) -> tuple[np.ndarray, str]:
     return np.arange(result.S.shape[0]), "look"
 
 
-def _curves(result: Result, channels: tuple[str, ...], ax: Any, x: np.ndarray, label: str, axis: int) -> None:
+def _curves(result: Result, channels: tuple[str, ...], ax: Any, x: NDArray[Any], label: str, axis: int) -> None:
     marker = "o" if len(x) == 1 else ""
     for channel in channels:
         sigma = result.sigma_dbsm.sel(channel=channel).values
         ax.plot(x, sigma[:, 0] if axis == 1 else sigma[0], marker=marker, label=channel.upper())
+    peak = _peak(result.sigma_dbsm.sel(channel=list(channels)).values)
+    ax.set_ylim(bottom=max(ax.get_ylim()[0], peak - _DEPTH))
     ax.set_xlabel(label)
     ax.set_ylabel("σ (dBsm)")
     ax.grid(alpha=0.3)
@@ -70,7 +92,7 @@ def _curves(result: Result, channels: tuple[str, ...], ax: Any, x: np.ndarray, l
 def _map(result: Result, channel: str, ax: Any) -> None:
     x, label = _swept(result)
     sigma = result.sigma_dbsm.sel(channel=channel).values
-    peak = np.nanmax(sigma)
+    peak = _peak(sigma)
     mesh = ax.pcolormesh(x, result._stored.frequency_hz / 1e9, sigma.T, shading="nearest", vmin=peak - 50.0, vmax=peak)
     ax.set_xlabel(label)
     ax.set_ylabel("frequency (GHz)")

@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from raytube import _core
+from raytube import _arguments, _core
+from raytube._arguments import CHANNELS
 from raytube._core import InputError
-from raytube._result import CHANNELS, Result
+from raytube._result import Result
 
 # value = sqrt(4 pi) S: |value|^2 is sigma in m^2; time factor and angles are those of raytube.
 _SCALE = np.sqrt(4.0 * np.pi)
@@ -21,19 +22,26 @@ _HERTZ = {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6, "GHz": 1e9, "THz": 1e12}
 _KEY = "df"
 
 
-def write_radar_explorer(result: Result, folder: str | os.PathLike, name: str | None = None, channels: Sequence[str] = CHANNELS,
-                         geometry: Sequence[str | os.PathLike] = ()) -> list[Path]:
+def write_radar_explorer(result: Result, folder: str | os.PathLike[str], name: str | None = None, channels: Sequence[str] = CHANNELS,
+                         geometry: Sequence[str | os.PathLike[str]] = ()) -> list[Path]:
     """See `Result.to_radar_explorer`."""
     if result._stored.bistatic:
         raise InputError("to_radar_explorer: these files hold monostatic results; this one is bistatic")
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    name = name or result.title or "raytube"
-    name = "".join(c if c.isalnum() or c in "-_" else "_" for c in name)
-    return [_write_channel(result, folder, name, channel.lower(), [Path(file) for file in geometry]) for channel in channels]
+    directions = np.column_stack([result._stored.phi_deg, result._stored.theta_deg])
+    if len(np.unique(directions, axis=0)) < len(directions) or len(np.unique(result._stored.frequency_hz)) < result.S.shape[1]:
+        raise InputError("to_radar_explorer: a look or a frequency is there twice; these files hold each once")
+    place = Path(_arguments.path(folder, "to_radar_explorer"))
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"{place}: no folder can be made there ({error.strerror}); name another one") from None
+    title = _arguments.text(name or result.title or "raytube", "to_radar_explorer: name")
+    title = "".join(c if c.isalnum() or c in "-_" else "_" for c in title)
+    files = [Path(_arguments.path(file, "to_radar_explorer: geometry")) for file in geometry]
+    return [_write_channel(result, place, title, channel, files) for channel in channels]
 
 
-def read_radar_explorer(file: str | os.PathLike) -> Result:
+def read_radar_explorer(file: str | os.PathLike[str]) -> Result:
     """Reads what the Radar Explorer Toolkit opens.
 
     Parameters
@@ -52,7 +60,7 @@ def read_radar_explorer(file: str | os.PathLike) -> Result:
     InputError
         If a file is missing or holds something else.
     """
-    path = Path(file)
+    path = Path(_arguments.path(file, "read_radar_explorer"))
     first = _read_channel(path)
     frames = {first[0]: first[1]}
     for channel in CHANNELS:
@@ -64,8 +72,6 @@ def read_radar_explorer(file: str | os.PathLike) -> Result:
 
 
 def _write_channel(result: Result, folder: Path, name: str, channel: str, geometry: list[Path]) -> Path:
-    if channel not in CHANNELS:
-        raise InputError(f"to_radar_explorer: there is no channel {channel!r}; choose among {', '.join(CHANNELS)}")
     upper = channel.upper()
     frame = _frame(result, channel, upper)
     data, metadata = folder / f"{upper}_data_{name}.h5", folder / f"{upper}_{name}.json"
@@ -106,8 +112,8 @@ def _read_channel(path: Path) -> tuple[str, Any, dict[str, Any]]:
         raise InputError(f"{path}: frequency_units {unit!r} is unknown; write one of {', '.join(_HERTZ)}")
     try:
         frame = pandas.read_hdf(data)
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise InputError(f"{data}, named in {path}: cannot be read as a table of pandas ({error})") from None
+    except (OSError, ValueError, KeyError, TypeError, RuntimeError):  # what pandas and PyTables throw for odd files
+        raise InputError(f"{data}, named in {path}: cannot be read as a table of pandas; give the .h5 that belongs to it") from None
     if list(frame.index.names) != _LEVELS or len(frame.columns) != 1 or str(frame.columns[0]).lower() not in CHANNELS:
         raise InputError(f"{data}: needs one column named after a channel (HH, HV, VH, VV) and the index {', '.join(_LEVELS)}")
     channel = str(frame.columns[0]).lower()

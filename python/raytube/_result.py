@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import json
 import os
+import tempfile
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
+from numpy.typing import NDArray
 
-from raytube import _core
+from raytube import _arguments, _core
+from raytube._arguments import CHANNELS
 from raytube._core import InputError
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import pandas
+    import xarray as xr
     from matplotlib.axes import Axes
 
-CHANNELS = ("vv", "vh", "hv", "hh")
+_Choice = str | tuple[str, ...] | list[str]
 _S_UNITS = {"units": "m", "long_name": "scattering amplitude S"}
 
 
@@ -31,7 +36,7 @@ class Result:
     Arrays are read-only views of the result, labelled by xarray: ``result.S.values`` is the NumPy array itself.
     """
 
-    def __init__(self, stored: Any):
+    def __init__(self, stored: _core.Stored) -> None:
         self._stored = stored
 
     @cached_property
@@ -70,6 +75,8 @@ class Result:
         parts = self._stored.parts
         if not parts:
             raise InputError("parts: the result does not keep its mechanisms apart; solve with keep_parts=True")
+        import xarray as xr
+
         return xr.Dataset({name: self._array(values, ("receive", "transmit"), _S_UNITS) for name, values in parts.items()})
 
     @property
@@ -92,27 +99,32 @@ class Result:
     @property
     def case(self) -> dict[str, Any]:
         """The case as it was understood, every default filled in; empty where it is not known."""
-        return self._json("case", {})
+        case: dict[str, Any] = self._json("case", {})
+        return case
 
     @property
     def statistics(self) -> dict[str, Any]:
         """Counts of the solve: rays, tubes, hits, lost rays and more, as in ``run.json``; empty where they are not known."""
-        return self._json("counts", {})
+        counts: dict[str, Any] = self._json("counts", {})
+        return counts
 
     @property
     def skipped(self) -> list[dict[str, Any]]:
         """What was left out, how often, and why."""
-        return self.statistics.get("skipped", [])
+        skipped: list[dict[str, Any]] = self.statistics.get("skipped", [])
+        return skipped
 
     @property
     def warnings(self) -> list[str]:
         """Sentences about what may not be meant."""
-        return self._json("warnings", [])
+        sentences: list[str] = self._json("warnings", [])
+        return sentences
 
     @property
     def model_parts(self) -> list[dict[str, Any]]:
         """What the model uncertainty is made of, the largest share first, with remedies."""
-        return self._json("model_uncertainty", [])
+        parts: list[dict[str, Any]] = self._json("model_uncertainty", [])
+        return parts
 
     def to_xarray(self) -> xr.Dataset:
         """The result as a dataset.
@@ -123,6 +135,8 @@ class Result:
             ``S`` (look, frequency, receive, transmit), ``sigma_dbsm``, ``error_db``, ``model_db`` (look, frequency, channel), with
             ``frequency`` [Hz] and the angles of each look as coordinates.
         """
+        import xarray as xr
+
         variables = {"S": self.S, "sigma_dbsm": self.sigma_dbsm, "error_db": self.error_db, "model_db": self.model_db}
         return xr.Dataset(variables, attrs=self.attributes)
 
@@ -138,7 +152,7 @@ class Result:
         import pandas
 
         looks, frequencies = self.S.shape[:2]
-        columns: dict[str, np.ndarray] = {"freq_hz": np.tile(self._stored.frequency_hz, looks)}
+        columns: dict[str, NDArray[Any]] = {"freq_hz": np.tile(self._stored.frequency_hz, looks)}
         for name in ("theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg"):
             columns[name] = np.repeat(getattr(self._stored, name), frequencies)
         for i, channel in enumerate(CHANNELS):
@@ -149,12 +163,12 @@ class Result:
                 columns[name.format(channel)] = values.reshape(-1, 4)[:, i]
         return pandas.DataFrame(columns)
 
-    def plot(self, channels: tuple[str, ...] = ("vv", "hh"), ax: Axes | None = None) -> Axes:
+    def plot(self, channels: _Choice = ("vv", "hh"), ax: Axes | None = None) -> Axes:
         """Draws sigma against what is swept: a curve a channel, or a map of the first one where looks and frequencies are.
 
         Parameters
         ----------
-        channels : tuple of str
+        channels : str or tuple of str
             Among "vv", "vh", "hv", "hh".
         ax : matplotlib Axes, optional
             Default: a new figure.
@@ -165,14 +179,14 @@ class Result:
         """
         from raytube import _plots
 
-        return _plots.plot(self, channels, ax)
+        return _plots.plot(self, _arguments.channels(channels, "plot"), ax)
 
-    def plot_polar(self, channels: tuple[str, ...] = ("vv", "hh"), ax: Axes | None = None) -> Axes:
+    def plot_polar(self, channels: _Choice = ("vv", "hh"), ax: Axes | None = None) -> Axes:
         """Draws sigma against azimuth all round, in a polar diagram.
 
         Parameters
         ----------
-        channels : tuple of str
+        channels : str or tuple of str
             Among "vv", "vh", "hv", "hh".
         ax : matplotlib polar Axes, optional
             Default: a new figure.
@@ -188,9 +202,9 @@ class Result:
         """
         from raytube import _plots
 
-        return _plots.plot_polar(self, channels, ax)
+        return _plots.plot_polar(self, _arguments.channels(channels, "plot_polar"), ax)
 
-    def save(self, file: str | os.PathLike) -> None:
+    def save(self, file: str | os.PathLike[str]) -> None:
         """Writes the result to a file, which appears when it is complete.
 
         Parameters
@@ -201,12 +215,14 @@ class Result:
         Raises
         ------
         InputError
-            For another suffix.
+            For another suffix, and for a place where no file can be.
         """
-        file = os.fspath(file)
+        file = _arguments.path(file, "save")
         kind = os.path.splitext(file)[1].lower()
         if kind not in (".nc", ".csv"):
             raise InputError(f"{file}: results are saved as .nc or .csv; give one of these suffixes")
+        if os.path.isdir(file) or not os.access(os.path.dirname(os.path.abspath(file)), os.W_OK):
+            raise InputError(f"{file}: no file can be written there; name one in a folder that exists and that you may write to")
         beside = f"{file}.{os.getpid()}.part{kind}"
         try:
             (self._stored.write_netcdf if kind == ".nc" else self._stored.write_csv)(beside)
@@ -215,8 +231,8 @@ class Result:
             if os.path.exists(beside):
                 os.remove(beside)
 
-    def to_radar_explorer(self, folder: str | os.PathLike, name: str | None = None, channels: tuple[str, ...] = CHANNELS,
-                          geometry: tuple[str | os.PathLike, ...] = ()) -> list[Any]:
+    def to_radar_explorer(self, folder: str | os.PathLike[str], name: str | None = None, channels: _Choice = CHANNELS,
+                          geometry: tuple[str | os.PathLike[str], ...] = ()) -> list[Path]:
         """Writes what the Radar Explorer Toolkit of Ansys opens: for each channel ``HH_name.json`` and ``HH_data_name.h5``.
 
         Parameters
@@ -225,7 +241,7 @@ class Result:
             Is made if it is not there.
         name : str, optional
             Of the solution; default the title.
-        channels : tuple of str
+        channels : str or tuple of str
             Among "vv", "vh", "hv", "hh".
         geometry : tuple of paths, optional
             OBJ files in metres to be shown with the result, named in the metadata; they are not copied.
@@ -242,7 +258,17 @@ class Result:
         """
         from raytube._radar_explorer import write_radar_explorer
 
-        return write_radar_explorer(self, folder, name, channels, geometry)
+        return write_radar_explorer(self, folder, name, _arguments.channels(channels, "to_radar_explorer"), geometry)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Result:
+        return self  # nothing of it changes
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "result.nc")
+            self._stored.write_netcdf(file)
+            with open(file, "rb") as stream:
+                return _unpickled, (stream.read(),)
 
     def __repr__(self) -> str:
         looks, frequencies = self.S.shape[:2]
@@ -262,9 +288,11 @@ class Result:
 
         return f"<pre>{html.escape(repr(self))}</pre>{self.to_xarray()._repr_html_()}"
 
-    def _near_peak(self) -> np.ndarray:
+    def _near_peak(self) -> NDArray[np.bool_]:
         sigma = self._stored.sigma_dbsm
-        return sigma >= np.nanmax(sigma) - 20.0 if np.any(np.isfinite(sigma)) else np.zeros(sigma.shape, bool)
+        peak = np.max(sigma[np.isfinite(sigma)], initial=-np.inf)
+        near: NDArray[np.bool_] = (sigma >= peak - 20.0) & np.isfinite(sigma)
+        return near
 
     def _peak_text(self) -> str:
         sigma = self.sigma_dbsm.values
@@ -292,17 +320,29 @@ class Result:
                 coordinates[name] = ("look", getattr(stored, name), {"units": "m", "long_name": what})
         return coordinates
 
-    def _array(self, values: np.ndarray, more: tuple[str, ...], attributes: dict[str, str]) -> xr.DataArray:
+    def _array(self, values: NDArray[Any], more: tuple[str, ...], attributes: dict[str, str]) -> xr.DataArray:
+        import xarray as xr
+
         polarisations = {name: (name, ["v", "h"]) for name in more}
         return xr.DataArray(values, dims=("look", "frequency", *more), coords=self._coordinates | polarisations, attrs=attributes)
 
-    def _channels(self, values: np.ndarray, attributes: dict[str, str]) -> xr.DataArray:
+    def _channels(self, values: NDArray[Any], attributes: dict[str, str]) -> xr.DataArray:
+        import xarray as xr
+
         channels = {"channel": ("channel", list(CHANNELS))}
         return xr.DataArray(values.reshape(*values.shape[:2], 4), dims=("look", "frequency", "channel"),
                             coords=self._coordinates | channels, attrs=attributes)
 
 
-def load(file: str | os.PathLike) -> Result:
+def _unpickled(content: bytes) -> Result:
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "result.nc")
+        with open(file, "wb") as stream:
+            stream.write(content)
+        return Result(_core.Stored.read_netcdf(file))
+
+
+def load(file: str | os.PathLike[str]) -> Result:
     """Reads a result that raytube has written.
 
     Parameters
@@ -319,7 +359,7 @@ def load(file: str | os.PathLike) -> Result:
     InputError
         If the file cannot be read or holds something else. Tables of other programs are read by `compare`.
     """
-    file = os.fspath(file)
+    file = _arguments.path(file, "load")
     kind = os.path.splitext(file)[1].lower()
     if kind not in (".nc", ".csv"):
         raise InputError(f"{file}: results are loaded from .nc or .csv; for the .json of the Radar Explorer Toolkit there is read_radar_explorer")

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from raytube import _core
+from raytube import _arguments, _core
 from raytube._core import InputError
 
 
@@ -31,20 +32,21 @@ class Target:
     Raises
     ------
     InputError
-        For arrays of another shape, and for corners that are no vertices. What else is wrong with a mesh, `check` reports.
+        For arrays of another shape, coordinates that are not finite, and corners that are no vertices. What else is wrong with a mesh,
+        `check` reports.
 
     See Also
     --------
     Target.load : reads a file.
     """
 
-    def __init__(self, vertices: ArrayLike, faces: Any, unit: str, parts: Sequence[str] | Mapping[str, Sequence[int]] | None = None):
-        corners = _rectangular(faces)
-        names = _names(parts, len(corners))
-        self._core = _core.Target.of_arrays(np.asarray(vertices, dtype=float), corners, names, unit)
+    def __init__(self, vertices: ArrayLike, faces: Any, unit: str, parts: Sequence[str] | Mapping[str, Any] | None = None) -> None:
+        corners = _corners(faces)
+        names = _names(parts, len(corners) if corners.ndim else 0)
+        self._core = _core.Target.of_arrays(_arguments.numbers(vertices, "vertices"), corners, names, _arguments.text(unit, "unit"))
 
     @classmethod
-    def load(cls, file: str | os.PathLike | Sequence[str | os.PathLike], unit: str) -> Target:
+    def load(cls, file: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], unit: str) -> Target:
         """Reads a mesh file, or several as one target.
 
         Parameters
@@ -63,9 +65,9 @@ class Target:
         InputError
             If a file cannot be read: one sentence with file, line and remedy.
         """
-        files = [file] if isinstance(file, (str, os.PathLike)) else list(file)
+        files = file if isinstance(file, (tuple, list)) else [file]
         target = cls.__new__(cls)
-        target._core = _core.Target.of_files([os.fspath(name) for name in files], unit)
+        target._core = _core.Target.of_files([_arguments.path(name, "Target.load") for name in files], _arguments.text(unit, "unit"))
         return target
 
     @property
@@ -79,7 +81,7 @@ class Target:
         return self._core.parts
 
     @property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> NDArray[np.float64]:
         """Coordinates in `unit`, shape (vertices, 3): a copy."""
         return self._core.vertices
 
@@ -92,34 +94,54 @@ class Target:
         """Number of polygons."""
         return self._core.facets
 
+    def __deepcopy__(self, memo: dict[int, Any]) -> Target:
+        return self  # nothing of it changes
+
     def __repr__(self) -> str:
         return f"Target: {self._core.name}, {len(self)} facets, unit {self.unit}"
 
 
-def _rectangular(faces: Any) -> np.ndarray:
+def _corners(faces: Any) -> NDArray[np.int64]:
     try:
         array = np.asarray(faces)
     except ValueError:
-        array = np.asarray(faces, dtype=object)
-    if array.dtype != object:
-        if array.size and not np.issubdtype(array.dtype, np.integer):
-            raise InputError("faces: corners are whole numbers; give an array of integers")
-        return array.astype(np.int64)
-    widest = max(len(face) for face in faces)
-    return np.array([list(face) + [-1] * (widest - len(face)) for face in faces], dtype=np.int64)
+        return _padded(faces)
+    if array.dtype == object:
+        return _padded(faces)
+    if array.size and (array.dtype.kind not in "iu" or array.max() > np.iinfo(np.int64).max):
+        raise InputError("faces: corners are whole numbers, counted from 0; give an array of integers")
+    return array.astype(np.int64)
+
+
+def _padded(faces: Any) -> NDArray[np.int64]:
+    try:
+        polygons = [[operator.index(corner) for corner in face] for face in faces]
+        widest = max(map(len, polygons))
+        return np.array([polygon + [-1] * (widest - len(polygon)) for polygon in polygons], dtype=np.int64)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError("faces: give the corners of each face, whole numbers counted from 0") from None
 
 
 def _names(parts: Any, faces: int) -> list[str]:
     if parts is None:
         return []
     if isinstance(parts, Mapping):
-        names = [""] * faces
-        for name, members in parts.items():
-            for face in members:
-                if not 0 <= face < faces:
-                    raise InputError(f"parts: {name!r} has the face {face}, but there are {faces}, counted from 0")
-                names[face] = name
-        return names
+        return _names_of_members(parts, faces)
+    if isinstance(parts, (str, bytes)) or np.ndim(parts) != 1:
+        raise InputError("parts: give the name of each face's part, or a dictionary with the faces of each part")
     if len(parts) != faces:
         raise InputError(f"parts: {len(parts)} names for {faces} faces; give one for each, or the faces of each part")
-    return [str(name) for name in parts]
+    return [_arguments.text(name, "parts") for name in parts]
+
+
+def _names_of_members(parts: Mapping[Any, Any], faces: int) -> list[str]:
+    names = [""] * faces
+    for name, members in parts.items():
+        array = np.atleast_1d(np.asarray(members))
+        if array.ndim != 1 or (array.size and array.dtype.kind not in "iu"):
+            raise InputError(f"parts: {name!r} wants the numbers of its faces, counted from 0 (found {members!r:.40})")
+        for face in array:
+            if not 0 <= face < faces:
+                raise InputError(f"parts: {name!r} has the face {face}, but there are {faces}, counted from 0")
+            names[face] = _arguments.text(name, "parts")
+    return names

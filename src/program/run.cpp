@@ -337,15 +337,15 @@ Case case_for(const Destination& destination, const Request& request, Case c) {
 
 void run_command(const Request& request) {
   const Stopwatch total;
-  Case read = read_case(request.case_file, request.overrides);
+  const Case read = read_case(request.case_file, request.overrides);
   const Destination destination = destination_of(request, read);
-  const Case c = case_for(destination, request, std::move(read));
+  const Case c = case_for(destination, request, read);
   check_output(destination.folder, names_of_results(request, c, destination), input_files(c));
   if (!request.resume) LookJournal::refuse_leftover(destination.folder);
   if (request.random) refuse_random_tubes(c);
   LoadedMesh loaded = load_target(c);
   if (const std::string sentence = free_forms_sentence(c, loaded.report); !sentence.empty()) warn(sentence);
-  Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
+  Manifest manifest = described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report));
   manifest.time.read_s = total.seconds();
   manifest.threads = request.threads > 0 ? request.threads : all_threads();
   std::optional<Target> built;

@@ -171,6 +171,7 @@ void check_materials(const CaseValue& materials) {
 
 // Capitals tell apart only what nothing else does.
 std::string_view nearest_name(std::string_view name, std::span<const std::string> known) {
+  if (known.empty()) return {};
   const std::string lower = lower_case(name);
   const std::string_view nearest = *std::ranges::min_element(known, {}, [&](const std::string& other) {
     return std::pair(edit_distance(lower, lower_case(other)), edit_distance(name, other));
@@ -180,6 +181,7 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
 
 std::string name_meant(std::string_view name, std::span<const std::string> known) {
   constexpr std::size_t most = 12;
+  if (known.empty()) return "there are no names to choose among";
   if (const std::string_view nearest = nearest_name(name, known); !nearest.empty())
     return fmt::format("did you mean \"{}\"?", quotable(nearest));
   std::vector<std::string> names;

@@ -1,0 +1,81 @@
+"""Types of what the package calls in C++."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__version__: str
+
+class InputError(ValueError): ...
+
+class Target:
+    name: str
+    unit: str
+    meshes: list[str]
+    parts: list[str]
+    facets: int
+    vertices: NDArray[np.float64]
+    polygons: list[list[int]]
+    @staticmethod
+    def of_files(files: Sequence[str], unit: str, /) -> Target: ...
+    @staticmethod
+    def of_arrays(vertices: NDArray[np.float64], faces: NDArray[np.int64], names: Sequence[str], unit: str, /) -> Target: ...
+
+class Job:
+    title: str
+
+class Stored:
+    frequency_hz: NDArray[np.float64]
+    theta_deg: NDArray[np.float64]
+    phi_deg: NDArray[np.float64]
+    rx_theta_deg: NDArray[np.float64]
+    rx_phi_deg: NDArray[np.float64]
+    range_m: NDArray[np.float64]
+    rx_range_m: NDArray[np.float64]
+    bistatic: bool
+    comment: str
+    S: NDArray[np.complex128]
+    sigma_dbsm: NDArray[np.float64]
+    error_db: NDArray[np.float64]
+    model_db: NDArray[np.float64]
+    error_m: NDArray[np.float64] | None
+    model_m: NDArray[np.float64] | None
+    parts: dict[str, NDArray[np.complex128]]
+    model_parts: dict[str, NDArray[np.float64]]
+    incoherent_m2: NDArray[np.float64] | None
+    attributes: dict[str, str]
+    @staticmethod
+    def from_arrays(frequency_hz: NDArray[np.float64], looks: NDArray[np.float64], bistatic: bool, s: NDArray[np.complex128],
+                    attributes: Sequence[tuple[str, str]], /) -> Stored: ...
+    @staticmethod
+    def read_netcdf(file: str, /) -> Stored: ...
+    @staticmethod
+    def read_csv(file: str, /) -> Stored: ...
+    def write_netcdf(self, file: str, /) -> None: ...
+    def write_csv(self, file: str, /) -> None: ...
+
+class Table:
+    @staticmethod
+    def of_file(file: str, /) -> Table: ...
+    @staticmethod
+    def of_stored(stored: Stored, name: str, /) -> Table: ...
+
+class Comparison:
+    text: str
+    rows: int
+    channels: dict[str, dict[str, float]]
+    relative_error: float
+    def above_tolerance(self, tolerance_db: float, /) -> str: ...
+
+def all_threads() -> int: ...
+def job_of_file(file: str, overrides: Sequence[str], /) -> Job: ...
+def job_of_target(target: Target, values: dict[str, Any], name: str, looks: NDArray[np.float64] | None, bistatic: bool, /) -> Job: ...
+def solve(job: Job, threads: int, parts: bool, progress: Callable[[float], Any] | None, /) -> Stored: ...
+def check(job: Job, threads: int, /) -> tuple[str, dict[str, Any]]: ...
+def image(job: Job, look: int, per_wavelength: float, threads: int, progress: Callable[[float], Any] | None,
+          /) -> tuple[float, list[float], list[float], NDArray[np.complex128]]: ...
+def trace(job: Job, look: int, u: float, v: float, /) -> dict[str, Any]: ...
+def converge(job: Job, densities: Sequence[float], threads: int, progress: Callable[[float], Any] | None, /) -> tuple[str, dict[str, Any]]: ...
+def compare(result: Table, reference: Table, only: Mapping[str, tuple[float, float]], within_db: float, free_scale: bool, /) -> Comparison: ...
