@@ -108,9 +108,8 @@ def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None
     return _solved(_job_of_file("run", case, overrides), keep_parts, threads, progress)
 
 
-class CheckReport(dict[str, Any]):
-    """What a solve would do: a dict of resolved case, mesh, wedges, what is skipped, warnings, memory and time. Its ``repr`` is what
-    ``raytube check`` prints."""
+class _Told(dict[str, Any]):
+    """Data, and what the program prints of them."""
 
     def __init__(self, text: str, data: Mapping[str, Any]) -> None:
         super().__init__(data)
@@ -118,6 +117,11 @@ class CheckReport(dict[str, Any]):
 
     def __repr__(self) -> str:
         return self._text
+
+
+class CheckReport(_Told):
+    """What a solve would do: a dict of resolved case, mesh, wedges, what is skipped, warnings, memory and time. Its ``repr`` is what
+    ``raytube check`` prints."""
 
 
 def check(what: Any, *args: Any, threads: int = 0, **keywords: Any) -> CheckReport:
@@ -228,17 +232,10 @@ def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, 
     return _core.trace(job, _arguments.whole(look, "look"), _arguments.number(u, "u"), _arguments.number(v, "v"))
 
 
-class Convergence(dict[str, Any]):
+class Convergence(_Told):
     """A study over tube density: ``densities``, a list of dicts with ``per_wavelength``, ``S``, ``relative_change``, ``order`` and
     ``rms_db``; ``recommended``, the coarsest one fine enough, where there is one; ``extrapolated_S``. Its ``repr`` is the table that
     ``raytube converge`` prints."""
-
-    def __init__(self, text: str, data: Mapping[str, Any]) -> None:
-        super().__init__(data)
-        self._text = text
-
-    def __repr__(self) -> str:
-        return self._text
 
 
 def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), threads: int = 0, progress: _Progress = False,

@@ -231,7 +231,7 @@ class Result:
             if os.path.exists(beside):
                 os.remove(beside)
 
-    def to_radar_explorer(self, folder: str | os.PathLike[str], name: str | None = None, channels: _Choice = CHANNELS,
+    def to_radar_explorer(self, folder: str | os.PathLike[str], name: str | None = None, channels: _Choice | None = None,
                           geometry: tuple[str | os.PathLike[str], ...] = ()) -> list[Path]:
         """Writes what the Radar Explorer Toolkit of Ansys opens: for each channel ``HH_name.json`` and ``HH_data_name.h5``.
 
@@ -241,8 +241,8 @@ class Result:
             Is made if it is not there.
         name : str, optional
             Of the solution; default the title.
-        channels : str or tuple of str
-            Among "vv", "vh", "hv", "hh".
+        channels : str or tuple of str, optional
+            Among "vv", "vh", "hv", "hh"; default all that the result has numbers of.
         geometry : tuple of paths, optional
             OBJ files in metres to be shown with the result, named in the metadata; they are not copied.
 
@@ -258,7 +258,7 @@ class Result:
         """
         from raytube._radar_explorer import write_radar_explorer
 
-        return write_radar_explorer(self, folder, name, _arguments.channels(channels, "to_radar_explorer"), geometry)
+        return write_radar_explorer(self, folder, name, self._known(channels), geometry)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Result:
         return self  # nothing of it changes
@@ -269,6 +269,11 @@ class Result:
             self._stored.write_netcdf(file)
             with open(file, "rb") as stream:
                 return _unpickled, (stream.read(),)
+
+    def _known(self, channels: _Choice | None) -> tuple[str, ...]:
+        if channels is not None:
+            return _arguments.channels(channels, "to_radar_explorer")
+        return tuple(channel for i, channel in enumerate(CHANNELS) if not np.all(np.isnan(self._stored.S.reshape(-1, 4)[:, i])))
 
     def __repr__(self) -> str:
         looks, frequencies = self.S.shape[:2]

@@ -335,6 +335,16 @@ std::vector<ResultTable::Row> rows_of(const StoredResult& stored) {
   return rows;
 }
 
+// Files of the Radar Explorer Toolkit are read where pandas is, which writes their tables.
+void refuse_radar_explorer(const std::filesystem::path& file) {
+  const std::string ending = lower_case(file.extension().string());
+  if (ending == ".json" || ending == ".h5")
+    throw InputError(
+        fmt::format("{}: is no table; what the Radar Explorer Toolkit opens is compared in Python, with raytube.compare, or "
+                    "made a table there: raytube.read_radar_explorer(\"NAME.json\").save(\"NAME.nc\")",
+                    file.string()));
+}
+
 }  // namespace
 
 ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map, const std::string& option) {
@@ -343,6 +353,7 @@ ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap
       throw InputError(fmt::format("{}: {} has variables, no columns; leave the option out", option, file.string()));
     return table_of(read_netcdf(file), file);
   }
+  refuse_radar_explorer(file);
   CsvReader reader(file, "give the path of a readable table, for example out/rcs.csv");
   if (reader.columns().empty())
     throw InputError(fmt::format("{}: holds no table; give a file with a header and rows", file.string()));
@@ -368,7 +379,8 @@ ResultTable table_of(const StoredResult& stored, const std::filesystem::path& na
   table.has_key.fill(true);
   table.rows = rows_of(stored);
   for (std::size_t c = 0; c < 4; ++c)
-    table.has_channel[c] = table.has_phase[c] = std::ranges::any_of(table.rows, [c](const auto& row) { return finite(row.s[c]); });
+    table.has_channel[c] = table.has_phase[c] =
+        std::ranges::any_of(table.rows, [c](const auto& row) { return finite(row.s[c]); });
   require_numbers(table);
   return table;
 }
