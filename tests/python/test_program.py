@@ -129,6 +129,15 @@ def test_any_number_of_threads_gives_the_same_bits(dihedral):
     assert np.array_equal(rt.solve(dihedral, 94.0, looks, threads=1).S.values, rt.solve(dihedral, 94.0, looks, threads=3).S.values)
 
 
+def test_columns_of_pandas_and_xarray_are_numbers():
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    columns = pandas.DataFrame({"theta": [0.0, 10.0], "ghz": [9.0, 10.0]})
+    plate = rt.Target(pandas.DataFrame([[0, 0, 0], [0.3, 0, 0], [0, 0.3, 0]]), pandas.DataFrame([[0, 1, 2]]), unit="m")
+    wanted = rt.solve(plate, [9.0, 10.0], rt.monostatic([0.0, 10.0], 0.0)).S.values
+    for looks in (rt.monostatic(columns.theta, 0.0), rt.looks(columns.theta, xarray.DataArray([0.0, 0.0]))):
+        assert np.array_equal(rt.solve(plate, columns.ghz, looks).S.values, wanted)
+
+
 def test_looks_tell_the_angles_that_a_solve_has(dihedral):
     for looks in (rt.monostatic([80, 90], {"start": 0, "stop": 1, "step": 0.1}), rt.bistatic(90, [0, 10], {"start": 80, "stop": 90, "count": 3}, 5)):
         result = rt.solve(dihedral, 10.0, looks, edges={"method": "none"})
