@@ -46,6 +46,7 @@ WRONG = {
     "texts for frequencies": (lambda: solve(np.array(["10"])), "must be a number"),
     "complex frequencies": (lambda: solve(np.array([9 + 1j])), "type complex"),
     "dates for frequencies": (lambda: solve(np.array(["2020-01-01"], dtype="M8[D]")), "type datetime.date"),
+    "masked angles": (lambda: rt.monostatic(0, np.ma.array([0.0, 10.0], mask=[0, 1])), "monostatic: phi_deg: give numbers"),
     "masked frequencies": (lambda: solve(np.ma.array([9.0, 10.0], mask=[0, 1])), "type NoneType"),
     "generator": (lambda: solve(ghz for ghz in [9, 10]), "type generator"),
     "set": (lambda: solve({9, 10}), "type set"),
@@ -185,6 +186,16 @@ def test_polygons_of_different_length():
     faces = [[0, 1, 2, 3], [0, 1, 2]]
     assert target(faces=faces).faces == faces
     assert target(faces=[[0, 1, 2, 3], [0, 1, 2, -1]]).faces == faces
+
+
+def test_angles_and_corners_from_tables():
+    """Whatever makes an array of itself is taken, also where it has a method named mask."""
+    table = pandas.DataFrame({"theta_deg": [10.0, 20.0], "phi_deg": [0, 5]})
+    wanted = rt.looks([10.0, 20.0], [0, 5])
+    for looks in (rt.looks(table.theta_deg, table.phi_deg), rt.looks(*table.to_xarray().data_vars.values())):
+        assert np.array_equal(looks.theta_deg, wanted.theta_deg) and np.array_equal(looks.phi_deg, wanted.phi_deg)
+    assert np.array_equal(rt.monostatic(90, table.phi_deg).phi_deg, [0, 5])
+    assert np.array_equal(target(pandas.DataFrame(SQUARE)).vertices, SQUARE)
 
 
 def test_files_in_odd_places(tmp_path):
