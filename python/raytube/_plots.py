@@ -16,6 +16,7 @@ _ANGLES = {"phi_deg": "azimuth φ (degrees)", "theta_deg": "polar angle θ (degr
            "rx_theta_deg": "polar angle θ of the receiver (degrees)"}
 _SYMBOLS = {"theta_deg": "θ", "phi_deg": "φ", "rx_theta_deg": "θ of the receiver", "rx_phi_deg": "φ of the receiver"}
 _DEPTH = 80.0  # below the peak there is nothing to see [dB]
+_MAP_DEPTH = 50.0  # and in colours less
 
 
 def plot(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
@@ -93,7 +94,8 @@ def _map(result: Result, channel: str, ax: Any) -> None:
     x, label = _swept(result)
     sigma = result.sigma_dbsm.sel(channel=channel).values
     peak = _peak(sigma)
-    mesh = ax.pcolormesh(x, result._stored.frequency_hz / 1e9, sigma.T, shading="nearest", vmin=peak - 50.0, vmax=peak)
+    lowest = max(float(np.min(sigma[np.isfinite(sigma)], initial=peak)), peak - _MAP_DEPTH)
+    mesh = ax.pcolormesh(x, result._stored.frequency_hz / 1e9, sigma.T, shading="nearest", vmin=lowest, vmax=peak)
     ax.set_xlabel(label)
     ax.set_ylabel("frequency (GHz)")
     ax.figure.colorbar(mesh, ax=ax, label=f"σ, {channel.upper()} (dBsm)")

@@ -1,6 +1,7 @@
 """What comes out: arrays without a copy, tables, files, pictures."""
 import os
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -104,6 +105,18 @@ def test_csv_keeps_the_rows(sweep, tmp_path):
     assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
 
 
+def test_files_in_threads_say_nothing(sweep, tmp_path, capfd):
+    """HDF5 tells of attributes that netCDF looks for in vain, thread by thread, until it is told not to."""
+    def there_and_back(file):
+        sweep.save(file)
+        return rt.load(file).S.values
+
+    with ThreadPoolExecutor(2) as pool:
+        for S in pool.map(there_and_back, [tmp_path / f"{i}.nc" for i in range(4)]):
+            assert np.array_equal(S, sweep.S.values)
+    assert capfd.readouterr().err == ""
+
+
 def test_a_save_that_fails_leaves_nothing(sweep, tmp_path):
     (tmp_path / "a.nc").mkdir()
     with pytest.raises(rt.InputError):
@@ -156,6 +169,9 @@ def test_plot_of_one_row(plate, pictures):
 def test_map_over_looks_and_frequencies(sweep, pictures):
     ax = sweep.plot()
     assert ax.get_ylabel() == "frequency (GHz)" and ax.figure.axes[-1].get_ylabel() == "σ, VV (dBsm)"
+    sigma = sweep.sigma_dbsm.sel(channel="vv").values
+    lowest, highest = ax.collections[0].get_clim()
+    assert highest == sigma.max() and lowest == max(sigma[np.isfinite(sigma)].min(), highest - 50)
 
 
 def test_plot_into_given_axes(dihedral, pictures):
