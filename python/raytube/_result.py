@@ -164,7 +164,7 @@ class Result:
         return pandas.DataFrame(columns)
 
     def plot(self, channels: _Choice = ("vv", "hh"), ax: Axes | None = None) -> Axes:
-        """Draws sigma against what is swept: a curve a channel, or a map of the first one where looks and frequencies are.
+        """Draws sigma against what is swept: a curve a channel, or a map of the first one over looks and frequencies, or over two angles.
 
         Parameters
         ----------

@@ -174,6 +174,20 @@ def test_map_over_looks_and_frequencies(sweep, pictures):
     assert highest == sigma.max() and lowest == max(sigma[np.isfinite(sigma)].min(), highest - 50)
 
 
+def test_map_over_two_angles(dihedral, pictures):
+    theta, phi = [80.0, 85, 90], [10.0, 20, 30, 40]
+    by_phi = rt.solve(dihedral, 10.0, rt.monostatic(theta, phi))
+    by_theta = rt.solve(dihedral, 10.0, rt.looks(np.tile(theta, 4), np.repeat(phi, 3)))
+    for result, wanted in ((by_phi, lambda sigma: sigma.reshape(3, 4)), (by_theta, lambda sigma: sigma.reshape(4, 3).T)):
+        ax = result.plot("hh")
+        assert ax.get_xlabel().startswith("azimuth") and ax.get_ylabel().startswith("polar angle")
+        colours = np.asarray(ax.collections[0].get_array()).reshape(3, 4)
+        assert np.array_equal(colours, wanted(result.sigma_dbsm.sel(channel="hh").values[:, 0]))
+    assert by_phi.sigma_dbsm.shape == by_theta.sigma_dbsm.shape
+    ragged = rt.solve(dihedral, 10.0, rt.looks([80, 80, 90], [10, 20, 30])).plot("hh")
+    assert ragged.get_xlabel() == "look" and len(ragged.lines) == 1
+
+
 def test_plot_into_given_axes(dihedral, pictures):
     ax = pictures.subplots()[1]
     assert rt.solve(dihedral, 10.0, rt.monostatic(90, [0, 1])).plot(ax=ax) is ax
