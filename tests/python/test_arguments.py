@@ -2,6 +2,7 @@
 import copy
 import decimal
 import fractions
+import pickle
 import types
 
 import numpy as np
@@ -189,6 +190,13 @@ def test_polygons_of_different_length():
     faces = [[0, 1, 2, 3], [0, 1, 2]]
     assert target(faces=faces).faces == faces
     assert target(faces=[[0, 1, 2, 3], [0, 1, 2, -1]]).faces == faces
+
+
+def test_what_a_target_says_of_itself():
+    assert repr(target(unit="mm")).endswith("1 facets, " + " x ".join(f"{a:.4g}" for a in np.ptp(SQUARE, axis=0)) + " mm")
+    assert copy.copy(t := target()) is t
+    with pytest.raises(TypeError, match="load it in each process"):
+        pickle.dumps(t)
 
 
 def test_angles_and_corners_from_tables():
