@@ -7,8 +7,9 @@
 
 namespace raytube {
 
-/// While it lives, no other thread of ours is in HDF5, which is not made for several at once. netCDF asks HDF5 for attributes that
-/// may be missing, and keeps HDF5 from printing each as a failure only in the first thread that opened a file: here it is any.
+/// While it lives, no other thread of ours is in HDF5, which is not made for several at once. netCDF asks HDF5 for attributes
+/// that may be missing, and keeps HDF5 from printing each as a failure only in the first thread that opened a file: here it is
+/// any.
 class Hdf5InUse {
  public:
   Hdf5InUse() {
