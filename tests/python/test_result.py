@@ -1,5 +1,7 @@
 """What comes out: arrays without a copy, tables, files, pictures."""
 import os
+import subprocess
+import sys
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 
@@ -115,6 +117,15 @@ def test_files_in_threads_say_nothing(sweep, tmp_path, capfd):
         for S in pool.map(there_and_back, [tmp_path / f"{i}.nc" for i in range(4)]):
             assert np.array_equal(S, sweep.S.values)
     assert capfd.readouterr().err == ""
+
+
+def test_files_here_and_by_others_say_nothing(sweep, tmp_path):
+    """netCDF4 of Python relies on the silence of the thread in which netCDF opened its first file."""
+    pytest.importorskip("netCDF4")
+    sweep.save(tmp_path / "a.nc")
+    script = "import sys, xarray, raytube; raytube.load(sys.argv[1]); print(xarray.open_dataset(sys.argv[1], engine='netcdf4').S_re.dims[0])"
+    done = subprocess.run([sys.executable, "-c", script, tmp_path / "a.nc"], capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("look\n", "")
 
 
 def test_a_save_that_fails_leaves_nothing(sweep, tmp_path):
