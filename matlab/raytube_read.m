@@ -32,8 +32,15 @@ function result = read_netcdf(file)
   if exist('OCTAVE_VERSION', 'builtin')
     pkg('load', 'netcdf');
   end
-  info = ncinfo(file);
+  try
+    info = ncinfo(file);
+  catch failure
+    error('raytube:read', '%s: is no netCDF file (%s)', file, failure.message);
+  end
   names = {info.Variables.Name};
+  if ~any(strcmp(names, 'S_re'))
+    error('raytube:read', '%s: is no result of raytube', file);
+  end
   result.frequency_hz = reshape(ncread(file, 'frequency'), [], 1);
   for name = {'theta_deg', 'phi_deg', 'rx_theta_deg', 'rx_phi_deg', 'range_m', 'rx_range_m'}
     if any(strcmp(names, name{1}))

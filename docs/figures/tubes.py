@@ -54,6 +54,10 @@ def cells_above(source, array, least):
     return Threshold(Input=source, Scalars=["CELLS", array], ThresholdMethod="Above Upper Threshold", UpperThreshold=least)
 
 
+def cells_below(source, array, most):
+    return Threshold(Input=source, Scalars=["CELLS", array], ThresholdMethod="Below Lower Threshold", LowerThreshold=most)
+
+
 def look_at(view, source):
     box = source.GetDataInformation().GetBounds()
     middle = [0.5 * (box[i] + box[i + 1]) for i in (0, 2, 4)]
@@ -68,7 +72,7 @@ def look_at(view, source):
 def hits_and_wedges(view, hits, wedges):
     sized = CellSize(Input=hits, ComputeVertexCount=0, ComputeLength=0, ComputeVolume=0)
     density = Calculator(Input=sized, AttributeType="Cell Data", ResultArrayName="density", Function="hits/Area*1e-6")
-    show_plain(hits, view, GREY)
+    show_plain(cells_below(density, "hits", 0), view, GREY)  # all of them would lie in one place with the coloured ones
     show(cells_above(density, "hits", 1), view, "density", [0.3, 1, 3, 10, 30], "hits per mm²", "Viridis (matplotlib)", log=True)
     show_plain(cells_above(wedges, "lit_fraction", 0.5), view, (0.85, 0.28, 0.06)).LineWidth = 1
 

@@ -7,6 +7,7 @@
 #include "bindings/result.h"
 #include "core/error.h"
 #include "output/compare/comparison_report.h"
+#include "output/tables/column_map.h"
 #include "output/tables/csv.h"
 
 namespace raytube::python {
@@ -64,7 +65,9 @@ py::dict channels(const Comparison& comparison) {
 
 void bind_comparison(py::module_& module) {
   py::class_<ResultTable>(module, "Table")
-      .def_static("of_file", [](const std::filesystem::path& file) { return read_result_table(file); })
+      .def_static("of_file", [](const std::filesystem::path& file, const std::string& columns, const std::string& name) {
+        return read_result_table(file, parsed_column_map(name, columns), name);
+      })
       .def_static("of_stored", &table_of);
   py::class_<Comparison>(module, "Comparison")
       .def_property_readonly("text", &comparison_text)

@@ -46,7 +46,7 @@ def numbers(value: Any, name: str) -> npt.NDArray[np.float64]:
     """An array of numbers, which need not be finite, of any shape."""
     try:
         array = np.asarray(value)
-        masked = isinstance(value, np.ma.MaskedArray) and bool(np.any(value.mask))
+        masked = isinstance(value, np.ma.MaskedArray) and np.any(value.mask)  # a Series has a method of that name
         if array.dtype.kind not in "iufO" or masked or (array.dtype == object and None in array.ravel().tolist()):
             raise TypeError
         return array.astype(float)

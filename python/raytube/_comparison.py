@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from typing import Any
 
@@ -49,7 +50,7 @@ class Comparison:
 
 
 def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[str, Any] | None = None,
-            free_scale: bool = False) -> Comparison:
+            free_scale: bool = False, result_columns: str | Mapping[str, str] = "", reference_columns: str | Mapping[str, str] = "") -> Comparison:
     """Compares two results of any source in the rows that have equal frequency and angles.
 
     Parameters
@@ -63,6 +64,9 @@ def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[
         Rows that count: ``{"phi_deg": (-45, 45), "freq_hz": 10e9}``.
     free_scale : bool
         Fit one complex factor first.
+    result_columns, reference_columns : str or dict of str to str
+        Columns of a table that have other names or units: ``{"phi_deg": "bearing*-1", "sigma_vv_dbsm": '"RCS [dBsm]"'}``, or that as one text
+        as ``raytube compare --reference-columns`` takes it.
 
     Returns
     -------
@@ -78,7 +82,7 @@ def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[
     within = _arguments.number(within_db, "within_db")
     if within < 0.0:
         raise InputError(f"within_db: give 0 or more decibels (found {within:g})")
-    tables = _table(result, "result"), _table(reference, "reference")
+    tables = _table(result, "result", result_columns), _table(reference, "reference", reference_columns)
     return Comparison(_core.compare(*tables, ranges, within, _arguments.flag(free_scale, "free_scale")))
 
 
@@ -89,10 +93,26 @@ def _range(value: Any, column: str) -> tuple[float, float]:
     return float(ends[0]), float(ends[-1])
 
 
-def _table(source: Any, name: str) -> _core.Table:
-    if isinstance(source, Result):
-        return _core.Table.of_stored(source._stored, name)
-    file = _arguments.path(source, f"compare: {name}")
+def _table(source: Any, name: str, columns: Any) -> _core.Table:
+    chosen = _columns(columns, f"{name}_columns")
+    stored = source if isinstance(source, Result) else None
+    file = name if stored else _file(source, name)
     if file.lower().endswith(".json"):
-        return _core.Table.of_stored(read_radar_explorer(file)._stored, file)
-    return _core.Table.of_file(file)
+        stored = read_radar_explorer(file)
+    if stored is None:
+        return _core.Table.of_file(file, chosen, f"{name}_columns")
+    if chosen:
+        raise InputError(f"{name}_columns: {file} is no table, whose columns could have other names; leave them out")
+    return _core.Table.of_stored(stored._stored, file)
+
+
+def _file(source: Any, name: str) -> str:
+    if not isinstance(source, (str, os.PathLike)):
+        raise InputError(f"compare: {name}: give a Result or the path of a file (found {_arguments.kind_of(source)})")
+    return _arguments.path(source, f"compare: {name}")
+
+
+def _columns(columns: Any, name: str) -> str:
+    if isinstance(columns, Mapping):
+        return ",".join(f"{_arguments.text(ours, name)}={_arguments.text(theirs, name)}" for ours, theirs in columns.items())
+    return _arguments.text(columns, name)

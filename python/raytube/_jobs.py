@@ -314,7 +314,8 @@ def _solved(job: Any, keep_parts: Any, threads: Any, progress: Any) -> Result:
 
 # Sections of a case that are keywords; those of [target] first.
 _OF_TARGET = ("material", "parts", "facets")
-_KEYWORDS = (*_OF_TARGET, "materials", "tubes", "edges", "surfaces", "radar", "accuracy", "title")
+_SECTIONS = ("materials", "tubes", "edges", "surfaces", "radar", "accuracy")
+_KEYWORDS = (*_OF_TARGET, *_SECTIONS, "title")
 
 
 def _job(name: str, what: Any, args: tuple[Any, ...], keywords: dict[str, Any]) -> Any:
@@ -350,7 +351,7 @@ def _job_of_file(name: str, case: Any, overrides: Any) -> Any:
 
 def _job_of_target(name: str, target: Any, ghz: Any, looks: Any, keywords: dict[str, Any]) -> Any:
     if not isinstance(target, Target):
-        raise InputError(f"{name}: the first argument is {_arguments.kind_of(target)}, no Target; use run for a case file")
+        raise InputError(f"{name}: the first argument is {_arguments.kind_of(target)}, no Target; give Target.load(mesh, unit), or use run for a case file")
     if looks is not None and not isinstance(looks, Looks):
         raise InputError(f"{name}: looks are made by raytube.monostatic, raytube.bistatic or raytube.looks "
                          f"(found {_arguments.kind_of(looks)})")
@@ -358,6 +359,9 @@ def _job_of_target(name: str, target: Any, ghz: Any, looks: Any, keywords: dict[
         raise InputError(f"{name}: ghz is missing; give a number, a list, or a range {{'start': 9, 'stop': 11, 'count': 101}}")
     if looks is None and not keywords.get("radar"):
         raise InputError(f"{name}: looks are missing; give raytube.monostatic(theta_deg, phi_deg), bistatic or looks")
+    for key, value in keywords.items():
+        if key in _SECTIONS and value is not None and not isinstance(value, Mapping):
+            raise InputError(f"{name}: {key} must be a section, a dictionary of its keys (found {_arguments.kind_of(value)})")
     of_target = {key: keywords.get(key) for key in _OF_TARGET}
     values = {key: value for key, value in keywords.items() if key not in _OF_TARGET}
     values |= {"frequency": {"ghz": ghz}} | (looks._sections if looks is not None else {})

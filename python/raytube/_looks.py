@@ -37,7 +37,7 @@ class Looks:
     def __repr__(self) -> str:
         if self._rows is None and "looks_csv" in self._sections.get("look", {}):
             return f"Looks listed in {self._sections['look']['looks_csv']}"
-        return f"{len(self)} {'bistatic' if self.bistatic else 'monostatic'} look{'s' if len(self) > 1 else ''}"
+        return f"{len(self)} {'bistatic' if self.bistatic else 'monostatic'} look{'s' if len(self) != 1 else ''}"
 
     @property
     def theta_deg(self) -> NDArray[np.float64]:

@@ -16,6 +16,7 @@ _ANGLES = {"phi_deg": "azimuth φ (degrees)", "theta_deg": "polar angle θ (degr
            "rx_theta_deg": "polar angle θ of the receiver (degrees)"}
 _SYMBOLS = {"theta_deg": "θ", "phi_deg": "φ", "rx_theta_deg": "θ of the receiver", "rx_phi_deg": "φ of the receiver"}
 _DEPTH = 80.0  # below the peak there is nothing to see [dB]
+_MAP_DEPTH = 50.0  # and in colours less
 
 
 def plot(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
@@ -23,8 +24,12 @@ def plot(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
 
     ax = ax or plt.subplots(constrained_layout=True)[1]
     looks, frequencies = result.S.shape[:2]
+    grid = _grid(result) if frequencies == 1 else None
     if looks > 1 and frequencies > 1:
-        _map(result, channels[0], ax)
+        x, label = _swept(result)
+        _map(result, channels[0], ax, (x, label), (result._stored.frequency_hz / 1e9, "frequency (GHz)"), False)
+    elif grid:
+        _map(result, channels[0], ax, *grid)
     elif frequencies > 1:
         _curves(result, channels, ax, result._stored.frequency_hz / 1e9, "frequency (GHz)", 0)
     else:
@@ -67,10 +72,30 @@ def _peak(sigma: NDArray[np.float64]) -> float:
     return float(np.max(sigma[np.isfinite(sigma)], initial=-300.0))
 
 
-def _swept(result: Result) -> tuple[NDArray[Any], str]:
+def _varying(result: Result) -> list[str]:
     varying = [name for name in _ANGLES if np.ptp(getattr(result._stored, name)) > 0.0]
-    if not result._stored.bistatic:
-        varying = [name for name in varying if not name.startswith("rx_")]
+    return varying if result._stored.bistatic else [name for name in varying if not name.startswith("rx_")]
+
+
+def _grid(result: Result) -> tuple[tuple[NDArray[Any], str], tuple[NDArray[Any], str], bool] | None:
+    """Two angles, each value of one with each of the other: what goes across and up, and whether looks run across first."""
+    varying = _varying(result)
+    if len(varying) != 2:
+        return None
+    across, up = varying  # an azimuth comes before its polar angle
+    for fast, slow, across_first in ((across, up, True), (up, across, False)):
+        fast_values, slow_values = getattr(result._stored, fast), getattr(result._stored, slow)
+        run = int(np.argmax(slow_values != slow_values[0]))
+        if run > 1 and len(fast_values) % run == 0:
+            rows, columns = fast_values.reshape(-1, run), slow_values.reshape(-1, run)
+            if np.all(rows == rows[0]) and np.all(columns == columns[:, :1]):
+                values = {fast: rows[0], slow: columns[:, 0]}
+                return (values[across], _ANGLES[across]), (values[up], _ANGLES[up]), across_first
+    return None
+
+
+def _swept(result: Result) -> tuple[NDArray[Any], str]:
+    varying = _varying(result)
     if len(varying) == 1:
         return getattr(result._stored, varying[0]), _ANGLES[varying[0]]
     return np.arange(result.S.shape[0]), "look"
@@ -89,11 +114,12 @@ def _curves(result: Result, channels: tuple[str, ...], ax: Any, x: NDArray[Any],
     ax.legend()
 
 
-def _map(result: Result, channel: str, ax: Any) -> None:
-    x, label = _swept(result)
-    sigma = result.sigma_dbsm.sel(channel=channel).values
+def _map(result: Result, channel: str, ax: Any, across: tuple[NDArray[Any], str], up: tuple[NDArray[Any], str], across_first: bool) -> None:
+    (x, x_label), (y, y_label) = across, up
+    sigma = result.sigma_dbsm.sel(channel=channel).values.reshape((len(y), len(x)) if across_first else (len(x), len(y)))
     peak = _peak(sigma)
-    mesh = ax.pcolormesh(x, result._stored.frequency_hz / 1e9, sigma.T, shading="nearest", vmin=peak - 50.0, vmax=peak)
-    ax.set_xlabel(label)
-    ax.set_ylabel("frequency (GHz)")
+    lowest = max(float(np.min(sigma[np.isfinite(sigma)], initial=peak)), peak - _MAP_DEPTH)
+    mesh = ax.pcolormesh(x, y, sigma if across_first else sigma.T, shading="nearest", vmin=lowest, vmax=peak)
+    ax.set_xlabel(x_label)
+    ax.set_ylabel(y_label)
     ax.figure.colorbar(mesh, ax=ax, label=f"σ, {channel.upper()} (dBsm)")

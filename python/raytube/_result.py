@@ -164,7 +164,7 @@ class Result:
         return pandas.DataFrame(columns)
 
     def plot(self, channels: _Choice = ("vv", "hh"), ax: Axes | None = None) -> Axes:
-        """Draws sigma against what is swept: a curve a channel, or a map of the first one where looks and frequencies are.
+        """Draws sigma against what is swept: a curve a channel, or a map of the first one over looks and frequencies, or over two angles.
 
         Parameters
         ----------
@@ -280,7 +280,7 @@ class Result:
         kind = "bistatic" if self._stored.bistatic else "monostatic"
         ghz = self._stored.frequency_hz / 1e9
         span = f"{ghz[0]:g} GHz" if frequencies == 1 else f"{frequencies} frequencies from {ghz[0]:g} to {ghz[-1]:g} GHz"
-        lines = [f"Result: {self.title}", f"  {looks} {kind} look{'s' if looks > 1 else ''}, {span}", f"  peak {self._peak_text()}"]
+        lines = [f"Result: {self.title}" if self.title else "Result", f"  {looks} {kind} look{'s' if looks > 1 else ''}, {span}", f"  peak {self._peak_text()}"]
         for name, values in (("numerical error", self._stored.error_db), ("model uncertainty", self._stored.model_db)):
             near = values[self._near_peak()]
             if near.size and not np.all(np.isnan(near)):

@@ -94,11 +94,18 @@ class Target:
         """Number of polygons."""
         return self._core.facets
 
+    def __copy__(self) -> Target:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise TypeError("a Target cannot be pickled; load it in each process, or solve in threads, which run in parallel")
+
     def __deepcopy__(self, memo: dict[int, Any]) -> Target:
         return self  # nothing of it changes
 
     def __repr__(self) -> str:
-        return f"Target: {self._core.name}, {len(self)} facets, unit {self.unit}"
+        size = " x ".join(f"{length:.4g}" for length in np.ptp(self.vertices, axis=0))
+        return f"Target: {self._core.name}, {len(self)} facets, {size} {self.unit}"
 
 
 def _corners(faces: Any) -> NDArray[np.int64]:

@@ -2,6 +2,7 @@
 import copy
 import decimal
 import fractions
+import pickle
 import types
 
 import numpy as np
@@ -46,6 +47,7 @@ WRONG = {
     "texts for frequencies": (lambda: solve(np.array(["10"])), "must be a number"),
     "complex frequencies": (lambda: solve(np.array([9 + 1j])), "type complex"),
     "dates for frequencies": (lambda: solve(np.array(["2020-01-01"], dtype="M8[D]")), "type datetime.date"),
+    "masked angles": (lambda: rt.monostatic(0, np.ma.array([0.0, 10.0], mask=[0, 1])), "monostatic: phi_deg: give numbers"),
     "masked frequencies": (lambda: solve(np.ma.array([9.0, 10.0], mask=[0, 1])), "type NoneType"),
     "generator": (lambda: solve(ghz for ghz in [9, 10]), "type generator"),
     "set": (lambda: solve({9, 10}), "type set"),
@@ -134,7 +136,10 @@ WRONG = {
     "odd channel": (lambda: solve().plot(("vv", "xx")), "channels are vv, vh, hv, hh"),
     "no result": (lambda: rt.load("no.nc"), "cannot be read"),
     "odd result": (lambda: rt.load("x.json"), "read_radar_explorer"),
-    "compare with nothing": (lambda: rt.compare(None, solve()), "compare: result: give the path of a file (found None)"),
+    "compare with nothing": (lambda: rt.compare(None, solve()), "compare: result: give a Result or the path of a file (found None)"),
+    "compare with an array": (lambda: rt.compare(solve(), solve().S), "compare: reference: give a Result or the path of a file (found DataArray)"),
+    "columns of a result": (lambda: rt.compare(solve(), solve(), reference_columns="phi_deg=a"), "reference_columns: reference is no table"),
+    "odd columns": (lambda: rt.compare(solve(), "x.csv", reference_columns=[1]), "reference_columns: give a text"),
     "negative decibels": (lambda: rt.compare(solve(), solve(), within_db=-1), "within_db: give 0 or more"),
     "odd column": (lambda: rt.compare(solve(), solve(), only={"x": 3}), "there is no column x"),
     "odd range": (lambda: rt.compare(solve(), solve(), only={"phi_deg": (3, 1)}), "the lowest and the highest"),
@@ -185,6 +190,23 @@ def test_polygons_of_different_length():
     faces = [[0, 1, 2, 3], [0, 1, 2]]
     assert target(faces=faces).faces == faces
     assert target(faces=[[0, 1, 2, 3], [0, 1, 2, -1]]).faces == faces
+
+
+def test_what_a_target_says_of_itself():
+    assert repr(target(unit="mm")).endswith("1 facets, " + " x ".join(f"{a:.4g}" for a in np.ptp(SQUARE, axis=0)) + " mm")
+    assert copy.copy(t := target()) is t
+    with pytest.raises(TypeError, match="load it in each process"):
+        pickle.dumps(t)
+
+
+def test_angles_and_corners_from_tables():
+    """Whatever makes an array of itself is taken, also where it has a method named mask."""
+    table = pandas.DataFrame({"theta_deg": [10.0, 20.0], "phi_deg": [0, 5]})
+    wanted = rt.looks([10.0, 20.0], [0, 5])
+    for looks in (rt.looks(table.theta_deg, table.phi_deg), rt.looks(*table.to_xarray().data_vars.values())):
+        assert np.array_equal(looks.theta_deg, wanted.theta_deg) and np.array_equal(looks.phi_deg, wanted.phi_deg)
+    assert np.array_equal(rt.monostatic(90, table.phi_deg).phi_deg, [0, 5])
+    assert np.array_equal(target(pandas.DataFrame(SQUARE)).vertices, SQUARE)
 
 
 def test_files_in_odd_places(tmp_path):

@@ -78,6 +78,20 @@ def test_compare_of_some_rows(sweep):
     assert comparison.rows == 4 and comparison.relative_error == 0.0
 
 
+def test_compare_with_columns_of_other_names(tmp_path):
+    result = rt.run(CASE)
+    table = result.to_dataframe()
+    table["bearing"], table["RCS [dBsm]"] = -table.phi_deg, table.sigma_hh_dbsm
+    table[["theta_deg", "bearing", "RCS [dBsm]"]].to_csv(tmp_path / "measured.csv", index=False)
+    columns = {"phi_deg": "bearing*-1", "sigma_hh_dbsm": '"RCS [dBsm]"'}
+    comparison = rt.compare(result, tmp_path / "measured.csv", reference_columns=columns)
+    assert comparison.rows == len(table) and list(comparison.channels) == ["hh"] and comparison.channels["hh"]["largest_abs_db"] < 1e-9
+    as_text = ",".join(f"{ours}={theirs}" for ours, theirs in columns.items())
+    assert rt.compare(tmp_path / "measured.csv", result, result_columns=as_text).channels.keys() == {"hh"}
+    with pytest.raises(rt.InputError, match="as in reference_columns sigma_vv_dbsm=NAME"):
+        rt.compare(result, tmp_path / "measured.csv")
+
+
 def least(call, times):
     """The time of a call when nothing else wanted the processor [s]."""
     def once():

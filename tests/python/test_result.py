@@ -1,6 +1,9 @@
 """What comes out: arrays without a copy, tables, files, pictures."""
 import os
+import subprocess
+import sys
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -104,6 +107,27 @@ def test_csv_keeps_the_rows(sweep, tmp_path):
     assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
 
 
+def test_files_in_threads_say_nothing(sweep, tmp_path, capfd):
+    """HDF5 tells of attributes that netCDF looks for in vain, thread by thread, until it is told not to."""
+    def there_and_back(file):
+        sweep.save(file)
+        return rt.load(file).S.values
+
+    with ThreadPoolExecutor(2) as pool:
+        for S in pool.map(there_and_back, [tmp_path / f"{i}.nc" for i in range(4)]):
+            assert np.array_equal(S, sweep.S.values)
+    assert capfd.readouterr().err == ""
+
+
+def test_files_here_and_by_others_say_nothing(sweep, tmp_path):
+    """netCDF4 of Python relies on the silence of the thread in which netCDF opened its first file."""
+    pytest.importorskip("netCDF4")
+    sweep.save(tmp_path / "a.nc")
+    script = "import sys, xarray, raytube; raytube.load(sys.argv[1]); print(xarray.open_dataset(sys.argv[1], engine='netcdf4').S_re.dims[0])"
+    done = subprocess.run([sys.executable, "-c", script, tmp_path / "a.nc"], capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("look\n", "")
+
+
 def test_a_save_that_fails_leaves_nothing(sweep, tmp_path):
     (tmp_path / "a.nc").mkdir()
     with pytest.raises(rt.InputError):
@@ -156,6 +180,23 @@ def test_plot_of_one_row(plate, pictures):
 def test_map_over_looks_and_frequencies(sweep, pictures):
     ax = sweep.plot()
     assert ax.get_ylabel() == "frequency (GHz)" and ax.figure.axes[-1].get_ylabel() == "σ, VV (dBsm)"
+    sigma = sweep.sigma_dbsm.sel(channel="vv").values
+    lowest, highest = ax.collections[0].get_clim()
+    assert highest == sigma.max() and lowest == max(sigma[np.isfinite(sigma)].min(), highest - 50)
+
+
+def test_map_over_two_angles(dihedral, pictures):
+    theta, phi = [80.0, 85, 90], [10.0, 20, 30, 40]
+    by_phi = rt.solve(dihedral, 10.0, rt.monostatic(theta, phi))
+    by_theta = rt.solve(dihedral, 10.0, rt.looks(np.tile(theta, 4), np.repeat(phi, 3)))
+    for result, wanted in ((by_phi, lambda sigma: sigma.reshape(3, 4)), (by_theta, lambda sigma: sigma.reshape(4, 3).T)):
+        ax = result.plot("hh")
+        assert ax.get_xlabel().startswith("azimuth") and ax.get_ylabel().startswith("polar angle")
+        colours = np.asarray(ax.collections[0].get_array()).reshape(3, 4)
+        assert np.array_equal(colours, wanted(result.sigma_dbsm.sel(channel="hh").values[:, 0]))
+    assert by_phi.sigma_dbsm.shape == by_theta.sigma_dbsm.shape
+    ragged = rt.solve(dihedral, 10.0, rt.looks([80, 80, 90], [10, 20, 30])).plot("hh")
+    assert ragged.get_xlabel() == "look" and len(ragged.lines) == 1
 
 
 def test_plot_into_given_axes(dihedral, pictures):

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <mutex>
 
 namespace raytube {
 
@@ -29,8 +28,5 @@ inline constexpr const char* geometry_attribute = "geometry";    // monostatic o
 /// HDF5 takes no attribute of 64 kB. A longer text is a variable of letters in its place, with a dimension of its own.
 inline constexpr std::size_t longest_attribute = 60'000;
 inline constexpr const char* letters_suffix = "_letters";
-
-/// HDF5, below netCDF, is not made for several threads at once.
-inline std::mutex hdf5_in_use;
 
 }  // namespace raytube

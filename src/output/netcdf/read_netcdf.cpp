@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "output/netcdf/conventions.h"
+#include "output/netcdf/hdf5_in_use.h"
 #include "output/netcdf/netcdf_file.h"
 
 namespace raytube {
@@ -267,7 +268,7 @@ class ResultReader {
 }  // namespace
 
 StoredResult read_netcdf(const std::filesystem::path& file) {
-  const std::lock_guard lock(hdf5_in_use);
+  const Hdf5InUse in_use;
   const OpenNetcdf open(file);
   return ResultReader(open).read();
 }

@@ -11,6 +11,7 @@
 #include "core/text.h"
 #include "output/files/files.h"
 #include "output/netcdf/conventions.h"
+#include "output/netcdf/hdf5_in_use.h"
 #include "output/netcdf/netcdf_file.h"
 
 namespace raytube {
@@ -247,7 +248,7 @@ class ResultWriter {
 bool is_netcdf_name(const std::filesystem::path& file) { return lower_case(file.extension().string()) == ".nc"; }
 
 void write_netcdf(const std::filesystem::path& file, const StoredResult& result) {
-  const std::lock_guard lock(hdf5_in_use);
+  const Hdf5InUse in_use;
   NewNetcdf open(file);
   ResultWriter(open, result).write();
   OutputFile out(file);
