@@ -23,13 +23,13 @@ def version():
     return re.search(r"^project\(raytube VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
 
 
-def cmake(*arguments):
+def cmake(*arguments, remedy="what it said stands above"):
     try:
         subprocess.run(["cmake", *arguments], check=True)
     except FileNotFoundError:
         sys.exit("raytube is built by CMake, which is not here: install the packages that docs/guide/install.md lists for pip")
     except subprocess.CalledProcessError as failure:
-        sys.exit(f"cmake ended with {failure.returncode}; what it said stands above")
+        sys.exit(f"cmake ended with {failure.returncode}; {remedy}")
 
 
 class BuildByCMake(build_ext):
@@ -44,12 +44,13 @@ class BuildByCMake(build_ext):
         shutil.copy2(built, wanted)
 
     def build_folder(self):
-        folder = os.environ.get("RAYTUBE_BUILD")
-        if not folder:
-            folder = Path(self.build_temp).resolve()
-            cmake("-S", ROOT, "-B", folder, "-G", "Ninja", *CMAKE_OPTIONS)
-        cmake("--build", folder, "--target", "raytube_python")
-        return Path(folder)
+        build = ("--build", os.environ.get("RAYTUBE_BUILD") or Path(self.build_temp).resolve(), "--target", "raytube_python")
+        if os.environ.get("RAYTUBE_BUILD"):
+            cmake(*build, remedy=f"configure the build for Python: cmake {build[1]} -DRAYTUBE_PYTHON=REQUIRED")
+        else:
+            cmake("-S", ROOT, "-B", build[1], "-G", "Ninja", *CMAKE_OPTIONS)
+            cmake(*build)
+        return Path(build[1])
 
 
 def temporary_folder():

@@ -36,8 +36,13 @@ class Result:
     Arrays are read-only views of the result, labelled by xarray: ``result.S.values`` is the NumPy array itself.
     """
 
+    _stored: _core.Stored
+
     def __init__(self, stored: _core.Stored) -> None:
-        self._stored = stored
+        self.__dict__["_stored"] = stored
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"a result does not change, so its {name} cannot be set; change a copy: result.to_xarray()")
 
     @cached_property
     def S(self) -> xr.DataArray:
@@ -291,7 +296,7 @@ class Result:
     def _repr_html_(self) -> str:
         import html
 
-        return f"<pre>{html.escape(repr(self))}</pre>{self.to_xarray()._repr_html_()}"
+        return f"<pre style=\"white-space: pre-wrap\">{html.escape(repr(self))}</pre>{self.to_xarray()._repr_html_()}"
 
     def _near_peak(self) -> NDArray[np.bool_]:
         sigma = self._stored.sigma_dbsm

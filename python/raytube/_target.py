@@ -43,7 +43,7 @@ class Target:
     def __init__(self, vertices: ArrayLike, faces: Any, unit: str, parts: Sequence[str] | Mapping[str, Any] | None = None) -> None:
         corners = _corners(faces)
         names = _names(parts, len(corners) if corners.ndim else 0)
-        self._core = _core.Target.of_arrays(_arguments.numbers(vertices, "vertices"), corners, names, _arguments.text(unit, "unit"))
+        self._core = _core.Target.of_arrays(_arguments.numbers(vertices, "vertices"), corners, names, _unit(unit))
 
     @classmethod
     def load(cls, file: str | os.PathLike[str] | Sequence[str | os.PathLike[str]], unit: str) -> Target:
@@ -67,7 +67,7 @@ class Target:
         """
         files = file if isinstance(file, (tuple, list)) else [file]
         target = cls.__new__(cls)
-        target._core = _core.Target.of_files([_arguments.path(name, "Target.load") for name in files], _arguments.text(unit, "unit"))
+        target._core = _core.Target.of_files([_arguments.path(name, "Target.load") for name in files], _unit(unit))
         return target
 
     @property
@@ -106,6 +106,10 @@ class Target:
     def __repr__(self) -> str:
         size = " x ".join(f"{length:.4g}" for length in np.ptp(self.vertices, axis=0))
         return f"Target: {self._core.name}, {len(self)} facets, {size} {self.unit}"
+
+
+def _unit(unit: Any) -> str:
+    return unit if isinstance(unit, str) else repr(unit)  # the core knows which there are
 
 
 def _corners(faces: Any) -> NDArray[np.int64]:

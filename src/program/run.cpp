@@ -13,6 +13,7 @@
 #include "case/resolved_case.h"
 #include "case/target.h"
 #include "core/instruction_set.h"
+#include "core/text.h"
 #include "core/threads.h"
 #include "jobs/inputs.h"
 #include "jobs/material_report.h"
@@ -140,7 +141,12 @@ struct Destination {
 Destination destination_of(const Request& request, const Case& c) {
   const fs::path& asked = request.output_folder;
   if (asked.empty()) return {c.file.parent_path() / "out", ""};
-  if (!is_netcdf_name(asked) || fs::is_directory(asked)) return {asked, ""};
+  if (fs::is_directory(asked)) return {asked, ""};
+  if (lower_case(asked.extension().string()) == ".csv")
+    throw InputError(
+        fmt::format("-o {}: results are a folder of files, rcs.csv among them, or one netCDF file; write -o DIR or -o {}",
+                    asked.string(), fs::path(asked).replace_extension(".nc").string()));
+  if (!is_netcdf_name(asked)) return {asked, ""};
   return {fs::absolute(asked).parent_path(), asked.filename().string()};
 }
 

@@ -110,6 +110,7 @@ std::vector<BadRow> result_rows() {
       result("result_with_1e5_columns", std::string(200000, ',') + "\n", ", line 1: "),
       result("result_with_nothing_in_common", "phi_deg,sigma_vv_dbsm\n50,1\n", "have no row in common"),
       result("result_zero_throughout", "phi_deg,sigma_vv_dbsm\n0,-inf\n1,-inf\n", "; "),
+      {"run_into_a_table", "run case.toml -o fresh.csv", "-o fresh.csv: results are a folder of files"},
       {"compare_radar_explorer", "compare a.csv HH_scene.json",
        "HH_scene.json: is no table; what the Radar Explorer Toolkit opens"},
       {"compare_endless_device", "compare a.csv /dev/zero", "/dev/zero: cannot be read; give the path of a readable table"},
