@@ -121,7 +121,7 @@ WRONG = {
     "two corners": (lambda: target(faces=[[0, 1, -1]]), "face 0 has 2 corners; give three or more"),
     "no area": (lambda: rt.solve(target(faces=[[0, 0, 0]]), 10, LOOK), "no facet has an area"),
     "wrong unit": (lambda: target(unit="furlong"), 'unit "furlong" is unknown'),
-    "None for a unit": (lambda: target(unit=None), "unit: give a text"),
+    "None for a unit": (lambda: target(unit=None), 'unit "None" is unknown; write "m"'),
     "no mesh": (lambda: rt.Target.load("no.obj", "m"), "not found"),
     "empty list of meshes": (lambda: rt.Target.load([], "m"), "name at least one"),
     "zero in a path": (lambda: rt.Target.load("a\0b", "m"), "names no file"),
