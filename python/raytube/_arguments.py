@@ -46,7 +46,8 @@ def numbers(value: Any, name: str) -> npt.NDArray[np.float64]:
     """An array of numbers, which need not be finite, of any shape."""
     try:
         array = np.asarray(value)
-        if array.dtype.kind not in "iufO" or np.any(getattr(value, "mask", False)) or (array.dtype == object and None in array.ravel().tolist()):
+        masked = isinstance(value, np.ma.MaskedArray) and np.any(value.mask)
+        if array.dtype.kind not in "iufO" or masked or (array.dtype == object and None in array.ravel().tolist()):
             raise TypeError
         return array.astype(float)
     except (TypeError, ValueError, OverflowError):

@@ -101,7 +101,7 @@ def _read_channel(path: Path) -> tuple[str, Any, dict[str, Any]]:
     import pandas
 
     try:
-        metadata = json.loads(path.read_text())
+        metadata = json.loads(path.read_text(encoding="utf-8"))
         data = path.parent / metadata["monostatic_file"]
         unit = metadata["frequency_units"]
     except OSError as error:
