@@ -98,13 +98,23 @@ Shared from_arrays(const Numbers& frequency_hz, const Numbers& looks, bool bista
   return r;
 }
 
+// Removed again, whatever happens.
+struct ScratchFile {
+  std::filesystem::path path;
+
+  ~ScratchFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+  }
+};
+
 // As a run does, the file says which rcs.csv belongs to it. That costs the writing of the table, so not before it is wanted.
 void complete_hash(StoredResult& r, const std::filesystem::path& scratch) {
   for (auto& [name, text] : r.attributes) {
     if (name != "rcs_csv_sha256" || !text.empty()) continue;
+    const ScratchFile file{scratch};
     write_rcs_csv(scratch, r);
     text = sha256_of_file(scratch);
-    std::filesystem::remove(scratch);
   }
 }
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+import threading
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -223,7 +224,7 @@ class Result:
             raise InputError(f"{file}: results are saved as .nc or .csv; give one of these suffixes")
         if os.path.isdir(file) or not os.access(os.path.dirname(os.path.abspath(file)), os.W_OK):
             raise InputError(f"{file}: no file can be written there; name one in a folder that exists and that you may write to")
-        beside = f"{file}.{os.getpid()}.part{kind}"
+        beside = f"{file}.{os.getpid()}.{threading.get_ident()}.part{kind}"
         try:
             (self._stored.write_netcdf if kind == ".nc" else self._stored.write_csv)(beside)
             os.replace(beside, file)

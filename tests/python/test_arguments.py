@@ -228,6 +228,14 @@ def test_looks_of_columns_of_tables():
         rt.looks(np.ma.array([1.0, 2.0], mask=[True, False]), [0, 0])
 
 
+def test_looks_do_not_go_with_positions():
+    at = {"position_m": [[0, 0, 3]]}
+    for looks in (rt.monostatic(10, 0), rt.looks([10], [0])):
+        with pytest.raises(rt.InputError, match="cannot go with radar.position_m"):
+            solve(10, looks, radar=at, edges={"method": "none"})
+    assert solve(10, None, radar=at, edges={"method": "none"}).S.range_m.item() == 3
+
+
 def test_overrides_may_be_lists_of_lists():
     overrides = {"target.facets.lossy": [0, [1, 2]], "materials.lossy": {"kind": "coated", "eps_r": [4.0, 0.4], "thickness_mm": 2.0}}
     asked = rt.run(CASES / "trihedral/case.toml", overrides | {"look.phi_deg": np.array(45.0), "look.theta_deg": np.array([54.0])}).case
