@@ -37,7 +37,7 @@ def pip(*arguments, build):
 
 
 def check_no_trace(source):
-    left = [str(path) for path in [*source.glob("*.egg-info"), *source.glob("build/lib*"), *source.glob("python/raytube/_core*")]]
+    left = [str(path) for path in [*source.glob("*.egg-info"), *source.glob("build/lib*"), *source.glob("python/raytube/_core*.so")]]
     assert not left, f"pip left in the sources: {left}"
 
 
