@@ -17,6 +17,7 @@ from raytube._arguments import CHANNELS
 from raytube._core import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     import pandas
@@ -233,7 +234,7 @@ class Result:
                 os.remove(beside)
 
     def to_radar_explorer(self, folder: str | os.PathLike[str], name: str | None = None, channels: _Choice = CHANNELS,
-                          geometry: tuple[str | os.PathLike[str], ...] = ()) -> list[Path]:
+                          geometry: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = ()) -> list[Path]:
         """Writes what the Radar Explorer Toolkit of Ansys opens: for each channel ``HH_name.json`` and ``HH_data_name.h5``.
 
         Parameters
@@ -244,7 +245,7 @@ class Result:
             Of the solution; default the title.
         channels : str or tuple of str
             Among "vv", "vh", "hv", "hh".
-        geometry : tuple of paths, optional
+        geometry : path or sequence of paths, optional
             OBJ files in metres to be shown with the result, named in the metadata; they are not copied.
 
         Returns

@@ -26,6 +26,11 @@ def test_metadata(files, tmp_path):
     assert not [name for name in os.listdir(tmp_path) if name.endswith(".part")]
 
 
+def test_one_geometry_needs_no_list(sweep, tmp_path):
+    (file,) = sweep.to_radar_explorer(tmp_path, channels="vv", geometry="wing.obj")
+    assert list(json.loads(file.read_text())["model_info"]) == ["wing"]
+
+
 def test_data(files, sweep, tmp_path):
     frame = pandas.read_hdf(tmp_path / "HH_data_A_name.h5")
     assert list(frame.columns) == ["HH"] and frame.dtypes.tolist() == [np.complex128]
