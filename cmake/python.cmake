@@ -17,8 +17,8 @@ if(Python_Development.Module_FOUND AND pybind11_FOUND)
   message(STATUS "Python package: for ${Python_EXECUTABLE}, version ${Python_VERSION}")
   add_subdirectory(python)
 elseif(RAYTUBE_PYTHON STREQUAL "REQUIRED")
-  message(FATAL_ERROR "The Python package needs pybind11, and a Python 3 with its headers, NumPy and xarray. On Debian: "
+  message(FATAL_ERROR "The Python package needs pybind11, and a Python 3.10 or later with its headers, NumPy and xarray. On Debian: "
                       "apt install python3-dev pybind11-dev python3-numpy python3-xarray")
 else()
-  message(STATUS "No Python package: needs pybind11, and a Python 3 with its headers, NumPy and xarray")
+  message(STATUS "No Python package: needs pybind11, and a Python 3.10 or later with its headers, NumPy and xarray")
 endif()

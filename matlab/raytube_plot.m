@@ -6,7 +6,7 @@ function raytube_plot(result, channel)
 %   raytube_plot(result, 'hh') draws one channel: vv, vh, hv or hh. Looks at several frequencies are a map of it (vv by default).
 %
 %   See also RAYTUBE_READ.
-  if ischar(result)
+  if ischar(result) || isa(result, 'string')
     result = raytube_read(result);
   end
   names = {'vv', 'vh', 'hv', 'hh'};

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "bindings/result.h"
+#include "bindings/values.h"
 #include "core/error.h"
 #include "output/compare/comparison_report.h"
 #include "output/tables/column_map.h"
@@ -70,7 +71,7 @@ void bind_comparison(py::module_& module) {
       })
       .def_static("of_stored", &table_of);
   py::class_<Comparison>(module, "Comparison")
-      .def_property_readonly("text", &comparison_text)
+      .def_property_readonly("text", [](const Comparison& comparison) { return python_text(comparison_text(comparison)); })
       .def_property_readonly("rows", &Comparison::rows)
       .def_property_readonly("channels", &channels)
       .def_property_readonly("relative_error", &relative_error)

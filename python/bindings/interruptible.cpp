@@ -23,20 +23,19 @@ std::condition_variable none_left;
 int workers = 0, waiting = 0;  // threads that work, and threads of Python in wait_for()
 std::atomic<bool> leaving_now = false;
 
+void count(int& threads, int more) {
+  const std::lock_guard lock(counting);
+  threads += more;
+  none_left.notify_all();
+}
+
 // A thread of Python that is here when the interpreter goes would be taken apart in the middle of C++.
 class Waiting {
  public:
-  Waiting() { count(1); }
-  ~Waiting() { count(-1); }
+  Waiting() { count(waiting, 1); }
+  ~Waiting() { count(waiting, -1); }
   Waiting(const Waiting&) = delete;
   Waiting& operator=(const Waiting&) = delete;
-
- private:
-  static void count(int more) {
-    const std::lock_guard lock(counting);
-    waiting += more;
-    none_left.notify_all();
-  }
 };
 
 class Shares {
@@ -63,15 +62,18 @@ class Shares {
 
 }  // namespace
 
-void Workers::begun() {
-  const std::lock_guard lock(counting);
-  ++workers;
-}
-
-void Workers::ended() {
-  const std::lock_guard lock(counting);
-  --workers;
-  none_left.notify_all();
+void Workers::begin(std::function<void()> work) {
+  count(workers, 1);
+  try {
+    std::thread([work = std::move(work)]() mutable {
+      work();
+      work = nullptr;  // it holds what was worked on
+      count(workers, -1);
+    }).detach();
+  } catch (...) {
+    count(workers, -1);
+    throw;
+  }
 }
 
 void Workers::leave() {

@@ -28,8 +28,8 @@ struct Watch {
 /// Threads that work. One whose work nobody waits for any more goes on until it looks at its flag.
 class Workers {
  public:
-  static void begun();
-  static void ended();
+  /// Does the work on a thread of its own. Throws std::system_error if there is none to be had.
+  static void begin(std::function<void()> work);
   /// For the end of the interpreter: those who wait get KeyboardInterrupt. Work that does not stop at once ends with the process,
   /// which from here on takes down none of the libraries that the work uses.
   static void leave();
@@ -46,15 +46,12 @@ template <class Work>
 auto interruptibly(Work work, const pybind11::object& progress = pybind11::none()) {
   using Value = decltype(work(std::declval<Watch&>()));
   const auto watch = std::make_shared<Watch>();
-  const auto task =
-      std::make_shared<std::packaged_task<Value()>>([work = std::move(work), watch]() mutable { return work(*watch); });
+  auto task = std::make_shared<std::packaged_task<Value()>>([work = std::move(work), watch]() mutable { return work(*watch); });
   std::future<Value> value = task->get_future();
-  Workers::begun();
-  std::thread([task = std::move(task)]() mutable {
+  Workers::begin([task = std::move(task)]() mutable {
     (*task)();
     task.reset();
-    Workers::ended();
-  }).detach();
+  });
   wait_for([&value](std::chrono::milliseconds time) { return value.wait_for(time) == std::future_status::ready; }, *watch,
            progress);
   return value.get();

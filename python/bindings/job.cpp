@@ -9,12 +9,11 @@
 #include "jobs/check_report.h"
 #include "jobs/density_study.h"
 #include "jobs/inputs.h"
-#include "jobs/material_report.h"
 #include "jobs/memory.h"
+#include "jobs/result_warnings.h"
 #include "jobs/solvable.h"
 #include "jobs/warnings/warnings.h"
 #include "output/tables/stored.h"
-#include "output/words/summary.h"
 #include "solve/image.h"
 #include "solve/solve.h"
 
@@ -24,21 +23,10 @@ namespace {
 
 int threads_of(int threads) { return threads > 0 ? threads : all_threads(); }
 
-std::vector<std::string> sentences_of(const Job& job, const SolvePlan& plan, const Statistics& statistics) {
-  const Case& c = job.asked;
-  std::vector<std::string> sentences = warnings_of(c, plan, job.built->outermost);
-  const MeshReport& counts = job.built->report;
-  for (const std::string& sentence :
-       {free_forms_sentence(c, counts), duplicates_sentence(counts), overlap_note(c, plan.target).sentence})
-    if (!sentence.empty()) sentences.push_back(sentence);
-  for (const BeyondBound& part : statistics.beyond_bound) sentences.push_back(beyond_bound_sentence(part));
-  if (statistics.lost_rays > 0) sentences.push_back(lost_rays_sentence(statistics, c.metres_per_unit, c.unit));
-  return sentences;
-}
-
 std::vector<std::pair<std::string, std::string>> attributes(const Job& job, const SolvePlan& plan, const SweepResult& result) {
   Manifest manifest = described_inputs(job.asked, job.built->report, job.mesh_sha256);
-  manifest.warnings = sentences_of(job, plan, result.statistics);
+  manifest.warnings = warnings_of_result(warnings_of(job.asked, plan, job.built->outermost), job.asked, plan.target,
+                                         job.built->report, result.statistics);
   manifest.statistics = result.statistics;
   manifest.model_parts = result.model_parts;
   return attributes_of(manifest);

@@ -116,7 +116,7 @@ std::shared_ptr<StoredResult> solve(const SharedJob& job, int threads, bool part
 
 py::tuple check(const SharedJob& job, int threads) {
   const TextAndData report = interruptibly([=](Watch&) { return job->check(threads); });
-  return py::make_tuple(report.text, python_value(report.data));
+  return py::make_tuple(python_text(report.text), python_value(report.data));
 }
 
 py::object array_of(const std::vector<ScatteringMatrix>& cells, std::vector<py::ssize_t> shape) {
@@ -200,7 +200,7 @@ py::tuple converge(const SharedJob& job, const std::vector<double>& densities, i
     found["extrapolated_S"] = array_of(endless->total, shape);
     found["relative_uncertainty"] = endless->relative_uncertainty;
   }
-  return py::make_tuple(study.text, found);
+  return py::make_tuple(python_text(study.text), found);
 }
 
 py::array_t<double> vertices_of(const TargetSource& target) {
@@ -211,9 +211,13 @@ py::array_t<double> vertices_of(const TargetSource& target) {
   return array;
 }
 
+PyObject* input_error = nullptr;  // the class, which the module keeps
+
 void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
+  } catch (const InputError& error) {
+    PyErr_SetObject(input_error, python_text(error.what()).ptr());
   } catch (const Interrupted&) {
     PyErr_SetNone(PyExc_KeyboardInterrupt);
   }
@@ -223,10 +227,10 @@ void bind_target_and_job(py::module_& module) {
   py::class_<TargetSource, SharedTarget>(module, "Target")
       .def_static("of_files", &target_of_files)
       .def_static("of_arrays", &target_of_arrays)
-      .def_property_readonly("name", &TargetSource::name)
-      .def_property_readonly("meshes", &TargetSource::meshes)
+      .def_property_readonly("name", [](const TargetSource& target) { return python_text(target.name()); })
+      .def_property_readonly("meshes", [](const TargetSource& target) { return python_texts(target.meshes()); })
       .def_property_readonly("unit", &TargetSource::unit)
-      .def_property_readonly("parts", &TargetSource::parts)
+      .def_property_readonly("parts", [](const TargetSource& target) { return python_texts(target.parts()); })
       .def_property_readonly("facets", [](const TargetSource& target) { return target.soup().polygons.size(); })
       .def_property_readonly("vertices", &vertices_of)
       .def_property_readonly("polygons", [](const TargetSource& target) { return target.soup().polygons; });
@@ -254,7 +258,7 @@ PYBIND11_MODULE(_core, module) {
   using namespace raytube;
   using namespace raytube::python;
   namespace py = pybind11;
-  py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  input_error = py::exception<InputError>(module, "InputError", PyExc_ValueError).release().ptr();
   py::register_exception_translator(&translate);
   module.attr("__version__") = RAYTUBE_VERSION;
   module.def("all_threads", &all_threads);

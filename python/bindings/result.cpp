@@ -98,13 +98,23 @@ Shared from_arrays(const Numbers& frequency_hz, const Numbers& looks, bool bista
   return r;
 }
 
+// Removed again, whatever happens.
+struct ScratchFile {
+  std::filesystem::path path;
+
+  ~ScratchFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+  }
+};
+
 // As a run does, the file says which rcs.csv belongs to it. That costs the writing of the table, so not before it is wanted.
 void complete_hash(StoredResult& r, const std::filesystem::path& scratch) {
   for (auto& [name, text] : r.attributes) {
     if (name != "rcs_csv_sha256" || !text.empty()) continue;
+    const ScratchFile file{scratch};
     write_rcs_csv(scratch, r);
     text = sha256_of_file(scratch);
-    std::filesystem::remove(scratch);
   }
 }
 
@@ -121,19 +131,19 @@ Shared load_csv(const std::filesystem::path& file) {
 
 py::dict attributes_of(const StoredResult& r) {
   py::dict attributes;
-  for (const auto& [name, text] : r.attributes) attributes[py::str(name)] = text;
+  for (const auto& [name, text] : r.attributes) attributes[python_text(name)] = python_text(text);
   return attributes;
 }
 
 py::dict parts_of(const py::object& self) {
   py::dict parts;
-  for (const StoredPart& part : of(self).parts) parts[py::str(part.name)] = amplitudes(self, part.s);
+  for (const StoredPart& part : of(self).parts) parts[python_text(part.name)] = amplitudes(self, part.s);
   return parts;
 }
 
 py::dict model_parts_of(const py::object& self) {
   py::dict parts;
-  for (const StoredModelPart& part : of(self).model_parts) parts[py::str(part.name)] = levels(self, part.m);
+  for (const StoredModelPart& part : of(self).model_parts) parts[python_text(part.name)] = levels(self, part.m);
   return parts;
 }
 
@@ -164,7 +174,7 @@ void bind_stored(py::module_& module) {
   stored.def_property_readonly("range_m", [](const StoredResult& r) { return of_looks(r, &StoredLook::range_m); });
   stored.def_property_readonly("rx_range_m", [](const StoredResult& r) { return of_looks(r, &StoredLook::rx_range_m); });
   stored.def_readonly("bistatic", &StoredResult::bistatic);
-  stored.def_readonly("comment", &StoredResult::comment);
+  stored.def_property_readonly("comment", [](const StoredResult& r) { return python_text(r.comment); });
   stored.def_property_readonly("S", [](const py::object& self) { return amplitudes(self, of(self).s); });
   stored.def_property_readonly("sigma_dbsm", [](const py::object& self) { return levels(self, of(self).sigma_dbsm); });
   stored.def_property_readonly("error_db", [](const py::object& self) { return levels(self, of(self).err_db); });

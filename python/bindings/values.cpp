@@ -134,7 +134,7 @@ CaseValue value_at(const py::handle& value, const Place& place) {
 
 py::object python_table(const JsonValue& json) {
   py::dict table;
-  for (std::size_t i = 0; i < json.names.size(); ++i) table[py::str(json.names[i])] = python_value(json.items[i]);
+  for (std::size_t i = 0; i < json.names.size(); ++i) table[python_text(json.names[i])] = python_value(json.items[i]);
   return table;
 }
 
@@ -157,7 +157,7 @@ py::object python_value(const JsonValue& json) {
     case JsonValue::Kind::number:
       return py::float_(json.number);
     case JsonValue::Kind::text:
-      return py::str(json.text);
+      return python_text(json.text);
     case JsonValue::Kind::list:
       return python_list(json);
     case JsonValue::Kind::table:
@@ -165,6 +165,18 @@ py::object python_value(const JsonValue& json) {
     default:
       return py::none();
   }
+}
+
+py::str python_text(std::string_view text) {
+  PyObject* decoded = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "backslashreplace");
+  if (!decoded) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(decoded);
+}
+
+py::list python_texts(const std::vector<std::string>& texts) {
+  py::list list;
+  for (const std::string& text : texts) list.append(python_text(text));
+  return list;
 }
 
 }  // namespace raytube::python

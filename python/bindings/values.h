@@ -4,6 +4,8 @@
 #include <pybind11/pybind11.h>
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "case/text/document.h"
 #include "core/json.h"
@@ -15,5 +17,9 @@ namespace raytube::python {
 CaseValue case_value(const pybind11::handle& value, const std::string& location);
 
 pybind11::object python_value(const JsonValue& json);
+
+/// Names of files and of parts may be bytes that are no UTF-8; these become \xff and the like.
+pybind11::str python_text(std::string_view text);
+pybind11::list python_texts(const std::vector<std::string>& texts);
 
 }  // namespace raytube::python

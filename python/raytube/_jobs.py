@@ -177,7 +177,7 @@ def image(what: Any, *args: Any, look: int = 0, per_wavelength: float = 10.0, th
     -------
     xarray.Dataset
         ``S`` [m], complex, and ``sigma_dbsm`` (v, u, receive, transmit), with the coordinates ``u`` along phi-hat and ``v`` along minus
-        theta-hat [m], counted from the origin of the mesh's coordinates. The cells add up to the S of the look. At the middle frequency
+        theta-hat (both turned if ``tubes.up`` is set) [m], counted from the origin of the mesh's coordinates. The cells add up to the S of the look. At the middle frequency
         of the list, which is in ``attrs["frequency_hz"]``.
 
     Raises
@@ -196,8 +196,8 @@ def image(what: Any, *args: Any, look: int = 0, per_wavelength: float = 10.0, th
     with np.errstate(divide="ignore"):
         sigma = 20.0 * np.log10(np.abs(cells)) + 10.0 * np.log10(4.0 * np.pi)
     dims = ("v", "u", "receive", "transmit")
-    coordinates = {"u": ("u", u, {"units": "m", "long_name": "u, along phi-hat"}),
-                   "v": ("v", v, {"units": "m", "long_name": "v, along minus theta-hat"}), "receive": ["v", "h"], "transmit": ["v", "h"]}
+    coordinates = {"u": ("u", u, {"units": "m", "long_name": "u, along the rows of the launch plane"}),
+                   "v": ("v", v, {"units": "m", "long_name": "v, along its columns"}), "receive": ["v", "h"], "transmit": ["v", "h"]}
     variables = {"S": (dims, cells, {"units": "m", "long_name": "scattering amplitude S of a cell"}),
                  "sigma_dbsm": (dims, sigma, {"units": "dBsm", "long_name": "radar cross-section of a cell"})}
     return xr.Dataset(variables, coordinates, {"frequency_hz": frequency, "look": look, "title": job.title})
@@ -215,7 +215,7 @@ def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, 
     look : int
         Direction pair, counted from 0.
     u, v : float
-        Launch coordinates along phi-hat and minus theta-hat, from the origin of the mesh's coordinates [m].
+        Launch coordinates along phi-hat and minus theta-hat (both turned if ``tubes.up`` is set), from the origin of the mesh's coordinates [m].
 
     Returns
     -------
@@ -378,8 +378,9 @@ def _toml(value: Any, key: str) -> str:
     if isinstance(value, (str, os.PathLike)):
         return _quoted(os.fsdecode(value), key)
     if isinstance(value, (list, tuple, range, np.ndarray)):
-        entries = value.tolist() if isinstance(value, np.ndarray) else value
-        return "[" + ", ".join(_toml(entry, key) for entry in entries) + "]" if np.ndim(value) else _toml(entries, key)
+        if isinstance(value, np.ndarray) and value.ndim == 0:
+            return _toml(value.item(), key)
+        return "[" + ", ".join(_toml(entry, key) for entry in (value.tolist() if isinstance(value, np.ndarray) else value)) + "]"
     try:
         whole = isinstance(value, (int, np.integer)) and abs(int(value)) < 2**63
         return repr(int(value) if whole else float(value))

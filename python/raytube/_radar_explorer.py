@@ -23,7 +23,7 @@ _KEY = "df"
 
 
 def write_radar_explorer(result: Result, folder: str | os.PathLike[str], name: str | None = None, channels: Sequence[str] = CHANNELS,
-                         geometry: Sequence[str | os.PathLike[str]] = ()) -> list[Path]:
+                         geometry: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = ()) -> list[Path]:
     """See `Result.to_radar_explorer`."""
     if result._stored.bistatic:
         raise InputError("to_radar_explorer: these files hold monostatic results; this one is bistatic")
@@ -37,7 +37,8 @@ def write_radar_explorer(result: Result, folder: str | os.PathLike[str], name: s
         raise InputError(f"{place}: no folder can be made there ({error.strerror}); name another one") from None
     title = _arguments.text(name or result.title or "raytube", "to_radar_explorer: name")
     title = "".join(c if c.isalnum() or c in "-_" else "_" for c in title)
-    files = [Path(_arguments.path(file, "to_radar_explorer: geometry")) for file in geometry]
+    given = [geometry] if isinstance(geometry, (str, os.PathLike)) else geometry
+    files = [Path(_arguments.path(file, "to_radar_explorer: geometry")) for file in given]
     return [_write_channel(result, place, title, channel, files) for channel in channels]
 
 
@@ -76,8 +77,11 @@ def _write_channel(result: Result, folder: Path, name: str, channel: str, geomet
     frame = _frame(result, channel, upper)
     data, metadata = folder / f"{upper}_data_{name}.h5", folder / f"{upper}_{name}.json"
     beside = data.with_suffix(".h5.part")
-    frame.to_hdf(beside, key=_KEY, mode="w", format="table")
-    os.replace(beside, data)
+    try:
+        frame.to_hdf(beside, key=_KEY, mode="w", format="table")
+        os.replace(beside, data)
+    finally:
+        beside.unlink(missing_ok=True)
     text = {"solution": name, "monostatic_file": data.name, "model_units": "meter", "frequency_units": "GHz",
             "model_info": {part.stem: [part.name, [143, 175, 143], 1.0, "meter"] for part in geometry}}
     beside = metadata.with_suffix(".json.part")
@@ -101,7 +105,7 @@ def _read_channel(path: Path) -> tuple[str, Any, dict[str, Any]]:
     import pandas
 
     try:
-        metadata = json.loads(path.read_text())
+        metadata = json.loads(path.read_text(encoding="utf-8"))
         data = path.parent / metadata["monostatic_file"]
         unit = metadata["frequency_units"]
     except OSError as error:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+import threading
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +17,7 @@ from raytube._arguments import CHANNELS
 from raytube._core import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     import pandas
@@ -228,7 +230,7 @@ class Result:
             raise InputError(f"{file}: results are saved as .nc or .csv; give one of these suffixes")
         if os.path.isdir(file) or not os.access(os.path.dirname(os.path.abspath(file)), os.W_OK):
             raise InputError(f"{file}: no file can be written there; name one in a folder that exists and that you may write to")
-        beside = f"{file}.{os.getpid()}.part{kind}"
+        beside = f"{file}.{os.getpid()}.{threading.get_ident()}.part{kind}"
         try:
             (self._stored.write_netcdf if kind == ".nc" else self._stored.write_csv)(beside)
             os.replace(beside, file)
@@ -237,7 +239,7 @@ class Result:
                 os.remove(beside)
 
     def to_radar_explorer(self, folder: str | os.PathLike[str], name: str | None = None, channels: _Choice | None = None,
-                          geometry: tuple[str | os.PathLike[str], ...] = ()) -> list[Path]:
+                          geometry: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = ()) -> list[Path]:
         """Writes what the Radar Explorer Toolkit of Ansys opens: for each channel ``HH_name.json`` and ``HH_data_name.h5``.
 
         Parameters
@@ -248,7 +250,7 @@ class Result:
             Of the solution; default the title.
         channels : str or tuple of str, optional
             Among "vv", "vh", "hv", "hh"; default all that the result has numbers of.
-        geometry : tuple of paths, optional
+        geometry : path or sequence of paths, optional
             OBJ files in metres to be shown with the result, named in the metadata; they are not copied.
 
         Returns

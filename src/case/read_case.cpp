@@ -238,7 +238,7 @@ Case resolved(const CaseValue& root, const std::filesystem::path& file, const Lo
   read_frequencies(root, c);
   read_materials(root, c);
   if (looks)
-    fill_looks(*looks, root.location, c);
+    fill_looks(*looks, root, c);
   else
     read_looks(root, c);
   read_tubes(root, c);

@@ -4,7 +4,6 @@
 
 #include "case/materials/materials.h"
 #include "case/resolved_case.h"
-#include "case/target.h"
 #include "output/files/sha256.h"
 
 namespace raytube {
@@ -57,10 +56,10 @@ Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<s
   return manifest;
 }
 
-std::string free_forms_sentence(const Case& c, const MeshReport& report) {
+std::string free_forms_sentence(const MeshReport& report) {
   if (report.free_forms_read == 0) return {};
-  return fmt::format("{}: {} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
-                     mesh_names(c), report.free_forms_read);
+  return fmt::format("{} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
+                     report.free_forms_read);
 }
 
 }  // namespace raytube

@@ -21,6 +21,6 @@ std::vector<std::string> sha256_of_meshes(const Case& c, const MeshReport& repor
 Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<std::string> mesh_sha256);
 
 /// What is to be said of curves and surfaces that were left out; empty: there are none.
-std::string free_forms_sentence(const Case& c, const MeshReport& report);
+std::string free_forms_sentence(const MeshReport& report);
 
 }  // namespace raytube

@@ -18,6 +18,7 @@
 #include "jobs/inputs.h"
 #include "jobs/material_report.h"
 #include "jobs/memory.h"
+#include "jobs/result_warnings.h"
 #include "jobs/solvable.h"
 #include "jobs/warnings/warnings.h"
 #include "output/compare/random_report.h"
@@ -107,11 +108,14 @@ std::uint64_t peak_rss_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+void warn_of_mesh(const Case& c, const std::string& sentence) {
+  if (!sentence.empty()) warn(fmt::format("{}: {}", mesh_names(c), sentence));
+}
+
 // What of the materials is not seen as it is drawn.
 void warn_of_materials(const Case& c, const MeshReport& report, const Target& target, Manifest& manifest) {
   const OverlapNote overlap = overlap_note(c, target);
-  for (const std::string& sentence : {duplicates_sentence(report), overlap.sentence})
-    if (!sentence.empty()) warn(fmt::format("{}: {}", mesh_names(c), sentence));
+  for (const std::string& sentence : {duplicates_sentence(report), overlap.sentence}) warn_of_mesh(c, sentence);
   if (overlap.pairs > 0)
     manifest.mesh_notes.emplace_back("pairs of facets of different materials upon one another in one plane, one of which is seen",
                                      static_cast<double>(overlap.pairs));
@@ -177,9 +181,11 @@ std::vector<std::string> names_of_earlier_results(const Destination& destination
 // A run from the computation on, into its folder.
 class Run {
  public:
-  Run(const Request& request, const Case& c, const SolvePlan& plan, const Destination& destination, Manifest& manifest)
+  Run(const Request& request, const Case& c, const MeshReport& report, const SolvePlan& plan, const Destination& destination,
+      Manifest& manifest)
       : request_(request),
         case_(c),
+        report_(report),
         plan_(plan),
         outermost_(outermost_points(plan.target.mesh.vertices)),
         manifest_(manifest),
@@ -197,8 +203,8 @@ class Run {
   /// rows that must not be used.
   void run(const Stopwatch& total) {
     const InterruptFlag interrupt_flag([this] { return last_words(); });
-    manifest_.warnings = warnings_of(case_, plan_, outermost_);
-    for (const std::string& sentence : manifest_.warnings) warn(sentence);
+    warnings_ = warnings_of(case_, plan_, outermost_);
+    for (const std::string& sentence : warnings_) warn(sentence);
     bool unusable = false;
     try {
       const Solved solved = solve_with_progress(plan_, request_, journal_);
@@ -249,6 +255,7 @@ class Run {
 
   void complete_manifest(const Solved& solved) {
     const auto& [result, by_chance] = solved;
+    manifest_.warnings = warnings_of_result(warnings_, case_, plan_.target, report_, result.statistics);
     manifest_.statistics = result.statistics;
     manifest_.model_parts = result.model_parts;
     for (ModelPart& part : manifest_.model_parts) part.rows.clear();
@@ -302,8 +309,10 @@ class Run {
 
   const Request& request_;
   const Case& case_;
+  const MeshReport& report_;
   const SolvePlan& plan_;
-  std::vector<dvec3> outermost_;  // points of the target as wide as all of it
+  std::vector<std::string> warnings_;  // of case and plan
+  std::vector<dvec3> outermost_;       // points of the target as wide as all of it
   Manifest& manifest_;
   const Destination& destination_;
   OutputFolder folder_;
@@ -350,7 +359,7 @@ void run_command(const Request& request) {
   if (!request.resume) LookJournal::refuse_leftover(destination.folder);
   if (request.random) refuse_random_tubes(c);
   LoadedMesh loaded = load_target(c);
-  if (const std::string sentence = free_forms_sentence(c, loaded.report); !sentence.empty()) warn(sentence);
+  warn_of_mesh(c, free_forms_sentence(loaded.report));
   Manifest manifest = described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report));
   manifest.time.read_s = total.seconds();
   manifest.threads = request.threads > 0 ? request.threads : all_threads();
@@ -364,7 +373,7 @@ void run_command(const Request& request) {
   manifest.own_instruction_set = name_of(std::max(allowed_instruction_set(), InstructionSet::avx2));
   check_memory(plan, c, request.random ? &*request.random : nullptr);
   if (request.random) check_random_tubes(plan, *request.random);
-  Run(request, c, plan, destination, manifest).run(total);
+  Run(request, c, loaded.report, plan, destination, manifest).run(total);
 }
 
 }  // namespace raytube

@@ -32,7 +32,7 @@ TEST_F(Warnings, ATargetUnderThreeWavelengths) {
   const Outcome outcome = raytube("run case.toml --set output.plots=false");
   EXPECT_THAT(outcome.complaint, StartsWith("raytube: " + sentence + "\n"));
   EXPECT_EQ(told(), nlohmann::json::array({sentence}));
-  EXPECT_THAT(output(), HasSubstr("warnings           1, at the beginning and in run.json\n"));
+  EXPECT_THAT(output(), HasSubstr("warnings           1, above and in run.json\n"));
 }
 
 TEST_F(Warnings, QuietKeepsThem) {

@@ -2,6 +2,7 @@
 import copy
 import decimal
 import fractions
+import os
 import pickle
 import types
 
@@ -217,6 +218,50 @@ def test_files_in_odd_places(tmp_path):
     for suffix in (".nc", ".csv"):
         result.save(folder / f"ré sult{suffix}")
         assert np.array_equal(rt.load(folder / f"ré sult{suffix}").S.values, result.S.values)
+
+
+def test_names_that_are_no_utf8(tmp_path):
+    """Names of files are bytes, and so are those of parts in files of other programs."""
+    folder = os.fsencode(tmp_path) + b"/\xff"
+    os.mkdir(folder)
+    with open(folder + b"/latin\xfe.obj", "wb") as mesh:
+        mesh.write(b"v 0 0 0\nv .3 0 0\nv .3 .3 0\nv 0 .3 0\ng T\xfcr\nf 1 2 3 4\n")
+    latin = rt.Target.load(os.fsdecode(folder + b"/latin\xfe.obj"), "m")
+    assert latin.parts == ["T\\xfcr"] and "latin\\xfe.obj" in repr(latin)
+    result = rt.solve(latin, 10.0, LOOK)
+    assert np.array_equal(result.S.values, solve(10.0).S.values)
+    file = os.fsdecode(folder + b"/result.nc")
+    result.save(file)
+    assert np.array_equal(rt.load(file).S.values, result.S.values)
+    with pytest.raises(rt.InputError, match=r"xff/gone\.nc: cannot be read"):
+        rt.load(os.fsdecode(folder + b"/gone.nc"))
+    with open(folder + b"/case.toml", "w") as case:
+        case.write(f'[target]\nmesh = "{CASES}/plate/plate.off"\nunit = "m"\n[frequency]\nghz = 3\n[look]\ntheta_deg = 10\nphi_deg = 0\n')
+    assert "xff/case.toml" in repr(rt.check(os.fsdecode(folder + b"/case.toml")))
+
+
+def test_looks_of_columns_of_tables():
+    """A Series has a method `mask`, which says nothing of what is missing."""
+    table = pandas.DataFrame({"theta": [10.0, 20.0], "phi": [0.0, 5.0]})
+    looks = rt.looks(table.theta, table.phi)
+    assert looks.theta_deg.tolist() == [10, 20] and looks.phi_deg.tolist() == [0, 5]
+    assert len(rt.monostatic(table.theta, 0)) == 2
+    with pytest.raises(rt.InputError, match="looks: give numbers"):
+        rt.looks(np.ma.array([1.0, 2.0], mask=[True, False]), [0, 0])
+
+
+def test_looks_do_not_go_with_positions():
+    at = {"position_m": [[0, 0, 3]]}
+    for looks in (rt.monostatic(10, 0), rt.looks([10], [0])):
+        with pytest.raises(rt.InputError, match="cannot go with radar.position_m"):
+            solve(10, looks, radar=at, edges={"method": "none"})
+    assert solve(10, None, radar=at, edges={"method": "none"}).S.range_m.item() == 3
+
+
+def test_overrides_may_be_lists_of_lists():
+    overrides = {"target.facets.lossy": [0, [1, 2]], "materials.lossy": {"kind": "coated", "eps_r": [4.0, 0.4], "thickness_mm": 2.0}}
+    asked = rt.run(CASES / "trihedral/case.toml", overrides | {"look.phi_deg": np.array(45.0), "look.theta_deg": np.array([54.0])}).case
+    assert asked["target"]["facets"] == {"lossy": [[0, 2]]} and asked["look"]["phi_deg"] == 45
 
 
 def test_missing_and_unknown_arguments_of_python():

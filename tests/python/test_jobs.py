@@ -33,15 +33,17 @@ def test_check_of_a_target(dihedral):
 def test_converge_is_the_table_of_the_program(program, tmp_path):
     case = CASES / "convergence/case.toml"
     study = rt.converge(case, densities=[2, 4, 8])
-    program("converge", case, "--densities", "2,4,8", "-o", tmp_path, "--quiet", "--set", "output.plots=false")
+    printed = program("converge", case, "--densities", "2,4,8", "-o", tmp_path, "--set", "output.plots=false")
     table = np.genfromtxt([line for line in (tmp_path / "converge.csv").read_text().splitlines() if not line.startswith("#")],
                           delimiter=",", names=True)
     assert [entry["per_wavelength"] for entry in study["densities"]] == [2, 4, 8]
     assert [entry["tubes"] for entry in study["densities"]] == table["tubes"].tolist()
-    printed = program("converge", case, "--densities", "2,4,8", "-o", tmp_path, "--quiet", "--set", "output.plots=false")
-    for entry in study["densities"]:
-        assert entry["S"].shape[2:] == (2, 2)
-    assert repr(study).split() and (not printed or repr(study).split()[0] == printed.split()[0])
+    for entry, row in zip(study["densities"], table):
+        assert entry["S"].shape[2:] == (2, 2) and np.linalg.norm(entry["S"]) == pytest.approx(row["norm_m"], rel=1e-14)
+        for ours, theirs in (("relative_change", "relative_change_to_next"), ("order", "observed_order"),
+                             ("relative_error", "estimated_relative_error"), ("rms_db", "estimated_rms_db")):
+            assert np.array_equal(entry[ours], row[theirs], equal_nan=True)
+    assert re.search(r"^order .*\Z", repr(study), re.DOTALL | re.MULTILINE)[0].strip() in printed
 
 
 def test_cells_of_an_image_add_up(dihedral):
@@ -57,7 +59,10 @@ def test_trace_is_what_the_program_prints(program):
     found = rt.trace(case, look=0, u=0.01, v=0.02)
     printed = program("trace", case, "--look", "0", "--u", "0.01", "--v", "0.02")
     assert len(found["bounces"]) == len(re.findall(r"^ *bounce", printed, re.MULTILINE)) > 0
-    assert str(found["bounces"][0]["triangle"]) in printed and found["end"] in printed
+    printed_points = [[float(x) for x in point.split(",")] for point in re.findall(r"^ *point +\((.*)\) m$", printed, re.MULTILINE)]
+    assert np.allclose([bounce["point_m"] for bounce in found["bounces"]], printed_points, rtol=1e-8, atol=1e-15)  # nine digits
+    assert re.findall(r"triangle (\d+)", printed) == [str(bounce["triangle"]) for bounce in found["bounces"]]
+    assert printed.rstrip().endswith(f"end: {found['end']}")
 
 
 def test_compare_is_the_table_of_the_program(program, tmp_path):

@@ -59,6 +59,18 @@ def test_saving_a_table_as_netcdf_is_convert(program, tmp_path):
     assert (tmp_path / "python.nc").read_bytes() == (tmp_path / "program.nc").read_bytes()
 
 
+def test_netcdf_carries_the_warnings_of_the_program(program, tmp_path):
+    """Also those of the mesh, which no key is to blame for."""
+    (tmp_path / "patch.obj").write_text("v 0 0 0\nv .3 0 0\nv .3 .3 0\nv 0 .3 0\nf 1 2 3 4\ncstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 4 3\nend\n")
+    case = tmp_path / "case.toml"
+    case.write_text('[target]\nmesh = "patch.obj"\nunit = "m"\n[frequency]\nghz = 10\n[look]\ntheta_deg = 10\nphi_deg = 0\n')
+    program("run", case, "-o", tmp_path / "program.nc", "--quiet")
+    result = rt.run(case)
+    result.save(tmp_path / "python.nc")
+    assert any("free form" in sentence for sentence in result.warnings)
+    assert (tmp_path / "python.nc").read_bytes() == (tmp_path / "program.nc").read_bytes()
+
+
 def same(result, case, overrides):
     assert np.array_equal(result.S.values, rt.run(case, overrides).S.values)
     ours, files = dict(result.case), dict(rt.run(case, overrides).case)

@@ -2,6 +2,7 @@
 import os
 import subprocess
 import sys
+import threading
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 
@@ -133,6 +134,24 @@ def test_a_save_that_fails_leaves_nothing(sweep, tmp_path):
     with pytest.raises(rt.InputError):
         sweep.save(tmp_path / "a.nc")
     assert os.listdir(tmp_path) == ["a.nc"]
+
+
+def test_threads_may_save_to_one_place(sweep, tmp_path):
+    failed = []
+
+    def save():
+        try:
+            sweep.save(tmp_path / "a.nc")
+        except Exception as error:
+            failed.append(error)
+
+    threads = [threading.Thread(target=save) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert failed == [] and os.listdir(tmp_path) == ["a.nc"]
+    assert np.array_equal(rt.load(tmp_path / "a.nc").S.values, sweep.S.values)
 
 
 def test_what_is_said_of_a_result(sweep, plate):

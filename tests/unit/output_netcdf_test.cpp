@@ -162,6 +162,21 @@ TEST(OutputNetcdf, OtherFilesAreRefused) {
   EXPECT_THAT(says("empty.nc"), HasSubstr("empty.nc: holds no variable S_re; give a netCDF file"));
 }
 
+// Rows are told apart by them, and a table with such a cell is refused, too.
+TEST(OutputNetcdf, AxesMustBeNumbers) {
+  const Scratch scratch;
+  const auto says = [&](const auto& change) {
+    StoredResult result = full_result();
+    change(result);
+    write_netcdf(scratch / "a.nc", result);
+    return refusal([&] { read_netcdf(scratch / "a.nc"); });
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(says([](StoredResult& r) { r.looks.back().phi_deg = nan; }), HasSubstr("a.nc: phi_deg holds something that is no"));
+  EXPECT_THAT(says([](StoredResult& r) { r.frequency_hz.back() = nan; }), HasSubstr("a.nc: frequency holds something"));
+  EXPECT_THAT(says([](StoredResult& r) { r.frequency_hz.back() = 0.0; }), HasSubstr("frequency that is not greater than 0"));
+}
+
 /// Two looks at two frequencies, far or near, as a solve gives them.
 struct Solved {
   Sweep sweep{{1e9, 9.4e9}, {}, false};

@@ -86,7 +86,7 @@ const Rooms may_include = {
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
     {"jobs/warnings", base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "solve"}},
     {"jobs", base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/files",
-                                          "output/tables", "sbr", "sbr/launch", "solve"}},
+                                          "output/tables", "output/words", "sbr", "sbr/launch", "solve"}},
     {"program",
      base + std::set<std::string>{"jobs", "jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/compare",
                                   "output/files", "output/netcdf", "output/plots", "output/words", "output/tables", "output/vtk",

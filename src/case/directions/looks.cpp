@@ -85,13 +85,13 @@ void read_looks(const CaseValue& root, Case& c) {
   fill_from_angles(*look, c);
 }
 
-void fill_looks(const LookNumbers& numbers, const std::string& location, Case& c) {
-  CaseValue place;
-  place.location = location;
-  check_rows(place, static_cast<double>(numbers.rows.size()), c.sweep.frequencies.size());
+void fill_looks(const LookNumbers& numbers, const CaseValue& root, Case& c) {
+  if (has_positions(root))
+    throw InputError(root.location + ": looks cannot go with radar.position_m, which says where the antenna stands; remove one");
+  check_rows(root, static_cast<double>(numbers.rows.size()), c.sweep.frequencies.size());
   c.looks.given_as_numbers = true;
   c.sweep.bistatic = numbers.bistatic;
-  c.sweep.looks = looks_of_numbers(numbers, location);
+  c.sweep.looks = looks_of_numbers(numbers, root.location);
 }
 
 }  // namespace raytube

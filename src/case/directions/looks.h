@@ -11,7 +11,7 @@ namespace raytube {
 /// Throws InputError.
 void read_looks(const CaseValue& root, Case& c);
 
-/// The same from numbers, which stand in the place of [look] and [receive]; `location` is for sentences. Throws InputError.
-void fill_looks(const LookNumbers& numbers, const std::string& location, Case& c);
+/// The same from numbers, which stand in the place of [look] and [receive] of the case. Throws InputError.
+void fill_looks(const LookNumbers& numbers, const CaseValue& root, Case& c);
 
 }  // namespace raytube

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "jobs/warnings/idle_keys.h"
 #include "mesh/soundness/open_bodies.h"
 #include "mesh/soundness/thick_layers.h"
 #include "output/words/warnings.h"
-#include "jobs/warnings/idle_keys.h"
 #include "solve/validity.h"
 
 namespace raytube {

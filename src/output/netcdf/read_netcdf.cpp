@@ -2,6 +2,7 @@
 #include <netcdf.h>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <set>
@@ -59,6 +60,7 @@ class OpenNetcdf {
   /// The names along a dimension.
   Names labels(const std::string& dimension) const {
     const int id = variable(dimension.c_str(), {dimension, dimension + letters_suffix});
+    check_size(static_cast<double>(size_of(id)));
     std::string letters(size_of(id), '\0');
     require(dimension.c_str(), nc_get_var_text(file_, id, letters.data()));
     Names names(this->dimension(dimension.c_str()));
@@ -97,8 +99,10 @@ class OpenNetcdf {
       int dimensions = 0;
       require("variables", nc_inq_var(file_, id, name, &type, &dimensions, nullptr, nullptr));
       if (type != NC_CHAR || dimensions != 1) continue;
-      std::string text(dimension((name + std::string(letters_suffix)).c_str()), '\0');
-      if (variable(name, {name + std::string(letters_suffix)}) == id) require(name, nc_get_var_text(file_, id, text.data()));
+      variable(name, {name + std::string(letters_suffix)});
+      check_size(static_cast<double>(size_of(id)));
+      std::string text(size_of(id), '\0');
+      require(name, nc_get_var_text(file_, id, text.data()));
       found.emplace_back(name, std::move(text));
     }
     return found;
@@ -209,12 +213,21 @@ class ResultReader {
   }
 
   void per_look(const char* name, double StoredLook::*member) {
-    const std::vector<double> values = file_.numbers(name, {"look"});
+    const std::vector<double> values = axis(name, "look");
     for (std::size_t i = 0; i < values.size(); ++i) result_.looks[i].*member = values[i];
   }
 
+  // As in tables: what rows are told apart by is finite.
+  std::vector<double> axis(const char* name, const char* dimension) const {
+    std::vector<double> values = file_.numbers(name, {dimension});
+    if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+      file_.refuse(fmt::format("{} holds something that is no finite number", name));
+    return values;
+  }
+
   void read_axes() {
-    result_.frequency_hz = file_.numbers("frequency", {"frequency"});
+    result_.frequency_hz = axis("frequency", "frequency");
+    if (std::ranges::min(result_.frequency_hz) <= 0.0) file_.refuse("holds a frequency that is not greater than 0");
     result_.looks.resize(file_.dimension("look"));
     per_look("theta_deg", &StoredLook::theta_deg);
     per_look("phi_deg", &StoredLook::phi_deg);

@@ -202,7 +202,7 @@ std::string summary_text(const SweepResult& result, const RunFacts& facts) {
   if (result.statistics.ray_range == 0.0 && !facts.random) text += error_lines(result, facts);
   text += model_lines(result);
   text += beyond_bound_lines(result.statistics);
-  if (facts.warnings) text += line("warnings", fmt::format("{}, at the beginning and in run.json", facts.warnings));
+  if (facts.warnings) text += line("warnings", fmt::format("{}, above and in run.json", facts.warnings));
   return text + line("results", facts.folder);
 }
 
