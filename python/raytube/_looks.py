@@ -28,7 +28,7 @@ class Looks:
 
     @property
     def bistatic(self) -> bool:
-        """True where transmitter and receiver may stand apart."""
+        """True where transmitter and receiver may stand apart; of a list in a file it is not known before the solve, and False."""
         return self._bistatic
 
     def __len__(self) -> int:

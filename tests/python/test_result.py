@@ -156,7 +156,7 @@ def test_threads_may_save_to_one_place(sweep, tmp_path):
 
 def test_what_is_said_of_a_result(sweep, plate):
     assert repr(sweep).startswith("Result: dihedral\n  8 monostatic looks, 3 frequencies from 9 to 11 GHz\n  peak ")
-    assert "<pre>Result: dihedral" in sweep._repr_html_()
+    assert ">Result: dihedral" in sweep._repr_html_()
     assert sweep.statistics["rays"] > 0 and all({"what", "why"} <= set(entry) for entry in sweep.skipped)
     assert "1 monostatic look, 10 GHz" in repr(rt.solve(plate, 10.0, rt.monostatic(0, 0)))
 
