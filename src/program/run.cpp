@@ -145,7 +145,7 @@ struct Destination {
 Destination destination_of(const Request& request, const Case& c) {
   const fs::path& asked = request.output_folder;
   if (asked.empty()) return {c.file.parent_path() / "out", ""};
-  if (fs::is_directory(asked)) return {asked, ""};
+  if (std::error_code unreadable; fs::is_directory(asked, unreadable)) return {asked, ""};
   if (lower_case(asked.extension().string()) == ".csv")
     throw InputError(
         fmt::format("-o {}: results are a folder of files, rcs.csv among them, or one netCDF file; write -o DIR or -o {}",
