@@ -27,7 +27,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/raytubeConfig.cmake ${CMAKE_CURRENT_BI
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/raytube)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/matlab DESTINATION ${CMAKE_INSTALL_DATADIR}/raytube)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/cases DESTINATION ${CMAKE_INSTALL_DOCDIR}
-        PATTERN out EXCLUDE PATTERN __pycache__ EXCLUDE)
+        PATTERN out EXCLUDE PATTERN __pycache__ EXCLUDE PATTERN site EXCLUDE)  # nor what builds the site
 install(FILES ${PROJECT_SOURCE_DIR}/tests/data/mom/dihedral3.csv ${PROJECT_SOURCE_DIR}/tests/data/mom/dihedral3.stl
         DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/data/mom)  # what an example reads
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md

@@ -66,9 +66,10 @@ py::dict channels(const Comparison& comparison) {
 
 void bind_comparison(py::module_& module) {
   py::class_<ResultTable>(module, "Table")
-      .def_static("of_file", [](const std::filesystem::path& file, const std::string& columns, const std::string& name) {
-        return read_result_table(file, parsed_column_map(name, columns), name);
-      })
+      .def_static("of_file",
+                  [](const std::filesystem::path& file, const std::string& columns, const std::string& name) {
+                    return read_result_table(file, parsed_column_map(name, columns), name);
+                  })
       .def_static("of_stored", &table_of);
   py::class_<Comparison>(module, "Comparison")
       .def_property_readonly("text", [](const Comparison& comparison) { return python_text(comparison_text(comparison)); })

@@ -51,7 +51,7 @@ std::shared_ptr<const Job> Job::of_file(const std::filesystem::path& file, const
 std::shared_ptr<const Job> Job::of_target(TargetSource& target, const CaseValue& values, const LookNumbers* looks) {
   Case c = case_of_values(values, values.location, looks);
   auto built = target.built_for(c);
-  return std::make_shared<const Job>(std::move(c), target.sha256(), std::move(built));
+  return std::make_shared<const Job>(std::move(c), target.made_of().sha256, std::move(built));
 }
 
 StoredResult Job::solve(int threads, bool parts, Watch& watch) const {

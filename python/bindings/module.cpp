@@ -11,6 +11,7 @@
 
 #include "bindings/job.h"
 #include "bindings/result.h"
+#include "bindings/target_state.h"
 #include "bindings/values.h"
 #include "core/error.h"
 #include "core/threads.h"
@@ -204,7 +205,7 @@ py::tuple converge(const SharedJob& job, const std::vector<double>& densities, i
 }
 
 py::array_t<double> vertices_of(const TargetSource& target) {
-  const std::vector<dvec3>& points = target.soup().points;
+  const std::vector<dvec3>& points = target.made_of().soup.points;
   py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int axis = 0; axis < 3; ++axis) array.mutable_at(i, axis) = points[i][axis];
@@ -225,15 +226,16 @@ void translate(std::exception_ptr pointer) {
 
 void bind_target_and_job(py::module_& module) {
   py::class_<TargetSource, SharedTarget>(module, "Target")
+      .def(py::pickle(&state_of, &target_of_state))
       .def_static("of_files", &target_of_files)
       .def_static("of_arrays", &target_of_arrays)
-      .def_property_readonly("name", [](const TargetSource& target) { return python_text(target.name()); })
-      .def_property_readonly("meshes", [](const TargetSource& target) { return python_texts(target.meshes()); })
-      .def_property_readonly("unit", &TargetSource::unit)
-      .def_property_readonly("parts", [](const TargetSource& target) { return python_texts(target.parts()); })
-      .def_property_readonly("facets", [](const TargetSource& target) { return target.soup().polygons.size(); })
+      .def_property_readonly("name", [](const TargetSource& target) { return python_text(target.made_of().name); })
+      .def_property_readonly("meshes", [](const TargetSource& target) { return python_texts(target.made_of().meshes); })
+      .def_property_readonly("unit", [](const TargetSource& target) { return target.made_of().unit; })
+      .def_property_readonly("parts", [](const TargetSource& target) { return python_texts(target.made_of().soup.names.all()); })
+      .def_property_readonly("facets", [](const TargetSource& target) { return target.made_of().soup.polygons.size(); })
       .def_property_readonly("vertices", &vertices_of)
-      .def_property_readonly("polygons", [](const TargetSource& target) { return target.soup().polygons; });
+      .def_property_readonly("polygons", [](const TargetSource& target) { return target.made_of().soup.polygons; });
   py::class_<Job, std::shared_ptr<Job>>(module, "Job").def_property_readonly("title", [](const Job& job) {
     return job.asked.title;
   });

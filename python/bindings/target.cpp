@@ -43,22 +43,22 @@ std::string dependencies(const Case& c) {
 
 }  // namespace
 
-TargetSource::TargetSource(const std::vector<std::filesystem::path>& files, std::string unit)
-    : unit_(std::move(unit)), meshes_(names_of(files)) {
+TargetSource::TargetSource(const std::vector<std::filesystem::path>& files, std::string unit) {
   if (files.empty()) throw InputError("Target: no file; name at least one");
-  name_ = joined(meshes_, ", ");
+  made_of_ = {"", std::move(unit), names_of(files), {}, {}};
+  made_of_.name = joined(made_of_.meshes, ", ");
   for (const std::filesystem::path& file : files) {
-    PolygonSoup part = read_polygon_soup(file, metres_of_unit(unit_));
+    PolygonSoup part = read_polygon_soup(file, metres_of_unit(made_of_.unit));
     if (files.size() > 1) add_name(part, file.string());
-    add_polygons(part, soup_);
-    sha256_.push_back(sha256_of_file(file));
+    add_polygons(part, made_of_.soup);
+    made_of_.sha256.push_back(sha256_of_file(file));
   }
-  for (const std::filesystem::path& further : soup_.further_files) sha256_.push_back(sha256_of_file(further));
+  for (const std::filesystem::path& further : made_of_.soup.further_files) made_of_.sha256.push_back(sha256_of_file(further));
 }
 
 TargetSource::TargetSource(PolygonSoup soup, std::string unit)
-    : name_(name_of_arrays), unit_(std::move(unit)), meshes_{name_of_arrays}, soup_(std::move(soup)) {
-  metres_of_unit(unit_);  // refuses now what no case could make use of
+    : made_of_{name_of_arrays, std::move(unit), {name_of_arrays}, std::move(soup), {}} {
+  metres_of_unit(made_of_.unit);  // refuses now what no case could make use of
 }
 
 std::shared_ptr<const BuiltTarget> TargetSource::built_for(const Case& c) {
@@ -66,10 +66,11 @@ std::shared_ptr<const BuiltTarget> TargetSource::built_for(const Case& c) {
   const std::string key = dependencies(c);
   const auto found = std::ranges::find(built_, key, [](const auto& entry) { return entry.first; });
   if (found != built_.end()) return found->second;
-  PolygonSoup soup = soup_;
-  if (meshes_.size() == 1 && !sha256_.empty() && !c.assignment.parts.empty()) add_name(soup, meshes_.front());  // as a case does
+  const auto& [name, unit, meshes, polygons, sha256] = made_of_;
+  PolygonSoup soup = polygons;
+  if (meshes.size() == 1 && !sha256.empty() && !c.assignment.parts.empty()) add_name(soup, meshes.front());  // as a case does
   assign_materials(soup, c);
-  LoadedMesh loaded = build_mesh(std::move(soup), c.metres_per_unit, name_, c.sweep.materials);
+  LoadedMesh loaded = build_mesh(std::move(soup), c.metres_per_unit, name, c.sweep.materials);
   auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges));
   if (built_.size() == most_built) built_.erase(built_.begin());
   built_.emplace_back(key, built);

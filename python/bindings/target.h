@@ -22,32 +22,33 @@ struct BuiltTarget {
   std::vector<dvec3> outermost = outermost_points(target.mesh.vertices);  // as wide as all of it
 };
 
+/// What a target is before anything is made ready of it.
+struct TargetParts {
+  std::string name, unit;
+  std::vector<std::string> meshes;  // as a case would list them in target.mesh
+  PolygonSoup soup;                 // in units of `unit`
+  std::vector<std::string> sha256;  // of the files
+};
+
 /// Polygons with the names of their parts. May be used from several threads.
 class TargetSource {
  public:
+  explicit TargetSource(TargetParts parts) : made_of_(std::move(parts)) {}
+
   /// Reads the files as one target. Throws InputError.
   TargetSource(const std::vector<std::filesystem::path>& files, std::string unit);
 
   /// Polygons in units of `unit`; `names`: that of each one's part, or none at all.
   TargetSource(PolygonSoup soup, std::string unit);
 
-  const std::string& name() const { return name_; }
-  /// As a case would list them in target.mesh.
-  const std::vector<std::string>& meshes() const { return meshes_; }
-  const std::string& unit() const { return unit_; }
-  const std::vector<std::string>& parts() const { return soup_.names.all(); }
-  const PolygonSoup& soup() const { return soup_; }
-  const std::vector<std::string>& sha256() const { return sha256_; }
+  const TargetParts& made_of() const { return made_of_; }
 
   /// Ready for a case whose [target] is this one. The last few are kept, so that a sweep of anything but materials and creases
   /// builds once. Throws InputError.
   std::shared_ptr<const BuiltTarget> built_for(const Case& c);
 
  private:
-  std::string name_, unit_;
-  std::vector<std::string> meshes_;
-  PolygonSoup soup_;
-  std::vector<std::string> sha256_;  // of the files
+  TargetParts made_of_;
   std::mutex building_;
   std::vector<std::pair<std::string, std::shared_ptr<const BuiltTarget>>> built_;  // what it depends on, the newest last
 };

@@ -97,9 +97,6 @@ class Target:
     def __copy__(self) -> Target:
         return self
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        raise TypeError("a Target cannot be pickled; load it in each process, or solve in threads, which run in parallel")
-
     def __deepcopy__(self, memo: dict[int, Any]) -> Target:
         return self  # nothing of it changes
 

@@ -196,8 +196,26 @@ def test_polygons_of_different_length():
 def test_what_a_target_says_of_itself():
     assert repr(target(unit="mm")).endswith("1 facets, " + " x ".join(f"{a:.4g}" for a in np.ptp(SQUARE, axis=0)) + " mm")
     assert copy.copy(t := target()) is t
-    with pytest.raises(TypeError, match="load it in each process"):
-        pickle.dumps(t)
+
+
+@pytest.mark.filterwarnings("ignore::raytube.RaytubeWarning")
+@pytest.mark.parametrize("unit, faces, parts", [("m", [[0, 1, 2, 3]], None), ("mm", [[0, 1, 2], [0, 2, 3]], ["", "fin"])])
+def test_a_target_in_another_process_is_the_same(unit, faces, parts):
+    one = target(unit=unit, faces=faces, parts=parts)
+    other = pickle.loads(pickle.dumps(one))
+    assert repr(other) == repr(one) and other.parts == one.parts and other.faces == one.faces
+    given = {} if parts is None else {"parts": {"fin": "absorber"}}
+    results = [rt.solve(t, 10.0, rt.monostatic(10, 20), **given) for t in (one, other)]
+    assert np.array_equal(results[0].S.values, results[1].S.values) and results[0].attributes == results[1].attributes
+
+
+def test_a_file_with_several_names_a_facet_in_another_process(tmp_path):
+    (tmp_path / "two.obj").write_bytes(b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\ng hull \xfcber\nf 1 2 3 4\nusemtl glass\nf 1 2 5\n")
+    one = rt.Target.load(tmp_path / "two.obj", unit="m")
+    other = pickle.loads(pickle.dumps(one))
+    assert repr(other) == repr(one) and sorted(other.parts) == sorted(one.parts) and len(one.parts) == 3
+    results = [rt.solve(t, 1.0, rt.monostatic(60, 20), parts={"glass": "absorber"}) for t in (one, other)]
+    assert np.array_equal(results[0].S.values, results[1].S.values) and results[0].attributes == results[1].attributes
 
 
 def test_angles_and_corners_from_tables():
