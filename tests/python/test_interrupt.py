@@ -19,6 +19,8 @@ START = """
     import os, signal, threading, time
     import numpy as np, raytube as rt
 
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs have none
+
     def grid(n):
         x, y = np.meshgrid(np.linspace(0, 1, n), np.linspace(0, 1, n), indexing="ij")
         points = np.column_stack([x.ravel(), y.ravel(), 0.05 * np.sin(9 * x.ravel()) * np.cos(7 * y.ravel())])
