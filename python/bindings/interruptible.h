@@ -16,12 +16,15 @@ struct Watch {
   std::atomic<bool> stop = false;
   std::atomic<double> share = 0.0;
 
-  /// As solve() wants it: may be called from any thread.
+  /// Whether to go on. May be called from any thread.
+  bool tell(double done) {
+    share = done;
+    return !stop;
+  }
+
+  /// As solve() wants it.
   std::function<bool(double)> progress() {
-    return [this](double done) {
-      share = done;
-      return !stop;
-    };
+    return [this](double done) { return tell(done); };
   }
 };
 

@@ -14,6 +14,7 @@
 #include "jobs/solvable.h"
 #include "jobs/warnings/warnings.h"
 #include "output/tables/stored.h"
+#include "output/words/summary.h"
 #include "solve/image.h"
 #include "solve/solve.h"
 
@@ -94,16 +95,19 @@ Study Job::converge(const std::vector<double>& densities, int threads, Watch& wa
   const std::vector<double> ordered = densities_from_coarse_to_fine(densities, "densities");
   check_study(asked, built->target, threads, ordered, "densities");
   SolveOptions options = options_of_study(asked, threads);
-  options.progress = watch.progress();
   ConvergenceStudy study{asked.title, asked.sweep, {}, {}};
+  options.progress = [&](double share) { return watch.tell(finished_share(ordered, study.results.size(), share)); };
+  std::vector<std::string> warnings;
   for (const double density : ordered) {
     options.tubes.per_wavelength = density;
     SweepResult result = raytube::solve(built->target, asked.sweep, options);
     const Statistics& s = result.statistics;
+    for (const BeyondBound& part : s.beyond_bound)
+      warnings.push_back(fmt::format("{} tubes per wavelength: {}", density, beyond_bound_sentence(part)));
     study.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
   }
   study.convergence = study_convergence(study.results);
-  return {convergence_text(study), std::move(study.results), std::move(study.convergence)};
+  return {convergence_text(study), std::move(study.results), std::move(study.convergence), std::move(warnings)};
 }
 
 }  // namespace raytube::python

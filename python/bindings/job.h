@@ -27,6 +27,7 @@ struct Study {
   std::string text;
   std::vector<DensityResult> results;
   Convergence convergence;
+  std::vector<std::string> warnings;  // of rows that must not be used
 };
 
 /// Immutable and shared: work on it may outlive the call that began it. Everything throws InputError for bad input and

@@ -201,6 +201,7 @@ py::tuple converge(const SharedJob& job, const std::vector<double>& densities, i
     found["extrapolated_S"] = array_of(endless->total, shape);
     found["relative_uncertainty"] = endless->relative_uncertainty;
   }
+  found["warnings"] = python_texts(study.warnings);
   return py::make_tuple(python_text(study.text), found);
 }
 

@@ -234,8 +234,8 @@ def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, 
 
 class Convergence(_Told):
     """A study over tube density: ``densities``, a list of dicts with ``per_wavelength``, ``S``, ``relative_change``, ``order`` and
-    ``rms_db``; ``recommended``, the coarsest one fine enough, where there is one; ``extrapolated_S``. Its ``repr`` is the table that
-    ``raytube converge`` prints."""
+    ``rms_db``; ``recommended``, the coarsest one fine enough, where there is one; ``extrapolated_S``; ``warnings`` of rows that must not
+    be used. Its ``repr`` is the table that ``raytube converge`` prints."""
 
 
 def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), threads: int = 0, progress: _Progress = False,
@@ -269,6 +269,7 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     job = _job("converge", what, args, keywords)
     with _Reported(progress) as report:
         text, data = _core.converge(job, finer.tolist(), _threads(threads), report)
+    _warn(data["warnings"])
     return Convergence(text, data)
 
 
@@ -307,9 +308,13 @@ def _threads(threads: Any) -> int:
 def _solved(job: Any, keep_parts: Any, threads: Any, progress: Any) -> Result:
     with _Reported(progress) as report:
         result = Result(_core.solve(job, _threads(threads), _arguments.flag(keep_parts, "keep_parts"), report))
-    for sentence in result.warnings:
-        warnings.warn(sentence, RaytubeWarning, stacklevel=3)
+    _warn(result.warnings, 4)
     return result
+
+
+def _warn(sentences: list[str], level: int = 3) -> None:
+    for sentence in sentences:
+        warnings.warn(sentence, RaytubeWarning, stacklevel=level)
 
 
 # Sections of a case that are keywords; those of [target] first.

@@ -61,4 +61,14 @@ void check_study(const Case& c, const Target& target, int threads, const std::ve
   check_memory(plan, study, nullptr, kept);
 }
 
+double finished_share(std::span<const double> densities, std::size_t done, double of_next) {
+  double finished = 0.0, whole = 0.0;
+  for (std::size_t i = 0; i < densities.size(); ++i) {
+    const double work = densities[i] * densities[i];
+    whole += work;
+    finished += i < done ? work : i == done ? of_next * work : 0.0;
+  }
+  return finished / whole;
+}
+
 }  // namespace raytube

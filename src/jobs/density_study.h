@@ -1,6 +1,7 @@
 // Studies over the density of uniform tubes: what they ask of a case.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,9 @@ SolveOptions options_of_study(const Case& c, int threads);
 /// amplitudes of every density are kept to the end.
 void check_study(const Case& c, const Target& target, int threads, const std::vector<double>& densities,
                  const std::string& asked);
+
+/// The finished share of a study's work once so many densities are `done`, and of the next one `of_next`: tubes grow with the
+/// square of the density.
+double finished_share(std::span<const double> densities, std::size_t done, double of_next);
 
 }  // namespace raytube

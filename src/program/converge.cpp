@@ -47,9 +47,6 @@ std::vector<double> parsed_densities(const std::string& option) {
   return densities_from_coarse_to_fine(std::move(densities), option_text(option));
 }
 
-// Shares of the whole study's work: tubes grow with the square of the density.
-double work(double density) { return density * density; }
-
 ResultNames names_of_convergence_results(bool with_plot) {
   ResultNames names{{}, {"converge.csv"}};
   if (with_plot) names.pictures = {"converge.png", "converge.svg"};
@@ -65,21 +62,19 @@ class DensityStudy {
         target_(target),
         destination_(destination),
         folder_(destination),
-        densities_(densities.size()),
+        densities_(densities),
         bar_(request.quiet, fmt::format("solving {} looks at {} densities", c.sweep.looks.size(), densities.size())),
         study_{c.title, c.sweep, {}, {}} {
     options_ = options_of_study(c, request.threads);
-    for (const double density : densities) whole_ += work(density);
   }
 
   void add(double density) {
     options_.tubes.per_wavelength = density;
     options_.progress = [&](double share) {
-      bar_.show((finished_ + share * work(density)) / whole_);
+      bar_.show(finished_share(densities_, study_.results.size(), share));
       return !InterruptFlag::raised();
     };
     SweepResult result = solve(target_, case_.sweep, options_);
-    finished_ += work(density);
     if (warn_of_unusable_rows(result.statistics)) unusable_ = true;
     const Statistics& s = result.statistics;
     study_.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
@@ -98,7 +93,7 @@ class DensityStudy {
   std::string interrupted_sentence() const {
     if (finished() == 0) return Interrupted().what();
     return fmt::format("interrupted; converge.csv in {} holds the {} of {} densities that were finished", destination_.string(),
-                       finished(), densities_);
+                       finished(), densities_.size());
   }
 
   std::optional<std::string> last_words() const {
@@ -117,7 +112,7 @@ class DensityStudy {
     if (!trouble.empty()) warn(trouble);
     replace_results(results, folder(), names_of_convergence_results(with_plot), names_of_convergence_results(true).pictures, [&] {
       finished_densities_ = study_.results.size();
-      complete_ = with_plot || (!case_.plots && finished() == densities_);
+      complete_ = with_plot || (!case_.plots && finished() == densities_.size());
     });
   }
 
@@ -135,14 +130,13 @@ class DensityStudy {
   const Target& target_;
   fs::path destination_;  // as it was asked for
   OutputFolder folder_;
-  std::size_t densities_;
+  const std::vector<double>& densities_;
   std::atomic<std::size_t> finished_densities_ = 0;
   std::atomic<bool> complete_ = false;
   bool unusable_ = false;
   ProgressBar bar_;
   SolveOptions options_;
   ConvergenceStudy study_;
-  double whole_ = 0.0, finished_ = 0.0;
 };
 
 }  // namespace

@@ -46,6 +46,13 @@ def test_converge_is_the_table_of_the_program(program, tmp_path):
     assert re.search(r"^order .*\Z", repr(study), re.DOTALL | re.MULTILINE)[0].strip() in printed
 
 
+def test_the_share_of_a_study_never_falls(dihedral):
+    told = []
+    study = rt.converge(dihedral, 94.0, rt.monostatic(90, np.arange(0, 46, 1.0)), densities=[4, 8, 16], edges={"method": "none"},
+                        progress=told.append)
+    assert told == sorted(told) and told[-1] == 1.0 and study["warnings"] == []
+
+
 def test_cells_of_an_image_add_up(dihedral):
     looks = rt.monostatic(90, [10, 30])
     image = rt.image(dihedral, 10.0, looks, look=1)
