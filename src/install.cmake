@@ -9,12 +9,12 @@ set(public_headers
     scene/results.h scene/sweep.h
     mesh/load.h mesh/model/edge_table.h mesh/model/face_tree.h mesh/model/faces.h mesh/model/geometry.h mesh/model/part_names.h
     mesh/model/polygon_soup.h mesh/model/triangle_mesh.h mesh/model/triangle_rows.h mesh/read/read_mesh.h mesh/repair/build_mesh.h
-    mesh/features/convexity.h mesh/features/outlines.h mesh/features/patch_borders.h mesh/features/thin_plates.h mesh/features/wedges.h
+    mesh/features/convexity.h mesh/features/outlines.h mesh/features/patch_borders.h mesh/features/thin_plates.h mesh/features/wedge_sets.h mesh/features/wedges.h
     mesh/smooth/creases.h mesh/smooth/smooth.h
     mesh/trace/ray.h mesh/trace/tracer.h
     sbr/replay.h sbr/sbr.h sbr/tube_paths.h sbr/beams/spectrum.h sbr/beams/tube_sums.h sbr/launch/launch.h
     utd/shadow/wedge_lines.h utd/wedge/diffracted_field.h utd/wedge/ray_source.h utd/wedge/transition.h
-    scene/options.h scene/skipped.h solve/image.h solve/plan.h solve/random.h solve/solve.h solve/target.h)
+    scene/options.h scene/parts.h scene/skipped.h solve/image.h plan/plan.h solve/random.h solve/solve.h plan/target.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/${room})

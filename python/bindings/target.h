@@ -11,7 +11,7 @@
 #include "case/data/case.h"
 #include "mesh/load.h"
 #include "scene/sampling.h"
-#include "solve/target.h"
+#include "plan/target.h"
 
 namespace raytube::python {
 

@@ -24,6 +24,7 @@
 #include "scene/sampling.h"
 #include "scene/skipped.h"
 #include "solve/image.h"
+#include "solve/mechanisms/list.h"
 #include "solve/probe.h"
 
 namespace raytube {
@@ -98,8 +99,8 @@ void tell_request(CheckReport& report, const Case& c) {
   if (c.edges.method == EdgeMethod::none)
     report.print("edges        none\n");
   else if (c.edges.method == EdgeMethod::fringe)
-    report.print("edges        fringe currents, order {}, creases of {} deg and more{}\n", c.edges.order,
-                 decimal_degrees(c.wedges.min_wedge_angle), c.edges.interaction.possible() ? "; waves between surfaces" : "");
+    report.print("edges        fringe currents, order {}, creases of {} deg and more\n", c.edges.order,
+                 decimal_degrees(c.wedges.min_wedge_angle));
   if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
     report.print("             transition function {}{}\n", transition_name(c.edges.transition),
                  c.edges.order == 1 ? ", which plays no part at order 1" : "");
@@ -217,11 +218,12 @@ void tell_curved_surfaces(CheckReport& report, const SolvePlan& plan) {
   const SmoothSurfaces surfaces(mesh, plan.target.options.min_wedge_angle);
   const std::vector<SmoothPiece> pieces = smooth_pieces(mesh, surfaces);
   const std::size_t all = mesh.triangles.size();
+  const bool curved = std::ranges::any_of(plan.bands, [](const BandPlan& band) { return band.smooth != nullptr; });
   report.data["curved_surfaces"] = {
-      {"facets", surfaces.facets()}, {"pieces", pieces.size()}, {"counts_as", plan.smooth ? "curved" : "flat"}};
+      {"facets", surfaces.facets()}, {"pieces", pieces.size()}, {"counts_as", curved ? "curved" : "flat"}};
   report.print("\ncurved surfaces\n");
   if (pieces.empty()) return report.print("  none: all {} facets are flat\n", all);
-  const char* how = plan.smooth ? "curved" : "flat (tubes.curved)";
+  const char* how = curved ? "curved" : "flat (tubes.curved)";
   report.print("  {} of {} facets stand for curved surfaces and count as {}\n", surfaces.facets(), all, how);
   for (std::size_t i = 0; i < std::min(pieces.size(), most_lines); ++i)
     report.print("  piece of {} facets: the surface rises above them by up to {:.3g} wavelengths\n", pieces[i].facets,
@@ -229,21 +231,16 @@ void tell_curved_surfaces(CheckReport& report, const SolvePlan& plan) {
   if (pieces.size() > most_lines) report.print("  and {} smaller pieces\n", pieces.size() - most_lines);
 }
 
-std::string surface_waves_text(const SolvePlan& plan) {
-  if (plan.surface_waves != SurfaceWaveState::computed) return fmt::format("none: {}", why_not(plan.surface_waves));
-  const std::size_t facets = plan.wave_surfaces->conducting_facets(), others = plan.wave_surfaces->facets() - facets;
-  return fmt::format("computed: over {} facets{}", facets,
-                     others == 0 ? "" : fmt::format(", not over {} more that are no perfect conductors", others));
-}
-
-void tell_surface_waves(CheckReport& report, const SolvePlan& plan) {
-  const std::string text = surface_waves_text(plan);
-  report.print("\nwaves over curved surfaces\n  {}\n", text);
-  report.data["surface_waves"] = text;
-  if (plan.wave_surfaces)
-    report.print("  edges of curved surfaces: {:.4g} wavelengths at {} GHz, of at most {}\n",
-                 plan.wave_surfaces->boundary_length() / plan.shortest_wavelength(),
-                 number_text(highest_frequency(plan.sweep) / 1e9), longest_surface_edges);
+// What takes part in looks in which it can change the answer, or why it does not.
+void tell_mechanisms(CheckReport& report, const SolvePlan& plan) {
+  report.print("\nmechanisms beside the tubes\n");
+  for (const MechanismEntry& entry : mechanism_list()) {
+    const MechanismState state = entry.state(plan);
+    const std::string what = state.what.empty() ? "" : ": " + state.what;
+    const std::string how = state.forced ? "on" : "auto, where it can move a row by the tolerance";
+    report.print("  {:<28}{}\n", entry.name, state.on ? how + what : "none: " + state.why_not);
+    report.data["mechanisms"].append({{"name", entry.name}, {"key", entry.key}, {"on", state.on}, {"forced", state.forced}, {"why_not", state.why_not}});
+  }
 }
 
 void tell_thin_plate_edges(CheckReport& report, const Case& c, std::span<const ThinPlateEdge> rims) {
@@ -260,14 +257,14 @@ void tell_thin_plate_edges(CheckReport& report, const Case& c, std::span<const T
 // What only the run itself can count.
 std::vector<std::string> skipped_as_found(const SolvePlan& plan) {
   const Target& target = plan.target;
-  if (plan.mechanisms.rays) return {"all currents: edges.method is \"utd\", geometrical optics and diffracted rays alone"};
+  if (plan.rays()) return {"all currents: edges.method is \"utd\", geometrical optics and diffracted rays alone"};
   std::vector<std::string> lines;
   if (plan.tubes.mode == TubeMode::adaptive && std::ranges::any_of(target.mesh.components, &Component::closed))
     lines.emplace_back("in every look: faces of closed bodies turned away from the transmitter");
   if (!plan.tubes.skip) return lines;
   if (plan.tubes.mode == TubeMode::uniform) lines.emplace_back("in every look: empty cells of the grid");
   if (target.convexity.no_reflection) lines.push_back(fmt::format("all reflected tubes: {}", nothing_in_front));
-  if (plan.mechanisms.fringe && std::ranges::any_of(target.wedges, &Wedge::stands_alone))
+  if (plan.fringe() && std::ranges::any_of(target.wedges, &Wedge::stands_alone))
     lines.emplace_back("in every look: edges that are not lit");
   return lines;
 }
@@ -279,6 +276,11 @@ void tell_skipped(CheckReport& report, const MeshReport& r, const SolvePlan& pla
                                   {"triangles", "same corners as another one", r.triangles_duplicate},
                                   {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};
   std::ranges::copy(plan.skipped_wedges, std::back_inserter(skipped));
+  for (const MechanismEntry& entry : mechanism_list()) {
+    const MechanismState state = entry.state(plan);
+    if (state.missed) skipped.push_back({fmt::format("looks without {}", entry.name), state.why_not, plan.sweep.looks.size()});
+    std::ranges::copy(state.skipped, std::back_inserter(skipped));
+  }
   std::ranges::copy(skipped_items(plan.skips), std::back_inserter(skipped));
   std::vector<std::string> lines;
   for (const Skipped& s : skipped)
@@ -326,7 +328,7 @@ void tell_grid_cost(CheckReport& report, const SolvePlan& plan) {
 
 void tell_cost(CheckReport& report, const SolvePlan& plan) {
   report.data["looks_computed"] = plan.looks.computed.size();
-  if (plan.mechanisms.rays)
+  if (plan.rays())
     tell_rays(report, plan);
   else if (plan.tubes.refines())
     tell_clipped_cost(report, plan);
@@ -363,7 +365,7 @@ void tell_case(CheckReport& report, const Case& c, const MeshReport& counts, con
   tell_material_edges(report, c.edges, target.wedges);
   tell_thin_plate_edges(report, c, target.thin_plate_edges);
   tell_curved_surfaces(report, plan);
-  tell_surface_waves(report, plan);
+  tell_mechanisms(report, plan);
   tell_skipped(report, counts, plan);
   tell_warnings(report, c, plan);
   tell_cost(report, plan);

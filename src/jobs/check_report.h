@@ -9,7 +9,7 @@
 #include "case/data/case.h"
 #include "core/json.h"
 #include "mesh/model/triangle_mesh.h"
-#include "solve/plan.h"
+#include "plan/plan.h"
 
 namespace raytube {
 

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/threads.h"
 #include "jobs/memory.h"
-#include "solve/admissible.h"
+#include "plan/admissible.h"
 
 namespace raytube {
 

@@ -5,7 +5,7 @@
 
 #include "case/data/case.h"
 #include "scene/random_result.h"
-#include "solve/plan.h"
+#include "plan/plan.h"
 
 namespace raytube {
 

@@ -7,7 +7,7 @@
 #include "case/data/case.h"
 #include "mesh/model/triangle_mesh.h"
 #include "scene/results.h"
-#include "solve/target.h"
+#include "plan/target.h"
 
 namespace raytube {
 

@@ -3,7 +3,7 @@
 
 #include "case/data/case.h"
 #include "core/error.h"
-#include "solve/plan.h"
+#include "plan/plan.h"
 
 namespace raytube {
 

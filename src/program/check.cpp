@@ -16,10 +16,13 @@ namespace raytube {
 
 namespace {
 
-void write_wedges(const std::filesystem::path& file, const Target& target, const Sweep& sweep) {
-  const double highest = std::ranges::max(sweep.frequencies);
-  const std::vector<Wedge> used = merge_thin_plate_edges(target.wedges, target.thin_plate_edges, thin_limit(highest));
-  write_wedge_list(file, target.mesh, used, sweep);
+// As the highest frequency has them, without those that are flat to it.
+void write_wedges(const std::filesystem::path& file, const SolvePlan& plan) {
+  const std::vector<double>& frequencies = plan.sweep.frequencies;
+  const auto highest = static_cast<std::size_t>(std::ranges::max_element(frequencies) - frequencies.begin());
+  std::vector<Wedge> used = *set_of(plan.wedge_sets, highest).wedges;
+  std::erase_if(used, &Wedge::flat);
+  write_wedge_list(file, plan.target.mesh, used, plan.sweep);
 }
 
 }  // namespace
@@ -32,7 +35,7 @@ void check_command(const Request& request) {
   const SolvePlan plan = plan_of_case(target, c, request.threads > 0 ? request.threads : all_threads(), false);
   CheckReport report([](const std::string& text) { fmt::print("{}", text); });
   tell_case(report, c, loaded.report, plan);
-  if (!request.wedge_list.empty()) write_wedges(request.wedge_list, target, c.sweep);
+  if (!request.wedge_list.empty()) write_wedges(request.wedge_list, plan);
   check_memory(plan, c, nullptr);  // as a run would
   tell_time(report, plan);
 }

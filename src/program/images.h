@@ -8,7 +8,7 @@
 #include "case/data/case.h"
 #include "program/commands.h"
 #include "program/results.h"
-#include "solve/plan.h"
+#include "plan/plan.h"
 
 namespace raytube {
 

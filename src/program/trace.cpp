@@ -18,7 +18,7 @@
 #include "program/results.h"
 #include "sbr/replay.h"
 #include "sbr/tube_paths.h"
-#include "solve/admissible.h"
+#include "plan/admissible.h"
 #include "solve/look_solver.h"
 
 namespace raytube {
@@ -159,9 +159,9 @@ std::vector<SurfaceRay> surface_rays_of(const Case& c, const Look& look, Triangl
   one.image_looks.clear();
   const Target target(std::move(mesh), c.wedges);
   const SolvePlan plan = plan_of_case(target, one, all_threads(), false);
-  if (plan.surface_waves != SurfaceWaveState::computed)
+  if (const MechanismState waves = entry_of(MechanismId::surface_waves).state(plan); !waves.on)
     throw InputError(fmt::format("--surface-rays: {} has no waves over curved surfaces: {}; leave out the option, or change that",
-                                 c.file.string(), why_not(plan.surface_waves)));
+                                 c.file.string(), waves.why_not));
   return LookSolver(plan).surface_rays(look);
 }
 

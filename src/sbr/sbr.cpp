@@ -27,7 +27,7 @@ constexpr double finest_grid = 0.9;
 constexpr std::size_t most_frequencies_with_sheets = 16;
 
 // A part of a look, on a grid of its own density.
-struct Part {
+struct LookPart {
   PartKind kind;
   double per_wavelength;
   TubeSums sums{};
@@ -36,9 +36,9 @@ struct Part {
   bool sampled() const { return !sums.coarse.empty() || (kind == PartKind::flat && !sums.pieces.empty()); }
 };
 
-TubeSums total(const std::vector<Part>& parts) {
+TubeSums total(const std::vector<LookPart>& parts) {
   TubeSums sums;
-  for (const Part& part : parts) {
+  for (const LookPart& part : parts) {
     sums.add(part.sums);
     sums.error.resize(part.sums.error.size());
     for (std::size_t f = 0; f < sums.error.size(); ++f)
@@ -68,10 +68,10 @@ class LookTracer {
   }
 
   // What is traced by itself, at first all at the same density.
-  std::vector<Part> parts() const {
+  std::vector<LookPart> parts() const {
     const double density = first_density(options_);
     if (options_.mode == TubeMode::uniform) return {{PartKind::uniform, density}};
-    std::vector<Part> parts{{PartKind::flat, density}};
+    std::vector<LookPart> parts{{PartKind::flat, density}};
     if (!options_.refines() || !scene_.smooth) return parts;
     parts.push_back({look_.far() ? PartKind::curved : PartKind::curved_near, density});
     if (!convexity_.no_reflection) parts.push_back({PartKind::curved_bounces, density});
@@ -79,7 +79,7 @@ class LookTracer {
   }
 
   // Fills part.sums, some frequencies at a time where there are sheets.
-  void trace(Part& part, double share, CurrentMap* map) const {
+  void trace(LookPart& part, double share, CurrentMap* map) const {
     const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, part.per_wavelength, options_.up);
     const std::uint64_t rays_before = part.sums.rays;
     part.sums = {};
@@ -106,11 +106,11 @@ class LookTracer {
   bool within_tolerance(const TubeSums& sums) const { return !(excess(sums, sums.error, tolerance_) > 1.0); }
 
   // Traces those parts again, more densely, whose share of the error is too large. False if no part can be made better.
-  bool refine(std::vector<Part>& parts, const TubeSums& sums) const {
+  bool refine(std::vector<LookPart>& parts, const TubeSums& sums) const {
     bool any = false;
     const double most =
         std::min(options_.max_per_wavelength, finest_grid * densest_grid(mesh(), look_, wavelength_, options_.up));
-    for (Part& part : parts) {
+    for (LookPart& part : parts) {
       const double too_large = excess(sums, part.sums.error, tolerance_) * static_cast<double>(parts.size());
       if (too_large <= 1.0 || !part.sampled() || part.per_wavelength >= most) continue;
       part.per_wavelength = std::min(part.per_wavelength * std::clamp(too_large, least_growth, most_growth), most);
@@ -165,15 +165,15 @@ class LookTracer {
 TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
                         const TubeWork& work) {
   const LookTracer tracer(scene, look, frequencies, options, work.progress);
-  std::vector<Part> parts = tracer.parts();
+  std::vector<LookPart> parts = tracer.parts();
   CurrentMap* const first_map = options.refines() ? nullptr : work.map;
-  for (Part& part : parts) tracer.trace(part, work.share / static_cast<double>(parts.size()), first_map);
+  for (LookPart& part : parts) tracer.trace(part, work.share / static_cast<double>(parts.size()), first_map);
   if (!options.refines()) return tracer.with_truncated_tubes(std::move(parts.front().sums));
   // Each part is sampled more finely until the whole is within the tolerance.
   TubeSums sums = total(parts);
   while (!tracer.within_tolerance(sums) && tracer.refine(parts, sums)) sums = total(parts);
   if (work.map)
-    for (Part& part : parts) tracer.trace(part, 0.0, work.map);
+    for (LookPart& part : parts) tracer.trace(part, 0.0, work.map);
   return tracer.with_truncated_tubes(std::move(sums));
 }
 

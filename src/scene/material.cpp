@@ -27,10 +27,18 @@ bool any_rough(std::span<const Material> materials) {
   return std::ranges::any_of(materials, [](const Material& material) { return material.roughness > 0.0; });
 }
 
-std::vector<Material> at_frequency(std::vector<Material> materials, std::size_t frequency) {
-  for (Material& material : materials)
-    if (!material.layers.empty()) material.layers = {material.layers[frequency]};
+std::vector<Material> at_frequencies(std::vector<Material> materials, std::span<const std::size_t> frequencies) {
+  for (Material& material : materials) {
+    if (material.layers.empty()) continue;
+    std::vector<std::vector<Layer>> layers;
+    for (const std::size_t frequency : frequencies) layers.push_back(material.layers[frequency]);
+    material.layers = std::move(layers);
+  }
   return materials;
+}
+
+std::vector<Material> at_frequency(std::vector<Material> materials, std::size_t frequency) {
+  return at_frequencies(std::move(materials), std::span(&frequency, 1));
 }
 
 SurfaceResponse smooth_response(const Material& material, std::size_t frequency, double wavenumber, double cosine,

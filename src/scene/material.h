@@ -50,7 +50,9 @@ struct Material {
 /// True if one of them is rough.
 bool any_rough(std::span<const Material> materials);
 
-/// The materials with the layers of one frequency only: frequency index 0 of what comes out is `frequency` of what is given.
+/// The materials with the layers of these frequencies only, in their order.
+std::vector<Material> at_frequencies(std::vector<Material> materials, std::span<const std::size_t> frequencies);
+/// The same of one frequency.
 std::vector<Material> at_frequency(std::vector<Material> materials, std::size_t frequency);
 
 /// What a smooth surface of this material does to a plane wave at one of the frequencies, met from the side that normals point

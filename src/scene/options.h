@@ -55,6 +55,9 @@ enum class EdgeMethod {
        // compare with programs that trace paths
 };
 
+/// An EdgeOptions::interaction_budget from which on there is no limit, and nothing is left out.
+inline constexpr double unlimited_interaction_budget = 1e6;
+
 /// What edges add beside other materials than perfect conductors.
 enum class MaterialEdgeMethod {
   none,     // nothing
@@ -117,7 +120,7 @@ struct SolveOptions {
   EdgeOptions edges{};        // diffraction at edges
   SurfaceOptions surfaces{};  // waves over curved surfaces
   int threads = 0;            // 0: all cores
-  bool keep_parts = false;    // fill SweepResult::bounces, edges_first, edges_higher and interaction
+  bool keep_parts = false;    // fill SweepResult::bounces and SweepResult::parts
   /// Called now and then with the finished share of the work (0..1), kept looks first; return false to stop (solve then throws
   /// Interrupted).
   std::function<bool(double)> progress{};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/field.h"
+#include "scene/parts.h"
 
 namespace raytube {
 
@@ -85,6 +86,16 @@ inline void add_look(TruncatedSums& all, const TruncatedSums& look) {
   }
 }
 
+/// What became of a mechanism in a solve.
+struct MechanismUse {
+  std::string name;                            // in words
+  std::string key;                             // of the case, by which it is asked for
+  bool on = false;                             // it took part, in looks in which it could change the answer
+  std::string why_not;                         // if it did not
+  std::uint64_t looks = 0, looks_without = 0;  // computed looks with it, and without
+  double most_db = 0.0;                        // by which it was expected to move a row without it at most [dB]
+};
+
 /// What happened during a solve; every ray is accounted for.
 struct Statistics {
   std::uint64_t tubes = 0;                 // launched
@@ -103,6 +114,7 @@ struct Statistics {
   std::uint64_t windowed_rows = 0;        // rows touched by the forward-grazing window of the fringe currents
   double ray_range = 0.0;                 // [m]: edges.method utd, amplitudes are apparent ones at this range; else 0
   std::vector<Skipped> skipped;           // what was left out, and why
+  std::vector<MechanismUse> mechanisms;   // beside the tubes, in the order in which they run
   std::vector<BeyondBound> beyond_bound;  // none in a sound solve
   double solve_s = 0.0;                   // mesh and BVH ready -> last sum
 };
@@ -130,11 +142,7 @@ struct SweepResult {
 
   // The mechanisms; empty unless parts are kept.
   std::vector<std::vector<ScatteringMatrix>> bounces;  // bounces[m][row]: PO currents of bounce m + 1
-  std::vector<ScatteringMatrix> edges_first;           // fringe currents of the lit wedges
-  std::vector<ScatteringMatrix> edges_higher;          // what these currents start at further wedges
-  std::vector<ScatteringMatrix> interaction;           // currents that edge-diffracted waves excite on other surfaces
-
-  std::vector<ScatteringMatrix> surface_waves;  // over curved surfaces, beyond physical optics
+  ByPart<std::vector<ScatteringMatrix>> parts;         // [Part][row]: what adds to them
 
   std::vector<std::array<double, 2>> incoherent;  // sigma of rough surfaces for transmitted V and H [m^2]; empty: there are none
   Statistics statistics;                          // counts and times

@@ -2,6 +2,15 @@
 
 namespace raytube {
 
+SkipCounts& SkipCounts::operator+=(const SkipCounts& other) {
+  for (const auto count : {&SkipCounts::repeated_looks, &SkipCounts::mirrored_looks, &SkipCounts::empty_cells,
+                           &SkipCounts::faces_away, &SkipCounts::reflected_tubes, &SkipCounts::enclosed_wedges,
+                           &SkipCounts::weak_pairs, &SkipCounts::pairs_beyond_budget, &SkipCounts::reflections_beyond_budget,
+                           &SkipCounts::fringe_beyond_budget, &SkipCounts::edgeless_looks, &SkipCounts::unlit_looks})
+    this->*count += other.*count;
+  return *this;
+}
+
 std::vector<Skipped> skipped_items(const SkipCounts& counts) {
   std::vector<Skipped> items = {
       {"looks", "the same as earlier ones", counts.repeated_looks},
@@ -10,24 +19,10 @@ std::vector<Skipped> skipped_items(const SkipCounts& counts) {
       {"faces in a look", "turned away from the transmitter", counts.faces_away},
       {"reflected tubes", nothing_in_front, counts.reflected_tubes},
       {"wedges", "inside a closed body", counts.enclosed_wedges},
-      {"frequencies without waves between surfaces", "no edge of a wavelength sees a face of a wavelength squared",
-       counts.frequencies_without_large},
-      {"edges without waves to other surfaces", "shorter than a wavelength at the lowest frequency", counts.short_edges},
-      {"faces without waves from edges", "smaller than a wavelength squared at the lowest frequency", counts.small_faces},
       {"pairs of edge and face", "too weak to matter", counts.weak_pairs},
       {"pairs of edge and face", "beyond edges.between_budget", counts.pairs_beyond_budget},
       {"pairs of edge and mirror", "beyond edges.between_budget", counts.reflections_beyond_budget},
       {"edges lit after a reflection, without fringe currents", "beyond edges.between_budget", counts.fringe_beyond_budget},
-      {"looks without waves between surfaces", "edges.between_budget is 0", counts.unbudgeted_looks},
-      {"looks without waves between surfaces", "edges.between_budget reaches less than half of what is expected",
-       counts.unreached_looks},
-      {"looks without waves between surfaces", "no edge with a surface in front is lit", counts.dark_interaction_looks},
-      {"looks without waves between surfaces", "antennas too near for plane waves", counts.near_looks},
-      {"looks without waves over curved surfaces", "too weak beside the tubes for accuracy.tolerance_db",
-       counts.weak_surface_looks},
-      {"looks without waves over curved surfaces", "antennas at a finite distance", counts.near_surface_looks},
-      {"looks without waves over curved surfaces", "edges of curved surfaces too long in wavelengths", counts.long_surface_looks},
-      {"looks without waves between surfaces", "they know perfect conductors only", counts.material_looks},
       {"edge passes", "no edge of the target can radiate", counts.edgeless_looks},
       {"edge passes", "no edge is lit", counts.unlit_looks}};
   std::erase_if(items, [](const Skipped& item) { return item.count == 0; });

@@ -8,10 +8,10 @@
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/threads.h"
+#include "plan/admissible.h"
+#include "plan/phase_reference.h"
 #include "sbr/beams/current_map.h"
-#include "solve/admissible.h"
 #include "solve/look_solver.h"
-#include "solve/phase_reference.h"
 
 namespace raytube {
 
@@ -33,29 +33,6 @@ ImageLattice recentred(ImageLattice lattice, const TriangleMesh& mesh) {
   return lattice;
 }
 
-// Within a cell each, with a share of S by length.
-void add_cut_up(const ImageEdge& piece, const ImageLattice& lattice, std::vector<ImageEdge>& pieces) {
-  const std::vector<double> shares = lattice.crossings(piece.begin, piece.end);
-  const dvec3 way = piece.end - piece.begin;
-  for (std::size_t i = 1; i < shares.size(); ++i) {
-    ScatteringMatrix part = piece.s;
-    pieces.push_back({piece.begin + shares[i - 1] * way, piece.begin + shares[i] * way, part *= shares[i] - shares[i - 1]});
-  }
-}
-
-std::vector<ImageEdge> edge_pieces(const LookSolver& solver, const Look& look, std::size_t frequency_index,
-                                   const ImageLattice& lattice, const TubeSums& tubes) {
-  std::vector<ImageEdge> pieces;
-  if (solver.edges_count()) pieces = solver.edges().pieces(look, frequency_index, lattice);
-  std::ranges::copy(solver.surface_pieces(look, tubes, frequency_index), std::back_inserter(pieces));
-  if (!solver.edges().interact()) return pieces;
-  // The budget of the look as a solve has it.
-  const InteractionLimits limits = solver.interaction_limits(tubes, solver.edge_work(look));
-  for (const ImageEdge& piece : solver.edges().interaction_pieces(look, frequency_index, limits))
-    add_cut_up(piece, lattice, pieces);
-  return pieces;
-}
-
 // To the phase reference and the coordinates of the mesh, with the symmetry of a monostatic look.
 void finish(LookImage& image, const SolvePlan& plan) {
   const TriangleMesh& mesh = plan.target.mesh;
@@ -74,14 +51,9 @@ void finish(LookImage& image, const SolvePlan& plan) {
 
 LookImage image_of(const SolvePlan& plan, std::size_t index, const ImageLattice& cells, Progress& progress) {
   const std::size_t frequency_index = image_frequency(plan.sweep);
-  const double frequency = plan.sweep.frequencies[frequency_index];
   const ImageLattice lattice = recentred(cells, plan.target.mesh);
-  const Look& look = plan.sweep.looks[index];
-  const LookSolver solver(plan);
-  CurrentMap map(plan.target.faces, lattice, frequency_index, wavenumber(frequency));
-  const TubeSums tubes = solver.tubes(look, progress, map);
-  LookImage image{index, frequency, cells, map.take_cells(), map.take_triangles(), {}};
-  image.edges = edge_pieces(solver, look, frequency_index, lattice, tubes);
+  LookImage image{index, plan.sweep.frequencies[frequency_index], cells, {}, {}, {}};
+  LookSolver(plan).solve_image(index, frequency_index, lattice, progress, image);
   for (const ImageEdge& piece : image.edges)
     image.cells[lattice.index(lattice.at(lattice.project(0.5 * (piece.begin + piece.end))))] += piece.s;
   finish(image, plan);
@@ -115,7 +87,7 @@ ImageLattice image_cells(const SolvePlan& plan, std::size_t look, double per_wav
 
 LookImage image_of_look(const SolvePlan& plan, std::size_t look, double per_wavelength,
                         const std::function<bool(double)>& callback) {
-  if (plan.mechanisms.rays)
+  if (plan.rays())
     throw InputError("output.image_look: edges.method \"utd\" adds up rays, not currents; write \"fringe\" or \"none\"");
   if (plan.edges.materials != MaterialEdgeMethod::none)
     throw InputError(

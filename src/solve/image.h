@@ -1,8 +1,8 @@
 // The image of a look: from where on the target its S comes.
 #pragma once
 
+#include "plan/plan.h"
 #include "scene/image.h"
-#include "solve/plan.h"
 
 namespace raytube {
 

@@ -5,23 +5,23 @@
 #include <string>
 #include <string_view>
 
+#include "plan/plan.h"
 #include "sbr/beams/tube_sums.h"
-#include "utd/fringe/edge_look_result.h"
-#include "utd/interaction/edge_face_interaction.h"
-#include "utd/surface/surface_waves.h"
+#include "solve/mechanisms/look_sums.h"
 
 namespace raytube {
 
-/// One look, all frequencies: what the tubes and the wedges give, kept apart.
+/// One look, all frequencies: what the tubes and the other mechanisms give, kept apart.
 struct LookResult {
   TubeSums tubes;
-  EdgeLookResult edges;
-  InteractionResult interaction;
-  SurfaceWaveResult surface;
+  LookSums others;
 
   /// Lets go of what the estimate of the tubes' error was made from, which is most of it at many frequencies.
   void keep_sums_only();
 };
+
+/// Takes in the look as it is at the frequencies of one band, of so many in all.
+void put_band(const BandPlan& band, LookResult part, std::size_t frequencies, LookResult& all);
 
 /// Exactly what the rows and the counts of a sweep need, every double with all its bits. Of the same program only.
 std::string look_bytes(const LookResult& look);

@@ -1,208 +1,146 @@
 #include "solve/look_solver.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <iterator>
 #include <numeric>
 
-#include "core/work.h"
-#include "sbr/beams/tolerances.h"
-#include "solve/phase_reference.h"
-#include "utd/fringe/material_edges.h"
+#include "plan/phase_reference.h"
+#include "sbr/beams/current_map.h"
+#include "solve/mechanisms/edge_currents.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double least_reach = 0.5;  // of the squares expected of edge-face interaction, unless it is forced
-constexpr double ray_step = 0.1;     // of the wavelength, between points of rays for pictures
-
-EdgeSetup edge_setup(const SolvePlan& plan, const CurvedTarget* curved) {
-  const Target& target = plan.target;
-  EdgeSetup setup{
-      target.tracer, target.faces, target.wedges, target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
-  setup.frequencies = plan.sweep.frequencies;
-  if (plan.mechanisms.interaction) setup.interaction.assign(plan.sweep.frequencies.size(), true);
-  if (plan.mechanisms.screens) setup.screens = plan.sweep.materials;
-  setup.skip_enclosed = plan.tubes.skip;
-  setup.curved = curved;
-  setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};
-  return setup;
-}
-
-// Points between the first and the last one are `step` apart at least.
-void thin_out(SurfaceRay& ray, double step) {
-  std::vector<SurfaceRayPoint> kept{ray.points.front()};
-  for (std::size_t i = 1; i < ray.points.size(); ++i)
-    if (i + 1 == ray.points.size() || std::abs(ray.points[i].arc_length - kept.back().arc_length) >= step)
-      kept.push_back(ray.points[i]);
-  ray.points = std::move(kept);
-}
-
-// Of all bounces, the mean of both co-polar channels and over frequencies [m^2].
-double co_polar_square(const TubeSums& tubes, std::size_t frequencies) {
-  double squares = 0.0;
-  for (std::size_t f = 0; f < frequencies; ++f) {
-    ScatteringMatrix sum;
-    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
-    squares += 0.5 * (std::norm(sum.vv()) + std::norm(sum.hh()));
-  }
-  return squares / static_cast<double>(frequencies);
-}
-
-void make_reciprocal(LookResult& look) {
+void make_look_reciprocal(LookResult& look) {
   for (std::vector<ScatteringMatrix>& bounce : look.tubes.bounces) make_reciprocal(bounce);
   for (ChannelErrors& error : look.tubes.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);
-  make_reciprocal(look.edges.scattering);
-  make_reciprocal(look.edges.higher);
-  make_reciprocal(look.interaction.scattering);
-  make_reciprocal(look.surface.scattering);
+  for (std::vector<ScatteringMatrix>& part : look.others.s.of) make_reciprocal(part);
 }
 
 }  // namespace
 
-LookSolver::LookSolver(const SolvePlan& plan)
-    : plan_(plan),
-      tube_scene_{plan.target.tracer, plan.target.faces,    plan.smooth.get(),
-                  plan.convexity,     plan.sweep.materials, plan.sweep.radar},
-      curved_(plan.mechanisms.surface_waves ? std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *plan.wave_surfaces,
-                                                                          plan.convexity.no_reflection)
-                                            : std::nullopt),
-      edges_(edge_setup(plan, curved_ ? &*curved_ : nullptr)),
-      edges_count_(plan.mechanisms.fringe && (edges_.radiate() || !plan.tubes.skip)) {
-  if (curved_ && !plan.surfaces.waves.forced())
-    prospect_.emplace(plan.target.mesh, plan.target.wedges, plan.target.options.min_wedge_angle,
-                      wavelength(std::ranges::min(plan.sweep.frequencies)));
-  if (plan.mechanisms.rays) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
+BandSolver::BandSolver(const SolvePlan& plan, const BandPlan& band)
+    : scene_(plan, band), scheduler_(band.frequencies, plan.tubes.tolerance_db) {
+  for (const MechanismEntry& entry : mechanism_list()) mechanisms_[static_cast<std::size_t>(entry.id)] = entry.make(scene_);
+  if (plan.rays()) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
 }
 
-LookResult LookSolver::solve(std::size_t index, Progress& progress, double share,
-                             const std::function<void(LookStage)>& begins) const {
-  const Look& look = plan_.sweep.looks[index];
-  if (plan_.mechanisms.rays) return rays(look, progress, share);
+LookResult BandSolver::solve(const Look& look, Progress& progress, double share, const StageCallback& begins) const {
+  const SolvePlan& plan = scene_.plan;
+  if (plan.rays()) return rays(look, progress, share);
   LookResult result;
-  result.tubes = sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, first_tubes_share * share});
-  if (begins) begins(LookStage::edges);
-  if (surface_waves_count(look, result.tubes))
-    result.surface = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies);
-  result.edges = edges_of(look, result.surface.arrivals);
-  if (begins) begins(LookStage::interaction);
-  result.interaction = interaction(look, result);
-  if (!plan_.sweep.bistatic) make_reciprocal(result);
+  result.tubes = sbr_scattering(scene_.tubes, look, scene_.band.frequencies, plan.tubes, {progress, first_tubes_share * share});
+  LookSink sink;
+  run_mechanisms({look, result.tubes}, sink, begins);
+  result.others = std::move(sink.sums);
+  if (!plan.sweep.bistatic) make_look_reciprocal(result);
   progress.add((1.0 - first_tubes_share) * share);
   return result;
 }
 
-TubeSums LookSolver::tubes(const Look& look, Progress& progress, CurrentMap& map) const {
-  return sbr_scattering(tube_scene_, look, plan_.sweep.frequencies, plan_.tubes, {progress, 1.0, &map});
+void BandSolver::solve_image(const Look& look, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
+                             LookImage& image) const {
+  const std::vector<double>& frequencies = scene_.band.frequencies;
+  CurrentMap map(scene_.plan.target.faces, lattice, frequency_index, wavenumber(frequencies[frequency_index]));
+  const TubeSums tubes = sbr_scattering(scene_.tubes, look, frequencies, scene_.plan.tubes, {progress, 1.0, &map});
+  image.cells = map.take_cells();
+  image.triangles = map.take_triangles();
+  ImageRequest request{frequency_index, lattice};
+  LookSink sink;
+  sink.image = &request;
+  run_mechanisms({look, tubes}, sink, {});
+  image.edges = std::move(request.pieces);
 }
 
-// In the mean over the sweep's band, and a little beside it so that no chance of phases decides, they may change the level by the
-// tolerance. Forward of grazing the estimate has lobes of its own: other looks than monostatic ones take them.
-bool LookSolver::surface_waves_count(const Look& look, const TubeSums& tubes) const {
-  if (!curved_ || !prospect_ || !(look.transmit == look.receive)) return curved_.has_value();
-  constexpr int samples = 5;
-  constexpr double beside = 0.05;
-  const auto [lowest, highest] = std::ranges::minmax(plan_.sweep.frequencies);
-  const double from = (1.0 - beside) * lowest, to = (1.0 + beside) * highest;
-  double waves = 0.0;
-  for (int i = 0; i < samples; ++i) {
-    const double amplitude = prospect_->amplitude(look, from + (to - from) * i / (samples - 1));
-    waves += amplitude * amplitude / samples;
+void BandSolver::run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const {
+  if (begins) begins(LookStage::edges);
+  for (const MechanismEntry& entry : mechanism_list()) {
+    if (begins && entry.id == MechanismId::interaction) begins(LookStage::interaction);
+    run(entry.id, look, sink);
   }
-  const double share = relative_tolerance(plan_.tubes.tolerance_db);
-  return waves > share * share * co_polar_square(tubes, plan_.sweep.frequencies.size());
 }
 
-std::vector<ImageEdge> LookSolver::surface_pieces(const Look& look, const TubeSums& tubes, std::size_t frequency_index) const {
-  if (!surface_waves_count(look, tubes)) return {};
-  StripPlaces places{frequency_index};
-  const SurfaceWaveResult waves = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies, &places);
-  if (edges_count_)
-    std::ranges::copy(edges_.arrival_pieces(look, frequency_index, waves.arrivals), std::back_inserter(places.pieces));
-  return std::move(places.pieces);
+void BandSolver::run(MechanismId id, const TracedLook& look, LookSink& sink) const {
+  const std::unique_ptr<Mechanism>& mechanism = mechanisms_[static_cast<std::size_t>(id)];
+  if (!mechanism) return;
+  const Prospect prospect = mechanism->prospect(look, sink.sums);
+  const Decision decision = scheduler_.decide(prospect, look.tubes);
+  MechanismRun& told = sink.sums.run(id);
+  told.most_db = decision.most_db;
+  if (!decision.reaches) told.reach = prospect.reach;
+  if (!decision.any()) return;
+  told.ran = decision.wanted;
+  mechanism->solve(look, decision.wanted, sink);
 }
 
-std::vector<SurfaceRay> LookSolver::surface_rays(const Look& look) const {
+std::vector<SurfaceRay> BandSolver::surface_rays(const Look& look) const {
+  std::vector<SurfaceArrival> arrivals;
   std::vector<SurfaceRay> rays;
-  if (!curved_) return rays;
-  const SurfaceWaveResult waves = surface_wave_scattering(*curved_, look_vectors(look), plan_.sweep.frequencies, nullptr, &rays);
-  if (edges_count_) std::ranges::copy(edges_.surface_rays(look, waves.arrivals), std::back_inserter(rays));
-  for (SurfaceRay& ray : rays) {
-    thin_out(ray, ray_step * wavelength(plan_.sweep.frequencies.front()));
-    for (SurfaceRayPoint& point : ray.points) point.position += plan_.target.mesh.center;
-  }
+  for (const std::unique_ptr<Mechanism>& mechanism : mechanisms_)
+    if (mechanism) mechanism->trace(look, arrivals, rays);
   return rays;
 }
 
-// What a material blocks is 1 - T, at most twice what a conductor does: its edges count as two.
-std::vector<double> LookSolver::edge_lengths() const {
-  std::vector<double> lengths = edges_.radiating_lengths();
-  if (!plan_.mechanisms.material_edges) return lengths;
-  double sum = 0.0;
-  for (const Wedge& wedge : plan_.target.wedges)
-    if (is_material_edge(wedge)) sum += 2.0 * wedge.length();
-  for (double& length : lengths) length += sum;
-  return lengths;
-}
-
-EdgeLookResult LookSolver::edges_of(const Look& look, std::span<const SurfaceArrival> arrivals) const {
-  EdgeLookResult result;
-  if (edges_count_) result = edges_.scattering(look, plan_.sweep.radar, arrivals);
-  if (plan_.mechanisms.material_edges)
-    add_material_edges(result, {plan_.target.wedges, plan_.target.outlines, plan_.target.tracer}, plan_.sweep.materials, look,
-                       plan_.sweep.frequencies, plan_.edges.receiver_shadow);
-  return result;
-}
-
-InteractionLimits LookSolver::interaction_limits(const TubeSums& tubes, double edge_work) const {
-  const auto frequencies = static_cast<double>(plan_.sweep.frequencies.size());
-  const auto met = static_cast<double>(std::accumulate(tubes.hits.begin(), tubes.hits.end(), std::uint64_t{0}));
-  const double tube_work = work::tube * static_cast<double>(tubes.tubes) + work::tube_ray * static_cast<double>(tubes.rays) +
-                           work::tube_frequency * met * frequencies;
-  const double budget = plan_.edges.interaction_budget;
-  const bool limited = budget < unlimited_interaction_budget;
-  return {interaction_tolerance(tubes), limited ? budget * (tube_work + edge_work) : std::numeric_limits<double>::infinity(),
-          plan_.edges.interaction.forced() ? 0.0 : least_reach};
-}
-
-InteractionResult LookSolver::interaction(const Look& look, const LookResult& others) const {
-  if (!edges_.interact()) return {};
-  InteractionResult result = edges_.interaction(look, interaction_limits(others.tubes, others.edges.work));
-  for (std::size_t f = 0; !look.far() && f < result.scattering.size(); ++f) {
-    const Complex factor = from_plane_waves(plan_.target.mesh, look, plan_.sweep.radar, plan_.sweep.frequencies[f]);
-    result.scattering[f] *= factor;
-    for (std::array<double, 2>& errors : result.error[f])
-      for (double& error : errors) error *= std::abs(factor);
-    if (!result.left_out.empty()) result.left_out[f] *= std::abs(factor);
-  }
-  return result;
-}
-
-double LookSolver::interaction_tolerance(const TubeSums& tubes) const {
-  double strongest = 0.0;
-  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f) {
-    ScatteringMatrix sum;
-    for (const std::vector<ScatteringMatrix>& bounce : tubes.bounces) sum += bounce[f];
-    strongest = std::max(strongest, frobenius_norm(sum));
-  }
-  return interaction_quadrature_error(relative_tolerance(plan_.tubes.tolerance_db), strongest);
-}
+std::vector<double> BandSolver::edge_lengths() const { return raytube::edge_lengths(scene_); }
 
 // Rays in the place of currents; a path counts as a tube.
-LookResult LookSolver::rays(const Look& look, Progress& progress, double share) const {
-  RayLookResult found = ray_fields_->look(look, plan_.sweep.frequencies);
+LookResult BandSolver::rays(const Look& look, Progress& progress, double share) const {
+  RayLookResult found = ray_fields_->look(look, scene_.band.frequencies);
   LookResult result;
   result.tubes.bounces = std::move(found.bounces);
-  result.tubes.error.resize(plan_.sweep.frequencies.size());
+  result.tubes.error.resize(scene_.band.frequencies.size());
   result.tubes.tubes = std::accumulate(found.paths.begin(), found.paths.end(), found.edge_rays);
   result.tubes.hits = std::move(found.paths);
   result.tubes.rays = found.rays;
   result.tubes.truncated[Truncation::number].tubes = found.cut ? 1 : 0;
-  result.edges.wedges_lit = found.edge_rays;
-  result.edges.scattering = std::move(found.edges);
+  result.others.wedges_lit = found.edge_rays;
+  result.others.s[Part::edges_first] = std::move(found.edges);
   progress.add(share);
   return result;
+}
+
+LookSolver::LookSolver(const SolvePlan& plan) : plan_(plan) {
+  for (const BandPlan& band : plan.bands) bands_.push_back(std::make_unique<const BandSolver>(plan, band));
+}
+
+LookResult LookSolver::solve(std::size_t index, Progress& progress, double share, const StageCallback& begins) const {
+  const Look& look = plan_.sweep.looks[index];
+  if (bands_.size() == 1) return bands_.front()->solve(look, progress, share, begins);
+  LookResult all;
+  const double each = share / static_cast<double>(bands_.size());
+  for (std::size_t b = 0; b < bands_.size(); ++b)
+    put_band(plan_.bands[b], bands_[b]->solve(look, progress, each, b + 1 == bands_.size() ? begins : StageCallback()),
+             plan_.sweep.frequencies.size(), all);
+  return all;
+}
+
+void LookSolver::solve_image(std::size_t index, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
+                             LookImage& image) const {
+  for (std::size_t b = 0; b < bands_.size(); ++b) {
+    const std::vector<std::size_t>& indices = plan_.bands[b].indices;
+    const auto found = std::ranges::find(indices, frequency_index);
+    if (found != indices.end())
+      bands_[b]->solve_image(plan_.sweep.looks[index], static_cast<std::size_t>(found - indices.begin()), lattice, progress,
+                             image);
+  }
+}
+
+std::vector<SurfaceRay> LookSolver::surface_rays(const Look& look) const {
+  std::vector<SurfaceRay> rays;
+  for (const auto& band : bands_) std::ranges::move(band->surface_rays(look), std::back_inserter(rays));
+  for (SurfaceRay& ray : rays)
+    for (SurfaceRayPoint& point : ray.points) point.position += plan_.target.mesh.center;
+  return rays;
+}
+
+std::vector<double> LookSolver::edge_lengths() const {
+  std::vector<double> lengths(plan_.sweep.frequencies.size());
+  for (std::size_t b = 0; b < bands_.size(); ++b) {
+    const std::vector<double> part = bands_[b]->edge_lengths();
+    for (std::size_t i = 0; i < part.size(); ++i) lengths[plan_.bands[b].indices[i]] = part[i];
+  }
+  return lengths;
 }
 
 }  // namespace raytube

@@ -1,7 +1,7 @@
 // How much memory a solve will take, before it begins.
 #pragma once
 
-#include "solve/plan.h"
+#include "plan/plan.h"
 
 namespace raytube {
 

@@ -6,17 +6,12 @@
 #include <string>
 #include <tuple>
 
-#include "mesh/features/resolved_wedges.h"
+#include "mesh/features/thin_plates.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
 namespace {
-
-// Features of looks are found at powers of this, in hertz: an estimate of size need not follow every lobe of a wide sweep. Which
-// other frequencies a sweep has changes nothing.
-constexpr double band_ratio = 1.1;
-
-double middle_of_band(double frequency) { return std::pow(band_ratio, std::round(std::log(frequency) / std::log(band_ratio))); }
 
 // How much of a conductor's edge currents the edge of such a material has: what it takes from a wave of normal incidence, in
 // front or behind.
@@ -31,11 +26,15 @@ double edge_strength(const Material& material, std::size_t frequency, double wav
 ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
     : plan_(plan),
       curved_(find_curved_parts(plan.target.mesh, plan.target.options.min_wedge_angle)),
-      dents_(plan.target.mesh, plan.smooth.get(), plan.target.options.min_wedge_angle),
+      body_of_(plan.sweep.frequencies.size()),
       rim_dent_(rim_dent(plan.target.wedges, plan.target.options.min_wedge_angle)) {
+  for (const BandPlan& body : plan.bands) {
+    for (const std::size_t index : body.indices) body_of_[index] = dents_.size();
+    dents_.emplace_back(plan.target.mesh, body.smooth.get(), plan.target.options.min_wedge_angle);
+  }
   std::map<std::tuple<std::size_t, double, double>, std::size_t> known;
   for (std::size_t f = 0; f < plan.sweep.frequencies.size(); ++f) {
-    const double frequency = plan.sweep.frequencies[f], middle = middle_of_band(frequency);
+    const double frequency = plan.sweep.frequencies[f], middle = middle_of_band(raytube::band_of(frequency));
     const std::size_t thin = count_thin(plan.target.thin_plate_edges, frequency);
     const auto [found, is_new] = known.try_emplace({thin, middle, plan.sweep.materials.empty() ? 0.0 : frequency}, edges_.size());
     if (is_new) find_edges(f, wavelength(middle));
@@ -46,16 +45,13 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
 }
 
 void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
-  const Target& target = plan_.target;
-  const double here = plan_.sweep.frequencies[frequency];
-  std::vector<Wedge> wedges = merge_thin_plate_edges(target.wedges, target.thin_plate_edges, thin_limit(here));
-  if (plan_.mechanisms.fringe) resolve_details(target.mesh, wedges, detail_limit(here), target.options.min_wedge_angle);
-  std::erase_if(wedges, [](const Wedge& wedge) { return wedge.flat; });
+  std::vector<Wedge> wedges = *set_of(plan_.wedge_sets, frequency).wedges;
+  std::erase_if(wedges, &Wedge::flat);
   edges_.push_back(find_edge_features(wedges, curved_, edge_currents(frequency), wavelength));
 }
 
 EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
-  EdgeCurrents currents{plan_.mechanisms.fringe, plan_.mechanisms.material_edges, {}};
+  EdgeCurrents currents{plan_.fringe(), plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none, {}};
   for (const Material& material : plan_.sweep.materials)
     currents.material_strengths.push_back(edge_strength(material, frequency, wavenumber(plan_.sweep.frequencies[frequency])));
   return currents;
@@ -65,19 +61,20 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
                                        std::vector<ScatteringMatrix>& bounces) const {
   bounces.clear();
   for (const std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) bounces.push_back(bounce[frequency]);
-  RowEvidence row{.facets = dents_.relative_error(look, bands_[band_of_[frequency]].frequency),
+  RowEvidence row{.facets = dents_[body_of_[frequency]].relative_error(look, bands_[band_of_[frequency]].frequency),
                   .rim_dent = rim_dent_,
                   .half_extent = plan_.target.mesh.radius,
                   .bounces = bounces};
-  if (!result.edges.scattering.empty()) row.edges = result.edges.scattering[frequency];
-  if (!result.edges.higher.empty()) row.higher = result.edges.higher[frequency];
-  if (!result.interaction.scattering.empty()) row.interaction = result.interaction.scattering[frequency];
-  const bool some_left_out = result.interaction.skipped.pairs > 0 || result.interaction.unreached;
+  const LookSums& others = result.others;
+  const auto part = [&](Part which) { return others.s[which].empty() ? ScatteringMatrix() : others.s[which][frequency]; };
+  row.edges = part(Part::edges_first), row.higher = part(Part::edges_higher), row.interaction = part(Part::interaction);
+  const bool some_left_out = others.skipped.pairs_beyond_budget > 0 || others.run(MechanismId::interaction).out_of_reach();
   const bool none_afforded = some_left_out && frobenius_norm(row.interaction) == 0.0;
-  row.has_surface_waves = !result.surface.scattering.empty() && plan_.sweep.materials.empty();  // they run on conductors
-  row.has_interaction = !result.interaction.scattering.empty() && !none_afforded;
-  if (!result.interaction.left_out.empty()) row.left_out = result.interaction.left_out[frequency];
-  row.edge_order = plan_.mechanisms.fringe ? plan_.edges.order : 0;
+  const std::vector<bool>& waves = others.run(MechanismId::surface_waves).ran;
+  row.has_surface_waves = !waves.empty() && waves[frequency] && plan_.sweep.materials.empty();  // they run on conductors
+  row.has_interaction = !others.s[Part::interaction].empty() && !none_afforded;
+  if (!others.left_out.empty()) row.left_out = others.left_out[frequency];
+  row.edge_order = plan_.fringe() ? plan_.edges.order : 0;
   row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated.sigma() : 0.0;  // else it is in the numerical error
   const std::vector<double>& met = result.tubes.met;
   for (std::size_t m = 1; m < std::min<std::size_t>(met.size(), 3) && met[0] > 0.0; ++m)

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "plan/plan.h"
 #include "solve/look_result.h"
-#include "solve/plan.h"
 #include "uncertainty/facet_error.h"
 #include "uncertainty/omissions.h"
 
@@ -36,7 +36,8 @@ class ModelUncertainty {
   std::vector<EdgeFeatures> edges_;
   std::vector<Band> bands_;
   std::vector<std::size_t> band_of_;  // [frequency] in bands_
-  FacetDents dents_;
+  std::vector<std::size_t> body_of_;  // [frequency] in dents_
+  std::vector<FacetDents> dents_;     // of each band of the plan
   double rim_dent_;
 };
 

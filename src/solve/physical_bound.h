@@ -13,13 +13,15 @@
 
 #include <vector>
 
-#include "solve/plan.h"
+#include "plan/plan.h"
+#include "scene/parts.h"
 
 namespace raytube {
 
 /// The bounds of one row [m].
 struct PhysicalBound {
-  double first_bounce, later_bounces, edges_first, edges_higher, interaction, surface_waves;
+  double first_bounce, later_bounces;
+  ByPart<double> parts;
 };
 
 /// Of a target and a sweep. Keeps a reference to the plan.

@@ -13,8 +13,9 @@
 
 #include "core/error.h"
 #include "core/threads.h"
-#include "solve/admissible.h"
+#include "plan/admissible.h"
 #include "solve/look_solver.h"
+#include "solve/mechanisms/interaction.h"
 
 namespace raytube {
 
@@ -62,7 +63,6 @@ std::size_t spread(std::size_t n, std::size_t count) {
 // The same looks, tubes at once as dense as may be, without edge-face interaction, which has a budget.
 SolvePlan bounded_part(const SolvePlan& plan) {
   SolvePlan part = plan;
-  part.mechanisms.interaction = false;
   part.edges.interaction = false;
   if (!plan.tubes.refines()) return part;
   const double densest = densest_tubes(plan.target.mesh, plan.sweep, plan.tubes);
@@ -175,7 +175,7 @@ double longest_look(const LookSoFar& look, const SolvePlan& plan) {
   const double pass = look.tubes_s.value_or(std::max(look.passed_s, so_far));
   const double begun = look.tubes_s ? std::max(0.1 * pass, look.passed_s - pass) : pass;
   const double edges = look.edges_s ? *look.edges_s - pass : unknown_edges * begun;
-  const double budget = plan.mechanisms.interaction ? plan.edges.interaction_budget : 0.0;
+  const double budget = interaction_state(plan).on ? plan.edges.interaction_budget : 0.0;
   return (all_passes * pass + edges) * (1.0 + budget);
 }
 

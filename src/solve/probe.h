@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "solve/plan.h"
+#include "plan/plan.h"
 
 namespace raytube {
 

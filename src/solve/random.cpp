@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "core/threads.h"
+#include "plan/admissible.h"
+#include "plan/phase_reference.h"
 #include "sbr/random_tubes.h"
-#include "solve/admissible.h"
-#include "solve/phase_reference.h"
 #include "solve/solve.h"
 
 namespace raytube {
@@ -23,8 +23,8 @@ using Rows = std::vector<ScatteringMatrix>;
 // S of what random tubes do not replace.
 Rows fixed_part(const SweepResult& solution) {
   Rows rows(solution.total.size());
-  for (const Rows* part : {&solution.edges_first, &solution.edges_higher, &solution.interaction, &solution.surface_waves})
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] += (*part)[i];
+  for (const Part part : all_parts)
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] += solution.parts[part][i];
   return rows;
 }
 
@@ -106,7 +106,7 @@ Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, cons
 
 void check_random_tubes(const SolvePlan& plan, const RandomOptions& random) {
   if (!all_far(plan.sweep)) throw InputError("random tubes are parts of a plane wave; remove [radar]");
-  if (plan.mechanisms.rays) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
+  if (plan.rays()) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
   if (!plan.keep_parts) throw InputError("random tubes take the place of tubes alone: the plan must keep parts");
   if (random.samples < 1) throw InputError("random tubes: a look needs at least 1");
   if (random.runs < 2) throw InputError("random tubes: a spread needs at least 2 runs");

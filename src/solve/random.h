@@ -1,8 +1,8 @@
 // The Monte Carlo baseline: the same case by random tubes, several times over, beside its deterministic solution.
 #pragma once
 
+#include "plan/plan.h"
 #include "scene/random_result.h"
-#include "solve/plan.h"
 
 namespace raytube {
 

@@ -1,5 +1,7 @@
 #include "solve/rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -7,7 +9,8 @@
 #include <numeric>
 #include <utility>
 
-#include "solve/phase_reference.h"
+#include "plan/phase_reference.h"
+#include "solve/mechanisms/list.h"
 #include "uncertainty/remedies.h"
 
 namespace raytube {
@@ -15,13 +18,10 @@ namespace raytube {
 namespace {
 
 // Parts that have a bound each, in the words of whoever reads about them.
-enum Part : std::size_t { first_bounce, later_bounces, edges_first, edges_higher, interaction, surface_waves };
-const std::vector<BeyondBound> parts{{"the first bounce"},
-                                     {"later bounces"},
-                                     {"edges, first order"},
-                                     {"edges, higher orders (edges.order)"},
-                                     {"waves between surfaces (edges.between)"},
-                                     {"waves over curved surfaces (surfaces.waves)"}};
+const std::vector<BeyondBound> bounded_parts{
+    {"edge-face interaction (edges.between)"},       {"edges, first order"}, {"edges, higher orders (edges.order)"},
+    {"waves over curved surfaces (surfaces.waves)"}, {"the first bounce"},   {"later bounces"}};
+constexpr std::size_t first_bounce = all_parts.size(), later_bounces = first_bounce + 1;  // behind those of Part
 
 // Mean over the two co-polar channels [m^2].
 double co_polar_square(const ChannelErrors& errors) { return 0.5 * (errors[0][0] * errors[0][0] + errors[1][1] * errors[1][1]); }
@@ -45,9 +45,11 @@ RowCollector::RowCollector(const SolvePlan& plan, std::vector<double> edge_lengt
       sliver_areas_(plan.looks.computed.size()),
       model_squares_(plan.looks.computed.size()),
       interaction_left_out_(plan.looks.computed.size()),
+      used_(mechanism_count),
       skipped_(plan.skips),
       bounds_(plan, std::move(edge_lengths)),
-      beyond_bound_(parts) {
+      beyond_bound_(bounded_parts) {
+  for (const MechanismEntry& entry : mechanism_list()) states_.push_back(entry.state(plan));
   for (const LookSource& source : plan.looks.sources) ++first_[source.index + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   std::vector<std::size_t> next = first_;
@@ -59,10 +61,7 @@ RowCollector::RowCollector(const SolvePlan& plan, std::vector<double> edge_lengt
   if (any_rough(sweep_.materials)) result_.incoherent.resize(sweep_.rows());
   if (!plan.keep_parts) return;
   for (ModelPart& part : result_.model_parts) part.rows.resize(sweep_.rows());
-  result_.edges_first.resize(sweep_.rows());
-  result_.edges_higher.resize(sweep_.rows());
-  result_.interaction.resize(sweep_.rows());
-  result_.surface_waves.resize(sweep_.rows());
+  for (std::vector<ScatteringMatrix>& part : result_.parts.of) part.resize(sweep_.rows());
 }
 
 void RowCollector::add(std::size_t index, const LookResult& look) {
@@ -75,31 +74,42 @@ void RowCollector::add(std::size_t index, const LookResult& look) {
 }
 
 // What was traced for a look.
-void RowCollector::count(std::size_t index, const LookResult& look) {
+void RowCollector::count_tubes(std::size_t index, const TubeSums& tubes) {
   Statistics& all = result_.statistics;
-  all.tubes += look.tubes.tubes;
-  all.rays += look.tubes.rays;
-  all.lost_rays += look.tubes.lost_rays;
-  if (look.tubes.lost_rays > 0) lost_rays_[index] = look.tubes.first_lost;
-  add_look(all.truncated, look.tubes.truncated);
-  sliver_areas_[index] = look.tubes.sliver_area;
-  if (all.hits.size() < look.tubes.hits.size()) all.hits.resize(look.tubes.hits.size());
-  for (std::size_t b = 0; b < look.tubes.hits.size(); ++b) all.hits[b] += look.tubes.hits[b];
-  skipped_.empty_cells += look.tubes.empty_cells;
-  skipped_.faces_away += look.tubes.faces_away;
-  interaction_pairs_ += look.interaction.pairs;
-  for (const double left_out : look.interaction.left_out)
+  all.tubes += tubes.tubes;
+  all.rays += tubes.rays;
+  all.lost_rays += tubes.lost_rays;
+  if (tubes.lost_rays > 0) lost_rays_[index] = tubes.first_lost;
+  add_look(all.truncated, tubes.truncated);
+  sliver_areas_[index] = tubes.sliver_area;
+  if (all.hits.size() < tubes.hits.size()) all.hits.resize(tubes.hits.size());
+  for (std::size_t b = 0; b < tubes.hits.size(); ++b) all.hits[b] += tubes.hits[b];
+  skipped_.empty_cells += tubes.empty_cells;
+  skipped_.faces_away += tubes.faces_away;
+}
+
+void RowCollector::count(std::size_t index, const LookResult& look) {
+  count_tubes(index, look.tubes);
+  count_runs(look.others);
+  skipped_ += look.others.skipped;
+  interaction_pairs_ += look.others.interaction_pairs;
+  for (const double left_out : look.others.left_out)
     interaction_left_out_[index] += static_cast<double>(first_[index + 1] - first_[index]) * left_out * left_out;
-  skipped_.weak_pairs += look.interaction.skipped.weak_pairs;
-  skipped_.pairs_beyond_budget += look.interaction.skipped.pairs;
-  skipped_.reflections_beyond_budget += look.interaction.skipped.reflected_pairs;
-  skipped_.fringe_beyond_budget += look.interaction.skipped.fringe_pieces;
-  if (look.interaction.unreached)
-    ++skipped_.unreached_looks;
-  else if (plan_.mechanisms.interaction && plan_.skips.frequencies_without_large < sweep_.frequencies.size() &&
-           look.interaction.scattering.empty())
-    ++skipped_.dark_interaction_looks;
-  if (plan_.mechanisms.surface_waves && look.surface.scattering.empty()) ++skipped_.weak_surface_looks;
+}
+
+// How the mechanisms fared in a look.
+void RowCollector::count_runs(const LookSums& look) {
+  for (std::size_t i = 0; i < mechanism_count; ++i) {
+    if (!states_[i].on) continue;
+    const MechanismRun& run = look.runs[i];
+    ++(run.ran.empty() ? used_[i].looks_without : used_[i].looks);
+    used_[i].most_db = std::max(used_[i].most_db, run.most_db);
+  }
+  if (!states_[static_cast<std::size_t>(MechanismId::interaction)].on) return;
+  if (look.run(MechanismId::interaction).out_of_reach())
+    ++unreached_looks_;
+  else if (look.s[Part::interaction].empty())
+    ++dark_interaction_looks_;
 }
 
 // The same for every look that follows from this one.
@@ -135,7 +145,8 @@ void RowCollector::finish_model() {
                                 result_.statistics.truncated,
                                 result_.statistics.hits,
                                 interaction_pairs_,
-                                of_interaction > 0.0 ? left_out / of_interaction : 0.0};
+                                of_interaction > 0.0 ? left_out / of_interaction : 0.0,
+                                used_[static_cast<std::size_t>(MechanismId::surface_waves)].looks_without};
   for (std::size_t i = 0; i < omissions; ++i) {
     const OmissionText& text = text_of(static_cast<Omission>(i));
     ModelPart& part = result_.model_parts[i];
@@ -153,13 +164,14 @@ void RowCollector::add_rows(std::size_t look, const LookResult& part, const Look
   if (!part.tubes.incoherent.empty())
     std::ranges::copy(part.tubes.incoherent, result_.incoherent.begin() + static_cast<std::ptrdiff_t>(sweep_.row(look, 0)));
   Statistics& all = result_.statistics;
-  all.wedges_lit += part.edges.wedges_lit;
-  all.surface_strips += part.surface.strips;
-  all.illuminating_pieces += part.interaction.illuminating_pieces;
-  for (const bool windowed : part.edges.windowed) all.windowed_rows += windowed ? 1 : 0;
-  if (part.tubes.tubes == 0 && !plan_.mechanisms.rays) ++looks_without_tubes_;
-  if (plan_.mechanisms.fringe && !part.edges.lit)
-    ++(part.edges.scattering.empty() ? skipped_.edgeless_looks : skipped_.unlit_looks);
+  const LookSums& others = part.others;
+  all.wedges_lit += others.wedges_lit;
+  all.surface_strips += others.surface_strips;
+  all.illuminating_pieces += others.illuminating_pieces;
+  for (const bool windowed : others.windowed) all.windowed_rows += windowed ? 1 : 0;
+  if (part.tubes.tubes == 0 && !plan_.rays()) ++looks_without_tubes_;
+  if (plan_.fringe() && !others.edges_lit)
+    ++(others.s[Part::edges_first].empty() ? skipped_.edgeless_looks : skipped_.unlit_looks);
 }
 
 void RowCollector::add_row(std::size_t look, std::size_t frequency_index, const LookResult& part, const LookSource& source) {
@@ -175,18 +187,15 @@ void RowCollector::add_row(std::size_t look, std::size_t frequency_index, const 
     if (result_.bounces.size() <= b) result_.bounces.emplace_back(sweep_.rows());
     result_.bounces[b][row] = bounce;
   }
-  const auto add = [&](const std::vector<ScatteringMatrix>& found, std::vector<ScatteringMatrix>& kept, Part name, double most) {
-    if (found.empty()) return;
-    const ScatteringMatrix s = scaled(from_source(found[frequency_index], source), factor);
-    compare(name, row, s, most);
+  const LookSums& others = part.others;
+  for (std::size_t i = 0; i < others.s.of.size(); ++i) {
+    if (others.s.of[i].empty()) continue;
+    const ScatteringMatrix s = scaled(from_source(others.s.of[i][frequency_index], source), factor);
+    compare(i, row, s, bound.parts.of[i]);
     result_.total[row] += s;
-    if (plan_.keep_parts) kept[row] = s;
-  };
-  add(part.interaction.scattering, result_.interaction, interaction, bound.interaction);
-  add_errors(part.interaction.error, frequency_index, result_.error[row]);
-  add(part.edges.scattering, result_.edges_first, edges_first, bound.edges_first);
-  add(part.edges.higher, result_.edges_higher, edges_higher, bound.edges_higher);
-  add(part.surface.scattering, result_.surface_waves, surface_waves, bound.surface_waves);
+    if (plan_.keep_parts) result_.parts.of[i][row] = s;
+  }
+  add_errors(others.error, frequency_index, result_.error[row]);
 }
 
 // Some parts reach their bound: physical optics of a plate, broadside.
@@ -196,7 +205,7 @@ constexpr double rounding = 1e-9;
 void RowCollector::compare(std::size_t part, std::size_t row, const ScatteringMatrix& s, double bound) {
   const double largest = largest_amplitude(s);
   const bool finite = std::isfinite(frobenius_norm(s));
-  const bool bounded = plan_.mechanisms.rays || largest <= bound * (1.0 + rounding) || largest == 0.0;
+  const bool bounded = plan_.rays() || largest <= bound * (1.0 + rounding) || largest == 0.0;
   if (finite && bounded) return;
   BeyondBound& beyond = beyond_bound_[part];
   const double ratio = finite ? largest / bound : std::numeric_limits<double>::infinity();
@@ -213,14 +222,41 @@ SweepResult RowCollector::finish() {
   all.sliver_area = std::accumulate(sliver_areas_.begin(), sliver_areas_.end(), 0.0);
   if (looks_without_tubes_) all.skipped.push_back({"tubes of a look", "the target has no projected area", looks_without_tubes_});
   all.skipped.insert(all.skipped.end(), plan_.skipped_wedges.begin(), plan_.skipped_wedges.end());
-  if (plan_.tubes.skip && plan_.convexity.no_reflection && !all.hits.empty()) skipped_.reflected_tubes = all.hits[0];
+  if (plan_.tubes.skip && plan_.no_reflection() && !all.hits.empty()) skipped_.reflected_tubes = all.hits[0];
   for (const Skipped& item : skipped_items(skipped_)) all.skipped.push_back(item);
+  tell_mechanisms();
   std::ranges::copy_if(beyond_bound_, std::back_inserter(all.beyond_bound),
                        [](const BeyondBound& each) { return each.rows > 0; });
   all.wedges = plan_.target.wedges.size();
   all.ray_range = plan_.ray_range;
-  if (plan_.mechanisms.fringe) count_thin_plate_edges();
+  if (plan_.fringe()) count_thin_plate_edges();
   return std::move(result_);
+}
+
+// Which took part, and what is without them.
+void RowCollector::tell_mechanisms() {
+  Statistics& all = result_.statistics;
+  for (const MechanismEntry& entry : mechanism_list()) {
+    const auto i = static_cast<std::size_t>(entry.id);
+    const MechanismState& state = states_[i];
+    MechanismUse& use = used_[i];
+    use.name = entry.name, use.key = entry.key, use.on = state.on, use.why_not = state.why_not;
+    const std::string looks = std::string("looks without ") + entry.name;
+    if (state.missed) all.skipped.push_back({looks, state.why_not, sweep_.looks.size()});
+    std::ranges::copy(state.skipped, std::back_inserter(all.skipped));
+    const bool is_interaction = entry.id == MechanismId::interaction;
+    if (is_interaction && unreached_looks_ > 0)
+      all.skipped.push_back({looks, "edges.between_budget reaches less than half of what is expected", unreached_looks_});
+    if (is_interaction && dark_interaction_looks_ > 0)
+      all.skipped.push_back({looks, "no edge with a surface in front is lit", dark_interaction_looks_});
+    if (!is_interaction && use.looks_without > 0)
+      all.skipped.push_back(
+          {looks,
+           fmt::format("too weak beside the tubes: {:.2g} dB at most are expected, accuracy.tolerance_db is {:g}", use.most_db,
+                       plan_.tubes.tolerance_db),
+           use.looks_without});
+  }
+  all.mechanisms = std::move(used_);
 }
 
 void RowCollector::tell_lost_rays() {

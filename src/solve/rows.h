@@ -4,11 +4,12 @@
 #include <map>
 #include <mutex>
 
+#include "plan/plan.h"
 #include "scene/skipped.h"
 #include "solve/look_result.h"
+#include "solve/mechanisms/state.h"
 #include "solve/model_uncertainty.h"
 #include "solve/physical_bound.h"
-#include "solve/plan.h"
 
 namespace raytube {
 
@@ -27,12 +28,15 @@ class RowCollector {
 
  private:
   void count(std::size_t index, const LookResult& look);
+  void count_tubes(std::size_t index, const TubeSums& tubes);
+  void count_runs(const LookSums& look);
   void add_model(std::size_t index, std::size_t frequency_index, const OmissionErrors& errors);
   void finish_model();
   void add_rows(std::size_t look, const LookResult& part, const LookSource& source);
   void add_row(std::size_t look, std::size_t frequency_index, const LookResult& part, const LookSource& source);
   void compare(std::size_t part, std::size_t row, const ScatteringMatrix& s, double bound);
   void tell_lost_rays();
+  void tell_mechanisms();
   void count_thin_plate_edges();
 
   const SolvePlan& plan_;
@@ -46,6 +50,9 @@ class RowCollector {
   // Of each computed look: sum over its rows of the squares of edge-face interaction left out for the sake of its budget [m^2].
   std::vector<double> interaction_left_out_;
   std::uint64_t interaction_pairs_ = 0;
+  std::vector<MechanismState> states_;  // [MechanismId]
+  std::vector<MechanismUse> used_;      // [MechanismId]
+  std::uint64_t unreached_looks_ = 0, dark_interaction_looks_ = 0;
   std::uint64_t looks_without_tubes_ = 0;
   SkipCounts skipped_;
   PhysicalBounds bounds_;

@@ -9,9 +9,9 @@
 #pragma once
 
 #include "core/error.h"  // what is thrown, for whoever catches it
+#include "plan/plan.h"
+#include "plan/target.h"
 #include "scene/results.h"
-#include "solve/plan.h"
-#include "solve/target.h"
 
 namespace raytube {
 

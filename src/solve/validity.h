@@ -1,9 +1,9 @@
 // How large a target is, and its features, against the wavelengths it is looked at with.
 #pragma once
 
+#include "plan/target.h"
 #include "scene/sweep.h"
 #include "scene/validity.h"
-#include "solve/target.h"
 
 namespace raytube {
 

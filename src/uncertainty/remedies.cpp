@@ -45,10 +45,10 @@ std::string larger_budget(double budget, const RemedyEvidence& evidence) {
 std::string remedy_of_interaction(const RemedyEvidence& evidence) {
   const double budget = evidence.edges.interaction_budget, usual = EdgeOptions{}.interaction_budget;
   if (evidence.edges.method != EdgeMethod::fringe) return no_interaction;
-  const bool is_off = !evidence.edges.interaction.possible() || evidence.skips.unbudgeted_looks > 0;
+  const bool is_off = !evidence.edges.interaction.possible() || budget == 0.0;
   if (is_off && evidence.possible_pairs > few_pairs) return no_interaction;
   if (!evidence.edges.interaction.possible()) return up_to_budget("edges.between = true", budget);
-  if (evidence.skips.unbudgeted_looks > 0) return up_to_budget(fmt::format("edges.between_budget = {}", usual).c_str(), usual);
+  if (budget == 0.0) return up_to_budget(fmt::format("edges.between_budget = {}", usual).c_str(), usual);
   return larger_budget(budget, evidence);
 }
 
@@ -74,7 +74,7 @@ std::string remedy_of(Omission omission, const RemedyEvidence& evidence) {
   if (omission == Omission::edges) return remedy_of_edges(evidence);
   if (omission == Omission::interaction) return remedy_of_interaction(evidence);
   if (omission == Omission::cut_tubes) return remedy_of_cut_tubes(evidence);
-  if (omission == Omission::smooth_surfaces && evidence.skips.weak_surface_looks > 0)
+  if (omission == Omission::smooth_surfaces && evidence.looks_without_waves > 0)
     return "surfaces.waves = true, two to ten times the time of the tubes";
   if (omission == Omission::edge_orders && evidence.edges.order < 3) return "edges.order = 3, a few times the time of the edges";
   return text_of(omission).remedy;

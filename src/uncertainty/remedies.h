@@ -22,6 +22,7 @@ struct RemedyEvidence {
   const std::vector<std::uint64_t>& hits;  // tubes that met a surface, by bounce
   std::uint64_t interaction_pairs = 0;     // of an edge and a face, that were computed
   double interaction_left_out = 0.0;       // of the squares of what is missing of edge-face interaction: for its budget's sake
+  std::uint64_t looks_without_waves = 0;   // over curved surfaces, which were too weak there
 };
 
 /// A key of the case and about how much longer the run will take, or "none ...". A key is named only where it makes the part less

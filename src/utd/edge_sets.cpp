@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "mesh/features/resolved_wedges.h"
 #include "utd/fringe/near_edges.h"
 
 namespace raytube {
@@ -16,42 +15,29 @@ namespace {
 // Pairs of an edge and a face, large or not, up to which a body has few parts: it is computed whole, as corner reflectors are.
 constexpr std::size_t few_pairs = 64;
 
+std::shared_ptr<const std::vector<Wedge>> all_in_the_open(std::vector<Wedge> wedges) {
+  for (Wedge& wedge : wedges) wedge.enclosed = false;
+  return std::make_shared<const std::vector<Wedge>>(std::move(wedges));
+}
+
 }  // namespace
 
 // Screens count only where edges are asked for their currents.
 EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup) {
-  group_frequencies();
-  for (Set& set : sets_) find_wedges(set);
-  if (!setup_.interaction.empty()) prepare_interaction();
+  for (const WedgeSet& wedges : setup_.wedges) sets_.push_back(set_of(wedges));
+  if (setup_.interaction) prepare_interaction();
   if (!setup_.screens.empty() && (radiate() || !setup_.skip_enclosed)) screens_.emplace(setup_.tracer.mesh(), setup_.screens);
 }
 
-void EdgeSets::group_frequencies() {
-  for (std::size_t f = 0; f < setup_.frequencies.size(); ++f) {
-    const double frequency = setup_.frequencies[f], details = known_details(setup_.wedges, frequency);
-    const std::size_t thin = count_thin(setup_.thin_plate_edges, frequency);
-    auto set =
-        std::ranges::find_if(sets_, [&](const Set& known) { return known.thin_edges == thin && known.detail_limit == details; });
-    if (set == sets_.end()) set = sets_.insert(sets_.end(), {thin, details, {}, {}, {}, {}, {}, {}, {}, {}, {}});
-    set->indices.push_back(f);
-    set->frequencies.push_back(setup_.frequencies[f]);
-  }
-  std::ranges::sort(sets_, {}, [](const Set& set) { return std::pair(set.thin_edges, set.detail_limit); });
-}
-
-void EdgeSets::find_wedges(Set& set) const {
-  const TriangleMesh& mesh = setup_.tracer.mesh();
-  set.wedges.assign(setup_.wedges.begin(), setup_.wedges.end());
-  if (set.thin_edges > 0)
-    set.wedges = merge_thin_plate_edges(setup_.wedges, setup_.thin_plate_edges, thin_limit(set.frequencies.front()));
-  if (set.detail_limit > 0.0) resolve_details(mesh, set.wedges, set.detail_limit, setup_.min_wedge_angle);
-  const bool as_given = set.thin_edges == 0 && set.detail_limit == 0.0;
-  set.outlines = as_given ? setup_.outlines : Outlines(mesh, set.wedges, setup_.min_wedge_angle);
-  if (!setup_.skip_enclosed)
-    for (Wedge& wedge : set.wedges) wedge.enclosed = false;
-  if (setup_.fringe.order == 1) return;
-  set.corners = std::make_shared<CornerWaves>(set.wedges);
-  if (setup_.curved != nullptr) set.curved = std::make_shared<CurvedFaces>(*setup_.curved, set.wedges);
+EdgeSets::Set EdgeSets::set_of(const WedgeSet& wedges) const {
+  Set set{};
+  set.indices = wedges.indices, set.wedges = wedges.wedges, set.outlines = wedges.outlines;
+  for (const std::size_t index : set.indices) set.frequencies.push_back(setup_.frequencies[index]);
+  if (!setup_.skip_enclosed) set.wedges = all_in_the_open(*set.wedges);
+  if (setup_.fringe.order == 1) return set;
+  set.corners = std::make_shared<CornerWaves>(*set.wedges);
+  if (setup_.curved != nullptr) set.curved = std::make_shared<CurvedFaces>(*setup_.curved, *set.wedges);
+  return set;
 }
 
 void EdgeSets::Set::keep(const std::vector<bool>& wanted) {
@@ -70,9 +56,8 @@ void EdgeSets::prepare_interaction() {
   const TriangleMesh& mesh = setup_.tracer.mesh();
   std::vector<Set> without;
   for (Set& set : sets_) {
-    std::vector<bool> wanted, illuminating(set.indices.size());
-    for (const std::size_t index : set.indices) wanted.push_back(setup_.interaction[index]);
-    InteractionParts parts(mesh, set.wedges);
+    std::vector<bool> wanted(set.indices.size(), true), illuminating(set.indices.size());
+    InteractionParts parts(mesh, *set.wedges);
     for (const InteractionGroup& group : interaction_groups(parts, set.frequencies, wanted))
       for (const std::size_t index : group.indices) illuminating[index] = true;
     if (std::ranges::find(illuminating, true) == illuminating.end()) continue;
@@ -92,14 +77,14 @@ void EdgeSets::prepare_interaction() {
 
 bool EdgeSets::radiate() const {
   const auto one_does = [](const Wedge& wedge) { return wedge.radiates(); };
-  return std::ranges::any_of(sets_, [&](const Set& set) { return std::ranges::any_of(set.wedges, one_does); });
+  return std::ranges::any_of(sets_, [&](const Set& set) { return std::ranges::any_of(*set.wedges, one_does); });
 }
 
 std::vector<double> EdgeSets::radiating_lengths() const {
   std::vector<double> lengths(setup_.frequencies.size());
   for (const Set& set : sets_) {
     double sum = 0.0;
-    for (const Wedge& wedge : set.wedges)
+    for (const Wedge& wedge : *set.wedges)
       if (wedge.radiates()) sum += wedge.length();
     for (const std::size_t index : set.indices) lengths[index] = sum;
   }
@@ -107,7 +92,7 @@ std::vector<double> EdgeSets::radiating_lengths() const {
 }
 
 EdgeScene EdgeSets::scene(const Set& set) const {
-  return {set.wedges, set.outlines, screens_ ? screens_->opaque() : setup_.tracer, set.corners.get(), set.curved.get()};
+  return {*set.wedges, *set.outlines, screens_ ? screens_->opaque() : setup_.tracer, set.corners.get(), set.curved.get()};
 }
 
 FringeOptions EdgeSets::options(const Set& set) const {
@@ -178,7 +163,7 @@ bool EdgeSets::interact() const {
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {
   const InteractionParts& parts = set.parts;
   const ReceivingFaces faces{setup_.faces, group.large, parts.corners, {}, std::span(parts.by_area).first(group.large_faces)};
-  return {{set.wedges, set.outlines, setup_.tracer},
+  return {{*set.wedges, *set.outlines, setup_.tracer},
           faces,
           parts.axes,
           group.shortest_axis,
@@ -198,6 +183,17 @@ std::size_t EdgeSets::interacting_frequencies() const {
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction) count += group.indices.size();
   return count;
+}
+
+double EdgeSets::interaction_reach(const InteractionLimits& limits) const {
+  double most = 0.0;
+  const auto frequencies = static_cast<double>(interacting_frequencies());
+  for (const Set& set : sets_)
+    for (const InteractionGroup& group : set.interaction) {
+      const double share = static_cast<double>(group.indices.size()) / frequencies;
+      most = std::max(most, reach_of(interaction_scene(set, group), interaction_options(set, limits, share)));
+    }
+  return most;
 }
 
 InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimits& limits) const {

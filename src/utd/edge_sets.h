@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/features/thin_plates.h"
+#include "mesh/features/wedge_sets.h"
 #include "mesh/model/face_tree.h"
 #include "utd/corner/corner_waves.h"
 #include "utd/fringe/edges.h"
@@ -19,16 +19,13 @@ namespace raytube {
 struct EdgeSetup {
   const Tracer& tracer;  // with the mesh
   const FaceTree& faces;
-  std::span<const Wedge> wedges;                    // sharp edges
-  const Outlines& outlines;                         // of their faces
-  std::span<const ThinPlateEdge> thin_plate_edges;  // at frequencies where the plate is thin they become half planes
-  double min_wedge_angle = 0.0;                     // with which wedges and outlines were found [rad]
-  std::span<const double> frequencies{};            // [Hz]
-  std::vector<bool> interaction{};                  // per frequency: whether edges illuminate other faces; empty: at none
-  std::span<const Material> screens{};              // the mesh's materials if some let waves through, else empty
-  bool skip_enclosed = true;                        // false: even edges that no light reaches are tested for light
-  const CurvedTarget* curved = nullptr;             // if waves over curved surfaces count
-  FringeOptions fringe{};                           // continue_by_images is set where edges illuminate other faces
+  std::vector<WedgeSet> wedges;          // sharp edges, at all of the frequencies
+  std::span<const double> frequencies;   // [Hz]
+  bool interaction = false;              // whether edges illuminate other faces
+  std::span<const Material> screens{};   // the mesh's materials if some let waves through, else empty
+  bool skip_enclosed = true;             // false: even edges that no light reaches are tested for light
+  const CurvedTarget* curved = nullptr;  // if waves over curved surfaces count
+  FringeOptions fringe{};                // continue_by_images is set where edges illuminate other faces
 };
 
 /// What edge-face interaction of one look may leave and take.
@@ -71,17 +68,18 @@ class EdgeSets {
   /// Whether there is any, at any frequency.
   bool interact() const;
 
+  /// Share of the squares expected of it that the work allowed reaches, of the frequencies at which that is most.
+  double interaction_reach(const InteractionLimits& limits) const;
+
   /// Edge-face interaction of one look at one of the frequencies, by pieces of edges: see interaction_pieces().
   std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits) const;
 
  private:
   struct Set {
-    std::size_t thin_edges = 0;
-    double detail_limit = 0.0;         // of unresolved details [m]; 0: there are none
     std::vector<std::size_t> indices;  // in the list of frequencies
     std::vector<double> frequencies;
-    std::vector<Wedge> wedges;
-    Outlines outlines;
+    std::shared_ptr<const std::vector<Wedge>> wedges;
+    std::shared_ptr<const Outlines> outlines;
     std::shared_ptr<const CornerWaves> corners;  // from order 2 on
     std::shared_ptr<const CurvedFaces> curved;   // from order 2 on, where waves over curved surfaces count
     std::vector<InteractionGroup> interaction;   // its indices are those of the set's frequencies
@@ -91,8 +89,7 @@ class EdgeSets {
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);
   };
-  void group_frequencies();
-  void find_wedges(Set& set) const;
+  Set set_of(const WedgeSet& wedges) const;
   void prepare_interaction();
   EdgeLookResult scattering(const Set& set, const Look& look, const Radar& radar, std::span<const SurfaceArrival> arrivals) const;
   EdgeScene scene(const Set& set) const;

@@ -55,10 +55,10 @@ void expect_same(const SweepResult& one, const SweepResult& other) {
   }
   ASSERT_EQ(one.bounces.size(), other.bounces.size());
   for (std::size_t b = 0; b < one.bounces.size(); ++b) EXPECT_TRUE(same_bytes(one.bounces[b], other.bounces[b]));
-  EXPECT_TRUE(same_bytes(one.edges_first, other.edges_first));
-  EXPECT_TRUE(same_bytes(one.edges_higher, other.edges_higher));
-  EXPECT_TRUE(same_bytes(one.interaction, other.interaction));
-  EXPECT_TRUE(same_bytes(one.surface_waves, other.surface_waves));
+  EXPECT_TRUE(same_bytes(one.parts[Part::edges_first], other.parts[Part::edges_first]));
+  EXPECT_TRUE(same_bytes(one.parts[Part::edges_higher], other.parts[Part::edges_higher]));
+  EXPECT_TRUE(same_bytes(one.parts[Part::interaction], other.parts[Part::interaction]));
+  EXPECT_TRUE(same_bytes(one.parts[Part::surface_waves], other.parts[Part::surface_waves]));
   const Statistics &a = one.statistics, &b = other.statistics;
   EXPECT_EQ(a.tubes, b.tubes);
   EXPECT_EQ(a.rays, b.rays);

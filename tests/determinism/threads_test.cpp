@@ -89,7 +89,7 @@ TEST(Threads, DiffractionBetweenSurfacesGivesTheSameBits) {
     o.threads = threads;
     const SweepResult many = solve_soup(shapes::dihedral(0.1, 0.12), sweep, o);
     EXPECT_TRUE(same_bytes(one.total, many.total)) << threads << " threads";
-    EXPECT_TRUE(same_bytes(one.interaction, many.interaction)) << threads << " threads";
+    EXPECT_TRUE(same_bytes(one.parts[Part::interaction], many.parts[Part::interaction])) << threads << " threads";
     EXPECT_EQ(one.error, many.error) << threads << " threads";
     EXPECT_EQ(one.model, many.model) << threads << " threads";
     ASSERT_EQ(one.model_parts.size(), many.model_parts.size());

@@ -82,8 +82,8 @@ TEST(EdgeBounds, NoBodyBeyondItsBoundAndNoCliff) {
         const std::string name = fmt::format("{} {}, order {}, look {}", body.kind, b, order, i);
         const PhysicalBound& bound = here.bounds[i];
         ASSERT_TRUE(std::isfinite(frobenius_norm(here.result.total[i]))) << name;
-        first.take(largest_amplitude(here.result.edges_first[i]) / bound.edges_first, name);
-        if (order > 1) higher.take(largest_amplitude(here.result.edges_higher[i]) / bound.edges_higher, name);
+        first.take(largest_amplitude(here.result.parts[Part::edges_first][i]) / bound.edges_first, name);
+        if (order > 1) higher.take(largest_amplitude(here.result.parts[Part::edges_higher][i]) / bound.edges_higher, name);
         const double change_here = largest_amplitude(here.result.total[i] - there.result.total[i]);
         const double share = change_here / std::max({sum(bound), sum(there.bounds[i]), least_bound});
         if (share > 0.01) fmt::print("cliff of {:.2g} at {}\n", share, name);

@@ -6,6 +6,7 @@
 
 #include "interaction_bodies.h"
 #include "solve/look_solver.h"
+#include "solve/mechanisms/interaction.h"
 #include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/interaction_groups.h"
 
@@ -80,14 +81,14 @@ TEST(InteractionReach, LessThanHalfIsNone) {
     o.edges.interaction_budget = budget;
     return solve(target, monostatic({{70 * degree, 25 * degree}}, frequency), o);
   };
-  const char* looks = "looks without waves between surfaces";
+  const char* looks = "looks without edge-face interaction";
   const char* why = "edges.between_budget reaches less than half";
   const SweepResult poor = solved({}, 0.01), forced = solved(true, 0.01), without = solved(false, 0.01);
   EXPECT_EQ(skipped(poor, looks, why), 1u);
   EXPECT_EQ(skipped(forced, looks, why), 0u);
   EXPECT_EQ(skipped(poor, "pairs of edge and face", "beyond"), 0u);
   EXPECT_GT(skipped(forced, "pairs of edge and face", "beyond"), 0u);
-  EXPECT_EQ(frobenius_norm(poor.interaction[0]), 0.0);
+  EXPECT_EQ(frobenius_norm(poor.parts[Part::interaction][0]), 0.0);
   EXPECT_EQ(poor.model[0][0][0], without.model[0][0][0]);
   const SweepResult rich = solved({}, 1e4), all = solved(true, 1e4);
   EXPECT_EQ(skipped(rich, looks, why), 0u);
@@ -147,15 +148,16 @@ TEST(InteractionBudget, CountedWorkStaysWithinIt) {
     for (std::size_t look = 0; look < sweep.looks.size(); ++look) {
       Progress none({});
       const LookResult result = solver.solve(look, none, 1.0);
-      const double allowed = solver.interaction_limits(result.tubes, result.edges.work).work;
+      const double allowed = interaction_limits(plan, result.tubes, result.others.run(MechanismId::edge_currents).work).work;
+      const double work = result.others.run(MechanismId::interaction).work;
       EXPECT_GT(allowed, 0.0);
-      EXPECT_GT(result.interaction.work, 0.0);
+      EXPECT_GT(work, 0.0);
       // Pairs are given up between points of a rule, mirrors between edges: a little more than allowed.
-      EXPECT_LT(result.interaction.work, 1.25 * allowed) << "budget " << budget << ", look " << look;
-      EXPECT_GT(result.interaction.skipped.pairs, 0u);
-      ASSERT_EQ(result.interaction.left_out.size(), 1u);
-      EXPECT_GT(result.interaction.left_out[0], 0.0);
-      EXPECT_TRUE(std::isfinite(result.interaction.left_out[0]));
+      EXPECT_LT(work, 1.25 * allowed) << "budget " << budget << ", look " << look;
+      EXPECT_GT(result.others.skipped.pairs_beyond_budget, 0u);
+      ASSERT_EQ(result.others.left_out.size(), 1u);
+      EXPECT_GT(result.others.left_out[0], 0.0);
+      EXPECT_TRUE(std::isfinite(result.others.left_out[0]));
     }
   }
 }
@@ -181,12 +183,12 @@ TEST(InteractionBudget, WhatIsLeftOutIsNoLargerThanItSays) {
   const std::vector<LookResult> whole = solved(unlimited_interaction_budget), part = solved(4.0);
   std::vector<double> missing, estimate;
   for (std::size_t look = 0; look < directions.size(); ++look) {
-    EXPECT_EQ(whole[look].interaction.skipped.pairs, 0u);
-    if (part[look].interaction.left_out.empty()) continue;
-    ScatteringMatrix difference = whole[look].interaction.scattering[0];
-    difference += ScatteringMatrix(part[look].interaction.scattering[0]) *= -1.0;
+    EXPECT_EQ(whole[look].others.skipped.pairs_beyond_budget, 0u);
+    if (part[look].others.left_out.empty()) continue;
+    ScatteringMatrix difference = whole[look].others.s[Part::interaction][0];
+    difference += ScatteringMatrix(part[look].others.s[Part::interaction][0]) *= -1.0;
     missing.push_back(std::max(std::abs(difference.at(0, 0)), std::abs(difference.at(1, 1))));
-    estimate.push_back(part[look].interaction.left_out[0]);
+    estimate.push_back(part[look].others.left_out[0]);
   }
   ASSERT_GT(missing.size(), 6u);
   measured("left out, rms", rms(missing) / lambda, "wavelengths");
@@ -214,7 +216,7 @@ TEST(InteractionBudget, NoneLeavesTheInteractionOut) {
   SolveOptions o = adaptive(true);
   o.edges.interaction_budget = 0.0;
   const SweepResult none = solve_soup(shapes::dihedral(3 * lambda, 3 * lambda), sweep, o);
-  EXPECT_EQ(skipped(none, "looks without waves between surfaces", "edges.between_budget is 0"), 1u);
+  EXPECT_EQ(skipped(none, "looks without edge-face interaction", "edges.between_budget is 0"), 1u);
   const SweepResult without = solve_soup(shapes::dihedral(3 * lambda, 3 * lambda), sweep, adaptive(false));
   EXPECT_EQ(none.total[0].s, without.total[0].s);
   o.edges.interaction_budget = -1.0;
@@ -224,7 +226,7 @@ TEST(InteractionBudget, NoneLeavesTheInteractionOut) {
 TEST(InteractionBudget, WhatIsTooSmallIsTold) {
   const Sweep sweep = monostatic({{1.2, 0.5}}, frequency);
   const SweepResult small = solve_soup(shapes::dihedral(0.9 * lambda, 0.9 * lambda), sweep, adaptive(true));
-  EXPECT_EQ(skipped(small, "frequencies without waves between surfaces", "no edge"), 1u);
+  EXPECT_EQ(skipped(small, "frequencies without edge-face interaction", "no edge"), 1u);
   EXPECT_EQ(skipped(small, "edges without waves to other surfaces", "shorter"), 7u);  // six rims, and the back of the fold
   EXPECT_EQ(skipped(small, "faces without waves from edges", "smaller"), 2u);
 }

@@ -30,10 +30,10 @@ SweepResult small_result(const Sweep& sweep) {
   result.error.assign(sweep.rows(), {{{0.01, 0.002}, {0.0, 0.5}}});
   result.model.assign(sweep.rows(), {{{0.5, 0.0}, {0.004, 0.02}}});
   result.bounces = {result.total, std::vector<ScatteringMatrix>(sweep.rows())};
-  result.edges_first.resize(sweep.rows());
-  result.edges_higher.resize(sweep.rows());
-  result.interaction.resize(sweep.rows());
-  result.surface_waves.resize(sweep.rows());
+  result.parts[Part::edges_first].resize(sweep.rows());
+  result.parts[Part::edges_higher].resize(sweep.rows());
+  result.parts[Part::interaction].resize(sweep.rows());
+  result.parts[Part::surface_waves].resize(sweep.rows());
   return result;
 }
 
@@ -141,14 +141,14 @@ TEST(OutputCsv, PartsAddUpToTheTotal) {
   const Scratch scratch;
   const Sweep sweep = small_sweep(false);
   SweepResult result = small_result(sweep);
-  result.edges_first[3] = matrix(0.125);
-  result.edges_higher[3] = matrix(0.5);
-  result.interaction[2] = matrix(0.25);
-  result.surface_waves[3] = matrix(0.0625);
-  result.total[3] += result.edges_first[3];
-  result.total[3] += result.edges_higher[3];
-  result.total[3] += result.surface_waves[3];
-  result.total[2] += result.interaction[2];
+  result.parts[Part::edges_first][3] = matrix(0.125);
+  result.parts[Part::edges_higher][3] = matrix(0.5);
+  result.parts[Part::interaction][2] = matrix(0.25);
+  result.parts[Part::surface_waves][3] = matrix(0.0625);
+  result.total[3] += result.parts[Part::edges_first][3];
+  result.total[3] += result.parts[Part::edges_higher][3];
+  result.total[3] += result.parts[Part::surface_waves][3];
+  result.total[2] += result.parts[Part::interaction][2];
   write_parts_csv(scratch / "parts.csv", sweep, result);
   const Table table((scratch / "parts.csv").string());
   ASSERT_EQ(table.rows(), 4u);
@@ -181,10 +181,10 @@ TEST(OutputCsv, PartsStateTheConventionsAndKeepTheirColumnsWhereNothingIsHit) {
   nothing.total.resize(sweep.rows());
   nothing.error.resize(sweep.rows());
   nothing.model.resize(sweep.rows());
-  nothing.edges_first.resize(sweep.rows());
-  nothing.edges_higher.resize(sweep.rows());
-  nothing.interaction.resize(sweep.rows());
-  nothing.surface_waves.resize(sweep.rows());
+  nothing.parts[Part::edges_first].resize(sweep.rows());
+  nothing.parts[Part::edges_higher].resize(sweep.rows());
+  nothing.parts[Part::interaction].resize(sweep.rows());
+  nothing.parts[Part::surface_waves].resize(sweep.rows());
   write_parts_csv(scratch / "parts.csv", sweep, nothing);
   write_rcs_csv(scratch / "rcs.csv", sweep, nothing);
   const std::string parts = text_of(scratch / "parts.csv"), rcs = text_of(scratch / "rcs.csv");

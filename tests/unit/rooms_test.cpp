@@ -69,8 +69,11 @@ const Rooms may_include = {
 
     {"uncertainty", base},
 
-    {"solve", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "utd", "utd/fringe",
-                                           "uncertainty", "utd/interaction", "utd/gtd", "utd/surface", "utd/corner"}},
+    {"plan", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "utd/gtd"}},
+    {"solve/mechanisms", base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe",
+                                                      "utd/interaction", "utd/surface", "utd/corner"}},
+    {"solve", base + std::set<std::string>{"plan", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "uncertainty", "utd/gtd",
+                                           "solve/mechanisms"}},
 
     {"case/data", {"core", "scene"}},
     {"case/text", {"core", "mesh/model"}},
@@ -84,13 +87,13 @@ const Rooms may_include = {
     {"output/vtk", {"core", "scene", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
-    {"jobs/warnings", base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "solve"}},
+    {"jobs/warnings", base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "plan", "solve", "solve/mechanisms"}},
     {"jobs", base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/files",
-                                          "output/tables", "output/words", "sbr", "sbr/launch", "solve"}},
+                                          "output/tables", "output/words", "plan", "sbr", "sbr/launch", "solve", "solve/mechanisms"}},
     {"program",
      base + std::set<std::string>{"jobs", "jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/compare",
                                   "output/files", "output/netcdf", "output/plots", "output/words", "output/tables", "output/vtk",
-                                  "point_source", "sbr", "solve", "utd/shadow", "utd/wedge"}},
+                                  "plan", "point_source", "sbr", "solve", "solve/mechanisms", "utd/shadow", "utd/wedge"}},
 };
 
 struct SourceFile {

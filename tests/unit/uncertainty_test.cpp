@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "shapes.h"
-#include "solve/target.h"
+#include "plan/target.h"
 #include "uncertainty/omissions.h"
 
 namespace raytube {

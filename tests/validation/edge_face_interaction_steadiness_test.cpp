@@ -217,8 +217,8 @@ TEST(EdgeFaceInteraction, SmallFacesReceiveHoweverManyFacets) {
     const Sweep sweep{{frequency}, {{{theta, 2.8}, {0.6, -2.0}}}, true};
     SolveOptions o = adaptive(true);
     o.tubes.tolerance_db = 1e-2;
-    const ScatteringMatrix whole = solve_soup(plate_and_strip(1, 1), sweep, o).interaction.at(0);
-    const ScatteringMatrix cut = solve_soup(plate_and_strip(12, 18), sweep, o).interaction.at(0);
+    const ScatteringMatrix whole = solve_soup(plate_and_strip(1, 1), sweep, o).parts[Part::interaction].at(0);
+    const ScatteringMatrix cut = solve_soup(plate_and_strip(12, 18), sweep, o).parts[Part::interaction].at(0);
     measured("a strip of many facets", frobenius_norm(cut - whole) / frobenius_norm(whole), "of what it adds");
     EXPECT_LE(frobenius_norm(cut - whole), 5e-3 * frobenius_norm(whole));  // facets are integrated one by one
   }

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "case/data/names.h"
-#include "scene/skipped.h"
+#include "solve/mechanisms/list.h"
 
 namespace raytube {
 
@@ -14,39 +14,29 @@ namespace {
 
 using Reason = std::string;  // empty: the key has an effect
 
-constexpr const char* no_edge = "the target has no convex edge between perfect conductors";
+Reason why_not(MechanismId id, const SolvePlan& plan) { return entry_of(id).state(plan).why_not; }
 
 Reason no_currents(const SolvePlan& plan) {
-  if (plan.mechanisms.fringe) return {};
+  if (plan.fringe()) return {};
   return fmt::format("edges.method is \"{}\"", edge_method_name(plan.edges.method));
 }
 
-Reason no_edges(const SolvePlan& plan) {
-  if (Reason why = no_currents(plan); !why.empty()) return why;
-  return std::ranges::any_of(plan.target.wedges, &Wedge::radiates) ? "" : no_edge;
-}
+Reason no_edges(const SolvePlan& plan) { return why_not(MechanismId::edge_currents, plan); }
 
-Reason no_interaction(const SolvePlan& plan) {
-  if (Reason why = no_edges(plan); !why.empty()) return why;
-  if (plan.convexity.no_reflection) return nothing_in_front;
-  if (plan.skips.material_looks > 0) return "not all of the target is a perfect conductor";
-  if (plan.skips.near_looks > 0) return "antennas are too near for plane waves";
-  if (plan.edges.interaction_budget == 0.0) return "edges.between_budget is 0";
-  if (plan.skips.frequencies_without_large == plan.sweep.frequencies.size())
-    return "no edge is as long as a wavelength, or no face as wide";
-  return {};
+// A key that forbids what would not happen anyway has its effect.
+Reason why_between(const SolvePlan& plan) {
+  return plan.edges.interaction.possible() ? why_not(MechanismId::interaction, plan) : "";
 }
-
-Reason why_between(const SolvePlan& plan) { return plan.edges.interaction.possible() ? no_interaction(plan) : ""; }
 
 Reason why_budget(const SolvePlan& plan) {
-  if (!plan.edges.interaction.possible()) return "edges.between is false";
-  return plan.edges.interaction_budget == 0.0 ? "" : no_interaction(plan);
+  if (plan.edges.interaction.possible() && plan.edges.interaction_budget == 0.0) return {};
+  return why_not(MechanismId::interaction, plan);
 }
 
 Reason why_receiver_shadow(const SolvePlan& plan) {
   if (!plan.edges.receiver_shadow) return {};
-  if (Reason why = plan.mechanisms.material_edges ? no_currents(plan) : no_edges(plan); !why.empty()) return why;
+  if (Reason why = plan.edges.materials != MaterialEdgeMethod::none ? no_currents(plan) : no_edges(plan); !why.empty())
+    return why;
   return plan.sweep.bistatic ? "" : "looks are monostatic, and the receiver sees just what is lit";
 }
 
@@ -56,9 +46,7 @@ Reason why_transition(const SolvePlan& plan) {
 }
 
 Reason why_materials(const SolvePlan& plan) {
-  const auto other = [](const Wedge& wedge) { return wedge.stands_alone() && !wedge.conducting(); };
-  const bool has_effect = !plan.mechanisms.material_edges || std::ranges::any_of(plan.target.wedges, other);
-  return has_effect ? "" : "no edge of the target has a face of another material than a perfect conductor";
+  return plan.edges.materials == MaterialEdgeMethod::none || !plan.fringe() ? "" : why_not(MechanismId::material_edges, plan);
 }
 
 struct KeyWithEffect {
@@ -87,7 +75,7 @@ bool turned_off_by_override(const Case& c) {
 }  // namespace
 
 std::vector<std::string> idle_key_warnings(const Case& c, const SolvePlan& plan) {
-  const bool meant = !plan.mechanisms.fringe && turned_off_by_override(c);
+  const bool meant = !plan.fringe() && turned_off_by_override(c);
   std::vector<std::string> sentences;
   for (const auto& [name, location, overriding] : c.edge_keys) {
     if (meant && !overriding) continue;

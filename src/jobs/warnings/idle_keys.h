@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "case/data/case.h"
-#include "solve/plan.h"
+#include "plan/plan.h"
 
 namespace raytube {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "case/data/case.h"
-#include "solve/plan.h"
+#include "plan/plan.h"
 
 namespace raytube {
 

@@ -23,6 +23,19 @@ JsonValue lost_ray_json(const LostRay& ray) {
           {"at_m", std::vector<JsonValue>{ray.at.x, ray.at.y, ray.at.z}}};
 }
 
+JsonValue mechanisms_json(const std::vector<MechanismUse>& mechanisms) {
+  JsonValue json = std::vector<JsonValue>();
+  for (const MechanismUse& use : mechanisms)
+    json.append({{"name", use.name},
+                 {"key", use.key},
+                 {"on", use.on},
+                 {"why_not", use.why_not},
+                 {"looks", use.looks},
+                 {"looks_without", use.looks_without},
+                 {"most_db_without", use.most_db}});
+  return json;
+}
+
 JsonValue counts_json(const Statistics& statistics) {
   JsonValue json;
   json["rays"] = statistics.rays;
@@ -49,6 +62,7 @@ JsonValue counts_json(const Statistics& statistics) {
   json["beyond_bound"] = std::vector<JsonValue>();
   for (const BeyondBound& part : statistics.beyond_bound)
     json["beyond_bound"].append({{"part", part.part}, {"rows", part.rows}, {"worst_row", part.worst}, {"ratio", part.ratio}});
+  json["mechanisms"] = mechanisms_json(statistics.mechanisms);
   json["skipped"] = std::vector<JsonValue>();
   for (const Skipped& skipped : statistics.skipped)
     json["skipped"].append({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});

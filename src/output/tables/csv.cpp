@@ -196,8 +196,7 @@ void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, cons
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
   std::string header = conventions(result) + antenna_note(sweep.looks.front().far()) + key_columns;
   for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
-  header += complex_columns("_edges_first_order") + complex_columns("_edges_second_order") + complex_columns("_between") +
-            complex_columns("_surface");
+  for (const Part part : all_parts) header += complex_columns(fmt::format("_{}", column_of(part)));
   for (const ModelPart& part : result.model_parts)
     for (const char* channel : channel_names) header += fmt::format(",model_{}_{}_m", part.name, channel);
   out.write(header + '\n');
@@ -205,8 +204,7 @@ void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, cons
     std::string line = key_text(frequency, look);
     for (std::size_t m = 0; m < bounces; ++m)
       line += complex_values(m < result.bounces.size() ? result.bounces[m][row] : ScatteringMatrix{});
-    line += complex_values(result.edges_first[row]) + complex_values(result.edges_higher[row]) +
-            complex_values(result.interaction[row]) + complex_values(result.surface_waves[row]);
+    for (const Part part : all_parts) line += complex_values(result.parts[part][row]);
     for (const ModelPart& part : result.model_parts) line += error_values(part.rows[row]);
     out.write(line + '\n');
   });

@@ -16,13 +16,10 @@ namespace raytube {
 namespace {
 
 std::vector<StoredPart> stored_parts(const SweepResult& result) {
-  std::vector<StoredPart> parts;
-  for (const auto& rows : result.bounces) parts.push_back({fmt::format("bounce{}", parts.size() + 1), rows});
-  parts.push_back({"edges_first_order", result.edges_first});
-  parts.push_back({"edges_second_order", result.edges_higher});
-  parts.push_back({"between", result.interaction});
-  parts.push_back({"surface", result.surface_waves});
-  return parts;
+  std::vector<StoredPart> kept;
+  for (const auto& rows : result.bounces) kept.push_back({fmt::format("bounce{}", kept.size() + 1), rows});
+  for (const Part part : all_parts) kept.push_back({column_of(part), result.parts[part]});
+  return kept;
 }
 
 // The comment lines at the head of a file, as they stand there.
@@ -126,7 +123,7 @@ StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::st
   }
   stored.error_m = result.error;
   stored.model_m = result.model;
-  if (!result.edges_first.empty()) stored.parts = stored_parts(result);
+  if (!result.parts[Part::edges_first].empty()) stored.parts = stored_parts(result);
   for (const ModelPart& part : result.model_parts)
     if (!part.rows.empty()) stored.model_parts.push_back({part.name, part.rows});
   stored.incoherent_m2 = result.incoherent;
@@ -135,7 +132,7 @@ StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::st
 }
 
 double stored_bytes_per_row(bool parts, int bounces) {
-  constexpr double levels = 5.0, mechanisms_beside_bounces = 4.0, model_parts = 16.0, buffers = 1.0;
+  constexpr double levels = 5.0, mechanisms_beside_bounces = all_parts.size(), model_parts = 16.0, buffers = 1.0;
   const double kept = sizeof(ScatteringMatrix) + (levels + buffers) * sizeof(ChannelErrors);
   constexpr double copies = 2.0;  // a file is made in memory first
   if (!parts) return copies * kept;

@@ -34,6 +34,12 @@ std::vector<ScatteringMatrix>& TubeSums::at(int bounce, std::size_t frequencies)
   return bounces[b];
 }
 
+ScatteringMatrix TubeSums::total(std::size_t frequency) const {
+  ScatteringMatrix sum;
+  for (const std::vector<ScatteringMatrix>& bounce : bounces) sum += bounce[frequency];
+  return sum;
+}
+
 void TubeSums::meet(int bounce, double area, double amplitude) {
   add_at(met, static_cast<std::size_t>(bounce), area * amplitude * amplitude);
 }

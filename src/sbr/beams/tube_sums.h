@@ -48,6 +48,9 @@ struct TubeSums {
   /// The sums [frequency] of a bounce, counted from 0; they and their counter of hits are made when first asked for.
   std::vector<ScatteringMatrix>& at(int bounce, std::size_t frequencies);
 
+  /// S of all bounces at a frequency, by its index.
+  ScatteringMatrix total(std::size_t frequency) const;
+
   /// A tube of this area across its wave [m^2], of this amplitude of unit incident ones, met a surface.
   void meet(int bounce, double area, double amplitude);
 

@@ -339,11 +339,14 @@ class InteractionLook {
 namespace {
 
 bool is_out_of_reach(const InteractionScene& scene, const InteractionOptions& options) {
-  return options.least_reach > 0.0 && std::isfinite(options.work) &&
-         scene.reach->of(pair_share * options.work / least_pair_work) < options.least_reach;
+  return options.least_reach > 0.0 && reach_of(scene, options) < options.least_reach;
 }
 
 }  // namespace
+
+double reach_of(const InteractionScene& scene, const InteractionOptions& options) {
+  return std::isfinite(options.work) ? scene.reach->of(pair_share * options.work / least_pair_work) : 1.0;
+}
 
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options) {

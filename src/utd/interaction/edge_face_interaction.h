@@ -93,6 +93,9 @@ inline constexpr int most_reflections = 2;
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options);
 
+/// Share of the squares expected of all pairs that the work allowed reaches, before any of them is looked at.
+double reach_of(const InteractionScene& scene, const InteractionOptions& options);
+
 /// S of interaction_scattering() at `frequencies[frequency_index]`, divided among the lit pieces of edges these waves come from.
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                           std::size_t frequency_index, const InteractionOptions& options);

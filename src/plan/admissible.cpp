@@ -1,4 +1,4 @@
-#include "solve/admissible.h"
+#include "plan/admissible.h"
 
 #include <fmt/format.h>
 

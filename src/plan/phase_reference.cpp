@@ -1,4 +1,4 @@
-#include "solve/phase_reference.h"
+#include "plan/phase_reference.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "solve/target.h"
+#include "plan/target.h"
 
 #include <utility>
 

@@ -1,0 +1,205 @@
+#include "plan/plan.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ranges>
+
+#include "mesh/features/symmetry.h"
+#include "plan/admissible.h"
+#include "utd/gtd/ray_fields.h"
+
+namespace raytube {
+
+namespace {
+
+// Tubes see facets where waves run over the surface behind them: rises of more than this many wavelengths put both out of phase.
+constexpr double most_rise = 1.0 / 32.0;
+
+// How deep a facet may seem to lie below its neighbours on a convex surface, in rises of that over its facets: normals at
+// vertices are means of few facets, wrong by up to what the surface turns over one of them.
+constexpr double most_dent = 4.0;
+
+double ray_range_of(const SolvePlan& plan) {
+  if (!plan.rays()) return 0.0;
+  const double highest = std::ranges::max(plan.sweep.frequencies);
+  const double range = plan.edges.utd_range > 0.0 ? plan.edges.utd_range : default_ray_range(plan.target.mesh, highest);
+  check_ray_range(plan.target.mesh, range);
+  return range;
+}
+
+// Facets are taken as the surfaces they stand for where a body is convex, or always if asked.
+bool bends_facets(const SolvePlan& plan) {
+  return !plan.rays() && plan.tubes.refines() && plan.tubes.curved != CurvedSurfaces::never;
+}
+
+// Which facets count as curved, at one wavelength.
+class BandPlanner {
+ public:
+  explicit BandPlanner(const SolvePlan& plan) : plan_(plan), mesh_(plan.target.mesh) {
+    convex_only_ = plan.tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
+    if (!bends_facets(plan) || (convex_only_ && !may_be_convex())) return;
+    all_ = std::make_shared<const SmoothSurfaces>(mesh_, plan.target.options.min_wedge_angle);
+    if (!all_->any()) all_.reset();
+  }
+
+  BandPlan at(double wavelength) const {
+    BandPlan band{{}, {}, convexity_at(wavelength)};
+    if (all_ && (!convex_only_ || band.convexity.no_reflection)) band.smooth = all_;
+    band.wave_surfaces = band.smooth ? band.smooth : wave_surfaces_at(wavelength);
+    return band;
+  }
+
+ private:
+  // Only convex bodies bend their facets by default, and a mesh of several components is none.
+  bool may_be_convex() const {
+    const std::vector<Component>& components = mesh_.components;
+    return plan_.target.convexity.no_reflection || (plan_.tubes.skip && components.size() == 1 && components[0].closed);
+  }
+
+  // A body all of whose hollows are those between the facets of its surfaces reflects nothing onto itself. Hollow edges are none
+  // of those: beside them only dents that are small in wavelengths are passed over.
+  Convexity convexity_at(double wavelength) const {
+    Convexity convexity = plan_.target.convexity;
+    if (!all_ || convexity.no_reflection || !plan_.tubes.skip || all_->facets() <= mesh_.triangles.size() / 2) return convexity;
+    const double small = most_rise * wavelength;
+    const bool tessellation = std::ranges::all_of(plan_.target.wedges, &Wedge::convex);
+    convexity.no_reflection = convex_up_to(mesh_, tessellation ? std::max(small, most_dent * all_->rise()) : small);
+    return convexity;
+  }
+
+  // Waves run over the curved surfaces of any body, even of one whose tubes meet its facets, unless the facets are what is meant.
+  std::shared_ptr<const SmoothSurfaces> wave_surfaces_at(double wavelength) const {
+    if (!plan_.surfaces.waves.possible() || !plan_.fringe() || !bends_facets(plan_)) return {};
+    auto bent = std::make_shared<const SmoothSurfaces>(mesh_, plan_.target.options.min_wedge_angle, most_rise * wavelength);
+    return bent->any() ? bent : nullptr;
+  }
+
+  const SolvePlan& plan_;
+  const TriangleMesh& mesh_;
+  bool convex_only_;
+  std::shared_ptr<const SmoothSurfaces> all_;  // null: tubes see none
+};
+
+// What grows with the wavelength is the same where it is as large.
+bool same_body(const BandPlan& a, const BandPlan& b) {
+  const auto facets = [](const std::shared_ptr<const SmoothSurfaces>& surfaces) { return surfaces ? surfaces->facets() : 0; };
+  return a.convexity.no_reflection == b.convexity.no_reflection && facets(a.smooth) == facets(b.smooth) &&
+         facets(a.wave_surfaces) == facets(b.wave_surfaces);
+}
+
+// Frequencies in ascending order, each with its index: as many bands as bodies.
+void divide(const BandPlanner& planner, std::span<const std::pair<double, std::size_t>> frequencies, const BandPlan& lowest,
+            const BandPlan& highest, std::vector<BandPlan>& bands) {
+  if (same_body(lowest, highest)) {
+    if (bands.empty() || !same_body(bands.back(), lowest)) bands.push_back(lowest);
+    for (const auto& [frequency, index] : frequencies) bands.back().indices.push_back(index);
+    return;
+  }
+  const std::size_t half = frequencies.size() / 2;
+  const auto at = [&](std::size_t i) { return planner.at(wavelength(frequencies[i].first)); };
+  divide(planner, frequencies.first(half), lowest, half == 1 ? lowest : at(half - 1), bands);
+  divide(planner, frequencies.subspan(half), half + 1 == frequencies.size() ? highest : at(half), highest, bands);
+}
+
+std::vector<BandPlan> bands_of(const SolvePlan& plan) {
+  std::vector<std::pair<double, std::size_t>> ascending;
+  for (const double frequency : plan.sweep.frequencies) ascending.emplace_back(frequency, ascending.size());
+  std::ranges::sort(ascending);
+  const BandPlanner planner(plan);
+  const BandPlan lowest = planner.at(wavelength(ascending.front().first));
+  const bool one = ascending.front().first == ascending.back().first;
+  std::vector<BandPlan> bands;
+  divide(planner, ascending, lowest, one ? lowest : planner.at(wavelength(ascending.back().first)), bands);
+  for (BandPlan& band : bands) {
+    std::ranges::sort(band.indices);
+    for (const std::size_t index : band.indices) band.frequencies.push_back(plan.sweep.frequencies[index]);
+  }
+  return bands;
+}
+
+// A radar on a circle about the origin is at the same point again where its directions repeat.
+LookPlan near_looks(const Sweep& sweep) {
+  const bool circle = std::ranges::all_of(sweep.looks, [&](const Look& look) {
+    return look.transmit_range == sweep.looks[0].transmit_range && look.receive_range == sweep.looks[0].receive_range;
+  });
+  return circle ? plan_looks(sweep.looks, {false, false, false}) : plan_all(sweep.looks.size());
+}
+
+// Images of looks follow where tubes are cut exactly: the grid of uniform tubes, and of those that curved surfaces reflect, is
+// not its own image; nor are rays that are searched for, or radars at a finite distance from the origin.
+LookPlan looks_of(const SolvePlan& plan) {
+  const Sweep& sweep = plan.sweep;
+  const auto sees_curved = [](const BandPlan& band) { return band.smooth != nullptr; };
+  const auto cut_exactly = [](const BandPlan& band) { return !band.smooth || band.convexity.no_reflection; };
+  if (!plan.tubes.skip) return plan_all(sweep.looks.size());
+  if (!all_far(sweep)) return near_looks(sweep);
+  const bool exact = plan.tubes.refines() && std::ranges::all_of(plan.bands, cut_exactly);
+  if (!exact || plan.rays()) return plan_looks(sweep.looks, {false, false, false});
+  const LookPlan at_best = plan_looks(sweep.looks, {true, true, true});
+  if (at_best.mirrored == 0) return at_best;
+  return plan_looks(sweep.looks,
+                    find_symmetry_planes(plan.target.mesh, plan.target.wedges, std::ranges::any_of(plan.bands, sees_curved)));
+}
+
+std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
+  const std::vector<Wedge>& wedges = plan.target.wedges;
+  if (plan.edges.method == EdgeMethod::none) return {{"wedges", "edges.method is \"none\"", wedges.size()}};
+  const auto count = [&](auto left_out) { return static_cast<std::uint64_t>(std::ranges::count_if(wedges, left_out)); };
+  std::vector<Skipped> skipped{
+      {"wedges", "concave: multiple reflection stands for them", count([](const Wedge& w) { return !w.convex(); })}};
+  if (plan.rays()) return skipped;
+  if (plan.edges.materials == MaterialEdgeMethod::none)
+    skipped.push_back({"wedges", "a face is no perfect conductor (edges.materials)",
+                       count([](const Wedge& w) { return w.convex() && !w.conducting(); })});
+  const std::vector<double>& frequencies = plan.sweep.frequencies;
+  const auto lowest = static_cast<std::size_t>(std::ranges::min_element(frequencies) - frequencies.begin());
+  const std::vector<Wedge>& seen = *set_of(plan.wedge_sets, lowest).wedges;
+  skipped.push_back({"wedges", "across the edge of a thin plate, no longer than it is thick", thin_plate_corners(seen)});
+  skipped.push_back({"wedges", "flat to the wave: steps, slivers and ripples finer than wavelength / 100",
+                     static_cast<std::uint64_t>(std::ranges::count_if(seen, &Wedge::flat))});
+  return skipped;
+}
+
+void check_all(const SolvePlan& plan) {
+  check_options(plan.sweep, plan.tubes, plan.edges);
+  check_materials(plan.target.mesh, plan.sweep);
+  check_antennas(plan.target.mesh, plan.sweep);
+  if (!plan.rays()) check_density(plan.target.mesh, plan.sweep, plan.tubes);
+}
+
+WedgeSource wedge_source(const Target& target) {
+  return {target.mesh, target.wedges, target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
+}
+
+}  // namespace
+
+SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& options)
+    : target(on),
+      sweep(asked),
+      tubes(options.tubes),
+      edges(options.edges),
+      surfaces(options.surfaces),
+      threads(options.threads),
+      keep_parts(options.keep_parts) {
+  check_all(*this);
+  const auto start = std::chrono::steady_clock::now();
+  ray_range = ray_range_of(*this);
+  bands = bands_of(*this);
+  wedge_sets = raytube::wedge_sets(wedge_source(target), sweep.frequencies);
+  looks = looks_of(*this);
+  skips = {.repeated_looks = looks.repeated, .mirrored_looks = looks.mirrored};
+  if (tubes.skip && edges.method != EdgeMethod::none) skips.enclosed_wedges = target.wedges_enclosed;
+  skipped_wedges = skipped_wedges_of(*this);
+  std::erase_if(skipped_wedges, [](const Skipped& item) { return item.count == 0; });
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double BandPlan::shortest_wavelength() const { return wavelength(std::ranges::max(frequencies)); }
+
+double SolvePlan::shortest_wavelength() const { return wavelength(std::ranges::max(sweep.frequencies)); }
+
+bool SolvePlan::no_reflection() const {
+  return std::ranges::all_of(bands, [](const BandPlan& band) { return band.convexity.no_reflection; });
+}
+
+}  // namespace raytube

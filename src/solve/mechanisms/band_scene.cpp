@@ -1,0 +1,51 @@
+#include "solve/mechanisms/band_scene.h"
+
+#include <algorithm>
+
+#include "solve/mechanisms/interaction.h"
+#include "solve/mechanisms/surface_waves.h"
+
+namespace raytube {
+
+namespace {
+
+// The plan's sets with those of their frequencies that are the band's, counted in the band.
+std::vector<WedgeSet> sets_of(const SolvePlan& plan, const BandPlan& band) {
+  std::vector<WedgeSet> sets;
+  for (const WedgeSet& set : plan.wedge_sets) {
+    WedgeSet part = set;
+    part.indices.clear();
+    for (std::size_t i = 0; i < band.indices.size(); ++i)
+      if (std::ranges::binary_search(set.indices, band.indices[i])) part.indices.push_back(i);
+    if (!part.indices.empty()) sets.push_back(std::move(part));
+  }
+  return sets;
+}
+
+EdgeSetup edge_setup(const BandScene& scene) {
+  const SolvePlan& plan = scene.plan;
+  EdgeSetup setup{plan.target.tracer, plan.target.faces, sets_of(plan, scene.band), scene.band.frequencies};
+  setup.interaction = interacts(plan, scene.band);
+  if (plan.fringe() && std::ranges::any_of(scene.materials, &Material::transmits)) setup.screens = scene.materials;
+  setup.skip_enclosed = plan.tubes.skip;
+  setup.curved = scene.curved ? &*scene.curved : nullptr;
+  setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};
+  return setup;
+}
+
+std::optional<CurvedTarget> curved_target(const SolvePlan& plan, const BandPlan& band) {
+  if (!has_surface_waves(plan, band)) return {};
+  return std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *band.wave_surfaces, band.convexity.no_reflection);
+}
+
+}  // namespace
+
+BandScene::BandScene(const SolvePlan& a_plan, const BandPlan& a_band)
+    : plan(a_plan),
+      band(a_band),
+      materials(at_frequencies(plan.sweep.materials, band.indices)),
+      tubes{plan.target.tracer, plan.target.faces, band.smooth.get(), band.convexity, materials, plan.sweep.radar},
+      curved(curved_target(plan, band)),
+      edges(edge_setup(*this)) {}
+
+}  // namespace raytube

@@ -1,0 +1,25 @@
+// What the mechanisms of a band share.
+#pragma once
+
+#include <optional>
+
+#include "plan/plan.h"
+#include "sbr/sbr.h"
+#include "utd/edge_sets.h"
+
+namespace raytube {
+
+/// A target at the frequencies of one band. Refers to the plan.
+struct BandScene {
+  BandScene(const SolvePlan& plan, const BandPlan& band);
+  BandScene(const BandScene&) = delete;
+
+  const SolvePlan& plan;
+  const BandPlan& band;
+  std::vector<Material> materials;     // of the sweep, at the band's frequencies
+  TubeScene tubes;                     // what tubes meet
+  std::optional<CurvedTarget> curved;  // if waves run over surfaces
+  EdgeSets edges;                      // at the band's frequencies
+};
+
+}  // namespace raytube

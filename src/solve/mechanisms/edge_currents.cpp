@@ -1,0 +1,123 @@
+#include "solve/mechanisms/edge_currents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "utd/corner/corner_waves.h"
+#include "utd/fringe/material_edges.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double outlines_per_wedges = 1.0;  // the outlines of the faces beside them take about as much as the wedges
+
+void put(EdgeLookResult found, LookSums& sums) {
+  sums.s[Part::edges_first] = std::move(found.scattering);
+  sums.s[Part::edges_higher] = std::move(found.higher);
+  sums.windowed = std::move(found.windowed);
+  sums.wedges_lit = found.wedges_lit;
+  sums.edges_lit = found.lit;
+}
+
+class EdgeCurrentsOfLook : public Mechanism {
+ public:
+  explicit EdgeCurrentsOfLook(const BandScene& scene) : scene_(scene) {}
+
+  Prospect prospect(const TracedLook&, const LookSums&) const override { return {}; }
+
+  void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
+    const Look& look = traced.look;
+    EdgeLookResult found = scene_.edges.scattering(look, scene_.plan.sweep.radar, sink.arrivals);
+    sink.sums.run(MechanismId::edge_currents).work = found.work;
+    put(std::move(found), sink.sums);
+    if (sink.image == nullptr) return;
+    const std::size_t index = sink.image->frequency_index;
+    std::vector<ImageEdge>& pieces = sink.image->pieces;
+    std::ranges::copy(scene_.edges.pieces(look, index, sink.image->lattice), std::back_inserter(pieces));
+    std::ranges::copy(scene_.edges.arrival_pieces(look, index, sink.arrivals), std::back_inserter(pieces));
+  }
+
+  void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {
+    if (scene_.curved) std::ranges::copy(scene_.edges.surface_rays(look, arrivals), std::back_inserter(rays));
+  }
+
+ private:
+  const BandScene& scene_;
+};
+
+class MaterialEdges : public Mechanism {
+ public:
+  explicit MaterialEdges(const BandScene& scene) : scene_(scene) {}
+
+  Prospect prospect(const TracedLook&, const LookSums&) const override { return {}; }
+
+  void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
+    LookSums& sums = sink.sums;
+    EdgeLookResult all{std::move(sums.s[Part::edges_first]), std::move(sums.s[Part::edges_higher]), sums.wedges_lit,
+                       sums.edges_lit, std::move(sums.windowed)};
+    const Target& target = scene_.plan.target;
+    add_material_edges(all, {target.wedges, target.outlines, target.tracer}, scene_.materials, traced.look,
+                       scene_.band.frequencies, scene_.plan.edges.receiver_shadow);
+    put(std::move(all), sums);
+  }
+
+ private:
+  const BandScene& scene_;
+};
+
+bool has_material_edges(const SolvePlan& plan) { return plan.fringe() && plan.edges.materials != MaterialEdgeMethod::none; }
+
+}  // namespace
+
+MechanismState edge_currents_state(const SolvePlan& plan) {
+  if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
+  if (std::ranges::none_of(plan.target.wedges, &Wedge::radiates))
+    return without("the target has no convex edge between perfect conductors");
+  return {.on = true, .forced = true, .what = fmt::format("order {}", plan.edges.order)};
+}
+
+// Without any that radiate the pass is made where nothing is to be skipped.
+std::unique_ptr<Mechanism> make_edge_currents(const BandScene& scene) {
+  if (!scene.plan.fringe() || (!scene.edges.radiate() && scene.plan.tubes.skip)) return nullptr;
+  return std::make_unique<EdgeCurrentsOfLook>(scene);
+}
+
+// Sets of wedges beside the mesh's own, and the solved corners of plates.
+double edge_currents_bytes(const SolvePlan& plan) {
+  if (!plan.fringe()) return 0.0;
+  double bytes = 0.0;
+  for (const WedgeSet& set : plan.wedge_sets) {
+    if (!set.as_given()) bytes += static_cast<double>(set.wedges->size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
+    if (plan.edges.order > 1) bytes += static_cast<double>(CornerWaves(*set.wedges).bytes());
+  }
+  return bytes;
+}
+
+MechanismState material_edges_state(const SolvePlan& plan) {
+  if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
+  const auto other = [](const Wedge& wedge) { return wedge.stands_alone() && !wedge.conducting(); };
+  if (std::ranges::none_of(plan.target.wedges, other))
+    return without("no edge of the target has a face of another material than a perfect conductor");
+  if (!has_material_edges(plan)) return misses("edges.materials is \"none\"");
+  return {.on = true, .forced = true, .what = "first order, by a heuristic"};
+}
+
+std::unique_ptr<Mechanism> make_material_edges(const BandScene& scene) {
+  return has_material_edges(scene.plan) ? std::make_unique<MaterialEdges>(scene) : nullptr;
+}
+
+// What a material blocks is 1 - T, at most twice what a conductor does: its edges count as two.
+std::vector<double> edge_lengths(const BandScene& scene) {
+  std::vector<double> lengths = scene.edges.radiating_lengths();
+  if (!has_material_edges(scene.plan)) return lengths;
+  double sum = 0.0;
+  for (const Wedge& wedge : scene.plan.target.wedges)
+    if (is_material_edge(wedge)) sum += 2.0 * wedge.length();
+  for (double& length : lengths) length += sum;
+  return lengths;
+}
+
+}  // namespace raytube

@@ -1,0 +1,173 @@
+#include "solve/mechanisms/interaction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "core/work.h"
+#include "plan/phase_reference.h"
+#include "sbr/beams/tolerances.h"
+#include "scene/skipped.h"
+#include "solve/mechanisms/edge_currents.h"
+#include "utd/interaction/illumination_rounds.h"
+#include "utd/interaction/interaction_groups.h"
+#include "utd/interaction/reflected_light.h"
+
+namespace raytube {
+
+namespace {
+
+// k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
+constexpr double most_phase = 0.5;
+
+// Whether the waves of every look are plane enough all over the target for what knows no others.
+bool waves_are_plane(const SolvePlan& plan) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  const double reach = glm::length(mesh.center) + mesh.radius;
+  const double phase = 2.0 * pi / plan.shortest_wavelength() * reach * reach;
+  return std::ranges::all_of(plan.sweep.looks, [&](const Look& look) {
+    return look.far() || phase < most_phase * std::min(look.transmit_range, look.receive_range);
+  });
+}
+
+// Within a cell each, with a share of S by length.
+void add_cut_up(const ImageEdge& piece, ImageRequest& image) {
+  const std::vector<double> shares = image.lattice.crossings(piece.begin, piece.end);
+  const dvec3 way = piece.end - piece.begin;
+  for (std::size_t i = 1; i < shares.size(); ++i) {
+    ScatteringMatrix part = piece.s;
+    image.pieces.push_back({piece.begin + shares[i - 1] * way, piece.begin + shares[i] * way, part *= shares[i] - shares[i - 1]});
+  }
+}
+
+// Amplitude that quadrature may leave [m].
+double quadrature_tolerance(const SolvePlan& plan, const TubeSums& tubes) {
+  double strongest = 0.0;
+  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f)
+    strongest = std::max(strongest, frobenius_norm(tubes.total(f)));
+  return interaction_quadrature_error(relative_tolerance(plan.tubes.tolerance_db), strongest);
+}
+
+class Interaction : public Mechanism {
+ public:
+  explicit Interaction(const BandScene& scene) : scene_(scene) {}
+
+  Prospect prospect(const TracedLook& traced, const LookSums& others) const override {
+    if (scene_.plan.edges.interaction.forced()) return {};
+    return {.reach = scene_.edges.interaction_reach(interaction_limits(scene_.plan, traced.tubes, edge_work(others)))};
+  }
+
+  void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
+    const Look& look = traced.look;
+    const InteractionLimits limits = interaction_limits(scene_.plan, traced.tubes, edge_work(sink.sums));
+    InteractionResult found = scene_.edges.interaction(look, limits);
+    if (!look.far()) refer_to_antennas(look, found);
+    put(std::move(found), sink.sums);
+    if (sink.image == nullptr) return;
+    for (const ImageEdge& piece : scene_.edges.interaction_pieces(look, sink.image->frequency_index, limits))
+      add_cut_up(piece, *sink.image);
+  }
+
+ private:
+  static double edge_work(const LookSums& others) { return others.run(MechanismId::edge_currents).work; }
+
+  static void put(InteractionResult found, LookSums& sums) {
+    sums.run(MechanismId::interaction).work = found.work;
+    if (found.unreached) sums.run(MechanismId::interaction).reach = 0.0;
+    sums.s[Part::interaction] = std::move(found.scattering);
+    sums.error = std::move(found.error);
+    sums.left_out = std::move(found.left_out);
+    sums.illuminating_pieces = found.illuminating_pieces;
+    sums.interaction_pairs = found.pairs;
+    sums.skipped.weak_pairs = found.skipped.weak_pairs;
+    sums.skipped.pairs_beyond_budget = found.skipped.pairs;
+    sums.skipped.reflections_beyond_budget = found.skipped.reflected_pairs;
+    sums.skipped.fringe_beyond_budget = found.skipped.fringe_pieces;
+  }
+
+  void refer_to_antennas(const Look& look, InteractionResult& found) const {
+    for (std::size_t f = 0; f < found.scattering.size(); ++f) {
+      const Complex factor = from_plane_waves(scene_.plan.target.mesh, look, scene_.plan.sweep.radar, scene_.band.frequencies[f]);
+      found.scattering[f] *= factor;
+      for (std::array<double, 2>& errors : found.error[f])
+        for (double& error : errors) error *= std::abs(factor);
+      if (!found.left_out.empty()) found.left_out[f] *= std::abs(factor);
+    }
+  }
+
+  const BandScene& scene_;
+};
+
+// What takes no part for its size.
+std::vector<Skipped> skipped_for_size(const TooSmall& small, std::uint64_t frequencies) {
+  return {
+      {"frequencies without edge-face interaction", "no edge of a wavelength sees a face of a wavelength squared", frequencies},
+      {"edges without waves to other surfaces", "shorter than a wavelength at the lowest frequency", small.edges},
+      {"faces without waves from edges", "smaller than a wavelength squared at the lowest frequency", small.faces}};
+}
+
+}  // namespace
+
+MechanismState interaction_state(const SolvePlan& plan) {
+  if (!plan.edges.interaction.possible()) return without("edges.between is false");
+  if (MechanismState edges = edge_currents_state(plan); !edges.on) return without(edges.why_not);
+  if (plan.no_reflection()) return without(nothing_in_front);
+  if (!plan.sweep.materials.empty()) return misses("not all of the target is a perfect conductor");
+  if (!waves_are_plane(plan)) return misses("antennas are too near for plane waves");
+  if (plan.edges.interaction_budget == 0.0) return misses("edges.between_budget is 0");
+  const std::vector<double>& frequencies = plan.sweep.frequencies;
+  const TooSmall small = too_small_to_interact(plan.target.mesh, plan.target.wedges, std::ranges::min(frequencies));
+  const auto without_large = static_cast<std::uint64_t>(
+      std::ranges::count_if(frequencies, [&](double frequency) { return wavelength(frequency) > small.longest; }));
+  std::vector<Skipped> skipped = skipped_for_size(small, without_large);
+  std::erase_if(skipped, [](const Skipped& item) { return item.count == 0; });
+  if (without_large == frequencies.size()) {
+    MechanismState none = without("no edge is as long as a wavelength, or no face as wide");
+    none.skipped = std::move(skipped);
+    return none;
+  }
+  return {.on = true,
+          .forced = plan.edges.interaction.forced(),
+          .what = fmt::format("at most {:g} times the work of tubes and edges", plan.edges.interaction_budget),
+          .skipped = std::move(skipped)};
+}
+
+bool interacts(const SolvePlan& plan, const BandPlan& band) {
+  return !band.convexity.no_reflection && interaction_state(plan).on;
+}
+
+std::unique_ptr<Mechanism> make_interaction(const BandScene& scene) {
+  return scene.edges.interact() ? std::make_unique<Interaction>(scene) : nullptr;
+}
+
+// The edges and faces of each set as edge-face interaction sees them, and which of them count at each frequency.
+double interaction_bytes(const SolvePlan& plan) {
+  const auto patches = static_cast<double>(plan.target.mesh.patches.size());
+  const auto frequencies = static_cast<double>(plan.sweep.frequencies.size());
+  double bytes = frequencies * (patches / 8 + sizeof(InteractionGroup));
+  for (const WedgeSet& set : plan.wedge_sets)
+    bytes += static_cast<double>(set.wedges->size()) * sizeof(EdgeAxis) + patches * (sizeof(PatchExtent) + sizeof(std::uint32_t));
+  return bytes;
+}
+
+double interaction_look_bytes(const SolvePlan& plan) {
+  const auto wedges = static_cast<double>(plan.target.wedges.size());
+  const double pieces = wedges + 2.0 * most_reflected_pairs;
+  return illumination_bytes(plan.sweep.frequencies.size(), pieces * static_cast<double>(plan.target.mesh.patches.size())) +
+         wedges * sizeof(LitEdgePiece);
+}
+
+InteractionLimits interaction_limits(const SolvePlan& plan, const TubeSums& tubes, double edge_work) {
+  const auto frequencies = static_cast<double>(tubes.error.size());
+  const auto met = static_cast<double>(std::accumulate(tubes.hits.begin(), tubes.hits.end(), std::uint64_t{0}));
+  const double tube_work = work::tube * static_cast<double>(tubes.tubes) + work::tube_ray * static_cast<double>(tubes.rays) +
+                           work::tube_frequency * met * frequencies;
+  const double budget = plan.edges.interaction_budget;
+  const bool limited = budget < unlimited_interaction_budget;
+  return {quadrature_tolerance(plan, tubes), limited ? budget * (tube_work + edge_work) : std::numeric_limits<double>::infinity(),
+          plan.edges.interaction.forced() ? 0.0 : least_reach};
+}
+
+}  // namespace raytube

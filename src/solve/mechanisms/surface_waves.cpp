@@ -1,0 +1,144 @@
+#include "solve/mechanisms/surface_waves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "plan/admissible.h"
+#include "scene/frequency_bands.h"
+#include "uncertainty/surface_wave_prospect.h"
+#include "utd/surface/surface_waves.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double ray_step = 0.1;  // of the wavelength, between points of rays for pictures
+
+// Points between the first and the last one are `step` apart at least.
+void keep_points_apart(SurfaceRay& ray, double step) {
+  std::vector<SurfaceRayPoint> kept{ray.points.front()};
+  for (std::size_t i = 1; i < ray.points.size(); ++i)
+    if (i + 1 == ray.points.size() || std::abs(ray.points[i].arc_length - kept.back().arc_length) >= step)
+      kept.push_back(ray.points[i]);
+  ray.points = std::move(kept);
+}
+
+// Root mean square over a little more than a band, so that no chance of phases decides.
+double band_amplitude(const SurfaceWaveProspect& prospect, const Look& look, long band) {
+  constexpr int samples = 5;
+  constexpr double beside = 0.05;
+  double squares = 0.0;
+  for (int i = 0; i < samples; ++i)
+    squares += std::pow(prospect.amplitude(look, middle_of_band(band) * (1.0 + beside * (2.0 * i / (samples - 1) - 1.0))), 2);
+  return std::sqrt(squares / samples);
+}
+
+class WavesOverSurfaces : public Mechanism {
+ public:
+  explicit WavesOverSurfaces(const BandScene& scene) : scene_(scene), frequencies_(scene.band.frequencies) {
+    const Target& target = scene.plan.target;
+    if (!scene.plan.surfaces.waves.forced())
+      prospect_.emplace(target.mesh, target.wedges, target.options.min_wedge_angle,
+                        wavelength(std::ranges::min(scene.band.frequencies)));
+  }
+
+  // Forward of grazing the estimate has lobes of its own: other looks than monostatic ones take them in any case.
+  Prospect prospect(const TracedLook& traced, const LookSums& /*others*/) const override {
+    if (!prospect_ || !(traced.look.transmit == traced.look.receive)) return {};
+    Prospect result;
+    std::map<long, double> known;
+    for (const double frequency : frequencies_) {
+      const auto [found, is_new] = known.try_emplace(band_of(frequency));
+      if (is_new) found->second = band_amplitude(*prospect_, traced.look, found->first);
+      result.amplitude.push_back(found->second);
+    }
+    return result;
+  }
+
+  void solve(const TracedLook& traced, const std::vector<bool>& wanted, LookSink& sink) const override {
+    std::vector<std::size_t> indices;
+    std::vector<double> frequencies;
+    for (std::size_t f = 0; f < wanted.size(); ++f)
+      if (wanted[f]) indices.push_back(f), frequencies.push_back(frequencies_[f]);
+    const bool in_image = sink.image != nullptr && wanted[sink.image->frequency_index];
+    StripPlaces places{};
+    if (in_image)
+      places.wavenumber = static_cast<std::size_t>(std::ranges::find(indices, sink.image->frequency_index) - indices.begin());
+    SurfaceWaveResult found =
+        surface_wave_scattering(*scene_.curved, look_vectors(traced.look), frequencies, in_image ? &places : nullptr);
+    if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));
+    sink.sums.surface_strips = found.strips;
+    sink.sums.run(MechanismId::surface_waves).work = found.work;
+    sink.sums.s[Part::surface_waves] = spread(found.scattering, indices);
+    for (SurfaceArrival& arrival : found.arrivals) {
+      arrival.magnetic = spread(arrival.magnetic, indices);
+      sink.arrivals.push_back(std::move(arrival));
+    }
+  }
+
+  void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {
+    const std::size_t first = rays.size();
+    SurfaceWaveResult waves = surface_wave_scattering(*scene_.curved, look_vectors(look), frequencies_, nullptr, &rays);
+    arrivals = std::move(waves.arrivals);
+    for (std::size_t i = first; i < rays.size(); ++i) keep_points_apart(rays[i], ray_step * wavelength(frequencies_.front()));
+  }
+
+ private:
+  // Nothing at the other frequencies.
+  template <class Value>
+  std::vector<Value> spread(const std::vector<Value>& values, const std::vector<std::size_t>& indices) const {
+    std::vector<Value> all(frequencies_.size());
+    for (std::size_t i = 0; i < indices.size(); ++i) all[indices[i]] = values[i];
+    return all;
+  }
+
+  const BandScene& scene_;
+  std::span<const double> frequencies_;
+  std::optional<SurfaceWaveProspect> prospect_;  // unless they run in any case
+};
+
+std::size_t conducting(const BandPlan& band) { return band.wave_surfaces ? band.wave_surfaces->conducting_facets() : 0; }
+
+}  // namespace
+
+MechanismState surface_waves_state(const SolvePlan& plan) {
+  if (!plan.surfaces.waves.possible()) return without("surfaces.waves is false");
+  if (!plan.fringe()) return without("they come with edge currents, edges.method \"fringe\"");
+  if (!plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
+    return without("facets are what is meant by tubes.curved \"never\" and by tubes that are not clipped");
+  const auto is_curved = [](const BandPlan& band) { return band.wave_surfaces != nullptr; };
+  if (std::ranges::none_of(plan.bands, is_curved)) return without("no curved surface");
+  const BandPlan& most = *std::ranges::max_element(plan.bands, {}, conducting);
+  if (conducting(most) == 0) return without("no curved surface is a perfect conductor");
+  if (!all_far(plan.sweep)) return misses("antennas at a finite distance");
+  const std::size_t facets = conducting(most), others = most.wave_surfaces->facets() - facets;
+  return {.on = true,
+          .forced = plan.surfaces.waves.forced(),
+          .what = fmt::format("over {} facets{}", facets,
+                              others == 0 ? "" : fmt::format(", not over {} more that are no perfect conductors", others))};
+}
+
+bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
+  return conducting(band) > 0 && surface_waves_state(plan).on;
+}
+
+std::unique_ptr<Mechanism> make_surface_waves(const BandScene& scene) {
+  return scene.curved ? std::make_unique<WavesOverSurfaces>(scene) : nullptr;
+}
+
+// Which triangles meet at an edge, and the curvatures at corners.
+double surface_waves_bytes(const SolvePlan& plan) {
+  const double sides = 3.0 * static_cast<double>(plan.target.mesh.triangles.size());
+  double bytes = 0.0;
+  for (const BandPlan& band : plan.bands)
+    if (has_surface_waves(plan, band))
+      bytes += sides * (2.0 * sizeof(EdgeTable::Side) + 3.0 * sizeof(std::uint32_t)) +
+               static_cast<double>(band.wave_surfaces->normals()) * (sizeof(glm::dmat3) + sizeof(double));
+  return bytes;
+}
+
+}  // namespace raytube
