@@ -40,6 +40,7 @@ StripPath path_of(const StripScene& scene, const StripWave& wave, const dvec3& p
           {},
           0.0,
           point,
+          glm::dot(scene.look.scattered, wave.direction) - 1.0,
           {}};
 }
 
@@ -139,10 +140,12 @@ void find_curved_waves(const StripScene& scene, const StripLayout& strips, Curve
     if (!strips.tree.runs_over_curved(wave.wave)) continue;
     for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
       const EdgePanels::PointRange& range = strips.panels.ranges()[b];
-      for (const PanelPoint& point : strips.panels.points().subspan(range.first, range.size()))
-        paths[w].push_back(wave.wave.incidence.sin_cone < least_sine
-                               ? path_of(scene, wave.wave, wave.line.at(point.arc_length))
-                               : strip_path(scene, wave.wave, wave.line.at(point.arc_length)));
+      for (const PanelPoint& point : strips.panels.points().subspan(range.first, range.size())) {
+        const dvec3 start = wave.line.at(point.arc_length);
+        paths[w].push_back({wave.path.at(point.arc_length), wave.wave.incidence.sin_cone < least_sine
+                                                                ? path_of(scene, wave.wave, start)
+                                                                : strip_path(scene, wave.wave, start)});
+      }
     }
   }
 }

@@ -18,14 +18,18 @@ StripPath strip_path(const StripScene& scene, const StripWave& wave, const dvec3
 
 /// The strips of the waves of a tree that run over curved faces, by wave and in the order of their points; empty where no face is
 /// curved.
-using CurvedWaves = std::vector<std::vector<StripPath>>;
+struct ArrivedPath {
+  double start_path;  // of the phase at its start, over k [m]
+  StripPath path;
+};
+using CurvedWaves = std::vector<std::vector<ArrivedPath>>;
 void find_curved_waves(const StripScene& scene, const StripLayout& strips, CurvedWaves& paths);
 
 /// The waves that one which runs over a curved surface along `direction` starts at its end, on both faces of a wedge; `order`
 /// strips one after another are followed, that one included.
 std::vector<StripWave> waves_from(const StripScene& scene, const WedgeSide& end, const dvec3& direction, int order);
 
-/// Counted (core/work.h): of one frequency.
+/// Counted (core/work.h): of one wavenumber.
 double work_of(const StripPath& path);
 
 /// Strips from the lit pieces of an edge: each path with its weight [m]. Close enough for phases to be summed, and closer where

@@ -40,7 +40,7 @@ Panel EdgePanels::panel(const WaveTree& tree, double from, double to) const {
   const double middle = (from + to) / 2, rounding = tree.rounding(), beside = rounding + beside_root * (to - from);
   for (const StripBundle& bundle : tree.bundles()) {
     if (bundle.from > middle || bundle.to < middle) continue;
-    result.path_rate = std::max({result.path_rate, std::abs(bundle.start_rate), std::abs(bundle.end_rate)});
+    result.path_rate = std::max({result.path_rate, std::abs(bundle.start_path.growth), std::abs(bundle.end_path.growth)});
     result.sweep = std::max(result.sweep, std::abs(bundle.growth));
     const auto vanishes = [&](double at) { return bundle.edge && std::abs(bundle.length_at(at)) < rounding; };
     if (from - bundle.from < beside && vanishes(bundle.from)) result.root[0] = true;

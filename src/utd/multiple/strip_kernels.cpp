@@ -13,6 +13,7 @@ namespace {
 constexpr double closest_to_plane = lit_threshold;
 // The soft current is singular at its edge, as 1/r; a strip without length starts and ends there.
 constexpr double shortest_root = 1e-9;
+constexpr double local_end = 40.0;  // X beyond which the local part lacks less than rounding
 
 void add_scaled(Complexes& sum, double factor, const Complexes& values) {
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -46,11 +47,11 @@ void KernelBatch::set(std::size_t i, const StripKernels& kernels) {
   soft_end.set(i, kernels.soft_end);
 }
 
-void KernelBatch::subtract_currents(const KernelBatch& shorter, std::size_t count) {
+void KernelBatch::subtract_currents(const KernelBatch& other, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    soft.set(i, soft[i] - shorter.soft[i]);
-    hard.set(i, hard[i] - shorter.hard[i]);
-    axial.set(i, axial[i] - shorter.axial[i]);
+    soft.set(i, soft[i] - other.soft[i]);
+    hard.set(i, hard[i] - other.hard[i]);
+    axial.set(i, axial[i] - other.axial[i]);
   }
 }
 
@@ -109,6 +110,17 @@ StripKernels Strip::untruncated() const {
   }
   const double mu = 1 - 2 * half_cosine_ * half_cosine_;
   return {{soft, hard, mu * hard - total_strength() + local_.axial}, 0.0, 0.0};
+}
+
+FringeKernels Strip::start_part(double length) const {
+  FringeKernels result = untruncated().current;
+  if (!has_local_part_ || length > local_end) return result;
+  const double left = std::exp(-length);
+  const FringeKernels local = local_part();
+  result.soft -= left * local.soft;
+  result.hard -= left * local.hard;
+  result.axial -= left * local.axial;
+  return result;
 }
 
 // The derivatives of the closed forms by X, without e^{-jX(1 - mu)}; all of a term's is B times that of W and W'.

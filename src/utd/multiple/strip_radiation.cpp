@@ -15,6 +15,11 @@ struct WaveKernels {
   std::size_t first;
 };
 
+const KernelBatch& part_of(const WaveKernelBatch& kernels, StripPart part) {
+  if (part == StripPart::whole) return kernels.whole;
+  return part == StripPart::start ? kernels.start : kernels.end;
+}
+
 void find_phases(const StripLayout& strips, const LookVectors& look, double wavenumber, ComplexColumn& direct) {
   const EdgeLine& line = strips.tree.waves()[0].line;
   const dvec3 difference = wavenumber * (look.scattered - look.incident);
@@ -119,56 +124,65 @@ void pass_on_arriving(const WaveKernels& here, std::array<ComplexColumn, 2>& arr
 
 }  // namespace
 
-void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look,
-                         std::span<const double> wavenumbers, const TreeShare& share,
-                         std::span<const std::span<ScatteringMatrix>> sums) {
-  kernels_.resize(std::max(kernels_.size(), sums.size()));
+void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look, const TreeShare& share,
+                         StripBins& bins) {
+  const std::size_t waves = share.higher > 0.0 ? strips.tree.waves().size() : 1;
+  const auto is_curved = [&](std::size_t w) { return w < curved.size() && !curved[w].empty(); };
+  groups_.find(strips, waves, bins);
+  kernels_.resize(std::max(kernels_.size(), waves));
   for (ComplexColumn& column : amplitudes_.arriving) column.make_room(strips.arriving);
-  for (std::size_t begin = 0; begin < wavenumbers.size(); begin += block) {
-    const std::span<const double> here = wavenumbers.subspan(begin, std::min(block, wavenumbers.size() - begin));
-    const auto is_curved = [&](std::size_t w) { return w < curved.size() && !curved[w].empty(); };
-    for (std::size_t w = 0; w < sums.size(); ++w)
-      if (!is_curved(w)) finder_.find(strips, w, here, kernels_[w]);
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      find_phases(strips, look, here[i], amplitudes_.direct);
-      for (std::size_t w = 0; w < sums.size(); ++w) {
-        if (is_curved(w))
-          add_curved(curved[w], strips.rows_of(strips.tree.waves()[w]), here[i], sums[w][begin + i]);
-        else
-          add_wave(strips, w, i, share, sums[w][begin + i]);
-      }
+  for (std::size_t node = 0; node < bins.nodes().size(); ++node) {
+    if (node % block == 0) {
+      const std::span<const double> here = bins.nodes().subspan(node, std::min(block, bins.nodes().size() - node));
+      for (std::size_t w = 0; w < waves; ++w)
+        if (!is_curved(w)) finder_.find(strips, w, here, groups_.splits(w), kernels_[w]);
+    }
+    find_phases(strips, look, bins.nodes()[node], amplitudes_.direct);
+    for (std::size_t w = 0; w < waves; ++w) {
+      if (is_curved(w))
+        add_curved(strips, w, curved[w], node, bins.of(w));
+      else
+        add_wave(strips, w, node, share, bins.of(w));
     }
   }
 }
 
-void StripRadiation::add_curved(std::span<const StripPath> paths, std::span<const StripRow> rows, double wavenumber,
-                                ScatteringMatrix& sum) const {
+void StripRadiation::add_curved(const StripLayout& strips, std::size_t wave, std::span<const ArrivedPath> paths, std::size_t node,
+                                PathBins& bins) const {
+  const TreeWave& here = strips.tree.waves()[wave];
   std::size_t point = 0;
-  for (const StripRow& row : rows)
-    for (std::size_t i = 0; i < row.size; ++i) {
+  for (const StripRow& row : strips.rows_of(here))
+    for (std::size_t i = 0; i < row.size; ++i, ++point) {
       const std::array<Complex, 2> arriving{amplitudes_.arriving[0][row.amplitude + i],
                                             amplitudes_.arriving[1][row.amplitude + i]};
-      radiate(paths[point++], wavenumber, {arriving, {}, {}}, sum, sum);
+      radiate(paths[point].path, node, {arriving, {}, {}, paths[point].start_path}, bins, bins);
     }
 }
 
 // The first wave and what corners mirror of it have their amplitudes from the incident wave, all others from the edge before.
-void StripRadiation::add_wave(const StripLayout& strips, std::size_t wave, std::size_t in_block, const TreeShare& share,
-                              ScatteringMatrix& sum) {
+void StripRadiation::add_wave(const StripLayout& strips, std::size_t wave, std::size_t node, const TreeShare& share,
+                              PathBins& bins) {
   const TreeWave& here = strips.tree.waves()[wave];
   const WaveFace& face = strips.faces[wave];
-  const WaveKernels kernels{here, face.projection, strips.rows_of(here), kernels_[wave], in_block * face.kernels};
-  const bool is_last = share.higher == 0.0 || wave + 1 == strips.tree.waves().size();
-  const bool goes_on = here.wave.goes_on() && !is_last;
-  if (here.direct) {
-    const double counted = wave > 0 ? share.higher : share.first ? 1.0 : 0.0;
-    const double cos_cone = strips.tree.waves()[0].wave.incidence.cos_cone;
-    if (counted > 0.0) radiate_direct(kernels, cos_cone, strips.incident, counted, amplitudes_.direct, sum);
-    if (goes_on) pass_on_direct(kernels, strips.incident, share.higher, amplitudes_);
-  } else {
-    radiate_arriving(kernels, amplitudes_.arriving, sum);
-    if (goes_on) pass_on_arriving(kernels, amplitudes_.arriving);
+  const std::size_t first = node % block * face.kernels;
+  const double cos_cone = strips.tree.waves()[0].wave.incidence.cos_cone;
+  const double counted = !here.direct ? 1.0 : wave > 0 ? share.higher : share.first ? 1.0 : 0.0;
+  for (const StripGroup& group : groups_.of(wave)) {
+    if (counted == 0.0) break;
+    const WaveKernels kernels{here, face.projection, groups_.rows(group), part_of(kernels_[wave], group.part), first};
+    ScatteringMatrix& sum = bins.at(group.bin, node);
+    if (here.direct)
+      radiate_direct(kernels, cos_cone, strips.incident, counted, amplitudes_.direct, sum);
+    else
+      radiate_arriving(kernels, amplitudes_.arriving, sum);
   }
+  const bool is_last = share.higher == 0.0 || wave + 1 == strips.tree.waves().size();
+  if (!here.wave.goes_on() || is_last) return;
+  const WaveKernels kernels{here, face.projection, strips.rows_of(here), kernels_[wave].whole, first};
+  if (here.direct)
+    pass_on_direct(kernels, strips.incident, share.higher, amplitudes_);
+  else
+    pass_on_arriving(kernels, amplitudes_.arriving);
 }
 
 }  // namespace raytube
