@@ -125,7 +125,8 @@ class StripSumInBins {
     if (std::isinf(length) || std::abs(path.end_path()) <= 2.0 * bins_.spread()) {
       at(std::isinf(length) ? 0.0 : 0.5 * path.end_path()).add_kernels(path, kernels.current, 1.0);
     } else {
-      const FringeKernels start = path.strip.start_part(length);
+      path.strip.start_parts(std::span(&length, 1), batch);
+      const FringeKernels start = batch[0].current;
       at(0.0).add_kernels(path, start, 1.0);
       at(path.end_path()).add_kernels(path, kernels.current, 1.0);
       sum_.add_kernels(path, start, -1.0);

@@ -47,12 +47,15 @@ void KernelBatch::set(std::size_t i, const StripKernels& kernels) {
   soft_end.set(i, kernels.soft_end);
 }
 
-void KernelBatch::subtract_currents(const KernelBatch& other, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    soft.set(i, soft[i] - other.soft[i]);
-    hard.set(i, hard[i] - other.hard[i]);
-    axial.set(i, axial[i] - other.axial[i]);
-  }
+void KernelBatch::set_difference(const KernelBatch& a, const KernelBatch& b, std::size_t count) {
+  make_room(count);
+  const auto set = [count](ComplexColumn& to, const ComplexColumn& x, const ComplexColumn& y) {
+    for (std::size_t i = 0; i < count; ++i) to.re[i] = x.re[i] - y.re[i];
+    for (std::size_t i = 0; i < count; ++i) to.im[i] = x.im[i] - y.im[i];
+  };
+  set(soft, a.soft, b.soft);
+  set(hard, a.hard, b.hard);
+  set(axial, a.axial, b.axial);
 }
 
 // Kouyoumjian and Pathak (1974) with the observer on the face, phi = 0: N is the nearest integer to (phi' +- pi) / (2 pi n).
@@ -112,15 +115,15 @@ StripKernels Strip::untruncated() const {
   return {{soft, hard, mu * hard - total_strength() + local_.axial}, 0.0, 0.0};
 }
 
-FringeKernels Strip::start_part(double length) const {
-  FringeKernels result = untruncated().current;
-  if (!has_local_part_ || length > local_end) return result;
-  const double left = std::exp(-length);
-  const FringeKernels local = local_part();
-  result.soft -= left * local.soft;
-  result.hard -= left * local.hard;
-  result.axial -= left * local.axial;
-  return result;
+void Strip::start_parts(std::span<const double> lengths, KernelBatch& batch) const {
+  const FringeKernels whole = untruncated().current, local = local_part();
+  batch.make_room(lengths.size());
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const double left = has_local_part_ && lengths[i] < local_end ? std::exp(-lengths[i]) : 0.0;
+    batch.soft.set(i, whole.soft - left * local.soft);
+    batch.hard.set(i, whole.hard - left * local.hard);
+    batch.axial.set(i, whole.axial - left * local.axial);
+  }
 }
 
 // The derivatives of the closed forms by X, without e^{-jX(1 - mu)}; all of a term's is B times that of W and W'.

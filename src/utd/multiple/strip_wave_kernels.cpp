@@ -64,19 +64,14 @@ void StripWaveKernels::find(const StripLayout& strips, std::size_t wave, std::sp
   if (wave == 0 && strips.forward_pole) bound_untruncated(*strips.forward_pole, face.kernels, wavenumbers, lengths_, whole);
   if (face.thin) count_thickness(face, wavenumbers, lengths_, whole);
   if (here.direct) fade_soft_ends(strips.tip, lengths_, whole);
-  if (in_parts) find_end_part(face, wavenumbers, kernels);
+  if (in_parts) find_parts(face, wavenumbers, kernels);
   if (here.wave.mirrors > 0) keep_mirrored_part(face, wavenumbers, in_parts, kernels);
-  if (!in_parts) return;
-  kernels.start = whole;
-  kernels.start.subtract_currents(kernels.end, lengths_.size());
 }
 
-void StripWaveKernels::find_end_part(const WaveFace& face, std::span<const double> wavenumbers, WaveKernelBatch& kernels) {
-  kernels.start.make_room(lengths_.size());
-  for (std::size_t i = 0; i < lengths_.size(); ++i) kernels.start.set(i, {face.strip.start_part(lengths_[i]), 0.0, 0.0});
+void StripWaveKernels::find_parts(const WaveFace& face, std::span<const double> wavenumbers, WaveKernelBatch& kernels) {
+  face.strip.start_parts(lengths_, kernels.start);
   if (face.thin) count_thickness(face, wavenumbers, lengths_, kernels.start);
-  kernels.end = kernels.whole;
-  kernels.end.subtract_currents(kernels.start, lengths_.size());
+  kernels.end.set_difference(kernels.whole, kernels.start, lengths_.size());
 }
 
 void StripWaveKernels::find_lengths(const StripLayout& strips, std::size_t wave, std::span<const double> wavenumbers) {
@@ -104,9 +99,11 @@ void StripWaveKernels::keep_mirrored_part(const WaveFace& face, std::span<const 
                                           WaveKernelBatch& kernels) {
   face.strip.at(behind_, shorter_);
   if (face.thin) count_thickness(face, wavenumbers, behind_, shorter_);
-  kernels.whole.subtract_currents(shorter_, lengths_.size());
+  kernels.whole.set_difference(kernels.whole, shorter_, lengths_.size());
   turn(kernels.whole);
-  if (in_parts) turn(kernels.end);
+  if (!in_parts) return;
+  turn(kernels.end);
+  kernels.start.set_difference(kernels.whole, kernels.end, lengths_.size());
 }
 
 void StripWaveKernels::turn(KernelBatch& kernels) const {

@@ -24,7 +24,7 @@ class StripWaveKernels {
 
  private:
   void find_lengths(const StripLayout& strips, std::size_t wave, std::span<const double> wavenumbers);
-  void find_end_part(const WaveFace& face, std::span<const double> wavenumbers, WaveKernelBatch& kernels);
+  void find_parts(const WaveFace& face, std::span<const double> wavenumbers, WaveKernelBatch& kernels);
   void keep_mirrored_part(const WaveFace& face, std::span<const double> wavenumbers, bool in_parts, WaveKernelBatch& kernels);
   void turn(KernelBatch& kernels) const;
 
