@@ -1,5 +1,6 @@
 #include "math/path_bins.h"
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,17 @@ constexpr double error = 3e-7;       // of the sum of all amplitudes; edges are 
                                      // measured by
 constexpr double least_reach = 3.0;  // half of what a bin may span, in radians; with less there are more bins than points
 constexpr double own_spread = 1.0;   // of that, what a wave may span by itself
+
+/// All eight numbers of a matrix alike.
+ScatteringMatrix interpolated(std::span<const ScatteringMatrix> values, const double* weight) {
+  std::array<double, 8> sum{};
+  for (const ScatteringMatrix& value : values) {
+    const auto* numbers = reinterpret_cast<const double*>(&value);
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += *weight * numbers[c];
+    ++weight;
+  }
+  return std::bit_cast<ScatteringMatrix>(sum);
+}
 
 }  // namespace
 
@@ -57,20 +69,8 @@ void PathBins::expand(std::size_t bin, std::span<ScatteringMatrix> sums) {
     const std::size_t count = std::min(lanes, sums.size() - first);
     for (std::size_t i = 0; i < count; ++i) angle[i] = middle * wavenumbers_[first + i];
     const Complexes phasors = unit_phasors(angle);
-    for (std::size_t i = 0; i < count; ++i) {
-      const double* weight = weights_.data() + (first + i) * nodes_.size();
-      std::array<double, 4> re{}, im{};
-      for (const ScatteringMatrix& value : values) {
-        for (int c = 0; c < 4; ++c) {
-          re[c] += *weight * value.s[c / 2][c % 2].real();
-          im[c] += *weight * value.s[c / 2][c % 2].imag();
-        }
-        ++weight;
-      }
-      for (int c = 0; c < 4; ++c)
-        sums[first + i].s[c / 2][c % 2] +=
-            Complex(re[c] * phasors.re[i] - im[c] * phasors.im[i], re[c] * phasors.im[i] + im[c] * phasors.re[i]);
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      sums[first + i] += interpolated(values, weights_.data() + (first + i) * nodes_.size()) *= phasors[i];
   }
 }
 

@@ -118,11 +118,21 @@ StripKernels Strip::untruncated() const {
 void Strip::start_parts(std::span<const double> lengths, KernelBatch& batch) const {
   const FringeKernels whole = untruncated().current, local = local_part();
   batch.make_room(lengths.size());
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const double left = has_local_part_ && lengths[i] < local_end ? std::exp(-lengths[i]) : 0.0;
-    batch.soft.set(i, whole.soft - left * local.soft);
-    batch.hard.set(i, whole.hard - left * local.hard);
-    batch.axial.set(i, whole.axial - left * local.axial);
+  for (std::size_t first = 0; first < lengths.size(); first += lanes) {
+    Complexes soft{}, hard{}, axial{};
+    Reals length{}, reached{};
+    const std::size_t width = std::min(lanes, lengths.size() - first);
+    for (std::size_t i = 0; i < width; ++i) length[i] = std::min(lengths[first + i], local_end);
+    if (has_local_part_) reached = one_minus_exp(length);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double left = 1.0 - reached[i];
+      soft.re[i] = whole.soft.real() - left * local.soft.real();
+      hard.re[i] = whole.hard.real() - left * local.hard.real();
+      axial.re[i] = whole.axial.real() - left * local.axial.real();
+    }
+    store(soft, batch.soft, first);
+    store(hard, batch.hard, first);
+    store(axial, batch.axial, first);
   }
 }
 

@@ -98,12 +98,16 @@ void radiate_arriving(const WaveKernels& here, const std::array<ComplexColumn, 2
 void pass_on_direct(const WaveKernels& here, const IncidentFields& incident, double share, StripAmplitudes& amplitudes) {
   for (int transmit = 0; transmit < 2; ++transmit) {
     const double hard = share * incident.magnetic[transmit], soft = share * incident.lying[transmit];
-    for (const StripRow& row : here.rows)
-      for (std::size_t i = 0; i < row.size; ++i) {
-        const std::size_t kernel = here.first + row.kernel + (row.alike ? 0 : i);
-        const Complex current = hard * here.batch.end[kernel] + soft * here.batch.soft_end[kernel];
-        amplitudes.arriving[transmit].set(row.arriving + i, amplitudes.direct[row.amplitude + i] * current);
-      }
+    ComplexColumn& arriving = amplitudes.arriving[transmit];
+    for (const StripRow& row : here.rows) {
+      const std::size_t kernel = here.first + row.kernel;
+      const ColumnView direct(amplitudes.direct, row.amplitude);
+      if (row.alike && row.size > 0)
+        scale(direct, hard * here.batch.end[kernel] + soft * here.batch.soft_end[kernel], row.size, arriving, row.arriving);
+      else
+        multiply_by_sum(direct, {hard, {here.batch.end, kernel}}, {soft, {here.batch.soft_end, kernel}}, row.size, arriving,
+                        row.arriving);
+    }
   }
 }
 
@@ -129,20 +133,20 @@ void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, c
   const std::size_t waves = share.higher > 0.0 ? strips.tree.waves().size() : 1;
   const auto is_curved = [&](std::size_t w) { return w < curved.size() && !curved[w].empty(); };
   groups_.find(strips, waves, bins);
-  kernels_.resize(std::max(kernels_.size(), waves));
-  for (ComplexColumn& column : amplitudes_.arriving) column.make_room(strips.arriving);
-  for (std::size_t node = 0; node < bins.nodes().size(); ++node) {
-    if (node % block == 0) {
-      const std::span<const double> here = bins.nodes().subspan(node, std::min(block, bins.nodes().size() - node));
-      for (std::size_t w = 0; w < waves; ++w)
-        if (!is_curved(w)) finder_.find(strips, w, here, groups_.splits(w), kernels_[w]);
+  for (std::size_t begin = 0; begin < bins.nodes().size(); begin += block) {
+    const std::span<const double> here = bins.nodes().subspan(begin, std::min(block, bins.nodes().size() - begin));
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      for (ComplexColumn& column : amplitudes_[i].arriving) column.make_room(strips.arriving);
+      find_phases(strips, look, here[i], amplitudes_[i].direct);
     }
-    find_phases(strips, look, bins.nodes()[node], amplitudes_.direct);
     for (std::size_t w = 0; w < waves; ++w) {
-      if (is_curved(w))
-        add_curved(strips, w, curved[w], node, bins.of(w));
-      else
-        add_wave(strips, w, node, share, bins.of(w));
+      if (!is_curved(w)) finder_.find(strips, w, here, groups_.splits(w), kernels_);
+      for (std::size_t node = begin; node < begin + here.size(); ++node) {
+        if (is_curved(w))
+          add_curved(strips, w, curved[w], node, bins.of(w));
+        else
+          add_wave(strips, w, node, share, bins.of(w));
+      }
     }
   }
 }
@@ -150,11 +154,11 @@ void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, c
 void StripRadiation::add_curved(const StripLayout& strips, std::size_t wave, std::span<const ArrivedPath> paths, std::size_t node,
                                 PathBins& bins) const {
   const TreeWave& here = strips.tree.waves()[wave];
+  const std::array<ComplexColumn, 2>& before = amplitudes_[node % block].arriving;
   std::size_t point = 0;
   for (const StripRow& row : strips.rows_of(here))
     for (std::size_t i = 0; i < row.size; ++i, ++point) {
-      const std::array<Complex, 2> arriving{amplitudes_.arriving[0][row.amplitude + i],
-                                            amplitudes_.arriving[1][row.amplitude + i]};
+      const std::array<Complex, 2> arriving{before[0][row.amplitude + i], before[1][row.amplitude + i]};
       radiate(paths[point].path, node, {arriving, {}, {}, paths[point].start_path}, bins, bins);
     }
 }
@@ -165,24 +169,25 @@ void StripRadiation::add_wave(const StripLayout& strips, std::size_t wave, std::
   const TreeWave& here = strips.tree.waves()[wave];
   const WaveFace& face = strips.faces[wave];
   const std::size_t first = node % block * face.kernels;
+  StripAmplitudes& amplitudes = amplitudes_[node % block];
   const double cos_cone = strips.tree.waves()[0].wave.incidence.cos_cone;
   const double counted = !here.direct ? 1.0 : wave > 0 ? share.higher : share.first ? 1.0 : 0.0;
   for (const StripGroup& group : groups_.of(wave)) {
     if (counted == 0.0) break;
-    const WaveKernels kernels{here, face.projection, groups_.rows(group), part_of(kernels_[wave], group.part), first};
+    const WaveKernels kernels{here, face.projection, groups_.rows(group), part_of(kernels_, group.part), first};
     ScatteringMatrix& sum = bins.at(group.bin, node);
     if (here.direct)
-      radiate_direct(kernels, cos_cone, strips.incident, counted, amplitudes_.direct, sum);
+      radiate_direct(kernels, cos_cone, strips.incident, counted, amplitudes.direct, sum);
     else
-      radiate_arriving(kernels, amplitudes_.arriving, sum);
+      radiate_arriving(kernels, amplitudes.arriving, sum);
   }
   const bool is_last = share.higher == 0.0 || wave + 1 == strips.tree.waves().size();
   if (!here.wave.goes_on() || is_last) return;
-  const WaveKernels kernels{here, face.projection, strips.rows_of(here), kernels_[wave].whole, first};
+  const WaveKernels kernels{here, face.projection, strips.rows_of(here), kernels_.whole, first};
   if (here.direct)
-    pass_on_direct(kernels, strips.incident, share.higher, amplitudes_);
+    pass_on_direct(kernels, strips.incident, share.higher, amplitudes);
   else
-    pass_on_arriving(kernels, amplitudes_.arriving);
+    pass_on_arriving(kernels, amplitudes.arriving);
 }
 
 }  // namespace raytube

@@ -42,8 +42,8 @@ class StripRadiation {
 
   StripGroups groups_;
   StripWaveKernels finder_;
-  std::vector<WaveKernelBatch> kernels_;  // of each wave at a block of wavenumbers
-  StripAmplitudes amplitudes_;
+  WaveKernelBatch kernels_;                        // of a wave at a block of wavenumbers
+  std::array<StripAmplitudes, block> amplitudes_;  // of all waves there
 };
 
 }  // namespace raytube
