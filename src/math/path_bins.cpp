@@ -10,8 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double error = 3e-7;       // of the sum of all amplitudes; edges are much weaker than the peak of S that their sum is
-                                     // measured by
+constexpr double error = 1e-6;       // of the sum of all amplitudes, as a bound; what is met is a hundredth of it
 constexpr double least_reach = 3.0;  // half of what a bin may span, in radians; with less there are more bins than points
 constexpr double own_spread = 1.0;   // of that, what a wave may span by itself
 

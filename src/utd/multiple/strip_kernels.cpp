@@ -123,9 +123,10 @@ void Strip::start_parts(std::span<const double> lengths, KernelBatch& batch) con
     Reals length{}, reached{};
     const std::size_t width = std::min(lanes, lengths.size() - first);
     for (std::size_t i = 0; i < width; ++i) length[i] = std::min(lengths[first + i], local_end);
-    if (has_local_part_) reached = one_minus_exp(length);
+    const bool some_left = has_local_part_ && std::ranges::min(std::span(length.value, width)) < local_end;
+    if (some_left) reached = one_minus_exp(length);
     for (std::size_t i = 0; i < lanes; ++i) {
-      const double left = 1.0 - reached[i];
+      const double left = some_left ? 1.0 - reached[i] : 0.0;
       soft.re[i] = whole.soft.real() - left * local.soft.real();
       hard.re[i] = whole.hard.real() - left * local.hard.real();
       axial.re[i] = whole.axial.real() - left * local.axial.real();
