@@ -16,8 +16,19 @@ constexpr double beside_root = 0.05;
 void EdgePanels::lay(const WaveTree& tree, std::span<const LitInterval> lit, double length) {
   points_.clear();
   panels_.clear();
-  ranges_.clear();
   for (const LitInterval& piece : lit) fill(tree, piece.begin * length, piece.end * length);
+  find_ranges(tree);
+}
+
+void EdgePanels::take(const WaveTree& tree, std::vector<PanelPoint> points) {
+  points_ = std::move(points);
+  panels_.clear();
+  for (std::uint32_t i = 0; i < points_.size(); ++i) panels_.push_back({points_[i].arc_length, i});
+  find_ranges(tree);
+}
+
+void EdgePanels::find_ranges(const WaveTree& tree) {
+  ranges_.clear();
   for (const StripBundle& bundle : tree.bundles()) ranges_.push_back({first_beyond(bundle.from), first_beyond(bundle.to)});
 }
 

@@ -35,15 +35,10 @@ MultipleDiffraction::MultipleDiffraction(std::span<const Wedge> wedges, const Ou
 }
 
 void MultipleDiffraction::add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
-  const bool curved = scene_.curved != nullptr && (scene_.curved->curved(index, 0) || scene_.curved->curved(index, 1));
   for (int face = 0; face < 2; ++face) {
     const FaceIncidence& arriving = incidence.faces[face];
     if (arriving.sin_cone <= sin_cone_floor) continue;  // along the edge: strips of no width
-    const StripWave wave = first_wave(scene_.wedges, index, face, arriving, scene_.look.incident, order_);
-    if (curved)
-      start_curved(wave, lit);
-    else
-      start(wave, lit);
+    start(first_wave(scene_.wedges, index, face, arriving, scene_.look.incident, order_), lit);
   }
 }
 
@@ -53,25 +48,6 @@ StripSums MultipleDiffraction::take() {
   bins_.first.move_to(sums_.first);
   bins_.higher.move_to(sums_.higher);
   return std::move(sums_);
-}
-
-void MultipleDiffraction::start_curved(const StripWave& wave, std::span<const LitInterval> lit) {
-  const IncidentFields incident = incident_fields(scene_, wave);
-  const dvec3 difference = scene_.look.scattered - scene_.look.incident;
-  for (const WeightedPath& each : strip_paths(scene_, wave, lit)) {
-    const double way = glm::dot(difference, each.path.start);
-    count(each.path, 1);
-    for (std::size_t n = 0; n < bins_.nodes().size(); ++n) {
-      const Complex phase = std::polar(each.weight, bins_.nodes()[n] * way);
-      StripStart at{{}, {}, {}, way};
-      for (int t = 0; t < 2; ++t) {
-        at.magnetic[t] = incident.magnetic[t] * phase;
-        at.electric[t] = incident.electric[t] * phase;
-        at.lying[t] = incident.lying[t] * phase;
-      }
-      raytube::radiate(each.path, n, at, bins_.first, bins_.higher);
-    }
-  }
 }
 
 void MultipleDiffraction::count(const StripPath& path, int order) {
@@ -98,11 +74,26 @@ void MultipleDiffraction::arrive(const SurfaceArrival& arrival, std::span<const 
 }
 
 void MultipleDiffraction::start(const StripWave& wave, std::span<const LitInterval> lit) {
-  lay_out(scene_, wave, lit, strips_);
-  sums_.work += strips_.tree.work();
+  lay_out_tree(wave, lit);
   const bool runs_along_edge = strips_.tree.runs_along_edge();
   add_tree({true, runs_along_edge ? 0.0 : 1.0});
   if (runs_along_edge) start_beside(wave, lit);
+}
+
+// Where neighbouring strips over a curved face end is known only once they are followed: they choose the points.
+void MultipleDiffraction::lay_out_tree(const StripWave& wave, std::span<const LitInterval> lit) {
+  strips_.tree.grow(wave, lit);
+  sums_.work += strips_.tree.work();
+  curved_.clear();
+  if (strips_.tree.runs_over_curved(wave)) {
+    std::vector<PanelPoint> points;
+    curved_.push_back(first_curved_strips(scene_, wave, lit, points));
+    strips_.panels.take(strips_.tree, std::move(points));
+  } else {
+    strips_.panels.lay(strips_.tree, lit, scene_.wedges[wave.wedge].length());
+  }
+  lay_out(scene_, wave, strips_);
+  find_curved_waves(scene_, strips_, curved_);
 }
 
 // A wave that runs exactly along an edge at the side of a face meets it over its whole length, and yet its strips never end
@@ -112,18 +103,15 @@ void MultipleDiffraction::start_beside(const StripWave& wave, std::span<const Li
   for (const double turn : {-small_turn, small_turn}) {
     StripWave turned = wave;
     turned.direction = glm::normalize(wave.direction + turn * aside);
-    lay_out(scene_, turned, lit, strips_);
-    sums_.work += strips_.tree.work();
+    lay_out_tree(turned, lit);
     add_tree({false, 0.5});
   }
 }
 
 void MultipleDiffraction::add_tree(const TreeShare& share) {
   if (strips_.tree.bundles().empty()) return;
-  find_curved_waves(scene_, strips_, curved_);
-  if (rays_ != nullptr)
-    for (const std::vector<ArrivedPath>& wave : curved_)
-      for (const ArrivedPath& each : wave) add_rays(each.path, band_.wavenumbers().front(), 1, *rays_);
+  for (const std::vector<ArrivedPath>& wave : curved_)
+    for (const ArrivedPath& each : wave) count(each.path, 1);
   for (std::size_t f = 0; f < sums_.windowed.size(); ++f)
     if (is_windowed(strips_, band_.wavenumbers()[f])) sums_.windowed[f] = true;
   radiation_.add(strips_, curved_, scene_.look, share, bins_);

@@ -66,7 +66,7 @@ class MultipleDiffraction {
  private:
   void start(const StripWave& wave, std::span<const LitInterval> lit);
   void count(const StripPath& path, int order);
-  void start_curved(const StripWave& wave, std::span<const LitInterval> lit);
+  void lay_out_tree(const StripWave& wave, std::span<const LitInterval> lit);
   void start_beside(const StripWave& wave, std::span<const LitInterval> lit);
   void add_tree(const TreeShare& share);
 

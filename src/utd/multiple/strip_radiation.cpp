@@ -126,6 +126,16 @@ void pass_on_arriving(const WaveKernels& here, std::array<ComplexColumn, 2>& arr
   }
 }
 
+StripStart start_of(const IncidentFields& incident, Complex phase, double path) {
+  StripStart result{{}, {}, {}, path};
+  for (int t = 0; t < 2; ++t) {
+    result.magnetic[t] = incident.magnetic[t] * phase;
+    result.electric[t] = incident.electric[t] * phase;
+    result.lying[t] = incident.lying[t] * phase;
+  }
+  return result;
+}
+
 }  // namespace
 
 void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look, const TreeShare& share,
@@ -143,7 +153,7 @@ void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, c
       if (!is_curved(w)) finder_.find(strips, w, here, groups_.splits(w), kernels_);
       for (std::size_t node = begin; node < begin + here.size(); ++node) {
         if (is_curved(w))
-          add_curved(strips, w, curved[w], node, bins.of(w));
+          add_curved(strips, w, curved[w], node, bins);
         else
           add_wave(strips, w, node, share, bins.of(w));
       }
@@ -152,14 +162,19 @@ void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, c
 }
 
 void StripRadiation::add_curved(const StripLayout& strips, std::size_t wave, std::span<const ArrivedPath> paths, std::size_t node,
-                                PathBins& bins) const {
+                                StripBins& bins) const {
   const TreeWave& here = strips.tree.waves()[wave];
-  const std::array<ComplexColumn, 2>& before = amplitudes_[node % block].arriving;
-  std::size_t point = 0;
+  const StripAmplitudes& before = amplitudes_[node % block];
+  auto each = paths.begin();
   for (const StripRow& row : strips.rows_of(here))
-    for (std::size_t i = 0; i < row.size; ++i, ++point) {
-      const std::array<Complex, 2> arriving{before[0][row.amplitude + i], before[1][row.amplitude + i]};
-      radiate(paths[point].path, node, {arriving, {}, {}, paths[point].start_path}, bins, bins);
+    for (std::size_t i = row.amplitude; i < row.amplitude + row.size; i += (each++)->points) {
+      const StripStart start =
+          here.direct ? start_of(strips.incident, sum({before.direct, i}, each->points), each->start_path)
+                      : StripStart{{sum({before.arriving[0], i}, each->points), sum({before.arriving[1], i}, each->points)},
+                                   {},
+                                   {},
+                                   each->start_path};
+      radiate(each->path, node, start, bins.of(wave), bins.higher);
     }
 }
 

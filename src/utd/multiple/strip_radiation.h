@@ -38,7 +38,7 @@ class StripRadiation {
 
   void add_wave(const StripLayout& strips, std::size_t wave, std::size_t node, const TreeShare& share, PathBins& bins);
   void add_curved(const StripLayout& strips, std::size_t wave, std::span<const ArrivedPath> paths, std::size_t node,
-                  PathBins& bins) const;
+                  StripBins& bins) const;
 
   StripGroups groups_;
   StripWaveKernels finder_;

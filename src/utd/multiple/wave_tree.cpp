@@ -92,7 +92,7 @@ void WaveTree::mirror(std::size_t index, std::uint32_t bundle) {
   const TreeWave wave = waves_[index];
   const StripBundle& before = bundles_[bundle];
   const auto mirrored = mirrored_wave(wedges_, wave.wave, *before.edge);
-  if (!mirrored) return;
+  if (!mirrored || runs_over_curved(*mirrored)) return;  // its strips would not be straight
   const dvec3 direction = wave.wave.direction;
   const Linear way{wave.behind.value + before.length, wave.behind.growth + before.growth};
   const double turn = glm::dot(scattered_, direction - mirrored->direction);
