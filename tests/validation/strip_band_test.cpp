@@ -67,7 +67,7 @@ TEST(StripBand, ThinPlate) {
 
 // A round rod with flat ends: strips over a curved face, and from its edges over flat ones.
 TEST(StripBand, CurvedFaces) {
-  const Target target(build_mesh(shapes::cylinder(2.0, 4.5, 64), 1.0).mesh);
+  const Target target(build_mesh(shapes::cylinder(1.0, 2.5, 48), 1.0).mesh);
   const SmoothSurfaces smooth(target.mesh, 15 * degree, 0.1);
   const CurvedTarget surfaces(target.tracer, smooth, true);
   const CurvedFaces curved(surfaces, target.wedges);
