@@ -25,7 +25,7 @@ inline StripKernels piece_of(const Strip& strip, double begin, double end) {
   KernelBatch batch, shorter;
   strip.at(std::span(&end, 1), batch);
   strip.at(std::span(&begin, 1), shorter);
-  batch.subtract_currents(shorter, 1);
+  batch.set_difference(batch, shorter, 1);
   return batch[0];
 }
 

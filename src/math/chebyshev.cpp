@@ -53,10 +53,23 @@ Band::Band(std::span<const double> wavenumbers) : wavenumbers_(wavenumbers.begin
 
 const ChebyshevNodes* Band::nodes(double half_span, double rate) {
   const std::size_t most = wavenumbers_.size() / 2, count = nodes_needed(half_width_ * half_span, rate, most);
-  if (count > most) return nullptr;
+  return count > most ? nullptr : nodes_of_count(count);
+}
+
+const ChebyshevNodes* Band::nodes_of_count(std::size_t count) {
   const auto [entry, is_new] = nodes_.try_emplace(count);
   if (is_new) entry->second = make_nodes(count, middle_, half_width_, wavenumbers_);
   return &entry->second;
+}
+
+// Coefficients of an amplitude fall as rate^n, those of e^{jkx} as (z/2)^n / n!; with z = 2c rate those of the product from n = N
+// on are rate^N (1 + c + c^2/2 + ...) < rate^N e^c. As rate = half_width / (2 k), k the mean wavenumber, |x| <= c / k.
+Band::SlowNodes Band::slow_nodes(double least, double error) {
+  if (half_width_ == 0.0) return {};
+  const double count = std::max(std::ceil((std::log(error) - least) / std::log(rate_)), 2.0);
+  if (!(count <= 0.5 * static_cast<double>(wavenumbers_.size()))) return {};
+  const double reach = std::log(error) - count * std::log(rate_);
+  return {nodes_of_count(static_cast<std::size_t>(count)), 2.0 * reach * rate_ / half_width_};
 }
 
 }  // namespace raytube

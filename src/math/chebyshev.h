@@ -27,9 +27,17 @@ class Band {
   const ChebyshevNodes* nodes(double half_span) { return nodes(half_span, 0.0); }
   /// Nodes for such a sum with amplitudes that change slowly with k: analytic but for k = 0, as roots and Fresnel integrals are.
   const ChebyshevNodes* nodes_of_fresnel(double half_span) { return nodes(half_span, rate_); }
+  /// The fewest nodes for such slow amplitudes to `error` of their sum, and over which half-span [m], not less than `least` over
+  /// the wavenumber, waves may be added up before. No nodes where they would not pay.
+  struct SlowNodes {
+    const ChebyshevNodes* nodes = nullptr;
+    double half_span = 0.0;
+  };
+  SlowNodes slow_nodes(double least, double error);
 
  private:
   const ChebyshevNodes* nodes(double half_span, double rate);
+  const ChebyshevNodes* nodes_of_count(std::size_t count);
 
   std::vector<double> wavenumbers_;
   double middle_ = 0.0, half_width_ = 0.0;

@@ -83,4 +83,15 @@ void multiply(ColumnView a, ColumnView b, std::size_t count, ComplexColumn& to, 
   for (std::size_t i = 0; i < count; ++i) to.set(first + i, Complex(a.re[i], a.im[i]) * Complex(b.re[i], b.im[i]));
 }
 
+void multiply_by_sum(ColumnView a, ScaledColumn b, ScaledColumn c, std::size_t count, ComplexColumn& to, std::size_t first) {
+  double* const re = to.re.data() + first;
+  double* const im = to.im.data() + first;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double sum_re = b.factor * b.column.re[i] + c.factor * c.column.re[i];
+    const double sum_im = b.factor * b.column.im[i] + c.factor * c.column.im[i];
+    re[i] = a.re[i] * sum_re - a.im[i] * sum_im;
+    im[i] = a.re[i] * sum_im + a.im[i] * sum_re;
+  }
+}
+
 }  // namespace raytube

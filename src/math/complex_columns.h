@@ -43,4 +43,11 @@ PairSums sums_of_products(const std::array<ColumnView, 2>& a, const std::array<C
 void scale(ColumnView a, Complex factor, std::size_t count, ComplexColumn& to, std::size_t first);
 void multiply(ColumnView a, ColumnView b, std::size_t count, ComplexColumn& to, std::size_t first);
 
+/// to[first + i] = a[i] (b.factor b[i] + c.factor c[i]).
+struct ScaledColumn {
+  double factor;
+  ColumnView column;
+};
+void multiply_by_sum(ColumnView a, ScaledColumn b, ScaledColumn c, std::size_t count, ComplexColumn& to, std::size_t first);
+
 }  // namespace raytube

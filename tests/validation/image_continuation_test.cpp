@@ -178,7 +178,8 @@ TEST(ImageContinuation, OtherAnglesThanTheRightOneDoNotMirror) {
 }
 
 TEST(ImageContinuation, ManyFrequenciesAreThoseOfEachAlone) {
-  // Of many, a few are computed and the others interpolated, to rounding; both share the points of the highest one.
+  // Of many, a few are computed and the others interpolated; both share the points of the highest one. The limit is a hundredth
+  // of what math/path_bins promises of amplitudes that add up to some wavelengths.
   const CornerScene corner(quarter(true), true);
   const LookVectors look = look_vectors(looks[0]);
   std::vector<double> many;
@@ -190,7 +191,7 @@ TEST(ImageContinuation, ManyFrequenciesAreThoseOfEachAlone) {
     worst = std::max(worst, largest_amplitude(together[i] - corner.strips_at(few, look, 3)[0]));
   }
   measured("mirrored strips, many frequencies against each alone", worst, "wavelengths");
-  EXPECT_LE(worst, 1e-10);
+  EXPECT_LE(worst, 1e-8);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What strips over curved faces radiate, and those that follow from them. Notation in multiple_diffraction.h.
 #pragma once
 
+#include "math/path_bins.h"
 #include "utd/multiple/strip_path.h"
 
 namespace raytube {
@@ -9,9 +10,10 @@ namespace raytube {
 /// it, and what of E goes on along the strip.
 struct StripStart {
   std::array<Complex, 2> magnetic, electric, lying;
+  double path;  // of that phase, but for a constant of all wavenumbers [m]
 };
 
-/// Adds S [m] of the strip at a wavenumber to `own`, and of those that follow from it to `further`.
-void radiate(const StripPath& path, double wavenumber, const StripStart& start, ScatteringMatrix& own, ScatteringMatrix& further);
+/// Adds S [m] of the strip at a node of the bins to `own`, and of those that follow from it to `further`.
+void radiate(const StripPath& path, std::size_t node, const StripStart& start, PathBins& own, PathBins& further);
 
 }  // namespace raytube

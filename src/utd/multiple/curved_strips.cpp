@@ -40,6 +40,7 @@ StripPath path_of(const StripScene& scene, const StripWave& wave, const dvec3& p
           {},
           0.0,
           point,
+          glm::dot(scene.look.scattered, wave.direction) - 1.0,
           {}};
 }
 
@@ -75,39 +76,58 @@ bool end_apart(const StripPath& a, const StripPath& b, double wavelength) {
   return glm::distance(a.end, b.end) > ends_apart * wavelength + glm::distance(a.start, b.start);
 }
 
-class EdgeOfPaths {
+/// The strips of a first wave and where they start.
+class FirstStrips {
  public:
-  EdgeOfPaths(const StripScene& scene, const StripWave& wave) : scene_(scene), wave_(wave), wedge_(scene.wedges[wave.wedge]) {}
+  FirstStrips(const StripScene& scene, const StripWave& wave, std::vector<PanelPoint>& points)
+      : scene_(scene), wave_(wave), wedge_(scene.wedges[wave.wedge]), points_(points) {}
 
   void fill(double from, double to, int halvings) {
-    if (to - from < short_panel * scene_.shortest && halvings == 0) {
-      result_.push_back({to - from, at(0.5 * (from + to))});
-      return;
-    }
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from) / std::sqrt(3.0);
+    if (to - from < short_panel * scene_.shortest && halvings == 0) return put({middle, to - from}, at(middle));
     StripPath a = at(middle - half), b = at(middle + half);
     if (halvings < most_halvings && end_apart(a, b, scene_.shortest)) {
       fill(from, middle, halvings + 1);
       fill(middle, to, halvings + 1);
       return;
     }
-    result_.push_back({0.5 * (to - from), std::move(a)});
-    result_.push_back({0.5 * (to - from), std::move(b)});
+    put({middle - half, 0.5 * (to - from)}, std::move(a));
+    put({middle + half, 0.5 * (to - from)}, std::move(b));
   }
 
-  std::vector<WeightedPath> take() { return std::move(result_); }
+  std::vector<ArrivedPath> take() { return std::move(result_); }
 
  private:
   StripPath at(double arc_length) const {
-    const dvec3 point = wedge_.start + (arc_length / wedge_.length()) * (wedge_.end - wedge_.start);
-    return strip_path(scene_, wave_, point);
+    return strip_path(scene_, wave_, wedge_.start + (arc_length / wedge_.length()) * (wedge_.end - wedge_.start));
+  }
+
+  void put(const PanelPoint& point, StripPath path) {
+    points_.push_back(point);
+    result_.push_back({glm::dot(scene_.look.scattered - scene_.look.incident, path.start), std::move(path)});
   }
 
   const StripScene& scene_;
   const StripWave& wave_;
   const Wedge& wedge_;
-  std::vector<WeightedPath> result_;
+  std::vector<PanelPoint>& points_;
+  std::vector<ArrivedPath> result_;
 };
+
+// From points so close together that a panel would have one, a single strip is followed.
+void add_shared(const StripScene& scene, const TreeWave& wave, std::span<const PanelPoint> points,
+                std::vector<ArrivedPath>& paths) {
+  const double reach = short_panel * scene.shortest / glm::length(wave.line.step);
+  for (std::size_t i = 0, next = 0; i < points.size(); i = next) {
+    for (next = i + 1; next < points.size() && points[next].arc_length - points[i].arc_length < reach;) ++next;
+    const double arc_length = 0.5 * (points[i].arc_length + points[next - 1].arc_length);
+    const dvec3 start = wave.line.at(arc_length);
+    paths.push_back(
+        {wave.path.at(arc_length),
+         wave.wave.incidence.sin_cone < least_sine ? path_of(scene, wave.wave, start) : strip_path(scene, wave.wave, start),
+         static_cast<std::uint32_t>(next - i)});
+  }
+}
 
 }  // namespace
 
@@ -131,18 +151,15 @@ std::vector<StripWave> waves_from(const StripScene& scene, const WedgeSide& end,
 }
 
 void find_curved_waves(const StripScene& scene, const StripLayout& strips, CurvedWaves& paths) {
-  paths.clear();
   if (scene.curved == nullptr) return;
+  const std::size_t known = paths.size();
   paths.resize(strips.tree.waves().size());
-  for (std::size_t w = 0; w < paths.size(); ++w) {
+  for (std::size_t w = known; w < paths.size(); ++w) {
     const TreeWave& wave = strips.tree.waves()[w];
     if (!strips.tree.runs_over_curved(wave.wave)) continue;
     for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
       const EdgePanels::PointRange& range = strips.panels.ranges()[b];
-      for (const PanelPoint& point : strips.panels.points().subspan(range.first, range.size()))
-        paths[w].push_back(wave.wave.incidence.sin_cone < least_sine
-                               ? path_of(scene, wave.wave, wave.line.at(point.arc_length))
-                               : strip_path(scene, wave.wave, wave.line.at(point.arc_length)));
+      add_shared(scene, wave, strips.panels.points().subspan(range.first, range.size()), paths[w]);
     }
   }
 }
@@ -153,15 +170,16 @@ double work_of(const StripPath& path) {
   return sum;
 }
 
-std::vector<WeightedPath> strip_paths(const StripScene& scene, const StripWave& wave, std::span<const LitInterval> lit) {
-  EdgeOfPaths edge(scene, wave);
+std::vector<ArrivedPath> first_curved_strips(const StripScene& scene, const StripWave& wave, std::span<const LitInterval> lit,
+                                             std::vector<PanelPoint>& points) {
+  FirstStrips strips(scene, wave, points);
   const double length = scene.wedges[wave.wedge].length();
   for (const LitInterval& piece : lit) {
     const double begin = piece.begin * length, end = piece.end * length;
     const int panels = std::max(1, static_cast<int>(std::ceil((end - begin) / (panel_length * scene.shortest) - 1e-9)));
-    for (int i = 0; i < panels; ++i) edge.fill(begin + (end - begin) * i / panels, begin + (end - begin) * (i + 1) / panels, 0);
+    for (int i = 0; i < panels; ++i) strips.fill(begin + (end - begin) * i / panels, begin + (end - begin) * (i + 1) / panels, 0);
   }
-  return edge.take();
+  return strips.take();
 }
 
 }  // namespace raytube

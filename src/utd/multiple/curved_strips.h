@@ -18,22 +18,26 @@ StripPath strip_path(const StripScene& scene, const StripWave& wave, const dvec3
 
 /// The strips of the waves of a tree that run over curved faces, by wave and in the order of their points; empty where no face is
 /// curved.
-using CurvedWaves = std::vector<std::vector<StripPath>>;
+struct ArrivedPath {
+  double start_path;  // of the phase at its start, over k [m]
+  StripPath path;
+  std::uint32_t points = 1;  // neighbours for which it stands
+};
+using CurvedWaves = std::vector<std::vector<ArrivedPath>>;
+
+/// Those of a first wave from the lit pieces of its edge, and the points where they start, close enough for phases to be summed,
+/// and closer where neighbours end at places far apart.
+std::vector<ArrivedPath> first_curved_strips(const StripScene& scene, const StripWave& wave, std::span<const LitInterval> lit,
+                                             std::vector<PanelPoint>& points);
+
+/// Adds those of all further waves of a tree.
 void find_curved_waves(const StripScene& scene, const StripLayout& strips, CurvedWaves& paths);
 
 /// The waves that one which runs over a curved surface along `direction` starts at its end, on both faces of a wedge; `order`
 /// strips one after another are followed, that one included.
 std::vector<StripWave> waves_from(const StripScene& scene, const WedgeSide& end, const dvec3& direction, int order);
 
-/// Counted (core/work.h): of one frequency.
+/// Counted (core/work.h): of one wavenumber.
 double work_of(const StripPath& path);
-
-/// Strips from the lit pieces of an edge: each path with its weight [m]. Close enough for phases to be summed, and closer where
-/// neighbours end at places far apart.
-struct WeightedPath {
-  double weight;
-  StripPath path;
-};
-std::vector<WeightedPath> strip_paths(const StripScene& scene, const StripWave& wave, std::span<const LitInterval> lit);
 
 }  // namespace raytube

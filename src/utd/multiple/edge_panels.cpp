@@ -16,8 +16,19 @@ constexpr double beside_root = 0.05;
 void EdgePanels::lay(const WaveTree& tree, std::span<const LitInterval> lit, double length) {
   points_.clear();
   panels_.clear();
-  ranges_.clear();
   for (const LitInterval& piece : lit) fill(tree, piece.begin * length, piece.end * length);
+  find_ranges(tree);
+}
+
+void EdgePanels::take(const WaveTree& tree, std::vector<PanelPoint> points) {
+  points_ = std::move(points);
+  panels_.clear();
+  for (std::uint32_t i = 0; i < points_.size(); ++i) panels_.push_back({points_[i].arc_length, i});
+  find_ranges(tree);
+}
+
+void EdgePanels::find_ranges(const WaveTree& tree) {
+  ranges_.clear();
   for (const StripBundle& bundle : tree.bundles()) ranges_.push_back({first_beyond(bundle.from), first_beyond(bundle.to)});
 }
 
@@ -40,7 +51,7 @@ Panel EdgePanels::panel(const WaveTree& tree, double from, double to) const {
   const double middle = (from + to) / 2, rounding = tree.rounding(), beside = rounding + beside_root * (to - from);
   for (const StripBundle& bundle : tree.bundles()) {
     if (bundle.from > middle || bundle.to < middle) continue;
-    result.path_rate = std::max({result.path_rate, std::abs(bundle.start_rate), std::abs(bundle.end_rate)});
+    result.path_rate = std::max({result.path_rate, std::abs(bundle.start_path.growth), std::abs(bundle.end_path.growth)});
     result.sweep = std::max(result.sweep, std::abs(bundle.growth));
     const auto vanishes = [&](double at) { return bundle.edge && std::abs(bundle.length_at(at)) < rounding; };
     if (from - bundle.from < beside && vanishes(bundle.from)) result.root[0] = true;

@@ -26,11 +26,15 @@ class EdgePanels {
   /// Lays the panels of a tree on the lit pieces of its first edge, which is `length` [m] long.
   void lay(const WaveTree& tree, std::span<const LitInterval> lit, double length);
 
+  /// Takes points that are given, in their order along the edge.
+  void take(const WaveTree& tree, std::vector<PanelPoint> points);
+
   std::span<const PanelPoint> points() const { return points_; }
   /// One for each bundle of the tree.
   std::span<const PointRange> ranges() const { return ranges_; }
 
  private:
+  void find_ranges(const WaveTree& tree);
   void fill(const WaveTree& tree, double begin, double end);
   Panel panel(const WaveTree& tree, double from, double to) const;
   std::uint32_t first_beyond(double arc_length) const;

@@ -16,6 +16,7 @@
 //   strip_waves           one wave: where its strips end, which waves follow
 //   wave_tree             all waves and bundles that one wave on a lit edge starts
 //   edge_panels           the points on that edge at which strips are taken
+//   strip_groups          which strips are added up together, where many frequencies are found from a few (math/path_bins)
 //   strip_layout          what no frequency changes: faces, and where the numbers of each bundle are kept
 //   curved_strips         strips over curved faces, point by point: strip_walk along a geodesic, what they add in
 //                         curved_strip_radiation
@@ -25,9 +26,7 @@
 //   strip_radiation       S of the tree from these, and the amplitudes handed on from edge to edge
 #pragma once
 
-#include "math/chebyshev.h"
 #include "scene/surface_rays.h"
-#include "utd/multiple/path_range.h"
 #include "utd/multiple/strip_radiation.h"
 #include "utd/surface/surface_arrival.h"
 
@@ -61,30 +60,25 @@ class MultipleDiffraction {
   /// Has all strips over curved faces that are added from now on put there, as at the first frequency; null: nowhere.
   void keep_rays(std::vector<SurfaceRay>* rays) { rays_ = rays; }
 
-  StripSums take() { return std::move(sums_); }
+  /// Nothing may be added after that.
+  StripSums take();
 
  private:
   void start(const StripWave& wave, std::span<const LitInterval> lit);
   void count(const StripPath& path, int order);
-  void start_curved(const StripWave& wave, std::span<const LitInterval> lit);
+  void lay_out_tree(const StripWave& wave, std::span<const LitInterval> lit);
   void start_beside(const StripWave& wave, std::span<const LitInterval> lit);
   void add_tree(const TreeShare& share);
-  void add_all(const TreeShare& share);
-  void interpolate(const ChebyshevNodes& nodes, std::span<const PathRange> paths, const TreeShare& share);
-  void add_interpolated(const ChebyshevNodes& nodes, std::size_t wave, double path);
-  void radiate(std::span<const double> wavenumbers, const TreeShare& share);
-  std::size_t radiating_waves(const TreeShare& share) const;
-  std::span<ScatteringMatrix> sums_of(std::size_t wave) { return wave == 0 ? sums_.first : sums_.higher; }
 
   StripScene scene_;
   int order_;
   Band band_;
+  StripBins bins_;
+  PathBins answer_;  // to a unit wave that arrives at an edge
+  std::vector<ScatteringMatrix> answers_;
   StripLayout strips_;  // of the present tree
   CurvedWaves curved_;  // of the present tree
-  PathRanges paths_;
   StripRadiation radiation_;
-  std::vector<std::vector<ScatteringMatrix>> samples_;  // of each wave at the nodes
-  std::vector<std::span<ScatteringMatrix>> sums_at_;    // of each wave: where its S goes
   StripSums sums_;
   std::vector<SurfaceRay>* rays_ = nullptr;
 };

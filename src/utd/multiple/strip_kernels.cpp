@@ -13,6 +13,7 @@ namespace {
 constexpr double closest_to_plane = lit_threshold;
 // The soft current is singular at its edge, as 1/r; a strip without length starts and ends there.
 constexpr double shortest_root = 1e-9;
+constexpr double local_end = 40.0;  // X beyond which the local part lacks less than rounding
 
 void add_scaled(Complexes& sum, double factor, const Complexes& values) {
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -46,12 +47,15 @@ void KernelBatch::set(std::size_t i, const StripKernels& kernels) {
   soft_end.set(i, kernels.soft_end);
 }
 
-void KernelBatch::subtract_currents(const KernelBatch& shorter, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    soft.set(i, soft[i] - shorter.soft[i]);
-    hard.set(i, hard[i] - shorter.hard[i]);
-    axial.set(i, axial[i] - shorter.axial[i]);
-  }
+void KernelBatch::set_difference(const KernelBatch& a, const KernelBatch& b, std::size_t count) {
+  make_room(count);
+  const auto set = [count](ComplexColumn& to, const ComplexColumn& x, const ComplexColumn& y) {
+    for (std::size_t i = 0; i < count; ++i) to.re[i] = x.re[i] - y.re[i];
+    for (std::size_t i = 0; i < count; ++i) to.im[i] = x.im[i] - y.im[i];
+  };
+  set(soft, a.soft, b.soft);
+  set(hard, a.hard, b.hard);
+  set(axial, a.axial, b.axial);
 }
 
 // Kouyoumjian and Pathak (1974) with the observer on the face, phi = 0: N is the nearest integer to (phi' +- pi) / (2 pi n).
@@ -109,6 +113,28 @@ StripKernels Strip::untruncated() const {
   }
   const double mu = 1 - 2 * half_cosine_ * half_cosine_;
   return {{soft, hard, mu * hard - total_strength() + local_.axial}, 0.0, 0.0};
+}
+
+void Strip::start_parts(std::span<const double> lengths, KernelBatch& batch) const {
+  const FringeKernels whole = untruncated().current, local = local_part();
+  batch.make_room(lengths.size());
+  for (std::size_t first = 0; first < lengths.size(); first += lanes) {
+    Complexes soft{}, hard{}, axial{};
+    Reals length{}, reached{};
+    const std::size_t width = std::min(lanes, lengths.size() - first);
+    for (std::size_t i = 0; i < width; ++i) length[i] = std::min(lengths[first + i], local_end);
+    const bool some_left = has_local_part_ && std::ranges::min(std::span(length.value, width)) < local_end;
+    if (some_left) reached = one_minus_exp(length);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double left = some_left ? 1.0 - reached[i] : 0.0;
+      soft.re[i] = whole.soft.real() - left * local.soft.real();
+      hard.re[i] = whole.hard.real() - left * local.hard.real();
+      axial.re[i] = whole.axial.real() - left * local.axial.real();
+    }
+    store(soft, batch.soft, first);
+    store(hard, batch.hard, first);
+    store(axial, batch.axial, first);
+  }
 }
 
 // The derivatives of the closed forms by X, without e^{-jX(1 - mu)}; all of a term's is B times that of W and W'.

@@ -35,9 +35,8 @@ struct KernelBatch {
   void make_room(std::size_t size);
   StripKernels operator[](std::size_t i) const { return {{soft[i], hard[i], axial[i]}, end[i], soft_end[i]}; }
   void set(std::size_t i, const StripKernels& kernels);
-  /// Leaves of the first `count` currents what lies beyond shorter strips: for the part of a current that a corner
-  /// has mirrored.
-  void subtract_currents(const KernelBatch& shorter, std::size_t count);
+  /// The first `count` currents become those of a less those of b; either may be this one.
+  void set_difference(const KernelBatch& a, const KernelBatch& b, std::size_t count);
 };
 
 /// Everything about a strip but its electrical length.
@@ -64,6 +63,10 @@ class Strip {
 
   /// Those of a semi-infinite strip, with nothing at its end.
   StripKernels untruncated() const;
+
+  /// What of the currents of every length X has the phase of the strip's start: all that is not proportional to e^{-jX(1 - mu)}.
+  /// As 1/h where the two parts all but cancel.
+  void start_parts(std::span<const double> lengths, KernelBatch& batch) const;
 
  private:
   /// A diffracted wave on the face: B e^{j xi cos(beta)} erfc(e^{j pi/4} sqrt(2 xi) c), c = |cos(beta/2)|.

@@ -114,10 +114,8 @@ IncidentFields incident_fields(const StripScene& scene, const StripWave& first) 
   return result;
 }
 
-void lay_out(const StripScene& scene, const StripWave& wave, std::span<const LitInterval> lit, StripLayout& strips) {
-  strips.tree.grow(wave, lit);
+void lay_out(const StripScene& scene, const StripWave& wave, StripLayout& strips) {
   strips.tip = tip_of(strips.tree);
-  strips.panels.lay(strips.tree, lit, scene.wedges[wave.wedge].length());
   find_faces(scene, strips);
   lay_out_rows(strips);
   strips.incident = incident_fields(scene, wave);

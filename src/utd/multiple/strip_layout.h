@@ -80,7 +80,7 @@ IncidentFields incident_fields(const StripScene& scene, const StripWave& first);
 /// S of a face for unit kernels of a wave.
 FaceProjection face_projection(const StripWave& wave, const LookVectors& look);
 
-/// Grows the tree of `wave`, started on the lit pieces of its edge, and lays out its strips.
-void lay_out(const StripScene& scene, const StripWave& wave, std::span<const LitInterval> lit, StripLayout& strips);
+/// Lays out the strips of the tree, which is that of `wave`, once its points are there.
+void lay_out(const StripScene& scene, const StripWave& wave, StripLayout& strips);
 
 }  // namespace raytube

@@ -28,7 +28,11 @@ struct StripPath {
   std::vector<StripNode> nodes;  // none on a flat face
   double length = 0.0;           // [m]; infinite if it is taken as semi-infinite
   dvec3 end{0.0};
+  double per_length = 0.0;      // of a flat face: s . sigma - 1
   std::vector<StripPath> next;  // on both faces of the wedge at its end
+
+  /// Of what radiates from its end, less that of its start [m].
+  double end_path() const { return nodes.empty() ? per_length * length : nodes.back().path; }
 };
 
 }  // namespace raytube

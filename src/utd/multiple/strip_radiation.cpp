@@ -15,6 +15,11 @@ struct WaveKernels {
   std::size_t first;
 };
 
+const KernelBatch& part_of(const WaveKernelBatch& kernels, StripPart part) {
+  if (part == StripPart::whole) return kernels.whole;
+  return part == StripPart::start ? kernels.start : kernels.end;
+}
+
 void find_phases(const StripLayout& strips, const LookVectors& look, double wavenumber, ComplexColumn& direct) {
   const EdgeLine& line = strips.tree.waves()[0].line;
   const dvec3 difference = wavenumber * (look.scattered - look.incident);
@@ -93,12 +98,16 @@ void radiate_arriving(const WaveKernels& here, const std::array<ComplexColumn, 2
 void pass_on_direct(const WaveKernels& here, const IncidentFields& incident, double share, StripAmplitudes& amplitudes) {
   for (int transmit = 0; transmit < 2; ++transmit) {
     const double hard = share * incident.magnetic[transmit], soft = share * incident.lying[transmit];
-    for (const StripRow& row : here.rows)
-      for (std::size_t i = 0; i < row.size; ++i) {
-        const std::size_t kernel = here.first + row.kernel + (row.alike ? 0 : i);
-        const Complex current = hard * here.batch.end[kernel] + soft * here.batch.soft_end[kernel];
-        amplitudes.arriving[transmit].set(row.arriving + i, amplitudes.direct[row.amplitude + i] * current);
-      }
+    ComplexColumn& arriving = amplitudes.arriving[transmit];
+    for (const StripRow& row : here.rows) {
+      const std::size_t kernel = here.first + row.kernel;
+      const ColumnView direct(amplitudes.direct, row.amplitude);
+      if (row.alike && row.size > 0)
+        scale(direct, hard * here.batch.end[kernel] + soft * here.batch.soft_end[kernel], row.size, arriving, row.arriving);
+      else
+        multiply_by_sum(direct, {hard, {here.batch.end, kernel}}, {soft, {here.batch.soft_end, kernel}}, row.size, arriving,
+                        row.arriving);
+    }
   }
 }
 
@@ -117,58 +126,83 @@ void pass_on_arriving(const WaveKernels& here, std::array<ComplexColumn, 2>& arr
   }
 }
 
+StripStart start_of(const IncidentFields& incident, Complex phase, double path) {
+  StripStart result{{}, {}, {}, path};
+  for (int t = 0; t < 2; ++t) {
+    result.magnetic[t] = incident.magnetic[t] * phase;
+    result.electric[t] = incident.electric[t] * phase;
+    result.lying[t] = incident.lying[t] * phase;
+  }
+  return result;
+}
+
 }  // namespace
 
-void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look,
-                         std::span<const double> wavenumbers, const TreeShare& share,
-                         std::span<const std::span<ScatteringMatrix>> sums) {
-  kernels_.resize(std::max(kernels_.size(), sums.size()));
-  for (ComplexColumn& column : amplitudes_.arriving) column.make_room(strips.arriving);
-  for (std::size_t begin = 0; begin < wavenumbers.size(); begin += block) {
-    const std::span<const double> here = wavenumbers.subspan(begin, std::min(block, wavenumbers.size() - begin));
-    const auto is_curved = [&](std::size_t w) { return w < curved.size() && !curved[w].empty(); };
-    for (std::size_t w = 0; w < sums.size(); ++w)
-      if (!is_curved(w)) finder_.find(strips, w, here, kernels_[w]);
+void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look, const TreeShare& share,
+                         StripBins& bins) {
+  const std::size_t waves = share.higher > 0.0 ? strips.tree.waves().size() : 1;
+  const auto is_curved = [&](std::size_t w) { return w < curved.size() && !curved[w].empty(); };
+  groups_.find(strips, waves, bins);
+  for (std::size_t begin = 0; begin < bins.nodes().size(); begin += block) {
+    const std::span<const double> here = bins.nodes().subspan(begin, std::min(block, bins.nodes().size() - begin));
     for (std::size_t i = 0; i < here.size(); ++i) {
-      find_phases(strips, look, here[i], amplitudes_.direct);
-      for (std::size_t w = 0; w < sums.size(); ++w) {
+      for (ComplexColumn& column : amplitudes_[i].arriving) column.make_room(strips.arriving);
+      find_phases(strips, look, here[i], amplitudes_[i].direct);
+    }
+    for (std::size_t w = 0; w < waves; ++w) {
+      if (!is_curved(w)) finder_.find(strips, w, here, groups_.splits(w), kernels_);
+      for (std::size_t node = begin; node < begin + here.size(); ++node) {
         if (is_curved(w))
-          add_curved(curved[w], strips.rows_of(strips.tree.waves()[w]), here[i], sums[w][begin + i]);
+          add_curved(strips, w, curved[w], node, bins);
         else
-          add_wave(strips, w, i, share, sums[w][begin + i]);
+          add_wave(strips, w, node, share, bins.of(w));
       }
     }
   }
 }
 
-void StripRadiation::add_curved(std::span<const StripPath> paths, std::span<const StripRow> rows, double wavenumber,
-                                ScatteringMatrix& sum) const {
-  std::size_t point = 0;
-  for (const StripRow& row : rows)
-    for (std::size_t i = 0; i < row.size; ++i) {
-      const std::array<Complex, 2> arriving{amplitudes_.arriving[0][row.amplitude + i],
-                                            amplitudes_.arriving[1][row.amplitude + i]};
-      radiate(paths[point++], wavenumber, {arriving, {}, {}}, sum, sum);
+void StripRadiation::add_curved(const StripLayout& strips, std::size_t wave, std::span<const ArrivedPath> paths, std::size_t node,
+                                StripBins& bins) const {
+  const TreeWave& here = strips.tree.waves()[wave];
+  const StripAmplitudes& before = amplitudes_[node % block];
+  auto each = paths.begin();
+  for (const StripRow& row : strips.rows_of(here))
+    for (std::size_t i = row.amplitude; i < row.amplitude + row.size; i += (each++)->points) {
+      const StripStart start =
+          here.direct ? start_of(strips.incident, sum({before.direct, i}, each->points), each->start_path)
+                      : StripStart{{sum({before.arriving[0], i}, each->points), sum({before.arriving[1], i}, each->points)},
+                                   {},
+                                   {},
+                                   each->start_path};
+      radiate(each->path, node, start, bins.of(wave), bins.higher);
     }
 }
 
 // The first wave and what corners mirror of it have their amplitudes from the incident wave, all others from the edge before.
-void StripRadiation::add_wave(const StripLayout& strips, std::size_t wave, std::size_t in_block, const TreeShare& share,
-                              ScatteringMatrix& sum) {
+void StripRadiation::add_wave(const StripLayout& strips, std::size_t wave, std::size_t node, const TreeShare& share,
+                              PathBins& bins) {
   const TreeWave& here = strips.tree.waves()[wave];
   const WaveFace& face = strips.faces[wave];
-  const WaveKernels kernels{here, face.projection, strips.rows_of(here), kernels_[wave], in_block * face.kernels};
-  const bool is_last = share.higher == 0.0 || wave + 1 == strips.tree.waves().size();
-  const bool goes_on = here.wave.goes_on() && !is_last;
-  if (here.direct) {
-    const double counted = wave > 0 ? share.higher : share.first ? 1.0 : 0.0;
-    const double cos_cone = strips.tree.waves()[0].wave.incidence.cos_cone;
-    if (counted > 0.0) radiate_direct(kernels, cos_cone, strips.incident, counted, amplitudes_.direct, sum);
-    if (goes_on) pass_on_direct(kernels, strips.incident, share.higher, amplitudes_);
-  } else {
-    radiate_arriving(kernels, amplitudes_.arriving, sum);
-    if (goes_on) pass_on_arriving(kernels, amplitudes_.arriving);
+  const std::size_t first = node % block * face.kernels;
+  StripAmplitudes& amplitudes = amplitudes_[node % block];
+  const double cos_cone = strips.tree.waves()[0].wave.incidence.cos_cone;
+  const double counted = !here.direct ? 1.0 : wave > 0 ? share.higher : share.first ? 1.0 : 0.0;
+  for (const StripGroup& group : groups_.of(wave)) {
+    if (counted == 0.0) break;
+    const WaveKernels kernels{here, face.projection, groups_.rows(group), part_of(kernels_, group.part), first};
+    ScatteringMatrix& sum = bins.at(group.bin, node);
+    if (here.direct)
+      radiate_direct(kernels, cos_cone, strips.incident, counted, amplitudes.direct, sum);
+    else
+      radiate_arriving(kernels, amplitudes.arriving, sum);
   }
+  const bool is_last = share.higher == 0.0 || wave + 1 == strips.tree.waves().size();
+  if (!here.wave.goes_on() || is_last) return;
+  const WaveKernels kernels{here, face.projection, strips.rows_of(here), kernels_.whole, first};
+  if (here.direct)
+    pass_on_direct(kernels, strips.incident, share.higher, amplitudes);
+  else
+    pass_on_arriving(kernels, amplitudes.arriving);
 }
 
 }  // namespace raytube

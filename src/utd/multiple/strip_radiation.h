@@ -8,6 +8,7 @@
 
 #include "utd/multiple/curved_strip_radiation.h"
 #include "utd/multiple/curved_strips.h"
+#include "utd/multiple/strip_groups.h"
 #include "utd/multiple/strip_wave_kernels.h"
 
 namespace raytube {
@@ -27,22 +28,22 @@ struct StripAmplitudes {
 /// Keeps its buffers from one tree to the next.
 class StripRadiation {
  public:
-  /// Adds S [m] of wave w of the tree at wavenumbers[i] [rad/m] to sums[w][i]. There are as many sums as waves, or one if nothing
-  /// but the first strips is wanted.
-  void add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look, std::span<const double> wavenumbers,
-           const TreeShare& share, std::span<const std::span<ScatteringMatrix>> sums);
+  /// Adds S [m] of the waves of a tree.
+  void add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look, const TreeShare& share,
+           StripBins& bins);
 
  private:
   /// Wavenumbers whose kernels are found together.
   static constexpr std::size_t block = lanes;
 
-  void add_wave(const StripLayout& strips, std::size_t wave, std::size_t in_block, const TreeShare& share, ScatteringMatrix& sum);
-  void add_curved(std::span<const StripPath> paths, std::span<const StripRow> rows, double wavenumber,
-                  ScatteringMatrix& sum) const;
+  void add_wave(const StripLayout& strips, std::size_t wave, std::size_t node, const TreeShare& share, PathBins& bins);
+  void add_curved(const StripLayout& strips, std::size_t wave, std::span<const ArrivedPath> paths, std::size_t node,
+                  StripBins& bins) const;
 
+  StripGroups groups_;
   StripWaveKernels finder_;
-  std::vector<KernelBatch> kernels_;  // of each wave at a block of wavenumbers
-  StripAmplitudes amplitudes_;
+  WaveKernelBatch kernels_;                        // of a wave at a block of wavenumbers
+  std::array<StripAmplitudes, block> amplitudes_;  // of all waves there
 };
 
 }  // namespace raytube

@@ -54,16 +54,24 @@ void fade_soft_ends(double tip, std::span<const double> lengths, KernelBatch& ke
 }  // namespace
 
 // The thickness of a plate changes what is left of a semi-infinite strip once its pole is bounded.
-void StripWaveKernels::find(const StripLayout& strips, std::size_t wave, std::span<const double> wavenumbers,
-                            KernelBatch& kernels) {
+void StripWaveKernels::find(const StripLayout& strips, std::size_t wave, std::span<const double> wavenumbers, bool in_parts,
+                            WaveKernelBatch& kernels) {
   const TreeWave& here = strips.tree.waves()[wave];
   const WaveFace& face = strips.faces[wave];
   find_lengths(strips, wave, wavenumbers);
-  face.strip.at(lengths_, kernels);
-  if (wave == 0 && strips.forward_pole) bound_untruncated(*strips.forward_pole, face.kernels, wavenumbers, lengths_, kernels);
-  if (face.thin) count_thickness(face, wavenumbers, lengths_, kernels);
-  if (here.direct) fade_soft_ends(strips.tip, lengths_, kernels);
-  if (here.wave.mirrors > 0) keep_mirrored_part(face, wavenumbers, kernels);
+  KernelBatch& whole = kernels.whole;
+  face.strip.at(lengths_, whole);
+  if (wave == 0 && strips.forward_pole) bound_untruncated(*strips.forward_pole, face.kernels, wavenumbers, lengths_, whole);
+  if (face.thin) count_thickness(face, wavenumbers, lengths_, whole);
+  if (here.direct) fade_soft_ends(strips.tip, lengths_, whole);
+  if (in_parts) find_parts(face, wavenumbers, kernels);
+  if (here.wave.mirrors > 0) keep_mirrored_part(face, wavenumbers, in_parts, kernels);
+}
+
+void StripWaveKernels::find_parts(const WaveFace& face, std::span<const double> wavenumbers, WaveKernelBatch& kernels) {
+  face.strip.start_parts(lengths_, kernels.start);
+  if (face.thin) count_thickness(face, wavenumbers, lengths_, kernels.start);
+  kernels.end.set_difference(kernels.whole, kernels.start, lengths_.size());
 }
 
 void StripWaveKernels::find_lengths(const StripLayout& strips, std::size_t wave, std::span<const double> wavenumbers) {
@@ -85,11 +93,20 @@ void StripWaveKernels::find_lengths(const StripLayout& strips, std::size_t wave,
 }
 
 // Seen from the image of the source, the current from the corner on. A semi-infinite one, over a smooth crease, is left out: the
-// surface that stands at the corner does not go on for ever.
-void StripWaveKernels::keep_mirrored_part(const WaveFace& face, std::span<const double> wavenumbers, KernelBatch& kernels) {
+// surface that stands at the corner does not go on for ever. What has the phase of the edge cancels but for the local part, which
+// is gone where its path differs from that of the corner.
+void StripWaveKernels::keep_mirrored_part(const WaveFace& face, std::span<const double> wavenumbers, bool in_parts,
+                                          WaveKernelBatch& kernels) {
   face.strip.at(behind_, shorter_);
   if (face.thin) count_thickness(face, wavenumbers, behind_, shorter_);
-  kernels.subtract_currents(shorter_, lengths_.size());
+  kernels.whole.set_difference(kernels.whole, shorter_, lengths_.size());
+  turn(kernels.whole);
+  if (!in_parts) return;
+  turn(kernels.end);
+  kernels.start.set_difference(kernels.whole, kernels.end, lengths_.size());
+}
+
+void StripWaveKernels::turn(KernelBatch& kernels) const {
   for (std::size_t i = 0; i < lengths_.size(); ++i) {
     const Complex turn = std::isinf(lengths_[i]) ? 0.0 : std::polar(1.0, detours_[i]);
     for (ComplexColumn* column : {&kernels.soft, &kernels.hard, &kernels.axial, &kernels.end, &kernels.soft_end})

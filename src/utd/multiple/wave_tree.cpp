@@ -22,7 +22,8 @@ void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
   work_ = 0.0;
   waves_.clear();
   bundles_.clear();
-  waves_.push_back({wave, {wedge.start, step}, glm::dot(scattered_ - incident_, step)});
+  const dvec3 difference = scattered_ - incident_;
+  waves_.push_back({wave, {wedge.start, step}, {glm::dot(difference, wedge.start), glm::dot(difference, step)}});
   waves_[0].direct = true;
   for (std::size_t w = 0; w < waves_.size(); ++w) {
     waves_[w].first_bundle = static_cast<std::uint32_t>(bundles_.size());
@@ -59,13 +60,15 @@ void WaveTree::split(const TreeWave& wave, double from, double to) {
 
 void WaveTree::end_bundle(const TreeWave& wave, double from, double to, const OutlineEdge* edge) {
   StripBundle& bundle =
-      bundles_.emplace_back(StripBundle{.from = from, .to = to, .start_rate = wave.path_rate, .end_rate = wave.path_rate});
+      bundles_.emplace_back(StripBundle{.from = from, .to = to, .start_path = wave.path, .end_path = wave.path});
   if (!edge) return;
   const dvec3& direction = wave.wave.direction;
   bundle.edge = edge;
   bundle.length = edge->distance(wave.line.origin, direction);
   bundle.growth = -glm::dot(wave.line.step, edge->into_face) / glm::dot(direction, edge->into_face);
-  bundle.end_rate += (glm::dot(scattered_, direction) - 1) * bundle.growth;
+  const double per_length = glm::dot(scattered_, direction) - 1;
+  bundle.end_path.value += per_length * bundle.length;
+  bundle.end_path.growth += per_length * bundle.growth;
 }
 
 void WaveTree::continue_beyond(std::size_t index) {
@@ -79,7 +82,7 @@ void WaveTree::continue_beyond(std::size_t index) {
     if (!next) continue;
     const dvec3 direction = wave.wave.direction;
     const EdgeLine there{wave.line.origin + bundle.length * direction, wave.line.step + bundle.growth * direction};
-    for (const StripWave& beyond : *next) waves_.push_back({beyond, there, bundle.end_rate, b});
+    for (const StripWave& beyond : *next) waves_.push_back({beyond, there, bundle.end_path, b});
   }
 }
 
@@ -89,13 +92,13 @@ void WaveTree::mirror(std::size_t index, std::uint32_t bundle) {
   const TreeWave wave = waves_[index];
   const StripBundle& before = bundles_[bundle];
   const auto mirrored = mirrored_wave(wedges_, wave.wave, *before.edge);
-  if (!mirrored) return;
+  if (!mirrored || runs_over_curved(*mirrored)) return;  // its strips would not be straight
   const dvec3 direction = wave.wave.direction;
   const Linear way{wave.behind.value + before.length, wave.behind.growth + before.growth};
   const double turn = glm::dot(scattered_, direction - mirrored->direction);
   waves_.push_back({.wave = *mirrored,
                     .line = {wave.line.origin + before.length * direction, wave.line.step + before.growth * direction},
-                    .path_rate = before.end_rate,
+                    .path = before.end_path,
                     .parent = bundle,
                     .behind = way,
                     .detour = {wave.detour.value + turn * way.value, wave.detour.growth + turn * way.growth},

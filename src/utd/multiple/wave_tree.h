@@ -17,27 +17,27 @@ struct EdgeLine {
   dvec3 at(double arc_length) const { return origin + arc_length * step; }
 };
 
-/// Neighbouring strips of one wave that end at the same edge. Their length is linear in the arc length on the first edge.
-struct StripBundle {
-  double from, to;                    // on the first edge [m]
-  const OutlineEdge* edge = nullptr;  // where they end; null if they are semi-infinite
-  double length = 0.0, growth = 0.0;  // the strip from arc length z is length + growth z long [m]
-  double start_rate, end_rate;        // change of the phase at their starts and at their ends per metre of the first edge, over k
-
-  double length_at(double arc_length) const { return length + growth * arc_length; }
-};
-
 /// What is linear in the arc length on the first edge.
 struct Linear {
   double value = 0.0, growth = 0.0;
   double at(double arc_length) const { return value + arc_length * growth; }
 };
 
+/// Neighbouring strips of one wave that end at the same edge. Their length is linear in the arc length on the first edge.
+struct StripBundle {
+  double from, to;                    // on the first edge [m]
+  const OutlineEdge* edge = nullptr;  // where they end; null if they are semi-infinite
+  double length = 0.0, growth = 0.0;  // the strip from arc length z is length + growth z long [m]
+  Linear start_path, end_path;        // phase at their starts and at their ends, over k [m]
+
+  double length_at(double arc_length) const { return length + growth * arc_length; }
+};
+
 /// One wave of the tree.
 struct TreeWave {
   StripWave wave;
   EdgeLine line;                                   // where its strips start
-  double path_rate;                                // change of its phase there per metre of the first edge, over k
+  Linear path;                                     // its phase there, over k [m]
   std::uint32_t parent = no_index;                 // the bundle whose strips end there; none for the first wave
   std::uint32_t first_bundle = 0, end_bundle = 0;  // its own
 

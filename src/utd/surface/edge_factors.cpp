@@ -1,13 +1,15 @@
 #include "utd/surface/edge_factors.h"
 
+#include <numbers>
 #include <vector>
 
 namespace raytube {
 
 namespace {
 
-constexpr int residues = 40, per_unit = 128, table_end = 12;
-constexpr double series_end = 0.5;  // of xi
+constexpr int per_unit = 128, table_end = 20;
+constexpr double series_end = 0.15;    // of xi: the next term of the series is 1e-6
+constexpr double last_residue = 40.0;  // times xi: e^{-35} of it
 
 // The zeros of Ai and Ai' on the negative axis: Abramowitz and Stegun (1964), table 10.13, and beyond it their expansions 10.4.94
 // and 10.4.95.
@@ -27,8 +29,9 @@ double hard_zero(int n) {
 }
 
 EdgeFactors by_series(double xi) {
+  constexpr double eighth = std::numbers::sqrt2 / 2;  // of a turn
   const double root = std::sqrt(pi), x = xi * std::sqrt(xi);
-  const Complex turn = std::polar(x, pi / 4), back = std::polar(x * x * x, -pi / 4);
+  const Complex turn = x * Complex(eighth, eighth), back = x * x * x * Complex(eighth, -eighth);
   return {1.0 - root / 4 * turn + Complex(0, 7.0 / 60) * x * x + 7 * root / 512 * back,
           1.0 - root / 2 * turn + Complex(0, 5.0 / 12) * x * x + 5 * root / 64 * back};
 }
@@ -36,7 +39,7 @@ EdgeFactors by_series(double xi) {
 EdgeFactors by_residues(double xi) {
   const Complex turn = std::polar(1.0, -pi / 3);
   Complex hard = 0.0, soft = 0.0;
-  for (int n = 0; n < residues; ++n) {
+  for (int n = 0; xi * hard_zero(n) < last_residue; ++n) {
     const Complex h = hard_zero(n) * turn;
     hard += std::exp(Complex(0, -xi) * h) / h;
     soft += std::exp(Complex(0, -xi * soft_zero(n)) * turn);
@@ -45,24 +48,34 @@ EdgeFactors by_residues(double xi) {
   return {std::polar(root, -pi / 4) * hard, std::polar(2 * root * xi, pi / 4) * soft};
 }
 
+// From one point before the end of the series to one beyond the last interval.
+constexpr int first_entry = static_cast<int>(series_end * per_unit) - 1;
+
 std::vector<EdgeFactors> tabulated() {
   std::vector<EdgeFactors> table;
-  for (int i = 0; i <= table_end * per_unit + 1; ++i) {
-    const double xi = static_cast<double>(i) / per_unit;
-    table.push_back(xi < series_end ? by_series(xi) : by_residues(xi));
-  }
+  for (int i = first_entry; i <= table_end * per_unit + 1; ++i) table.push_back(by_residues(static_cast<double>(i) / per_unit));
   return table;
 }
 
 }  // namespace
 
+// The cubic through four entries (Abramowitz and Stegun 25.2.13): smooth enough for factors at many frequencies to be found from
+// a few.
 EdgeFactors edge_factors(double xi) {
+  if (xi < series_end) return by_series(xi);
   static const std::vector<EdgeFactors> table = tabulated();
   if (xi >= table_end) return {};
-  const double x = xi * per_unit;
+  const double x = xi * per_unit - first_entry;
   const auto i = static_cast<std::size_t>(x);
-  const double part = x - static_cast<double>(i);
-  return {table[i].hard + part * (table[i + 1].hard - table[i].hard), table[i].soft + part * (table[i + 1].soft - table[i].soft)};
+  const double p = x - static_cast<double>(i), q = 1.0 - p;
+  const double weights[] = {-p * q * (q + 1.0) / 6.0, (1.0 + p) * q * (q + 1.0) / 2.0, p * (1.0 + p) * (q + 1.0) / 2.0,
+                            -p * q * (1.0 + p) / 6.0};
+  EdgeFactors result;
+  for (std::size_t n = 0; n < 4; ++n) {
+    result.hard += weights[n] * table[i + n - 1].hard;
+    result.soft += weights[n] * table[i + n - 1].soft;
+  }
+  return result;
 }
 
 }  // namespace raytube

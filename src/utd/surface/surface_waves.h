@@ -6,7 +6,7 @@
 //   fock              the current as a function of the distance from the boundary
 //   lit_frame         the current at a lit point, lit_currents its integral over facets
 //   shadow_boundary   the boundary of a look, in pieces
-//   surface_ray       geodesics over facets
+//   surface_ray       geodesics over facets, geodesic_march strips along them
 //   surface_waves     strips from the boundary, their sum
 #pragma once
 

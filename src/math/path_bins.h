@@ -1,0 +1,46 @@
+// Sums of many waves A(k) e^{jk path} with slow amplitudes A, at all wavenumbers of a sweep.
+//
+// Waves of neighbouring paths are added up in bins at a few wavenumbers, the nodes; between them each bin is interpolated, once
+// for all of its waves, with the phase of its middle taken out.
+#pragma once
+
+#include <unordered_map>
+
+#include "math/chebyshev.h"
+
+namespace raytube {
+
+/// Amplitudes must be analytic in k but for k = 0 and bounded where Re k > 0, as roots, logarithms and Fresnel integrals are.
+/// Where there are few wavenumbers, or where it is told not to interpolate, these are the nodes and all waves go into one bin.
+class PathBins {
+ public:
+  PathBins(Band& band, bool interpolate);
+
+  /// Where amplitudes are wanted [rad/m].
+  std::span<const double> nodes() const { return nodes_; }
+
+  /// A wave may contain others whose paths differ from its own by so much [m].
+  double spread() const { return spread_; }
+
+  /// The number of the bin that a path belongs to, within its half-width of it; new ones are empty. Paths that give the same key
+  /// share a bin.
+  std::int64_t key(double path) const;
+  std::size_t find(double path);
+
+  /// What the waves of a bin, with their phases, sum to at a node.
+  ScatteringMatrix& at(std::size_t bin, std::size_t node) { return values_[bin * nodes_.size() + node]; }
+
+  /// Adds the sum over all bins at all wavenumbers of the band to `sums`, and empties the bins.
+  void move_to(std::span<ScatteringMatrix> sums);
+
+ private:
+  void expand(std::size_t bin, std::span<ScatteringMatrix> sums);
+
+  std::span<const double> wavenumbers_, nodes_, weights_;
+  double width_ = 0.0, spread_;
+  std::unordered_map<std::int64_t, std::size_t> index_;
+  std::vector<std::int64_t> keys_;
+  std::vector<ScatteringMatrix> values_;  // [bin][node]
+};
+
+}  // namespace raytube

@@ -1,0 +1,54 @@
+#include "utd/multiple/strip_groups.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+void StripGroups::find(const StripLayout& strips, std::size_t waves, StripBins& bins) {
+  rows_.clear();
+  groups_.clear();
+  first_.assign(1, 0);
+  for (std::size_t w = 0; w < waves; ++w) {
+    const TreeWave& wave = strips.tree.waves()[w];
+    for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b)
+      if (strips.rows[b].size > 0) cut(strips, w, b, bins.of(w));
+    first_.push_back(groups_.size());
+  }
+}
+
+bool StripGroups::splits(std::size_t wave) const {
+  return std::ranges::any_of(of(wave), [](const StripGroup& group) { return group.part != StripPart::whole; });
+}
+
+void StripGroups::cut(const StripLayout& strips, std::size_t wave, std::uint32_t bundle, PathBins& bins) {
+  const StripBundle& here = strips.tree.bundles()[bundle];
+  const StripRow& row = strips.rows[bundle];
+  const Linear &start = here.start_path, &end = here.end_path;
+  const std::span<const PanelPoint> points = strips.panels.points().subspan(strips.panels.ranges()[bundle].first, row.size);
+  const auto difference = [&](double at) { return std::abs(end.at(at) - start.at(at)); };
+  if (strips.tree.runs_over_curved(strips.tree.waves()[wave].wave) ||
+      std::max(difference(here.from), difference(here.to)) <= 2.0 * bins.spread())
+    return put(StripPart::whole, {0.5 * (start.value + end.value), 0.5 * (start.growth + end.growth)}, points, row, bins);
+  put(StripPart::start, start, points, row, bins);
+  put(StripPart::end, end, points, row, bins);
+}
+
+void StripGroups::put(StripPart part, const Linear& path, std::span<const PanelPoint> points, const StripRow& row,
+                      PathBins& bins) {
+  for (std::size_t i = 0, next = 0; i < row.size; i = next) {
+    const std::int64_t key = bins.key(path.at(points[i].arc_length));
+    for (next = i + 1; next < row.size && bins.key(path.at(points[next].arc_length)) == key;) ++next;
+    append(part, bins.find(path.at(points[i].arc_length)),
+           {row.amplitude + i, row.arriving + i, row.kernel + (row.alike ? 0 : i), next - i, row.alike});
+  }
+}
+
+void StripGroups::append(StripPart part, std::size_t bin, const StripRow& row) {
+  const bool anew = groups_.size() == first_.back() || groups_.back().part != part || groups_.back().bin != bin;
+  if (anew) groups_.push_back({part, bin, rows_.size(), rows_.size()});
+  rows_.push_back(row);
+  groups_.back().end = rows_.size();
+}
+
+}  // namespace raytube

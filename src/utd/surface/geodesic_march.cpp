@@ -1,0 +1,66 @@
+#include "utd/surface/geodesic_march.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double widest_march = 30.0;  // of a strip's width at its start
+
+}  // namespace
+
+GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start, const dvec3& direction, double side,
+                             double sampling)
+    : target_(target),
+      side_(side),
+      sampling_(sampling),
+      geodesic_(target.tracer.mesh(), target.surfaces, target.curvatures, target.edges, start, direction),
+      piece_{start, start.l, direction},
+      at_(start.l) {
+  stand_at(start.l, 0.0);
+}
+
+dvec3 GeodesicMarch::position() const { return target_.surfaces.facet(piece_.from.triangle).point(at_); }
+
+bool GeodesicMarch::lost() const { return std::abs(width_.width) >= widest_march; }
+
+bool GeodesicMarch::march_to(double distance) {
+  while (piece_end_ < distance) {
+    if (piece_end_ - known_ > sampling_) stand_at(piece_.to, piece_end_);
+    if (lost()) return false;
+    if (next_piece()) continue;
+    stand_at(piece_.to, piece_end_);
+    return false;
+  }
+  const double share = (distance - piece_start_) / (piece_end_ - piece_start_);
+  stand_at(glm::mix(piece_.from.l, piece_.to, share), distance);
+  return !lost();
+}
+
+// The arc over a chord c of curvature kappa is c (1 + (kappa c)^2 / 24) long.
+bool GeodesicMarch::next_piece() {
+  for (GeodesicPiece piece; geodesic_.next(piece);) {
+    const BentFacet facet = target_.surfaces.facet(piece.from.triangle);
+    const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
+    piece_ = piece;
+    if (chord <= 0.0) continue;
+    const double turn = curvature_ * chord;
+    piece_start_ = piece_end_;
+    piece_end_ += chord * (1.0 + turn * turn / 24.0);
+    return true;
+  }
+  return false;
+}
+
+void GeodesicMarch::stand_at(const dvec2& l, double distance) {
+  const SurfaceFrame frame = target_.frame(piece_.from.triangle, l, side_);
+  const double step = distance - known_;
+  normal_ = frame.normal;
+  direction_ = glm::normalize(piece_.direction - glm::dot(piece_.direction, normal_) * normal_);
+  curvature_ = frame.curvature(direction_);
+  if (step > 0.0) width_.step(frame.gaussian(), step);
+  if (curvature_ > 0.0) bend_ += step * std::cbrt(0.5 * curvature_ * curvature_);
+  at_ = l;
+  known_ = distance;
+}
+
+}  // namespace raytube
