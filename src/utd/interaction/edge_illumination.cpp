@@ -12,6 +12,7 @@ namespace {
 
 // Of a wave's amplitude, what it may be off between nodes: a hundredth of what the rule of its stretch leaves.
 constexpr double amplitude_error = 1e-6;
+constexpr double share_at_ends = 0.5;  // of the work on a row: beside the ends of the edge
 
 }  // namespace
 
@@ -26,7 +27,7 @@ EdgeIllumination::EdgeIllumination(const ReceivingFaces& faces, const LookVector
       reflections_(reflections),
       tracer_(faces.tree),
       band_(wavenumbers),
-      amplitudes_(band_.nodes_of_fresnel(EdgeWaveIntegral::most_turn / std::ranges::min(wavenumbers), amplitude_error)) {
+      amplitudes_(band_.nodes_of_fresnel(EdgeWaveIntegral::least_turn / std::ranges::min(wavenumbers), amplitude_error)) {
   const PlaneWave& wave = *source.wave;
   const dvec3& d = wave.direction;
   const dvec3 turning = -glm::cross(source.edge->tangent, d) / source.incidence.sin_cone, up = glm::cross(d, turning);
@@ -176,6 +177,7 @@ void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& wave
 }
 
 // What is near an end of a long stretch and what is near the other have paths of their own, and amplitudes that change slowly.
+// Beside the ends of the edge rules are coarser and move with k: their errors must be those of direct evaluation.
 void EdgeIllumination::radiate_band(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) {
   const RayRow& row = on.row;
   const double middle = (std::ranges::min(wavenumbers_) + std::ranges::max(wavenumbers_)) / 2;
@@ -198,7 +200,10 @@ void EdgeIllumination::radiate_band(const Footprint& on, const EdgeWaveIntegral&
     add(at_nodes_[0], apart ? stretch.from : stretch.middle());
     if (apart) add(at_nodes_[1], stretch.to);
   }
-  work_ += work::ray_row * static_cast<double>(amplitudes_->at.size());
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+    density[f] += excited(on, waves.beside_corners(row, wavenumbers_[f]), wavenumbers_[f]);
+  work_ +=
+      work::ray_row * (static_cast<double>(amplitudes_->at.size()) + share_at_ends * static_cast<double>(wavenumbers_.size()));
 }
 
 }  // namespace raytube

@@ -122,7 +122,7 @@ struct EdgeWaveIntegral::Samples {
 };
 
 template <class Visit>
-void EdgeWaveIntegral::visit_stretches(const RayRow& row, double k, Visit visit) const {
+void EdgeWaveIntegral::visit_rays(const RayRow& row, double k, Visit visit) const {
   const double from = std::max(row.from, from_), to = std::min(row.to, to_);
   if (from < to) {
     const double unit = at_edge / k;
@@ -136,8 +136,6 @@ void EdgeWaveIntegral::visit_stretches(const RayRow& row, double k, Visit visit)
       begin = end;
     }
   }
-  visit_beside_corner(row, k, corners_[0], 1.0, visit);
-  visit_beside_corner(row, k, corners_[1], -1.0, visit);
 }
 
 template <class Visit>
@@ -159,21 +157,34 @@ void EdgeWaveIntegral::visit_beside_corner(const RayRow& row, double k, double c
   }
 }
 
+void EdgeWaveIntegral::add(const RayRow& row, const RowStretch& stretch, double k, WaveIntegrals& sum) const {
+  const Complexes weights = FilonRule::get().weights(k * row.phase_rate * stretch.half());
+  const Complex phase = std::polar(1.0, k * (row.phase + row.phase_rate * stretch.middle()));
+  const WaveIntegrals part = sampled(row, stretch, k).sum(weights, phase);
+  sum.incident += part.incident;
+  sum.reflected += part.reflected;
+}
+
 WaveIntegrals EdgeWaveIntegral::over(const RayRow& row, double k) const {
   WaveIntegrals sum;
-  visit_stretches(row, k, [&](const RowStretch& stretch) {
-    const Complexes weights = FilonRule::get().weights(k * row.phase_rate * stretch.half());
-    const Complex phase = std::polar(1.0, k * (row.phase + row.phase_rate * stretch.middle()));
-    const WaveIntegrals part = sampled(row, stretch, k).sum(weights, phase);
-    sum.incident += part.incident;
-    sum.reflected += part.reflected;
-  });
+  const auto add_to_sum = [&](const RowStretch& stretch) { add(row, stretch, k, sum); };
+  visit_rays(row, k, add_to_sum);
+  visit_beside_corner(row, k, corners_[0], 1.0, add_to_sum);
+  visit_beside_corner(row, k, corners_[1], -1.0, add_to_sum);
+  return sum;
+}
+
+WaveIntegrals EdgeWaveIntegral::beside_corners(const RayRow& row, double k) const {
+  WaveIntegrals sum;
+  const auto add_to_sum = [&](const RowStretch& stretch) { add(row, stretch, k, sum); };
+  visit_beside_corner(row, k, corners_[0], 1.0, add_to_sum);
+  visit_beside_corner(row, k, corners_[1], -1.0, add_to_sum);
   return sum;
 }
 
 std::vector<RowStretch> EdgeWaveIntegral::stretches(const RayRow& row, double k) const {
   std::vector<RowStretch> all;
-  visit_stretches(row, k, [&](const RowStretch& stretch) { all.push_back(stretch); });
+  visit_rays(row, k, [&](const RowStretch& stretch) { all.push_back(stretch); });
   return all;
 }
 

@@ -57,17 +57,18 @@ class EdgeWaveIntegral {
   /// At the wavenumber k [rad/m].
   WaveIntegrals over(const RayRow& row, double k) const;
 
-  /// The same in parts whose amplitudes change slowly with k. Stretches as k asks for; over each, the integral is e^{jk phase}
-  /// times `whole`, with the phase of its middle, or the sum of two such terms, of its `ends`, which are smooth where the phase
-  /// turns by at least `least_turn` between middle and end. Amplitudes turn by no more than `most_turn` either way [rad], over an
-  /// end of the edge.
+  /// The same in parts: what is beside the ends of the edge, and stretches of the rays between them, as k asks for. Over each of
+  /// these the integral is e^{jk phase} times `whole`, with the phase of its middle, or the sum of two such terms, of its `ends`.
+  /// Their amplitudes change slowly with k: those of `ends` where the phase turns by at least `least_turn` between middle and
+  /// end, and otherwise `whole`, which turns by no more.
+  WaveIntegrals beside_corners(const RayRow& row, double k) const;
   std::vector<RowStretch> stretches(const RayRow& row, double k) const;
   WaveIntegrals whole(const RayRow& row, const RowStretch& stretch, double k) const;
   struct Ends {
     WaveIntegrals from, to;
   };
   Ends ends(const RayRow& row, const RowStretch& stretch, double k) const;
-  static constexpr double least_turn = 2.0, most_turn = 6.5;
+  static constexpr double least_turn = 2.0;  // [rad]
 
   /// How far from an end its wave is followed, for rays up to this long [m]; `cosine` is cos(beta0) towards greater arc lengths,
   /// and its negative towards smaller ones.
@@ -76,9 +77,10 @@ class EdgeWaveIntegral {
  private:
   struct Samples;
   template <class Visit>
-  void visit_stretches(const RayRow& row, double k, Visit visit) const;
+  void visit_rays(const RayRow& row, double k, Visit visit) const;
   template <class Visit>
   void visit_beside_corner(const RayRow& row, double k, double corner, double inwards, Visit visit) const;
+  void add(const RayRow& row, const RowStretch& stretch, double k, WaveIntegrals& sum) const;
   Samples sampled(const RayRow& row, const RowStretch& stretch, double k) const;
   Samples beside_corner(const RayRow& row, const RowStretch& stretch, double k) const;
 
