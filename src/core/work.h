@@ -11,6 +11,7 @@ inline constexpr double fan = 400.0;              // the search for faces
 inline constexpr double face_in_fan = 40.0;       // one face cut by the fan's plane
 inline constexpr double order_in_fan = 2.0;       // one face compared at one place
 inline constexpr double ray_row = 1200.0;         // waves over one face, at one frequency (utd/wedge/edge_wave_integral)
+inline constexpr double known_wave = 30.0;        // one wave over a face, of known amplitude, at one frequency
 inline constexpr double azimuth_cut = 60.0;       // one azimuth where rays may jump
 inline constexpr double pair_bound = 700.0;       // the bound of one edge and one face
 inline constexpr double edge_light = 5000.0;      // which parts of one edge a wave lights

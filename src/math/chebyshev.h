@@ -24,9 +24,10 @@ class Band {
 
   /// Nodes for a function of k that is a sum of A e^{jkx}, all |x| <= half_span [m]. What they give differs from it by less than
   /// 1e-12 of the sum of |A|. Null where the wavenumbers are so few that nodes would not pay.
-  const ChebyshevNodes* nodes(double half_span) { return nodes(half_span, 0.0); }
+  const ChebyshevNodes* nodes(double half_span) { return nodes(half_span, 0.0, exact); }
   /// Nodes for such a sum with amplitudes that change slowly with k: analytic but for k = 0, as roots and Fresnel integrals are.
-  const ChebyshevNodes* nodes_of_fresnel(double half_span) { return nodes(half_span, rate_); }
+  /// What they give differs by about `error` of the sum of |A|.
+  const ChebyshevNodes* nodes_of_fresnel(double half_span, double error = exact) { return nodes(half_span, rate_, error); }
   /// The fewest nodes for such slow amplitudes to `error` of their sum, and over which half-span [m], not less than `least` over
   /// the wavenumber, waves may be added up before. No nodes where they would not pay.
   struct SlowNodes {
@@ -36,7 +37,8 @@ class Band {
   SlowNodes slow_nodes(double least, double error);
 
  private:
-  const ChebyshevNodes* nodes(double half_span, double rate);
+  static constexpr double exact = 1e-13;  // of the sum of |A|
+  const ChebyshevNodes* nodes(double half_span, double rate, double error);
   const ChebyshevNodes* nodes_of_count(std::size_t count);
 
   std::vector<double> wavenumbers_;

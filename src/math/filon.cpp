@@ -77,6 +77,33 @@ Complexes FilonRule::weights(double theta) const {
   return result;
 }
 
+// 2 j_n = h_n + conj(h_n), h_n the spherical Hankel functions of the first kind: e^{jx} times a polynomial of 1/x (DLMF 10.49.6),
+// here from upward recurrence (DLMF 10.51.1), in which they do not decrease.
+FilonRule::Ends FilonRule::end_weights(double theta) const {
+  const double x = std::abs(theta);
+  Complex before(1.0 / x, 0.0), h(0.0, -1.0 / x);  // h_{-1} e^{-jx}, h_0 e^{-jx}
+  Ends result{};
+  for (int n = 0; n < orders; ++n) {
+    const Complex end = n % 2 == 0 ? h / 2.0 : Complex(-h.imag() / 2, h.real() / 2);
+    const Complex begin = n % 2 == 0 ? std::conj(end) : -std::conj(end);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      result.end.re[i] += end.real() * legendre_[n][i];
+      result.end.im[i] += end.imag() * legendre_[n][i];
+      result.begin.re[i] += begin.real() * legendre_[n][i];
+      result.begin.im[i] += begin.imag() * legendre_[n][i];
+    }
+    const Complex next = (2 * n + 1) / x * h - before;
+    before = h;
+    h = next;
+  }
+  if (theta > 0.0) return result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    result.begin.im[i] = -result.begin.im[i];
+    result.end.im[i] = -result.end.im[i];
+  }
+  return result;
+}
+
 FilonStep filon_step(double phase_from, double phase_to) {
   constexpr double small = 1e-2;
   const double u = 0.5 * (phase_to - phase_from);

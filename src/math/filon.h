@@ -16,6 +16,13 @@ class FilonRule {
   Reals at;
   Complexes weights(double theta) const;
 
+  /// Weights of the two ends apart: weights(theta) = e^{-j theta} begin + e^{j theta} end. Both change slowly with theta; they
+  /// cancel more and more below |theta| of about 2.
+  struct Ends {
+    Complexes begin, end;
+  };
+  Ends end_weights(double theta) const;
+
  private:
   FilonRule();
   Reals gauss_;

@@ -47,6 +47,19 @@ TEST(Filon, ExactForPolynomials) {
     }
 }
 
+// Rounding grows with y_7, 5e2 at 2, times 15 of its weight.
+TEST(Filon, BothEndsTogetherAreTheWhole) {
+  const FilonRule& rule = FilonRule::get();
+  for (const double theta : {2.0, -2.0, 3.9, 8.1, -15.0, 60.0, 1e3}) {
+    const Complexes weights = rule.weights(theta);
+    const FilonRule::Ends ends = rule.end_weights(theta);
+    for (int i = 0; i < count; ++i) {
+      const Complex sum = std::polar(1.0, -theta) * ends.begin[i] + std::polar(1.0, theta) * ends.end[i];
+      EXPECT_LE(std::abs(sum - weights[i]), 5e-12) << theta;
+    }
+  }
+}
+
 // 1 / (2 + x): its Legendre series falls as (2 + sqrt 3)^-n, so does what interpolation leaves out.
 TEST(Filon, AgreesWithManyGaussPoints) {
   const FilonRule& rule = FilonRule::get();

@@ -8,6 +8,14 @@
 
 namespace raytube {
 
+namespace {
+
+// Of a wave's amplitude, what it may be off between nodes: a hundredth of what the rule of its stretch leaves.
+constexpr double amplitude_error = 1e-6;
+constexpr double share_at_ends = 0.5;  // of the work on a row: beside the ends of the edge
+
+}  // namespace
+
 EdgeIllumination::EdgeIllumination(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
                                    const LitEdgePiece& source, int reflections)
     : tree_(faces.tree),
@@ -17,7 +25,9 @@ EdgeIllumination::EdgeIllumination(const ReceivingFaces& faces, const LookVector
       wavenumbers_(wavenumbers),
       source_(source),
       reflections_(reflections),
-      tracer_(faces.tree) {
+      tracer_(faces.tree),
+      band_(wavenumbers),
+      amplitudes_(band_.nodes_of_fresnel(EdgeWaveIntegral::least_turn / std::ranges::min(wavenumbers), amplitude_error)) {
   const PlaneWave& wave = *source.wave;
   const dvec3& d = wave.direction;
   const dvec3 turning = -glm::cross(source.edge->tangent, d) / source.incidence.sin_cone, up = glm::cross(d, turning);
@@ -141,26 +151,59 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
 // u_h), the diffracted E being minus the sum of the waves; the slopes of E_z and eta H_z, both -sin(beta0) of E_s and E_h, add
 //   eta H = (j / k sin(beta0)) {E_s [phi_hat du_s/d(rho) - rho_hat du_s/(rho d(phi))]
 //                               + cos(beta0) E_h [rho_hat du_h/d(rho) + phi_hat du_h/(rho d(phi))]}      (Maxwell's equations).
-void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) {
-  work_ += work::ray_row * static_cast<double>(wavenumbers_.size());
+ScatteringMatrix EdgeIllumination::excited(const Footprint& on, const WaveIntegrals& sums, double wavenumber) const {
   const FaceIncidence& in = source_.incidence;
   const double weight = source_.weight * source_.edge->wedge->share;
-  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-    const double k = wavenumbers_[f];
-    const WaveIntegrals sums = waves.over(on.row, k);
-    const WaveSums soft_waves = sums.incident - sums.reflected, hard_waves = sums.incident + sums.reflected;
-    const Complex ray(0.0, weight * on.area * k / (4 * pi));
-    const double slope = weight * on.area / (4 * pi * in.sin_cone);
-    for (int p = 0; p < 2; ++p) {
-      const std::array<double, components>& current = on.current[p];
-      const Complex of_soft = ray * current[soft] * soft_waves.value +
-                              slope * (current[around] * soft_waves.outwards - current[outwards] * soft_waves.around);
-      const Complex of_hard =
-          ray * current[hard] * hard_waves.value +
-          slope * in.cos_cone * (current[outwards] * hard_waves.outwards + current[around] * hard_waves.around);
-      for (int q = 0; q < 2; ++q) density[f].at(p, q) += arriving_[q][0] * of_soft + arriving_[q][1] * of_hard;
-    }
+  const WaveSums soft_waves = sums.incident - sums.reflected, hard_waves = sums.incident + sums.reflected;
+  const Complex ray(0.0, weight * on.area * wavenumber / (4 * pi));
+  const double slope = weight * on.area / (4 * pi * in.sin_cone);
+  ScatteringMatrix result;
+  for (int p = 0; p < 2; ++p) {
+    const std::array<double, components>& current = on.current[p];
+    const Complex of_soft = ray * current[soft] * soft_waves.value +
+                            slope * (current[around] * soft_waves.outwards - current[outwards] * soft_waves.around);
+    const Complex of_hard = ray * current[hard] * hard_waves.value +
+                            slope * in.cos_cone * (current[outwards] * hard_waves.outwards + current[around] * hard_waves.around);
+    for (int q = 0; q < 2; ++q) result.at(p, q) = arriving_[q][0] * of_soft + arriving_[q][1] * of_hard;
   }
+  return result;
+}
+
+void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) {
+  if (amplitudes_) return radiate_band(on, waves, density);
+  work_ += work::ray_row * static_cast<double>(wavenumbers_.size());
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+    density[f] += excited(on, waves.over(on.row, wavenumbers_[f]), wavenumbers_[f]);
+}
+
+// What is near an end of a long stretch and what is near the other have paths of their own, and amplitudes that change slowly.
+// Beside the ends of the edge rules are coarser and move with k: their errors must be those of direct evaluation.
+void EdgeIllumination::radiate_band(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) {
+  const RayRow& row = on.row;
+  const double middle = (std::ranges::min(wavenumbers_) + std::ranges::max(wavenumbers_)) / 2;
+  const auto add = [&](std::vector<ScatteringMatrix>& at_nodes, double position) {
+    add_waves(at_nodes, *amplitudes_, wavenumbers_, row.phase + row.phase_rate * position, density);
+    at_nodes.clear();
+    work_ += work::known_wave * static_cast<double>(wavenumbers_.size());
+  };
+  for (const RowStretch& stretch : waves.stretches(row, middle)) {
+    const bool apart = middle * std::abs(row.phase_rate) * stretch.half() >= EdgeWaveIntegral::least_turn;
+    for (const double k : amplitudes_->at) {
+      if (!apart) {
+        at_nodes_[0].push_back(excited(on, waves.whole(row, stretch, k), k));
+        continue;
+      }
+      const EdgeWaveIntegral::Ends ends = waves.ends(row, stretch, k);
+      at_nodes_[0].push_back(excited(on, ends.from, k));
+      at_nodes_[1].push_back(excited(on, ends.to, k));
+    }
+    add(at_nodes_[0], apart ? stretch.from : stretch.middle());
+    if (apart) add(at_nodes_[1], stretch.to);
+  }
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+    density[f] += excited(on, waves.beside_corners(row, wavenumbers_[f]), wavenumbers_[f]);
+  work_ +=
+      work::ray_row * (static_cast<double>(amplitudes_->at.size()) + share_at_ends * static_cast<double>(wavenumbers_.size()));
 }
 
 }  // namespace raytube

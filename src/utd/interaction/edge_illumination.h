@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "utd/interaction/azimuth_integral.h"
+#include "utd/interaction/band_sum.h"
 #include "utd/interaction/ray_fan.h"
 #include "utd/wedge/edge_currents.h"
 #include "utd/wedge/edge_wave_integral.h"
@@ -95,6 +96,8 @@ class EdgeIllumination {
   void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, Visit visit);
   Footprint footprint(const Rays& rays, const FanHit& hit, const Patch& plane) const;
   void radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density);
+  void radiate_band(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density);
+  ScatteringMatrix excited(const Footprint& on, const WaveIntegrals& sums, double wavenumber) const;
 
   const FaceTree& tree_;
   const std::vector<bool>& large_;
@@ -107,6 +110,9 @@ class EdgeIllumination {
   std::array<std::vector<FanHit>, 3> hits_;        // by reflections left
   std::array<std::array<double, 2>, 2> arriving_;  // [transmit][soft, hard]: components of E at the edge
   EdgeWaveTerms terms_;                            // of the azimuth at hand
+  Band band_;
+  const ChebyshevNodes* amplitudes_;                       // where the amplitudes of waves are found; null: at all wavenumbers
+  std::array<std::vector<ScatteringMatrix>, 2> at_nodes_;  // of the wave at hand, or of both ends of a stretch
   double work_ = 0.0;
 };
 

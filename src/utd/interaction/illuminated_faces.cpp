@@ -3,15 +3,17 @@
 #include <algorithm>
 
 #include "core/work.h"
-#include "math/chebyshev.h"
 #include "utd/interaction/azimuth_cuts.h"
+#include "utd/interaction/band_sum.h"
 
 namespace raytube {
 
 namespace {
 
-// Paths that a few rays show lie between somewhat wider bounds.
+// Paths that three rays of a panel show lie between somewhat wider bounds.
 constexpr double wider = 1.25;
+// Waves over an end of the edge turn by no more than that against the rays beside it [rad] (utd/wedge/edge_wave_integral.h).
+constexpr double turn_at_ends = 9.0;
 
 AzimuthDensity density_of(EdgeIllumination& illumination, double most_work) {
   return {[&](double azimuth, std::vector<ScatteringMatrix>& density) { illumination.at(azimuth, density); },
@@ -24,30 +26,15 @@ bool reaches(std::span<const AzimuthRange> wanted, double from, double to) {
          std::ranges::any_of(wanted, [&](const AzimuthRange& range) { return range.from < to && range.to > from; });
 }
 
-// Exponents over k of the rays at some azimuths [m]; none if they meet nothing.
-std::optional<PhaseRange> paths(EdgeIllumination& illumination, std::span<const double> cuts,
-                                std::span<const AzimuthRange> wanted, double wavenumber) {
-  std::optional<PhaseRange> all;
-  for (std::size_t i = 1; i < cuts.size(); ++i) {
-    if (!reaches(wanted, cuts[i - 1], cuts[i])) continue;
-    for (const double share : {0.03, 0.5, 0.97})
-      if (const auto here = illumination.survey(cuts[i - 1] + share * (cuts[i] - cuts[i - 1])))
-        all = all ? PhaseRange{std::min(all->low, here->low), std::max(all->high, here->high)} : *here;
-  }
-  if (all) *all = {all->low / wavenumber, all->high / wavenumber};
+// Paths of the rays at some azimuths; none if they meet nothing.
+std::optional<PathSpan> paths(EdgeIllumination& illumination, const AzimuthRange& panel, double wavenumber) {
+  std::optional<PathSpan> all;
+  for (const double share : {0.03, 0.5, 0.97})
+    if (const auto here = illumination.survey(panel.from + share * (panel.to - panel.from))) {
+      const double low = (here->low - turn_at_ends) / wavenumber, high = here->high / wavenumber;
+      all = all ? PathSpan{std::min(all->low, low), std::max(all->high, high)} : PathSpan{low, high};
+    }
   return all;
-}
-
-std::vector<ScatteringMatrix> interpolated(std::vector<ScatteringMatrix> samples, const ChebyshevNodes& nodes,
-                                           std::span<const double> wavenumbers, double path) {
-  for (std::size_t n = 0; n < samples.size(); ++n) samples[n] *= std::polar(1.0, -nodes.at[n] * path);
-  std::vector<ScatteringMatrix> values(wavenumbers.size());
-  auto weight = nodes.weights.begin();
-  for (std::size_t f = 0; f < values.size(); ++f) {
-    for (const ScatteringMatrix& sample : samples) values[f] += ScatteringMatrix(sample) *= *weight++;
-    values[f] *= std::polar(1.0, wavenumbers[f] * path);
-  }
-  return values;
 }
 
 ChannelErrors worst_of(const std::vector<ChannelErrors>& errors) {
@@ -58,32 +45,82 @@ ChannelErrors worst_of(const std::vector<ChannelErrors>& errors) {
   return worst;
 }
 
+// Of many wavenumbers: panel by panel, each with as few as the paths in it ask for.
+class BandIllumination {
+ public:
+  BandIllumination(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
+                   const LitEdgePiece& source, const IlluminationLimits& limits)
+      : faces_(faces),
+        look_(look),
+        source_(source),
+        limits_(limits),
+        band_(wavenumbers),
+        all_(faces, look, band_.wavenumbers(), source, limits.reflections) {
+    result_.scattering.resize(wavenumbers.size());
+  }
+
+  // `share` of the tolerance.
+  void add(const AzimuthRange& panel, double share) {
+    const std::optional<PathSpan> span = paths(all_, panel, std::ranges::max(band_.wavenumbers()));
+    if (!span) return;
+    const ChebyshevNodes* nodes = band_.nodes_of_fresnel(wider * span->half(), node_error);
+    if (!nodes) {
+      const AzimuthIntegral sum = integral(all_, band_.wavenumbers().size(), panel, share);
+      for (std::size_t f = 0; f < sum.value.size(); ++f) result_.scattering[f] += sum.value[f];
+      return;
+    }
+    EdgeIllumination few(faces_, look_, nodes->at, source_, limits_.reflections);
+    const AzimuthIntegral sum = integral(few, nodes->at.size(), panel, share);
+    add_interpolated(sum.value, *nodes, band_.wavenumbers(), span->middle(), result_.scattering);
+    few_work_ += few.work();
+  }
+
+  bool complete() const { return result_.complete; }
+  IlluminatedFaces take() {
+    result_.work = all_.work() + few_work_;
+    return std::move(result_);
+  }
+
+ private:
+  AzimuthIntegral integral(EdgeIllumination& illumination, std::size_t count, const AzimuthRange& panel, double share) {
+    const double left = limits_.work - all_.work() - few_work_;
+    const AzimuthDensity density = density_of(illumination, &illumination == &all_ ? limits_.work - few_work_ : left);
+    AzimuthIntegral sum = integrate_over_azimuth(density, count, {panel.from, panel.to}, limits_.tolerance * share);
+    const ChannelErrors worst = worst_of(sum.error);
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) result_.error[p][q] += worst[p][q];
+    result_.complete = result_.complete && sum.complete;
+    return sum;
+  }
+
+  const ReceivingFaces& faces_;
+  const LookVectors& look_;
+  const LitEdgePiece& source_;
+  const IlluminationLimits& limits_;
+  Band band_;
+  EdgeIllumination all_;
+  double few_work_ = 0.0;
+  IlluminatedFaces result_;
+};
+
 }  // namespace
 
-// A single wavenumber needs no others that stand for it.
 IlluminatedFaces illuminated_faces(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
                                    const LitEdgePiece& source, const IlluminationLimits& limits) {
-  EdgeIllumination illumination(faces, look, wavenumbers, source, limits.reflections);
   const std::vector<double> cuts = azimuth_cuts(faces.tree.mesh(), faces.corners, source, limits.wanted);
   const double cutting = work::azimuth_cut * static_cast<double>(faces.corners.size() + cuts.size());
-  Band band(wavenumbers);
-  const ChebyshevNodes* nodes = nullptr;
-  std::optional<PhaseRange> range;
-  if (wavenumbers.size() > 1) {
-    range = paths(illumination, cuts, limits.wanted, std::ranges::max(wavenumbers));
-    if (!range) return {std::vector<ScatteringMatrix>(wavenumbers.size()), {}, cutting + illumination.work()};
-    nodes = band.nodes_of_fresnel(wider * (range->high - range->low) / 2);
+  if (wavenumbers.size() == 1) {
+    EdgeIllumination illumination(faces, look, wavenumbers, source, limits.reflections);
+    AzimuthIntegral all = integrate_over_azimuth(density_of(illumination, limits.work), 1, cuts, limits.tolerance, limits.wanted);
+    return {std::move(all.value), all.error[0], cutting + illumination.work(), all.complete};
   }
-  if (!nodes) {
-    AzimuthIntegral all =
-        integrate_over_azimuth(density_of(illumination, limits.work), wavenumbers.size(), cuts, limits.tolerance, limits.wanted);
-    return {std::move(all.value), worst_of(all.error), cutting + illumination.work(), all.complete};
-  }
-  EdgeIllumination few(faces, look, nodes->at, source, limits.reflections);
-  AzimuthIntegral at_nodes =
-      integrate_over_azimuth(density_of(few, limits.work), nodes->at.size(), cuts, limits.tolerance, limits.wanted);
-  return {interpolated(std::move(at_nodes.value), *nodes, wavenumbers, (range->low + range->high) / 2), worst_of(at_nodes.error),
-          cutting + illumination.work() + few.work(), at_nodes.complete};
+  BandIllumination illumination(faces, look, wavenumbers, source, limits);
+  for (std::size_t i = 1; i < cuts.size() && illumination.complete(); ++i)
+    if (reaches(limits.wanted, cuts[i - 1], cuts[i]))
+      illumination.add({cuts[i - 1], cuts[i]}, (cuts[i] - cuts[i - 1]) / (cuts.back() - cuts.front()));
+  IlluminatedFaces result = illumination.take();
+  result.work += cutting;
+  return result;
 }
 
 }  // namespace raytube

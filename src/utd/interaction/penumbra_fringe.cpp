@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/work.h"
 #include "math/filon.h"
@@ -51,8 +52,6 @@ StraightEdge lit_edge(const LitEdgePiece& piece) {
   edge.end = piece.to;
   return edge;
 }
-
-double count_of(const std::vector<double>& ends) { return static_cast<double>(ends.size() - 1); }
 
 // In order, within the rim; those as good as one are one, and so are those at its ends [m].
 std::vector<double> joined(std::vector<double>& ends, double length, double wavelength) {
@@ -148,6 +147,16 @@ struct PenumbraFringe::RimPoint {
   void add(const StraightEdge& source, double wavenumber, Complex weight, ScatteringMatrix& sum) const;
 };
 
+// Points of Filon's rule, those that the wave reaches, with their phases over k and the rate of these over half the panel [m].
+struct PenumbraFringe::Panel {
+  std::array<std::optional<RimPoint>, lanes> points;
+  std::array<double, lanes> phases{};
+  double half, rate = 0.0;
+
+  void add(const StraightEdge& source, double wavenumber, ScatteringMatrix& sum) const;
+  PathSpan paths() const;
+};
+
 struct PenumbraFringe::Source {
   const LitEdgePiece& piece;
   StraightEdge edge;
@@ -162,10 +171,9 @@ PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> a
       shortest_axis_(shortest_axis),
       look_(look),
       wavenumbers_(wavenumbers),
+      band_(wavenumbers),
       shortest_wavelength_(2 * pi / std::ranges::max(wavenumbers)) {
-  const double first = first_panel * shortest_wavelength_;
-  for (const EdgeAxis& axis : axes_)
-    panels_.push_back(axis.length < shortest_axis_ ? 0.0 : count_of(growing_panels(axis.length, first)));
+  for (const EdgeAxis& axis : axes_) panel_work_.push_back(axis.length < shortest_axis_ ? 0.0 : work_of_panels(axis.length));
 }
 
 void PenumbraFringe::add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums) {
@@ -208,14 +216,29 @@ bool PenumbraFringe::ends_along(const LitEdgePiece& lit, const LitEdgePiece& sou
 }
 
 double PenumbraFringe::work_of(const LitEdgePiece& source) const {
-  double panels = 0.0;
+  double work = 0.0;
   for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (panels_[i] > 0.0 && !share_a_face(*source.edge->wedge, *axes_[i].wedge)) panels += panels_[i];
-  return panels * work_of_panel();
+    if (panel_work_[i] > 0.0 && !share_a_face(*source.edge->wedge, *axes_[i].wedge)) work += panel_work_[i];
+  return work;
 }
 
-double PenumbraFringe::work_of_panel() const {
-  return lanes * (work::tube_ray + work::edge_amplitude * (1 + static_cast<double>(wavenumbers_.size())));
+// Neighbouring paths differ by twice the panel at most.
+double PenumbraFringe::work_of_panels(double length) {
+  const std::vector<double> ends = growing_panels(length, first_panel * shortest_wavelength_);
+  double work = 0.0;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const ChebyshevNodes* nodes = nodes_of(ends[i] - ends[i - 1]);
+    work += work_of_panel(nodes ? nodes->at.size() : wavenumbers_.size());
+  }
+  return work;
+}
+
+double PenumbraFringe::work_of_panel(std::size_t frequencies) {
+  return lanes * (work::tube_ray + work::edge_amplitude * (1 + static_cast<double>(frequencies)));
+}
+
+const ChebyshevNodes* PenumbraFringe::nodes_of(double half_span) {
+  return wavenumbers_.size() > 1 ? band_.nodes_of_fresnel(half_span, node_error) : nullptr;
 }
 
 std::vector<double> PenumbraFringe::panels_of(const Source& source, const EdgeAxis& rim) const {
@@ -227,35 +250,44 @@ std::vector<double> PenumbraFringe::panels_of(const Source& source, const EdgeAx
 
 void PenumbraFringe::add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums) {
   const std::vector<double> ends = panels_of(source, rim);
-  for (std::size_t panel = 0; panel + 1 < ends.size(); ++panel) add_panel(source, rim, ends[panel], ends[panel + 1], sums);
-  work_ += work_of_panel() * count_of(ends);
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const std::optional<Panel> panel = panel_on(source, rim, ends[i - 1], ends[i]);
+    work_ += work_of_panel(panel ? add_panel(source, *panel, sums) : 1);
+  }
+}
+
+// At how many wavenumbers it was computed.
+std::size_t PenumbraFringe::add_panel(const Source& source, const Panel& panel, std::vector<ScatteringMatrix>& sums) {
+  const auto sum_at = [&](std::span<const double> wavenumbers, std::vector<ScatteringMatrix>& sum) {
+    for (std::size_t f = 0; f < wavenumbers.size(); ++f) panel.add(source.edge, wavenumbers[f], sum[f]);
+    return wavenumbers.size();
+  };
+  const PathSpan paths = panel.paths();
+  const ChebyshevNodes* nodes = nodes_of(paths.half());
+  if (!nodes) return sum_at(wavenumbers_, sums);
+  std::vector<ScatteringMatrix> samples(nodes->at.size());
+  sum_at(nodes->at, samples);
+  add_interpolated(samples, *nodes, wavenumbers_, paths.middle(), sums);
+  return samples.size();
 }
 
 // By Filon's rule: the phase of the rays' paths is close to linear, what remains changes slowly. Shadows end between points.
-void PenumbraFringe::add_panel(const Source& source, const EdgeAxis& rim, double from, double to,
-                               std::vector<ScatteringMatrix>& sums) {
+std::optional<PenumbraFringe::Panel> PenumbraFringe::panel_on(const Source& source, const EdgeAxis& rim, double from,
+                                                              double to) const {
   const FilonRule& rule = FilonRule::get();
-  std::array<std::optional<RimPoint>, lanes> points;
-  std::array<double, lanes> phases{};
+  Panel panel;
+  panel.half = (to - from) / 2;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const dvec3 place = rim.origin + ((from + to) / 2 + (to - from) / 2 * rule.at[i]) * rim.tangent;
-    points[i] = point_on(source, rim, place);
-    if (points[i]) phases[i] = points[i]->phase;
+    const dvec3 place = rim.origin + ((from + to) / 2 + panel.half * rule.at[i]) * rim.tangent;
+    panel.points[i] = point_on(source, rim, place);
+    if (panel.points[i]) panel.phases[i] = panel.points[i]->phase;
   }
   std::size_t first = 0, last = lanes;
-  while (first < lanes && !points[first]) ++first;
-  if (first == lanes) return;
-  while (!points[last - 1]) --last;
-  const double rate = last - first > 1 ? (phases[last - 1] - phases[first]) / (rule.at[last - 1] - rule.at[first]) : 0.0;
-  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-    const double k = wavenumbers_[f];
-    const Complexes weights = rule.weights(k * rate);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      if (!points[i]) continue;
-      const Complex weight(weights.re[i], weights.im[i]);
-      points[i]->add(source.edge, k, (to - from) / 2 * weight * std::polar(1.0, k * (phases[i] - rate * rule.at[i])), sums[f]);
-    }
-  }
+  while (first < lanes && !panel.points[first]) ++first;
+  if (first == lanes) return std::nullopt;
+  while (!panel.points[last - 1]) --last;
+  if (last - first > 1) panel.rate = (panel.phases[last - 1] - panel.phases[first]) / (rule.at[last - 1] - rule.at[first]);
+  return panel;
 }
 
 // The wave is taken as plane about a point of the rim, and its fringe current there as that of endless faces.
@@ -277,6 +309,28 @@ std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& s
 void PenumbraFringe::RimPoint::add(const StraightEdge& source, double wavenumber, Complex weight, ScatteringMatrix& sum) const {
   bool windowed = false;
   wave.add(diffracted_wave(source, ray, wavenumber), amplitude_at(amplitude, wavenumber, windowed), share * weight, sum);
+}
+
+void PenumbraFringe::Panel::add(const StraightEdge& source, double wavenumber, ScatteringMatrix& sum) const {
+  const FilonRule& rule = FilonRule::get();
+  const Complexes weights = rule.weights(wavenumber * rate);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    if (!points[i]) continue;
+    const Complex weight(weights.re[i], weights.im[i]);
+    points[i]->add(source, wavenumber, half * weight * std::polar(1.0, wavenumber * (phases[i] - rate * rule.at[i])), sum);
+  }
+}
+
+// Of the rays and of the waves over the ends of the lit piece.
+PathSpan PenumbraFringe::Panel::paths() const {
+  PathSpan span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const std::optional<RimPoint>& point : points) {
+    if (!point) continue;
+    const auto& [first, last] = point->ray.detours;
+    for (const double detour : {0.0, first, last})
+      if (std::isfinite(detour)) span = {std::min(span.low, point->phase - detour), std::max(span.high, point->phase)};
+  }
+  return span;
 }
 
 // Whether nothing but the faces of both edges stands between the edge, at the point of its lit piece next to the ray's, and the

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/trace/tracer.h"
+#include "utd/interaction/band_sum.h"
 #include "utd/interaction/edge_illumination.h"
 #include "utd/wedge/diffracted_field.h"
 
@@ -37,20 +38,25 @@ class PenumbraFringe {
   struct Source;
   struct ArrivingWave;
   struct RimPoint;
+  struct Panel;
   void add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums);
-  void add_panel(const Source& source, const EdgeAxis& rim, double from, double to, std::vector<ScatteringMatrix>& sums);
+  std::size_t add_panel(const Source& source, const Panel& panel, std::vector<ScatteringMatrix>& sums);
+  std::optional<Panel> panel_on(const Source& source, const EdgeAxis& rim, double from, double to) const;
   std::optional<RimPoint> point_on(const Source& source, const EdgeAxis& rim, const dvec3& place) const;
   bool is_clear(const Source& source, const EdgeRay& ray, const Wedge& rim, const dvec3& place) const;
   std::vector<double> panels_of(const Source& source, const EdgeAxis& rim) const;
-  double work_of_panel() const;
+  double work_of_panels(double length);
+  static double work_of_panel(std::size_t frequencies);
+  const ChebyshevNodes* nodes_of(double half_span);
 
   const Tracer& tracer_;
   std::span<const EdgeAxis> axes_;
   double shortest_axis_;
   const LookVectors& look_;
   std::span<const double> wavenumbers_;
+  Band band_;
   double shortest_wavelength_;
-  std::vector<double> panels_;  // of each axis, where nothing jumps; 0 if too short
+  std::vector<double> panel_work_;  // of each axis, where nothing jumps; 0 if too short
   double work_ = 0.0;
 };
 

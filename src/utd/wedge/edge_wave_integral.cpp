@@ -9,6 +9,16 @@
 
 namespace raytube {
 
+/// Some rays: their lengths, and sqrt(k rho sin beta0).
+struct RowPoints {
+  Reals path, root;
+};
+
+/// Waves and their slopes at these rays, as WaveSums has them.
+struct RowWaves {
+  Complexes value{}, outwards{}, around{};
+};
+
 namespace {
 
 // How far past an end of the edge its waves are followed, as sqrt(k detour): they have faded below 0.01 there and are let fade to
@@ -25,22 +35,12 @@ double fading(double detour) {
   return rest * rest;
 }
 
-/// Some rays: their lengths, and sqrt(k rho sin beta0).
-struct Points {
-  Reals path, root;
-};
-
-/// Waves and their slopes at these rays, as WaveSums has them.
-struct Waves {
-  Complexes value{}, outwards{}, around{};
-};
-
 // W' = 2jxW - 2 e^{j pi/4} / sqrt(pi). `share` is a wave's share of what happens at a corner, by its x^2 = X, and that of its
 // slopes.
 template <class Share>
-Waves waves_at(const std::array<EdgeWaveTerm, 2>& terms, int each, const Points& at, Share share) {
+RowWaves waves_at(const std::array<EdgeWaveTerm, 2>& terms, int each, const RowPoints& at, Share share) {
   const double constant = std::sqrt(2 / pi);
-  Waves sum;
+  RowWaves sum;
   for (int i = 0; i < each; ++i) {
     const EdgeWaveTerm& term = terms[i];
     Reals x;
@@ -72,7 +72,7 @@ Complex product(const Complexes& a, const Complexes& b) {
   return {re, im};
 }
 
-WaveSums sum_of(const Waves& waves, const Complexes& weights, const Complexes& by_path, Complex factor, double sin_cone) {
+WaveSums sum_of(const RowWaves& waves, const Complexes& weights, const Complexes& by_path, Complex factor, double sin_cone) {
   return {factor * product(by_path, waves.value), factor / sin_cone * product(weights, waves.outwards),
           factor / sin_cone * product(weights, waves.around)};
 }
@@ -105,8 +105,24 @@ double EdgeWaveIntegral::reach(double path, double k, double cosine, double sin_
   return (d * cosine + std::sqrt(d * d + 2 * d * path * square)) / square;
 }
 
-WaveIntegrals EdgeWaveIntegral::over(const RayRow& row, double k) const {
-  WaveIntegrals sum;
+/// At the eight points of a rule: the rays, their waves, and beside a corner what these are multiplied with.
+struct EdgeWaveIntegral::Samples {
+  RowPoints at;
+  RowWaves incident, reflected;
+  bool beside_corner = false;
+  Complexes turn{}, step{};  // e^{j detour}, W of its root
+  double scale = 0.0;        // of the integral
+  double sin_cone = 1.0;
+
+  WaveIntegrals sum(const Complexes& rule, Complex phase) const {
+    const Complexes weights = beside_corner ? turned_back(rule, turn, step) : rule, by_path = times(weights, at.path);
+    const Complex factor = scale * phase;
+    return {sum_of(incident, weights, by_path, factor, sin_cone), sum_of(reflected, weights, by_path, factor, sin_cone)};
+  }
+};
+
+template <class Visit>
+void EdgeWaveIntegral::visit_rays(const RayRow& row, double k, Visit visit) const {
   const double from = std::max(row.from, from_), to = std::min(row.to, to_);
   if (from < to) {
     const double unit = at_edge / k;
@@ -116,31 +132,14 @@ WaveIntegrals EdgeWaveIntegral::over(const RayRow& row, double k) const {
     for (int i = 1; i <= parts; ++i) {
       const double path = near * std::pow(far / near, static_cast<double>(i) / parts);
       const double end = i == parts ? to : std::clamp((path - row.path) / row.path_rate, begin, to);
-      add_piece(row, k, begin, end, sum);
+      visit(RowStretch{begin, end});
       begin = end;
     }
   }
-  add_corner(row, k, corners_[0], 1.0, sum);
-  add_corner(row, k, corners_[1], -1.0, sum);
-  return sum;
 }
 
-void EdgeWaveIntegral::add_piece(const RayRow& row, double k, double from, double to, WaveIntegrals& sum) const {
-  const FilonRule& rule = FilonRule::get();
-  const double half = (to - from) / 2, middle = (from + to) / 2;
-  Points at;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    at.path[i] = std::max(row.path + row.path_rate * (middle + half * rule.at[i]), 0.0);
-    at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
-  }
-  const auto whole = [](std::size_t, double) { return std::pair(1.0, 1.0); };
-  const Complexes weights = rule.weights(k * row.phase_rate * half), by_path = times(weights, at.path);
-  const Complex factor = half * std::polar(1.0, k * (row.phase + row.phase_rate * middle));
-  sum.incident += sum_of(waves_at(terms_.incident, terms_.each, at, whole), weights, by_path, factor, sin_cone_);
-  sum.reflected += sum_of(waves_at(terms_.reflected, terms_.each, at, whole), weights, by_path, factor, sin_cone_);
-}
-
-void EdgeWaveIntegral::add_corner(const RayRow& row, double k, double corner, double inwards, WaveIntegrals& sum) const {
+template <class Visit>
+void EdgeWaveIntegral::visit_beside_corner(const RayRow& row, double k, double corner, double inwards, Visit visit) const {
   if (!std::isfinite(corner)) return;
   const auto path_at = [&](double arc_length) { return std::max(row.path + row.path_rate * arc_length, 0.0); };
   const double longest = std::max(path_at(row.from), path_at(row.to));
@@ -153,21 +152,78 @@ void EdgeWaveIntegral::add_corner(const RayRow& row, double k, double corner, do
     for (std::size_t i = 1; i < parts.size(); ++i) {
       const double start = corner + way * parts[i - 1], end = corner + way * parts[i];
       const double low = std::max(row.from, std::min(start, end)), high = std::min(row.to, std::max(start, end));
-      add_beside_corner(row, k, corner, side, low, high, sum);
+      if (low < high) visit(RowStretch{low, high, corner, side});
     }
   }
 }
 
-// `side` is 1 inside.
-void EdgeWaveIntegral::add_beside_corner(const RayRow& row, double k, double corner, double side, double from, double to,
-                                         WaveIntegrals& sum) const {
-  if (!(from < to)) return;
+void EdgeWaveIntegral::add(const RayRow& row, const RowStretch& stretch, double k, WaveIntegrals& sum) const {
+  const Complexes weights = FilonRule::get().weights(k * row.phase_rate * stretch.half());
+  const Complex phase = std::polar(1.0, k * (row.phase + row.phase_rate * stretch.middle()));
+  const WaveIntegrals part = sampled(row, stretch, k).sum(weights, phase);
+  sum.incident += part.incident;
+  sum.reflected += part.reflected;
+}
+
+WaveIntegrals EdgeWaveIntegral::over(const RayRow& row, double k) const {
+  WaveIntegrals sum;
+  const auto add_to_sum = [&](const RowStretch& stretch) { add(row, stretch, k, sum); };
+  visit_rays(row, k, add_to_sum);
+  visit_beside_corner(row, k, corners_[0], 1.0, add_to_sum);
+  visit_beside_corner(row, k, corners_[1], -1.0, add_to_sum);
+  return sum;
+}
+
+WaveIntegrals EdgeWaveIntegral::beside_corners(const RayRow& row, double k) const {
+  WaveIntegrals sum;
+  const auto add_to_sum = [&](const RowStretch& stretch) { add(row, stretch, k, sum); };
+  visit_beside_corner(row, k, corners_[0], 1.0, add_to_sum);
+  visit_beside_corner(row, k, corners_[1], -1.0, add_to_sum);
+  return sum;
+}
+
+std::vector<RowStretch> EdgeWaveIntegral::stretches(const RayRow& row, double k) const {
+  std::vector<RowStretch> all;
+  visit_rays(row, k, [&](const RowStretch& stretch) { all.push_back(stretch); });
+  return all;
+}
+
+WaveIntegrals EdgeWaveIntegral::whole(const RayRow& row, const RowStretch& stretch, double k) const {
+  return sampled(row, stretch, k).sum(FilonRule::get().weights(k * row.phase_rate * stretch.half()), 1.0);
+}
+
+EdgeWaveIntegral::Ends EdgeWaveIntegral::ends(const RayRow& row, const RowStretch& stretch, double k) const {
+  const FilonRule::Ends weights = FilonRule::get().end_weights(k * row.phase_rate * stretch.half());
+  const Samples samples = sampled(row, stretch, k);
+  return {samples.sum(weights.begin, 1.0), samples.sum(weights.end, 1.0)};
+}
+
+EdgeWaveIntegral::Samples EdgeWaveIntegral::sampled(const RayRow& row, const RowStretch& stretch, double k) const {
+  if (stretch.side != 0.0) return beside_corner(row, stretch, k);
   const FilonRule& rule = FilonRule::get();
-  const double half = (to - from) / 2, middle = (from + to) / 2;
-  Points at;
+  Samples samples;
+  samples.scale = stretch.half();
+  samples.sin_cone = sin_cone_;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    samples.at.path[i] = std::max(row.path + row.path_rate * (stretch.middle() + stretch.half() * rule.at[i]), 0.0);
+    samples.at.root[i] = sin_cone_ * std::sqrt(k * samples.at.path[i]);
+  }
+  const auto all = [](std::size_t, double) { return std::pair(1.0, 1.0); };
+  samples.incident = waves_at(terms_.incident, terms_.each, samples.at, all);
+  samples.reflected = waves_at(terms_.reflected, terms_.each, samples.at, all);
+  return samples;
+}
+
+EdgeWaveIntegral::Samples EdgeWaveIntegral::beside_corner(const RayRow& row, const RowStretch& stretch, double k) const {
+  const FilonRule& rule = FilonRule::get();
+  Samples samples;
+  samples.beside_corner = true;
+  samples.scale = -stretch.side / 2 * stretch.half();
+  samples.sin_cone = sin_cone_;
+  RowPoints& at = samples.at;
   Reals detour, x;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const double arc_length = middle + half * rule.at[i], beyond = arc_length - corner;
+    const double arc_length = stretch.middle() + stretch.half() * rule.at[i], beyond = arc_length - stretch.corner;
     at.path[i] = std::max(row.path + row.path_rate * arc_length, 0.0);
     at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
     const double along = beyond + at.path[i] * cos_cone_, across = at.path[i] * sin_cone_;
@@ -180,11 +236,11 @@ void EdgeWaveIntegral::add_beside_corner(const RayRow& row, double k, double cor
     const double both = z2 + detour[lane], own = both > 0.0 ? z2 / both : 1.0, faded = fading(detour[lane]);
     return std::pair(faded * own, faded * own * own);
   };
-  const Complexes weights = turned_back(rule.weights(k * row.phase_rate * half), unit_phasors(detour), scaled_erfc(x));
-  const Complexes by_path = times(weights, at.path);
-  const Complex factor = -side / 2 * half * std::polar(1.0, k * (row.phase + row.phase_rate * middle));
-  sum.incident += sum_of(waves_at(terms_.incident, terms_.each, at, share), weights, by_path, factor, sin_cone_);
-  sum.reflected += sum_of(waves_at(terms_.reflected, terms_.each, at, share), weights, by_path, factor, sin_cone_);
+  samples.turn = unit_phasors(detour);
+  samples.step = scaled_erfc(x);
+  samples.incident = waves_at(terms_.incident, terms_.each, at, share);
+  samples.reflected = waves_at(terms_.reflected, terms_.each, at, share);
+  return samples;
 }
 
 }  // namespace raytube

@@ -1,6 +1,8 @@
 // Integrals of an edge's waves over a row of parallel rays where these meet a plane. Derived in docs/theory/interaction.md.
 #pragma once
 
+#include <vector>
+
 #include "math/lanes.h"
 #include "utd/wedge/edge_wave.h"
 
@@ -31,6 +33,15 @@ struct WaveIntegrals {
   WaveSums incident, reflected;
 };
 
+/// A stretch of a row over which waves change little enough for one rule.
+struct RowStretch {
+  double from, to;      // positions [m]
+  double corner = 0.0;  // the end of the edge that it lies beside [m]
+  double side = 0.0;    // of that end: 1 inside, -1 beyond it; 0: the rays by themselves
+  double half() const { return (to - from) / 2; }
+  double middle() const { return (from + to) / 2; }
+};
+
 /// The waves of one azimuth from the piece [from, to] of an edge.
 ///
 /// Where the start of a ray passes an end of the piece its wave neither stops nor goes on: Fresnel's step of the detour over the
@@ -46,15 +57,32 @@ class EdgeWaveIntegral {
   /// At the wavenumber k [rad/m].
   WaveIntegrals over(const RayRow& row, double k) const;
 
+  /// The same in parts: what is beside the ends of the edge, and stretches of the rays between them, as k asks for. Over each of
+  /// these the integral is e^{jk phase} times `whole`, with the phase of its middle, or the sum of two such terms, of its `ends`.
+  /// Their amplitudes change slowly with k: those of `ends` where the phase turns by at least `least_turn` between middle and
+  /// end, and otherwise `whole`, which turns by no more.
+  WaveIntegrals beside_corners(const RayRow& row, double k) const;
+  std::vector<RowStretch> stretches(const RayRow& row, double k) const;
+  WaveIntegrals whole(const RayRow& row, const RowStretch& stretch, double k) const;
+  struct Ends {
+    WaveIntegrals from, to;
+  };
+  Ends ends(const RayRow& row, const RowStretch& stretch, double k) const;
+  static constexpr double least_turn = 2.0;  // [rad]
+
   /// How far from an end its wave is followed, for rays up to this long [m]; `cosine` is cos(beta0) towards greater arc lengths,
   /// and its negative towards smaller ones.
   static double reach(double path, double k, double cosine, double sin_cone);
 
  private:
-  void add_piece(const RayRow& row, double k, double from, double to, WaveIntegrals& sum) const;
-  void add_corner(const RayRow& row, double k, double corner, double inwards, WaveIntegrals& sum) const;
-  void add_beside_corner(const RayRow& row, double k, double corner, double side, double from, double to,
-                         WaveIntegrals& sum) const;
+  struct Samples;
+  template <class Visit>
+  void visit_rays(const RayRow& row, double k, Visit visit) const;
+  template <class Visit>
+  void visit_beside_corner(const RayRow& row, double k, double corner, double inwards, Visit visit) const;
+  void add(const RayRow& row, const RowStretch& stretch, double k, WaveIntegrals& sum) const;
+  Samples sampled(const RayRow& row, const RowStretch& stretch, double k) const;
+  Samples beside_corner(const RayRow& row, const RowStretch& stretch, double k) const;
 
   const EdgeWaveTerms& terms_;
   double cos_cone_, sin_cone_, from_, to_;
