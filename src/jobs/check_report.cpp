@@ -217,12 +217,13 @@ void tell_curved_surfaces(CheckReport& report, const SolvePlan& plan) {
   const SmoothSurfaces surfaces(mesh, plan.target.options.min_wedge_angle);
   const std::vector<SmoothPiece> pieces = smooth_pieces(mesh, surfaces);
   const std::size_t all = mesh.triangles.size();
-  report.data["curved_surfaces"] = {
-      {"facets", surfaces.facets()}, {"pieces", pieces.size()}, {"counts_as", plan.smooth ? "curved" : "flat"}};
+  const std::size_t taken = plan.smooth ? plan.smooth->facets() : 0;
+  const char* counts_as = taken == 0 ? "flat" : taken == surfaces.facets() ? "curved" : "curved and flat";
+  report.data["curved_surfaces"] = {{"facets", surfaces.facets()}, {"pieces", pieces.size()}, {"counts_as", counts_as}};
   report.print("\ncurved surfaces\n");
   if (pieces.empty()) return report.print("  none: all {} facets are flat\n", all);
-  const char* how = plan.smooth ? "curved" : "flat (tubes.curved)";
-  report.print("  {} of {} facets stand for curved surfaces and count as {}\n", surfaces.facets(), all, how);
+  report.print("  {} of {} facets stand for curved surfaces and count as {}{}\n", surfaces.facets(), all, counts_as,
+               taken < surfaces.facets() ? " (tubes.curved)" : "");
   for (std::size_t i = 0; i < std::min(pieces.size(), most_lines); ++i)
     report.print("  piece of {} facets: the surface rises above them by up to {:.3g} wavelengths\n", pieces[i].facets,
                  pieces[i].rise / plan.shortest_wavelength());

@@ -6,6 +6,7 @@
 
 #include "mesh/features/resolved_wedges.h"
 #include "mesh/features/symmetry.h"
+#include "mesh/smooth/bodies.h"
 #include "solve/admissible.h"
 #include "utd/gtd/ray_fields.h"
 #include "utd/interaction/interaction_groups.h"
@@ -16,10 +17,6 @@ namespace {
 
 // Tubes see facets where waves run over the surface behind them: rises of more than this many wavelengths put both out of phase.
 constexpr double most_rise = 1.0 / 32.0;
-
-// How deep a facet may seem to lie below its neighbours on a convex surface, in rises of that over its facets: normals at
-// vertices are means of few facets, wrong by up to what the surface turns over one of them.
-constexpr double most_dent = 4.0;
 
 // k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
 constexpr double most_phase = 0.5;
@@ -60,15 +57,25 @@ Convexity convexity_of(const SolvePlan& plan, const SmoothSurfaces& surfaces) {
   return convexity;
 }
 
-// Only convex bodies bend their facets by default, and a mesh of several components is none.
+// A mesh of several components is no convex body.
 bool may_be_convex(const SolvePlan& plan) {
   const std::vector<Component>& components = plan.target.mesh.components;
   return plan.convexity.no_reflection || (plan.tubes.skip && components.size() == 1 && components[0].closed);
 }
 
+// By default convex bodies bend their facets, alone or as bodies of a set that stand apart. What these reflect onto others knows
+// no antennas at a finite distance and no sheets.
+void plan_curved_bodies(SolvePlan& plan) {
+  const bool sheets = std::ranges::any_of(plan.sweep.materials, &Material::transmits);
+  if (sheets || !all_far(plan.sweep) || plan.target.mesh.components.size() == 1) return;
+  if (auto surfaces = bodies_apart(plan.target.mesh, plan.target.options.min_wedge_angle))
+    plan.smooth = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
+}
+
 void plan_curved_surfaces(SolvePlan& plan) {
   const bool convex_only = plan.tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
-  if (!bends_facets(plan) || (convex_only && !may_be_convex(plan))) return;
+  if (!bends_facets(plan)) return;
+  if (convex_only && !may_be_convex(plan)) return plan_curved_bodies(plan);
   auto surfaces = std::make_shared<const SmoothSurfaces>(plan.target.mesh, plan.target.options.min_wedge_angle);
   if (!surfaces->any()) return;
   plan.convexity = convexity_of(plan, *surfaces);
@@ -87,7 +94,8 @@ void plan_surface_waves(SolvePlan& plan) {
   plan.surface_waves = surface_waves_asked(plan);
   if (plan.surface_waves != SurfaceWaveState::computed) return;
   const double wavelength = plan.shortest_wavelength();
-  std::shared_ptr<const SmoothSurfaces> bent = plan.smooth;
+  std::shared_ptr<const SmoothSurfaces> bent =
+      plan.convexity.no_reflection || plan.tubes.curved == CurvedSurfaces::always ? plan.smooth : nullptr;
   if (!bent)
     bent = std::make_shared<const SmoothSurfaces>(plan.target.mesh, plan.target.options.min_wedge_angle, most_rise * wavelength);
   if (bent->any()) plan.wave_surfaces = bent;

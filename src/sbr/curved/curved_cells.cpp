@@ -208,8 +208,14 @@ class CellTrace {
     if (highest_ * path_range(light_, piece, box) > widest_cell_phase) return Verdict::bent;
     const double farthest = farthest_depth(piece, box);
     phase_off_ = 0.0;
-    for (const std::uint32_t t : triangles)
-      if (facing_[t].region != base_->region && reaches_before(facing_[t], box, farthest)) return Verdict::above_limit;
+    bool others = false;
+    for (const std::uint32_t t : triangles) {
+      if (facing_[t].region == base_->region) continue;
+      if (reaches_before(facing_[t], box, farthest)) return Verdict::above_limit;
+      others = true;
+    }
+    // Beside the piece they are lit.
+    if (others && !is_covered(box, triangles)) return Verdict::above_limit;
     for (const std::uint32_t t : triangles) {
       const FacingTriangle& f = facing_[t];
       if (f.region != base_->region) continue;

@@ -20,9 +20,14 @@ Bounds from_anchor(const CurvedPiece& piece, const Bounds& cell) {
 }
 
 struct Ranges {
-  dvec2 along{0.0};    // along u and along v, the larger of three rows
+  dvec2 along{0.0};    // along u and along v, the larger of three rows: see turning()
   double whole = 0.0;  // over all nine points
 };
+
+// The range that a linear phase would have which asks for as many points as this one, of these values at the ends and in the
+// middle: of a t + b t^2, -1 <= t = sin x <= 1, the steepest slope over x is |a| + |b| at most. Where a phase turns back it is up
+// to twice its range.
+double turning(double begin, double middle, double end) { return std::abs(end - begin) + std::abs(begin + end - 2.0 * middle); }
 
 // Accumulates the integrals over a perfect conductor: of 1 and of the depth's slopes times the phase factor, at all frequencies.
 class ConductorMoments {
@@ -44,8 +49,8 @@ class ConductorMoments {
     double low = path[0][0], high = low;
     for (int i = 0; i < 3; ++i) {
       const auto [u_low, u_high] = std::minmax({path[0][i], path[1][i], path[2][i]});
-      const auto [v_low, v_high] = std::minmax({path[i][0], path[i][1], path[i][2]});
-      ranges.along = glm::max(ranges.along, dvec2(u_high - u_low, v_high - v_low));
+      const dvec2 along{turning(path[0][i], path[1][i], path[2][i]), turning(path[i][0], path[i][1], path[i][2])};
+      ranges.along = glm::max(ranges.along, along);
       low = std::min(low, u_low);
       high = std::max(high, u_high);
     }
@@ -119,9 +124,10 @@ class MaterialWeights {
   // Chords along the axis along which the surface is steeper in the middle. Weights vary as well as the phase: points enough for
   // its whole range, both ways.
   ChordRule chords(const Bounds& box) const {
-    const double phase = std::ranges::max(light_.surfaces.wavenumbers) * ConductorMoments(light_, piece_).ranges(box).whole;
+    const Ranges ranges = ConductorMoments(light_, piece_).ranges(box);
+    const dvec2 phase = std::ranges::max(light_.surfaces.wavenumbers) * glm::max(dvec2(ranges.whole), ranges.along);
     const CurvedPiece::Depth middle = piece_.depth(0.5 * (box.low + box.high));
-    return {std::abs(middle.slope_u) > std::abs(middle.slope_v) ? 0 : 1, dvec2(phase)};
+    return {std::abs(middle.slope_u) > std::abs(middle.slope_v) ? 0 : 1, phase};
   }
 
   // The normal and the surface per launch area follow from the slopes.
@@ -165,7 +171,8 @@ class MaterialWeights {
 };
 
 // Points enough for e^{jx} over a range of x: a rule of n points has the polynomials up to 2n - 1, and the Legendre series of
-// e^{jx} ends soon after half the range (Trefethen 2013, Approximation theory and practice, chapter 8).
+// e^{jx} ends soon after half the range (Trefethen 2013, Approximation theory and practice, chapter 8). With turning() for the
+// range, of a quadratic phase all but 1e-3 of its integral's largest value.
 int points_for(double phase_range) { return std::min(5 + static_cast<int>(0.3 * phase_range), most_gauss_points); }
 
 // At the shadow boundary the depth ends like a square root; x = -cos takes that out of the integrand.
