@@ -84,8 +84,9 @@ class CellTrace {
       : look_(look),
         facing_(facing),
         incident_(incident_beam(look.grid, look.transmit, dvec2(0.0))),
-        light_{look.grid, look.transmit, look.receive, look.surfaces},
-        map_light_(light_),
+        band_(look.wavenumbers()),
+        light_{look.grid, look.transmit, look.receive, look.surfaces, &band_},
+        map_light_{look.grid, look.transmit, look.receive, look.surfaces},
         highest_(std::ranges::max(look.wavenumbers())),
         smallest_(smallest_cell * 2.0 * pi / highest_),
         visible_(look.faces, look.tracer) {
@@ -316,6 +317,7 @@ class CellTrace {
   const TubeLook& look_;
   std::span<const FacingTriangle> facing_;
   Beam incident_;
+  Band band_;
   Illumination light_, map_light_;
   std::vector<Material> map_materials_;  // at the map's frequency
   double highest_;                       // wavenumber [rad/m]
