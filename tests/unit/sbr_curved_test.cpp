@@ -59,6 +59,48 @@ TEST(CurvedPiece, SphereIsItsClosedForm) {
   }
 }
 
+// Interpolated in frequency or not: 1e-12 of what the cell would give in phase, k area / 2 pi.
+TEST(CurvedPiece, ManyFrequenciesAreThoseOfEachByItself) {
+  const Direction look{1.1, 0.4};
+  const LaunchGrid grid = plane_towards(look);
+  const SphericalBasis basis = spherical_basis(look);
+  std::vector<double> many;
+  for (int i = 0; i < 101; ++i) many.push_back(k * (0.9 + 0.002 * i));
+  Band band(many);
+  const Bounds box{{-0.7, 0.2}, {0.4, 1.1}}, at_shadow_boundary{{2.3, 0.5}, {3.4, 1.4}};
+  for (const Bounds& cell : {box, at_shadow_boundary}) {
+    const CurvedPiece piece = sphere_piece(grid, 0.5 * (cell.low + cell.high));
+    const auto each = curved_far_field({grid, basis, basis, {{}, many}}, piece, cell),
+               interpolated = curved_far_field({grid, basis, basis, {{}, many}, &band}, piece, cell);
+    for (std::size_t f = 0; f < many.size(); ++f)
+      EXPECT_LE(std::abs(each[f].vv() - interpolated[f].vv()), 1e-12 * many[f] * area(cell)) << f;
+  }
+}
+
+// Tubes that a sphere has reflected, on a plane: the same.
+TEST(CurvedBeam, ManyFrequenciesAreThoseOfEachByItself) {
+  const Direction look{1.1, 0.4};
+  const LaunchGrid grid = plane_towards(look);
+  const SphericalBasis basis = spherical_basis(look);
+  std::vector<double> many;
+  for (int i = 0; i < 101; ++i) many.push_back(k * (0.9 + 0.002 * i));
+  Band band(many);
+  const dvec2 at(0.8, -0.5), size(0.1, 0.1);
+  const CurvedBeam launched = launched_beam(grid, basis, at);
+  const CurvedFootprint first = curved_footprint(launched, sphere_piece(grid, at).surface(), basis);
+  const dvec3 hit = first.outgoing.base + 2.0 * first.outgoing.direction;
+  const CurvedFootprint second = curved_footprint(first.outgoing, {hit, -first.outgoing.direction, glm::dmat3(0.0)}, basis);
+  std::vector<ScatteringMatrix> sums(many.size());
+  add_far_fields(sums, second, band, size);
+  for (std::size_t f = 0; f < many.size(); ++f) {
+    ScatteringMatrix each;
+    add_far_field(each, second, f, many[f], size);
+    EXPECT_GT(std::abs(each.vv()), 0.0);
+    // The rule's points may be one more at higher frequencies.
+    EXPECT_LE(std::abs(each.vv() - sums[f].vv()), 1e-7 * std::abs(each.vv())) << f;
+  }
+}
+
 // In wide scenes cells are long. Over one that is 4 wavelengths long, as one here that reaches from 3.2 to the left of the
 // specular point to 0.8 to its right, the phase runs back and forth by tens of rad. Such cells, the only ones of stationary
 // phase, are each to be right to 1e-3 of what they would give in phase; that is a few times the sum, as 4 / sqrt(radius x
