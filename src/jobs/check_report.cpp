@@ -218,13 +218,18 @@ void tell_curved_surfaces(CheckReport& report, const SolvePlan& plan) {
   const SmoothSurfaces surfaces(mesh, plan.target.options.min_wedge_angle);
   const std::vector<SmoothPiece> pieces = smooth_pieces(mesh, surfaces);
   const std::size_t all = mesh.triangles.size();
-  const bool curved = std::ranges::any_of(plan.bands, [](const BandPlan& band) { return band.smooth != nullptr; });
-  report.data["curved_surfaces"] = {
-      {"facets", surfaces.facets()}, {"pieces", pieces.size()}, {"counts_as", curved ? "curved" : "flat"}};
-  report.print("\ncurved surfaces\n");
-  if (pieces.empty()) return report.print("  none: all {} facets are flat\n", all);
-  const char* how = curved ? "curved" : "flat (tubes.curved)";
-  report.print("  {} of {} facets stand for curved surfaces and count as {}\n", surfaces.facets(), all, how);
+  std::size_t taken = 0;
+  for (const BandPlan& band : plan.bands) taken = std::max(taken, band.smooth ? band.smooth->facets() : 0);
+  const char* counts_as = taken == 0 ? "flat" : taken == surfaces.facets() ? "curved" : "curved and flat";
+  report.data["curved_surfaces"] = {{"facets", surfaces.facets()}, {"pieces", pieces.size()}, {"counts_as", counts_as}};
+  report.print("
+curved surfaces
+");
+  if (pieces.empty()) return report.print("  none: all {} facets are flat
+", all);
+  report.print("  {} of {} facets stand for curved surfaces and count as {}{}
+", surfaces.facets(), all, counts_as,
+               taken < surfaces.facets() ? " (tubes.curved)" : "");
   for (std::size_t i = 0; i < std::min(pieces.size(), most_lines); ++i)
     report.print("  piece of {} facets: the surface rises above them by up to {:.3g} wavelengths\n", pieces[i].facets,
                  pieces[i].rise / plan.shortest_wavelength());

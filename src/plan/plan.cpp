@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "mesh/features/symmetry.h"
+#include "mesh/smooth/bodies.h"
 #include "plan/admissible.h"
 #include "utd/gtd/ray_fields.h"
 
@@ -14,10 +15,6 @@ namespace {
 
 // Tubes see facets where waves run over the surface behind them: rises of more than this many wavelengths put both out of phase.
 constexpr double most_rise = 1.0 / 32.0;
-
-// How deep a facet may seem to lie below its neighbours on a convex surface, in rises of that over its facets: normals at
-// vertices are means of few facets, wrong by up to what the surface turns over one of them.
-constexpr double most_dent = 4.0;
 
 double ray_range_of(const SolvePlan& plan) {
   if (!plan.rays()) return 0.0;
@@ -37,7 +34,8 @@ class BandPlanner {
  public:
   explicit BandPlanner(const SolvePlan& plan) : plan_(plan), mesh_(plan.target.mesh) {
     convex_only_ = plan.tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
-    if (!bends_facets(plan) || (convex_only_ && !may_be_convex())) return;
+    if (!bends_facets(plan)) return;
+    if (convex_only_ && !may_be_convex()) return find_bodies_apart();
     all_ = std::make_shared<const SmoothSurfaces>(mesh_, plan.target.options.min_wedge_angle);
     if (!all_->any()) all_.reset();
   }
@@ -46,14 +44,24 @@ class BandPlanner {
     BandPlan band{{}, {}, convexity_at(wavelength)};
     if (all_ && (!convex_only_ || band.convexity.no_reflection)) band.smooth = all_;
     band.wave_surfaces = band.smooth ? band.smooth : wave_surfaces_at(wavelength);
+    if (!band.smooth) band.smooth = bodies_apart_;
     return band;
   }
 
  private:
-  // Only convex bodies bend their facets by default, and a mesh of several components is none.
+  // A mesh of several components is no convex body.
   bool may_be_convex() const {
     const std::vector<Component>& components = mesh_.components;
     return plan_.target.convexity.no_reflection || (plan_.tubes.skip && components.size() == 1 && components[0].closed);
+  }
+
+  // By default convex bodies bend their facets, alone or as bodies of a set that stand apart. What these reflect onto others knows
+  // no antennas at a finite distance and no sheets.
+  void find_bodies_apart() {
+    const bool sheets = std::ranges::any_of(plan_.sweep.materials, &Material::transmits);
+    if (sheets || !all_far(plan_.sweep) || mesh_.components.size() == 1) return;
+    if (auto surfaces = bodies_apart(mesh_, plan_.target.options.min_wedge_angle))
+      bodies_apart_ = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
   }
 
   // A body all of whose hollows are those between the facets of its surfaces reflects nothing onto itself. Hollow edges are none
@@ -77,7 +85,7 @@ class BandPlanner {
   const SolvePlan& plan_;
   const TriangleMesh& mesh_;
   bool convex_only_;
-  std::shared_ptr<const SmoothSurfaces> all_;  // null: tubes see none
+  std::shared_ptr<const SmoothSurfaces> all_, bodies_apart_;  // null: tubes see none
 };
 
 // What grows with the wavelength is the same where it is as large.

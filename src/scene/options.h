@@ -19,7 +19,7 @@ enum class TubeMode {
 /// Where facets that stand for a curved surface are taken as that surface.
 enum class CurvedSurfaces {
   never,   // facets are flat
-  convex,  // on convex targets: what a curved surface reflects has to be sampled, what facets reflect has not
+  convex,  // on convex bodies: what a curved surface reflects has to be sampled, what facets reflect has not
   always   // on every target
 };
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/load.h"
+#include "mesh/smooth/bodies.h"
 #include "mesh/smooth/smooth.h"
 #include "mesh/trace/tracer.h"
 #include "run.h"
@@ -152,6 +153,51 @@ TEST(SmoothSurfaces, ConeOfOneRowIsStraightToItsTip) {
         EXPECT_LE(glm::length(smooth.bend(t, c)), 1e-9);
       }
   }
+}
+
+std::size_t facets_of_bodies_apart(const PolygonSoup& soup) {
+  const LoadedMesh loaded = build_mesh(soup, 1.0);
+  const std::optional<SmoothSurfaces> bodies = bodies_apart(loaded.mesh, crease);
+  return bodies ? bodies->facets() : 0;
+}
+
+PolygonSoup moved(const PolygonSoup& soup, const dvec3& by) { return shapes::transformed(soup, glm::dmat3(1.0), 1.0, by); }
+
+// A plate of 2 x 2 whose corners are all further away than its middle; its diagonal does not run under the sphere.
+TEST(BodiesApart, KeepAwayFromFacesAsWellAsFromCorners) {
+  const PolygonSoup sphere = shapes::icosphere(3, 0.5);
+  const std::size_t all = sphere.polygons.size();
+  for (const auto& [height, facets] : {std::pair{0.99, std::size_t{0}}, std::pair{1.02, all}})
+    EXPECT_EQ(facets_of_bodies_apart(shapes::joined(sphere, moved(shapes::plate(6.0), {1.0, 0.5, -height}))), facets) << height;
+}
+
+// Turned as a whole nothing changes.
+TEST(BodiesApart, TakesEachBodyByItself) {
+  const PolygonSoup sphere = shapes::icosphere(3, 1.0), small = shapes::icosphere(3, 0.4), cube = shapes::cube(1.0);
+  const std::size_t all = sphere.polygons.size();
+  const glm::dmat3 turn(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);
+  const auto facets = [&](const PolygonSoup& set) {
+    const std::size_t count = facets_of_bodies_apart(set);
+    EXPECT_EQ(facets_of_bodies_apart(shapes::transformed(set, turn)), count);
+    return count;
+  };
+  EXPECT_EQ(facets(shapes::joined(sphere, moved(small, {5.0, 0.0, 0.0}))), 2 * all);
+  EXPECT_EQ(facets(shapes::joined(sphere, moved(small, {2.2, 0.0, 0.0}))), all);  // the large one is too near to the small
+  EXPECT_EQ(facets(shapes::joined(sphere, moved(small, {1.5, 0.0, 0.0}))), 0u);
+  EXPECT_EQ(facets(shapes::joined(sphere, moved(cube, {4.0, 0.0, 0.0}))), all);
+  EXPECT_EQ(facets(shapes::joined(cube, moved(cube, {4.0, 0.0, 0.0}))), 0u);
+}
+
+// What is open or hollow counts as its facets.
+TEST(BodiesApart, AreConvexAndClosed) {
+  const PolygonSoup far_away = moved(shapes::cube(1.0), {20.0, 0.0, 0.0});
+  PolygonSoup bowl = shapes::icosphere(3, 1.0);
+  std::erase_if(bowl.polygons, [&](const auto& polygon) { return bowl.points[polygon[0]].z > 0.5; });
+  EXPECT_EQ(facets_of_bodies_apart(shapes::joined(bowl, far_away)), 0u);
+  PolygonSoup dented = shapes::icosphere(3, 1.0);
+  for (dvec3& point : dented.points)
+    point *= 1.0 - 0.3 * std::exp(-4.0 * glm::dot(point - dvec3(0, 0, 1), point - dvec3(0, 0, 1)));
+  EXPECT_EQ(facets_of_bodies_apart(shapes::joined(dented, far_away)), 0u);
 }
 
 // Creases of 15 degrees to rounding, as a wall of 24 sides has: none is an edge.

@@ -47,7 +47,18 @@ SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, doub
   one_sided_ = std::move(corners.one_sided);
   find_regions(creases, corners.is_plane);
   keep_flat(max_rise);
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+  count_facets();
+}
+
+void SmoothSurfaces::keep_components(const std::vector<bool>& kept) {
+  for (std::uint32_t t = 0; t < region_.size(); ++t)
+    if (!kept[mesh_.triangle_component[t]]) region_[t] = no_index;
+  count_facets();
+}
+
+void SmoothSurfaces::count_facets() {
+  facets_ = 0, rise_ = 0.0;
+  for (std::uint32_t t = 0; t < region_.size(); ++t) {
     if (region_[t] == no_index) continue;
     ++facets_;
     rise_ = std::max(rise_, rise(t));

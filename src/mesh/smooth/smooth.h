@@ -64,6 +64,9 @@ class SmoothSurfaces {
   /// `max_rise` [m] in the mean, each as a whole.
   SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise = std::numeric_limits<double>::infinity());
 
+  /// Those of other components, [component], become flat.
+  void keep_components(const std::vector<bool>& kept);
+
   /// Whether a facet stands for a curved surface.
   bool any() const { return facets_ > 0; }
   /// How many of them do.
@@ -111,6 +114,7 @@ class SmoothSurfaces {
   void find_regions(const Creases& creases, const std::vector<bool>& is_plane);
   bool is_doubtful(std::uint32_t triangle) const;
   void keep_flat(double max_rise);
+  void count_facets();
 
   const TriangleMesh& mesh_;
   double steepest_;  // of the leans of sides that are chords, a sine

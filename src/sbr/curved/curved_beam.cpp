@@ -108,12 +108,18 @@ Complex stationary_value(const CurvedFootprint& f, double k, const dvec2& half) 
                     0.5 * k * glm::dot(f.slope, point) + (determinant > 0.0 ? sign * 0.5 * pi : 0.0));
 }
 
+// Of the exponent / k over the rectangle [m].
+double path_range(const CurvedFootprint& f, const dvec2& size) {
+  const dvec2 half = 0.5 * size;
+  return std::abs(f.slope.x) * size.x + std::abs(f.slope.y) * size.y + std::abs(f.curvature[0][0]) * half.x * half.x +
+         std::abs(f.curvature[1][1]) * half.y * half.y;
+}
+
 Complex phase_integral(const CurvedFootprint& f, double k, const dvec2& size) {
   const dvec2 half = 0.5 * size;
-  const double range = k * (std::abs(f.slope.x) * size.x + std::abs(f.slope.y) * size.y +
-                            std::abs(f.curvature[0][0]) * half.x * half.x + std::abs(f.curvature[1][1]) * half.y * half.y);
+  const double range = k * path_range(f, size);
   if (range > widest_quadrature_phase) return stationary_value(f, k, half);
-  const auto rule = gauss_rule(3 + static_cast<int>(0.3 * range));
+  const auto rule = gauss_rule(5 + static_cast<int>(0.3 * range));
   Complex mean = 0.0;
   for (const GaussPoint& x : rule)
     for (const GaussPoint& y : rule) {
@@ -131,6 +137,27 @@ void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t 
   for (int p = 0; p < 2; ++p)
     for (int q = 0; q < 2; ++q)
       sum.at(p, q) += spectrum.empty() ? f.weight[p][q] * scaled : spectrum[frequency_index].weight[p][q] * f.strength * scaled;
+}
+
+void add_far_fields(std::vector<ScatteringMatrix>& sums, const CurvedFootprint& f, Band& band, const dvec2& size) {
+  const double range = path_range(f, size);
+  const bool smooth = f.outgoing.spectrum.empty() && range * std::ranges::max(band.wavenumbers()) <= widest_quadrature_phase;
+  const ChebyshevNodes* nodes = smooth ? band.nodes(range) : nullptr;
+  std::vector<Complex> samples;
+  if (nodes)
+    for (const double k : nodes->at) samples.push_back(phase_integral(f, k, size));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double k = band.wavenumbers()[i];
+    if (!nodes) {
+      add_far_field(sums[i], f, i, k, size);
+      continue;
+    }
+    Complex integral = 0.0;
+    for (std::size_t n = 0; n < samples.size(); ++n) integral += nodes->weights[i * samples.size() + n] * samples[n];
+    const Complex scaled = Complex(0.0, -k / (4.0 * pi)) * std::polar(1.0, k * f.phase) * integral;
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) sums[i].at(p, q) += f.weight[p][q] * scaled;
+  }
 }
 
 }  // namespace raytube

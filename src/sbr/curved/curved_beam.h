@@ -1,6 +1,7 @@
 // A narrow tube with a curved wavefront: a ray, and how it changes across the launch plane.
 #pragma once
 
+#include "math/chebyshev.h"
 #include "mesh/smooth/smooth.h"
 #include "sbr/beams/footprint.h"
 
@@ -45,5 +46,8 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
 /// Adds S of the footprint's currents over a launch rectangle of this size [m] about the tube's middle, at wavenumber `k`
 /// [rad/m], which is that of `frequency_index` in its spectrum.
 void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t frequency_index, double k, const dvec2& size);
+
+/// The same at all wavenumbers of a band; of many, on perfect conductors, a few are computed and the others interpolated.
+void add_far_fields(std::vector<ScatteringMatrix>& sums, const CurvedFootprint& f, Band& band, const dvec2& size);
 
 }  // namespace raytube

@@ -84,8 +84,9 @@ class CellTrace {
       : look_(look),
         facing_(facing),
         incident_(incident_beam(look.grid, look.transmit, dvec2(0.0))),
-        light_{look.grid, look.transmit, look.receive, look.surfaces},
-        map_light_(light_),
+        band_(look.wavenumbers()),
+        light_{look.grid, look.transmit, look.receive, look.surfaces, &band_},
+        map_light_{look.grid, look.transmit, look.receive, look.surfaces},
         highest_(std::ranges::max(look.wavenumbers())),
         smallest_(smallest_cell * 2.0 * pi / highest_),
         visible_(look.faces, look.tracer) {
@@ -208,8 +209,14 @@ class CellTrace {
     if (highest_ * path_range(light_, piece, box) > widest_cell_phase) return Verdict::bent;
     const double farthest = farthest_depth(piece, box);
     phase_off_ = 0.0;
-    for (const std::uint32_t t : triangles)
-      if (facing_[t].region != base_->region && reaches_before(facing_[t], box, farthest)) return Verdict::above_limit;
+    bool others = false;
+    for (const std::uint32_t t : triangles) {
+      if (facing_[t].region == base_->region) continue;
+      if (reaches_before(facing_[t], box, farthest)) return Verdict::above_limit;
+      others = true;
+    }
+    // Beside the piece they are lit.
+    if (others && !is_covered(box, triangles)) return Verdict::above_limit;
     for (const std::uint32_t t : triangles) {
       const FacingTriangle& f = facing_[t];
       if (f.region != base_->region) continue;
@@ -310,6 +317,7 @@ class CellTrace {
   const TubeLook& look_;
   std::span<const FacingTriangle> facing_;
   Beam incident_;
+  Band band_;
   Illumination light_, map_light_;
   std::vector<Material> map_materials_;  // at the map's frequency
   double highest_;                       // wavenumber [rad/m]

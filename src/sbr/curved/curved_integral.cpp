@@ -20,15 +20,21 @@ Bounds from_anchor(const CurvedPiece& piece, const Bounds& cell) {
 }
 
 struct Ranges {
-  dvec2 along{0.0};    // along u and along v, the larger of three rows
-  double whole = 0.0;  // over all nine points
+  dvec2 along{0.0};              // along u and along v, the larger of three rows: see turning()
+  double low = 0.0, high = 0.0;  // over all nine points
+  double whole() const { return high - low; }
 };
+
+// The range that a linear phase would have which asks for as many points as this one, of these values at the ends and in the
+// middle: of a t + b t^2, -1 <= t = sin x <= 1, the steepest slope over x is |a| + |b| at most. Where a phase turns back it is up
+// to twice its range.
+double turning(double begin, double middle, double end) { return std::abs(end - begin) + std::abs(begin + end - 2.0 * middle); }
 
 // Accumulates the integrals over a perfect conductor: of 1 and of the depth's slopes times the phase factor, at all frequencies.
 class ConductorMoments {
  public:
   ConductorMoments(const Illumination& light, const CurvedPiece& piece)
-      : light_(light), piece_(piece), sums_(light.surfaces.wavenumbers.size()) {
+      : light_(light), piece_(piece), wavenumbers_(light.surfaces.wavenumbers), sums_(wavenumbers_.size()) {
     change_ = light.receive.radial - light.grid.direction;
     along_ = {glm::dot(change_, light.grid.u_hat), glm::dot(change_, light.grid.v_hat), glm::dot(change_, light.grid.direction)};
   }
@@ -40,30 +46,40 @@ class ConductorMoments {
     double path[3][3];
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) path[i][j] = this->path(box.low + (box.high - box.low) * dvec2(0.5 * i, 0.5 * j));
-    Ranges ranges;
-    double low = path[0][0], high = low;
+    Ranges ranges{.low = path[0][0], .high = path[0][0]};
     for (int i = 0; i < 3; ++i) {
       const auto [u_low, u_high] = std::minmax({path[0][i], path[1][i], path[2][i]});
-      const auto [v_low, v_high] = std::minmax({path[i][0], path[i][1], path[i][2]});
-      ranges.along = glm::max(ranges.along, dvec2(u_high - u_low, v_high - v_low));
-      low = std::min(low, u_low);
-      high = std::max(high, u_high);
+      const dvec2 along{turning(path[0][i], path[1][i], path[2][i]), turning(path[i][0], path[i][1], path[i][2])};
+      ranges.along = glm::max(ranges.along, along);
+      ranges.low = std::min(ranges.low, u_low);
+      ranges.high = std::max(ranges.high, u_high);
     }
-    ranges.whole = high - low;
     return ranges;
   }
 
+  // From here on paths lie about these: moments over a short stretch of path are known from a few wavenumbers, twice the stretch
+  // as it may be wider than its ends say.
+  void expect_paths(double low, double high) {
+    nodes_ = light_.band ? light_.band->nodes(high - low) : nullptr;
+    if (!nodes_) return;
+    wavenumbers_ = nodes_->at;
+    middle_ = 0.5 * (low + high);
+    sums_.assign(wavenumbers_.size(), {});
+  }
+
   // Chords along the axis over which the phase varies more.
-  ChordRule chords(const Bounds& box) const {
-    const dvec2 phase = std::ranges::max(light_.surfaces.wavenumbers) * ranges(box).along;
+  ChordRule chords(const Bounds& box) {
+    const Ranges ranges = this->ranges(box);
+    expect_paths(ranges.low, ranges.high);
+    const dvec2 phase = std::ranges::max(light_.surfaces.wavenumbers) * ranges.along;
     return {phase.x > phase.y ? 0 : 1, phase};
   }
 
   void add(const dvec2& at, double weight) {
     const CurvedPiece::Depth here = piece_.depth(at);
-    const double length = path(at, here.depth);
+    const double length = path(at, here.depth) - middle_;
     for (std::size_t f = 0; f < sums_.size(); ++f) {
-      const Complex value = std::polar(weight, light_.surfaces.wavenumbers[f] * length);
+      const Complex value = std::polar(weight, wavenumbers_[f] * length);
       sums_[f].one += value;
       sums_[f].slope_u += here.slope_u * value;
       sums_[f].slope_v += here.slope_v * value;
@@ -74,17 +90,19 @@ class ConductorMoments {
     const LaunchGrid& grid = light_.grid;
     const std::array<dvec3, 2> incident{light_.transmit.theta_hat, light_.transmit.phi_hat},
         received{light_.receive.theta_hat, light_.receive.phi_hat};
-    const double start = glm::dot(change_, piece_.surface().point);
-    std::vector<ScatteringMatrix> scattering(sums_.size());
-    for (std::size_t f = 0; f < sums_.size(); ++f) {
+    const double start = glm::dot(change_, piece_.surface().point) + middle_;
+    std::vector<ScatteringMatrix> scattering(light_.surfaces.wavenumbers.size());
+    for (std::size_t f = 0; f < scattering.size(); ++f) {
+      const Sum sum = nodes_ ? interpolated(f) : sums_[f];
       const double k = light_.surfaces.wavenumbers[f];
       const Complex factor = Complex(0.0, -k / (2.0 * pi)) * std::polar(1.0, k * start);
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) {
           const double forward = glm::dot(received[p], grid.direction);
-          scattering[f].at(p, q) = factor * (glm::dot(received[p], incident[q]) * sums_[f].one +
-                                             forward * (glm::dot(incident[q], grid.u_hat) * sums_[f].slope_u +
-                                                        glm::dot(incident[q], grid.v_hat) * sums_[f].slope_v));
+          scattering[f].at(p, q) =
+              factor *
+              (glm::dot(received[p], incident[q]) * sum.one +
+               forward * (glm::dot(incident[q], grid.u_hat) * sum.slope_u + glm::dot(incident[q], grid.v_hat) * sum.slope_v));
         }
     }
     return scattering;
@@ -96,9 +114,24 @@ class ConductorMoments {
   struct Sum {
     Complex one, slope_u, slope_v;
   };
+
+  Sum interpolated(std::size_t f) const {
+    Sum sum;
+    for (std::size_t n = 0; n < sums_.size(); ++n) {
+      const double weight = nodes_->weights[f * sums_.size() + n];
+      sum.one += weight * sums_[n].one;
+      sum.slope_u += weight * sums_[n].slope_u;
+      sum.slope_v += weight * sums_[n].slope_v;
+    }
+    return sum;
+  }
+
   const Illumination& light_;
   const CurvedPiece& piece_;
   dvec3 change_, along_;
+  const ChebyshevNodes* nodes_ = nullptr;  // null: sums at all wavenumbers asked for
+  std::span<const double> wavenumbers_;    // of the sums
+  double middle_ = 0.0;                    // path that they are referred to [m]
   std::vector<Sum> sums_;
 };
 
@@ -116,12 +149,16 @@ class MaterialWeights {
   // Exponent / k, counted from the anchor.
   double path(const dvec2& at) const { return path(at, piece_.depth(at).depth); }
 
+  // Materials differ from frequency to frequency: each is computed.
+  void expect_paths(double, double) {}
+
   // Chords along the axis along which the surface is steeper in the middle. Weights vary as well as the phase: points enough for
   // its whole range, both ways.
   ChordRule chords(const Bounds& box) const {
-    const double phase = std::ranges::max(light_.surfaces.wavenumbers) * ConductorMoments(light_, piece_).ranges(box).whole;
+    const Ranges ranges = ConductorMoments(light_, piece_).ranges(box);
+    const dvec2 phase = std::ranges::max(light_.surfaces.wavenumbers) * glm::max(dvec2(ranges.whole()), ranges.along);
     const CurvedPiece::Depth middle = piece_.depth(0.5 * (box.low + box.high));
-    return {std::abs(middle.slope_u) > std::abs(middle.slope_v) ? 0 : 1, dvec2(phase)};
+    return {std::abs(middle.slope_u) > std::abs(middle.slope_v) ? 0 : 1, phase};
   }
 
   // The normal and the surface per launch area follow from the slopes.
@@ -165,7 +202,8 @@ class MaterialWeights {
 };
 
 // Points enough for e^{jx} over a range of x: a rule of n points has the polynomials up to 2n - 1, and the Legendre series of
-// e^{jx} ends soon after half the range (Trefethen 2013, Approximation theory and practice, chapter 8).
+// e^{jx} ends soon after half the range (Trefethen 2013, Approximation theory and practice, chapter 8). With turning() for the
+// range, of a quadratic phase all but 1e-3 of its integral's largest value.
 int points_for(double phase_range) { return std::min(5 + static_cast<int>(0.3 * phase_range), most_gauss_points); }
 
 // At the shadow boundary the depth ends like a square root; x = -cos takes that out of the integrand.
@@ -215,6 +253,7 @@ std::vector<ScatteringMatrix> integrate(Accumulator sums, const Illumination& li
     low = std::min(low, path);
     high = std::max(high, path);
   }
+  sums.expect_paths(low, high);
   const auto rule = gauss_rule(points_for(std::ranges::max(light.surfaces.wavenumbers) * (high - low)) - 1);
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const dvec2 a = polygon[i - 1].at - polygon[0].at, b = polygon[i].at - polygon[0].at;
@@ -230,7 +269,7 @@ std::vector<ScatteringMatrix> integrate(Accumulator sums, const Illumination& li
 }  // namespace
 
 double path_range(const Illumination& light, const CurvedPiece& piece, const Bounds& cell) {
-  return ConductorMoments(light, piece).ranges(from_anchor(piece, cell)).whole;
+  return ConductorMoments(light, piece).ranges(from_anchor(piece, cell)).whole();
 }
 
 std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const Bounds& cell,

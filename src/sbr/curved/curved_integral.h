@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "math/chebyshev.h"
 #include "sbr/beams/tube_sums.h"
 #include "sbr/curved/curved_piece.h"
 #include "sbr/launch/convex_polygon.h"
@@ -15,6 +16,7 @@ struct Illumination {
   const SphericalBasis& transmit;
   const SphericalBasis& receive;
   SpectralSurfaces surfaces;
+  Band* band = nullptr;  // of the wavenumbers, many of which are then interpolated to 1e-12; null: each is computed
 };
 
 /// Far field of the physical-optics currents on the piece within a launch rectangle, [frequency]. With s the direction to the

@@ -23,7 +23,7 @@ constexpr std::size_t most_cells = std::size_t{1} << 16;
 // the surface behind it.
 class CurvedTubes {
  public:
-  CurvedTubes(const TubeLook& look, TubeSums& sums) : look_(look), sums_(sums) {
+  CurvedTubes(const TubeLook& look, TubeSums& sums) : look_(look), band_(look.wavenumbers()), sums_(sums) {
     for (auto& sums_of_grid : coarse_sums_) sums_of_grid.resize(look.wavenumbers().size());
   }
 
@@ -133,12 +133,10 @@ class CurvedTubes {
     const dvec2 cell(look_.grid.du, look_.grid.dv);
     sums_.meet(bounce, cell.x * cell.y, 1.0);
     if (look_.surfaces.any_rough()) sums_.add_incoherent(tube.footprint.outgoing.spectrum, cell.x * cell.y);
-    for (std::size_t f = 0; f < sums.size(); ++f) {
-      add_far_field(sums[f], tube.footprint, f, look_.wavenumbers()[f], cell);
-      for (std::uint32_t grid = 0; grid < coarse_grids; ++grid)
-        if (tube.cell.x % 3 == 1 - grid && tube.cell.y % 3 == 1 - grid)
-          add_far_field(coarse_sums_[grid][f], tube.footprint, f, look_.wavenumbers()[f], 3.0 * cell);
-    }
+    add_far_fields(sums, tube.footprint, band_, cell);
+    for (std::uint32_t grid = 0; grid < coarse_grids; ++grid)
+      if (tube.cell.x % 3 == 1 - grid && tube.cell.y % 3 == 1 - grid)
+        add_far_fields(coarse_sums_[grid], tube.footprint, band_, 3.0 * cell);
   }
 
   void add_to_map(const Tube& tube, std::uint32_t triangle) {
@@ -148,6 +146,7 @@ class CurvedTubes {
   }
 
   const TubeLook& look_;
+  Band band_;
   TubeSums& sums_;
   std::vector<Tube> tubes_;
   std::vector<Ray> rays_;
