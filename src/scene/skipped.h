@@ -23,7 +23,7 @@ struct SkipCounts {
   std::uint64_t pairs_beyond_budget = 0;        // sum over looks
   std::uint64_t reflections_beyond_budget = 0;  // sum over looks: of an edge and a mirror by which light might reach it
   std::uint64_t fringe_beyond_budget = 0;       // sum over looks: pieces of edges lit after a reflection, without fringe currents
-  std::uint64_t dark_interaction_looks = 0;     // no edge with a surface in front is lit
+  std::uint64_t dark_interaction_looks = 0;     // no lit edge faces another surface
   std::uint64_t unreached_looks = 0;            // without waves between surfaces, of which the budget reaches too few
   std::uint64_t weak_surface_looks = 0;         // to which waves over curved surfaces would add too little
   std::uint64_t unbudgeted_looks = 0;           // without waves between surfaces, as edges.between_budget is 0

@@ -156,7 +156,7 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
       {"wedges", "concave: multiple reflection stands for them", count([](const Wedge& w) { return !w.convex(); })}};
   if (plan.mechanisms.rays) return skipped;
   if (!plan.mechanisms.material_edges)
-    skipped.push_back({"wedges", "a face is no perfect conductor (edges.materials)",
+    skipped.push_back({"wedges", "a face is not a perfect conductor (edges.materials)",
                        count([](const Wedge& w) { return w.convex() && !w.conducting(); })});
   const double lowest = std::ranges::min(plan.sweep.frequencies);
   std::vector<Wedge> merged = merge_thin_plate_edges(wedges, plan.target.thin_plate_edges, thin_limit(lowest));
@@ -205,9 +205,9 @@ const char* why_not(SurfaceWaveState state) {
     case SurfaceWaveState::not_asked:
       return "surfaces.waves is false";
     case SurfaceWaveState::no_edge_currents:
-      return "they come with edge currents, edges.method \"fringe\"";
+      return "they are computed together with edge currents (edges.method \"fringe\")";
     case SurfaceWaveState::facets_meant:
-      return "facets are what is meant by tubes.curved \"never\" and by tubes that are not clipped";
+      return "tubes.curved \"never\" and tubes that are not clipped take facets as the surface itself";
     case SurfaceWaveState::no_curved_surface:
       return "no curved surface";
     case SurfaceWaveState::no_conductor:

@@ -20,7 +20,7 @@ const std::vector<BeyondBound> parts{{"the first bounce"},
                                      {"later bounces"},
                                      {"edges, first order"},
                                      {"edges, higher orders (edges.order)"},
-                                     {"waves between surfaces (edges.between)"},
+                                     {"edge-face interaction (edges.between)"},
                                      {"waves over curved surfaces (surfaces.waves)"}};
 
 // Mean over the two co-polar channels [m^2].

@@ -27,8 +27,9 @@ TEST_F(SurfaceWavesReport, CountsFacetsAndEdges) {
 TEST_F(SurfaceWavesReport, SaysWhyThereAreNone) {
   const std::string none = "\nwaves over curved surfaces\n  none: ";
   EXPECT_THAT(checked("cylinder", " --set surfaces.waves=false"), HasSubstr(none + "surfaces.waves is false\n\n"));
-  EXPECT_THAT(checked("cylinder", " --set edges.method=none"), HasSubstr(none + "they come with edge currents"));
-  EXPECT_THAT(checked("cylinder", " --set tubes.curved=never"), HasSubstr(none + "facets are what is meant by"));
+  EXPECT_THAT(checked("cylinder", " --set edges.method=none"), HasSubstr(none + "they are computed together with edge currents"));
+  EXPECT_THAT(checked("cylinder", " --set tubes.curved=never"),
+              HasSubstr(none + "tubes.curved \"never\" and tubes that are not clipped"));
   EXPECT_THAT(checked("cylinder", " --set radar.range_m=10"), HasSubstr(none + "antennas at a finite distance\n"));
   EXPECT_THAT(checked("cylinder", " --set frequency.ghz=94"),
               HasSubstr(none + "edges of curved surfaces too long in wavelengths\n"

@@ -80,7 +80,7 @@ TEST(InteractionReach, LessThanHalfIsNone) {
     o.edges.interaction_budget = budget;
     return solve(target, monostatic({{70 * degree, 25 * degree}}, frequency), o);
   };
-  const char* looks = "looks without waves between surfaces";
+  const char* looks = "looks without edge-face interaction";
   const char* why = "edges.between_budget reaches less than half";
   const SweepResult poor = solved({}, 0.01), forced = solved(true, 0.01), without = solved(false, 0.01);
   EXPECT_EQ(skipped(poor, looks, why), 1u);
@@ -214,7 +214,7 @@ TEST(InteractionBudget, NoneLeavesTheInteractionOut) {
   SolveOptions o = adaptive(true);
   o.edges.interaction_budget = 0.0;
   const SweepResult none = solve_soup(shapes::dihedral(3 * lambda, 3 * lambda), sweep, o);
-  EXPECT_EQ(skipped(none, "looks without waves between surfaces", "edges.between_budget is 0"), 1u);
+  EXPECT_EQ(skipped(none, "looks without edge-face interaction", "edges.between_budget is 0"), 1u);
   const SweepResult without = solve_soup(shapes::dihedral(3 * lambda, 3 * lambda), sweep, adaptive(false));
   EXPECT_EQ(none.total[0].s, without.total[0].s);
   o.edges.interaction_budget = -1.0;
@@ -224,9 +224,9 @@ TEST(InteractionBudget, NoneLeavesTheInteractionOut) {
 TEST(InteractionBudget, WhatIsTooSmallIsTold) {
   const Sweep sweep = monostatic({{1.2, 0.5}}, frequency);
   const SweepResult small = solve_soup(shapes::dihedral(0.9 * lambda, 0.9 * lambda), sweep, adaptive(true));
-  EXPECT_EQ(skipped(small, "frequencies without waves between surfaces", "no edge"), 1u);
-  EXPECT_EQ(skipped(small, "edges without waves to other surfaces", "shorter"), 7u);  // six rims, and the back of the fold
-  EXPECT_EQ(skipped(small, "faces without waves from edges", "smaller"), 2u);
+  EXPECT_EQ(skipped(small, "frequencies without edge-face interaction", "no edge"), 1u);
+  EXPECT_EQ(skipped(small, "edges without edge-face interaction", "shorter"), 7u);  // six rims, and the back of the fold
+  EXPECT_EQ(skipped(small, "faces without edge-face interaction", "smaller"), 2u);
 }
 
 TEST(InteractionBudget, MemoryDoesNotGrowWithThePairs) {

@@ -30,7 +30,7 @@ Reason no_interaction(const SolvePlan& plan) {
   if (Reason why = no_edges(plan); !why.empty()) return why;
   if (plan.convexity.no_reflection) return nothing_in_front;
   if (plan.skips.material_looks > 0) return "not all of the target is a perfect conductor";
-  if (plan.skips.near_looks > 0) return "antennas are too near for plane waves";
+  if (plan.skips.near_looks > 0) return "antennas are too close for plane waves";
   if (plan.edges.interaction_budget == 0.0) return "edges.between_budget is 0";
   if (plan.skips.frequencies_without_large == plan.sweep.frequencies.size())
     return "no edge is as long as a wavelength, or no face as wide";
