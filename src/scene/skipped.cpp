@@ -23,7 +23,7 @@ std::vector<Skipped> skipped_items(const SkipCounts& counts) {
        counts.unreached_looks},
       {"looks without edge-face interaction", "no lit edge faces another surface", counts.dark_interaction_looks},
       {"looks without edge-face interaction", "antennas too close for plane waves", counts.near_looks},
-      {"looks without waves over curved surfaces", "too weak beside the tubes for accuracy.tolerance_db",
+      {"looks without waves over curved surfaces", "too weak compared with the tubes for accuracy.tolerance_db",
        counts.weak_surface_looks},
       {"looks without waves over curved surfaces", "antennas at a finite distance", counts.near_surface_looks},
       {"looks without waves over curved surfaces", "edges of curved surfaces too long in wavelengths", counts.long_surface_looks},
