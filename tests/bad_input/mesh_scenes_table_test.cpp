@@ -93,7 +93,7 @@ std::vector<BadRow> gltf_rows() {
       row("accessor_of_two", primitive("", R"("componentType": 5126, "count": 3, "type": "VEC2")"),
           "accessors[0] is of type 'VEC2'"),
       row("component_unknown", primitive("", R"("componentType": 5130, "count": 3, "type": "VEC3")"),
-          "componentType 5130 is no number"),
+          "componentType 5130 is not a component type"),
       row("four_corners", primitive(R"(, "indices": 0)", R"("componentType": 5126, "count": 4, "type": "SCALAR")"),
           "accessors[0] is of type 'SCALAR'"),
       row("mode_7", primitive(R"(, "mode": 7)", three_points), "mode 7 of a primitive is unknown"),

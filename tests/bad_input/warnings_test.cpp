@@ -47,8 +47,8 @@ TEST_F(Warnings, StepsTooWideForTheLobes) {
   const Outcome outcome = raytube("run case.toml" + metres + five_degrees);
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.complaint,
-              HasSubstr("raytube: sampling: steps of 5 deg in phi are too wide for this target's lobes, which ask "
-                        "for 1.7 deg or less; take finer steps, or read each row by itself"));
+              HasSubstr("raytube: sampling: steps of 5 deg in phi are too wide for this target's lobes, which require "
+                        "1.7 deg or less; take finer steps, or read each row by itself"));
   EXPECT_EQ(told().size(), 1u);
   EXPECT_EQ(raytube("run case.toml" + metres + "--set 'look.phi_deg={start=0,stop=45,step=1.5}'").code, 0);
   EXPECT_EQ(told().size(), 0u);

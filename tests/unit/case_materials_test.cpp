@@ -388,7 +388,7 @@ TEST(CaseMaterials, OtherConflictsAreBlamedOnTheCommandLine) {
   blamed("[output]\nimage_look = 0\n", "edges.method=utd", "output.image_look needs currents");
   blamed("[radar]\nrange_m = 1000\n", "edges.method=utd", "[radar] does not apply to edges.method");
   blamed("[radar]\nrange_m = 1000\n", "tubes.clip=false", "[radar] needs exact polygons");
-  blamed("", "look.looks_csv=looks.csv", "look.looks_csv stands instead of");
+  blamed("", "look.looks_csv=looks.csv", "look.looks_csv takes the place of");
   blamed("", "radar.position_m=[0,0,9]", "[look] cannot be combined with radar.position_m");
 }
 

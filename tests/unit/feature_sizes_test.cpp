@@ -93,7 +93,7 @@ TEST(ValidityWarnings, RadiiUnderAWavelength) {
   EXPECT_THAT(warnings(pipe, speed_of_light / 0.31),
               ElementsAre(AllOf(HasSubstr("87 % of the surface is bent to radii smaller than a "
                                           "wavelength at 0.9671 GHz (310 mm)"),
-                                HasSubstr("waves round such bends"))));
+                                HasSubstr("waves around such bends"))));
 }
 
 // 16 facets about a pipe are seen as 16 faces with edges between them.
