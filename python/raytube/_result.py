@@ -309,7 +309,7 @@ class Result:
     def _peak_text(self) -> str:
         sigma = self.sigma_dbsm.values
         if not np.any(np.isfinite(sigma)):
-            return "none: nothing comes back"
+            return "none: no return"
         look, frequency, channel = np.unravel_index(np.nanargmax(sigma), sigma.shape)
         place = f"theta {self._stored.theta_deg[look]:g} deg, phi {self._stored.phi_deg[look]:g} deg"
         return f"{sigma[look, frequency, channel]:.2f} dBsm in {CHANNELS[channel]} at {self._stored.frequency_hz[frequency] / 1e9:g} GHz, {place}"

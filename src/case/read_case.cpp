@@ -132,7 +132,8 @@ MaterialEdgeMethod read_material_edges(const CaseValue& value, const CaseValue* 
   if (text != "luebbers")
     reject(value, fmt::format("edges.materials \"{}\" is unknown; write \"none\" or \"luebbers\"", quotable(text)));
   if (c.sweep.materials.empty())
-    reject(value, "edges.materials says what edges beside other materials do, but all is a perfect conductor; remove it");
+    reject(value,
+           "edges.materials says what edges of other materials do, but all of the target is a perfect conductor; remove it");
   if (c.edges.method != EdgeMethod::fringe) reject(value, {method}, "edges.materials needs edges.method = \"fringe\"; remove it");
   return MaterialEdgeMethod::luebbers;
 }
@@ -200,7 +201,7 @@ void read_image_looks(const CaseValue& root, const CaseValue& value, Case& c) {
     reject(value, "output.image_look must be the number of a direction pair or a list of such, counted from 0");
   if (c.edges.materials != MaterialEdgeMethod::none)
     reject(value, {find(root, "edges", "materials")},
-           "output.image_look: the heuristic of edges.materials has no place in an image; write edges.materials = \"none\"");
+           "output.image_look: the heuristic of edges.materials is not available in images; write edges.materials = \"none\"");
   if (c.edges.method == EdgeMethod::utd)
     reject(value, {find(root, "edges", "method")},
            "output.image_look needs currents, but edges.method is \"utd\"; write \"fringe\" or \"none\" there");

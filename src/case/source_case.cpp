@@ -180,7 +180,8 @@ void read_counted(const CaseValue& root, SourceCase& c) {
   std::vector<std::string> names;
   for (const ScenePart& part : c.parts) names.push_back(part.name);
   if (found == c.parts.end())
-    reject(value, fmt::format("source.counted \"{}\" is no part of the scene; write {}", quotable(name), joined(names, " or ")));
+    reject(value,
+           fmt::format("source.counted \"{}\" is not a part of the scene; write {}", quotable(name), joined(names, " or ")));
   c.counted = found - c.parts.begin();
 }
 

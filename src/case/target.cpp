@@ -52,7 +52,7 @@ class NamedMaterials {
           fmt::format("{}: this mesh has no part \"{}\", to which {} gives a material in target.parts; to do "
                       "without these parts add --set 'target.parts={{}}', or {}",
                       case_.mesh_location, quotable(part.name), part.location, meant));
-    const std::string where = fmt::format("{}: target.parts.{} is no name in the mesh", part.location, quotable(part.name));
+    const std::string where = fmt::format("{}: target.parts.{} is not a name in the mesh", part.location, quotable(part.name));
     throw InputError(fmt::format("{}; {}", where, meant));
   }
 

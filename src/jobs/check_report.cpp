@@ -43,7 +43,7 @@ std::string values_text(const std::vector<double>& values) {
 std::string looks_text(const Case& c) {
   const LookChoice& l = c.looks;
   const std::string count = fmt::format("{} {}", c.sweep.looks.size(), c.sweep.bistatic ? "bistatic" : "monostatic");
-  if (!c.radar.positions.empty()) return count + ", from the places in [radar]";
+  if (!c.radar.positions.empty()) return count + ", from the positions in [radar]";
   if (!l.looks_csv.empty()) return count + ", listed in " + l.looks_csv;
   const std::string transmit =
       fmt::format("{}: theta {} deg, phi {} deg", count, values_text(l.theta_deg), values_text(l.phi_deg));
@@ -91,7 +91,7 @@ void tell_request(CheckReport& report, const Case& c) {
   report.print("looks        {}\n", looks_text(c));
   tell_antennas(report, c);
   if (c.edges.method == EdgeMethod::utd)
-    report.print("tubes        none: rays in their place (edges.method \"utd\"), at most {} reflections\n", c.tubes.max_bounces);
+    report.print("tubes        none: rays instead (edges.method \"utd\"), at most {} reflections\n", c.tubes.max_bounces);
   else
     report.print("tubes        {}, {} per wavelength at {} GHz, at most {} bounces\n", mode_text(c.tubes), densest(c.tubes),
                  number_text(highest_frequency(c.sweep) / 1e9), c.tubes.max_bounces);
@@ -103,7 +103,7 @@ void tell_request(CheckReport& report, const Case& c) {
                  decimal_degrees(c.wedges.min_wedge_angle));
   if (c.edges.method == EdgeMethod::fringe && c.edges.transition != TransitionTier::exact)
     report.print("             transition function {}{}\n", transition_name(c.edges.transition),
-                 c.edges.order == 1 ? ", which plays no part at order 1" : "");
+                 c.edges.order == 1 ? ", which has no effect at order 1" : "");
   report.print("plots        {}\n", c.plots ? "yes" : "no");
   if (!c.image_looks.empty())
     report.print("images       look {}: {} cells per wavelength at {} GHz\n", fmt::join(c.image_looks, ", "),
@@ -182,7 +182,7 @@ std::vector<WedgeClass> wedge_classes(const std::vector<Wedge>& wedges) {
 void tell_material_edges(CheckReport& report, const EdgeOptions& edges, const std::vector<Wedge>& wedges) {
   const auto count = std::ranges::count_if(wedges, [](const Wedge& w) { return w.convex() && !w.conducting(); });
   if (count == 0 || edges.method != EdgeMethod::fringe) return;
-  report.print("  {} with a face that is no perfect conductor {} (edges.materials = \"{}\")\n", count,
+  report.print("  {} with a face that is not a perfect conductor {} (edges.materials = \"{}\")\n", count,
                edges.materials == MaterialEdgeMethod::none ? "add nothing" : "add their first order, by a heuristic",
                material_edge_name(edges.materials));
 }
@@ -317,7 +317,7 @@ void tell_clipped_cost(CheckReport& report, const SolvePlan& plan) {
 }
 
 void tell_rays(CheckReport& report, const SolvePlan& plan) {
-  report.print("\nrays in the place of currents (edges.method \"utd\")\n");
+  report.print("\nrays instead of currents (edges.method \"utd\")\n");
   report.print("  transmitter and receiver {:.6g} m from the origin; amplitudes are apparent ones at that range\n",
                plan.ray_range);
   report.print("  looks computed: {}; {} planar patches as mirrors, {} wedges\n", plan.looks.computed.size(),
@@ -351,11 +351,11 @@ void tell_memory(CheckReport& report, const SolvePlan& plan, const Case& c) {
   SolvePlan with_parts = plan;
   with_parts.keep_parts = true;
   report.data["memory_bytes"] = memory_of_run(plan, c, nullptr);
-  report.print("\nmemory\n  at most about {}, {} with --parts, however dense the tubes are; {} are to be had\n",
+  report.print("\nmemory\n  at most about {}, {} with --parts, however dense the tubes are; {} available\n",
                memory_text(memory_of_run(plan, c, nullptr)), memory_text(memory_of_run(with_parts, c, nullptr)),
                memory_text(memory_to_be_had()));
   if (std::ranges::any_of(c.sweep.materials, &Material::transmits))
-    report.print("  and about {} where sheets double as many tubes as may be; more where many stand in a row\n",
+    report.print("  and about {} where sheets double the number of tubes up to its limit; more where many stand in a row\n",
                  memory_text(plan.threads * tubes_between_sheets_bytes(c.sweep.frequencies.size())));
 }
 
@@ -386,8 +386,9 @@ void tell_time(CheckReport& report, const SolvePlan& plan) {
                          {"threads", plan.threads}};
   const std::string threads = fmt::format("{} thread{}", plan.threads, plan.threads == 1 ? "" : "s");
   if (time.at_most)
-    report.print("\ntime\n  at most about {} on {}, and at least {}: no look was done in {:.0f} s, each takes at most about {}\n",
-                 seconds_text(time.solve_s), threads, seconds_text(time.least_s), probe_patience, seconds_text(time.look_s));
+    report.print(
+        "\ntime\n  at most about {} on {}, and at least {}: no look was finished in {:.0f} s, each takes at most about {}\n",
+        seconds_text(time.solve_s), threads, seconds_text(time.least_s), probe_patience, seconds_text(time.look_s));
   else
     report.print("\ntime\n  about {} on {}, about {} a look ({} tried)\n", seconds_text(time.solve_s), threads,
                  seconds_text(time.look_s), time.looks);

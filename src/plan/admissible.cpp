@@ -47,18 +47,18 @@ void check_near(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions&
   if (tubes.mode == TubeMode::adaptive && !tubes.clip)
     throw InputError("antennas at a finite distance need tubes that are clipped or uniform");
   if (edges.method == EdgeMethod::utd)
-    throw InputError("antennas at a finite distance have no part in the edge method utd, which has a range of its own");
+    throw InputError("antennas at a finite distance cannot be combined with edges.method \"utd\", which has a range of its own");
 }
 
 void check_with_materials(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions& edges) {
   if (sweep.materials.empty()) return;
   if (!all_far(sweep))
-    throw InputError("antennas at a finite distance know perfect conductors only; remove [radar] or the materials");
+    throw InputError("antennas at a finite distance require perfect conductors; remove [radar] or the materials");
   if (edges.method == EdgeMethod::utd)
-    throw InputError("edges.method \"utd\" knows perfect conductors only; write \"fringe\" or \"none\", or remove the materials");
+    throw InputError("edges.method \"utd\" requires perfect conductors; write \"fringe\" or \"none\", or remove the materials");
   const bool sheets = std::ranges::any_of(sweep.materials, &Material::transmits);
   if (sheets && tubes.curved == CurvedSurfaces::always)
-    throw InputError("tubes.curved \"always\" knows no sheets that let waves through; write \"convex\" or \"never\"");
+    throw InputError("tubes.curved \"always\" does not support sheets; write \"convex\" or \"never\"");
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
       {"wedges", "concave: multiple reflection stands for them", count([](const Wedge& w) { return !w.convex(); })}};
   if (plan.rays()) return skipped;
   if (plan.edges.materials == MaterialEdgeMethod::none)
-    skipped.push_back({"wedges", "a face is no perfect conductor (edges.materials)",
+    skipped.push_back({"wedges", "a face is not a perfect conductor (edges.materials)",
                        count([](const Wedge& w) { return w.convex() && !w.conducting(); })});
   const std::vector<double>& frequencies = plan.sweep.frequencies;
   const auto lowest = static_cast<std::size_t>(std::ranges::min_element(frequencies) - frequencies.begin());

@@ -104,7 +104,7 @@ class ReplayedWave {
 TubeReplay::TubeReplay(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options)
     : scene_(scene), look_(look), wavenumber_(wavenumber(frequency_hz)), max_bounces_(options.max_bounces) {
   if (!look.far() && !scene.materials.empty())
-    throw InputError("trace: antennas at a finite distance know perfect conductors only; remove [radar] or the materials");
+    throw InputError("trace: antennas at a finite distance require perfect conductors; remove [radar] or the materials");
   grid_ = grid_of_look(scene.tracer.mesh(), look, wavelength(frequency_hz), first_density(options), options.up);
   if (grid_.cells() == 0) throw InputError("trace: the target has no projected area in this look; choose another --look");
 }

@@ -91,7 +91,7 @@ LookImage image_of_look(const SolvePlan& plan, std::size_t look, double per_wave
     throw InputError("output.image_look: edges.method \"utd\" adds up rays, not currents; write \"fringe\" or \"none\"");
   if (plan.edges.materials != MaterialEdgeMethod::none)
     throw InputError(
-        "output.image_look: the heuristic of edges.materials has no place in an image; write edges.materials = \"none\"");
+        "output.image_look: the heuristic of edges.materials is not available in images; write edges.materials = \"none\"");
   const ImageLattice cells = image_cells(plan, look, per_wavelength);
   Progress progress(callback);
   LookImage image;

@@ -3,9 +3,14 @@
 // Notation. S_pq [m], p received, q transmitted (V = theta_hat, H = phi_hat of the direction in question): E_p^s = S_pq E_q^i
 // e^{-jkr} / r, time factor e^{+j omega t}, phase reference at the origin of the mesh's own coordinates (core/field.h). For every
 // look
-//   S = sum over bounces m of the physical-optics currents that tubes of rays light     (sbr/sbr.h)
-//     + fringe currents of lit edges, and what these start at further edges             (utd/edge_sets.h)
-//     + currents that edge-diffracted waves excite on other faces                       (utd/interaction/edge_face_interaction.h)
+//   S = physical-optics currents of every bounce of the tubes                (sbr/sbr.h)
+//     + fringe currents of lit edges, with multiple diffraction              (utd/edge_sets.h)
+//     + corner waves along plate edges                                       (utd/corner/corner_waves.h)
+//     + edge-face interaction: edge-diffracted illumination of other faces   (utd/interaction/edge_face_interaction.h)
+//     + waves over curved surfaces                                           (utd/surface/surface_waves.h)
+//     + edges of materials, by a heuristic that is off by default            (utd/fringe/material_edges.h)
+// Screens transmit part of what tubes and edge currents behind them radiate. The random baseline (solve/random.h) takes the place
+// of the tubes alone.
 #pragma once
 
 #include "core/error.h"  // what is thrown, for whoever catches it

@@ -1,4 +1,4 @@
-// What flat facets in the place of curved surfaces, and surfaces guessed from few facets, do to physical optics.
+// What flat facets in place of curved surfaces, and surfaces guessed from few facets, do to physical optics.
 #pragma once
 
 #include <vector>

@@ -7,19 +7,19 @@ namespace raytube {
 
 namespace {
 
-constexpr const char* falls_with_wavelength = "none, but it falls with the wavelength beside the target";
+constexpr const char* falls_with_wavelength = "none; it decreases with the ratio of wavelength to target size";
 constexpr std::array<OmissionText, omissions> texts = {{
     {"corners", "waves that start at corners of edges", falls_with_wavelength},
     {"edge_orders", "diffraction at more edges in a row than are followed", falls_with_wavelength},
-    {"edges", "edges without currents, or with curved faces", "none short of a full-wave method"},
-    {"interaction", "edge-face interaction that is not computed", "none short of a full-wave method"},
-    {"cavities", "waves that were reflected more than three times", "none short of a full-wave method for the cavity"},
+    {"edges", "edges without currents, or with curved faces", "none; use a full-wave method"},
+    {"interaction", "edge-face interaction that is not computed", "none; use a full-wave method"},
+    {"cavities", "waves that were reflected more than three times", "none; use a full-wave method for the cavity"},
     {"smooth_surfaces", "creeping and travelling waves, shadow boundaries on curved surfaces",
-     "none, but it falls with k times radius"},
-    {"facets", "flat facets in the place of curved surfaces",
+     "none; it decreases as k times radius grows"},
+    {"facets", "flat facets in place of curved surfaces",
      "a finer mesh, or tubes.curved = \"always\", slow where curved surfaces face one another"},
-    {"cut_tubes", "bounces after tubes.max_bounces, tubes too wide or too many", "more tubes.max_bounces"},
-    {"small_target", "a target that is not large against the wavelength", "none short of a full-wave method"},
+    {"cut_tubes", "bounces after tubes.max_bounces, tubes too wide or too many", "a larger tubes.max_bounces"},
+    {"small_target", "a target that is not large against the wavelength", "none; use a full-wave method"},
 }};
 
 constexpr double corner_amplitude = 0.06;    // of a sharp corner, over the wavelength
@@ -33,8 +33,8 @@ constexpr double cavity_spread = 0.8;        // the same after some reflections,
 constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
 constexpr double wave_amplitude = 0.15, tight_wave_amplitude = 1.0;  // where waves run on: of that, and of tight bends
 constexpr double rim_amplitude = 5.0;                                // of a sharply curved rim, over the same
-constexpr double rim_error = 9.2;                                    // of the currents of a rim, over its chords' dent in wavelengths
-constexpr int interacting_bounces = 3;                               // that edge-face interaction mends
+constexpr double rim_error = 9.2;       // of the currents of a rim, over its chords' dent in wavelengths
+constexpr int interacting_bounces = 3;  // that edge-face interaction mends
 
 double square(double x) { return x * x; }
 

@@ -13,16 +13,16 @@ namespace {
 constexpr double affordable = 10.0;   // times the time, at most
 constexpr double worth_naming = 0.5;  // of the squares of a part, at least
 constexpr double few_pairs = 1e4;     // of an edge and a face: of more than these the budget reaches too few
-constexpr const char* no_interaction = "none short of a full-wave method where faces see one another";
+constexpr const char* no_interaction = "none; use a full-wave method where faces see one another";
 
 std::string times_the_time(double factor) { return fmt::format("about {:.2g} times the time", factor); }
 
 std::string remedy_of_edges(const RemedyEvidence& evidence) {
   if (evidence.edges.method == EdgeMethod::none)
-    return "edges.method = \"fringe\", which takes a few times the time where edges are many";
+    return "edges.method = \"fringe\", which takes several times as long where there are many edges";
   if (evidence.materials && evidence.edges.materials == MaterialEdgeMethod::none)
-    return "edges.materials = \"luebbers\", hardly any time";
-  return "none short of a full-wave method where such edges matter";
+    return "edges.materials = \"luebbers\", at almost no cost";
+  return "none; use a full-wave method where such edges matter";
 }
 
 // At most: where there is little to compute it takes less than it may.
@@ -76,7 +76,8 @@ std::string remedy_of(Omission omission, const RemedyEvidence& evidence) {
   if (omission == Omission::cut_tubes) return remedy_of_cut_tubes(evidence);
   if (omission == Omission::smooth_surfaces && evidence.looks_without_waves > 0)
     return "surfaces.waves = true, two to ten times the time of the tubes";
-  if (omission == Omission::edge_orders && evidence.edges.order < 3) return "edges.order = 3, a few times the time of the edges";
+  if (omission == Omission::edge_orders && evidence.edges.order < 3)
+    return "edges.order = 3, several times the time of the edges";
   return text_of(omission).remedy;
 }
 

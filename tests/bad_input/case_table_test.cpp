@@ -218,7 +218,7 @@ std::vector<BadRow> value_rows() {
       set("radar_range_1e13", "radar.range_m=1e13", "radar.range_m must be at most 1e+12"),
       set("radar_without_range", "radar.beamwidth_deg=3", "radar.range_m is missing; give"),
       set("radar_position_and_look", "radar.position_m=[0,0,3]",
-          "[look] cannot go with radar.position_m, which says where the antenna stands; remove one"),
+          "[look] cannot be combined with radar.position_m, which says where the antenna stands; remove one"),
       set("radar_beam_nan", "radar.range_m=3|radar.beamwidth_deg=nan", "radar.beamwidth_deg must be a finite number"),
       set("radar_beam_of_1e_300", "radar.range_m=3|radar.beamwidth_deg=1e-300",
           "radar.beamwidth_deg must be at least 1e-06 (found 1e-300)"),
@@ -286,7 +286,7 @@ std::vector<BadRow> word_rows() {
           "unknown key \"look.zenith\"; choose among look.theta_deg, look.phi_deg, look.looks_csv"),
       set("name_far_from_all", "solver.zenith=4", "unknown key \"solver.zenith\"; choose among materials, title, target, freq"),
       set("name_without_unit", "look.theta=4", "unknown key \"look.theta\"; did you mean \"look.theta_deg\"?"),
-      set("part_far_from_all", "target.parts.wing=pec", "target.parts.wing is no name in the mesh; choose among mesh.off"),
+      set("part_far_from_all", "target.parts.wing=pec", "target.parts.wing is not a name in the mesh; choose among mesh.off"),
   };
 }
 

@@ -82,8 +82,8 @@ std::vector<BadRow> gltf_rows() {
       row("nodes_in_a_circle", scene(R"("scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}])"),
           "nodes[0] stands at two places of the scene"),
       row("buffer_missing", buffer("none.bin"), "its buffer 'none.bin' is not there; copy it"),
-      row("buffer_outside", buffer("../secret.bin"), "its buffer '../secret.bin' is no file in the folder of the mesh"),
-      row("buffer_in_the_web", buffer("https://a.b/c.bin"), "is no file in the folder of the mesh; export it as .glb"),
+      row("buffer_outside", buffer("../secret.bin"), "its buffer '../secret.bin' is not a file in the folder of the mesh"),
+      row("buffer_in_the_web", buffer("https://a.b/c.bin"), "is not a file in the folder of the mesh; export it as .glb"),
       row("buffer_damaged", buffer("data:;base64,****"), "the base64 data of buffers[0] is damaged"),
       row("buffer_cut", buffer("data:;base64,AAAA"), "buffers[0] holds 3 of the 36 bytes it announces"),
       row("accessor_too_long", primitive("", R"("componentType": 5126, "count": 4, "type": "VEC3")"),
@@ -93,7 +93,7 @@ std::vector<BadRow> gltf_rows() {
       row("accessor_of_two", primitive("", R"("componentType": 5126, "count": 3, "type": "VEC2")"),
           "accessors[0] is of type 'VEC2'"),
       row("component_unknown", primitive("", R"("componentType": 5130, "count": 3, "type": "VEC3")"),
-          "componentType 5130 is no number"),
+          "componentType 5130 is not a component type"),
       row("four_corners", primitive(R"(, "indices": 0)", R"("componentType": 5126, "count": 4, "type": "SCALAR")"),
           "accessors[0] is of type 'SCALAR'"),
       row("mode_7", primitive(R"(, "mode": 7)", three_points), "mode 7 of a primitive is unknown"),
@@ -102,7 +102,7 @@ std::vector<BadRow> gltf_rows() {
       row("matrix_of_three", primitive("", three_points, R"(, "matrix": [1, 2, 3])"),
           "'matrix' of a node holds 3 numbers instead of 16"),
       row("rotation_of_zeros", primitive("", three_points, R"(, "rotation": [0, 0, 0, 0])"),
-          "the rotation of a node is no unit quaternion (its length is 0)"),
+          "the rotation of a node is not a unit quaternion (its length is 0)"),
       mesh_row("glb_cut", "bad.glb", std::string("glTF\2\0\0\0\x40\0\0\0", 12), "holds 12 of the 64 bytes it announces"),
       mesh_row("glb_version_1", "bad.glb", std::string("glTF\1\0\0\0\x0C\0\0\0", 12), "version 1 of glTF is not read"),
       mesh_row("glb_named_gltf_cut", "bad.gltf", std::string("glTF\2\0\0\0\x40\0\0\0", 12), "looks like a binary glTF file"),
@@ -140,7 +140,7 @@ std::vector<BadRow> rows_3mf() {
   for (int id = 2; id < 12; ++id) nested += holder(id, id - 1, 10);
   const auto packed = [](const std::string& text) { return packed_3mf(text); };
   return {
-      row("of_noise", "nothing in particular", "is no zip archive, as a 3MF file is one"),
+      row("of_noise", "nothing in particular", "is not a zip archive, as a 3MF file is one"),
       row("other_archive", zipped({{"a.txt", "hello"}}), "is a zip archive; unpack it first"),
       row("damaged", damaged, "'3D/3dmodel.model' in its archive is damaged"),
       row("without_model", zipped({{"_rels/.rels", "<a xmlns=\"b\"/>"}, {"3dmodel", ""}}), "names no model in _rels/.rels"),

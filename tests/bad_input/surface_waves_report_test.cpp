@@ -31,8 +31,8 @@ TEST_F(SurfaceWavesReport, CountsFacets) {
 TEST_F(SurfaceWavesReport, SaysWhyThereAreNone) {
   const std::string none = std::string(name) + "none: ";
   EXPECT_THAT(checked("cylinder", " --set surfaces.waves=false"), HasSubstr(none + "surfaces.waves is false\n"));
-  EXPECT_THAT(checked("cylinder", " --set edges.method=none"), HasSubstr(none + "they come with edge currents"));
-  EXPECT_THAT(checked("cylinder", " --set tubes.curved=never"), HasSubstr(none + "facets are what is meant by"));
+  EXPECT_THAT(checked("cylinder", " --set edges.method=none"), HasSubstr(none + "they are computed together with edge currents"));
+  EXPECT_THAT(checked("cylinder", " --set tubes.curved=never"), HasSubstr(none + "tubes.curved \"never\" and tubes that are not clipped"));
   EXPECT_THAT(checked("cylinder", " --set radar.range_m=10"), HasSubstr(none + "antennas at a finite distance\n"));
   EXPECT_THAT(checked("powercube"), HasSubstr(none + "no curved surface\n"));
 }

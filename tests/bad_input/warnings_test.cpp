@@ -25,8 +25,8 @@ class Warnings : public BadInput {
 
 TEST_F(Warnings, ATargetUnderThreeWavelengths) {
   const std::string sentence =
-      "validity: the target's largest extent, 1.414 mm, is 0.047 wavelengths at 10 GHz, and the methods ask for 3; below 636 GHz "
-      "take results as rough, or use a full-wave program";
+      "validity: the target's largest extent, 1.414 mm, is 0.047 wavelengths at 10 GHz, and the methods require 3; below 636 GHz "
+      "treat results as approximate, or use a full-wave program";
   EXPECT_EQ(raytube("check case.toml").code, 0);
   EXPECT_THAT(output(), HasSubstr("\nwarnings\n  " + sentence + "\n"));
   const Outcome outcome = raytube("run case.toml --set output.plots=false");
@@ -47,8 +47,8 @@ TEST_F(Warnings, StepsTooWideForTheLobes) {
   const Outcome outcome = raytube("run case.toml" + metres + five_degrees);
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.complaint,
-              HasSubstr("raytube: sampling: steps of 5 deg in phi are too wide for this target's lobes, which ask "
-                        "for 1.7 deg or less; take finer steps, or read each row by itself"));
+              HasSubstr("raytube: sampling: steps of 5 deg in phi are too wide for this target's lobes, which require "
+                        "1.7 deg or less; take finer steps, or read each row by itself"));
   EXPECT_EQ(told().size(), 1u);
   EXPECT_EQ(raytube("run case.toml" + metres + "--set 'look.phi_deg={start=0,stop=45,step=1.5}'").code, 0);
   EXPECT_EQ(told().size(), 0u);
@@ -56,7 +56,7 @@ TEST_F(Warnings, StepsTooWideForTheLobes) {
 
 TEST_F(Warnings, FiveDegreesAt94GHz) {
   EXPECT_EQ(raytube("check case.toml" + metres + five_degrees + "--set frequency.ghz=94").code, 0);
-  EXPECT_THAT(output(), HasSubstr("steps of 5 deg in phi are too wide for this target's lobes, which ask for 0.18 deg or less"));
+  EXPECT_THAT(output(), HasSubstr("steps of 5 deg in phi are too wide for this target's lobes, which require 0.18 deg or less"));
 }
 
 TEST_F(Warnings, FrequenciesTooFarApart) {
@@ -107,7 +107,7 @@ TEST_F(Warnings, ABoxWithoutItsTop) {
   const std::string corners = "0 0 0\n30 0 0\n30 30 0\n0 30 0\n0 0 30\n30 0 30\n30 30 30\n0 30 30\n";
   const std::string sides = "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
   const std::string sentence =
-      "open bodies: component 0, 100 % of the surface, is closed but for a hole: 900 cm^2 beside 4500 cm^2 of surface, with a "
+      "open bodies: component 0, 100 % of the surface, is closed except for a hole: 900 cm^2 beside 4500 cm^2 of surface, with a "
       "border of 120 cm round (15, 15, 30) cm; rays enter there, and the inside reflects as the outside does; add the missing "
       "facets in the CAD program, unless the opening is meant, as that of a duct";
   const std::string words = " case.toml --set target.unit=cm --set output.plots=false --set edges.method=none";
@@ -187,7 +187,7 @@ TEST_F(Warnings, TruncatedTubesAreTold) {
   EXPECT_EQ(counts["tubes_cut_by_number"], 0);
   EXPECT_NEAR(counts["tubes_cut_sigma_m2"]["at_max_bounces"].get<double>(), std::sqrt(2.0), 1e-9);
   EXPECT_EQ(raytube(corner).code, 0);
-  EXPECT_THAT(output(), Not(HasSubstr("cut tubes")));
+  EXPECT_THAT(output(), Not(HasSubstr("truncated tubes")));
 }
 
 }  // namespace

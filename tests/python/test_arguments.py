@@ -36,7 +36,7 @@ WRONG = {
     "no section": (lambda: solve(edges="none"), "edges must be a section"),
     "no key": (lambda: solve(edges={3: 2}), 'unknown key "edges.3"'),
     "unknown material": (lambda: solve(material="gold"), '"gold" is no material'),
-    "unknown part of a nameless mesh": (lambda: solve(parts={"x": "pec"}), "x is no name in the mesh; there are no names"),
+    "unknown part of a nameless mesh": (lambda: solve(parts={"x": "pec"}), "x is not a name in the mesh; there are no names"),
     "facet beyond": (lambda: solve(facets={"absorber": [7]}), "names facet 7, but the mesh has 1"),
     "complex number": (lambda: solve(material="c", materials={"c": {"kind": "coated", "eps_r": 4 - 1j}}), "materials.c.eps_r: a value of the type complex"),
     "negative frequency": (lambda: solve(-1), "frequency.ghz must be greater than 0"),
@@ -271,7 +271,7 @@ def test_looks_of_columns_of_tables():
 def test_looks_do_not_go_with_positions():
     at = {"position_m": [[0, 0, 3]]}
     for looks in (rt.monostatic(10, 0), rt.looks([10], [0])):
-        with pytest.raises(rt.InputError, match="cannot go with radar.position_m"):
+        with pytest.raises(rt.InputError, match="cannot be combined with radar.position_m"):
             solve(10, looks, radar=at, edges={"method": "none"})
     assert solve(10, None, radar=at, edges={"method": "none"}).S.range_m.item() == 3
 

@@ -15,7 +15,7 @@ CASE = CASES / "trihedral/case.toml"
 def without_times(text):
     """Neither what was measured nor what memory is free at the moment."""
     text = re.sub(r"\ntime\n.*", "", text, flags=re.DOTALL)
-    return re.sub(r"at most about .*?, .* with --parts", "", re.sub(r"; \S+ \S+ are to be had", "", text))
+    return re.sub(r"at most about .*?, .* with --parts", "", re.sub(r"; \S+ \S+ available", "", text))
 
 
 def test_check_is_what_the_program_prints(program):

@@ -19,7 +19,7 @@ const Bad bad_values[] = {
     {"target.mesh=\"\"", "give the file of the mesh"},
     {"target.unit=km", "write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\""},
     {"target.material=glas", "\"glas\" is no material; add [materials.glas], or choose among pec, absorber"},
-    {"target.material=glass", "\"glass\" is no material but a medium; add [materials.glass] with a kind and medium"},
+    {"target.material=glass", "\"glass\" is a medium, not a material; add [materials.glass] with a kind and medium"},
     {"frequency.ghz=0", "greater than 0 (found 0)"},
     {"frequency.ghz=-2", "greater than 0 (found -2)"},
     {"frequency.ghz=nan", "finite"},
@@ -105,7 +105,7 @@ TEST(CaseErrors, Antennas) {
   EXPECT_THAT(of("range_m = 3\nreceive_range_m = 2"),
               HasSubstr("radar.receive_range_m needs a receiver of its own; add [receive]"));
   EXPECT_THAT(of("range_m = 3\nreceive_position_m = [1, 0, 0]"), HasSubstr("receive_position_m needs radar.position_m"));
-  EXPECT_THAT(of("position_m = [1, 0, 0]"), HasSubstr("[look] cannot go with radar.position_m"));
+  EXPECT_THAT(of("position_m = [1, 0, 0]"), HasSubstr("[look] cannot be combined with radar.position_m"));
   EXPECT_THAT(of("range_m = 3\nbeamwidth_deg = 0"), HasSubstr("radar.beamwidth_deg must be"));
   EXPECT_THAT(of("range_m = 3\nbeamwidth_deg = [1, 2, 3]"), HasSubstr("must be one angle, or [azimuth, elevation]"));
   EXPECT_THAT(of("range_m = 3\nbeamwidth_deg = 200"), HasSubstr("radar.beamwidth_deg must be at most 180 (found 200)"));
@@ -176,7 +176,7 @@ TEST(CaseErrors, LookLists) {
   EXPECT_THAT(list_complaint("theta_deg,phi_deg\n181,0\n"), HasSubstr("line 2: theta must lie in 0 to 180"));
   EXPECT_THAT(list_complaint("theta_deg,phi_deg\n"), HasSubstr("no looks"));
   EXPECT_THAT(list_complaint("theta_deg,phi_deg\n1,2\n", "[receive]\ntheta_deg = 1\nphi_deg = 1\n"),
-              HasSubstr("[receive] cannot go with"));
+              HasSubstr("[receive] cannot be combined with"));
   EXPECT_THAT(complaint(target + frequency + "[look]\nlooks_csv = \"none.csv\"\n"), HasSubstr("cannot be read"));
 }
 

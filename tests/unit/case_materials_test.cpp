@@ -210,7 +210,7 @@ TEST_F(CaseTables, BlameFrequenciesFromTheCommandLine) {
 TEST_F(CaseTables, AreRefusedWithTheLine) {
   const std::string header = "freq_ghz,eps_real,eps_loss\n";
   EXPECT_THAT(complaint(header + "1,4,0\n9.5,5,0\n"),
-              HasSubstr("materials.it.table_csv \"glass.csv\" goes from 1 to 9.5 GHz, but frequency.ghz asks for 10"));
+              HasSubstr("materials.it.table_csv \"glass.csv\" goes from 1 to 9.5 GHz, but frequency.ghz contains 10"));
   EXPECT_THAT(complaint(header + "11,4,0\n12,5,0\n"), HasSubstr("goes from 11 to 12 GHz"));
   EXPECT_THAT(complaint(header + "1,4,0\n20,5,0\n20,5,0\n"), HasSubstr("glass.csv, line 4: freq_ghz must ascend"));
   EXPECT_THAT(complaint(header + "1,4,0\n"), HasSubstr("glass.csv: a table of a medium needs at least two rows"));
@@ -247,16 +247,19 @@ TEST(CaseMaterials, BadMediaNamePlaceAndRemedy) {
       {"kind = \"coated\"\nthickness_mm = -1\neps_r = 2\n", ".thickness_mm must be greater than 0 (found -1)"},
       {"kind = \"coated\"\nthickness_mm = 1e18\neps_r = 2\n", ".thickness_mm must be at most 1e+15"},
       {"kind = \"coated\"\nthickness_mm = 1\nlayers = [ { thickness_mm = 1, eps_r = 2 } ]\n",
-       ".thickness_mm cannot go with layers; write it inside each layer"},
-      {"kind = \"coated\"\neps_r = 1\nlayers = [ { thickness_mm = 1, eps_r = 2 } ]\n", ".eps_r cannot go with layers; write it"},
+       ".thickness_mm cannot be combined with layers; write it inside each layer"},
+      {"kind = \"coated\"\neps_r = 1\nlayers = [ { thickness_mm = 1, eps_r = 2 } ]\n",
+       ".eps_r cannot be combined with layers; write it"},
       {"kind = \"coated\"\nlayers = []\n", ".layers must be a list of layers"},
       {"kind = \"coated\"\nlayers = [ 3 ]\n", ".layers[0] must be a layer"},
       {"kind = \"coated\"\nlayers = [ { thickness_mm = 1, eps_r = 2 }, { eps_r = 2 } ]\n", ".layers[1].thickness_mm is missing"},
       {"kind = \"coated\"\nlayers = [ { thickness_mm = 1, kind = \"pec\" } ]\n",
        "unknown key \"materials.it.layers[0].kind\"; choose"},
       {"kind = \"sheet\"\nresistance_ohm = -2\n", ".resistance_ohm must be at least 0 (found -2)"},
-      {"kind = \"sheet\"\nresistance_ohm = 2\nthickness_mm = 1\n", ".thickness_mm cannot go with resistance_ohm; remove one"},
-      {"kind = \"sheet\"\nconductance_s = 2\nmedium = \"glass\"\n", ".medium cannot go with conductance_s; remove one of them"},
+      {"kind = \"sheet\"\nresistance_ohm = 2\nthickness_mm = 1\n",
+       ".thickness_mm cannot be combined with resistance_ohm; remove one"},
+      {"kind = \"sheet\"\nconductance_s = 2\nmedium = \"glass\"\n",
+       ".medium cannot be combined with conductance_s; remove one of them"},
       {"kind = \"pec\"\nroughness_rms_mm = -2\n", ".roughness_rms_mm must be at least 0 (found -2)"},
       {"kind = \"dielectric\"\neps_r = [2, -0.5]\n",
        ".eps_r has a gain: in eps_r = eps' - j eps'' (e^{+jwt}) losses are not below 0; write [2, 0.5]"},
@@ -272,11 +275,13 @@ TEST(CaseMaterials, BadMediaNamePlaceAndRemedy) {
       {"kind = \"dielectric\"\neps_r = 2\nmu_r = 1e-40\n", "mu_r is 1e-40 in size"},
       {"kind = \"dielectric\"\neps_r = [1, 2, 3]\n", ".eps_r must be a number, or [real part, loss]"},
       {"kind = \"dielectric\"\neps_r = [1, 2]\nloss_tangent = 0.1\n",
-       ".loss_tangent cannot go with a loss in eps_r; write eps_r = 1"},
+       ".loss_tangent cannot be combined with a loss in eps_r; write eps_r = 1"},
       {"kind = \"dielectric\"\neps_r = 2\nloss_tangent = 0.1\nconductivity_s_per_m = 1\n",
-       ".conductivity_s_per_m cannot go with loss_tangent; remove one of them"},
-      {"kind = \"dielectric\"\neps_r = 2\ntable_csv = \"t.csv\"\n", ".table_csv cannot go with eps_r; remove one of them"},
-      {"kind = \"dielectric\"\ntable_csv = \"t.csv\"\nmu_r = 2\n", ".mu_r cannot go with table_csv, which says it; remove one"},
+       ".conductivity_s_per_m cannot be combined with loss_tangent; remove one of them"},
+      {"kind = \"dielectric\"\neps_r = 2\ntable_csv = \"t.csv\"\n",
+       ".table_csv cannot be combined with eps_r; remove one of them"},
+      {"kind = \"dielectric\"\ntable_csv = \"t.csv\"\nmu_r = 2\n",
+       ".mu_r cannot be combined with table_csv, which says it; remove one"},
       {"kind = \"dielectric\"\ntable_csv = \"t.csv\"\n", ".table_csv: "},
       {"kind = \"dielectric\"\ntable_csv = \"\"\n", ".table_csv is empty; give the file"},
       {"kind = \"dielectric\"\nmedium = \"unobtainium\"\n", ".medium \"unobtainium\" is not in the library; write "},
@@ -324,10 +329,10 @@ TEST(CaseMaterials, BadPlacesNameTheRemedy) {
 TEST(CaseMaterials, MediaAndCapitalsAreNoMaterials) {
   const std::string materials = "[materials.GLAZING]\nkind = \"absorber\"\n";
   const auto says = [&](const std::string& name) { return complaint(smallest + materials, {"target.material=" + name}); };
-  EXPECT_THAT(says("glass"), HasSubstr("target.material \"glass\" is no material but a medium; add [materials.glass] with a kind "
+  EXPECT_THAT(says("glass"), HasSubstr("target.material \"glass\" is a medium, not a material; add [materials.glass] with a kind "
                                        "and medium = \"glass\", and name that here"));
   EXPECT_THAT(says("Wood"),
-              HasSubstr("\"Wood\" is no material but a medium; add [materials.wood] with a kind and medium = \"wood\""));
+              HasSubstr("\"Wood\" is a medium, not a material; add [materials.wood] with a kind and medium = \"wood\""));
   EXPECT_THAT(says("glazing"), HasSubstr("add [materials.glazing], or did you mean \"GLAZING\"?"));
   EXPECT_THAT(says("PEC"), HasSubstr("did you mean \"pec\"?"));
   EXPECT_THAT(says("glazin"), HasSubstr("did you mean \"GLAZING\"?"));
@@ -354,13 +359,16 @@ TEST(CaseMaterials, ConflictsAreBlamedOnTheCommandLine) {
   blamed(coat + "eps_r = 2\n", "materials.it.kind=dielectric", "it.thickness_mm does not belong to kind \"dielectric\"");
   blamed(body + "eps_r = 2\n", "materials.it.kind=sheet", "it.thickness_mm is missing");
   blamed("kind = \"absorber\"\n", "materials.it.kind=dielectric", "it.eps_r is missing");
-  blamed(coat + "eps_r = 2\n", "materials.it.layers=[{thickness_mm=2,eps_r=3}]", "it.thickness_mm cannot go with layers");
-  blamed("kind = \"sheet\"\nthickness_mm = 3\neps_r = 2\n", "materials.it.resistance_ohm=5", "cannot go with resistance_ohm");
-  blamed(body + "table_csv = \"t.csv\"\n", "materials.it.eps_r=5", "it.table_csv cannot go with eps_r");
-  blamed(body + "medium = \"glass\"\n", "materials.it.table_csv=\"t.csv\"", "it.medium cannot go with table_csv");
-  blamed(body + "eps_r = 2\nloss_tangent = 0.1\n", "materials.it.eps_r=[2,1]", "it.loss_tangent cannot go with a loss in eps_r");
+  blamed(coat + "eps_r = 2\n", "materials.it.layers=[{thickness_mm=2,eps_r=3}]",
+         "it.thickness_mm cannot be combined with layers");
+  blamed("kind = \"sheet\"\nthickness_mm = 3\neps_r = 2\n", "materials.it.resistance_ohm=5",
+         "cannot be combined with resistance_ohm");
+  blamed(body + "table_csv = \"t.csv\"\n", "materials.it.eps_r=5", "it.table_csv cannot be combined with eps_r");
+  blamed(body + "medium = \"glass\"\n", "materials.it.table_csv=\"t.csv\"", "it.medium cannot be combined with table_csv");
+  blamed(body + "eps_r = 2\nloss_tangent = 0.1\n", "materials.it.eps_r=[2,1]",
+         "it.loss_tangent cannot be combined with a loss in eps_r");
   blamed(body + "eps_r = 2\nloss_tangent = 0.1\n", "materials.it.eps_r=-2", "it.loss_tangent needs an eps_r above 0");
-  blamed(body + "mu_r = 2\n", "materials.it.medium=glass", "it.mu_r cannot go with medium");
+  blamed(body + "mu_r = 2\n", "materials.it.medium=glass", "it.mu_r cannot be combined with medium");
   blamed(body + "medium = \"glass\"\n", "frequency.ghz=200", "materials.it.medium: \"glass\" is known from 0.1 to 100 GHz");
   blamed(body + "eps_r = 2\n[target.facets]\npec = [3]\n", "target.facets.it=[[0,4]]", "target.facets gives facet 3 both to");
   blamed(body + "eps_r = 2\n[edges]\nmaterials = \"luebbers\"\n", "edges.method=none", "edges.materials needs edges.method");
@@ -378,10 +386,10 @@ TEST(CaseMaterials, OtherConflictsAreBlamedOnTheCommandLine) {
   blamed("[accuracy]\ntolerance_db = 1\n", "tubes.clip=false", "accuracy.tolerance_db needs adaptive tubes");
   blamed("[edges]\nmethod = \"utd\"\nutd_range_m = 9\n", "edges.method=none", "edges.utd_range_m needs edges.method");
   blamed("[output]\nimage_look = 0\n", "edges.method=utd", "output.image_look needs currents");
-  blamed("[radar]\nrange_m = 1000\n", "edges.method=utd", "[radar] has no part in edges.method");
+  blamed("[radar]\nrange_m = 1000\n", "edges.method=utd", "[radar] does not apply to edges.method");
   blamed("[radar]\nrange_m = 1000\n", "tubes.clip=false", "[radar] needs exact polygons");
-  blamed("", "look.looks_csv=looks.csv", "look.looks_csv stands instead of");
-  blamed("", "radar.position_m=[0,0,9]", "[look] cannot go with radar.position_m");
+  blamed("", "look.looks_csv=looks.csv", "look.looks_csv takes the place of");
+  blamed("", "radar.position_m=[0,0,9]", "[look] cannot be combined with radar.position_m");
 }
 
 /// Two files: squares of four groups and a triangle of one solid.
@@ -457,7 +465,7 @@ TEST_F(CaseTargets, TheMeshHasTheMaterials) {
 
 TEST_F(CaseTargets, WhatIsNotThereIsNamed) {
   EXPECT_THAT(complaint("[target.parts]\nrof = \"tar\"\n"),
-              HasSubstr("line 16: target.parts.rof is no name in the mesh; did you mean \"roof\"?"));
+              HasSubstr("line 16: target.parts.rof is not a name in the mesh; did you mean \"roof\"?"));
   EXPECT_THAT(complaint("[target.facets]\ntar = [[1, 4]]\n"),
               HasSubstr("line 16: target.facets.tar names facet 4, but the mesh has 4, counted from 0; choose among these"));
   EXPECT_THAT(

@@ -77,7 +77,7 @@ TEST(SourceCase, BadInputNamesPlaceAndRemedy) {
   says(part + "[source]\npoint_m = [0, 0]\nrays = 1\ncounted = \"screen\"\n", "source.point_m must be a list of three numbers");
   says(part + "[source]\npoint_m = [[0, 0, 0], [1]]\nrays = 1\ncounted = \"screen\"\n", "every entry of source.point_m");
   says(part + "[source]\npoint_m = [0, 0, 0]\nrays = 1\ncounted = \"scren\"\n",
-       "\"scren\" is no part of the scene; write screen");
+       "\"scren\" is not a part of the scene; write screen");
   says(part + source + "seeds = 1\n", "line 10: unknown key \"source.seeds\"; did you mean \"source.seed\"?");
   says(part + "units = 1\n" + source, "unknown key \"scene.parts.units\"; did you mean \"scene.parts.unit\"?");
   says(part + source + "[target]\nmesh = \"a\"\n", "[target] belongs to a case for raytube run; run it with that command");

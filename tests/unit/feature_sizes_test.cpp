@@ -68,8 +68,8 @@ TEST(ValidityWarnings, TargetsUnderThreeWavelengths) {
   EXPECT_THAT(warnings(shapes::cube(1.0), three * 1.001), IsEmpty());
   EXPECT_THAT(
       warnings(shapes::cube(1.0), three / 3.0),
-      ElementsAre("validity: the target's largest extent, 1732 mm, is 1 wavelengths at 0.1731 GHz, and the methods ask for 3; "
-                  "below 0.5193 GHz take results as rough, or use a full-wave program"));
+      ElementsAre("validity: the target's largest extent, 1732 mm, is 1 wavelengths at 0.1731 GHz, and the methods require 3; "
+                  "below 0.5193 GHz treat results as approximate, or use a full-wave program"));
 }
 
 // Of two cubes the small one's surface is a share of 1 / (1 + 100) of the whole with sides of 1 to 10, 1 / (1 + 98) with 9.9.
@@ -93,7 +93,7 @@ TEST(ValidityWarnings, RadiiUnderAWavelength) {
   EXPECT_THAT(warnings(pipe, speed_of_light / 0.31),
               ElementsAre(AllOf(HasSubstr("87 % of the surface is bent to radii smaller than a "
                                           "wavelength at 0.9671 GHz (310 mm)"),
-                                HasSubstr("waves round such bends"))));
+                                HasSubstr("waves around such bends"))));
 }
 
 // 16 facets about a pipe are seen as 16 faces with edges between them.
@@ -106,7 +106,7 @@ TEST(SamplingWarnings, SayStepLimitAndRemedy) {
   EXPECT_THAT(
       sampling_warnings({{RowCoordinates::phi, 5.0, 0.02199}, {RowCoordinates::frequency, 0.05, 0.0347}}),
       ElementsAre(
-          "sampling: steps of 5 deg in phi are too wide for this target's lobes, which ask for 0.021 deg or less; take finer "
+          "sampling: steps of 5 deg in phi are too wide for this target's lobes, which require 0.021 deg or less; take finer "
           "steps, or read each row by itself (plots show points and what sliding sectors hold, not lines)",
           "sampling: steps of 0.05 GHz in frequency are too wide for a range profile: it repeats after 3 m, and the target is "
           "4.32 m "

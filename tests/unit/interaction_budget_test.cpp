@@ -227,8 +227,8 @@ TEST(InteractionBudget, WhatIsTooSmallIsTold) {
   const Sweep sweep = monostatic({{1.2, 0.5}}, frequency);
   const SweepResult small = solve_soup(shapes::dihedral(0.9 * lambda, 0.9 * lambda), sweep, adaptive(true));
   EXPECT_EQ(skipped(small, "frequencies without edge-face interaction", "no edge"), 1u);
-  EXPECT_EQ(skipped(small, "edges without waves to other surfaces", "shorter"), 7u);  // six rims, and the back of the fold
-  EXPECT_EQ(skipped(small, "faces without waves from edges", "smaller"), 2u);
+  EXPECT_EQ(skipped(small, "edges without edge-face interaction", "shorter"), 7u);  // six rims, and the back of the fold
+  EXPECT_EQ(skipped(small, "faces without edge-face interaction", "smaller"), 2u);
 }
 
 TEST(InteractionBudget, MemoryDoesNotGrowWithThePairs) {

@@ -81,12 +81,13 @@ TEST(OpenBodies, WordsInTheUnitOfTheMesh) {
       shapes::transformed(without_face(shapes::cube(300.0), 0), glm::dmat3(1.0), 1.0, dvec3(1000.0, 0.0, 0.0));
   const OpenBodies one = bodies_of(box);
   const std::vector<std::string> sentences = open_body_warnings(one, {1e-3, "mm"});
-  EXPECT_THAT(sentences, ElementsAre(HasSubstr("open bodies: component 0, 100 % of the surface, is closed but for a hole: 90000 "
-                                               "mm^2 beside 450000 mm^2 of surface, with a border of 1200 mm round (")));
+  EXPECT_THAT(sentences,
+              ElementsAre(HasSubstr("open bodies: component 0, 100 % of the surface, is closed except for a hole: 90000 "
+                                    "mm^2 beside 450000 mm^2 of surface, with a border of 1200 mm round (")));
   const OpenBodies two = bodies_of(shapes::joined(without_face(shapes::cube(100.0), 0), box));
   EXPECT_THAT(
       open_body_warnings(two, {1e-3, "mm"}),
-      ElementsAre(HasSubstr("open bodies: 2 components, 100 % of the surface, are closed but for 2 holes; the largest, in "
+      ElementsAre(HasSubstr("open bodies: 2 components, 100 % of the surface, are closed except for 2 holes; the largest, in "
                             "component 1, is 90000 mm^2")));
   EXPECT_THAT(open_body_warnings({}, {1e-3, "mm"}), IsEmpty());
 }

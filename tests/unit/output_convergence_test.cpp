@@ -162,7 +162,7 @@ TEST(Convergence, NothingComingBackIsNoTrouble) {
   EXPECT_EQ(study.densities[0].relative_change, 0.0);
   EXPECT_EQ(study.densities[2].rms_db, 0.0);
   const Sweep sweep = monostatic({{0.1, 0.2}, {0.1, 0.3}}, 1e9);
-  EXPECT_THAT(convergence_text({"t", sweep, all, study}), HasSubstr("extrapolated    zero: nothing comes back in any row"));
+  EXPECT_THAT(convergence_text({"t", sweep, all, study}), HasSubstr("extrapolated    zero: no return in any row"));
 }
 
 TEST(Convergence, ChangesThatGrowAreNotTrusted) {

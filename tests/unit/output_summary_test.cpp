@@ -35,7 +35,7 @@ TEST(Summary, LowChannelsAreToldApart) {
                 "channel\n"));
   EXPECT_THAT(summary_text(rows({{1.0, 0.0, 0.0, 1.0}}, {{0.001, 0.0, 0.0, 0.001}}), facts()),
               HasSubstr("numerical error    at most VV, HH 0.0087 dB; 0 dB where"));
-  EXPECT_THAT(summary_text(rows({{0.0, 0.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0, 0.0}}), facts()), HasSubstr("nothing comes back"));
+  EXPECT_THAT(summary_text(rows({{0.0, 0.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0, 0.0}}), facts()), HasSubstr("no return"));
 }
 
 TEST(Summary, RowsAboveTheToleranceComeWithTheRemedy) {
@@ -61,9 +61,9 @@ TEST(Summary, TruncatedTubesByReason) {
   result.statistics.truncated[Truncation::width] = {3, 0.001};
   EXPECT_THAT(
       summary_text(result, facts()),
-      AllOf(HasSubstr("cut tubes          12 after tubes.max_bounces = 8, -20.0 dBsm of a look left at most, in the model "
+      AllOf(HasSubstr("truncated tubes    12 after tubes.max_bounces = 8, -20.0 dBsm of a look left at most, in the model "
                       "uncertainty: raise it\n"),
-            HasSubstr("cut tubes          3 too wide off curved surfaces, -30.0 dBsm of a look left at most"),
+            HasSubstr("truncated tubes    3 too wide off curved surfaces, -30.0 dBsm of a look left at most"),
             Not(HasSubstr("too many"))));
 }
 
@@ -88,7 +88,7 @@ TEST(Summary, MedianAndMaximumAreOfTheSameRows) {
   EXPECT_THAT(summary_text(result, facts()), HasSubstr("within 40 dB of the peak: VV, HH median 0.83 dB, at most 3.5 dB; "
                                                        "VH, HV median 3.5 dB, at most 3.5 dB\n"));
   result.total = {{}, {}};
-  EXPECT_THAT(summary_text(result, facts()), HasSubstr("model uncertainty  0 dB: nothing comes back\n"));
+  EXPECT_THAT(summary_text(result, facts()), HasSubstr("model uncertainty  0 dB: no return\n"));
 }
 
 // A tenth of 0.1 dB of the weakest row within 40 dB of a peak of 1 m: 1.15e-5 m, -88 dBsm.

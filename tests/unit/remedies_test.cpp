@@ -30,21 +30,21 @@ TEST(Remedies, ABudgetThatCanBeHadComesWithItsCost) {
 
 TEST(Remedies, ABudgetThatCannotBeHadIsNotNamed) {
   Solve solve{{.pairs_beyond_budget = 3'900'000'000}, {}, 5000};
-  EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none short of a full-wave method"));
+  EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none; use a full-wave method"));
   solve.pairs = 0;  // not even the first
-  EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none short of a full-wave method"));
+  EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none; use a full-wave method"));
 }
 
 TEST(Remedies, ABudgetIsNotNamedWhereItIsNotWhatIsMissing) {
   Solve solve{{.pairs_beyond_budget = 100}, {}, 100, 0.1};
-  EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none short of a full-wave method"));
+  EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none; use a full-wave method"));
 }
 
 TEST(Remedies, InteractionThatIsSwitchedOff) {
   EXPECT_EQ(Solve{}.remedy(Omission::interaction, {.interaction = false}), "edges.between = true, at most 5 times the time");
   Solve vehicle;
   vehicle.possible_pairs = 8e7;
-  EXPECT_THAT(vehicle.remedy(Omission::interaction, {.interaction = false}), StartsWith("none short of a full-wave method"));
+  EXPECT_THAT(vehicle.remedy(Omission::interaction, {.interaction = false}), StartsWith("none; use a full-wave method"));
 }
 
 // Half of the meetings are those of the last bounce.

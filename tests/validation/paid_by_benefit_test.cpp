@@ -26,7 +26,7 @@ bool same(const SweepResult& a, const SweepResult& b) {
 std::uint64_t looks_without(const SweepResult& result) {
   std::uint64_t count = 0;
   for (const Skipped& item : result.statistics.skipped)
-    if (item.why.starts_with("too weak beside the tubes")) count += item.count;
+    if (item.why.starts_with("too weak compared with the tubes")) count += item.count;
   return count;
 }
 

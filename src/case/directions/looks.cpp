@@ -58,10 +58,10 @@ void fill_from_list(const CaseValue& look, const CaseValue* receive, Case& c) {
   const CaseValue& name = *look.find("looks_csv");
   if (look.find("theta_deg") || look.find("phi_deg"))
     reject(name, {look.find("theta_deg"), look.find("phi_deg")},
-           "look.looks_csv stands instead of look.theta_deg and look.phi_deg; remove one or the other");
+           "look.looks_csv takes the place of look.theta_deg and look.phi_deg; remove one or the other");
   if (receive)
     reject(*receive, {&name},
-           "[receive] cannot go with look.looks_csv; give the columns rx_theta_deg, rx_phi_deg in the list instead");
+           "[receive] cannot be combined with look.looks_csv; give the columns rx_theta_deg, rx_phi_deg in the list instead");
   c.looks.looks_csv = read_file_name(name, "look.looks_csv", "look list");
   c.sweep.looks = read_looks_csv(c.file.parent_path() / c.looks.looks_csv, c.sweep.bistatic);
   check_rows(look, static_cast<double>(c.sweep.looks.size()), c.sweep.frequencies.size());
@@ -87,7 +87,8 @@ void read_looks(const CaseValue& root, Case& c) {
 
 void fill_looks(const LookNumbers& numbers, const CaseValue& root, Case& c) {
   if (has_positions(root))
-    throw InputError(root.location + ": looks cannot go with radar.position_m, which says where the antenna stands; remove one");
+    throw InputError(root.location +
+                     ": looks cannot be combined with radar.position_m, which says where the antenna stands; remove one");
   check_rows(root, static_cast<double>(numbers.rows.size()), c.sweep.frequencies.size());
   c.looks.given_as_numbers = true;
   c.sweep.bistatic = numbers.bistatic;

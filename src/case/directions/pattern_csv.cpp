@@ -32,7 +32,7 @@ void read_pattern_csv(const std::filesystem::path& file, AntennaPattern& pattern
     pattern.elevation.levels.push_back(reader.finite_number(2, "write the level relative to the axis in dB"));
   }
   if (pattern.azimuth.angles.size() < 2)
-    throw InputError(file.string() + ": an antenna pattern needs at least two rows; add what was measured beside the axis");
+    throw InputError(file.string() + ": an antenna pattern needs at least two rows; add what was measured off the axis");
   pattern.elevation.angles = pattern.azimuth.angles;
   for (const PatternCut* cut : {&pattern.azimuth, &pattern.elevation})
     if (std::abs(cut->level(0.0)) > 0.01 || std::ranges::max(cut->levels) > highest_db)

@@ -76,11 +76,12 @@ void read_positions(const CaseValue& root, Case& c) {
   const CaseValue& position = *find(root, "radar", "position_m");
   for (const char* section : {"look", "receive"})
     if (const CaseValue* given = root.find(section))
-      reject(*given, {&position},
-             fmt::format("[{}] cannot go with radar.position_m, which says where the antenna stands; remove one", section));
+      reject(
+          *given, {&position},
+          fmt::format("[{}] cannot be combined with radar.position_m, which says where the antenna stands; remove one", section));
   for (const char* key : {"range_m", "receive_range_m"})
     if (const CaseValue* given = find(root, "radar", key))
-      reject(*given, {&position}, fmt::format("radar.{} cannot go with radar.position_m; remove one of them", key));
+      reject(*given, {&position}, fmt::format("radar.{} cannot be combined with radar.position_m; remove one of them", key));
   c.radar.positions = read_antenna_positions(position, "radar.position_m");
   if (const CaseValue* receive = find(root, "radar", "receive_position_m"))
     c.radar.receive_positions = read_antenna_positions(*receive, "radar.receive_position_m");
@@ -110,7 +111,7 @@ void read_radar(const CaseValue& root, Case& c) {
     reject(*section, {find(root, "tubes", "clip")}, "[radar] needs exact polygons or a uniform grid; remove tubes.clip = false");
   if (c.edges.method == EdgeMethod::utd)
     reject(*section, {find(root, "edges", "method")},
-           "[radar] has no part in edges.method = \"utd\"; give edges.utd_range_m instead");
+           "[radar] does not apply to edges.method = \"utd\"; give edges.utd_range_m instead");
 }
 
 }  // namespace raytube

@@ -29,7 +29,7 @@ void check_name(const CaseValue& value, const std::string& sentence, const std::
   if (medium.empty())
     reject(value, fmt::format("{} is no material; add [materials.{}], or {}", sentence, quotable(name), name_meant(name, names)));
   reject(value,
-         fmt::format("{0} is no material but a medium; add [materials.{1}] with a kind and medium = \"{1}\", and name that here",
+         fmt::format("{0} is a medium, not a material; add [materials.{1}] with a kind and medium = \"{1}\", and name that here",
                      sentence, medium));
 }
 

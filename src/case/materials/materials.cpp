@@ -90,7 +90,7 @@ void check_alone(const Entry& entry, std::string_view first, std::span<const cha
   for (const char* key : others)
     if (const CaseValue* value = entry.find(key))
       reject(*value, {entry.find(first)},
-             fmt::format("{} cannot go with {}; {}", entry.key(key), first,
+             fmt::format("{} cannot be combined with {}; {}", entry.key(key), first,
                          first == "layers" ? "write it inside each layer" : "remove one of them"));
 }
 

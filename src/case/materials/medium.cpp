@@ -55,7 +55,8 @@ const CaseValue* only_one(const CaseValue& table, const std::string& path, std::
   std::string_view first;
   for (const char* key : keys) {
     const CaseValue* value = table.find(key);
-    if (value && found) reject(*value, {found}, fmt::format("{}.{} cannot go with {}; remove one of them", path, key, first));
+    if (value && found)
+      reject(*value, {found}, fmt::format("{}.{} cannot be combined with {}; remove one of them", path, key, first));
     if (value) first = key, found = value;
   }
   return found;
@@ -70,7 +71,8 @@ void read_numbers(const CaseValue& table, const std::string& path, MediumChoice&
   const bool is_tangent = table.find("loss_tangent") != nullptr;
   const std::string key = path + (is_tangent ? ".loss_tangent" : ".conductivity_s_per_m");
   if (eps.kind == CaseValue::Kind::list)
-    reject(*loss, {&eps}, fmt::format("{} cannot go with a loss in eps_r; write eps_r = {}", key, number_text(medium.eps_r[0])));
+    reject(*loss, {&eps},
+           fmt::format("{} cannot be combined with a loss in eps_r; write eps_r = {}", key, number_text(medium.eps_r[0])));
   (is_tangent ? medium.loss_tangent : medium.conductivity) = read_loss(*loss, key);
   if (is_tangent && medium.eps_r[0] < 0.0)
     reject(*loss, {&eps}, fmt::format("{} needs an eps_r above 0; write eps_r = [eps', eps''] instead", key));
@@ -80,7 +82,7 @@ void refuse_numbers(const CaseValue& table, const std::string& path, std::string
   for (const char* key : {"mu_r", "loss_tangent", "conductivity_s_per_m"})
     if (const CaseValue* value = table.find(key))
       reject(*value, {table.find(instead)},
-             fmt::format("{}.{} cannot go with {}, which says it; remove one of them", path, key, instead));
+             fmt::format("{}.{} cannot be combined with {}, which says it; remove one of them", path, key, instead));
 }
 
 std::string read_medium_name(const CaseValue& value, const std::string& key) {
@@ -118,7 +120,7 @@ Medium medium_of_library(const MediumChoice& choice, double frequency, const std
 Medium medium_of_table(const MediumTable& table, const MediumChoice& choice, double frequency, const std::string& asked_at) {
   if (frequency < table.frequencies.front() || frequency > table.frequencies.back())
     throw InputError(
-        fmt::format("{} \"{}\" goes from {} to {} GHz, but frequency.ghz asks for {}; choose frequencies within, or "
+        fmt::format("{} \"{}\" goes from {} to {} GHz, but frequency.ghz contains {}; choose frequencies within, or "
                     "another table",
                     location_of(choice, asked_at), quotable(choice.table_csv), number_text(table.frequencies.front() / 1e9),
                     number_text(table.frequencies.back() / 1e9), number_text(frequency / 1e9)));

@@ -34,8 +34,8 @@ const CaseValue& require(const CaseValue& root, const std::string& section, cons
 /// Throws InputError that begins with the location of `value`.
 [[noreturn]] void reject(const CaseValue& value, const std::string& sentence);
 
-/// Throws InputError for a `value` that cannot go with any of the others (null: not there). It begins with the location of the
-/// one that comes from the command line, if there is one, for that is what went wrong, and else with that of `value`.
+/// Throws InputError for a `value` that cannot be combined with any of the others (null: not there). It begins with the location
+/// of the one that comes from the command line, if there is one, for that is what went wrong, and else with that of `value`.
 [[noreturn]] void reject(const CaseValue& value, std::initializer_list<const CaseValue*> others, const std::string& sentence);
 
 /// True for the location of a value from the command line.

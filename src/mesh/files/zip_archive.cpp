@@ -24,7 +24,7 @@ ZipArchive::ZipArchive(const MeshFile& file) : file_(file) {
   archive_.reset(zip_open_from_source(source, ZIP_RDONLY, nullptr));
   if (archive_) return;
   zip_source_free(source);
-  file.reject("is no zip archive, as a 3MF file is one, or is damaged; copy or export it again");
+  file.reject("is not a zip archive, as a 3MF file is one, or is damaged; copy or export it again");
 }
 
 std::string ZipArchive::read(const std::string& name) const {

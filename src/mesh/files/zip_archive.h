@@ -13,7 +13,7 @@ namespace raytube {
 /// An archive in memory, which must outlive it.
 class ZipArchive {
  public:
-  /// Throws InputError if the file is no zip archive or is damaged.
+  /// Throws InputError if the file is not a zip archive or is damaged.
   explicit ZipArchive(const MeshFile& file);
 
   /// Throws InputError if the entry is missing, damaged, encrypted, or far larger than the archive.

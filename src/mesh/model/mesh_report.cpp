@@ -23,7 +23,7 @@ std::vector<MeshNote> MeshReport::notes() const {
       {"facets turned over, so that all face outward or alike", triangles_flipped},
       {"open edges left: the border of an open surface, or a gap in a body", open_edges},
       {"edges left where more than two facets meet", non_manifold_edges},
-      {"parts that are closed but for a small gap, so traced on both sides", components_nearly_closed},
+      {"parts that are closed except for a small gap, so traced on both sides", components_nearly_closed},
       {"parts that are closed, but partly of sheets: seen from both sides", components_penetrable},
       {"open parts, traced on both sides", components - components_closed - components_penetrable},
   };

@@ -21,7 +21,7 @@ std::uint64_t component_bytes(const MeshFile& file, std::uint64_t type) {
   if (type == int8 || type == uint8) return 1;
   if (type == int16 || type == uint16) return 2;
   if (type == uint32 || type == float32) return 4;
-  file.reject(fmt::format("componentType {} is no number of glTF; the file is damaged, export it again", type));
+  file.reject(fmt::format("componentType {} is not a component type of glTF; the file is damaged, export it again", type));
 }
 
 template <class Number>
@@ -93,8 +93,8 @@ std::string GltfData::load_buffer(const JsonValue& buffer, std::uint64_t index) 
 std::string GltfData::load_file(const std::string& uri) {
   const std::optional<std::string> path = path_of_uri(uri);
   if (!path)
-    document_.file.reject(
-        fmt::format("its buffer '{}' is no file in the folder of the mesh; export it as .glb, which is one file", quotable(uri)));
+    document_.file.reject(fmt::format(
+        "its buffer '{}' is not a file in the folder of the mesh; export it as .glb, which is one file", quotable(uri)));
   further_files_.push_back(std::filesystem::path(document_.file.name).parent_path() / *path);
   if (std::error_code error; !std::filesystem::exists(further_files_.back(), error))
     document_.file.reject(
@@ -203,7 +203,7 @@ std::vector<std::uint32_t> GltfData::indices(std::uint64_t accessor) const {
   std::vector<std::uint32_t> numbers;
   for (const double value : values(accessor, "SCALAR", 1)) {
     if (!(value >= 0.0 && value < no_index) || value != std::floor(value))
-      document_.file.reject(fmt::format("accessors[{}] holds {}, which is no index; export the mesh again", accessor, value));
+      document_.file.reject(fmt::format("accessors[{}] holds {}, which is not an index; export the mesh again", accessor, value));
     numbers.push_back(static_cast<std::uint32_t>(value));
   }
   return numbers;

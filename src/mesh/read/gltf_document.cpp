@@ -94,7 +94,7 @@ std::span<const JsonValue> GltfDocument::list(const JsonValue& table, std::strin
 
 std::uint64_t GltfDocument::whole(const JsonValue& value) const {
   if (value.kind != JsonValue::Kind::whole)
-    file.reject("a whole number is missing, or something else stands in its place; the file is damaged, export it again");
+    file.reject("a whole number is missing, or something else is in its place; the file is damaged, export it again");
   return value.whole;
 }
 
@@ -112,7 +112,7 @@ std::uint64_t GltfDocument::required_whole(const JsonValue& table, std::string_v
 double GltfDocument::number(const JsonValue& value) const {
   if (value.kind == JsonValue::Kind::whole) return static_cast<double>(value.whole);
   if (value.kind != JsonValue::Kind::number)
-    file.reject("something else stands in the place of a number; the file is damaged, export it again");
+    file.reject("something else is in the place of a number; the file is damaged, export it again");
   return value.number;
 }
 

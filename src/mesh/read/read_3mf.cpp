@@ -186,7 +186,7 @@ std::string root_part(const MeshFile& file, const ZipArchive& archive) {
     if (element.name.ends_with("|Relationship") && element.text("Type").ends_with("/3dmodel")) root = element.text("Target");
   };
   reader.read(archive.read("_rels/.rels"));
-  if (root.empty()) file.reject("names no model in _rels/.rels; it is no 3MF file, or damaged, export it again");
+  if (root.empty()) file.reject("names no model in _rels/.rels; it is not a 3MF file, or damaged, export it again");
   return root.substr(root.starts_with('/') ? 1 : 0);
 }
 

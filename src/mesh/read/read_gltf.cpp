@@ -77,7 +77,7 @@ class GltfParser {
                               s = numbers_of(node, "scale", {1, 1, 1});
     const glm::dquat turn(r[3], r[0], r[1], r[2]);
     if (!(std::abs(glm::length(turn) - 1.0) < 1e-3))  // single precision leaves 1e-7, few digits of text more
-      file_.reject(fmt::format("the rotation of a node is no unit quaternion (its length is {}); export the mesh again",
+      file_.reject(fmt::format("the rotation of a node is not a unit quaternion (its length is {}); export the mesh again",
                                glm::length(turn)));
     return glm::scale(glm::translate(glm::dmat4(1.0), {t[0], t[1], t[2]}) * glm::mat4_cast(glm::normalize(turn)),
                       {s[0], s[1], s[2]});

@@ -51,7 +51,7 @@ std::string order_text(const ConvergenceStudy& study) {
 std::string extrapolated_text(const ConvergenceStudy& study) {
   const Extrapolation& e = *study.convergence.extrapolation;
   const Complex s = strongest(study, e.total);
-  if (s == 0.0) return "zero: nothing comes back in any row\n";
+  if (s == 0.0) return "zero: no return in any row\n";
   const double uncertainty_db = 20.0 * std::log10(1.0 + e.strongest_uncertainty / std::abs(s));
   return fmt::format("S_{} = {:.8g} {} {:.8g}j m +- {:.2g} m, {:.6f} dBsm +- {:.2g} dB at {}\n", strongest_channel(study),
                      s.real(), s.imag() < 0.0 ? '-' : '+', std::abs(s.imag()), e.strongest_uncertainty, sigma_dbsm(s),

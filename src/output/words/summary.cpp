@@ -56,7 +56,7 @@ std::string levels_text(const LargestErrors& errors) {
   if (errors.cross >= 0.0) kinds.push_back(fmt::format("VH, HV {:.2g} dB", errors.cross));
   if (errors.low >= 0.0)
     kinds.push_back(fmt::format("{:.2g} dB where {} dB and more below the strongest channel", errors.low, low_db));
-  return kinds.empty() ? "0 dB: nothing comes back" : "at most " + joined(kinds, "; ");
+  return kinds.empty() ? "0 dB: no return" : "at most " + joined(kinds, "; ");
 }
 
 std::string remedy(const SweepResult& result, const RunFacts& facts) {
@@ -104,7 +104,7 @@ std::string model_levels_text(const SweepResult& result) {
   for (const auto& [channels, both] : {std::pair{"VV, HH", std::array{0, 3}}, std::pair{"VH, HV", std::array{1, 2}}})
     if (const std::vector<double> levels = levels_near_peak(result, result.model, both); !levels.empty())
       kinds.push_back(median_text(channels, levels));
-  return kinds.empty() ? "0 dB: nothing comes back" : "within 40 dB of the peak: " + joined(kinds, "; ");
+  return kinds.empty() ? "0 dB: no return" : "within 40 dB of the peak: " + joined(kinds, "; ");
 }
 
 // What it is mostly, and the handle that makes it less.
@@ -134,8 +134,8 @@ std::string truncated_lines(const SweepResult& result, const RunFacts& facts) {
     if (tubes == 0) continue;
     const std::string left = sigma > 0.0 ? fmt::format("{:.1f} dBsm", 10.0 * std::log10(sigma)) : "nothing";
     const char* const handle = matters(sigma, result, facts.tubes.tolerance_db) ? handles[i] : "; too little to matter";
-    text += line("cut tubes", fmt::format("{} {}, {} of a look left at most, in the {}{}", tubes, reasons[i], left,
-                                          facts.materials ? "numerical error" : "model uncertainty", handle));
+    text += line("truncated tubes", fmt::format("{} {}, {} of a look left at most, in the {}{}", tubes, reasons[i], left,
+                                                facts.materials ? "numerical error" : "model uncertainty", handle));
   }
   return text;
 }
@@ -150,7 +150,7 @@ std::string work_lines(const SweepResult& result, const RunFacts& facts) {
     text += line("resumed", fmt::format("{} looks were computed before, and are not in that time", facts.looks_resumed));
   text += line("lost rays", fmt::format("{}", s.lost_rays));
   if (paths && s.truncated.tubes())
-    text += line("cut search", fmt::format("in {} looks: too many sequences of mirrors", s.truncated.tubes()));
+    text += line("truncated search", fmt::format("in {} looks: too many sequences of mirrors", s.truncated.tubes()));
   return paths ? text : text + truncated_lines(result, facts);
 }
 
@@ -190,7 +190,7 @@ std::string lost_rays_sentence(const Statistics& statistics, double metres_per_u
       places.empty() ? "" : fmt::format(", in {} look{}, first at {}", looks, looks == 1 ? "" : "s", joined(places, "; "));
   return fmt::format(
       "{} of {} rays met a closed body from inside and ended there{}: a part of the body is inside out there, or crosses itself; "
-      "mend it in the CAD program (docs/guide/own_mesh.md)",
+      "repair it in the CAD program (docs/guide/own_mesh.md)",
       statistics.lost_rays, statistics.rays, where);
 }
 

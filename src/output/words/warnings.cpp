@@ -46,12 +46,12 @@ std::string bodies_text(const OpenBodies& bodies, const MeshUnit& unit) {
   const double percent = 100.0 * bodies.share;
   const std::string hole = hole_text(bodies, unit);
   if (bodies.holes == 1)
-    return fmt::format("component {}, {:.3g} % of the surface, is closed but for a hole: {}", bodies.component, percent, hole);
+    return fmt::format("component {}, {:.3g} % of the surface, is closed except for a hole: {}", bodies.component, percent, hole);
   const std::string which = bodies.count == 1
                                 ? fmt::format("component {}, {:.3g} % of the surface, is", bodies.component, percent)
                                 : fmt::format("{} components, {:.3g} % of the surface, are", bodies.count, percent);
   const std::string where = bodies.count == 1 ? "" : fmt::format(", in component {},", bodies.component);
-  return fmt::format("{} closed but for {} holes; the largest{} is {}", which, bodies.holes, where, hole);
+  return fmt::format("{} closed except for {} holes; the largest{} is {}", which, bodies.holes, where, hole);
 }
 
 std::string sentence(const ThickLayers& narrowest, std::size_t components, const Material& material, const MeshUnit& unit) {
@@ -59,7 +59,7 @@ std::string sentence(const ThickLayers& narrowest, std::size_t components, const
   const std::string more = components == 1 ? "" : fmt::format(" ({} components are too narrow)", components);
   return fmt::format(
       "materials: the layers of \"{}\" are {} thick{}, but component {} round {} is only {} {}{}; check "
-      "thickness_mm and target.unit, or take what such parts return as rough: layers count as parts of infinite planes",
+      "thickness_mm and target.unit, or treat the return of such parts as approximate: layers count as parts of infinite planes",
       quotable(material.name), length(narrowest.thickness), narrowest.both_sides ? " on both sides" : "", narrowest.component,
       place(narrowest.middle, narrowest.thickness, unit), length(narrowest.width), narrowest.closed ? "thick" : "wide", more);
 }
@@ -75,7 +75,7 @@ std::string sentence(const CoarseSteps& steps) {
         "sectors hold, not lines)",
         steps.step, unambiguous_range(steps.step), unambiguous_range(steps.limit), rounded_down(steps.limit));
   return fmt::format(
-      "sampling: steps of {:.4g} deg in {} are too wide for this target's lobes, which ask for {:.2g} deg or less; take finer "
+      "sampling: steps of {:.4g} deg in {} are too wide for this target's lobes, which require {:.2g} deg or less; take finer "
       "steps, or read each row by itself (plots show points and what sliding sectors hold, not lines)",
       steps.step, names[steps.quantity], rounded_down(steps.limit));
 }
@@ -108,26 +108,27 @@ std::vector<std::string> thick_layer_warnings(const std::vector<ThickLayers>& la
 std::vector<std::string> validity_warnings(const Validity& v) {
   if (too_small(v))
     return {
-        fmt::format("validity: the target's largest extent, {:.4g} mm, is {:.2g} wavelengths at {:.4g} GHz, and the methods ask "
-                    "for {:.0f}; below {:.4g} GHz take results as rough, or use a full-wave program",
+        fmt::format("validity: the target's largest extent, {:.4g} mm, is {:.2g} wavelengths at {:.4g} GHz, and the methods "
+                    "require {:.0f}; below {:.4g} GHz treat results as approximate, or use a full-wave program",
                     v.extent * 1e3, v.extent / wavelength(v.frequency), v.frequency / 1e9, least_wavelengths,
                     least_wavelengths * speed_of_light / v.extent / 1e9)};
   std::vector<std::string> sentences;
   if (matters(v.parts))
     sentences.push_back(
-        fmt::format("validity: {} separate parts, {} of the surface, are smaller than {}; take what they return as rough, or "
+        fmt::format("validity: {} separate parts, {} of the surface, are smaller than {}; treat their return as approximate, or "
                     "raise the frequency",
                     v.parts.count, percent(v.parts), at_wavelength(v)));
   if (matters(v.faces))
     sentences.push_back(fmt::format(
-        "validity: {} faces between edges, {} of the surface, are smaller than {}; take what they return as rough, or, "
+        "validity: {} faces between edges, {} of the surface, are smaller than {}; treat their return as approximate, or, "
         "where they stand for a curved surface, mesh it finer, with creases below edges.min_wedge_deg",
         v.faces.count, percent(v.faces), at_wavelength(v)));
   if (matters(v.radii))
-    sentences.push_back(fmt::format(
-        "validity: {} of the surface is bent to radii smaller than {}; waves round such bends are rough where surfaces.waves "
-        "computes them, and missing elsewhere; take what comes from there as rough, or raise the frequency",
-        percent(v.radii), at_wavelength(v)));
+    sentences.push_back(
+        fmt::format("validity: {} of the surface is bent to radii smaller than {}; waves around such bends are approximate where "
+                    "surfaces.waves "
+                    "computes them, and missing elsewhere; treat the return from there as approximate, or raise the frequency",
+                    percent(v.radii), at_wavelength(v)));
   return sentences;
 }
 

@@ -104,8 +104,8 @@ class Interaction : public Mechanism {
 std::vector<Skipped> skipped_for_size(const TooSmall& small, std::uint64_t frequencies) {
   return {
       {"frequencies without edge-face interaction", "no edge of a wavelength sees a face of a wavelength squared", frequencies},
-      {"edges without waves to other surfaces", "shorter than a wavelength at the lowest frequency", small.edges},
-      {"faces without waves from edges", "smaller than a wavelength squared at the lowest frequency", small.faces}};
+      {"edges without edge-face interaction", "shorter than a wavelength at the lowest frequency", small.edges},
+      {"faces without edge-face interaction", "smaller than a wavelength squared at the lowest frequency", small.faces}};
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ MechanismState interaction_state(const SolvePlan& plan) {
   if (MechanismState edges = edge_currents_state(plan); !edges.on) return without(edges.why_not);
   if (plan.no_reflection()) return without(nothing_in_front);
   if (!plan.sweep.materials.empty()) return misses("not all of the target is a perfect conductor");
-  if (!waves_are_plane(plan)) return misses("antennas are too near for plane waves");
+  if (!waves_are_plane(plan)) return misses("antennas are too close for plane waves");
   if (plan.edges.interaction_budget == 0.0) return misses("edges.between_budget is 0");
   const std::vector<double>& frequencies = plan.sweep.frequencies;
   const TooSmall small = too_small_to_interact(plan.target.mesh, plan.target.wedges, std::ranges::min(frequencies));

@@ -107,9 +107,9 @@ std::size_t conducting(const BandPlan& band) { return band.wave_surfaces ? band.
 
 MechanismState surface_waves_state(const SolvePlan& plan) {
   if (!plan.surfaces.waves.possible()) return without("surfaces.waves is false");
-  if (!plan.fringe()) return without("they come with edge currents, edges.method \"fringe\"");
+  if (!plan.fringe()) return without("they are computed together with edge currents (edges.method \"fringe\")");
   if (!plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
-    return without("facets are what is meant by tubes.curved \"never\" and by tubes that are not clipped");
+    return without("tubes.curved \"never\" and tubes that are not clipped take facets as the surface itself");
   const auto is_curved = [](const BandPlan& band) { return band.wave_surfaces != nullptr; };
   if (std::ranges::none_of(plan.bands, is_curved)) return without("no curved surface");
   const BandPlan& most = *std::ranges::max_element(plan.bands, {}, conducting);
@@ -119,7 +119,7 @@ MechanismState surface_waves_state(const SolvePlan& plan) {
   return {.on = true,
           .forced = plan.surfaces.waves.forced(),
           .what = fmt::format("over {} facets{}", facets,
-                              others == 0 ? "" : fmt::format(", not over {} more that are no perfect conductors", others))};
+                              others == 0 ? "" : fmt::format(", not over {} more that are not perfect conductors", others))};
 }
 
 bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {

@@ -10,7 +10,7 @@
 
 namespace raytube {
 
-/// Whether the heuristic gives this wedge a current: a convex one with a face that is no perfect conductor.
+/// Whether the heuristic gives this wedge a current: a convex one with a face that is not a perfect conductor.
 bool is_material_edge(const Wedge& wedge);
 
 /// Adds to `sum` the fringe currents at first order on all material edges: of the terms of

@@ -1,6 +1,7 @@
 // The edge of a plate whose thickness t is small against the wavelength: what its edge face, the narrow face between the two
-// sides, changes in the currents of a half plane. Derived in docs/theory/edges.md. Source: the split functions of the thick half
-// plane, Jones (1953), Proc. R. Soc. Lond. A 217, 153, to the leading order in t / wavelength at each of their arguments,
+// sides, changes in the currents of a half plane. Derived in docs/theory/edges_derivation.md. Source: the split functions of the
+// thick half plane, Jones (1953), Proc. R. Soc. Lond. A 217, 153, to the leading order in t / wavelength at each of their
+// arguments,
 //
 //   F(phi) = exp{ j kappa (L cos phi + phi sin phi) },  kappa = t sin(beta') / wavelength,  L = 1 - gamma - ln kappa - j pi/2,
 //

@@ -59,7 +59,7 @@ struct DiffractedWave {
 /// so that H = 1/2 from both sides as Q passes the end; the last factor is the share of the corner wave this edge has, of which
 /// the other edge that meets there has the rest. It is 0 on the boundary itself, so the wave ends there with the rays it
 /// completes. The idea of a uniform corner term after Sikta, Burnside, Chu and Peters (1983), IEEE Trans. AP-31, 584; this one is
-/// our own (docs/theory/edges.md). Valid for k L above about 1.
+/// our own (docs/theory/edges_derivation.md). Valid for k L above about 1.
 DiffractedWave diffracted_wave(const StraightEdge& edge, const EdgeRay& ray, double wavenumber);
 
 /// E_d = -[b0_hat b0'_hat soft + phi_hat phi'_hat hard] . p, the edge-fixed unit vectors of Kouyoumjian and Pathak (1974):
