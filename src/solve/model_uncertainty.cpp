@@ -72,6 +72,7 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   if (!result.edges.scattering.empty()) row.edges = result.edges.scattering[frequency];
   if (!result.edges.higher.empty()) row.higher = result.edges.higher[frequency];
   if (!result.interaction.scattering.empty()) row.interaction = result.interaction.scattering[frequency];
+  if (!result.surface.scattering.empty()) row.surface_waves = result.surface.scattering[frequency];
   const bool some_left_out = result.interaction.skipped.pairs > 0 || result.interaction.unreached;
   const bool none_afforded = some_left_out && frobenius_norm(row.interaction) == 0.0;
   row.has_surface_waves = !result.surface.scattering.empty() && plan_.sweep.materials.empty();  // they run on conductors

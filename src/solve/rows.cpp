@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "solve/admissible.h"
 #include "solve/phase_reference.h"
 #include "uncertainty/remedies.h"
 
@@ -129,7 +130,9 @@ void RowCollector::finish_model() {
   const Target& target = plan_.target;
   const RemedyEvidence evidence{plan_.edges,
                                 plan_.tubes,
+                                plan_.surfaces,
                                 !sweep_.materials.empty(),
+                                all_far(sweep_),
                                 static_cast<double>(target.wedges.size()) * static_cast<double>(target.mesh.patches.size()),
                                 skipped_,
                                 result_.statistics.truncated,

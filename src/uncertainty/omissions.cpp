@@ -33,8 +33,8 @@ constexpr double cavity_spread = 0.8;        // the same after some reflections,
 constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
 constexpr double wave_amplitude = 0.15, tight_wave_amplitude = 1.0;  // where waves run on: of that, and of tight bends
 constexpr double rim_amplitude = 5.0;                                // of a sharply curved rim, over the same
-constexpr double rim_error = 9.2;                                    // of the currents of a rim, over its chords' dent in wavelengths
-constexpr int interacting_bounces = 3;                               // that edge-face interaction mends
+constexpr double rim_error = 9.2;       // of the currents of a rim, over its chords' dent in wavelengths
+constexpr int interacting_bounces = 3;  // that edge-face interaction mends
 
 double square(double x) { return x * x; }
 
@@ -115,7 +115,7 @@ class RowEstimate {
 const OmissionText& text_of(Omission omission) { return texts[static_cast<std::size_t>(omission)]; }
 
 ScatteringMatrix RowEvidence::total() const {
-  ScatteringMatrix sum = edges + higher + interaction;
+  ScatteringMatrix sum = edges + higher + interaction + surface_waves;
   for (const ScatteringMatrix& bounce : bounces) sum += bounce;
   return sum;
 }

@@ -46,7 +46,7 @@ struct RowEvidence {
   double rim_dent = 0.0;                        // [m]
   double half_extent = 0.0;                     // half of the target's longest dimension [m]
   std::span<const ScatteringMatrix> bounces{};  // PO currents of bounce 1, 2, ... [m]
-  ScatteringMatrix edges{}, higher{}, interaction{};
+  ScatteringMatrix edges{}, higher{}, interaction{}, surface_waves{};
   bool has_interaction = false;    // edge-face interaction was computed
   bool has_surface_waves = false;  // waves over curved surfaces were computed
   double left_out = 0.0;           // of it, for the sake of its budget [m]

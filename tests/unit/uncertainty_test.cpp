@@ -129,6 +129,14 @@ TEST(Uncertainty, PartsComeFromTheirOwnEvidence) {
   EXPECT_NEAR(root_sum_square(all)[0][0], std::sqrt(squares), 1e-15);
 }
 
+TEST(Uncertainty, TotalIsTheSumOfAllMechanisms) {
+  std::vector<ScatteringMatrix> bounces(2);
+  RowEvidence row{.bounces = bounces, .wavelength = 1.0};
+  bounces[0].at(0, 0) = 1.0, bounces[1].at(0, 0) = 2.0;
+  row.edges.at(0, 0) = 4.0, row.higher.at(0, 0) = 8.0, row.interaction.at(0, 0) = 16.0, row.surface_waves.at(0, 0) = 32.0;
+  EXPECT_EQ(row.total().at(0, 0), Complex(63.0));
+}
+
 TEST(Uncertainty, OfASmallTargetIsManyDecibels) {
   RowEvidence row{.half_extent = 0.01, .wavelength = 1.0};
   row.edges.at(0, 0) = 0.01;  // edges take no notice that the whole is too small: Rayleigh has 4e-5
