@@ -55,7 +55,7 @@ void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
 }
 
 EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
-  EdgeCurrents currents{plan_.mechanisms.fringe, plan_.mechanisms.material_edges, {}};
+  EdgeCurrents currents{plan_.mechanisms.fringe, plan_.mechanisms.material_edges, {}, plan_.mechanisms.surface_waves};
   for (const Material& material : plan_.sweep.materials)
     currents.material_strengths.push_back(edge_strength(material, frequency, wavenumber(plan_.sweep.frequencies[frequency])));
   return currents;

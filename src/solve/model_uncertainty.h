@@ -19,6 +19,9 @@ class ModelUncertainty {
   /// [frequency] of a look that was computed; looks that follow from it have the same.
   std::vector<OmissionErrors> of(const Look& look, const LookResult& result) const;
 
+  /// Of the weak edges at the first frequency, by length: the share beside curved faces.
+  double curved_edges() const { return edges_.empty() ? 0.0 : curved_share(edges_[bands_.front().edges].edges); }
+
  private:
   // Frequencies that have their features of a look from one.
   struct Band {

@@ -133,6 +133,7 @@ void RowCollector::finish_model() {
                                 plan_.surfaces,
                                 !sweep_.materials.empty(),
                                 all_far(sweep_),
+                                model_uncertainty_.curved_edges(),
                                 static_cast<double>(target.wedges.size()) * static_cast<double>(target.mesh.patches.size()),
                                 skipped_,
                                 result_.statistics.truncated,

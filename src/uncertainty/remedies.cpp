@@ -30,6 +30,8 @@ std::string remedy_of_edges(const RemedyEvidence& evidence) {
   if (!has_edge_currents(evidence)) return edge_currents;
   if (evidence.materials && evidence.edges.materials == MaterialEdgeMethod::none)
     return "edges.materials = \"luebbers\", hardly any time";
+  const bool straight_over_curved = !evidence.surfaces.waves.possible() && evidence.curved_edges > worth_naming;
+  if (straight_over_curved && plane_waves_on_conductors(evidence)) return surface_waves;
   return "none short of a full-wave method where such edges matter";
 }
 

@@ -85,8 +85,9 @@ double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
   return material_share * std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
 }
 
-// The share of an edge's currents that goes wrong because its faces are curved: they are taken as planes.
-constexpr double curved_faces_share = 0.3;
+// The share of an edge's currents that is wrong where its faces are curved: taken as planes, or with strips that follow them
+// (0.84 dB at most in the mean over a section's looks: docs/theory/surface_waves.md).
+constexpr double curved_faces_share = 0.3, followed_faces_share = 0.1;
 
 class EdgeFinder {
  public:
@@ -127,8 +128,9 @@ class EdgeFinder {
   void add_edge(const Wedge& wedge, std::uint32_t run) {
     if (!counts(wedge)) return;
     const auto is_curved = [&](const WedgeFace& face) { return face.patch != no_index && curved_.patches[face.patch]; };
-    const double curved = std::ranges::any_of(wedge.faces, is_curved) ? curved_faces_share : 0.0;
-    const double missing = std::max(missing_share(wedge, currents_), curved);
+    const bool curved = std::ranges::any_of(wedge.faces, is_curved);
+    const double share = currents_.over_curved && wedge.conducting() ? followed_faces_share : curved_faces_share;
+    const double missing = std::max(missing_share(wedge, currents_), curved ? share : 0.0);
     const double width = std::min(wedge.faces[0].width, wedge.faces[1].width);
     if (missing == 0.0 && !is_narrow(width, wavelength_)) return;
     features_.edges.push_back({0.5 * (wedge.start + wedge.end),
@@ -137,6 +139,7 @@ class EdgeFinder {
                                std::min(wedge.n - 1.0, 1.0),
                                missing,
                                width,
+                               curved,
                                run});
   }
 
@@ -186,6 +189,16 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
 EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents,
                                 double wavelength) {
   return EdgeFinder(wedges, curved, currents, wavelength).find();
+}
+
+double curved_share(std::span<const WeakEdge> edges) {
+  double all = 0.0, curved = 0.0;
+  for (const WeakEdge& edge : edges) {
+    const double length = glm::length(edge.half);
+    all += length;
+    if (edge.curved) curved += length;
+  }
+  return all > 0.0 ? curved / all : 0.0;
 }
 
 }  // namespace raytube

@@ -19,9 +19,11 @@ struct Solve {
   TubeOptions tubes{};
   SurfaceOptions surfaces{};
   bool materials = false, far = true;
+  double curved_edges = 0.0;
 
   std::string remedy(Omission omission, const EdgeOptions& edges = {}) const {
-    return remedy_of(omission, {edges, tubes, surfaces, materials, far, possible_pairs, skips, truncated, hits, pairs, left_out});
+    return remedy_of(omission, {edges, tubes, surfaces, materials, far, curved_edges, possible_pairs, skips, truncated, hits,
+                                pairs, left_out});
   }
 };
 
@@ -72,6 +74,10 @@ TEST(Remedies, EdgeCurrentsThatAreSwitchedOff) {
 TEST(Remedies, SurfaceWavesThatAreSwitchedOff) {
   Solve solve{.surfaces = {.waves = false}};
   EXPECT_THAT(solve.remedy(Omission::smooth_surfaces), StartsWith("surfaces.waves = true, "));
+  // Beside curved faces edge currents follow these with them.
+  EXPECT_THAT(solve.remedy(Omission::edges), StartsWith("none"));
+  solve.curved_edges = 1.0;
+  EXPECT_THAT(solve.remedy(Omission::edges), StartsWith("surfaces.waves = true, "));
   solve.far = false;  // none from antennas at a finite distance
   EXPECT_THAT(solve.remedy(Omission::smooth_surfaces), StartsWith("none"));
   EXPECT_THAT(Solve{}.remedy(Omission::smooth_surfaces), StartsWith("none"));

@@ -64,6 +64,16 @@ TEST(Uncertainty, EdgesWithoutCurrentsAddUpInPhase) {
               std::sqrt(2.0 * 9.0 + 2.0 * along * along) / (2.0 * pi), 1e-12);
 }
 
+TEST(Uncertainty, EdgesBesideCurvedFacesAreLessWeakWhereTheirCurrentsFollow) {
+  const Found straight(shapes::cylinder(2.0, 6.0, 72)), followed(shapes::cylinder(2.0, 6.0, 72), {.over_curved = true});
+  ASSERT_FALSE(straight.edges.edges.empty());
+  ASSERT_EQ(straight.edges.edges.size(), followed.edges.edges.size());
+  for (std::size_t i = 0; i < straight.edges.edges.size(); ++i)
+    EXPECT_LT(followed.edges.edges[i].missing, straight.edges.edges[i].missing);
+  EXPECT_EQ(curved_share(straight.edges.edges), 1.0);
+  EXPECT_EQ(curved_share(Found(shapes::plate(3.0), {.conductors = false}).edges.edges), 0.0);
+}
+
 TEST(Uncertainty, EdgesBesideNarrowFacesAreWeak) {
   // A box of 4 x 4 x 0.3 wavelengths is no thin plate, but its narrow faces do not carry the currents of wedges.
   const Found box(shapes::box({4.0, 4.0, 0.3}));
