@@ -36,6 +36,7 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
   std::map<std::tuple<std::size_t, double, double>, std::size_t> known;
   for (std::size_t f = 0; f < plan.sweep.frequencies.size(); ++f) {
     const double frequency = plan.sweep.frequencies[f], middle = middle_of_band(frequency);
+    penumbra_shares_.push_back(penumbra_share(curved_.faces, wavelength(frequency)));
     const std::size_t thin = count_thin(plan.target.thin_plate_edges, frequency);
     const auto [found, is_new] = known.try_emplace({thin, middle, plan.sweep.materials.empty() ? 0.0 : frequency}, edges_.size());
     if (is_new) find_edges(f, wavelength(middle));
@@ -68,7 +69,9 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   RowEvidence row{.facets = dents_.relative_error(look, bands_[band_of_[frequency]].frequency),
                   .rim_dent = rim_dent_,
                   .half_extent = plan_.target.mesh.radius,
-                  .bounces = bounces};
+                  .bounces = bounces,
+                  .met = result.tubes.met,
+                  .penumbra_share = penumbra_shares_[frequency]};
   if (!result.edges.scattering.empty()) row.edges = result.edges.scattering[frequency];
   if (!result.edges.higher.empty()) row.higher = result.edges.higher[frequency];
   if (!result.interaction.scattering.empty()) row.interaction = result.interaction.scattering[frequency];
@@ -80,9 +83,6 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   if (!result.interaction.left_out.empty()) row.left_out = result.interaction.left_out[frequency];
   row.edge_order = plan_.mechanisms.fringe ? plan_.edges.order : 0;
   row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated.sigma() : 0.0;  // else it is in the numerical error
-  const std::vector<double>& met = result.tubes.met;
-  for (std::size_t m = 1; m < std::min<std::size_t>(met.size(), 3) && met[0] > 0.0; ++m)
-    row.reflected_share += std::min(1.0, met[m] / met[0]);
   row.wavelength = wavelength(plan_.sweep.frequencies[frequency]);
   return row;
 }

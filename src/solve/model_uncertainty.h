@@ -38,7 +38,8 @@ class ModelUncertainty {
   CurvedParts curved_;
   std::vector<EdgeFeatures> edges_;
   std::vector<Band> bands_;
-  std::vector<std::size_t> band_of_;  // [frequency] in bands_
+  std::vector<std::size_t> band_of_;     // [frequency] in bands_
+  std::vector<double> penumbra_shares_;  // [frequency]
   FacetDents dents_;
   double rim_dent_;
 };

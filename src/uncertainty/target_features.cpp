@@ -164,7 +164,31 @@ double crease_angle(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, turned ? -b : b));
 }
 
+// Areas of the sets of triangles that patches and creases join.
+std::vector<double> face_areas(const TriangleMesh& mesh, std::span<const SmoothCrease> creases) {
+  std::vector<std::uint32_t> parents(mesh.patches.size());
+  std::iota(parents.begin(), parents.end(), 0u);
+  for (const SmoothCrease& crease : creases) {
+    const auto [first, second] = crease.triangles;
+    parents[find_root(parents, mesh.triangle_patch[first])] = find_root(parents, mesh.triangle_patch[second]);
+  }
+  std::vector<double> areas(mesh.patches.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    areas[find_root(parents, mesh.triangle_patch[t])] += triangle_area(mesh, t);
+  std::erase(areas, 0.0);
+  return areas;
+}
+
 }  // namespace
+
+double penumbra_share(std::span<const double> faces, double wavelength) {
+  double all = 0.0, taken = 0.0;
+  for (const double area : faces) {
+    all += area;
+    taken += area * std::min(1.0, wavelength / std::sqrt(area));
+  }
+  return all > 0.0 ? std::sqrt(taken / all) : 0.0;
+}
 
 CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) {
   CurvedParts parts;
@@ -183,6 +207,7 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
                              static_cast<float>(0.5 * area)});
     parts.patches[mesh.triangle_patch[a]] = parts.patches[mesh.triangle_patch[b]] = true;
   }
+  parts.faces = face_areas(mesh, parts.creases);
   return parts;
 }
 

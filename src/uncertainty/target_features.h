@@ -37,6 +37,7 @@ struct SmoothCrease {
 /// What of a target is curved.
 struct CurvedParts {
   std::vector<SmoothCrease> creases;
+  std::vector<double> faces;  // areas of what edges bound: of a plane, or a curved surface as a whole [m^2]
   std::vector<bool> patches;  // [patch] it is a facet of a curved surface
 };
 
@@ -54,6 +55,12 @@ struct EdgeCurrents {
   std::vector<double> material_strengths{};  // of each material: 0 is as if it were not there, 1 a conductor
   bool over_curved = false;                  // follow curved faces between conductors
 };
+
+/// The share of a wave reflected evenly by these faces that their edges take, or that waves of edges put in its place: the root
+/// mean square over their area of (wavelength / side)^{1/2}, 1 at most, which is what a Fresnel zone takes of a face beside its
+/// edges (Born & Wolf 1999, section 8.7: its width is that of wavelength times distance, the distance that of another such face).
+/// Many faces add up as squares, so their number plays no part.
+double penumbra_share(std::span<const double> faces, double wavelength);
 
 /// Creases flatter than `min_wedge_angle` [rad] are curvature.
 CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle);
