@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "uncertainty/constants.h"
+#include "uncertainty/facet_error.h"
+
 namespace raytube {
+
+using namespace uncertainty;
 
 namespace {
 
@@ -22,18 +27,6 @@ constexpr std::array<OmissionText, omissions> texts = {{
     {"small_target", "a target that is not large against the wavelength", "none short of a full-wave method"},
 }};
 
-constexpr double corner_amplitude = 0.06;    // of a sharp corner, over the wavelength
-constexpr double next_order = 0.3;           // what further edges add, over what the last ones have
-constexpr double second_order = 0.5;         // at first order: what the next one adds, over the first
-constexpr double endless_faces = 1.5;        // at first order: corners, where faces end that are taken as endless
-constexpr double edge_amplitude = 1.2;       // of an edge's field, over its length in phase / 2 pi
-constexpr double further_interaction = 0.3;  // over what edge-face interaction has
-constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
-constexpr double wave_amplitude = 0.15, tight_wave_amplitude = 1.0;  // where waves run on: of that, and of tight bends
-constexpr double rim_amplitude = 5.0;                                // of a sharply curved rim, over the same
-constexpr double rim_error = 9.2;               // of the currents of a rim, over its chords' dent in wavelengths
-constexpr std::size_t interacting_bounces = 3;  // that edge-face interaction mends
-
 double square(double x) { return x * x; }
 
 ChannelErrors everywhere(double value) { return {{{value, value}, {value, value}}}; }
@@ -50,7 +43,8 @@ class RowEstimate {
 
   OmissionErrors all() {
     // Seen over reflections, on the way there and back, a corner counts again.
-    const double amplitude = corner_amplitude * (row_.edge_order > 1 ? 1.0 : endless_faces) * (1.0 + row_.reflected_share());
+    const double amplitude =
+        corner_amplitude * (row_.edge_order > 1 ? 1.0 : untruncated_corners) * (1.0 + row_.reflected_share());
     set(Omission::corners, everywhere(amplitude * look_.corners));
     set(Omission::edges, everywhere(edge_amplitude * look_.edges));
     set(Omission::cut_tubes, everywhere(std::sqrt(row_.truncated / (4.0 * pi))));
@@ -65,13 +59,13 @@ class RowEstimate {
 
   void set_channel(int p, int q) {
     const double higher = typical(row_.higher, p, q), first = typical(row_.edges, p, q);
-    at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_order * higher;
+    at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_term * higher;
     const double further =
-        row_.has_interaction ? further_interaction * typical(row_.interaction, p, q) : penumbras(1, interacting_bounces, p, q);
+        row_.has_interaction ? next_term * typical(row_.interaction, p, q) : penumbras(1, interacting_bounces, p, q);
     at(Omission::interaction)[p][q] = std::hypot(further, row_.left_out);
     at(Omission::cavities)[p][q] = penumbras(interacting_bounces, row_.bounces.size(), p, q);
-    const double boundary = row_.has_surface_waves ? wave_amplitude : boundary_amplitude;
-    const double tight = row_.has_surface_waves ? tight_wave_amplitude : boundary_amplitude;
+    const double boundary = row_.has_surface_waves ? wave_error : boundary_amplitude;
+    const double tight = row_.has_surface_waves ? tight_wave_error : boundary_amplitude;
     at(Omission::smooth_surfaces)[p][q] =
         std::hypot(boundary * look_.shadow_boundaries[p][q], tight * look_.tight_curves, rim_amplitude * look_.rims);
     set_facets(p, q);
@@ -91,7 +85,7 @@ class RowEstimate {
 
   void set_facets(int p, int q) {
     if (row_.bounces.empty()) return;
-    const double rims = std::min(1.0, rim_error * row_.rim_dent / row_.wavelength) * typical(row_.edges, p, q);
+    const double rims = std::min(1.0, chord_error(row_.rim_dent, row_.wavelength)) * typical(row_.edges, p, q);
     at(Omission::facets)[p][q] = std::hypot(row_.facets * std::abs(row_.bounces[0].at(p, q)), rims);
   }
 

@@ -5,15 +5,13 @@
 #include <tuple>
 
 #include "mesh/model/edge_table.h"
+#include "uncertainty/constants.h"
 
 namespace raytube {
 
-namespace {
+using namespace uncertainty;
 
-// Flatter creases are the rounding of coordinates.
-constexpr double flat_crease = 1e-4;
-// Wedges that turn less where they meet are one curved edge [rad].
-constexpr double least_turn = 15.0 * degree;
+namespace {
 
 // The end of a wedge.
 struct WedgeEnd {
@@ -75,19 +73,11 @@ double strength_of(const WedgeFace& face, const EdgeCurrents& currents) {
   return face.material == no_index ? 1.0 : currents.material_strengths[face.material];
 }
 
-// Of edges of other materials, over their strength; with the heuristic's currents half of it.
-constexpr double material_share = 0.6;
-constexpr double heuristic_share = 0.3;
-
 double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
   if (wedge.conducting()) return currents.conductors ? 0.0 : 1.0;
   if (currents.materials) return heuristic_share;
   return material_share * std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
 }
-
-// The share of an edge's currents that is wrong where its faces are curved: taken as planes, or with strips that follow them
-// (0.84 dB at most in the mean over a section's looks: docs/theory/surface_waves.md).
-constexpr double curved_faces_share = 0.3, followed_faces_share = 0.1;
 
 class EdgeFinder {
  public:
