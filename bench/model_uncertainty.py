@@ -93,10 +93,10 @@ def reference_of(row):
 
 def moment_cuts(folder, work):
     for body in ("cube2", "dihedral3", "plate3", "prism30", "wing3"):
-        if not (folder / f"{body}.csv").exists():
+        mesh = next((folder / f"{body}{end}" for end in (".stl", ".off") if (folder / f"{body}{end}").exists()), None)
+        if not mesh or not (folder / f"{body}.csv").exists():
             continue
         rows = read_rows(folder / f"{body}.csv")
-        mesh = next(folder / f"{body}{end}" for end in (".stl", ".off") if (folder / f"{body}{end}").exists())
         for name in dict.fromkeys(row["cut"] for row in rows):
             part = [row for row in rows if row["cut"] == name]
             keys = ("theta_i_deg", "phi_i_deg", "theta_deg", "phi_deg")
@@ -194,13 +194,13 @@ def case_text(cut):
             f"[frequency]\nghz = {cut.ghz!r}\n[look]\nlooks_csv = \"looks.csv\"\n[output]\nplots = false\n")
 
 
-def run(cut, work, options):
+def run(cut, work, options, words=()):
     (work / "case.toml").write_text(case_text(cut))
     columns = 4 if cut.bistatic else 2
     header = "theta_deg,phi_deg" + (",rx_theta_deg,rx_phi_deg" if cut.bistatic else "")
     (work / "looks.csv").write_text(header + "\n" + "".join(",".join(map(repr, look[:columns])) + "\n" for look in cut.looks))
     sets = [word for item in options.set for word in ("--set", item)]
-    done = subprocess.run([options.program, "run", str(work / "case.toml"), "-o", str(work / "out"), "--quiet", *sets],
+    done = subprocess.run([options.program, "run", str(work / "case.toml"), "-o", str(work / "out"), "--quiet", *sets, *words],
                           capture_output=True, text=True)
     if done.returncode:
         sys.exit(f"{cut.name}: {done.stderr}")

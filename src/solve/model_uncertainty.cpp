@@ -8,6 +8,7 @@
 
 #include "mesh/features/thin_plates.h"
 #include "scene/frequency_bands.h"
+#include "solve/mechanisms/list.h"
 
 namespace raytube {
 
@@ -35,6 +36,7 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
   std::map<std::tuple<std::size_t, double, double>, std::size_t> known;
   for (std::size_t f = 0; f < plan.sweep.frequencies.size(); ++f) {
     const double frequency = plan.sweep.frequencies[f], middle = middle_of_band(raytube::band_of(frequency));
+    penumbra_shares_.push_back(penumbra_share(curved_.faces, wavelength(frequency)));
     const std::size_t thin = count_thin(plan.target.thin_plate_edges, frequency);
     const auto [found, is_new] = known.try_emplace({thin, middle, plan.sweep.materials.empty() ? 0.0 : frequency}, edges_.size());
     if (is_new) find_edges(f, wavelength(middle));
@@ -51,7 +53,9 @@ void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
 }
 
 EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
-  EdgeCurrents currents{plan_.fringe(), plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none, {}};
+  const MechanismId waves = MechanismId::surface_waves;
+  EdgeCurrents currents{plan_.fringe(), plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none, {},
+                        entry_of(waves).state(plan_).on};
   for (const Material& material : plan_.sweep.materials)
     currents.material_strengths.push_back(edge_strength(material, frequency, wavenumber(plan_.sweep.frequencies[frequency])));
   return currents;
@@ -64,10 +68,13 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   RowEvidence row{.facets = dents_[body_of_[frequency]].relative_error(look, bands_[band_of_[frequency]].frequency),
                   .rim_dent = rim_dent_,
                   .half_extent = plan_.target.mesh.radius,
-                  .bounces = bounces};
+                  .bounces = bounces,
+                  .met = result.tubes.met,
+                  .penumbra_share = penumbra_shares_[frequency]};
   const LookSums& others = result.others;
   const auto part = [&](Part which) { return others.s[which].empty() ? ScatteringMatrix() : others.s[which][frequency]; };
   row.edges = part(Part::edges_first), row.higher = part(Part::edges_higher), row.interaction = part(Part::interaction);
+  row.surface_waves = part(Part::surface_waves);
   const bool some_left_out = others.skipped.pairs_beyond_budget > 0 || others.run(MechanismId::interaction).out_of_reach();
   const bool none_afforded = some_left_out && frobenius_norm(row.interaction) == 0.0;
   const std::vector<bool>& waves = others.run(MechanismId::surface_waves).ran;
@@ -76,9 +83,6 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   if (!others.left_out.empty()) row.left_out = others.left_out[frequency];
   row.edge_order = plan_.fringe() ? plan_.edges.order : 0;
   row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated.sigma() : 0.0;  // else it is in the numerical error
-  const std::vector<double>& met = result.tubes.met;
-  for (std::size_t m = 1; m < std::min<std::size_t>(met.size(), 3) && met[0] > 0.0; ++m)
-    row.reflected_share += std::min(1.0, met[m] / met[0]);
   row.wavelength = wavelength(plan_.sweep.frequencies[frequency]);
   return row;
 }

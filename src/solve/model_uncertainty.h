@@ -19,6 +19,9 @@ class ModelUncertainty {
   /// [frequency] of a look that was computed; looks that follow from it have the same.
   std::vector<OmissionErrors> of(const Look& look, const LookResult& result) const;
 
+  /// Of the weak edges at the first frequency, by length: the share beside curved faces.
+  double curved_edges() const { return edges_.empty() ? 0.0 : curved_share(edges_[bands_.front().edges].edges); }
+
  private:
   // Frequencies that have their features of a look from one.
   struct Band {
@@ -35,9 +38,10 @@ class ModelUncertainty {
   CurvedParts curved_;
   std::vector<EdgeFeatures> edges_;
   std::vector<Band> bands_;
-  std::vector<std::size_t> band_of_;  // [frequency] in bands_
-  std::vector<std::size_t> body_of_;  // [frequency] in dents_
-  std::vector<FacetDents> dents_;     // of each band of the plan
+  std::vector<std::size_t> band_of_;     // [frequency] in bands_
+  std::vector<double> penumbra_shares_;  // [frequency]
+  std::vector<std::size_t> body_of_;     // [frequency] in dents_
+  std::vector<FacetDents> dents_;        // of each band of the plan
   double rim_dent_;
 };
 

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "plan/admissible.h"
 #include "plan/phase_reference.h"
 #include "solve/mechanisms/list.h"
 #include "uncertainty/remedies.h"
@@ -139,7 +140,10 @@ void RowCollector::finish_model() {
   const Target& target = plan_.target;
   const RemedyEvidence evidence{plan_.edges,
                                 plan_.tubes,
+                                plan_.surfaces,
                                 !sweep_.materials.empty(),
+                                all_far(sweep_),
+                                model_uncertainty_.curved_edges(),
                                 static_cast<double>(target.wedges.size()) * static_cast<double>(target.mesh.patches.size()),
                                 skipped_,
                                 result_.statistics.truncated,

@@ -6,17 +6,16 @@
 #include <tuple>
 
 #include "core/field.h"
+#include "uncertainty/constants.h"
 
 namespace raytube {
 
+using namespace uncertainty;
+
 namespace {
 
-// Turns that may be tessellation, over those that are.
-constexpr double doubtful = 2.0;
-// 9.2 s / wavelength, s = 3/2 of the mean depth of a parabola's chord.
-constexpr double per_depth = 13.8;
-constexpr double most_error = 2.0;
-constexpr double bent_share = 1.2;
+// Of the mean depth of a parabola's chord: its largest.
+constexpr double dent_over_depth = 1.5;
 
 dvec3 bend_sum(const SmoothSurfaces& surfaces, std::uint32_t triangle) {
   return surfaces.bend(triangle, 0) + surfaces.bend(triangle, 1) + surfaces.bend(triangle, 2);
@@ -41,8 +40,10 @@ double mirror_weight(double cosine) {
 
 }  // namespace
 
+double chord_error(double dent, double wavelength) { return 4.0 * pi * std::sqrt(8.0 / 15.0) * dent / wavelength; }
+
 FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, double min_wedge_angle) {
-  const SmoothSurfaces meant(mesh, doubtful * min_wedge_angle);
+  const SmoothSurfaces meant(mesh, doubtful_turn * min_wedge_angle);
   if (!meant.any()) return;
   for (const Patch& patch : mesh.patches) dents_.push_back({patch.normal, 0.0, 0.0});
   constexpr double mean_height = 1.0 / 12.0;  // of the product of two barycentric coordinates
@@ -65,13 +66,13 @@ double FacetDents::relative_error(const Look& look, double frequency) const {
   const dvec3 middle = spherical_basis(look.transmit).radial + spherical_basis(look.receive).radial;
   const double size = glm::length(middle);
   if (dents_.empty() || size < 1e-6) return 0.0;
-  const double per_metre = per_depth / wavelength(frequency) * 0.5 * size;
+  const double per_metre = chord_error(dent_over_depth, wavelength(frequency)) * 0.5 * size;
   double sum = 0.0, weights = 0.0;
   for (const Dent& dent : dents_) {
     const double cosine = glm::dot(dent.normal, middle) / size;
     if (cosine <= 0.0) continue;
     const double weight = dent.area * mirror_weight(cosine);
-    sum += weight * std::min(most_error, per_metre * dent.depth);
+    sum += weight * std::min(most_facet_error, per_metre * dent.depth);
     weights += weight;
   }
   return weights > 0.0 ? sum / weights : 0.0;
@@ -94,7 +95,7 @@ double rim_dent(std::span<const Wedge> wedges, double min_wedge_angle) {
     if (ends.size() != 2) continue;
     const double turn = 2.0 * std::asin(std::min(1.0, 0.5 * glm::length(ends[0].away + ends[1].away)));
     const double length = 0.5 * (ends[0].length + ends[1].length);
-    if (turn < doubtful * min_wedge_angle) dents += length * length * turn / 8.0;
+    if (turn < doubtful_turn * min_wedge_angle) dents += length * length * turn / 8.0;
   }
   return all > 0.0 ? dents / all : 0.0;
 }

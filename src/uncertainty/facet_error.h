@@ -9,6 +9,10 @@
 
 namespace raytube {
 
+/// Error of the amplitude that a chord of this dent [m] reflects, over that amplitude: the root mean square of the phase by which
+/// a parabola stands off it, there and back, 8/15 being the mean of (1 - x^2)^2. Valid for dents below wavelength / 10.
+double chord_error(double dent, double wavelength);
+
 /// How far facets lie off the surface that they may stand for.
 class FacetDents {
  public:

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "uncertainty/constants.h"
+
 namespace raytube {
+
+using namespace uncertainty;
 
 namespace {
 
@@ -93,9 +97,6 @@ dvec3 center_of(const TriangleMesh& mesh, std::uint32_t triangle) {
   return (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
 }
 
-// Radii above this many over k change the field of a facet by less than what shadow boundaries do.
-constexpr double least_curvature = 20.0;
-
 // What creases of curved surfaces add up to, seen from one antenna.
 struct CreaseSums {
   Complex soft = 0.0, hard = 0.0;  // pieces of the line on which the surface turns away [m]
@@ -106,9 +107,6 @@ struct CreaseSums {
 // The leading corrections to geometrical optics at a cylinder of radius R are 5/16 and 11/16 of 1/kR (Bowman, Senior & Uslenghi
 // 1987, section 2.2), at a sphere 1/2 of it.
 double curvature_share(double kr) { return 1.0 / (1.0 + 2.0 * kr); }
-
-// The rim of a thin body sends back waves that run over it from the other side: only what looks straight away is dark.
-constexpr double darkest_rim = -0.7;
 
 CreaseSums add_creases(const TargetFeatures& target, const Phases& phases, const dvec3& antenna) {
   const TriangleMesh& mesh = target.mesh;

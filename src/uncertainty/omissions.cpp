@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "uncertainty/constants.h"
+#include "uncertainty/facet_error.h"
+
 namespace raytube {
+
+using namespace uncertainty;
 
 namespace {
 
@@ -22,29 +27,9 @@ constexpr std::array<OmissionText, omissions> texts = {{
     {"small_target", "a target that is not large against the wavelength", "none; use a full-wave method"},
 }};
 
-constexpr double corner_amplitude = 0.06;    // of a sharp corner, over the wavelength
-constexpr double next_order = 0.3;           // what further edges add, over what the last ones have
-constexpr double second_order = 0.5;         // at first order: what the next one adds, over the first
-constexpr double endless_faces = 1.5;        // at first order: corners, where faces end that are taken as endless
-constexpr double edge_amplitude = 1.2;       // of an edge's field, over its length in phase / 2 pi
-constexpr double further_interaction = 0.3;  // over what edge-face interaction has
-constexpr double missing_interaction = 1.2;  // of a wave reflected by a face, over (wavelength / width)^{1/2}
-constexpr double cavity_spread = 0.8;        // the same after some reflections, whose errors no longer add up
-constexpr double boundary_amplitude = 2.5;   // of a shadow boundary, over LookFeatures::shadow_boundaries
-constexpr double wave_amplitude = 0.15, tight_wave_amplitude = 1.0;  // where waves run on: of that, and of tight bends
-constexpr double rim_amplitude = 5.0;                                // of a sharply curved rim, over the same
-constexpr double rim_error = 9.2;       // of the currents of a rim, over its chords' dent in wavelengths
-constexpr int interacting_bounces = 3;  // that edge-face interaction mends
-
 double square(double x) { return x * x; }
 
 ChannelErrors everywhere(double value) { return {{{value, value}, {value, value}}}; }
-
-// What the edges of the faces take from waves reflected at bounce 2 and later: they are not as wide as the faces. S = A / lambda
-// of a face of area A in phase, whose width is sqrt(A).
-double spread(double amplitude, double wavelength, double share) {
-  return amplitude * std::min(1.0, share * std::pow(wavelength / std::max(amplitude, 1e-6 * wavelength), 0.25));
-}
 
 // What one channel lacks is no less than what the other of its kind has: |S_pq|, or the mean of the two co-polar or cross-polar
 // channels if that is larger.
@@ -58,7 +43,8 @@ class RowEstimate {
 
   OmissionErrors all() {
     // Seen over reflections, on the way there and back, a corner counts again.
-    const double amplitude = corner_amplitude * (row_.edge_order > 1 ? 1.0 : endless_faces) * (1.0 + row_.reflected_share);
+    const double amplitude =
+        corner_amplitude * (row_.edge_order > 1 ? 1.0 : untruncated_corners) * (1.0 + row_.reflected_share());
     set(Omission::corners, everywhere(amplitude * look_.corners));
     set(Omission::edges, everywhere(edge_amplitude * look_.edges));
     set(Omission::cut_tubes, everywhere(std::sqrt(row_.truncated / (4.0 * pi))));
@@ -73,27 +59,33 @@ class RowEstimate {
 
   void set_channel(int p, int q) {
     const double higher = typical(row_.higher, p, q), first = typical(row_.edges, p, q);
-    at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_order * higher;
-    double early = 0.0, late = 0.0;
-    for (std::size_t m = 1; m < row_.bounces.size(); ++m) {
-      const bool is_early = static_cast<int>(m) < interacting_bounces;
-      const double amplitude = std::abs(row_.bounces[m].at(p, q));
-      (is_early ? early : late) += square(spread(amplitude, row_.wavelength, is_early ? missing_interaction : cavity_spread));
-    }
-    const double further = row_.has_interaction ? further_interaction * typical(row_.interaction, p, q) : std::sqrt(early);
+    at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_term * higher;
+    const double further =
+        row_.has_interaction ? next_term * typical(row_.interaction, p, q) : penumbras(1, interacting_bounces, p, q);
     at(Omission::interaction)[p][q] = std::hypot(further, row_.left_out);
-    at(Omission::cavities)[p][q] = std::sqrt(late);
-    const double boundary = row_.has_surface_waves ? wave_amplitude : boundary_amplitude;
-    const double tight = row_.has_surface_waves ? tight_wave_amplitude : boundary_amplitude;
+    at(Omission::cavities)[p][q] = penumbras(interacting_bounces, row_.bounces.size(), p, q);
+    const double boundary = row_.has_surface_waves ? wave_error : boundary_amplitude;
+    const double tight = row_.has_surface_waves ? tight_wave_error : boundary_amplitude;
     at(Omission::smooth_surfaces)[p][q] =
         std::hypot(boundary * look_.shadow_boundaries[p][q], tight * look_.tight_curves, rim_amplitude * look_.rims);
     set_facets(p, q);
     set_small_target(p, q);
   }
 
+  // What edges take of the bounces first ... last - 1, or put in the place of them. Where no lobe of the reflected waves is seen
+  // their edges still are, which scatter evenly.
+  double penumbras(std::size_t first, std::size_t last, int p, int q) const {
+    double squares = 0.0;
+    for (std::size_t m = first; m < std::min(last, row_.bounces.size()); ++m) {
+      const double evenly = m < row_.met.size() ? row_.met[m] / (4.0 * pi) : 0.0;
+      squares += std::norm(row_.bounces[m].at(p, q)) + evenly;
+    }
+    return row_.penumbra_share * std::sqrt(squares);
+  }
+
   void set_facets(int p, int q) {
     if (row_.bounces.empty()) return;
-    const double rims = std::min(1.0, rim_error * row_.rim_dent / row_.wavelength) * typical(row_.edges, p, q);
+    const double rims = std::min(1.0, chord_error(row_.rim_dent, row_.wavelength)) * typical(row_.edges, p, q);
     at(Omission::facets)[p][q] = std::hypot(row_.facets * std::abs(row_.bounces[0].at(p, q)), rims);
   }
 
@@ -114,8 +106,14 @@ class RowEstimate {
 
 const OmissionText& text_of(Omission omission) { return texts[static_cast<std::size_t>(omission)]; }
 
+double RowEvidence::reflected_share() const {
+  double share = 0.0;
+  for (std::size_t m = 1; m < std::min<std::size_t>(met.size(), 3) && met[0] > 0.0; ++m) share += std::min(1.0, met[m] / met[0]);
+  return share;
+}
+
 ScatteringMatrix RowEvidence::total() const {
-  ScatteringMatrix sum = edges + higher + interaction;
+  ScatteringMatrix sum = edges + higher + interaction + surface_waves;
   for (const ScatteringMatrix& bounce : bounces) sum += bounce;
   return sum;
 }

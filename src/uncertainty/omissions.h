@@ -46,16 +46,19 @@ struct RowEvidence {
   double rim_dent = 0.0;                        // [m]
   double half_extent = 0.0;                     // half of the target's longest dimension [m]
   std::span<const ScatteringMatrix> bounces{};  // PO currents of bounce 1, 2, ... [m]
-  ScatteringMatrix edges{}, higher{}, interaction{};
+  std::span<const double> met{};                // TubeSums::met: power of the waves that met surfaces, by bounce [m^2]
+  double penumbra_share = 0.0;                  // of a wave that is reflected more than once: penumbra_share()
+  ScatteringMatrix edges{}, higher{}, interaction{}, surface_waves{};
   bool has_interaction = false;    // edge-face interaction was computed
   bool has_surface_waves = false;  // waves over curved surfaces were computed
   double left_out = 0.0;           // of it, for the sake of its budget [m]
   int edge_order = 3;              // edges in a row that a current passes; 0: there are no edge currents
-  double reflected_share = 0.0;    // of the power that is reflected: that meets a second surface, and a third one, 0 ... 2
   double truncated = 0.0;          // area across the wave times squared amplitude of truncated tubes [m^2]
   double wavelength = 0.0;         // [m]
 
   ScatteringMatrix total() const;
+  /// Of the power that met the target: that which meets a second surface, and a third one, 0 ... 2.
+  double reflected_share() const;
 };
 
 /// Valid for plane waves; reciprocal if `look` is.

@@ -17,11 +17,21 @@ constexpr const char* no_interaction = "none; use a full-wave method where faces
 
 std::string times_the_time(double factor) { return fmt::format("about {:.2g} times the time", factor); }
 
+// Edge currents, and what comes with them alone: edge-face interaction, waves over curved surfaces.
+constexpr const char* edge_currents = "edges.method = \"fringe\", which takes several times as long where there are many edges";
+constexpr const char* surface_waves = "surfaces.waves = true, two to ten times the time of the tubes";
+
+bool has_edge_currents(const RemedyEvidence& evidence) { return evidence.edges.method == EdgeMethod::fringe; }
+
+// Of conductors that plane waves light, which edge-face interaction and waves over curved surfaces are computed for.
+bool plane_waves_on_conductors(const RemedyEvidence& evidence) { return evidence.far && !evidence.materials; }
+
 std::string remedy_of_edges(const RemedyEvidence& evidence) {
-  if (evidence.edges.method == EdgeMethod::none)
-    return "edges.method = \"fringe\", which takes several times as long where there are many edges";
+  if (!has_edge_currents(evidence)) return edge_currents;
   if (evidence.materials && evidence.edges.materials == MaterialEdgeMethod::none)
     return "edges.materials = \"luebbers\", at almost no cost";
+  const bool straight_over_curved = !evidence.surfaces.waves.possible() && evidence.curved_edges > worth_naming;
+  if (straight_over_curved && plane_waves_on_conductors(evidence)) return surface_waves;
   return "none; use a full-wave method where such edges matter";
 }
 
@@ -44,9 +54,10 @@ std::string larger_budget(double budget, const RemedyEvidence& evidence) {
 
 std::string remedy_of_interaction(const RemedyEvidence& evidence) {
   const double budget = evidence.edges.interaction_budget, usual = EdgeOptions{}.interaction_budget;
-  if (evidence.edges.method != EdgeMethod::fringe) return no_interaction;
-  const bool is_off = !evidence.edges.interaction.possible() || budget == 0.0;
+  if (!plane_waves_on_conductors(evidence)) return no_interaction;
+  const bool is_off = !has_edge_currents(evidence) || !evidence.edges.interaction.possible() || budget == 0.0;
   if (is_off && evidence.possible_pairs > few_pairs) return no_interaction;
+  if (!has_edge_currents(evidence)) return edge_currents;
   if (!evidence.edges.interaction.possible()) return up_to_budget("edges.between = true", budget);
   if (budget == 0.0) return up_to_budget(fmt::format("edges.between_budget = {}", usual).c_str(), usual);
   return larger_budget(budget, evidence);
@@ -68,17 +79,57 @@ std::string remedy_of_cut_tubes(const RemedyEvidence& evidence) {
                      2.0 * evidence.tubes.max_per_wavelength);
 }
 
+// The order beyond which the part no longer falls: corners are where a face of the next edge ends.
+int best_order(Omission omission) { return omission == Omission::corners ? 2 : 3; }
+
+std::string remedy_of_order(Omission omission, const RemedyEvidence& evidence) {
+  if (!has_edge_currents(evidence)) return edge_currents;
+  if (evidence.edges.order >= best_order(omission)) return text_of(omission).remedy;
+  return fmt::format("edges.order = {}, a few times the time of the edges", best_order(omission));
+}
+
+// What makes tubes and waves meet curved surfaces in the place of their facets; empty: they do, where they may.
+std::string remedy_of_flat_facets(const TubeOptions& tubes) {
+  if (tubes.mode == TubeMode::uniform) return "tubes.mode = \"adaptive\", often less time";
+  if (!tubes.clip) return "tubes.clip = true, about the same time";
+  if (tubes.curved == CurvedSurfaces::never) return "tubes.curved = \"convex\", about the same time";
+  return "";
+}
+
+std::string remedy_of_smooth_surfaces(const RemedyEvidence& evidence) {
+  const std::string none = text_of(Omission::smooth_surfaces).remedy, facets = remedy_of_flat_facets(evidence.tubes);
+  if (!plane_waves_on_conductors(evidence)) return none;
+  if (!has_edge_currents(evidence)) return edge_currents;
+  if (!evidence.surfaces.waves.possible()) return surface_waves;
+  if (!facets.empty()) return facets;
+  return evidence.looks_without_waves > 0 ? surface_waves : none;
+}
+
+std::string remedy_of_facets(const TubeOptions& tubes) {
+  if (const std::string remedy = remedy_of_flat_facets(tubes); !remedy.empty()) return remedy;
+  return tubes.curved == CurvedSurfaces::always ? "a finer mesh" : text_of(Omission::facets).remedy;
+}
+
 }  // namespace
 
 std::string remedy_of(Omission omission, const RemedyEvidence& evidence) {
-  if (omission == Omission::edges) return remedy_of_edges(evidence);
-  if (omission == Omission::interaction) return remedy_of_interaction(evidence);
-  if (omission == Omission::cut_tubes) return remedy_of_cut_tubes(evidence);
-  if (omission == Omission::smooth_surfaces && evidence.looks_without_waves > 0)
-    return "surfaces.waves = true, two to ten times the time of the tubes";
-  if (omission == Omission::edge_orders && evidence.edges.order < 3)
-    return "edges.order = 3, several times the time of the edges";
-  return text_of(omission).remedy;
+  switch (omission) {
+    case Omission::corners:
+    case Omission::edge_orders:
+      return remedy_of_order(omission, evidence);
+    case Omission::edges:
+      return remedy_of_edges(evidence);
+    case Omission::interaction:
+      return remedy_of_interaction(evidence);
+    case Omission::smooth_surfaces:
+      return remedy_of_smooth_surfaces(evidence);
+    case Omission::facets:
+      return remedy_of_facets(evidence.tubes);
+    case Omission::cut_tubes:
+      return remedy_of_cut_tubes(evidence);
+    default:
+      return text_of(omission).remedy;
+  }
 }
 
 }  // namespace raytube

@@ -15,7 +15,10 @@ namespace raytube {
 struct RemedyEvidence {
   const EdgeOptions& edges;
   const TubeOptions& tubes;
+  const SurfaceOptions& surfaces;
   bool materials = false;       // other than perfect conductors
+  bool far = true;              // all antennas are at infinity
+  double curved_edges = 0.0;    // of the length of weak edges: beside curved faces
   double possible_pairs = 0.0;  // of an edge and a face of the target
   const SkipCounts& skips;
   const TruncatedSums& truncated;
@@ -25,8 +28,8 @@ struct RemedyEvidence {
   std::uint64_t looks_without_waves = 0;   // over curved surfaces, which were too weak there
 };
 
-/// A key of the case and about how much longer the run will take, or "none ...". A key is named only where it makes the part less
-/// by a noticeable share, for at most ten times the time.
+/// A key of the case and about how much longer the run will take, or "none ...". The key that switched off what the part lacks
+/// comes first; others are named only where they make the part less by a noticeable share, for at most ten times the time.
 std::string remedy_of(Omission omission, const RemedyEvidence& evidence);
 
 }  // namespace raytube

@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "uncertainty/constants.h"
 #include "uncertainty/look_features.h"
 
 namespace raytube {
-
-namespace {
-
-constexpr double amplitude_of_edges = 1.2;  // as of Omission::edges
-
-}  // namespace
 
 SurfaceWaveProspect::SurfaceWaveProspect(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle,
                                          double longest_wavelength)
@@ -22,7 +17,7 @@ SurfaceWaveProspect::SurfaceWaveProspect(const TriangleMesh& mesh, std::span<con
 double SurfaceWaveProspect::amplitude(const Look& look, double frequency) const {
   const LookFeatures features = find_look_features({mesh_, curved_, edges_}, look, frequency);
   const double boundaries = std::max(features.shadow_boundaries[0][0], features.shadow_boundaries[1][1]);
-  return std::hypot(std::hypot(boundaries, features.tight_curves, features.rims), amplitude_of_edges * features.edges);
+  return std::hypot(std::hypot(boundaries, features.tight_curves, features.rims), uncertainty::edge_amplitude * features.edges);
 }
 
 }  // namespace raytube

@@ -5,15 +5,13 @@
 #include <tuple>
 
 #include "mesh/model/edge_table.h"
+#include "uncertainty/constants.h"
 
 namespace raytube {
 
-namespace {
+using namespace uncertainty;
 
-// Flatter creases are the rounding of coordinates.
-constexpr double flat_crease = 1e-4;
-// Wedges that turn less where they meet are one curved edge [rad].
-constexpr double least_turn = 15.0 * degree;
+namespace {
 
 // The end of a wedge.
 struct WedgeEnd {
@@ -75,18 +73,11 @@ double strength_of(const WedgeFace& face, const EdgeCurrents& currents) {
   return face.material == no_index ? 1.0 : currents.material_strengths[face.material];
 }
 
-// Of edges of other materials, over their strength; with the heuristic's currents half of it.
-constexpr double material_share = 0.6;
-constexpr double heuristic_share = 0.3;
-
 double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
   if (wedge.conducting()) return currents.conductors ? 0.0 : 1.0;
   if (currents.materials) return heuristic_share;
   return material_share * std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
 }
-
-// The share of an edge's currents that goes wrong because its faces are curved: they are taken as planes.
-constexpr double curved_faces_share = 0.3;
 
 class EdgeFinder {
  public:
@@ -127,8 +118,9 @@ class EdgeFinder {
   void add_edge(const Wedge& wedge, std::uint32_t run) {
     if (!counts(wedge)) return;
     const auto is_curved = [&](const WedgeFace& face) { return face.patch != no_index && curved_.patches[face.patch]; };
-    const double curved = std::ranges::any_of(wedge.faces, is_curved) ? curved_faces_share : 0.0;
-    const double missing = std::max(missing_share(wedge, currents_), curved);
+    const bool curved = std::ranges::any_of(wedge.faces, is_curved);
+    const double share = currents_.over_curved && wedge.conducting() ? followed_faces_share : curved_faces_share;
+    const double missing = std::max(missing_share(wedge, currents_), curved ? share : 0.0);
     const double width = std::min(wedge.faces[0].width, wedge.faces[1].width);
     if (missing == 0.0 && !is_narrow(width, wavelength_)) return;
     features_.edges.push_back({0.5 * (wedge.start + wedge.end),
@@ -137,6 +129,7 @@ class EdgeFinder {
                                std::min(wedge.n - 1.0, 1.0),
                                missing,
                                width,
+                               curved,
                                run});
   }
 
@@ -161,7 +154,31 @@ double crease_angle(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, turned ? -b : b));
 }
 
+// Areas of the sets of triangles that patches and creases join.
+std::vector<double> face_areas(const TriangleMesh& mesh, std::span<const SmoothCrease> creases) {
+  std::vector<std::uint32_t> parents(mesh.patches.size());
+  std::iota(parents.begin(), parents.end(), 0u);
+  for (const SmoothCrease& crease : creases) {
+    const auto [first, second] = crease.triangles;
+    parents[find_root(parents, mesh.triangle_patch[first])] = find_root(parents, mesh.triangle_patch[second]);
+  }
+  std::vector<double> areas(mesh.patches.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    areas[find_root(parents, mesh.triangle_patch[t])] += triangle_area(mesh, t);
+  std::erase(areas, 0.0);
+  return areas;
+}
+
 }  // namespace
+
+double penumbra_share(std::span<const double> faces, double wavelength) {
+  double all = 0.0, taken = 0.0;
+  for (const double area : faces) {
+    all += area;
+    taken += area * std::min(1.0, wavelength / std::sqrt(area));
+  }
+  return all > 0.0 ? std::sqrt(taken / all) : 0.0;
+}
 
 CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) {
   CurvedParts parts;
@@ -180,12 +197,23 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
                              static_cast<float>(0.5 * area)});
     parts.patches[mesh.triangle_patch[a]] = parts.patches[mesh.triangle_patch[b]] = true;
   }
+  parts.faces = face_areas(mesh, parts.creases);
   return parts;
 }
 
 EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents,
                                 double wavelength) {
   return EdgeFinder(wedges, curved, currents, wavelength).find();
+}
+
+double curved_share(std::span<const WeakEdge> edges) {
+  double all = 0.0, curved = 0.0;
+  for (const WeakEdge& edge : edges) {
+    const double length = glm::length(edge.half);
+    all += length;
+    if (edge.curved) curved += length;
+  }
+  return all > 0.0 ? curved / all : 0.0;
 }
 
 }  // namespace raytube

@@ -22,6 +22,7 @@ struct WeakEdge {
   double sharpness;   // n - 1, at most 1
   double missing;     // share of its currents that is missing, whatever the wavelength
   double width;       // of its narrower face: currents on faces below a wavelength are not those of a wedge [m]
+  bool curved;        // one of its faces is
   std::uint32_t run;  // edges of one run go on in one another without a corner, or lie beside one narrow face
 };
 
@@ -36,6 +37,7 @@ struct SmoothCrease {
 /// What of a target is curved.
 struct CurvedParts {
   std::vector<SmoothCrease> creases;
+  std::vector<double> faces;  // areas of what edges bound: of a plane, or a curved surface as a whole [m^2]
   std::vector<bool> patches;  // [patch] it is a facet of a curved surface
 };
 
@@ -51,7 +53,14 @@ struct EdgeCurrents {
   bool conductors = true;                    // of wedges between perfect conductors
   bool materials = false;                    // of all others
   std::vector<double> material_strengths{};  // of each material: 0 is as if it were not there, 1 a conductor
+  bool over_curved = false;                  // follow curved faces between conductors
 };
+
+/// The share of a wave reflected evenly by these faces that their edges take, or that waves of edges put in its place: the root
+/// mean square over their area of (wavelength / side)^{1/2}, 1 at most, which is what a Fresnel zone takes of a face beside its
+/// edges (Born & Wolf 1999, section 8.7: its width is that of wavelength times distance, the distance that of another such face).
+/// Many faces add up as squares, so their number plays no part.
+double penumbra_share(std::span<const double> faces, double wavelength);
 
 /// Creases flatter than `min_wedge_angle` [rad] are curvature.
 CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle);
@@ -59,6 +68,9 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle);
 /// `wedges` as they are at the wavelengths in question, of which `wavelength` [m] is the longest.
 EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents,
                                 double wavelength);
+
+/// The share of the weak edges, by length, that have a curved face.
+double curved_share(std::span<const WeakEdge> edges);
 
 /// Whether a face of this width [m] is narrow: below half a wavelength.
 constexpr bool is_narrow(double width, double wavelength) { return width < 0.5 * wavelength; }

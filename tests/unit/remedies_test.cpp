@@ -10,15 +10,20 @@ using ::testing::StartsWith;
 
 // What a solve of a small target has shown, with a budget of 4.
 struct Solve {
-  SkipCounts skips;
-  TruncatedSums truncated;
+  SkipCounts skips{};
+  TruncatedSums truncated{};
   std::uint64_t pairs = 0;
   double left_out = 1.0;
   std::vector<std::uint64_t> hits{};
   double possible_pairs = 14.0;
+  TubeOptions tubes{};
+  SurfaceOptions surfaces{};
+  bool materials = false, far = true;
+  double curved_edges = 0.0;
 
   std::string remedy(Omission omission, const EdgeOptions& edges = {}) const {
-    return remedy_of(omission, {edges, {}, false, possible_pairs, skips, truncated, hits, pairs, left_out});
+    return remedy_of(omission, {edges, tubes, surfaces, materials, far, curved_edges, possible_pairs, skips, truncated, hits,
+                                pairs, left_out});
   }
 };
 
@@ -53,6 +58,47 @@ TEST(Remedies, MoreBounces) {
   solve.truncated[Truncation::bounces] = {1, 1.0};
   solve.hits = {50, 50};
   EXPECT_EQ(solve.remedy(Omission::cut_tubes), "tubes.max_bounces = 16, at most 5 times the time of the tubes");
+}
+
+// Whatever edges.method switches off comes back with it: currents and, with them, orders, interaction and waves over surfaces.
+TEST(Remedies, EdgeCurrentsThatAreSwitchedOff) {
+  for (const EdgeMethod method : {EdgeMethod::none, EdgeMethod::utd})
+    for (const Omission omission : {Omission::edges, Omission::corners, Omission::interaction, Omission::smooth_surfaces})
+      EXPECT_THAT(Solve{}.remedy(omission, {.method = method, .interaction = {}}), StartsWith("edges.method = \"fringe\", "))
+          << text_of(omission).name;
+  const Solve coated{.materials = true};  // neither is computed there
+  EXPECT_THAT(coated.remedy(Omission::interaction, {.method = EdgeMethod::none, .interaction = {}}), StartsWith("none"));
+  EXPECT_THAT(coated.remedy(Omission::smooth_surfaces, {.method = EdgeMethod::none, .interaction = {}}), StartsWith("none"));
+}
+
+TEST(Remedies, SurfaceWavesThatAreSwitchedOff) {
+  Solve solve{.surfaces = {.waves = false}};
+  EXPECT_THAT(solve.remedy(Omission::smooth_surfaces), StartsWith("surfaces.waves = true, "));
+  // Beside curved faces edge currents follow these with them.
+  EXPECT_THAT(solve.remedy(Omission::edges), StartsWith("none"));
+  solve.curved_edges = 1.0;
+  EXPECT_THAT(solve.remedy(Omission::edges), StartsWith("surfaces.waves = true, "));
+  solve.far = false;  // none from antennas at a finite distance
+  EXPECT_THAT(solve.remedy(Omission::smooth_surfaces), StartsWith("none"));
+  EXPECT_THAT(Solve{}.remedy(Omission::smooth_surfaces), StartsWith("none"));
+}
+
+TEST(Remedies, FacetsThatAreMeant) {
+  Solve flat, uniform, curved;
+  flat.tubes.curved = CurvedSurfaces::never;
+  uniform.tubes.mode = TubeMode::uniform;
+  curved.tubes.curved = CurvedSurfaces::always;
+  for (const Omission omission : {Omission::facets, Omission::smooth_surfaces}) {
+    EXPECT_THAT(flat.remedy(omission), StartsWith("tubes.curved = \"convex\", "));
+    EXPECT_THAT(uniform.remedy(omission), StartsWith("tubes.mode = \"adaptive\", "));
+  }
+  EXPECT_EQ(curved.remedy(Omission::facets), "a finer mesh");
+}
+
+TEST(Remedies, MoreOrders) {
+  EXPECT_THAT(Solve{}.remedy(Omission::edge_orders, {.order = 2, .interaction = {}}), StartsWith("edges.order = 3, "));
+  EXPECT_THAT(Solve{}.remedy(Omission::corners, {.order = 1, .interaction = {}}), StartsWith("edges.order = 2, "));
+  EXPECT_THAT(Solve{}.remedy(Omission::corners), StartsWith("none"));
 }
 
 TEST(Remedies, ReadAsSentences) {

@@ -64,6 +64,16 @@ TEST(Uncertainty, EdgesWithoutCurrentsAddUpInPhase) {
               std::sqrt(2.0 * 9.0 + 2.0 * along * along) / (2.0 * pi), 1e-12);
 }
 
+TEST(Uncertainty, EdgesBesideCurvedFacesAreLessWeakWhereTheirCurrentsFollow) {
+  const Found straight(shapes::cylinder(2.0, 6.0, 72)), followed(shapes::cylinder(2.0, 6.0, 72), {.over_curved = true});
+  ASSERT_FALSE(straight.edges.edges.empty());
+  ASSERT_EQ(straight.edges.edges.size(), followed.edges.edges.size());
+  for (std::size_t i = 0; i < straight.edges.edges.size(); ++i)
+    EXPECT_LT(followed.edges.edges[i].missing, straight.edges.edges[i].missing);
+  EXPECT_EQ(curved_share(straight.edges.edges), 1.0);
+  EXPECT_EQ(curved_share(Found(shapes::plate(3.0), {.conductors = false}).edges.edges), 0.0);
+}
+
 TEST(Uncertainty, EdgesBesideNarrowFacesAreWeak) {
   // A box of 4 x 4 x 0.3 wavelengths is no thin plate, but its narrow faces do not carry the currents of wedges.
   const Found box(shapes::box({4.0, 4.0, 0.3}));
@@ -119,7 +129,11 @@ TEST(Uncertainty, PartsComeFromTheirOwnEvidence) {
   std::vector<ScatteringMatrix> bounces(2);
   bounces[1].at(1, 1) = 9.0;
   row.bounces = bounces;
-  EXPECT_GT(at(estimate_omissions(look, row), Omission::interaction, 1, 1), 0.0);
+  row.penumbra_share = 0.5;
+  EXPECT_NEAR(at(estimate_omissions(look, row), Omission::interaction, 1, 1), 4.5, 1e-15);
+  const std::vector<double> met{100.0, 4.0 * pi * 12.0 * 12.0};  // sigma of what scatters evenly, S = 12
+  row.met = met;
+  EXPECT_NEAR(at(estimate_omissions(look, row), Omission::interaction, 1, 1), 0.5 * 15.0, 1e-14);
   row.has_interaction = true;
   EXPECT_EQ(at(estimate_omissions(look, row), Omission::interaction, 1, 1), 0.0);
 
@@ -127,6 +141,32 @@ TEST(Uncertainty, PartsComeFromTheirOwnEvidence) {
   double squares = 0.0;
   for (const ChannelErrors& part : all) squares += part[0][0] * part[0][0];
   EXPECT_NEAR(root_sum_square(all)[0][0], std::sqrt(squares), 1e-15);
+}
+
+TEST(Uncertainty, FacesEndAtEdgesAndNotAtCreases) {
+  const Found cube(shapes::cube(3.0)), sphere(shapes::icosphere(4, 2.0)), cylinder(shapes::cylinder(1.0, 3.0, 48));
+  ASSERT_EQ(cube.curved.faces.size(), 6u);
+  for (const double area : cube.curved.faces) EXPECT_NEAR(area, 9.0, 1e-12);
+  ASSERT_EQ(sphere.curved.faces.size(), 1u);
+  EXPECT_NEAR(sphere.curved.faces[0], 16.0 * pi, 0.005 * 16.0 * pi);  // chords of icosphere(4): 0.2 % less
+  EXPECT_EQ(cylinder.curved.faces.size(), 3u);
+}
+
+TEST(Uncertainty, PenumbrasOfManyFacesAddUpAsSquares) {
+  const std::vector<double> one{16.0}, many(50, 16.0), small{0.5}, mixed{16.0, 16.0 / 81.0};
+  EXPECT_NEAR(penumbra_share(one, 1.0), 0.5, 1e-15);   // (1/4)^{1/2}
+  EXPECT_NEAR(penumbra_share(many, 1.0), 0.5, 1e-14);  // of sqrt(50) times the field of one
+  EXPECT_EQ(penumbra_share(small, 1.0), 1.0);
+  EXPECT_EQ(penumbra_share({}, 1.0), 0.0);
+  EXPECT_NEAR(penumbra_share(mixed, 1.0), std::sqrt((0.25 + 1.0 / 81.0) / (1.0 + 1.0 / 81.0)), 1e-15);
+}
+
+TEST(Uncertainty, TotalIsTheSumOfAllMechanisms) {
+  std::vector<ScatteringMatrix> bounces(2);
+  RowEvidence row{.bounces = bounces, .wavelength = 1.0};
+  bounces[0].at(0, 0) = 1.0, bounces[1].at(0, 0) = 2.0;
+  row.edges.at(0, 0) = 4.0, row.higher.at(0, 0) = 8.0, row.interaction.at(0, 0) = 16.0, row.surface_waves.at(0, 0) = 32.0;
+  EXPECT_EQ(row.total().at(0, 0), Complex(63.0));
 }
 
 TEST(Uncertainty, OfASmallTargetIsManyDecibels) {
