@@ -53,7 +53,21 @@ Band::Band(std::span<const double> wavenumbers) : wavenumbers_(wavenumbers.begin
 
 const ChebyshevNodes* Band::nodes(double half_span, double rate) {
   const std::size_t most = wavenumbers_.size() / 2, count = nodes_needed(half_width_ * half_span, rate, most);
-  if (count > most) return nullptr;
+  return count > most ? nullptr : kept(count);
+}
+
+// The terms from n = count on of a phase's series (nodes_needed) times one whose coefficients fall by `rate`: their product's are
+// at most the sum of (z/2)^m / m! rate^(n - m).
+const ChebyshevNodes* Band::nodes_of_fresnel(double half_span, double error) {
+  const double half = 0.5 * half_width_ * half_span;
+  double phase = 1.0, bound = 1.0;
+  std::size_t count = 0;
+  for (; 4.0 * bound > error && count <= wavenumbers_.size() / 2; bound = rate_ * bound + phase)
+    phase *= half / static_cast<double>(++count);
+  return count > wavenumbers_.size() / 2 ? nullptr : kept(count);
+}
+
+const ChebyshevNodes* Band::kept(std::size_t count) {
   const auto [entry, is_new] = nodes_.try_emplace(count);
   if (is_new) entry->second = make_nodes(count, middle_, half_width_, wavenumbers_);
   return &entry->second;

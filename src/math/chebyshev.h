@@ -27,9 +27,15 @@ class Band {
   const ChebyshevNodes* nodes(double half_span) { return nodes(half_span, 0.0); }
   /// Nodes for such a sum with amplitudes that change slowly with k: analytic but for k = 0, as roots and Fresnel integrals are.
   const ChebyshevNodes* nodes_of_fresnel(double half_span) { return nodes(half_span, rate_); }
+  /// Nodes for a sum with such amplitudes, with an error of about `error` of the sum of |A|.
+  const ChebyshevNodes* nodes_of_fresnel(double half_span, double error);
+
+  double half_width() const { return half_width_; }  // of the wavenumbers [rad/m]
 
  private:
   const ChebyshevNodes* nodes(double half_span, double rate);
+
+  const ChebyshevNodes* kept(std::size_t count);
 
   std::vector<double> wavenumbers_;
   double middle_ = 0.0, half_width_ = 0.0;
