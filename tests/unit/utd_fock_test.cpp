@@ -31,7 +31,7 @@ double slope_at_minus(double x) {
 // The integrals of fock.h along both parts of their contour, where Ai(r e^{-+j 2 pi/3}) = e^{-+j pi/3} (Ai(r) +- j Bi(r)) / 2
 // (DLMF 9.2.11). Midpoint rule: error h^2/24 times the integrands' slopes at zero, some 3e-7.
 FockCurrents by_quadrature(double xi) {
-  constexpr double h = 2e-3, end = 14.0;
+  constexpr double h = 2e-3, end = 36.0;
   const Complex j(0, 1), turn = std::polar(1.0, -2 * pi / 3);
   Complex hard = 0.0, soft = 0.0;
   for (double r = 0.5 * h; r < end; r += h) {
