@@ -7,7 +7,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double error = 1e-8;           // of the sum of amplitudes
+constexpr double error = 1e-7;           // of the sum of amplitudes
 constexpr double least_phase = 1.0 / 8;  // of the narrowest class [rad]: half the band's width times its half span
 constexpr double bin_share = 0.5;        // of a class's half span, the width of its bins
 

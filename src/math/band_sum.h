@@ -12,7 +12,7 @@ namespace raytube {
 
 /// Adds up S = sum of A(k) e^{jkL}, the amplitudes analytic in k but for k = 0. Waves of about the same path L are added up at
 /// Chebyshev wavenumbers with their phases counted from the middle of that bin of paths; each bin is expanded to all wavenumbers
-/// once. Error of about 1e-8 of the sum of |A|. Where wavenumbers are few, waves are evaluated at each of them. One thread's.
+/// once. Error of about 1e-7 of the sum of |A|. Where wavenumbers are few, waves are evaluated at each of them. One thread's.
 class BandSum {
  public:
   /// `every_one`: no wavenumber is interpolated.
