@@ -9,12 +9,12 @@ namespace {
 
 // e^{jzx} on |x| <= 1 is the sum of 2 j^n J_n(z) T_n(x) (DLMF 10.12), and |J_n(z)| <= (z/2)^n / n! (DLMF 10.14.4). `count` nodes
 // leave an error of four times the terms from n = count on. Coefficients of an amplitude fall by `rate` each; those of a product
-// by the larger of the two. Rounded up to a multiple of `step`, so that few different sets are needed.
-std::size_t nodes_needed(double z, double rate, double error, std::size_t step, std::size_t limit) {
+// by the larger of the two. Rounded up to a multiple of four, so that few different sets are needed.
+std::size_t nodes_needed(double z, double rate, std::size_t limit) {
   double bound = 1.0;
   std::size_t count = 0;
-  while (bound > error && count <= limit) bound *= std::max(0.5 * z / static_cast<double>(++count), rate);
-  return std::max<std::size_t>(4, (count + step - 1) / step * step);
+  while (bound > 1e-13 && count <= limit) bound *= std::max(0.5 * z / static_cast<double>(++count), rate);
+  return std::max<std::size_t>(4, (count + 3) / 4 * 4);
 }
 
 // Barycentric formula (Berrut & Trefethen, SIAM Review 46, 2004, eq. 4.2) with the weights of the first kind (eq. 5.3).
@@ -51,10 +51,20 @@ Band::Band(std::span<const double> wavenumbers) : wavenumbers_(wavenumbers.begin
   rate_ = half_width_ / (middle_ + std::sqrt(low * high));
 }
 
-const ChebyshevNodes* Band::nodes(double half_span, double rate, double error) {
-  const std::size_t most = wavenumbers_.size() / 2, step = error > exact ? 2 : 4;
-  const std::size_t count = nodes_needed(half_width_ * half_span, rate, error, step, most);
+const ChebyshevNodes* Band::nodes(double half_span, double rate) {
+  const std::size_t most = wavenumbers_.size() / 2, count = nodes_needed(half_width_ * half_span, rate, most);
   return count > most ? nullptr : nodes_of_count(count);
+}
+
+// The terms from n = count on of a phase's series (nodes_needed) times one whose coefficients fall by `rate`: their product's are
+// at most the sum of (z/2)^m / m! rate^(n - m).
+const ChebyshevNodes* Band::nodes_of_fresnel(double half_span, double error) {
+  const double half = 0.5 * half_width_ * half_span;
+  double phase = 1.0, bound = 1.0;
+  std::size_t count = 0;
+  for (; 4.0 * bound > error && count <= wavenumbers_.size() / 2; bound = rate_ * bound + phase)
+    phase *= half / static_cast<double>(++count);
+  return count > wavenumbers_.size() / 2 ? nullptr : nodes_of_count(count);
 }
 
 const ChebyshevNodes* Band::nodes_of_count(std::size_t count) {

@@ -6,7 +6,6 @@
 #include "closed_forms.h"
 #include "run.h"
 #include "shapes.h"
-#include "utd/surface/fock.h"
 #include "utd/surface/surface_ray.h"
 #include "utd/surface/surface_waves.h"
 
@@ -14,30 +13,6 @@ namespace raytube {
 namespace {
 
 using namespace raytube::testing;
-
-TEST(Fock, ValuesAtTheBoundary) {
-  // G(0) = 1.39938 (Fock 1946), F(0) = 0.77582 e^{-j pi/6}; the fits are good to 5e-4.
-  const FockCurrents dark = fock_in_the_dark(0.0);
-  EXPECT_LE(std::abs(dark.hard - 1.39938), 6e-4);
-  EXPECT_LE(std::abs(dark.soft - std::polar(0.77582, -pi / 6)), 6e-4);
-  EXPECT_LE(std::abs(2.0 * fock_factors(-1e-12).hard - dark.hard), 6e-4);
-}
-
-TEST(Fock, FarOffPhysicalOpticsIsRight) {
-  for (const double xi : {-3.0 - 1e-9, -3.0 + 1e-9}) {
-    EXPECT_LE(std::abs(fock_factors(xi).hard - (1.0 - Complex(0, 0.25 / (xi * xi * xi)))), 2e-3);
-    EXPECT_LE(std::abs(fock_factors(xi).soft - (1.0 + Complex(0, 0.25 / (xi * xi * xi)))), 2e-3);
-  }
-  EXPECT_LE(std::abs(fock_factors(-30.0).hard - 1.0), 1e-5);
-}
-
-TEST(Fock, FallsAsTheFirstCreepingWave) {
-  // e^{-j tau_1 e^{-j pi/3} xi}, |...| = e^{-tau_1 sin(pi/3) xi}.
-  EXPECT_NEAR(std::abs(fock_in_the_dark(7.0).hard / fock_in_the_dark(5.0).hard), std::exp(-2 * 1.01879297 * std::sin(pi / 3)),
-              1e-9);
-  EXPECT_NEAR(std::abs(fock_in_the_dark(7.0).soft / fock_in_the_dark(5.0).soft), std::exp(-2 * 2.33810741 * std::sin(pi / 3)),
-              1e-9);
-}
 
 struct Sphere {
   explicit Sphere(int level) : loaded(build_mesh(shapes::icosphere(level), 1.0)), target(loaded.mesh) {}

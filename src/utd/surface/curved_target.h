@@ -6,6 +6,7 @@
 #include "mesh/smooth/curvature_field.h"
 #include "mesh/model/edge_table.h"
 #include "mesh/trace/tracer.h"
+#include "utd/surface/body_widths.h"
 
 namespace raytube {
 
@@ -16,6 +17,7 @@ struct CurvedTarget {
         surfaces(some_surfaces),
         edges(tracer.mesh().triangles, tracer.mesh().vertices.size()),
         curvatures(tracer.mesh(), surfaces),
+        widths(body_widths(tracer.mesh())),
         convex(is_convex) {}
 
   /// At barycentric coordinates of a triangle, seen from one of its sides: 1 its front, -1 its back.
@@ -25,6 +27,11 @@ struct CurvedTarget {
     frame.normal_turn *= side;
     return frame;
   }
+
+  /// Whether waves run over a body at a wavenumber: not if it is under a wavelength across in both of its short directions. There k
+  /// times half the width is below pi and m below 1.2, so that the transitions at its two shadow boundaries, 1/m to either side of
+  /// each, fill more than half of the half turn between them: they are no longer Fock's, which know one boundary.
+  bool carries_waves(std::uint32_t component, double wavenumber) const { return widths[component] * wavenumber >= 2.0 * pi; }
 
   /// n . d at a corner of a triangle, where rounding is none.
   double facing(std::uint32_t triangle, int corner, const dvec3& incident_direction) const {
@@ -44,6 +51,7 @@ struct CurvedTarget {
   const SmoothSurfaces& surfaces;
   const EdgeTable edges;
   const CurvatureField curvatures;
+  const std::vector<double> widths;  // of the components [m]
   const bool convex;
 };
 

@@ -55,9 +55,9 @@ double area(const Corners& c) {
 
 class LitSide {
  public:
-  LitSide(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers,
-          std::span<ScatteringMatrix> sum, StripPlaces* places)
-      : target_(target), look_(look), wavenumbers_(wavenumbers), sum_(sum), places_(places) {
+  LitSide(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers, BandSum& sum,
+          StripPlaces* places)
+      : target_(target), look_(look), sum_(sum), places_(places) {
     lowest_ = std::ranges::min(wavenumbers);
     highest_ = std::ranges::max(wavenumbers);
   }
@@ -87,6 +87,7 @@ class LitSide {
   struct Point {
     LitFrame frame;
     double path;
+    ScatteringMatrix hard, soft;  // of a current of physical optics with either part alone
   };
 
   LitFrame frame_at(const Facet& facet, const dvec2& l) const {
@@ -121,28 +122,41 @@ class LitSide {
     const dvec2 centre = middle(corners);
     std::array<double, 3> at_corners;
     for (std::size_t c = 0; c < 3; ++c) at_corners[c] = path(facet.surface.point(corners[c]));
-    const double phase = highest_ * (std::ranges::max(at_corners) - std::ranges::min(at_corners));
+    const auto [shortest, longest] = std::ranges::minmax(at_corners);
+    const double phase = highest_ * (longest - shortest);
     points_.clear();
     if (phase < point_phase)
       add_point(facet, centre);
     else
       for (const dvec2& corner : corners) add_point(facet, 0.5 * (centre + corner));
     const double size = area(corners) * glm::length(glm::cross(facet.surface.along_1(centre), facet.surface.along_2(centre)));
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      ScatteringMatrix s = phase < longest_phase ? mean_of_points(wavenumbers_[f]) : mean_over(at_corners, wavenumbers_[f]);
-      put(f, facet.surface.point(centre), s *= Complex(0, -wavenumbers_[f] / (4 * pi)) * size);
+    const BandSum::Bin bin = sum_.bin(0.5 * (shortest + longest), 0.5 * (longest - shortest));
+    for (double& corner : at_corners) corner -= bin.path;
+    for (Point& point : points_) point.path -= bin.path;
+    for (std::size_t f = 0; f < bin.at.size(); ++f) {
+      const double k = bin.at[f];
+      ScatteringMatrix s = phase < longest_phase ? mean_of_points(k) : mean_over(at_corners, k);
+      bin.sum[f] += s *= Complex(0, -k / (4 * pi)) * size;
+      if (places_ != nullptr && places_->wavenumber == f) put(facet.surface.point(centre), s);
     }
-    work_ +=
-        work::lit_point * static_cast<double>(points_.size()) + work::lit_frequency * static_cast<double>(wavenumbers_.size());
+    work_ += work::lit_point * static_cast<double>(points_.size()) + work::lit_frequency * static_cast<double>(bin.at.size());
   }
 
-  void add_point(const Facet& facet, const dvec2& l) { points_.push_back({frame_at(facet, l), path(facet.surface.point(l))}); }
+  void add_point(const Facet& facet, const dvec2& l) {
+    const LitFrame frame = frame_at(facet, l);
+    points_.push_back({frame, path(facet.surface.point(l)), radiated(frame, frame.straight), radiated(frame, frame.bent)});
+  }
+
+  static ScatteringMatrix amplitude(const Point& point, double k) {
+    const FockCurrents share = lit_share(point.frame, k);
+    ScatteringMatrix hard = point.hard, soft = point.soft;
+    return (hard *= share.hard) += soft *= share.soft;
+  }
 
   ScatteringMatrix mean_of_points(double k) const {
     ScatteringMatrix sum;
     for (const Point& point : points_)
-      sum += radiated(point.frame, lit_share(point.frame, k)) *=
-          std::polar(1.0 / static_cast<double>(points_.size()), k * point.path);
+      sum += amplitude(point, k) *= std::polar(1.0 / static_cast<double>(points_.size()), k * point.path);
     return sum;
   }
 
@@ -150,7 +164,7 @@ class LitSide {
   ScatteringMatrix mean_over(const std::array<double, 3>& paths, double k) const {
     std::array<ScatteringMatrix, 3> values;
     ScatteringMatrix third, mean;
-    for (std::size_t c = 0; c < 3; ++c) third += values[c] = radiated(points_[c].frame, lit_share(points_[c].frame, k));
+    for (std::size_t c = 0; c < 3; ++c) third += values[c] = amplitude(points_[c], k);
     third *= -1.0 / 3.0;
     const auto [m11, m22, m33, m12, m23, m31] = triangle_moments({k * paths[0], k * paths[1], k * paths[2]});
     const std::array<Complex, 3> weights{m11 + m12 + m31, m22 + m12 + m23, m33 + m31 + m23};
@@ -160,27 +174,20 @@ class LitSide {
 
   double path(const dvec3& position) const { return glm::dot(look_.scattered - look_.incident, position); }
 
-  void put(std::size_t frequency, const dvec3& position, const ScatteringMatrix& s) {
-    sum_[frequency] += s;
-    if (places_ != nullptr && places_->wavenumber == frequency) places_->pieces.push_back({position, position, s});
-  }
+  void put(const dvec3& position, const ScatteringMatrix& s) { places_->pieces.push_back({position, position, s}); }
 
-  // 2 n x H, each part of it times its share.
-  ScatteringMatrix radiated(const LitFrame& frame, const FockCurrents& share) const {
-    const dvec3 hard = glm::cross(frame.normal, frame.straight), soft = glm::cross(frame.normal, frame.bent);
+  // 2 n x H of the part of H along that axis.
+  ScatteringMatrix radiated(const LitFrame& frame, const dvec3& axis) const {
+    const dvec3 current = 2.0 * glm::cross(frame.normal, axis);
     ScatteringMatrix s;
-    for (int t = 0; t < 2; ++t) {
-      const Complex h = 2.0 * share.hard * glm::dot(look_.magnetic[t], frame.straight);
-      const Complex e = 2.0 * share.soft * glm::dot(look_.magnetic[t], frame.bent);
-      for (int p = 0; p < 2; ++p) s.at(p, t) = h * glm::dot(look_.receive[p], hard) + e * glm::dot(look_.receive[p], soft);
-    }
+    for (int t = 0; t < 2; ++t)
+      for (int p = 0; p < 2; ++p) s.at(p, t) = glm::dot(look_.magnetic[t], axis) * glm::dot(look_.receive[p], current);
     return s;
   }
 
   const CurvedTarget& target_;
   const LookVectors& look_;
-  std::span<const double> wavenumbers_;
-  std::span<ScatteringMatrix> sum_;
+  BandSum& sum_;
   StripPlaces* places_;
   double lowest_, highest_, work_ = 0.0;
   std::vector<Point> points_;  // of the triangle at hand
@@ -188,11 +195,12 @@ class LitSide {
 
 }  // namespace
 
-double add_lit_currents(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers,
-                        std::span<ScatteringMatrix> sum, StripPlaces* places) {
+double add_lit_currents(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers, BandSum& sum,
+                        StripPlaces* places) {
+  const double lowest = std::ranges::min(wavenumbers);
   LitSide lit(target, look, wavenumbers, sum, places);
   for (std::uint32_t t = 0; t < target.tracer.mesh().triangles.size(); ++t) {
-    if (!target.surfaces.conducts(t)) continue;
+    if (!target.surfaces.conducts(t) || !target.carries_waves(target.tracer.mesh().triangle_component[t], lowest)) continue;
     lit.add(t, 1.0);
     if (!target.tracer.mesh().closed(t)) lit.add(t, -1.0);
   }

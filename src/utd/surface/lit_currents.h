@@ -10,8 +10,8 @@
 
 namespace raytube {
 
-/// Adds S of every wavenumber to `sum` and returns what that cost (core/work.h); perfect conductors. `places` may be null.
-double add_lit_currents(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers,
-                        std::span<ScatteringMatrix> sum, StripPlaces* places);
+/// Adds S to `sum` and returns what that cost (core/work.h); perfect conductors. `places` may be null.
+double add_lit_currents(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers, BandSum& sum,
+                        StripPlaces* places);
 
 }  // namespace raytube

@@ -39,7 +39,9 @@ FockCurrents lit_share(const LitFrame& frame, double wavenumber) {
   const double xi = std::min(frame.distance(wavenumber), -least_xi);
   if (xi <= -least_lit) return {0.0, 0.0};
   const FockCurrents fock = fock_factors(xi);
-  const double share = std::min(1.0, least_lit + xi);
+  // Fades over xi from -4 to -5, to 1e-6 of the current of physical optics, and smoothly, so that amplitudes are smooth in k.
+  const double cube = xi * xi * xi / (least_lit * least_lit * least_lit);
+  const double share = std::exp(-8.0 * std::pow(cube, 8));
   return {share * (fock.hard - 1.0), share * (fock.soft - 1.0)};
 }
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace raytube {
 
 namespace {
 
-constexpr std::size_t most_images = 16;  // of a line that is its own: what has more is a circle, wherever its pieces begin
-constexpr double tie = 1e-9;             // of the target's radius
+constexpr double steep = 0.5;     // sine of the angle at which a line passes through a plane: one that lies in it does not
+constexpr double nothing = 1e-9;  // of a piece
 
 // The boundary over one facet.
 struct Crossing {
@@ -114,39 +113,34 @@ class ShadowBoundary {
     return line;
   }
 
-  // Of a point, whatever the axes: the same for mirror images if the look's plane is the mirror.
-  double rank(const dvec3& p) const {
-    return glm::dot(look_.incident + 0.618 * look_.scattered, p) + 0.3 * glm::dot(p, p) / target_.tracer.mesh().radius;
+  const dvec3& begin(const Pass& pass) const { return crossings_[pass.crossing].points[pass.first]; }
+
+  // The mean of a closed line's points.
+  dvec3 centroid(const std::vector<Pass>& line) const {
+    dvec3 sum(0.0);
+    double length = 0.0;
+    for (const Pass& pass : line) {
+      const auto& [a, b] = crossings_[pass.crossing].points;
+      sum += glm::distance(a, b) * 0.5 * (a + b);
+      length += glm::distance(a, b);
+    }
+    return sum / length;
   }
 
-  // Where a closed line is foremost, among the ends and middles of its crossings: several times if it is its own image. `sums`
-  // are the measures before each.
-  std::vector<double> foremost(const std::vector<Pass>& line, const std::vector<double>& sums) const {
-    std::vector<std::pair<double, double>> found;  // rank, measure
-    double best = -std::numeric_limits<double>::infinity();
-    const auto try_point = [&](const dvec3& p, double measure) {
-      found.push_back({rank(p), measure});
-      best = std::max(best, found.back().first);
-    };
+  // Where a closed line passes steeply through the coordinate planes about its centroid, as measures: the places where its
+  // stretches meet. They are the same whichever crossing comes first, and mirror images have mirror images of them.
+  std::vector<double> joints(const std::vector<Pass>& line, const std::vector<double>& sums) const {
+    const dvec3 centre = centroid(line);
+    std::vector<double> found;
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const auto& [a, b] = crossings_[line[i].crossing].points;
-      try_point(line[i].first == 0 ? a : b, sums[i]);
-      try_point(0.5 * (a + b), 0.5 * (sums[i] + sums[i + 1]));
+      const dvec3 a = begin(line[i]) - centre, b = begin(line[(i + 1) % line.size()]) - centre;
+      for (int axis = 0; axis < 3; ++axis)
+        if ((a[axis] < 0.0) != (b[axis] < 0.0) && std::abs(b[axis] - a[axis]) > steep * glm::distance(a, b))
+          found.push_back(sums[i] + (sums[i + 1] - sums[i]) * a[axis] / (a[axis] - b[axis]));
     }
-    std::vector<double> places;
-    for (const auto& [rank, measure] : found)
-      if (rank >= best - tie * target_.tracer.mesh().radius) places.push_back(measure);
-    return places;
-  }
-
-  // Of the places where pieces might begin, those that give other pieces.
-  static std::vector<double> distinct(const std::vector<double>& places, double part) {
-    std::vector<double> result;
-    for (const double place : places) {
-      const auto same = [&](double other) { return std::abs(std::remainder(place - other, part)) < 1e-6 * part; };
-      if (std::ranges::none_of(result, same)) result.push_back(place);
-    }
-    return result;
+    if (found.empty()) found.push_back(0.0);
+    std::ranges::sort(found);
+    return found;
   }
 
   // At a measure from the line's beginning.
@@ -165,17 +159,20 @@ class ShadowBoundary {
     const double all = sums.back();
     if (all <= 0.0) return;
     const bool closed = after(line.back()).crossing == line.front().crossing;
-    std::vector<double> ends = closed ? foremost(line, sums) : std::vector<double>{0.0};
-    if (ends.size() > most_images) ends.erase(ends.begin() + 1, ends.end());
-    // As many as make each image of a line that is its own image fall on its pieces, if it can.
-    const double many = static_cast<double>(closed ? std::max<std::size_t>(2, ends.size()) : 1);
-    const double parts = std::max(many, many * std::ceil(all / many - 1e-9)), part = all / parts;
-    const std::vector<double> starts = distinct(ends, part);
-    for (const double start : starts) {
-      const auto at = [&](double i) { return place(line, sums, closed ? std::fmod(start + i * part, all) : i * part); };
-      for (double i = 0.0; i < parts; ++i)
-        pieces_.push_back({at(i + 0.5).on, (at(i + 1.0).position - at(i).position) / static_cast<double>(starts.size())});
-    }
+    std::vector<double> ends = closed ? joints(line, sums) : std::vector<double>{0.0};
+    ends.push_back(ends.front() + all);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) divide(line, sums, ends[i], ends[i + 1]);
+  }
+
+  // A stretch in equal pieces; measures beyond the end of a closed line go on from its beginning.
+  void divide(const std::vector<Pass>& line, const std::vector<double>& sums, double from, double to) {
+    const double all = sums.back(), parts = std::max(1.0, std::ceil(to - from - nothing)), part = (to - from) / parts;
+    const auto at = [&](double i) {
+      const double measure = from + i * part;
+      return place(line, sums, measure > all ? measure - all : measure);
+    };
+    for (double i = 0.0; i < parts && part > nothing; ++i)
+      pieces_.push_back({at(i + 0.5).on, at(i + 1.0).position - at(i).position});
   }
 
   const CurvedTarget& target_;

@@ -16,8 +16,8 @@ struct BoundaryPiece {
 };
 
 /// The lines on which the normals, linear over the facets, are across the wave, each in equal pieces of at most `widest` [m] over
-/// which the normal turns by at most `most_turn` [rad]. Closed lines are divided from where they are foremost along the look, so
-/// that pieces hang neither on the order of triangles nor on axes.
+/// which the normal turns by at most `most_turn` [rad]; closed ones stretch by stretch, from one coordinate plane through their
+/// centroid to the next. So pieces hang on where lines run alone, and bodies mirrored in a coordinate plane have mirrored pieces.
 std::vector<BoundaryPiece> shadow_boundary(const CurvedTarget& target, const LookVectors& look, double widest, double most_turn);
 
 }  // namespace raytube

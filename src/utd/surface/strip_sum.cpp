@@ -4,22 +4,19 @@
 
 namespace raytube {
 
-StripSum::StripSum(std::span<const double> wavenumbers, std::span<ScatteringMatrix> sum, StripPlaces* places)
-    : wavenumbers_(wavenumbers), sum_(sum), places_(places) {}
-
-ScatteringMatrix StripSum::over_step(std::size_t index, double step, double path, const ScatteringMatrix& amplitude) const {
-  const FilonStep filon = filon_step(wavenumbers_[index] * path_, wavenumbers_[index] * path);
-  ScatteringMatrix sum = amplitude_[index] + amplitude, rise = amplitude - amplitude_[index];
-  return (sum *= step * filon.even) + (rise *= step * filon.odd);
+void StripSum::add_step(double step, double path, const dvec3& middle, std::span<const ScatteringMatrix> amplitude) {
+  const BandSum::Bin bin = sum_.bin(0.5 * (path + path_), half_span_);
+  for (std::size_t f = 0; f < bin.at.size(); ++f) {
+    const FilonStep filon = filon_step(bin.at[f] * (path_ - bin.path), bin.at[f] * (path - bin.path));
+    ScatteringMatrix both = amplitude_[f] + amplitude[f], rise = amplitude[f] - amplitude_[f];
+    const ScatteringMatrix s = (both *= step * filon.even) + (rise *= step * filon.odd);
+    bin.sum[f] += s;
+    if (places_ != nullptr && places_->wavenumber == f) places_->pieces.push_back({middle, middle, s});
+  }
 }
 
 void StripSum::add(bool first, double step, double path, const dvec3& position, std::span<const ScatteringMatrix> amplitude) {
-  for (std::size_t f = 0; !first && f < wavenumbers_.size(); ++f) {
-    const ScatteringMatrix s = over_step(f, step, path, amplitude[f]);
-    sum_[f] += s;
-    const dvec3 middle = 0.5 * (position + position_);
-    if (places_ != nullptr && places_->wavenumber == f) places_->pieces.push_back({middle, middle, s});
-  }
+  if (!first) add_step(step, path, 0.5 * (position + position_), amplitude);
   path_ = path;
   position_ = position;
   amplitude_.assign(amplitude.begin(), amplitude.end());

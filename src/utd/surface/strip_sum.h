@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "math/band_sum.h"
 #include "scene/image.h"
 
 namespace raytube {
@@ -15,21 +16,24 @@ struct StripPlaces {
 };
 
 /// Adds up amplitude e^{jk path} along strips, point after point; amplitude and path are linear between them (Filon's rule with
-/// two points). Keeps references to its arguments.
+/// two points). Keeps a reference to `sum`.
 class StripSum {
  public:
-  /// S of every wavenumber is added to `sum`; `places` may be null.
-  StripSum(std::span<const double> wavenumbers, std::span<ScatteringMatrix> sum, StripPlaces* places);
+  /// Steps change paths by up to twice `half_span` [m]. `places` may be null; else `sum` takes every wavenumber.
+  StripSum(BandSum& sum, double half_span, StripPlaces* places) : sum_(sum), half_span_(half_span), places_(places) {}
+
+  /// The wavenumbers at which amplitudes are wanted.
+  std::span<const double> wavenumbers() { return sum_.nodes(half_span_); }
 
   /// The next point of a strip, `step` [m] from the one before, with the amplitude [per metre] of each wavenumber; its first one
   /// if `first`.
   void add(bool first, double step, double path, const dvec3& position, std::span<const ScatteringMatrix> amplitude);
 
  private:
-  ScatteringMatrix over_step(std::size_t index, double step, double path, const ScatteringMatrix& amplitude) const;
+  void add_step(double step, double path, const dvec3& middle, std::span<const ScatteringMatrix> amplitude);
 
-  std::span<const double> wavenumbers_;
-  std::span<ScatteringMatrix> sum_;
+  BandSum& sum_;
+  const double half_span_;
   StripPlaces* places_;
   double path_ = 0.0;  // of the last point
   dvec3 position_{0.0};

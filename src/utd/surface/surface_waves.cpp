@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <optional>
 
 #include "core/work.h"
@@ -16,13 +18,15 @@ namespace raytube {
 
 namespace {
 
-constexpr double widest_strip = 1.0 / 3.0, widest_piece = 1.0 / 6, longest_step = 0.5;  // of the wavelength
+constexpr double widest_strip = 1.0 / 3.0, longest_step = 0.5;  // of the wavelength
+// Across strips phases are linear, but for what reaches wedges: there a point stands for the strip.
+constexpr double widest_piece = 1.0 / 3.0, widest_piece_to_wedges = 1.0 / 6.0;  // of the wavelength
 constexpr double most_turn = 0.3;         // of the normal over a piece of the shadow boundary [rad]
 constexpr double phase_bend = 0.2;        // k kappa h^2 over a step h [rad]
 constexpr double fock_step = 0.3;         // of xi
 constexpr double last_xi = 10.0;          // in the dark, where nothing is left
 constexpr double no_more = 1e-9;          // of a step or strip that would make another one
-constexpr double widest = 30.0;           // of a strip's width at its beginning
+constexpr double most_spread = 30.0;      // of a strip's width at its beginning
 constexpr double at_caustic = 8.0;        // so much finer are steps there
 constexpr double least_curvature = 1e-6;  // times the target's radius
 constexpr double least_width = 1e-3;      // of a ray in pictures, of that at its start
@@ -36,6 +40,7 @@ struct StripPoint {
 /// A strip into the dark from a point of the shadow boundary, as far as it has come.
 struct DarkStrip {
   StripPoint q;   // of the boundary
+  dvec3 chord;    // of its piece of that [m]
   double across;  // its width there [m]
   StripPoint end;
   StripWidth width;
@@ -45,33 +50,58 @@ struct DarkStrip {
   double path = 0.0;            // of that, in phase [m]
 };
 
+std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
+  std::vector<double> wavenumbers;
+  for (const double f : frequencies) wavenumbers.push_back(wavenumber(f));
+  return wavenumbers;
+}
+
 class SurfaceLook {
  public:
   SurfaceLook(const CurvedTarget& target, const LookVectors& look, std::span<const double> frequencies, StripPlaces* places,
               std::vector<SurfaceRay>* rays)
-      : target_(target), mesh_(target.tracer.mesh()), look_(look), places_(places), rays_(rays) {
-    for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
+      : target_(target),
+        mesh_(target.tracer.mesh()),
+        look_(look),
+        places_(places),
+        rays_(rays),
+        wavenumbers_(wavenumbers_of(frequencies)),
+        band_(wavenumbers_, places != nullptr) {
     shortest_ = 2 * pi / std::ranges::max(wavenumbers_);
     lowest_ = std::ranges::min(wavenumbers_);
     highest_ = std::ranges::max(wavenumbers_);
     result_.scattering.resize(frequencies.size());
-    amplitudes_.resize(frequencies.size());
-    sum_.emplace(wavenumbers_, result_.scattering, places);
+    sum_.emplace(band_, (longest_step + widest_piece) * shortest_, places);
+    amplitudes_.resize(sum_->wavenumbers().size());
   }
 
   SurfaceWaveResult take() {
-    for (const BoundaryPiece& piece : shadow_boundary(target_, look_, widest_piece * shortest_, most_turn)) {
+    for (const BoundaryPiece& piece : shadow_boundary(target_, look_, widest() * shortest_, most_turn)) {
+      if (!runs_over(piece.middle.triangle)) continue;
       add_strip(piece, 1.0);
       if (!mesh_.closed(piece.middle.triangle)) add_strip(piece, -1.0);
     }
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (target_.surfaces.conducts(t)) find_far_sides(t);
+      if (runs_over(t)) find_far_sides(t);
     if (rays_ != nullptr) std::erase_if(*rays_, [](const SurfaceRay& ray) { return ray.points.size() < 2; });
-    result_.work += add_lit_currents(target_, look_, wavenumbers_, result_.scattering, places_);
+    result_.work += add_lit_currents(target_, look_, wavenumbers_, band_, places_);
+    band_.add_to(result_.scattering);
     return std::move(result_);
   }
 
  private:
+  // A piece of the boundary, of the wavelength.
+  double widest() const {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (int c = 0; c < 3 && target_.surfaces.conducts(t); ++c)
+        if (target_.surfaces.on_boundary(t, c)) return widest_piece_to_wedges;
+    return widest_piece;
+  }
+
+  bool runs_over(std::uint32_t triangle) const {
+    return target_.surfaces.conducts(triangle) && target_.carries_waves(mesh_.triangle_component[triangle], lowest_);
+  }
+
   // Where the surface ends before its shadow boundary: its lit part near that boundary is there all the same.
   void find_far_sides(std::uint32_t t) {
     for (int c = 0; c < 3; ++c) {
@@ -108,17 +138,18 @@ class SurfaceLook {
     if (grazing <= 0.0 || frame.distance(lowest_) <= -least_lit || !target_.is_lit(q.position, q.normal, look_.incident)) return;
     const double across = std::abs(glm::dot(width, q.binormal));
     ++result_.strips;
-    const double way = glm::dot(look_.scattered - look_.incident, q.position);
-    arrive(start.triangle, corner, side, q, q.binormal,
-           [&](double k) { return lit_share(frame, k).hard * std::polar(across, k * way); });
+    const double path = glm::dot(look_.scattered - look_.incident, q.position);
+    arrive(start.triangle, corner, side, q, q.binormal, path, [&](double k) { return across * lit_share(frame, k).hard; });
   }
 
-  // A hard current reaches the end of the surface: half(k) of it, times its width and phase, for unit H along `binormal`.
+  // A hard current reaches the end of the surface on that path: half(k) of it, times its width, for unit H along `binormal`.
   template <class Half>
-  void arrive(std::uint32_t triangle, int corner, double side, const StripPoint& end, const dvec3& binormal, Half half) {
+  void arrive(std::uint32_t triangle, int corner, double side, const StripPoint& end, const dvec3& binormal, double path,
+              Half half) {
     SurfaceArrival arrival{triangle, corner, side < 0.0, end.position, end.along, {}};
-    for (const double k : wavenumbers_) {
-      const Complex current = half(k);
+    const std::vector<Complex> currents = band_.everywhere(half);
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+      const Complex current = currents[f] * std::polar(1.0, wavenumbers_[f] * path);
       arrival.magnetic.push_back(
           {current * glm::dot(look_.magnetic[0], binormal), current * glm::dot(look_.magnetic[1], binormal)});
     }
@@ -144,7 +175,7 @@ class SurfaceLook {
     if (q.curvature * mesh_.radius < least_curvature || across <= 0.0) return;
     if (!target_.is_lit(q.position, q.normal, look_.incident)) return;
     ++result_.strips;
-    follow_dark(start, q, across, side);
+    follow_dark(start, DarkStrip{q, piece.chord, across, q, StripWidth{across}}, side);
   }
 
   // Over so much of a strip the current, and the rate of its phase, change by little [m].
@@ -154,14 +185,20 @@ class SurfaceLook {
     return std::min({longest_step * shortest_, bend, fock}) / (fine ? at_caustic : 1.0);
   }
 
-  /// S of a current per unit of -jk / 4 pi, its parts along t and b for both transmitted polarisations.
-  ScatteringMatrix radiated(const StripPoint& point, const std::array<Complex, 2>& along,
-                            const std::array<Complex, 2>& across) const {
+  /// S of a current along `current` at the strip's end per unit of -jk / 4 pi, for each transmitted field's part along b.
+  ScatteringMatrix radiated(const DarkStrip& strip, const std::array<dvec3, 2>& field, const dvec3& current) const {
     ScatteringMatrix s;
     for (int p = 0; p < 2; ++p)
-      for (int t = 0; t < 2; ++t)
-        s.at(p, t) = along[t] * glm::dot(look_.receive[p], point.along) + across[t] * glm::dot(look_.receive[p], point.binormal);
+      for (int t = 0; t < 2; ++t) s.at(p, t) = glm::dot(field[t], strip.q.binormal) * glm::dot(look_.receive[p], current);
     return s;
+  }
+
+  // By how much paths differ from one side of the strip to the other [m]: its geodesics begin along the piece of the boundary,
+  // and what neighbours are apart along themselves stays as it is (Gauss's lemma).
+  double path_across(const DarkStrip& strip) const {
+    const double along = glm::dot(strip.chord, strip.q.along);
+    const double across = glm::dot(strip.chord, strip.q.binormal) > 0.0 ? strip.width.width : -strip.width.width;
+    return glm::dot(look_.scattered, across * strip.end.binormal + along * strip.end.along) - along;
   }
 
   // m = (k / 2 kappa)^(1/3)
@@ -180,16 +217,15 @@ class SurfaceLook {
   }
 
   void set_amplitudes(const DarkStrip& strip) {
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const double k = wavenumbers_[f];
+    const ScatteringMatrix hard = radiated(strip, look_.magnetic, strip.end.along);
+    const ScatteringMatrix soft = radiated(strip, look_.electric, strip.end.binormal);
+    const double half_across = 0.5 * path_across(strip);
+    for (std::size_t n = 0; n < amplitudes_.size(); ++n) {
+      const double k = sum_->wavenumbers()[n];
       const FockCurrents fock = strip.way.currents(k);
-      const Complex factor = Complex(0, -k / (4 * pi)) * strip.area;
-      std::array<Complex, 2> along, across;
-      for (int t = 0; t < 2; ++t) {
-        along[t] = factor * fock.hard * glm::dot(look_.magnetic[t], strip.q.binormal);
-        across[t] = factor * fock.soft / fock_scale(strip.end, k) * glm::dot(look_.electric[t], strip.q.binormal);
-      }
-      amplitudes_[f] = radiated(strip.end, along, across);
+      const Complex factor = Complex(0, -k / (4 * pi)) * strip.area * sinc(k * half_across);
+      ScatteringMatrix along = hard, across = soft;
+      amplitudes_[n] = (along *= factor * fock.hard) += across *= factor * fock.soft / fock_scale(strip.end, k);
     }
   }
 
@@ -198,7 +234,7 @@ class SurfaceLook {
     strip.area = std::polar(std::sqrt(strip.across * std::abs(strip.width.width)), 0.5 * pi * strip.width.caustics);
     strip.path = glm::dot(look_.scattered, strip.end.position) - glm::dot(look_.incident, strip.q.position) - strip.s;
     set_amplitudes(strip);
-    result_.work += work::surface_step + work::surface_frequency * static_cast<double>(wavenumbers_.size());
+    result_.work += work::surface_step + work::surface_frequency * static_cast<double>(amplitudes_.size());
     sum_->add(strip.s == 0.0, strip.since, strip.path, strip.end.position, amplitudes_);
     if (rays_ != nullptr) keep_end(strip);
     strip.since = 0.0;
@@ -208,7 +244,7 @@ class SurfaceLook {
   bool go_on(DarkStrip& strip, const StripPoint& point, double h, double limit) {
     StripWidth width = strip.width;
     width.step(point.gaussian, h);
-    if (point.curvature < 0.0 || std::abs(width.width) > widest * strip.across) return false;
+    if (point.curvature < 0.0 || std::abs(width.width) > most_spread * strip.across) return false;
     strip.way.step(point.curvature, point.gaussian, h);
     strip.width = width;
     strip.end = point;
@@ -231,8 +267,7 @@ class SurfaceLook {
     return true;
   }
 
-  void follow_dark(const FacetPoint& start, const StripPoint& q, double across, double side) {
-    DarkStrip strip{q, across, q, StripWidth{across}};
+  void follow_dark(const FacetPoint& start, DarkStrip strip, double side) {
     put_end(strip);
     Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, look_.incident);
     GeodesicPiece piece{start, start.l, look_.incident};
@@ -240,8 +275,8 @@ class SurfaceLook {
     while (goes_on && geodesic.next(piece)) goes_on = go_over(strip, piece, side);
     if (strip.since > 0.0) put_end(strip);
     if (!goes_on || geodesic.ended_at() < 0) return;
-    arrive(piece.from.triangle, geodesic.ended_at(), side, strip.end, q.binormal,
-           [&](double k) { return 0.5 * strip.area * strip.way.currents(k).hard * std::polar(1.0, k * strip.path); });
+    arrive(piece.from.triangle, geodesic.ended_at(), side, strip.end, strip.q.binormal, strip.path,
+           [&](double k) { return 0.5 * strip.area * strip.way.currents(k).hard; });
   }
 
   const CurvedTarget& target_;
@@ -249,19 +284,52 @@ class SurfaceLook {
   const LookVectors& look_;
   StripPlaces* places_;
   std::vector<SurfaceRay>* rays_;
-  std::vector<double> wavenumbers_;
+  const std::vector<double> wavenumbers_;
+  BandSum band_;
   double shortest_ = 0.0, lowest_ = 0.0, highest_ = 0.0;
-  std::vector<ScatteringMatrix> amplitudes_;  // of the point at hand, by frequency
+  std::vector<ScatteringMatrix> amplitudes_;  // of the point at hand
   std::optional<StripSum> sum_;
   SurfaceWaveResult result_;
 };
+
+// Takes what a look at some of the frequencies, `indices`, has found.
+void put(SurfaceWaveResult&& part, std::span<const std::size_t> indices, SurfaceWaveResult& all) {
+  for (std::size_t i = 0; i < indices.size(); ++i) all.scattering[indices[i]] = part.scattering[i];
+  for (SurfaceArrival& arrival : part.arrivals) {
+    std::vector<std::array<Complex, 2>> magnetic(all.scattering.size());
+    for (std::size_t i = 0; i < indices.size(); ++i) magnetic[indices[i]] = arrival.magnetic[i];
+    arrival.magnetic = std::move(magnetic);
+    all.arrivals.push_back(std::move(arrival));
+  }
+  all.strips += part.strips;
+  all.work += part.work;
+}
 
 }  // namespace
 
 SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LookVectors& look,
                                           std::span<const double> frequencies, StripPlaces* places,
                                           std::vector<SurfaceRay>* rays) {
-  return SurfaceLook(target, look, frequencies, places, rays).take();
+  // Frequencies at which waves run over the same bodies go together.
+  std::map<std::size_t, std::vector<std::size_t>> groups;
+  for (std::size_t f = 0; f < frequencies.size(); ++f) {
+    std::size_t bodies = 0;
+    for (std::uint32_t c = 0; c < target.widths.size(); ++c)
+      bodies += target.carries_waves(c, wavenumber(frequencies[f])) ? 1 : 0;
+    if (bodies > 0) groups[bodies].push_back(f);
+  }
+  SurfaceWaveResult all;
+  all.scattering.resize(frequencies.size());
+  for (const auto& [bodies, indices] : groups) {
+    std::vector<double> some;
+    for (const std::size_t f : indices) some.push_back(frequencies[f]);
+    const auto asked = places == nullptr ? indices.end() : std::ranges::find(indices, places->wavenumber);
+    StripPlaces here{static_cast<std::size_t>(asked - indices.begin())};
+    const bool pictured = asked != indices.end();
+    put(SurfaceLook(target, look, some, pictured ? &here : nullptr, indices.front() == 0 ? rays : nullptr).take(), indices, all);
+    if (pictured) std::ranges::copy(here.pieces, std::back_inserter(places->pieces));
+  }
+  return all;
 }
 
 }  // namespace raytube
