@@ -222,13 +222,9 @@ void tell_curved_surfaces(CheckReport& report, const SolvePlan& plan) {
   for (const BandPlan& band : plan.bands) taken = std::max(taken, band.smooth ? band.smooth->facets() : 0);
   const char* counts_as = taken == 0 ? "flat" : taken == surfaces.facets() ? "curved" : "curved and flat";
   report.data["curved_surfaces"] = {{"facets", surfaces.facets()}, {"pieces", pieces.size()}, {"counts_as", counts_as}};
-  report.print("
-curved surfaces
-");
-  if (pieces.empty()) return report.print("  none: all {} facets are flat
-", all);
-  report.print("  {} of {} facets stand for curved surfaces and count as {}{}
-", surfaces.facets(), all, counts_as,
+  report.print("\ncurved surfaces\n");
+  if (pieces.empty()) return report.print("  none: all {} facets are flat\n", all);
+  report.print("  {} of {} facets stand for curved surfaces and count as {}{}\n", surfaces.facets(), all, counts_as,
                taken < surfaces.facets() ? " (tubes.curved)" : "");
   for (std::size_t i = 0; i < std::min(pieces.size(), most_lines); ++i)
     report.print("  piece of {} facets: the surface rises above them by up to {:.3g} wavelengths\n", pieces[i].facets,
@@ -244,7 +240,8 @@ void tell_mechanisms(CheckReport& report, const SolvePlan& plan) {
     const std::string what = state.what.empty() ? "" : ": " + state.what;
     const std::string how = state.forced ? "on" : "auto, where it can move a row by the tolerance";
     report.print("  {:<28}{}\n", entry.name, state.on ? how + what : "none: " + state.why_not);
-    report.data["mechanisms"].append({{"name", entry.name}, {"key", entry.key}, {"on", state.on}, {"forced", state.forced}, {"why_not", state.why_not}});
+    report.data["mechanisms"].append(
+        {{"name", entry.name}, {"key", entry.key}, {"on", state.on}, {"forced", state.forced}, {"why_not", state.why_not}});
   }
 }
 

@@ -10,7 +10,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double error = 1e-6;       // of the sum of all amplitudes, as a bound; what is met is a hundredth of it
+constexpr double bin_error = 1e-6;   // of the sum of all amplitudes, as a bound; what is met is a hundredth of it
 constexpr double least_reach = 3.0;  // half of what a bin may span, in radians; with less there are more bins than points
 constexpr double own_spread = 1.0;   // of that, what a wave may span by itself
 
@@ -29,7 +29,7 @@ ScatteringMatrix interpolated(std::span<const ScatteringMatrix> values, const do
 
 PathBins::PathBins(Band& band, bool interpolate)
     : wavenumbers_(band.wavenumbers()), nodes_(wavenumbers_), spread_(std::numeric_limits<double>::infinity()) {
-  const Band::SlowNodes slow = interpolate ? band.slow_nodes(least_reach, error) : Band::SlowNodes{};
+  const Band::SlowNodes slow = interpolate ? band.slow_nodes(least_reach, bin_error) : Band::SlowNodes{};
   if (slow.nodes == nullptr) return;
   nodes_ = slow.nodes->at;
   weights_ = slow.nodes->weights;

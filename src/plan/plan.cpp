@@ -35,7 +35,10 @@ class BandPlanner {
   explicit BandPlanner(const SolvePlan& plan) : plan_(plan), mesh_(plan.target.mesh) {
     convex_only_ = plan.tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
     if (!bends_facets(plan)) return;
-    if (convex_only_ && !may_be_convex()) return find_bodies_apart();
+    if (convex_only_ && !may_be_convex()) {
+      find_bodies_apart();
+      return;
+    }
     all_ = std::make_shared<const SmoothSurfaces>(mesh_, plan.target.options.min_wedge_angle);
     if (!all_->any()) all_.reset();
   }
@@ -55,8 +58,8 @@ class BandPlanner {
     return plan_.target.convexity.no_reflection || (plan_.tubes.skip && components.size() == 1 && components[0].closed);
   }
 
-  // By default convex bodies bend their facets, alone or as bodies of a set that stand apart. What these reflect onto others knows
-  // no antennas at a finite distance and no sheets.
+  // By default convex bodies bend their facets, alone or as bodies of a set that stand apart. What these reflect onto others
+  // knows no antennas at a finite distance and no sheets.
   void find_bodies_apart() {
     const bool sheets = std::ranges::any_of(plan_.sweep.materials, &Material::transmits);
     if (sheets || !all_far(plan_.sweep) || mesh_.components.size() == 1) return;

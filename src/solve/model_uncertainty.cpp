@@ -54,8 +54,8 @@ void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
 
 EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
   const MechanismId waves = MechanismId::surface_waves;
-  EdgeCurrents currents{plan_.fringe(), plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none, {},
-                        entry_of(waves).state(plan_).on};
+  EdgeCurrents currents{
+      plan_.fringe(), plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none, {}, entry_of(waves).state(plan_).on};
   for (const Material& material : plan_.sweep.materials)
     currents.material_strengths.push_back(edge_strength(material, frequency, wavenumber(plan_.sweep.frequencies[frequency])));
   return currents;

@@ -256,8 +256,8 @@ void RowCollector::tell_mechanisms() {
     if (!is_interaction && use.looks_without > 0)
       all.skipped.push_back(
           {looks,
-           fmt::format("too weak compared with the tubes: {:.2g} dB at most are expected, accuracy.tolerance_db is {:g}", use.most_db,
-                       plan_.tubes.tolerance_db),
+           fmt::format("too weak compared with the tubes: {:.2g} dB at most are expected, accuracy.tolerance_db is {:g}",
+                       use.most_db, plan_.tubes.tolerance_db),
            use.looks_without});
   }
   all.mechanisms = std::move(used_);

@@ -6,9 +6,9 @@
 
 #include "mesh/features/enclosed.h"
 #include "mesh/features/overlaps.h"
-#include "mesh/smooth/smooth.h"
 #include "mesh/features/symmetry.h"
 #include "mesh/model/join.h"
+#include "mesh/smooth/smooth.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {

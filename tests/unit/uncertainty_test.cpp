@@ -1,8 +1,8 @@
 // Features of targets that asymptotic physics has no waves for, and the estimates made of them.
 #include <gtest/gtest.h>
 
-#include "shapes.h"
 #include "plan/target.h"
+#include "shapes.h"
 #include "uncertainty/omissions.h"
 
 namespace raytube {

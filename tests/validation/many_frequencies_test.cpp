@@ -99,7 +99,8 @@ TEST(ManyFrequencies, OfTheEdgePassAreWhatEachOneGives) {
       const Look look{{1.2, 0.4}, {1.1, 0.7}};
       const SweepResult all = solve(target, {frequencies, {look}, true}, o);
       double scale = 0.0, worst = 0.0;
-      for (std::size_t f = 0; f < 101; ++f) scale = std::max(scale, largest(all.parts[Part::edges_first][f] + all.parts[Part::edges_higher][f]));
+      for (std::size_t f = 0; f < 101; ++f)
+        scale = std::max(scale, largest(all.parts[Part::edges_first][f] + all.parts[Part::edges_higher][f]));
       for (std::size_t f = 0; f < 101; f += 10) {
         const SweepResult direct = solve(target, {{frequencies[f], high}, {look}, true}, o);
         worst = std::max({worst, difference(all.parts[Part::edges_first][f], direct.parts[Part::edges_first][0]),

@@ -84,8 +84,8 @@ double share_of_bound(PolygonSoup soup, const Material& material, const SolveOpt
   double share = 0.0;
   for (std::size_t look = 0; look < sweep.looks.size(); ++look)
     for (std::size_t f = 0; f < frequencies.size(); ++f)
-      share = std::max(share,
-                       largest_amplitude(result.parts[Part::edges_first][sweep.row(look, f)]) / bounds.of(sweep.looks[look], f).edges_first);
+      share = std::max(share, largest_amplitude(result.parts[Part::edges_first][sweep.row(look, f)]) /
+                                  bounds.of(sweep.looks[look], f).edges_first);
   return share;
 }
 
