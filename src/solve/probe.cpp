@@ -15,7 +15,7 @@
 #include "core/threads.h"
 #include "plan/admissible.h"
 #include "solve/look_solver.h"
-#include "solve/mechanisms/interaction.h"
+#include "solve/mechanisms/states.h"
 
 namespace raytube {
 

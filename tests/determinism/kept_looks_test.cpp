@@ -189,9 +189,9 @@ LookResult some_look() {
   look.tubes.lost_rays = 2;
   look.tubes.first_lost = {{{0.1, 1e-300, -0.0}, 7}, {{0.2, 3.0, 4.0}, 8}};
   look.tubes.sliver_area = 1e-17;
-  look.edges.scattering.resize(2);
-  look.edges.windowed = {false, true};
-  look.edges.lit = true;
+  look.others.s[Part::edges_first].resize(2);
+  look.others.windowed = {false, true};
+  look.others.edges_lit = true;
   return look;
 }
 
@@ -206,9 +206,9 @@ TEST(LookBytes, HoldEveryBit) {
   EXPECT_EQ(again->tubes.hits, look.tubes.hits);
   EXPECT_EQ(again->tubes.met, look.tubes.met);
   EXPECT_EQ(again->tubes.truncated[Truncation::width].sigma, 1e-300);
-  EXPECT_EQ(again->edges.windowed, look.edges.windowed);
-  EXPECT_TRUE(again->edges.lit);
-  EXPECT_TRUE(again->interaction.scattering.empty());
+  EXPECT_EQ(again->others.windowed, look.others.windowed);
+  EXPECT_TRUE(again->others.edges_lit);
+  EXPECT_TRUE(again->others.s[Part::interaction].empty());
 }
 
 TEST(LookBytes, OtherBytesAreNoLook) {

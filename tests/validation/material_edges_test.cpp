@@ -85,7 +85,7 @@ double share_of_bound(PolygonSoup soup, const Material& material, const SolveOpt
   for (std::size_t look = 0; look < sweep.looks.size(); ++look)
     for (std::size_t f = 0; f < frequencies.size(); ++f)
       share = std::max(share, largest_amplitude(result.parts[Part::edges_first][sweep.row(look, f)]) /
-                                  bounds.of(sweep.looks[look], f).edges_first);
+                                  bounds.of(sweep.looks[look], f).parts[Part::edges_first]);
   return share;
 }
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "solve/mechanisms/interaction.h"
-#include "solve/mechanisms/surface_waves.h"
+#include "solve/mechanisms/states.h"
 
 namespace raytube {
 

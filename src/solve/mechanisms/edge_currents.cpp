@@ -1,10 +1,9 @@
 #include "solve/mechanisms/edge_currents.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
+#include "solve/mechanisms/states.h"
 #include "utd/corner/corner_waves.h"
 #include "utd/fringe/material_edges.h"
 
@@ -68,16 +67,7 @@ class MaterialEdges : public Mechanism {
   const BandScene& scene_;
 };
 
-bool has_material_edges(const SolvePlan& plan) { return plan.fringe() && plan.edges.materials != MaterialEdgeMethod::none; }
-
 }  // namespace
-
-MechanismState edge_currents_state(const SolvePlan& plan) {
-  if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
-  if (std::ranges::none_of(plan.target.wedges, &Wedge::radiates))
-    return without("the target has no convex edge between perfect conductors");
-  return {.on = true, .forced = true, .what = fmt::format("order {}", plan.edges.order)};
-}
 
 // Without any that radiate the pass is made where nothing is to be skipped.
 std::unique_ptr<Mechanism> make_edge_currents(const BandScene& scene) {
@@ -94,15 +84,6 @@ double edge_currents_bytes(const SolvePlan& plan) {
     if (plan.edges.order > 1) bytes += static_cast<double>(CornerWaves(*set.wedges).bytes());
   }
   return bytes;
-}
-
-MechanismState material_edges_state(const SolvePlan& plan) {
-  if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
-  const auto other = [](const Wedge& wedge) { return wedge.stands_alone() && !wedge.conducting(); };
-  if (std::ranges::none_of(plan.target.wedges, other))
-    return without("no edge of the target has a face of another material than a perfect conductor");
-  if (!has_material_edges(plan)) return misses("edges.materials is \"none\"");
-  return {.on = true, .forced = true, .what = "first order, by a heuristic"};
 }
 
 std::unique_ptr<Mechanism> make_material_edges(const BandScene& scene) {

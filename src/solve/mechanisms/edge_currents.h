@@ -6,17 +6,14 @@
 
 #include "solve/mechanisms/band_scene.h"
 #include "solve/mechanisms/mechanism.h"
-#include "solve/mechanisms/state.h"
 
 namespace raytube {
 
 /// Of edges between perfect conductors.
-MechanismState edge_currents_state(const SolvePlan& plan);
 std::unique_ptr<Mechanism> make_edge_currents(const BandScene& scene);
 double edge_currents_bytes(const SolvePlan& plan);
 
 /// Of all other edges, by a heuristic.
-MechanismState material_edges_state(const SolvePlan& plan);
 std::unique_ptr<Mechanism> make_material_edges(const BandScene& scene);
 
 /// How long all edges that may add to S are together, per frequency of the band [m].

@@ -1,7 +1,5 @@
 #include "solve/mechanisms/interaction.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -9,8 +7,6 @@
 #include "core/work.h"
 #include "plan/phase_reference.h"
 #include "sbr/beams/tolerances.h"
-#include "scene/skipped.h"
-#include "solve/mechanisms/edge_currents.h"
 #include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/interaction_groups.h"
 #include "utd/interaction/reflected_light.h"
@@ -18,19 +14,6 @@
 namespace raytube {
 
 namespace {
-
-// k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
-constexpr double most_phase = 0.5;
-
-// Whether the waves of every look are plane enough all over the target for what knows no others.
-bool waves_are_plane(const SolvePlan& plan) {
-  const TriangleMesh& mesh = plan.target.mesh;
-  const double reach = glm::length(mesh.center) + mesh.radius;
-  const double phase = 2.0 * pi / plan.shortest_wavelength() * reach * reach;
-  return std::ranges::all_of(plan.sweep.looks, [&](const Look& look) {
-    return look.far() || phase < most_phase * std::min(look.transmit_range, look.receive_range);
-  });
-}
 
 // Within a cell each, with a share of S by length.
 void add_cut_up(const ImageEdge& piece, ImageRequest& image) {
@@ -100,43 +83,7 @@ class Interaction : public Mechanism {
   const BandScene& scene_;
 };
 
-// What takes no part for its size.
-std::vector<Skipped> skipped_for_size(const TooSmall& small, std::uint64_t frequencies) {
-  return {
-      {"frequencies without edge-face interaction", "no edge of a wavelength sees a face of a wavelength squared", frequencies},
-      {"edges without edge-face interaction", "shorter than a wavelength at the lowest frequency", small.edges},
-      {"faces without edge-face interaction", "smaller than a wavelength squared at the lowest frequency", small.faces}};
-}
-
 }  // namespace
-
-MechanismState interaction_state(const SolvePlan& plan) {
-  if (!plan.edges.interaction.possible()) return without("edges.between is false");
-  if (MechanismState edges = edge_currents_state(plan); !edges.on) return without(edges.why_not);
-  if (plan.no_reflection()) return without(nothing_in_front);
-  if (!plan.sweep.materials.empty()) return misses("not all of the target is a perfect conductor");
-  if (!waves_are_plane(plan)) return misses("antennas are too close for plane waves");
-  if (plan.edges.interaction_budget == 0.0) return misses("edges.between_budget is 0");
-  const std::vector<double>& frequencies = plan.sweep.frequencies;
-  const TooSmall small = too_small_to_interact(plan.target.mesh, plan.target.wedges, std::ranges::min(frequencies));
-  const auto without_large = static_cast<std::uint64_t>(
-      std::ranges::count_if(frequencies, [&](double frequency) { return wavelength(frequency) > small.longest; }));
-  std::vector<Skipped> skipped = skipped_for_size(small, without_large);
-  std::erase_if(skipped, [](const Skipped& item) { return item.count == 0; });
-  if (without_large == frequencies.size()) {
-    MechanismState none = without("no edge is as long as a wavelength, or no face as wide");
-    none.skipped = std::move(skipped);
-    return none;
-  }
-  return {.on = true,
-          .forced = plan.edges.interaction.forced(),
-          .what = fmt::format("at most {:g} times the work of tubes and edges", plan.edges.interaction_budget),
-          .skipped = std::move(skipped)};
-}
-
-bool interacts(const SolvePlan& plan, const BandPlan& band) {
-  return !band.convexity.no_reflection && interaction_state(plan).on;
-}
 
 std::unique_ptr<Mechanism> make_interaction(const BandScene& scene) {
   return scene.edges.interact() ? std::make_unique<Interaction>(scene) : nullptr;

@@ -2,6 +2,7 @@
 
 #include "solve/mechanisms/edge_currents.h"
 #include "solve/mechanisms/interaction.h"
+#include "solve/mechanisms/states.h"
 #include "solve/mechanisms/surface_waves.h"
 
 namespace raytube {

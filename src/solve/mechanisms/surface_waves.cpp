@@ -1,14 +1,12 @@
 #include "solve/mechanisms/surface_waves.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
 
-#include "plan/admissible.h"
 #include "scene/frequency_bands.h"
+#include "solve/mechanisms/states.h"
 #include "uncertainty/surface_wave_prospect.h"
 #include "utd/surface/surface_waves.h"
 
@@ -101,30 +99,7 @@ class WavesOverSurfaces : public Mechanism {
   std::optional<SurfaceWaveProspect> prospect_;  // unless they run in any case
 };
 
-std::size_t conducting(const BandPlan& band) { return band.wave_surfaces ? band.wave_surfaces->conducting_facets() : 0; }
-
 }  // namespace
-
-MechanismState surface_waves_state(const SolvePlan& plan) {
-  if (!plan.surfaces.waves.possible()) return without("surfaces.waves is false");
-  if (!plan.fringe()) return without("they are computed together with edge currents (edges.method \"fringe\")");
-  if (!plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
-    return without("tubes.curved \"never\" and tubes that are not clipped take facets as the surface itself");
-  const auto is_curved = [](const BandPlan& band) { return band.wave_surfaces != nullptr; };
-  if (std::ranges::none_of(plan.bands, is_curved)) return without("no curved surface");
-  const BandPlan& most = *std::ranges::max_element(plan.bands, {}, conducting);
-  if (conducting(most) == 0) return without("no curved surface is a perfect conductor");
-  if (!all_far(plan.sweep)) return misses("antennas at a finite distance");
-  const std::size_t facets = conducting(most), others = most.wave_surfaces->facets() - facets;
-  return {.on = true,
-          .forced = plan.surfaces.waves.forced(),
-          .what = fmt::format("over {} facets{}", facets,
-                              others == 0 ? "" : fmt::format(", not over {} more that are not perfect conductors", others))};
-}
-
-bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
-  return conducting(band) > 0 && surface_waves_state(plan).on;
-}
 
 std::unique_ptr<Mechanism> make_surface_waves(const BandScene& scene) {
   return scene.curved ? std::make_unique<WavesOverSurfaces>(scene) : nullptr;

@@ -1,0 +1,107 @@
+#include "solve/mechanisms/states.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plan/admissible.h"
+#include "scene/skipped.h"
+#include "utd/interaction/interaction_groups.h"
+
+namespace raytube {
+
+namespace {
+
+std::size_t conducting(const BandPlan& band) { return band.wave_surfaces ? band.wave_surfaces->conducting_facets() : 0; }
+
+// k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
+constexpr double most_phase = 0.5;
+
+// Whether the waves of every look are plane enough all over the target for what knows no others.
+bool waves_are_plane(const SolvePlan& plan) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  const double reach = glm::length(mesh.center) + mesh.radius;
+  const double phase = 2.0 * pi / plan.shortest_wavelength() * reach * reach;
+  return std::ranges::all_of(plan.sweep.looks, [&](const Look& look) {
+    return look.far() || phase < most_phase * std::min(look.transmit_range, look.receive_range);
+  });
+}
+
+// What takes no part for its size.
+std::vector<Skipped> skipped_for_size(const TooSmall& small, std::uint64_t frequencies) {
+  return {
+      {"frequencies without edge-face interaction", "no edge of a wavelength sees a face of a wavelength squared", frequencies},
+      {"edges without edge-face interaction", "shorter than a wavelength at the lowest frequency", small.edges},
+      {"faces without edge-face interaction", "smaller than a wavelength squared at the lowest frequency", small.faces}};
+}
+
+}  // namespace
+
+MechanismState surface_waves_state(const SolvePlan& plan) {
+  if (!plan.surfaces.waves.possible()) return without("surfaces.waves is false");
+  if (!plan.fringe()) return without("they are computed together with edge currents (edges.method \"fringe\")");
+  if (!plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
+    return without("tubes.curved \"never\" and tubes that are not clipped take facets as the surface itself");
+  const auto is_curved = [](const BandPlan& band) { return band.wave_surfaces != nullptr; };
+  if (std::ranges::none_of(plan.bands, is_curved)) return without("no curved surface");
+  const BandPlan& most = *std::ranges::max_element(plan.bands, {}, conducting);
+  if (conducting(most) == 0) return without("no curved surface is a perfect conductor");
+  if (!all_far(plan.sweep)) return misses("antennas at a finite distance");
+  const std::size_t facets = conducting(most), others = most.wave_surfaces->facets() - facets;
+  return {.on = true,
+          .forced = plan.surfaces.waves.forced(),
+          .what = fmt::format("over {} facets{}", facets,
+                              others == 0 ? "" : fmt::format(", not over {} more that are not perfect conductors", others))};
+}
+
+bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
+  return conducting(band) > 0 && surface_waves_state(plan).on;
+}
+
+MechanismState edge_currents_state(const SolvePlan& plan) {
+  if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
+  if (std::ranges::none_of(plan.target.wedges, &Wedge::radiates))
+    return without("the target has no convex edge between perfect conductors");
+  return {.on = true, .forced = true, .what = fmt::format("order {}", plan.edges.order)};
+}
+
+bool has_material_edges(const SolvePlan& plan) { return plan.fringe() && plan.edges.materials != MaterialEdgeMethod::none; }
+
+MechanismState material_edges_state(const SolvePlan& plan) {
+  if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
+  const auto other = [](const Wedge& wedge) { return wedge.stands_alone() && !wedge.conducting(); };
+  if (std::ranges::none_of(plan.target.wedges, other))
+    return without("no edge of the target has a face of another material than a perfect conductor");
+  if (!has_material_edges(plan)) return misses("edges.materials is \"none\"");
+  return {.on = true, .forced = true, .what = "first order, by a heuristic"};
+}
+
+MechanismState interaction_state(const SolvePlan& plan) {
+  if (!plan.edges.interaction.possible()) return without("edges.between is false");
+  if (MechanismState edges = edge_currents_state(plan); !edges.on) return without(edges.why_not);
+  if (plan.no_reflection()) return without(nothing_in_front);
+  if (!plan.sweep.materials.empty()) return misses("not all of the target is a perfect conductor");
+  if (!waves_are_plane(plan)) return misses("antennas are too close for plane waves");
+  if (plan.edges.interaction_budget == 0.0) return misses("edges.between_budget is 0");
+  const std::vector<double>& frequencies = plan.sweep.frequencies;
+  const TooSmall small = too_small_to_interact(plan.target.mesh, plan.target.wedges, std::ranges::min(frequencies));
+  const auto without_large = static_cast<std::uint64_t>(
+      std::ranges::count_if(frequencies, [&](double frequency) { return wavelength(frequency) > small.longest; }));
+  std::vector<Skipped> skipped = skipped_for_size(small, without_large);
+  std::erase_if(skipped, [](const Skipped& item) { return item.count == 0; });
+  if (without_large == frequencies.size()) {
+    MechanismState none = without("no edge is as long as a wavelength, or no face as wide");
+    none.skipped = std::move(skipped);
+    return none;
+  }
+  return {.on = true,
+          .forced = plan.edges.interaction.forced(),
+          .what = fmt::format("at most {:g} times the work of tubes and edges", plan.edges.interaction_budget),
+          .skipped = std::move(skipped)};
+}
+
+bool interacts(const SolvePlan& plan, const BandPlan& band) {
+  return !band.convexity.no_reflection && interaction_state(plan).on;
+}
+
+}  // namespace raytube

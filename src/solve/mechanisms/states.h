@@ -1,0 +1,26 @@
+// Whether each mechanism takes part in a plan, and why not: known without any of them being made.
+#pragma once
+
+#include "plan/plan.h"
+#include "solve/mechanisms/state.h"
+
+namespace raytube {
+
+/// Waves over curved surfaces.
+MechanismState surface_waves_state(const SolvePlan& plan);
+/// The same in one band.
+bool has_surface_waves(const SolvePlan& plan, const BandPlan& band);
+
+/// Currents of edges between perfect conductors.
+MechanismState edge_currents_state(const SolvePlan& plan);
+
+/// Currents of all other edges, by a heuristic.
+MechanismState material_edges_state(const SolvePlan& plan);
+/// Whether they are asked for.
+bool has_material_edges(const SolvePlan& plan);
+
+MechanismState interaction_state(const SolvePlan& plan);
+/// The same in one band.
+bool interacts(const SolvePlan& plan, const BandPlan& band);
+
+}  // namespace raytube
