@@ -10,6 +10,10 @@
 
 namespace raytube {
 
+/// Estimates made beforehand are upper ones: on vehicles, wings and cylinders three times what is added and more in the median
+/// (docs/theory/surface_waves_accuracy.md). One that is so many tolerances large moves a row by about the tolerance.
+inline constexpr double tolerances_of_prospect = 3.0;
+
 /// What is decided of a mechanism in a look.
 struct Decision {
   std::vector<bool> wanted;  // [frequency]
@@ -26,8 +30,8 @@ class Scheduler {
   /// `frequencies` [Hz] must outlive it.
   Scheduler(std::span<const double> frequencies, double tolerance_db);
 
-  /// `prospect` against what tubes give in the look: an amplitude counts if it moves the weaker co-polar channel, in the mean
-  /// over a band, by the tolerance.
+  /// `prospect` against what tubes give in the look: an amplitude counts if it moves the weaker co-polar channel, in the mean over
+  /// a band, by more than tolerances_of_prospect times the tolerance.
   Decision decide(const Prospect& prospect, const TubeSums& tubes) const;
 
  private:

@@ -91,8 +91,22 @@ std::vector<double> EdgeSets::radiating_lengths() const {
   return lengths;
 }
 
-EdgeScene EdgeSets::scene(const Set& set) const {
-  return {*set.wedges, *set.outlines, screens_ ? screens_->opaque() : setup_.tracer, set.corners.get(), set.curved.get()};
+EdgeScene EdgeSets::scene(const Set& set, bool over_curved) const {
+  return {*set.wedges, *set.outlines, screens_ ? screens_->opaque() : setup_.tracer, set.corners.get(),
+          over_curved ? set.curved.get() : nullptr};
+}
+
+std::vector<EdgeSets::SetPart> EdgeSets::parts_of(const Set& set, const WavesAtEdges& waves) const {
+  std::array<SetPart, 2> parts{{{set, false}, {set, true}}};
+  for (std::size_t i = 0; i < set.indices.size(); ++i) {
+    SetPart& part = parts[!waves.running.empty() && waves.running[set.indices[i]] ? 1 : 0];
+    part.indices.push_back(set.indices[i]);
+    part.frequencies.push_back(set.frequencies[i]);
+  }
+  std::vector<SetPart> result;
+  for (SetPart& part : parts)
+    if (!part.indices.empty()) result.push_back(std::move(part));
+  return result;
 }
 
 FringeOptions EdgeSets::options(const Set& set) const {
@@ -101,33 +115,38 @@ FringeOptions EdgeSets::options(const Set& set) const {
   return options;
 }
 
-EdgeLookResult EdgeSets::scattering(const Set& set, const Look& look, const Radar& radar,
+EdgeLookResult EdgeSets::scattering(const SetPart& part, const Look& look, const Radar& radar,
                                     std::span<const SurfaceArrival> arrivals) const {
-  if (screens_) return screened_fringe_scattering(scene(set), *screens_, look, {set.frequencies, set.indices}, options(set));
-  if (look.far()) return fringe_scattering(scene(set), look, set.frequencies, options(set), {arrivals, set.indices});
+  const EdgeScene here = scene(part.set, part.over_curved);
+  const FringeOptions how = options(part.set);
+  if (screens_) return screened_fringe_scattering(here, *screens_, look, {part.frequencies, part.indices}, how);
+  const SurfaceLight light = part.over_curved ? SurfaceLight{arrivals, part.indices} : SurfaceLight{};
+  if (look.far()) return fringe_scattering(here, look, part.frequencies, how, light);
   const AntennaPair antennas(look, radar, setup_.tracer.mesh().center);
-  return fringe_scattering_near(scene(set), antennas, set.frequencies, options(set));
+  return fringe_scattering_near(here, antennas, part.frequencies, how);
 }
 
-EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, std::span<const SurfaceArrival> arrivals) const {
-  if (sets_.size() == 1) return scattering(sets_.front(), look, radar, arrivals);
+EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves) const {
   EdgeLookResult all;
   all.scattering.resize(setup_.frequencies.size());
   if (setup_.fringe.order > 1) all.higher.resize(setup_.frequencies.size());
   all.windowed.resize(setup_.frequencies.size());
-  for (const Set& set : sets_) put(set, scattering(set, look, radar, arrivals), all);
+  for (const Set& set : sets_)
+    for (const SetPart& part : parts_of(set, waves)) put(part.indices, scattering(part, look, radar, waves.arrivals), all);
   return all;
 }
 
-std::vector<ImageEdge> EdgeSets::pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice) const {
-  for (const Set& set : sets_) {
-    const auto found = std::ranges::find(set.indices, frequency_index);
-    if (found == set.indices.end()) continue;
-    const PieceRequest request{static_cast<std::size_t>(found - set.indices.begin()), lattice};
-    if (screens_)
-      return screened_fringe_pieces(scene(set), *screens_, look, {set.frequencies, set.indices}, request, options(set));
-    return fringe_pieces(scene(set), look, set.frequencies, request, options(set));
-  }
+std::vector<ImageEdge> EdgeSets::pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice,
+                                        const WavesAtEdges& waves) const {
+  for (const Set& set : sets_)
+    for (const SetPart& part : parts_of(set, waves)) {
+      const auto found = std::ranges::find(part.indices, frequency_index);
+      if (found == part.indices.end()) continue;
+      const PieceRequest request{static_cast<std::size_t>(found - part.indices.begin()), lattice};
+      const EdgeScene here = scene(set, part.over_curved);
+      if (screens_) return screened_fringe_pieces(here, *screens_, look, {part.frequencies, part.indices}, request, options(set));
+      return fringe_pieces(here, look, part.frequencies, request, options(set));
+    }
   return {};
 }
 
@@ -139,7 +158,7 @@ std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, std::size_t fr
     if (found == set.indices.end()) continue;
     for (const SurfaceArrival& arrival : arrivals) {
       std::vector<ScatteringMatrix> s(set.frequencies.size());
-      add_arrivals(scene(set), look_vectors(look), set.frequencies, options(set), {std::span(&arrival, 1), set.indices}, s);
+      add_arrivals(scene(set, true), look_vectors(look), set.frequencies, options(set), {std::span(&arrival, 1), set.indices}, s);
       pieces.push_back({arrival.position, arrival.position, s[found - set.indices.begin()]});
     }
   }
@@ -151,7 +170,7 @@ std::vector<SurfaceRay> EdgeSets::surface_rays(const Look& look, std::span<const
   for (const Set& set : sets_) {
     FringeOptions keeping = options(set);
     keeping.rays = &rays;
-    fringe_scattering(scene(set), look, set.frequencies, keeping, {arrivals, set.indices});
+    fringe_scattering(scene(set, true), look, set.frequencies, keeping, {arrivals, set.indices});
   }
   return rays;
 }
@@ -241,14 +260,14 @@ std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_
   return {};
 }
 
-void EdgeSets::put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all) {
+void EdgeSets::put(const std::vector<std::size_t>& indices, const EdgeLookResult& part, EdgeLookResult& all) {
   all.lit = all.lit || part.lit;
   all.work += part.work;
   if (all.wedges_lit == 0) all.wedges_lit = part.wedges_lit;
-  for (std::size_t i = 0; i < set.indices.size(); ++i) {
-    all.scattering[set.indices[i]] = part.scattering[i];
-    all.windowed[set.indices[i]] = part.windowed[i];
-    if (!part.higher.empty()) all.higher[set.indices[i]] = part.higher[i];
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    all.scattering[indices[i]] = part.scattering[i];
+    all.windowed[indices[i]] = part.windowed[i];
+    if (!part.higher.empty()) all.higher[indices[i]] = part.higher[i];
   }
 }
 

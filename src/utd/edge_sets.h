@@ -28,6 +28,12 @@ struct EdgeSetup {
   FringeOptions fringe{};                // continue_by_images is set where edges illuminate other faces
 };
 
+/// Waves over curved surfaces in one look.
+struct WavesAtEdges {
+  std::span<const SurfaceArrival> arrivals{};  // that reach edges, at the frequencies of the sets
+  std::vector<bool> running{};  // [frequency] at which they run; at others strips of edges run straight. Empty: at none
+};
+
 /// What edge-face interaction of one look may leave and take.
 struct InteractionLimits {
   double tolerance;          // of its quadrature [m]
@@ -48,11 +54,12 @@ class EdgeSets {
   std::vector<double> radiating_lengths() const;
 
   /// The fringe currents of one look at all frequencies, in their order; the lit wedges are counted at the highest. `radar` is
-  /// that of antennas at a finite distance; `arrivals` are waves over curved surfaces, at the same frequencies.
-  EdgeLookResult scattering(const Look& look, const Radar& radar, std::span<const SurfaceArrival> arrivals) const;
+  /// that of antennas at a finite distance.
+  EdgeLookResult scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves) const;
 
   /// The fringe currents of one look at one of the frequencies, piece by piece: see fringe_pieces().
-  std::vector<ImageEdge> pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice) const;
+  std::vector<ImageEdge> pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice,
+                                const WavesAtEdges& waves) const;
 
   /// What waves over curved surfaces start at the edges, at one of the frequencies, wave by wave.
   std::vector<ImageEdge> arrival_pieces(const Look& look, std::size_t frequency_index,
@@ -91,14 +98,23 @@ class EdgeSets {
   };
   Set set_of(const WedgeSet& wedges) const;
   void prepare_interaction();
-  EdgeLookResult scattering(const Set& set, const Look& look, const Radar& radar, std::span<const SurfaceArrival> arrivals) const;
-  EdgeScene scene(const Set& set) const;
+  /// Frequencies of a set at which strips run over curved faces, or do not.
+  struct SetPart {
+    const Set& set;
+    bool over_curved;
+    std::vector<std::size_t> indices{};
+    std::vector<double> frequencies{};
+  };
+  std::vector<SetPart> parts_of(const Set& set, const WavesAtEdges& waves) const;
+  EdgeLookResult scattering(const SetPart& part, const Look& look, const Radar& radar,
+                            std::span<const SurfaceArrival> arrivals) const;
+  EdgeScene scene(const Set& set, bool over_curved) const;
   FringeOptions options(const Set& set) const;
   InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;
   InteractionOptions interaction_options(const Set& set, const InteractionLimits& limits, double share) const;
   std::size_t interacting_frequencies() const;
   void put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const;
-  static void put(const Set& set, const EdgeLookResult& part, EdgeLookResult& all);
+  static void put(const std::vector<std::size_t>& indices, const EdgeLookResult& part, EdgeLookResult& all);
 
   EdgeSetup setup_;
   std::vector<Set> sets_;  // highest frequency first

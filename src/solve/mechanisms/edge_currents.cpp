@@ -29,13 +29,14 @@ class EdgeCurrentsOfLook : public Mechanism {
 
   void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
     const Look& look = traced.look;
-    EdgeLookResult found = scene_.edges.scattering(look, scene_.plan.sweep.radar, sink.arrivals);
+    const WavesAtEdges waves{sink.arrivals, sink.sums.run(MechanismId::surface_waves).ran};
+    EdgeLookResult found = scene_.edges.scattering(look, scene_.plan.sweep.radar, waves);
     sink.sums.run(MechanismId::edge_currents).work = found.work;
     put(std::move(found), sink.sums);
     if (sink.image == nullptr) return;
     const std::size_t index = sink.image->frequency_index;
     std::vector<ImageEdge>& pieces = sink.image->pieces;
-    std::ranges::copy(scene_.edges.pieces(look, index, sink.image->lattice), std::back_inserter(pieces));
+    std::ranges::copy(scene_.edges.pieces(look, index, sink.image->lattice, waves), std::back_inserter(pieces));
     std::ranges::copy(scene_.edges.arrival_pieces(look, index, sink.arrivals), std::back_inserter(pieces));
   }
 

@@ -9,6 +9,7 @@
 #include "core/work.h"
 #include "utd/fringe/reflected_edges.h"
 #include "utd/interaction/illumination_rounds.h"
+#include "utd/interaction/pair_probe.h"
 #include "utd/interaction/penumbra_fringe.h"
 #include "utd/interaction/reflected_light.h"
 #include "utd/shadow/lit_edges.h"
@@ -22,6 +23,8 @@ constexpr double least_tolerance = 1e-4;  // [wavelengths] the rules along the r
 
 // Shares of the work: of finding direct light, reflected light, the bounds of pairs, and of the pairs themselves.
 constexpr double light_share = 0.15, reflected_share = 0.15, bound_share = 0.1, pair_share = 0.75;
+// A pair tried beforehand is given up where it takes so many fair parts of the work.
+constexpr double most_of_fair = 3.0;
 // Of a pair of edge and face; vehicles of 100 to 300 wavelengths show twice as much and more.
 constexpr double least_pair_work = 5e5;
 constexpr std::size_t edges_at_a_time = 8;                      // whose fringe currents are found together where work is limited
@@ -64,16 +67,11 @@ class InteractionLook {
         most_work_(most_work),
         shortest_axis_(scene.shortest_axis) {
     for (const double frequency : frequencies_) wavenumbers_.push_back(wavenumber(frequency));
-    find_direct_light();
-    find_reflected_light();
-    for (const LitEdgePiece& piece : direct_) jobs_.push_back({&piece, most_reflections});
-    for (const ReflectedWave& wave : reflected_)
-      for (const LitEdgePiece& piece : wave.lit)
-        jobs_.push_back({&piece, most_reflections - static_cast<int>(wave.patches.size())});
   }
   InteractionLook(const InteractionLook&) = delete;
 
   InteractionResult solve(const InteractionOptions& options) {
+    if (!find_light(options)) return unreached(work_);
     InteractionResult result;
     result.skipped.reflected_pairs = reflected_pairs_left_out_;
     if (!jobs_.empty()) {
@@ -91,7 +89,7 @@ class InteractionLook {
   std::vector<ImageEdge> pieces(const InteractionOptions& options, std::size_t frequency_index) {
     std::vector<ImageEdge> images;
     InteractionResult result;
-    if (jobs_.empty()) return images;
+    if (!find_light(options) || jobs_.empty()) return images;
     const IlluminationSum sum = illuminate(options, frequency_index, result);
     work_ += sum.work;
     if (result.unreached) return images;
@@ -105,6 +103,27 @@ class InteractionLook {
   }
 
  private:
+  // Unless a few pairs show that the work reaches too few: light costs as much as many pairs.
+  bool find_light(const InteractionOptions& options) {
+    if (!reaches(options)) return false;
+    find_direct_light();
+    find_reflected_light();
+    for (const LitEdgePiece& piece : direct_) jobs_.push_back({&piece, most_reflections});
+    for (const ReflectedWave& wave : reflected_)
+      for (const LitEdgePiece& piece : wave.lit)
+        jobs_.push_back({&piece, most_reflections - static_cast<int>(wave.patches.size())});
+    return true;
+  }
+
+  bool reaches(const InteractionOptions& options) {
+    if (!is_limited() || options.least_reach == 0.0) return true;
+    const double fair = pair_share * most_work_ / std::max(1.0, scene_.reach->pairs(options.least_reach));
+    const PairProbe probe{scene_.faces, scene_.extents, scene_.axes, incident_, look_, wavenumbers_, least(), most_reflections};
+    const PairWork tried = try_pairs(probe, most_of_fair * fair);
+    work_ += tried.trials;
+    return tried.each <= fair;
+  }
+
   static bool has_penumbra(const IlluminationJob& job) { return job.reflections > 0; }
 
   static ImageEdge image_of(const LitEdgePiece& piece, const ScatteringMatrix& s) {

@@ -14,6 +14,8 @@ class PairReach {
 
   /// The share of the sum of squares over all pairs that so many of the strongest have.
   double of(double pairs) const;
+  /// How many of the strongest pairs have this share of it.
+  double pairs(double share) const;
 
  private:
   std::vector<double> shares_;  // of 2^i pairs
