@@ -128,6 +128,19 @@ TEST(ShadowBoundary, GoesRoundASphereInStretchesOfEqualPieces) {
   }
 }
 
+TEST(ShadowBoundary, OfACylinderEndsAtItsCaps) {
+  // Seen across the axis it is two lines along the sides, each in equal pieces. Lengths are many, as rounding decides on which
+  // side of a line's end its last piece ends.
+  const Look look{{90 * degree, 15.5 * degree}, {90 * degree, 15.5 * degree}};
+  for (int tenths = 10; tenths < 100; ++tenths) {
+    const double length = 0.1 * tenths, widest = 1.0 / 6.0;
+    const std::vector<BoundaryPiece> pieces = Ball(shapes::cylinder(1.0, length, 72)).boundary(look, widest);
+    ASSERT_EQ(pieces.size() % 2, 0u);
+    for (const BoundaryPiece& piece : pieces)
+      EXPECT_NEAR(glm::length(piece.chord), 2.0 * length / static_cast<double>(pieces.size()), 1e-9) << length;
+  }
+}
+
 TEST(ShadowBoundary, DoesNotHangOnTheOrderOfTriangles) {
   PolygonSoup soup = shapes::icosphere(2);
   const Ball ball(soup);

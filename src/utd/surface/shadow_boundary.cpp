@@ -161,15 +161,16 @@ class ShadowBoundary {
     const bool closed = after(line.back()).crossing == line.front().crossing;
     std::vector<double> ends = closed ? joints(line, sums) : std::vector<double>{0.0};
     ends.push_back(ends.front() + all);
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) divide(line, sums, ends[i], ends[i + 1]);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) divide(line, sums, closed, ends[i], ends[i + 1]);
   }
 
-  // A stretch in equal pieces; measures beyond the end of a closed line go on from its beginning.
-  void divide(const std::vector<Pass>& line, const std::vector<double>& sums, double from, double to) {
+  // A stretch in equal pieces; measures beyond the end of a closed line go on from its beginning, and rounding may put the last
+  // one of an open line there.
+  void divide(const std::vector<Pass>& line, const std::vector<double>& sums, bool closed, double from, double to) {
     const double all = sums.back(), parts = std::max(1.0, std::ceil(to - from - nothing)), part = (to - from) / parts;
     const auto at = [&](double i) {
       const double measure = from + i * part;
-      return place(line, sums, measure > all ? measure - all : measure);
+      return place(line, sums, closed && measure > all ? measure - all : measure);
     };
     for (double i = 0.0; i < parts && part > nothing; ++i)
       pieces_.push_back({at(i + 0.5).on, at(i + 1.0).position - at(i).position});
