@@ -88,7 +88,8 @@ TEST(ManyFrequencies, AFewAreComputedOneByOne) {
     for (int p = 0; p < 2; ++p) EXPECT_EQ(seven.bounces.at(b)[6].at(p, p), one.bounces.at(b)[0].at(p, p));
 }
 
-// The edge pass alone: hardly any tubes. What it gives is rounded at 1e-15 of a sum over some thousand points.
+// The edge pass alone: hardly any tubes. Waves are interpolated to 1e-6 of the sum of their amplitudes at most, with what is met a
+// hundredth of that (math/path_bins); strips of these bodies are out of phase by less than a factor of ten altogether.
 TEST(ManyFrequencies, OfTheEdgePassAreWhatEachOneGives) {
   SolveOptions o = options(EdgeMethod::fringe, 0.1);
   for (const auto& [low, high] : {std::pair{9.8e9, 10e9}, std::pair{5e9, 10e9}})
@@ -107,7 +108,7 @@ TEST(ManyFrequencies, OfTheEdgePassAreWhatEachOneGives) {
                           difference(all.parts[Part::edges_higher][f], direct.parts[Part::edges_higher][0])});
       }
       EXPECT_GT(scale, 0.0);
-      EXPECT_LE(worst, 1e-12 * scale) << low;
+      EXPECT_LE(worst, 1e-6 * scale) << low;
     }
 }
 
