@@ -13,7 +13,7 @@ namespace raytube {
 
 /// What sets of wedges are made from; must outlive them.
 struct WedgeSource {
-  const TriangleMesh& mesh;
+  const TriangleMesh& mesh;                         // with these wedges
   const std::vector<Wedge>& wedges;                 // as the mesh has them
   const Outlines& outlines;                         // of their faces
   std::span<const ThinPlateEdge> thin_plate_edges;  // at frequencies where the plate is thin they become half planes
