@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace raytube {
 
@@ -87,10 +89,11 @@ class Reader {
 // One list of members for both ways.
 template <class Archive, class Look>
 void visit(Archive& archive, Look& look) {
-  auto& [tubes, others] = look;
+  auto& [tubes, others, met, truncated] = look;
   archive(tubes.bounces), archive(tubes.incoherent), archive(tubes.error), archive(tubes.hits);
   archive(tubes.tubes), archive(tubes.rays), archive(tubes.lost_rays), archive(tubes.truncated), archive(tubes.first_lost);
-  archive(tubes.empty_cells), archive(tubes.faces_away), archive(tubes.sliver_area), archive(tubes.met);
+  archive(tubes.empty_cells), archive(tubes.faces_away), archive(tubes.sliver_area);
+  archive(met), archive(truncated);
   for (auto& part : others.s.of) archive(part);
   archive(others.error), archive(others.left_out), archive(others.windowed), archive(others.skipped);
   for (auto& run : others.runs) archive(run.ran), archive(run.most_db), archive(run.work), archive(run.reach);
@@ -133,6 +136,7 @@ void put_tubes(const BandScatter& scatter, TubeSums part, std::size_t frequencie
   scatter(std::move(part.error), all.error);
   part.bounces.clear(), part.incoherent.clear(), part.error.clear();
   part.coarse.clear(), part.pieces.clear(), part.quadrature.clear();
+  add_look(all.truncated, std::exchange(part.truncated, {}));
   all.add(part);
 }
 
@@ -150,6 +154,8 @@ void put_runs(const BandScatter& scatter, LookSums& part, LookSums& all) {
 void put_band(const BandPlan& band, LookResult part, std::size_t frequencies, LookResult& all) {
   const BandScatter scatter(band, frequencies);
   put_tubes(scatter, std::move(part.tubes), frequencies, all.tubes);
+  std::ranges::move(part.met, std::back_inserter(all.met));
+  std::ranges::copy(part.truncated, std::back_inserter(all.truncated));
   LookSums &others = part.others, &sums = all.others;
   for (std::size_t i = 0; i < all_parts.size(); ++i) scatter(std::move(others.s.of[i]), sums.s.of[i]);
   scatter(std::move(others.error), sums.error);

@@ -15,6 +15,8 @@ namespace raytube {
 struct LookResult {
   TubeSums tubes;
   LookSums others;
+  std::vector<std::vector<double>> met{};  // [band] TubeSums::met
+  std::vector<double> truncated{};         // [band] area times squared amplitude of truncated tubes [m^2]
 
   /// Lets go of what the estimate of the tubes' error was made from, which is most of it at many frequencies.
   void keep_sums_only();

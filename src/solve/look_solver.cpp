@@ -34,6 +34,8 @@ LookResult BandSolver::solve(const Look& look, Progress& progress, double share,
   LookSink sink;
   run_mechanisms({look, result.tubes}, sink, begins);
   result.others = std::move(sink.sums);
+  result.met = {result.tubes.met};
+  result.truncated = {result.tubes.truncated.sigma()};
   if (!plan.sweep.bistatic) make_look_reciprocal(result);
   progress.add((1.0 - first_tubes_share) * share);
   return result;
@@ -96,6 +98,7 @@ LookResult BandSolver::rays(const Look& look, Progress& progress, double share) 
   result.tubes.truncated[Truncation::number].tubes = found.cut ? 1 : 0;
   result.others.wedges_lit = found.edge_rays;
   result.others.s[Part::edges_first] = std::move(found.edges);
+  result.met.resize(1), result.truncated.resize(1);
   progress.add(share);
   return result;
 }

@@ -69,7 +69,7 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
                   .rim_dent = rim_dent_,
                   .half_extent = plan_.target.mesh.radius,
                   .bounces = bounces,
-                  .met = result.tubes.met,
+                  .met = result.met[body_of_[frequency]],
                   .penumbra_share = penumbra_shares_[frequency]};
   const LookSums& others = result.others;
   const auto part = [&](Part which) { return others.s[which].empty() ? ScatteringMatrix() : others.s[which][frequency]; };
@@ -82,7 +82,8 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   row.has_interaction = !others.s[Part::interaction].empty() && !none_afforded;
   if (!others.left_out.empty()) row.left_out = others.left_out[frequency];
   row.edge_order = plan_.fringe() ? plan_.edges.order : 0;
-  row.truncated = plan_.sweep.materials.empty() ? result.tubes.truncated.sigma() : 0.0;  // else it is in the numerical error
+  row.truncated =
+      plan_.sweep.materials.empty() ? result.truncated[body_of_[frequency]] : 0.0;  // else it is in the numerical error
   row.wavelength = wavelength(plan_.sweep.frequencies[frequency]);
   return row;
 }

@@ -30,8 +30,8 @@ class Scheduler {
   /// `frequencies` [Hz] must outlive it.
   Scheduler(std::span<const double> frequencies, double tolerance_db);
 
-  /// `prospect` against what tubes give in the look: an amplitude counts if it moves the weaker co-polar channel, in the mean over
-  /// a band, by more than tolerances_of_prospect times the tolerance.
+  /// `prospect` against what tubes give in the look: an amplitude counts if it moves the weaker co-polar channel, in the mean
+  /// over a band, by more than tolerances_of_prospect times the tolerance.
   Decision decide(const Prospect& prospect, const TubeSums& tubes) const;
 
  private:

@@ -184,7 +184,7 @@ LookResult some_look() {
   look.tubes.error[1][1][0] = 5e-324;
   look.tubes.hits = {7, 5, 3};
   look.tubes.rays = 15;
-  look.tubes.met = {0.3, 0.1};
+  look.met = {{0.3, 0.1}};
   look.tubes.truncated[Truncation::width] = {3, 1e-300};
   look.tubes.lost_rays = 2;
   look.tubes.first_lost = {{{0.1, 1e-300, -0.0}, 7}, {{0.2, 3.0, 4.0}, 8}};
@@ -204,7 +204,7 @@ TEST(LookBytes, HoldEveryBit) {
   EXPECT_TRUE(std::signbit(again->tubes.bounces[2][1].vh().imag()));
   EXPECT_EQ(again->tubes.error[1][1][0], 5e-324);
   EXPECT_EQ(again->tubes.hits, look.tubes.hits);
-  EXPECT_EQ(again->tubes.met, look.tubes.met);
+  EXPECT_EQ(again->met, look.met);
   EXPECT_EQ(again->tubes.truncated[Truncation::width].sigma, 1e-300);
   EXPECT_EQ(again->others.windowed, look.others.windowed);
   EXPECT_TRUE(again->others.edges_lit);

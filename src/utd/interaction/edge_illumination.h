@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "math/node_waves.h"
 #include "utd/interaction/azimuth_integral.h"
-#include "utd/interaction/band_sum.h"
 #include "utd/interaction/ray_fan.h"
 #include "utd/wedge/edge_currents.h"
 #include "utd/wedge/edge_wave_integral.h"

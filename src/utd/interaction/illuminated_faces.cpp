@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/work.h"
+#include "math/node_waves.h"
 #include "utd/interaction/azimuth_cuts.h"
-#include "utd/interaction/band_sum.h"
 
 namespace raytube {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "math/node_waves.h"
 #include "mesh/trace/tracer.h"
-#include "utd/interaction/band_sum.h"
 #include "utd/interaction/edge_illumination.h"
 #include "utd/wedge/diffracted_field.h"
 

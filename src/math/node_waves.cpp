@@ -1,4 +1,4 @@
-#include "utd/interaction/band_sum.h"
+#include "math/node_waves.h"
 
 #include "math/lanes.h"
 
