@@ -127,12 +127,14 @@ void expect_errors(const Row& row) {
 
 // Limits are what is measured and a quarter. The same formulas for two dimensions alone (in Python), at every look, leave
 // .06; .23 dB, .08; .52, .06; .13 and .04; .16 dB (soft; hard), and rms of P of .004; .009, .005; .009, .006; .009, .003; .008.
-// Few looks are taken here, and the ends are not quite the same at both lengths. Hard lenses err where their faces graze.
+// Few looks are taken here, and the ends are not quite the same at both lengths: soft waves that cross the half lens's flat face
+// from cap to cap add up to 0.15 wavelengths to S, with a phase that turns with the length; a line through S at 15 lengths from 6
+// to 13 leaves .08 dB and .0065. Hard lenses err where their faces graze.
 TEST(Sections, LensesAgainstBoundaryElements) {
   expect_errors({"lens_0.1", lens(0.1), 10, {0.1, 0.008}, {0.4, 0.0125}});
   expect_errors({"lens_0.2", lens(0.2), 10, {0.12, 0.0095}, {1.05, 0.0125}});
   expect_errors({"lens_0.4", lens(0.4), 10, {0.08, 0.011}, {0.17, 0.0145}});
-  expect_errors({"half_lens_0.1", half_lens(0.1), 15, {0.1, 0.006}, {0.27, 0.0105}});
+  expect_errors({"half_lens_0.1", half_lens(0.1), 15, {0.135, 0.0128}, {0.28, 0.0107}});
 }
 
 // Those formulas leave .20; 1.0 dB (soft; hard) and .07; .20, and rms of P of .031; .035 and .012; .019. Hard waves leave a nose
@@ -142,10 +144,11 @@ TEST(Sections, AirfoilsAgainstBoundaryElements) {
   expect_errors({"airfoil_0.35", airfoil(0.35), 15, {0.095, 0.0155}, {0.27, 0.026}});
 }
 
-// One look, all being alike: those formulas are .06; .09 and .02; .04 dB off.
+// One look, all being alike: those formulas are .06; .09 and .02; .04 dB off, to which the larger circle comes the closer the
+// finer the quadrature of physical optics is (.016; .031, with many points .008; .039).
 TEST(Sections, CirclesAgainstTheSeries) {
   expect_errors({"circle_10", circle(10), 1, {0.12, 0.015}, {0.105, 0.016}});
-  expect_errors({"circle_20", circle(20), 1, {0.045, 0.0125}, {0.02, 0.0056}});
+  expect_errors({"circle_20", circle(20), 1, {0.045, 0.0125}, {0.04, 0.008}});
 }
 
 }  // namespace
