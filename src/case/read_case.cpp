@@ -150,7 +150,7 @@ std::vector<WrittenKey> written_keys(const CaseValue* section) {
 Use read_use(const CaseValue& value, const std::string& key) {
   if (value.kind == CaseValue::Kind::boolean) return value.boolean;
   if (value.kind == CaseValue::Kind::text && value.text == "auto") return {};
-  reject(value, key + " must be true, false or \"auto\", which takes it where it can change the answer");
+  reject(value, key + " must be true, false or \"auto\" (in looks where it can change the answer)");
 }
 
 void read_edges(const CaseValue& root, Case& c) {

@@ -238,8 +238,8 @@ void tell_mechanisms(CheckReport& report, const SolvePlan& plan) {
   for (const MechanismEntry& entry : mechanism_list()) {
     const MechanismState state = entry.state(plan);
     const std::string what = state.what.empty() ? "" : ": " + state.what;
-    const std::string how = state.forced ? "on" : "auto, where it can move a row by the tolerance";
-    report.print("  {:<28}{}\n", entry.name, state.on ? how + what : "none: " + state.why_not);
+    const std::string how = state.forced ? "on" : "auto, " + state.when;
+    report.print("  {:<28}{}\n", entry.name, state.on ? how + what : "off: " + state.why_not);
     report.data["mechanisms"].append(
         {{"name", entry.name}, {"key", entry.key}, {"on", state.on}, {"forced", state.forced}, {"why_not", state.why_not}});
   }

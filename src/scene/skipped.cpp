@@ -23,8 +23,8 @@ std::vector<Skipped> skipped_items(const SkipCounts& counts) {
       {"pairs of edge and face", "beyond edges.between_budget", counts.pairs_beyond_budget},
       {"pairs of edge and mirror", "beyond edges.between_budget", counts.reflections_beyond_budget},
       {"edges lit after a reflection, without fringe currents", "beyond edges.between_budget", counts.fringe_beyond_budget},
-      {"edge passes", "no edge of the target can radiate", counts.edgeless_looks},
-      {"edge passes", "no edge is lit", counts.unlit_looks}};
+      {"looks without edge currents", "no edge of the target can radiate", counts.edgeless_looks},
+      {"looks without edge currents", "no edge is lit", counts.unlit_looks}};
   std::erase_if(items, [](const Skipped& item) { return item.count == 0; });
   return items;
 }

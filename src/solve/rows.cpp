@@ -12,6 +12,7 @@
 #include "plan/admissible.h"
 #include "plan/phase_reference.h"
 #include "solve/mechanisms/list.h"
+#include "solve/scheduler.h"
 #include "uncertainty/remedies.h"
 
 namespace raytube {
@@ -103,13 +104,15 @@ void RowCollector::count_runs(const LookSums& look) {
   for (std::size_t i = 0; i < mechanism_count; ++i) {
     if (!states_[i].on) continue;
     const MechanismRun& run = look.runs[i];
-    ++(run.ran.empty() ? used_[i].looks_without : used_[i].looks);
+    ++(run.ran.empty() || run.out_of_reach() ? used_[i].looks_without : used_[i].looks);
     used_[i].most_db = std::max(used_[i].most_db, run.most_db);
   }
   if (!states_[static_cast<std::size_t>(MechanismId::interaction)].on) return;
-  if (look.run(MechanismId::interaction).out_of_reach())
+  const MechanismRun& interaction = look.run(MechanismId::interaction);
+  if (interaction.out_of_reach()) {
     ++unreached_looks_;
-  else if (look.s[Part::interaction].empty())
+    most_reach_ = std::max(most_reach_, interaction.reach > 0.0 ? interaction.reach : least_reach);
+  } else if (look.s[Part::interaction].empty())
     ++dark_interaction_looks_;
 }
 
@@ -237,6 +240,12 @@ SweepResult RowCollector::finish() {
   return std::move(result_);
 }
 
+// With the share, if it was known in all of these looks before interaction began.
+std::string unreached_text(double most_reach) {
+  const std::string text = "edges.between_budget reaches less than half of what is expected";
+  return most_reach < least_reach ? text + fmt::format(" (about {:.2g} % at most)", 100.0 * most_reach) : text;
+}
+
 // Which took part, and what is without them.
 void RowCollector::tell_mechanisms() {
   Statistics& all = result_.statistics;
@@ -249,15 +258,16 @@ void RowCollector::tell_mechanisms() {
     if (state.missed) all.skipped.push_back({looks, state.why_not, sweep_.looks.size()});
     std::ranges::copy(state.skipped, std::back_inserter(all.skipped));
     const bool is_interaction = entry.id == MechanismId::interaction;
-    if (is_interaction && unreached_looks_ > 0)
-      all.skipped.push_back({looks, "edges.between_budget reaches less than half of what is expected", unreached_looks_});
+    if (is_interaction && unreached_looks_ > 0) all.skipped.push_back({looks, unreached_text(most_reach_), unreached_looks_});
     if (is_interaction && dark_interaction_looks_ > 0)
       all.skipped.push_back({looks, "no lit edge faces another surface", dark_interaction_looks_});
     if (!is_interaction && use.looks_without > 0)
       all.skipped.push_back(
           {looks,
-           fmt::format("too weak compared with the tubes: {:.2g} dB at most are expected, accuracy.tolerance_db is {:g}",
-                       use.most_db, plan_.tubes.tolerance_db),
+           fmt::format(
+               "too weak compared with the tubes: expected to change a row by about {:.2g} dB at most, less than {:g} times "
+               "accuracy.tolerance_db ({:g})",
+               use.most_db, tolerances_of_prospect, plan_.tubes.tolerance_db),
            use.looks_without});
   }
   all.mechanisms = std::move(used_);

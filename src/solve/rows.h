@@ -53,6 +53,7 @@ class RowCollector {
   std::vector<MechanismState> states_;  // [MechanismId]
   std::vector<MechanismUse> used_;      // [MechanismId]
   std::uint64_t unreached_looks_ = 0, dark_interaction_looks_ = 0;
+  double most_reach_ = 0.0;  // of what is expected of interaction, in the looks that its budget does not reach
   std::uint64_t looks_without_tubes_ = 0;
   SkipCounts skipped_;
   PhysicalBounds bounds_;

@@ -22,24 +22,25 @@ constexpr const char* name = "\n  waves over curved surfaces  ";
 
 // The side of the cylinder is two triangles for each of its 144 sides.
 TEST_F(SurfaceWavesReport, CountsFacets) {
-  const std::string on = std::string(name) + "auto, where it can move a row by the tolerance: over 288 facets\n";
+  const std::string on =
+      std::string(name) + "auto, in looks where they can change a row by accuracy.tolerance_db: over 288 facets\n";
   EXPECT_THAT(checked("cylinder"), HasSubstr(on));
   EXPECT_THAT(checked("cylinder", " --set surfaces.waves=true"), HasSubstr(std::string(name) + "on: over 288 facets\n"));
   EXPECT_THAT(checked("cylinder", " --set frequency.ghz=94"), HasSubstr(on));
 }
 
 TEST_F(SurfaceWavesReport, SaysWhyThereAreNone) {
-  const std::string none = std::string(name) + "none: ";
-  EXPECT_THAT(checked("cylinder", " --set surfaces.waves=false"), HasSubstr(none + "surfaces.waves is false\n"));
-  EXPECT_THAT(checked("cylinder", " --set edges.method=none"), HasSubstr(none + "they are computed together with edge currents"));
-  EXPECT_THAT(checked("cylinder", " --set tubes.curved=never"), HasSubstr(none + "tubes.curved \"never\" and tubes that are not clipped"));
-  EXPECT_THAT(checked("cylinder", " --set radar.range_m=10"), HasSubstr(none + "antennas at a finite distance\n"));
-  EXPECT_THAT(checked("powercube"), HasSubstr(none + "no curved surface\n"));
+  const std::string off = std::string(name) + "off: ";
+  EXPECT_THAT(checked("cylinder", " --set surfaces.waves=false"), HasSubstr(off + "surfaces.waves is false\n"));
+  EXPECT_THAT(checked("cylinder", " --set edges.method=none"), HasSubstr(off + "they need edge currents"));
+  EXPECT_THAT(checked("cylinder", " --set tubes.curved=never"), HasSubstr(off + "with tubes.curved = \"never\", or tubes that"));
+  EXPECT_THAT(checked("cylinder", " --set radar.range_m=10"), HasSubstr(off + "antennas at a finite distance\n"));
+  EXPECT_THAT(checked("powercube"), HasSubstr(off + "no curved surface\n"));
 }
 
 TEST_F(SurfaceWavesReport, LeavesOutOtherMaterials) {
   const std::string absorbing = " --set materials.foam.kind=absorber --set target.material=foam";
-  EXPECT_THAT(checked("cylinder", absorbing), HasSubstr("none: no curved surface is a perfect conductor\n"));
+  EXPECT_THAT(checked("cylinder", absorbing), HasSubstr("off: no curved surface is a perfect conductor\n"));
   const std::string rays = " --look 0 --surface-rays " + (scratch / "rays.vtp").string();
   EXPECT_EQ(raytube("trace " RAYTUBE_SOURCE_DIR "/cases/cylinder/case.toml" + absorbing + rays).code, 2);
   EXPECT_THAT(text_of(scratch / "stderr.txt"), HasSubstr("no curved surface is a perfect conductor; leave out the option"));

@@ -179,8 +179,8 @@ TEST_F(Warnings, TruncatedTubesAreTold) {
   const std::string corner = "run case.toml --set look.theta_deg=90 --set look.phi_deg=45" + metres;
   EXPECT_EQ(raytube(corner + "--set tubes.max_bounces=1").code, 0);
   // The opening of the corner is sqrt(2) m^2: 1.5 dBsm.
-  EXPECT_THAT(output(),
-              HasSubstr(" after tubes.max_bounces = 1, 1.5 dBsm of a look left at most, in the model uncertainty: raise it\n"));
+  EXPECT_THAT(output(), HasSubstr(" after tubes.max_bounces = 1: at most 1.5 dBsm left in a look, counted in the model "
+                                  "uncertainty; raise tubes.max_bounces\n"));
   const auto counts = nlohmann::json::parse(text_of(scratch / "out/run.json"))["counts"];
   EXPECT_GT(counts["tubes_cut_at_max_bounces"], 0);
   EXPECT_EQ(counts["tubes_cut_by_width"], 0);

@@ -192,8 +192,8 @@ TEST(Skip, FacesTurnedAway) {
 TEST(Skip, EdgePassWithoutEdges) {
   const auto [with, without] = solve_both(shapes::icosphere(3, 0.3), monostatic(around(4), frequency), adaptive());
   EXPECT_TRUE(same_bytes(with.total, without.total));
-  EXPECT_EQ(count(with, "edge passes", "no edge of the target"), 4u);
-  EXPECT_EQ(count(without, "edge passes", "no edge is lit"), 4u);
+  EXPECT_EQ(count(with, "looks without edge currents", "no edge of the target"), 4u);
+  EXPECT_EQ(count(without, "looks without edge currents", "no edge is lit"), 4u);
 }
 
 // A small cube behind a sphere.
@@ -201,7 +201,7 @@ TEST(Skip, LooksWithoutLitEdges) {
   const PolygonSoup cube = shapes::transformed(shapes::cube(0.1), glm::dmat3(1.0), 1.0, {0.5, 0.0, 0.0});
   const Sweep sweep = monostatic({{90.0 * degree, 180.0 * degree}, {88.0 * degree, 179.0 * degree}, {0.5, 0.0}}, frequency);
   const SweepResult result = solve_soup(shapes::joined(shapes::icosphere(3, 0.3), cube), sweep, uniform());
-  EXPECT_EQ(count(result, "edge passes", "no edge is lit"), 2u);
+  EXPECT_EQ(count(result, "looks without edge currents", "no edge is lit"), 2u);
 }
 
 TEST(Skip, EdgesInsideABody) {
@@ -212,7 +212,7 @@ TEST(Skip, EdgesInsideABody) {
     EXPECT_EQ(count(with, "wedges", "inside"), 12u);
     EXPECT_EQ(with.statistics.wedges_lit, without.statistics.wedges_lit);
     const SweepResult nothing_left = solve_soup(shapes::joined(shapes::icosphere(3, 0.3), shapes::cube(0.1)), sweep, o);
-    EXPECT_EQ(count(nothing_left, "edge passes", "no edge of the target"), 4u);
+    EXPECT_EQ(count(nothing_left, "looks without edge currents", "no edge of the target"), 4u);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/decimal.h"
 #include "core/text.h"
@@ -107,13 +108,18 @@ std::string model_levels_text(const SweepResult& result) {
   return kinds.empty() ? "0 dB: no return" : "within 40 dB of the peak: " + joined(kinds, "; ");
 }
 
+// How a remedy begins where no key is one.
+constexpr std::string_view no_remedy = "none";
+
 // What it is mostly, and the handle that makes it less.
 std::string model_lines(const SweepResult& result) {
   if (result.model.empty()) return "";
   const std::string text = line("model uncertainty", model_levels_text(result));
   if (result.model_parts.empty()) return text;
   const ModelPart& largest = result.model_parts.front();
-  return text + line("", fmt::format("mostly {} ({:.0f} %); remedy: {}", largest.what, 100.0 * largest.share, largest.remedy));
+  const bool none = largest.remedy.starts_with(no_remedy);
+  const std::string handle = none ? "no key reduces it" + largest.remedy.substr(no_remedy.size()) : "remedy: " + largest.remedy;
+  return text + line("", fmt::format("mostly {} ({:.0f} %); {}", largest.what, 100.0 * largest.share, handle));
 }
 
 // Whether it changes any row within 40 dB of the peak by a tenth of the tolerance.
@@ -126,7 +132,7 @@ bool matters(double sigma, const SweepResult& result, double tolerance_db) {
 std::string truncated_lines(const SweepResult& result, const RunFacts& facts) {
   const std::array reasons{fmt::format("after tubes.max_bounces = {}", facts.tubes.max_bounces),
                            std::string("too wide off curved surfaces"), std::string("too many between sheets")};
-  constexpr std::array handles{": raise it", ": raise tubes.per_wavelength", ""};
+  constexpr std::array handles{"; raise tubes.max_bounces", "; raise tubes.per_wavelength", ""};
   std::string text;
   for (const Truncation reason : truncations) {
     const auto& [tubes, sigma] = result.statistics.truncated[reason];
@@ -134,7 +140,7 @@ std::string truncated_lines(const SweepResult& result, const RunFacts& facts) {
     if (tubes == 0) continue;
     const std::string left = sigma > 0.0 ? fmt::format("{:.1f} dBsm", 10.0 * std::log10(sigma)) : "nothing";
     const char* const handle = matters(sigma, result, facts.tubes.tolerance_db) ? handles[i] : "; too little to matter";
-    text += line("truncated tubes", fmt::format("{} {}, {} of a look left at most, in the {}{}", tubes, reasons[i], left,
+    text += line("truncated tubes", fmt::format("{} {}: at most {} left in a look, counted in the {}{}", tubes, reasons[i], left,
                                                 facts.materials ? "numerical error" : "model uncertainty", handle));
   }
   return text;

@@ -15,6 +15,7 @@ struct MechanismState {
   std::string why_not{};           // in words; empty if it does
   bool missed = false;             // it does not, and what it would add is missing from S
   std::string what{};              // it works on, if it takes part
+  std::string when{};              // in which looks, unless it is forced
   std::vector<Skipped> skipped{};  // what it leaves out, known beforehand
 };
 

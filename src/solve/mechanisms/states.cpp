@@ -39,9 +39,9 @@ std::vector<Skipped> skipped_for_size(const TooSmall& small, std::uint64_t frequ
 
 MechanismState surface_waves_state(const SolvePlan& plan) {
   if (!plan.surfaces.waves.possible()) return without("surfaces.waves is false");
-  if (!plan.fringe()) return without("they are computed together with edge currents (edges.method \"fringe\")");
+  if (!plan.fringe()) return without("they need edge currents (edges.method = \"fringe\")");
   if (!plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
-    return without("tubes.curved \"never\" and tubes that are not clipped take facets as the surface itself");
+    return without("with tubes.curved = \"never\", or tubes that are not clipped, facets are the surface itself");
   const auto is_curved = [](const BandPlan& band) { return band.wave_surfaces != nullptr; };
   if (std::ranges::none_of(plan.bands, is_curved)) return without("no curved surface");
   const BandPlan& most = *std::ranges::max_element(plan.bands, {}, conducting);
@@ -51,7 +51,8 @@ MechanismState surface_waves_state(const SolvePlan& plan) {
   return {.on = true,
           .forced = plan.surfaces.waves.forced(),
           .what = fmt::format("over {} facets{}", facets,
-                              others == 0 ? "" : fmt::format(", not over {} more that are not perfect conductors", others))};
+                              others == 0 ? "" : fmt::format(", not over {} more that are not perfect conductors", others)),
+          .when = "in looks where they can change a row by accuracy.tolerance_db"};
 }
 
 bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
@@ -97,6 +98,7 @@ MechanismState interaction_state(const SolvePlan& plan) {
   return {.on = true,
           .forced = plan.edges.interaction.forced(),
           .what = fmt::format("at most {:g} times the work of tubes and edges", plan.edges.interaction_budget),
+          .when = "in looks where edges.between_budget reaches half of what is expected",
           .skipped = std::move(skipped)};
 }
 
