@@ -253,7 +253,7 @@ void RowCollector::tell_mechanisms() {
       all.skipped.push_back({looks, "edges.between_budget reaches less than half of what is expected", unreached_looks_});
     if (is_interaction && dark_interaction_looks_ > 0)
       all.skipped.push_back({looks, "no lit edge faces another surface", dark_interaction_looks_});
-    if (!is_interaction && use.looks_without > 0)
+    if (!is_interaction && !state.forced && use.looks_without > 0)
       all.skipped.push_back(
           {looks,
            fmt::format("too weak compared with the tubes: {:.2g} dB at most are expected, accuracy.tolerance_db is {:g}",
