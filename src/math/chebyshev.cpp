@@ -7,6 +7,9 @@ namespace raytube {
 
 namespace {
 
+// Half the width of a band over its middle below which rounding puts nodes on one another.
+constexpr double narrowest = 1e-12;
+
 // e^{jzx} on |x| <= 1 is the sum of 2 j^n J_n(z) T_n(x) (DLMF 10.12), and |J_n(z)| <= (z/2)^n / n! (DLMF 10.14.4). `count` nodes
 // leave an error of four times the terms from n = count on. Coefficients of an amplitude fall by `rate` each; those of a product
 // by the larger of the two. Rounded up to a multiple of four, so that few different sets are needed.
@@ -46,14 +49,15 @@ Band::Band(std::span<const double> wavenumbers) : wavenumbers_(wavenumbers.begin
   const auto [low, high] = std::ranges::minmax(wavenumbers_);
   middle_ = 0.5 * (low + high);
   half_width_ = 0.5 * (high - low);
+  most_ = half_width_ > narrowest * middle_ ? wavenumbers_.size() / 2 : 0;
   // One over the sum of the half axes of the ellipse with its foci at the ends of the band that runs through k = 0 (Trefethen,
   // Approximation Theory and Approximation Practice, 2013, theorem 8.1).
   rate_ = half_width_ / (middle_ + std::sqrt(low * high));
 }
 
 const ChebyshevNodes* Band::nodes(double half_span, double rate) {
-  const std::size_t most = wavenumbers_.size() / 2, count = nodes_needed(half_width_ * half_span, rate, most);
-  return count > most ? nullptr : nodes_of_count(count);
+  const std::size_t count = nodes_needed(half_width_ * half_span, rate, most_);
+  return count > most_ ? nullptr : nodes_of_count(count);
 }
 
 // The terms from n = count on of a phase's series (nodes_needed) times one whose coefficients fall by `rate`: their product's are
@@ -62,9 +66,8 @@ const ChebyshevNodes* Band::nodes_of_fresnel(double half_span, double error) {
   const double half = 0.5 * half_width_ * half_span;
   double phase = 1.0, bound = 1.0;
   std::size_t count = 0;
-  for (; 4.0 * bound > error && count <= wavenumbers_.size() / 2; bound = rate_ * bound + phase)
-    phase *= half / static_cast<double>(++count);
-  return count > wavenumbers_.size() / 2 ? nullptr : nodes_of_count(count);
+  for (; 4.0 * bound > error && count <= most_; bound = rate_ * bound + phase) phase *= half / static_cast<double>(++count);
+  return count > most_ ? nullptr : nodes_of_count(count);
 }
 
 const ChebyshevNodes* Band::nodes_of_count(std::size_t count) {
@@ -76,9 +79,9 @@ const ChebyshevNodes* Band::nodes_of_count(std::size_t count) {
 // Coefficients of an amplitude fall as rate^n, those of e^{jkx} as (z/2)^n / n!; with z = 2c rate those of the product from n = N
 // on are rate^N (1 + c + c^2/2 + ...) < rate^N e^c. As rate = half_width / (2 k), k the mean wavenumber, |x| <= c / k.
 Band::SlowNodes Band::slow_nodes(double least, double error) {
-  if (half_width_ == 0.0) return {};
+  if (most_ == 0) return {};
   const double count = std::max(std::ceil((std::log(error) - least) / std::log(rate_)), 2.0);
-  if (!(count <= 0.5 * static_cast<double>(wavenumbers_.size()))) return {};
+  if (!(count <= static_cast<double>(most_))) return {};
   const double reach = std::log(error) - count * std::log(rate_);
   return {nodes_of_count(static_cast<std::size_t>(count)), 2.0 * reach * rate_ / half_width_};
 }

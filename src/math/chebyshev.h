@@ -45,6 +45,7 @@ class Band {
 
   std::vector<double> wavenumbers_;
   double middle_ = 0.0, half_width_ = 0.0;
+  std::size_t most_ = 0;                         // nodes that pay
   double rate_ = 0.0;                            // ratio of successive Chebyshev coefficients of a function singular at k = 0
   std::map<std::size_t, ChebyshevNodes> nodes_;  // by their number
 };

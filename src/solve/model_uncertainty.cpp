@@ -77,9 +77,9 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   row.surface_waves = part(Part::surface_waves);
   const bool some_left_out = others.skipped.pairs_beyond_budget > 0 || others.run(MechanismId::interaction).out_of_reach();
   const bool none_afforded = some_left_out && frobenius_norm(row.interaction) == 0.0;
-  const std::vector<bool>& waves = others.run(MechanismId::surface_waves).ran;
-  row.has_surface_waves = !waves.empty() && waves[frequency] && plan_.sweep.materials.empty();  // they run on conductors
-  row.has_interaction = !others.s[Part::interaction].empty() && !none_afforded;
+  const auto ran = [&](MechanismId id) { return !others.run(id).ran.empty() && others.run(id).ran[frequency]; };
+  row.has_surface_waves = ran(MechanismId::surface_waves) && plan_.sweep.materials.empty();  // they run on conductors
+  row.has_interaction = ran(MechanismId::interaction) && !others.s[Part::interaction].empty() && !none_afforded;
   if (!others.left_out.empty()) row.left_out = others.left_out[frequency];
   row.edge_order = plan_.fringe() ? plan_.edges.order : 0;
   row.truncated =

@@ -261,7 +261,7 @@ void RowCollector::tell_mechanisms() {
     if (is_interaction && unreached_looks_ > 0) all.skipped.push_back({looks, unreached_text(most_reach_), unreached_looks_});
     if (is_interaction && dark_interaction_looks_ > 0)
       all.skipped.push_back({looks, "no lit edge faces another surface", dark_interaction_looks_});
-    if (!is_interaction && use.looks_without > 0)
+    if (!is_interaction && !state.forced && use.looks_without > 0)
       all.skipped.push_back(
           {looks,
            fmt::format(

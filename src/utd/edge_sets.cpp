@@ -175,8 +175,12 @@ std::vector<SurfaceRay> EdgeSets::surface_rays(const Look& look, std::span<const
   return rays;
 }
 
-bool EdgeSets::interact() const {
-  return std::ranges::any_of(sets_, [](const Set& set) { return !set.interaction.empty(); });
+std::vector<bool> EdgeSets::interacting() const {
+  std::vector<bool> frequencies(setup_.frequencies.size());
+  for (const Set& set : sets_)
+    for (const InteractionGroup& group : set.interaction)
+      for (const std::size_t i : group.indices) frequencies[set.indices[i]] = true;
+  return frequencies;
 }
 
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {

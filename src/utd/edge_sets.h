@@ -72,8 +72,8 @@ class EdgeSets {
   /// at any.
   InteractionResult interaction(const Look& look, const InteractionLimits& limits) const;
 
-  /// Whether there is any, at any frequency.
-  bool interact() const;
+  /// At which frequencies there is any.
+  std::vector<bool> interacting() const;
 
   /// Share of the squares expected of it that the work allowed reaches, of the frequencies at which that is most.
   double interaction_reach(const InteractionLimits& limits) const;

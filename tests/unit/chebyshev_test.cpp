@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace raytube {
 namespace {
@@ -72,6 +73,16 @@ TEST(Chebyshev, AWavenumberOnANodeTakesItsValue) {
   const ChebyshevNodes* nodes = band.nodes(0.1);
   for (std::size_t n = 0; n < nodes->at.size(); ++n)
     EXPECT_EQ(nodes->weights[50 * nodes->at.size() + n], nodes->at[n] == node ? 1.0 : 0.0);
+}
+
+// Nodes of a band that is one rounding wide lie on one another: weights there are 1e16.
+TEST(Chebyshev, WavenumbersThatDifferByRoundingAreLeftAlone) {
+  std::vector<double> wavenumbers(101, 100.0);
+  wavenumbers[50] = std::nextafter(100.0, 101.0);
+  Band band(wavenumbers);
+  EXPECT_FALSE(band.nodes(0.1));
+  EXPECT_FALSE(band.nodes_of_fresnel(0.1, 1e-6));
+  EXPECT_FALSE(band.slow_nodes(3.0, 1e-6).nodes);
 }
 
 TEST(Chebyshev, FewWavenumbersOrWideSpansAreLeftAlone) {

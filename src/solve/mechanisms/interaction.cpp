@@ -35,7 +35,7 @@ double quadrature_tolerance(const SolvePlan& plan, const TubeSums& tubes) {
 
 class Interaction : public Mechanism {
  public:
-  explicit Interaction(const BandScene& scene) : scene_(scene) {}
+  Interaction(const BandScene& scene, std::vector<bool> frequencies) : scene_(scene), frequencies_(std::move(frequencies)) {}
 
   Prospect prospect(const TracedLook& traced, const LookSums& others) const override {
     if (scene_.plan.edges.interaction.forced()) return {};
@@ -48,6 +48,7 @@ class Interaction : public Mechanism {
     InteractionResult found = scene_.edges.interaction(look, limits);
     if (!look.far()) refer_to_antennas(look, found);
     put(std::move(found), sink.sums);
+    sink.sums.run(MechanismId::interaction).ran = frequencies_;
     if (sink.image == nullptr) return;
     for (const ImageEdge& piece : scene_.edges.interaction_pieces(look, sink.image->frequency_index, limits))
       add_cut_up(piece, *sink.image);
@@ -81,12 +82,15 @@ class Interaction : public Mechanism {
   }
 
   const BandScene& scene_;
+  std::vector<bool> frequencies_;  // at which there is any
 };
 
 }  // namespace
 
 std::unique_ptr<Mechanism> make_interaction(const BandScene& scene) {
-  return scene.edges.interact() ? std::make_unique<Interaction>(scene) : nullptr;
+  std::vector<bool> frequencies = scene.edges.interacting();
+  if (std::ranges::find(frequencies, true) == frequencies.end()) return nullptr;
+  return std::make_unique<Interaction>(scene, std::move(frequencies));
 }
 
 // The edges and faces of each set as edge-face interaction sees them, and which of them count at each frequency.

@@ -100,9 +100,10 @@ void pass_on_direct(const WaveKernels& here, const IncidentFields& incident, dou
     const double hard = share * incident.magnetic[transmit], soft = share * incident.lying[transmit];
     ComplexColumn& arriving = amplitudes.arriving[transmit];
     for (const StripRow& row : here.rows) {
+      if (row.size == 0) continue;
       const std::size_t kernel = here.first + row.kernel;
       const ColumnView direct(amplitudes.direct, row.amplitude);
-      if (row.alike && row.size > 0)
+      if (row.alike)
         scale(direct, hard * here.batch.end[kernel] + soft * here.batch.soft_end[kernel], row.size, arriving, row.arriving);
       else
         multiply_by_sum(direct, {hard, {here.batch.end, kernel}}, {soft, {here.batch.soft_end, kernel}}, row.size, arriving,
