@@ -10,9 +10,10 @@
 
 namespace raytube {
 
-/// Estimates made beforehand are upper ones: on vehicles, wings and cylinders three times what is added and more in the median
-/// (docs/theory/surface_waves_accuracy.md). One that is so many tolerances large moves a row by about the tolerance.
-inline constexpr double tolerances_of_prospect = 3.0;
+/// So many times the tolerance an estimate must be for its mechanism to run. Estimates are as good as a factor of two
+/// (docs/theory/surface_waves_accuracy.md), and run where they are one tolerance mechanisms often cost without moving a row by
+/// it.
+inline constexpr double tolerances_of_prospect = 1.5;
 
 /// What is decided of a mechanism in a look.
 struct Decision {

@@ -12,7 +12,7 @@ SurfaceWaveProspect::SurfaceWaveProspect(const TriangleMesh& mesh, std::span<con
                                          double longest_wavelength)
     : mesh_(mesh),
       curved_(find_curved_parts(mesh, min_wedge_angle)),
-      edges_(find_edge_features(wedges, curved_, {}, longest_wavelength)) {}
+      edges_(find_edge_features(wedges, curved_, {.over_curved = true}, longest_wavelength)) {}
 
 double SurfaceWaveProspect::amplitude(const Look& look, double frequency) const {
   const LookFeatures features = find_look_features({mesh_, curved_, edges_}, look, frequency);

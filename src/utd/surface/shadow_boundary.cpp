@@ -7,7 +7,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double steep = 0.5;     // sine of the angle at which a line passes through a plane: one that lies in it does not
+constexpr double tie = 1e-9;      // of the target's radius
 constexpr double nothing = 1e-9;  // of a piece
 
 // The boundary over one facet.
@@ -127,18 +127,33 @@ class ShadowBoundary {
     return sum / length;
   }
 
-  // Where a closed line passes steeply through the coordinate planes about its centroid, as measures: the places where its
-  // stretches meet. They are the same whichever crossing comes first, and mirror images have mirror images of them.
+  // Of a parabola through three points the place of its vertex, from the middle one on, within half-way to the others.
+  static double vertex(double before, double after, double rise, double fall) {
+    if (before <= 0.0 || after <= 0.0) return 0.0;
+    const double curvature = rise / before + fall / after;
+    if (!(curvature > 0.0)) return 0.0;
+    const double slope = (rise / before * after - fall / after * before) / (before + after);
+    return std::clamp(0.5 * slope * (before + after) / curvature, -0.5 * before, 0.5 * after);
+  }
+
+  // Where a closed line is farthest from its centroid, as measures: the places where its stretches meet, several if it is its own
+  // image. They are the same whichever crossing comes first and however body and look are turned, mirror images have mirror
+  // images of them, and they go along as the look turns. A line that is its own image more often than it has pieces is a circle,
+  // wherever they begin.
   std::vector<double> joints(const std::vector<Pass>& line, const std::vector<double>& sums) const {
     const dvec3 centre = centroid(line);
+    std::vector<double> distances;
+    for (const Pass& pass : line) distances.push_back(glm::distance(begin(pass), centre));
+    const double farthest = std::ranges::max(distances) - tie * target_.tracer.mesh().radius;
     std::vector<double> found;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const dvec3 a = begin(line[i]) - centre, b = begin(line[(i + 1) % line.size()]) - centre;
-      for (int axis = 0; axis < 3; ++axis)
-        if ((a[axis] < 0.0) != (b[axis] < 0.0) && std::abs(b[axis] - a[axis]) > steep * glm::distance(a, b))
-          found.push_back(sums[i] + (sums[i + 1] - sums[i]) * a[axis] / (a[axis] - b[axis]));
+    for (std::size_t i = 0, count = line.size(); i < count; ++i) {
+      if (distances[i] < farthest) continue;
+      const std::size_t last = (i + count - 1) % count, next = (i + 1) % count;
+      const double before = crossings_[line[last].crossing].measure, after = crossings_[line[i].crossing].measure;
+      const double turn = vertex(before, after, distances[i] - distances[last], distances[i] - distances[next]);
+      found.push_back(std::fmod(sums[i] + turn + sums.back(), sums.back()));
     }
-    if (found.empty()) found.push_back(0.0);
+    if (static_cast<double>(found.size()) > std::max(1.0, sums.back())) found.resize(1);
     std::ranges::sort(found);
     return found;
   }
