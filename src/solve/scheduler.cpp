@@ -37,7 +37,7 @@ Decision Scheduler::decide(const Prospect& prospect, const TubeSums& tubes) cons
   const std::map<long, double> level = levels(tubes);
   for (std::size_t f = 0; f < frequencies_.size(); ++f) {
     const double amplitude = prospect.amplitude[f], beside = level.at(band_of(frequencies_[f]));
-    if (amplitude > tolerances_of_prospect * tolerance_ * beside) continue;
+    if (amplitude > prospect.tolerances * tolerance_ * beside) continue;
     decision.wanted[f] = false;
     if (beside > 0.0) decision.most_db = std::max(decision.most_db, 20.0 * std::log10(1.0 + amplitude / beside));
   }

@@ -10,11 +10,6 @@
 
 namespace raytube {
 
-/// So many times the tolerance an estimate must be for its mechanism to run. Estimates are as good as a factor of two
-/// (docs/theory/surface_waves_accuracy.md), and run where they are one tolerance mechanisms often cost without moving a row by
-/// it.
-inline constexpr double tolerances_of_prospect = 1.5;
-
 /// What is decided of a mechanism in a look.
 struct Decision {
   std::vector<bool> wanted;  // [frequency]
@@ -32,7 +27,7 @@ class Scheduler {
   Scheduler(std::span<const double> frequencies, double tolerance_db);
 
   /// `prospect` against what tubes give in the look: an amplitude counts if it moves the weaker co-polar channel, in the mean
-  /// over a band, by more than tolerances_of_prospect times the tolerance.
+  /// over a band, by more than Prospect::tolerances times the tolerance.
   Decision decide(const Prospect& prospect, const TubeSums& tubes) const;
 
  private:

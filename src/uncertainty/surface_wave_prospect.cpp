@@ -9,10 +9,10 @@
 namespace raytube {
 
 SurfaceWaveProspect::SurfaceWaveProspect(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle,
-                                         double longest_wavelength)
+                                         double longest_wavelength, bool many_edges)
     : mesh_(mesh),
       curved_(find_curved_parts(mesh, min_wedge_angle)),
-      edges_(find_edge_features(wedges, curved_, {.over_curved = true}, longest_wavelength)) {}
+      edges_(find_edge_features(wedges, curved_, {.over_curved = many_edges}, longest_wavelength)) {}
 
 double SurfaceWaveProspect::amplitude(const Look& look, double frequency) const {
   const LookFeatures features = find_look_features({mesh_, curved_, edges_}, look, frequency);

@@ -11,7 +11,9 @@ class SurfaceWaveProspect {
  public:
   /// Creases flatter than `min_wedge_angle` [rad] are curvature; `wedges` are those of the mesh. The longest wavelength [m] tells
   /// which of their faces are narrow.
-  SurfaceWaveProspect(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle, double longest_wavelength);
+  /// `many_edges`: so many that what their strips over curved faces change adds up at random.
+  SurfaceWaveProspect(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle, double longest_wavelength,
+                      bool many_edges);
 
   /// Size of |S| of the co-polar channels [m]: of the correction at shadow boundaries, of that where surfaces bend tightly, of
   /// sharply bent rims (docs/theory/model_uncertainty.md, B, C and E), as large as they are on spheres, and of edges beside

@@ -27,12 +27,14 @@ double amplitude_of(double decibels) { return std::pow(10.0, decibels / 20.0) - 
 TEST(Scheduler, RunsWhatMovesTheWeakerChannelByTheTolerance) {
   const std::vector<double> frequencies{10e9};
   const Scheduler scheduler(frequencies, tolerance_db);
-  const double counts = tolerances_of_prospect * amplitude_of(tolerance_db);
+  const double counts = amplitude_of(tolerance_db);
   EXPECT_TRUE(scheduler.decide({.amplitude = {1.01 * counts}}, tubes(1)).any());
   const Decision not_run = scheduler.decide({.amplitude = {0.99 * counts}}, tubes(1));
   EXPECT_FALSE(not_run.any());
   EXPECT_NEAR(not_run.most_db, 20.0 * std::log10(1.0 + 0.99 * counts), 1e-12);
   EXPECT_TRUE(scheduler.decide({.amplitude = {0.99 * counts}}, tubes(1, 0.5)).any());
+  EXPECT_FALSE(scheduler.decide({.amplitude = {1.4 * counts}, .tolerances = 1.5}, tubes(1)).any());
+  EXPECT_TRUE(scheduler.decide({.amplitude = {1.6 * counts}, .tolerances = 1.5}, tubes(1)).any());
 }
 
 TEST(Scheduler, RunsWhatHasNoEstimate) {
@@ -54,7 +56,7 @@ TEST(Scheduler, DecidesBandByBand) {
   TubeSums sums = tubes(3);
   sums.bounces[0][1] *= 1e-6;
   const Scheduler scheduler(frequencies, tolerance_db);
-  const double counts = tolerances_of_prospect * amplitude_of(tolerance_db);
+  const double counts = amplitude_of(tolerance_db);
   const double of_mean = counts * std::sqrt(0.5);
   EXPECT_THAT(scheduler.decide({.amplitude = {0.99 * of_mean, 0.99 * of_mean, 2.0 * counts}}, sums).wanted,
               ElementsAre(false, false, true));

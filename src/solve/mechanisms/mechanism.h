@@ -26,7 +26,8 @@ inline constexpr double least_reach = 0.5;
 
 /// What is known of a mechanism in a look before it begins.
 struct Prospect {
-  std::vector<double> amplitude{};  // [frequency] what it may add to |S_pp|, an upper estimate [m]; empty: it runs in any case
+  std::vector<double> amplitude{};  // [frequency] what it may add to |S_pp|, an estimate [m]; empty: it runs in any case
+  double tolerances = 1.0;          // of a row, that this must be for the mechanism to run
   double reach = 1.0;               // share of the squares expected of it that its budget allows
 };
 

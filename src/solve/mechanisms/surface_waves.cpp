@@ -14,6 +14,9 @@ namespace raytube {
 
 namespace {
 
+// Of sets and vehicles the estimate is larger than what waves add, by three times and more; of a convex body by itself it is good
+// to a factor of two (docs/theory/surface_waves_accuracy.md).
+constexpr double tolerances_of_sets = 1.5;
 constexpr double ray_step = 0.1;  // of the wavelength, between points of rays for pictures
 
 // Points between the first and the last one are `step` apart at least.
@@ -41,13 +44,13 @@ class WavesOverSurfaces : public Mechanism {
     const Target& target = scene.plan.target;
     if (!scene.plan.surfaces.waves.forced())
       prospect_.emplace(target.mesh, target.wedges, target.options.min_wedge_angle,
-                        wavelength(std::ranges::min(scene.band.frequencies)));
+                        wavelength(std::ranges::min(scene.band.frequencies)), !is_convex());
   }
 
   // Forward of grazing the estimate has lobes of its own: other looks than monostatic ones take them in any case.
   Prospect prospect(const TracedLook& traced, const LookSums& /*others*/) const override {
     if (!prospect_ || !(traced.look.transmit == traced.look.receive)) return {};
-    Prospect result;
+    Prospect result{.tolerances = is_convex() ? 1.0 : tolerances_of_sets};
     std::map<long, double> known;
     for (const double frequency : frequencies_) {
       const auto [found, is_new] = known.try_emplace(band_of(frequency));
@@ -86,6 +89,8 @@ class WavesOverSurfaces : public Mechanism {
   }
 
  private:
+  bool is_convex() const { return scene_.band.convexity.no_reflection; }
+
   // Nothing at the other frequencies.
   template <class Value>
   std::vector<Value> spread(const std::vector<Value>& values, const std::vector<std::size_t>& indices) const {
