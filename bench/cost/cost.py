@@ -64,8 +64,9 @@ def write_stl(path, mesh):
 def make_meshes(folder):
     """Files of the jobs that no folder of cases holds, by job."""
     make_truck.STEP = 1000.0  # flat panels of two triangles each
-    files = {"read": folder / "half_truck.stl", "vehicle": folder / "body.ply"}
+    files = {"read": folder / "half_truck.stl", "vehicle": folder / "body.ply", "small_vehicle": folder / "car.ply"}
     write_stl(files["read"], half_truck())
+    subprocess.run([sys.executable, HERE.parent / "car.py", files["small_vehicle"], "--facets", "2500"], check=True, capture_output=True)
     make_truck.write_ply(files["vehicle"], truck_body())
     return files
 
