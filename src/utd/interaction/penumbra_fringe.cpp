@@ -202,7 +202,7 @@ void PenumbraFringe::add_step(const LitEdgePiece& lit, double weight, std::vecto
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     const double k = wavenumbers_[f];
     ScatteringMatrix sum = amplitude_at(amplitude, k, windowed);
-    sums[f] += sum *= std::polar(weight * length * sinc(k * half_span), k * path);
+    sums[f] += sum *= weight * length * sinc(k * half_span) * std::polar(1.0, k * path);
   }
 }
 

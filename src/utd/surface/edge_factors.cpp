@@ -45,7 +45,7 @@ EdgeFactors by_residues(double xi) {
     soft += std::exp(Complex(0, -xi * soft_zero(n)) * turn);
   }
   const double root = std::sqrt(pi * xi);
-  return {std::polar(root, -pi / 4) * hard, std::polar(2 * root * xi, pi / 4) * soft};
+  return {std::polar(root, -pi / 4) * hard, 2 * root * xi * std::polar(1.0, pi / 4) * soft};
 }
 
 // From one point before the end of the series to one beyond the last interval.

@@ -56,7 +56,7 @@ FockCurrents DarkWay::currents(double wavenumber) const {
   const double scale = 1.0 / std::cbrt(wavenumber), xi = distance(wavenumber);
   const auto factor = [&](double more, double zero) {
     const double all = std::max(most * zero * xi, 1e-30);
-    return std::exp(-std::polar(scale * more / std::hypot(1.0, scale * more / all), -pi / 6));
+    return std::exp(-scale * more / std::hypot(1.0, scale * more / all) * std::polar(1.0, -pi / 6));
   };
   const FockCurrents fock = fock_in_the_dark(xi);
   return {fock.hard * factor(hard_more_, hard_zeros[0]), fock.soft * factor(soft_more_, soft_zeros[0])};
