@@ -262,13 +262,12 @@ void RowCollector::tell_mechanisms() {
     if (is_interaction && dark_interaction_looks_ > 0)
       all.skipped.push_back({looks, "no lit edge faces another surface", dark_interaction_looks_});
     if (!is_interaction && !state.forced && use.looks_without > 0)
-      all.skipped.push_back(
-          {looks,
-           fmt::format(
-               "too weak compared with the tubes: expected to change a row by about {:.2g} dB at most, accuracy.tolerance_db "
-               "is {:g}",
-               use.most_db, plan_.tubes.tolerance_db),
-           use.looks_without});
+      all.skipped.push_back({looks,
+                             fmt::format("too weak compared with the tubes for what they cost: expected to change a row by about "
+                                         "{:.2g} dB at most, accuracy.tolerance_db "
+                                         "is {:g}",
+                                         use.most_db, plan_.tubes.tolerance_db),
+                             use.looks_without});
   }
   all.mechanisms = std::move(used_);
 }

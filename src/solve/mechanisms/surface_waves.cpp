@@ -15,8 +15,9 @@ namespace raytube {
 namespace {
 
 // Of sets and vehicles the estimate is larger than what waves add, by three times and more; of a convex body by itself it is good
-// to a factor of two (docs/theory/surface_waves_accuracy.md).
-constexpr double tolerances_of_sets = 1.5;
+// to a factor of two (docs/theory/surface_waves_accuracy.md). From so many wavelengths of edges on strips cost more than tubes
+// do, and must add the more to be worth it.
+constexpr double tolerances_of_sets = 1.5, dear_edges = 200.0;
 constexpr double ray_step = 0.1;  // of the wavelength, between points of rays for pictures
 
 // Points between the first and the last one are `step` apart at least.
@@ -50,7 +51,7 @@ class WavesOverSurfaces : public Mechanism {
   // Forward of grazing the estimate has lobes of its own: other looks than monostatic ones take them in any case.
   Prospect prospect(const TracedLook& traced, const LookSums& /*others*/) const override {
     if (!prospect_ || !(traced.look.transmit == traced.look.receive)) return {};
-    Prospect result{.tolerances = is_convex() ? 1.0 : tolerances_of_sets};
+    Prospect result{.tolerances = tolerances()};
     std::map<long, double> known;
     for (const double frequency : frequencies_) {
       const auto [found, is_new] = known.try_emplace(band_of(frequency));
@@ -90,6 +91,12 @@ class WavesOverSurfaces : public Mechanism {
 
  private:
   bool is_convex() const { return scene_.band.convexity.no_reflection; }
+
+  double tolerances() const {
+    if (is_convex()) return 1.0;
+    const double edges = scene_.band.wave_surfaces->boundary_length() / scene_.band.shortest_wavelength();
+    return tolerances_of_sets * std::max(1.0, edges / dear_edges);
+  }
 
   // Nothing at the other frequencies.
   template <class Value>
