@@ -133,7 +133,8 @@ std::uint64_t expect_same_with_mirrors(const PolygonSoup& soup, const Sweep& swe
   const auto [with, without] = solve_both(soup, sweep, adaptive());
   const double error = difference(with.total, without.total);
   measured(fmt::format("skip, mirrored looks, {}, largest |difference| / peak", name).c_str(), error, "");
-  EXPECT_LE(error, 1e-12) << name;  // phases of some 100 rad, rounded
+  // Phases of some 100 rad, rounded; where a shadow boundary is farthest from its middle is known to ten times that.
+  EXPECT_LE(error, 1e-11) << name;
   EXPECT_LE(difference(with.parts[Part::edges_first], without.parts[Part::edges_first]), 1e-12) << name;
   EXPECT_LE(difference(with.parts[Part::edges_higher], without.parts[Part::edges_higher]), 1e-12) << name;
   EXPECT_EQ(with.statistics.wedges_lit, without.statistics.wedges_lit) << name;
