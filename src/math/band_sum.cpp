@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/node_waves.h"
+
 namespace raytube {
 
 namespace {
@@ -50,17 +52,8 @@ std::vector<Complex> BandSum::interpolated(const std::vector<Complex>& values) {
 
 void BandSum::expand(const Class& group, double path, std::span<const ScatteringMatrix> values,
                      std::span<ScatteringMatrix> sum) const {
-  if (group.nodes == nullptr) {
-    for (std::size_t f = 0; f < sum.size(); ++f) sum[f] += values[f];
-    return;
-  }
-  for (std::size_t f = 0; f < sum.size(); ++f) {
-    ScatteringMatrix s;
-    for (std::size_t n = 0; n < values.size(); ++n)
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) s.at(p, q) += group.nodes->weights[f * values.size() + n] * values[n].at(p, q);
-    sum[f] += s *= std::polar(1.0, band_.wavenumbers()[f] * path);
-  }
+  if (group.nodes != nullptr) return add_waves(values, *group.nodes, band_.wavenumbers(), path, sum);
+  for (std::size_t f = 0; f < sum.size(); ++f) sum[f] += values[f];
 }
 
 void BandSum::add_to(std::span<ScatteringMatrix> sum) const {

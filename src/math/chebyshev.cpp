@@ -11,12 +11,12 @@ namespace {
 constexpr double narrowest = 1e-12;
 
 // e^{jzx} on |x| <= 1 is the sum of 2 j^n J_n(z) T_n(x) (DLMF 10.12), and |J_n(z)| <= (z/2)^n / n! (DLMF 10.14.4). `count` nodes
-// leave an error of four times the terms from n = count on. Coefficients of an amplitude fall by `rate` each; those of a product
-// by the larger of the two. Rounded up to a multiple of four, so that few different sets are needed.
-std::size_t nodes_needed(double z, double rate, std::size_t limit) {
+// leave an error of four times the terms from n = count on. Rounded up to a multiple of four, so that few different sets are
+// needed.
+std::size_t nodes_needed(double z, std::size_t limit) {
   double bound = 1.0;
   std::size_t count = 0;
-  while (bound > 1e-13 && count <= limit) bound *= std::max(0.5 * z / static_cast<double>(++count), rate);
+  while (bound > 1e-13 && count <= limit) bound *= 0.5 * z / static_cast<double>(++count);
   return std::max<std::size_t>(4, (count + 3) / 4 * 4);
 }
 
@@ -55,8 +55,8 @@ Band::Band(std::span<const double> wavenumbers) : wavenumbers_(wavenumbers.begin
   rate_ = half_width_ / (middle_ + std::sqrt(low * high));
 }
 
-const ChebyshevNodes* Band::nodes(double half_span, double rate) {
-  const std::size_t count = nodes_needed(half_width_ * half_span, rate, most_);
+const ChebyshevNodes* Band::nodes(double half_span) {
+  const std::size_t count = nodes_needed(half_width_ * half_span, most_);
   return count > most_ ? nullptr : nodes_of_count(count);
 }
 

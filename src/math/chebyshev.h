@@ -24,10 +24,9 @@ class Band {
 
   /// Nodes for a function of k that is a sum of A e^{jkx}, all |x| <= half_span [m]. What they give differs from it by less than
   /// 1e-12 of the sum of |A|. Null where the wavenumbers are so few that nodes would not pay.
-  const ChebyshevNodes* nodes(double half_span) { return nodes(half_span, 0.0); }
+  const ChebyshevNodes* nodes(double half_span);
   /// Nodes for such a sum with amplitudes that change slowly with k: analytic but for k = 0, as roots and Fresnel integrals are.
-  const ChebyshevNodes* nodes_of_fresnel(double half_span) { return nodes(half_span, rate_); }
-  /// Nodes for a sum with such amplitudes, with an error of about `error` of the sum of |A|.
+  /// What they give differs by about `error` of the sum of |A|.
   const ChebyshevNodes* nodes_of_fresnel(double half_span, double error);
   /// The fewest nodes for such slow amplitudes to `error` of their sum, and over which half-span [m], not less than `least` over
   /// the wavenumber, waves may be added up before. No nodes where they would not pay.
@@ -40,7 +39,6 @@ class Band {
   double half_width() const { return half_width_; }  // of the wavenumbers [rad/m]
 
  private:
-  const ChebyshevNodes* nodes(double half_span, double rate);
   const ChebyshevNodes* nodes_of_count(std::size_t count);
 
   std::vector<double> wavenumbers_;

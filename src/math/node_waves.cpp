@@ -21,7 +21,7 @@ Channels channels_of(const ScatteringMatrix& s) {
 }  // namespace
 
 void add_waves(std::span<const ScatteringMatrix> amplitudes, const ChebyshevNodes& nodes, std::span<const double> wavenumbers,
-               double path, std::vector<ScatteringMatrix>& sums) {
+               double path, std::span<ScatteringMatrix> sums) {
   std::vector<Channels> samples;
   for (const ScatteringMatrix& amplitude : amplitudes) samples.push_back(channels_of(amplitude));
   auto weight = nodes.weights.begin();
@@ -44,7 +44,7 @@ void add_waves(std::span<const ScatteringMatrix> amplitudes, const ChebyshevNode
 }
 
 void add_interpolated(std::span<const ScatteringMatrix> at_nodes, const ChebyshevNodes& nodes,
-                      std::span<const double> wavenumbers, double middle, std::vector<ScatteringMatrix>& sums) {
+                      std::span<const double> wavenumbers, double middle, std::span<ScatteringMatrix> sums) {
   std::vector<ScatteringMatrix> amplitudes(at_nodes.begin(), at_nodes.end());
   for (std::size_t n = 0; n < amplitudes.size(); ++n) amplitudes[n] *= std::polar(1.0, -nodes.at[n] * middle);
   add_waves(amplitudes, nodes, wavenumbers, middle, sums);

@@ -19,10 +19,10 @@ struct PathSpan {
 
 /// Adds to `sums`, at each of the wavenumbers, a wave e^{jk path} times the amplitudes that are known at the nodes.
 void add_waves(std::span<const ScatteringMatrix> amplitudes, const ChebyshevNodes& nodes, std::span<const double> wavenumbers,
-               double path, std::vector<ScatteringMatrix>& sums);
+               double path, std::span<ScatteringMatrix> sums);
 
 /// Adds to `sums`, at each of the wavenumbers, what `at_nodes` are at the nodes. The phase of the middle path is exact.
 void add_interpolated(std::span<const ScatteringMatrix> at_nodes, const ChebyshevNodes& nodes,
-                      std::span<const double> wavenumbers, double middle, std::vector<ScatteringMatrix>& sums);
+                      std::span<const double> wavenumbers, double middle, std::span<ScatteringMatrix> sums);
 
 }  // namespace raytube

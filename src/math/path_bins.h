@@ -17,7 +17,7 @@ class PathBins {
   PathBins(Band& band, bool interpolate);
 
   /// Where amplitudes are wanted [rad/m].
-  std::span<const double> nodes() const { return nodes_; }
+  std::span<const double> nodes() const { return at_; }
 
   /// A wave may contain others whose paths differ from its own by so much [m].
   double spread() const { return spread_; }
@@ -28,15 +28,16 @@ class PathBins {
   std::size_t find(double path);
 
   /// What the waves of a bin, with their phases, sum to at a node.
-  ScatteringMatrix& at(std::size_t bin, std::size_t node) { return values_[bin * nodes_.size() + node]; }
+  ScatteringMatrix& at(std::size_t bin, std::size_t node) { return values_[bin * at_.size() + node]; }
 
   /// Adds the sum over all bins at all wavenumbers of the band to `sums`, and empties the bins.
   void move_to(std::span<ScatteringMatrix> sums);
 
  private:
-  void expand(std::size_t bin, std::span<ScatteringMatrix> sums);
+  void expand(std::size_t bin, std::span<ScatteringMatrix> sums) const;
 
-  std::span<const double> wavenumbers_, nodes_, weights_;
+  std::span<const double> wavenumbers_, at_;  // at_: the nodes, or all wavenumbers
+  const ChebyshevNodes* nodes_ = nullptr;     // null: nothing is interpolated
   double width_ = 0.0, spread_;
   std::unordered_map<std::int64_t, std::size_t> index_;
   std::vector<std::int64_t> keys_;

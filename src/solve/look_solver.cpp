@@ -70,7 +70,7 @@ void BandSolver::run(MechanismId id, const TracedLook& look, LookSink& sink) con
   const Decision decision = scheduler_.decide(prospect, look.tubes);
   MechanismRun& told = sink.sums.run(id);
   told.most_db = decision.most_db;
-  if (!decision.reaches) told.reach = prospect.reach;
+  if (prospect.reach < least_reach) told.reach = prospect.reach;
   if (!decision.any()) return;
   told.ran = decision.wanted;
   mechanism->solve(look, decision.wanted, sink);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sbr/beams/tolerances.h"
 #include "scene/frequency_bands.h"
@@ -32,7 +31,6 @@ std::map<long, double> Scheduler::levels(const TubeSums& tubes) const {
 
 Decision Scheduler::decide(const Prospect& prospect, const TubeSums& tubes) const {
   Decision decision{std::vector<bool>(frequencies_.size(), prospect.reach >= least_reach)};
-  decision.reaches = prospect.reach >= least_reach;
   if (prospect.amplitude.empty()) return decision;
   const std::map<long, double> level = levels(tubes);
   for (std::size_t f = 0; f < frequencies_.size(); ++f) {

@@ -14,7 +14,6 @@ namespace raytube {
 struct Decision {
   std::vector<bool> wanted;  // [frequency]
   double most_db = 0.0;      // by which it was expected to move a co-polar row at most where it is not wanted [dB]
-  bool reaches = true;       // its budget allows least_reach of what is expected of it
 
   bool any() const;
 };

@@ -59,13 +59,24 @@ TEST(CurvedPiece, SphereIsItsClosedForm) {
   }
 }
 
+// A look, and wavenumbers of a band of a fifth.
+struct ManyFrequencies {
+  Direction look{1.1, 0.4};
+  LaunchGrid grid = plane_towards(look);
+  SphericalBasis basis = spherical_basis(look);
+  std::vector<double> many = evenly_spaced();
+
+  static std::vector<double> evenly_spaced() {
+    std::vector<double> many;
+    for (int i = 0; i < 101; ++i) many.push_back(k * (0.9 + 0.002 * i));
+    return many;
+  }
+};
+
 // Interpolated in frequency or not: 1e-12 of what the cell would give in phase, k area / 2 pi.
 TEST(CurvedPiece, ManyFrequenciesAreThoseOfEachByItself) {
-  const Direction look{1.1, 0.4};
-  const LaunchGrid grid = plane_towards(look);
-  const SphericalBasis basis = spherical_basis(look);
-  std::vector<double> many;
-  for (int i = 0; i < 101; ++i) many.push_back(k * (0.9 + 0.002 * i));
+  const ManyFrequencies scene;
+  const auto& [look, grid, basis, many] = scene;
   Band band(many);
   const Bounds box{{-0.7, 0.2}, {0.4, 1.1}}, at_shadow_boundary{{2.3, 0.5}, {3.4, 1.4}};
   for (const Bounds& cell : {box, at_shadow_boundary}) {
@@ -79,11 +90,8 @@ TEST(CurvedPiece, ManyFrequenciesAreThoseOfEachByItself) {
 
 // Tubes that a sphere has reflected, on a plane: the same.
 TEST(CurvedBeam, ManyFrequenciesAreThoseOfEachByItself) {
-  const Direction look{1.1, 0.4};
-  const LaunchGrid grid = plane_towards(look);
-  const SphericalBasis basis = spherical_basis(look);
-  std::vector<double> many;
-  for (int i = 0; i < 101; ++i) many.push_back(k * (0.9 + 0.002 * i));
+  const ManyFrequencies scene;
+  const auto& [look, grid, basis, many] = scene;
   Band band(many);
   const dvec2 at(0.8, -0.5), size(0.1, 0.1);
   const CurvedBeam launched = launched_beam(grid, basis, at);

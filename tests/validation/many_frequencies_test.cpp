@@ -108,7 +108,7 @@ TEST(ManyFrequencies, OfTheEdgePassAreWhatEachOneGives) {
                           difference(all.parts[Part::edges_higher][f], direct.parts[Part::edges_higher][0])});
       }
       EXPECT_GT(scale, 0.0);
-      EXPECT_LE(worst, 1e-6 * scale) << low;
+      EXPECT_LE(worst, 1e-7 * scale) << low;
     }
 }
 

@@ -128,13 +128,17 @@ PolygonSoup roof(double w, double h) {
   return shapes::transformed(soup, glm::dmat3(1.0), 1.0, {0.25, -0.5, 1.75});
 }
 
+constexpr double phases_of_some_100_rad = 1e-12;  // rounded, of the peak
+// Where a closed shadow boundary is farthest from its middle is the vertex of a flat parabola, known to ten times that.
+constexpr double beginning_of_strips = 1e-11;
+
 // Gives the number of looks that followed from others.
-std::uint64_t expect_same_with_mirrors(const PolygonSoup& soup, const Sweep& sweep, const char* name) {
+std::uint64_t expect_same_with_mirrors(const PolygonSoup& soup, const Sweep& sweep, const char* name,
+                                       double tolerance = phases_of_some_100_rad) {
   const auto [with, without] = solve_both(soup, sweep, adaptive());
   const double error = difference(with.total, without.total);
   measured(fmt::format("skip, mirrored looks, {}, largest |difference| / peak", name).c_str(), error, "");
-  // Phases of some 100 rad, rounded; where a shadow boundary is farthest from its middle is known to ten times that.
-  EXPECT_LE(error, 1e-11) << name;
+  EXPECT_LE(error, tolerance) << name;
   EXPECT_LE(difference(with.parts[Part::edges_first], without.parts[Part::edges_first]), 1e-12) << name;
   EXPECT_LE(difference(with.parts[Part::edges_higher], without.parts[Part::edges_higher]), 1e-12) << name;
   EXPECT_EQ(with.statistics.wedges_lit, without.statistics.wedges_lit) << name;
@@ -165,7 +169,7 @@ TEST(Skip, MirrorImages) {
   EXPECT_EQ(expect_same_with_mirrors(shapes::cylinder(0.2, 0.5, 20), everywhere, "cylinder, bistatic"), 35u);
   EXPECT_EQ(expect_same_with_mirrors(roof(0.5, 0.3), everywhere, "roof, bistatic"), 30u);
   // Curved surfaces follow their facets, whose diagonals are no images in a cylinder.
-  EXPECT_EQ(expect_same_with_mirrors(shapes::icosphere(3, 0.3), everywhere, "sphere, bistatic"), 35u);
+  EXPECT_EQ(expect_same_with_mirrors(shapes::icosphere(3, 0.3), everywhere, "sphere, bistatic", beginning_of_strips), 35u);
   EXPECT_EQ(expect_same_with_mirrors(shapes::cylinder(0.2, 0.5, 40), everywhere, "cylinder of 40 sides, bistatic"), 0u);
   // Creases of just 15 degrees: rounding decides which are edges.
   EXPECT_EQ(expect_same_with_mirrors(shapes::cylinder(0.2, 0.5, 24), everywhere, "cylinder of 24 sides, bistatic"), 0u);
