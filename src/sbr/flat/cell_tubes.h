@@ -31,7 +31,7 @@ class CellTubes {
   /// Tubes as launched, of the cells [column_begin, column_end) of a row. Those that meet a curved surface of the look first are
   /// left to whoever traces such surfaces.
   void launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end);
-  /// A tube that travels in `beam`, just reflected by `patch`. If it was drawn at random in the place of others,
+  /// A tube that travels in `beam`, just reflected by `patch`. If it stands for others that the grid has thinned,
   /// `sampling_variance` is the variance of that draw over the square of what the tube radiates.
   void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch, double sampling_variance = 0.0);
 

@@ -105,9 +105,10 @@ struct FaceTrace {
       follow_by_rays(beam, patch);
   }
 
-  // Where tubes grow too many, those smaller than a cell are thinned at random, by the grid's own rays: one goes on as a whole
-  // cell if that cell's ray runs through it, else not at all. So there are never many more tubes than the uniform grid has.
-  void thin_randomly() {
+  // Where tubes grow too many, those smaller than a cell are thinned by the grid's own rays: one goes on as a whole cell if that
+  // cell's ray runs through it, else not at all. So there are never many more tubes than the uniform grid has. Nothing is drawn:
+  // the rays are a sample of the launch plane stratified by cells, one in each.
+  void thin_by_grid() {
     if (!look_.clip || !too_many()) return;
     const double cell = look_.grid.du * look_.grid.dv;
     std::erase_if(reflected_, [&](const PolygonTube& tube) {
@@ -135,9 +136,10 @@ struct FaceTrace {
     return static_cast<double>(reflected_.size()) * look_.grid.du * look_.grid.dv > covered;
   }
 
-  // The sampling variance of random thinning. A tube becomes a cell with the probability of their areas' ratio, p: variance
-  // (1 - p) / p of the square of what it would radiate, or (1 - p) of that of the cell for each one that did (Horvitz & Thompson
-  // 1952). Where none did, one cell's with the k / 2 pi that a perfect conductor radiates at most, but no more than (area) (cell
+  // The variance of thinning as if each tube were drawn for itself. It becomes a cell with the probability of their areas' ratio,
+  // p, over all positions of the grid: variance (1 - p) / p of the square of what it would radiate, or (1 - p) of that of the
+  // cell for each one that did (Horvitz & Thompson 1952). Where none did, one cell's with the k / 2 pi that a perfect conductor
+  // radiates at most, but no more than (area) (cell
   // - area) of each.
   void count_thinned() {
     if (thinned_ == 0.0) return;
@@ -244,7 +246,7 @@ struct FaceTrace {
   std::vector<Ray> rays_;
   std::vector<Hit> in_middle_;
   std::vector<CellBlock> blocks_, screened_blocks_;
-  double thinned_ = 0.0;  // sum of (area) (cell - area) over the tubes thinned at random [m^4]
+  double thinned_ = 0.0;  // sum of (area) (cell - area) over the tubes that were thinned [m^4]
   TubeSums sums_;
   CellTubes cell_tubes_;
 };
@@ -266,7 +268,7 @@ TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t en
   trace.count_faces_away(begin, end);
   for (int bounce = 1; !look.convexity.no_reflection && !(trace.reflected_.empty() && trace.cell_tubes_.empty()); ++bounce) {
     trace.beams_.next_bounce();
-    if (bounce < look.max_bounces) trace.thin_randomly();
+    if (bounce < look.max_bounces) trace.thin_by_grid();
     if (trace.beams_.spectral()) trace.end_weakest();
     trace.cell_tubes_.advance(bounce);
     std::swap(trace.tubes_, trace.reflected_);
