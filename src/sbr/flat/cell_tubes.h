@@ -32,7 +32,7 @@ class CellTubes {
   /// left to whoever traces such surfaces.
   void launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end);
   /// A tube that travels in `beam`, just reflected by `patch`. If it stands for others that the grid has thinned,
-  /// `sampling_variance` is the variance of that draw over the square of what the tube radiates.
+  /// `sampling_variance` is the variance of that over the square of what the tube radiates.
   void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch, double sampling_variance = 0.0);
 
   /// Sends every tube to the next surface and integrates the currents there as those of bounce `bounce`, counted from 0. Tubes

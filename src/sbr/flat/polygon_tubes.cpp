@@ -136,11 +136,10 @@ struct FaceTrace {
     return static_cast<double>(reflected_.size()) * look_.grid.du * look_.grid.dv > covered;
   }
 
-  // The variance of thinning as if each tube were drawn for itself. It becomes a cell with the probability of their areas' ratio,
-  // p, over all positions of the grid: variance (1 - p) / p of the square of what it would radiate, or (1 - p) of that of the
+  // The variance of thinning, as if each tube were drawn for itself. Over all positions of the grid it becomes a cell with the
+  // probability of their areas' ratio, p: variance (1 - p) / p of the square of what it would radiate, or (1 - p) of that of the
   // cell for each one that did (Horvitz & Thompson 1952). Where none did, one cell's with the k / 2 pi that a perfect conductor
-  // radiates at most, but no more than (area) (cell
-  // - area) of each.
+  // radiates at most, but no more than (area) (cell - area) of each.
   void count_thinned() {
     if (thinned_ == 0.0) return;
     const double cell = look_.grid.du * look_.grid.dv;
