@@ -23,11 +23,15 @@ namespace {
 constexpr std::size_t most_tiles_per_batch = 128, least_tiles_per_batch = 8;
 constexpr double bytes_per_batch = 64e6;
 
+// What the sums of all blocks of a look may take.
+constexpr double bytes_of_blocks = 32e6;
+
 // Between sheets tubes double at every meeting, so that those of few faces are many.
 constexpr std::uint32_t faces_per_tile_with_sheets = 8;
 
-// So many cells a flat face is worth: it takes longer than they do, but less long than those that come as close.
-constexpr double cells_per_face = 5.0;
+// A flat face takes as long as so many cells. Cells of this density are estimated to leave this share of S (1.5 dB) on vehicles,
+// and less in proportion to their width.
+constexpr double cells_per_face = 20.0, cells_per_wavelength = 20.0, error_of_cells = 0.19;
 
 // What the tiles of a part are: so many, each traced by itself.
 struct Tiles {
@@ -57,13 +61,15 @@ Tiles polygon_tiles(const TubeLook& look) {
                         [&look](std::uint32_t begin, std::uint32_t end) { return trace_faces(look, begin, end); });
 }
 
-// Half the faces of a body look at the radar. Where a face is dearer than the cells it covers, single rays are the cheaper
-// sample.
+// Cells of single rays where faces are dearer than cells that do as well. Uncut tubes are no better than the grid's own cells.
 bool cells_are_cheaper(const TubeLook& look) {
   const auto is_flat = [&](const Face& face) { return !look.smooth || look.smooth->region(face.triangle) == no_index; };
-  const auto flat = std::ranges::count_if(look.faces.faces(), is_flat);
-  const double per_face = look.clip ? cells_per_face : 1.0;
-  return flat > faces_per_tile && 0.5 * per_face * static_cast<double>(flat) > static_cast<double>(look.grid.cells());
+  const auto flat = static_cast<double>(std::ranges::count_if(look.faces.faces(), is_flat));
+  if (flat <= faces_per_tile) return false;
+  if (!look.clip) return 0.5 * flat > static_cast<double>(look.grid.cells());
+  const double wavelength = 2.0 * pi / std::ranges::max(look.wavenumbers()),
+               good_cell = wavelength / cells_per_wavelength * look.tolerance / error_of_cells;
+  return cells_per_face * flat > static_cast<double>(look.grid.cells()) * look.grid.du * look.grid.dv / (good_cell * good_cell);
 }
 
 TubeSums light_curved_facets(const TubeLook& look, std::uint32_t begin, std::uint32_t end) {
@@ -102,6 +108,21 @@ Tiles tiles_of(PartKind kind, const TubeLook& look) {
   return {bounces.blocks(), [bounces](std::size_t i) { return bounces.trace(i); }};
 }
 
+int bounces_of(const TubeLook& look) { return look.convexity.no_reflection ? 1 : look.max_bounces; }
+
+// A tile, and to which of the chosen blocks' sums it belongs.
+struct TileOfBlock {
+  std::size_t tile, sum;
+};
+
+std::vector<TileOfBlock> tiles_of_blocks(std::size_t tiles, std::size_t blocks, std::span<const std::size_t> chosen) {
+  std::vector<TileOfBlock> result;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    for (std::size_t tile = chosen[i] * tiles / blocks; tile < (chosen[i] + 1) * tiles / blocks; ++tile)
+      result.push_back({tile, i});
+  return result;
+}
+
 }  // namespace
 
 double tile_sum_bytes(int bounces, std::size_t frequencies) {
@@ -114,23 +135,32 @@ std::size_t tiles_per_batch(int bounces, std::size_t frequencies) {
   return most > most_tiles_per_batch ? most_tiles_per_batch : std::max(least_tiles_per_batch, static_cast<std::size_t>(most));
 }
 
-TubeSums trace_part(PartKind kind, const TubeLook& look, Progress& progress, double share) {
+std::size_t blocks_of(PartKind kind, const TubeLook& look) {
+  if (kind != PartKind::flat || cells_are_cheaper(look)) return 1;
+  const std::size_t tiles = polygon_tiles(look).count;
+  const double most = bytes_of_blocks / tile_sum_bytes(bounces_of(look), look.wavenumbers().size());
+  return most < 1.0 ? 1 : std::clamp<std::size_t>(tiles, 1, static_cast<std::size_t>(most));
+}
+
+std::vector<TubeSums> trace_blocks(PartKind kind, const TubeLook& look, std::span<const std::size_t> blocks, Progress& progress,
+                                   double share) {
   const Tiles tiles = tiles_of(kind, look);
-  if (tiles.count == 0) progress.add(share);
-  TubeSums sums;
-  const std::size_t together = tiles_per_batch(look.convexity.no_reflection ? 1 : look.max_bounces, look.wavenumbers().size());
-  for (std::size_t first = 0; first < tiles.count; first += together) {
-    std::vector<TubeSums> batch(std::min(together, tiles.count - first));
+  const std::vector<TileOfBlock> chosen = tiles_of_blocks(tiles.count, blocks_of(kind, look), blocks);
+  if (chosen.empty()) progress.add(share);
+  std::vector<TubeSums> sums(blocks.size());
+  const std::size_t together = tiles_per_batch(bounces_of(look), look.wavenumbers().size());
+  for (std::size_t first = 0; first < chosen.size(); first += together) {
+    std::vector<TubeSums> batch(std::min(together, chosen.size() - first));
     const auto trace = [&](std::size_t i) {
-      batch[i] = tiles.trace(first + i);
-      progress.add(share / static_cast<double>(tiles.count));
+      batch[i] = tiles.trace(chosen[first + i].tile);
+      progress.add(share / static_cast<double>(chosen.size()));
     };
     if (look.map)
       for (std::size_t i = 0; i < batch.size(); ++i) trace(i);
     else
       tbb::parallel_for(std::size_t{0}, batch.size(), trace);
     stop_if_cancelled();
-    for (const TubeSums& sum : batch) sums.add(sum);
+    for (std::size_t i = 0; i < batch.size(); ++i) sums[chosen[first + i].sum].add(batch[i]);
   }
   return sums;
 }

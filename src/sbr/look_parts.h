@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/progress.h"
 #include "sbr/beams/tube_look.h"
@@ -19,9 +21,15 @@ enum class PartKind {
   curved_bounces  // what curved surfaces reflect
 };
 
-/// Traces a part of a look and adds up its tiles in order, whoever computes them: one thread where the look has a map, else all.
-/// Reports finished tiles as shares of `share` to `progress`. Throws Interrupted when the solve is stopped.
-TubeSums trace_part(PartKind kind, const TubeLook& look, Progress& progress, double share);
+/// Into how many blocks a part of a look is divided that can be traced on grids of different density: polygons, where that
+/// leaves their sums small; else one.
+std::size_t blocks_of(PartKind kind, const TubeLook& look);
+
+/// Traces some blocks of a part, in rising order, and adds up the tiles of each in order, whoever computes them: one thread where
+/// the look has a map, else all. Reports finished tiles as shares of `share` to `progress`. Throws Interrupted when the solve is
+/// stopped.
+std::vector<TubeSums> trace_blocks(PartKind kind, const TubeLook& look, std::span<const std::size_t> blocks, Progress& progress,
+                                   double share);
 
 /// Faces whose tubes are followed together, as one tile, where no sheets let waves through.
 inline constexpr std::uint32_t faces_per_tile = 256;

@@ -1,7 +1,10 @@
 #include "sbr/sbr.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <optional>
+#include <set>
 
 #include "sbr/beams/beam.h"
 #include "sbr/beams/estimate.h"
@@ -17,8 +20,11 @@ namespace raytube {
 
 namespace {
 
-// The least and the most by which cells per wavelength grow.
-constexpr double least_growth = 1.5, most_growth = 4.0;
+// The error of tubes too narrow to be cut falls with the power 3/2 of their width (theory/method.md). The least and the most by
+// which cells per wavelength grow, the least so that a grid that has just missed is not followed by many like it.
+constexpr double error_order = 1.5, least_growth = 1.5, most_growth = 4.0;
+// The density that leaves some tenths of a decibel on a vehicle, and the tolerance [dB] at which a grid begins with it.
+constexpr double coarse_density = 2.2, coarse_tolerance = 1.0;
 
 // Of the densest grid that can be launched, the share that is not exceeded for the tolerance's sake.
 constexpr double finest_grid = 0.9;
@@ -26,14 +32,27 @@ constexpr double finest_grid = 0.9;
 // Followed together: each beam between sheets keeps its fields at all of them.
 constexpr std::size_t most_frequencies_with_sheets = 16;
 
-// A part of a look, on a grid of its own density.
-struct LookPart {
-  PartKind kind;
+// What of a part is traced on a grid of one density.
+struct PartBlock {
   double per_wavelength;
   TubeSums sums{};
+};
 
-  // More cells make it better: there are some, or small polygons became some.
+struct LookPart {
+  PartKind kind;
+  std::vector<PartBlock> blocks{};
+  TubeSums sums{};  // of all blocks
+
+  // More cells make it better: there are some, or small polygons go on uncut.
   bool sampled() const { return !sums.coarse.empty() || (kind == PartKind::flat && !sums.pieces.empty()); }
+
+  // The blocks on grids of this density.
+  std::vector<std::size_t> blocks_at(double per_wavelength) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      if (blocks[i].per_wavelength == per_wavelength) found.push_back(i);
+    return found;
+  }
 };
 
 TubeSums total(const std::vector<LookPart>& parts) {
@@ -46,6 +65,31 @@ TubeSums total(const std::vector<LookPart>& parts) {
         for (int q = 0; q < 2; ++q) sums.error[f][p][q] += part.sums.error[f][p][q];
   }
   return sums;
+}
+
+// The share of the permitted square that blocks may leave which are not refined, and the share of the permitted error that the
+// others aim at: a grid denser by a third costs less than one more that only just misses.
+constexpr double left_alone = 0.25, aim = 0.65;
+
+// Of blocks whose errors are so many times the tolerance, independent of one another: those that have to be refined, and how many
+// times their error together is what it may be.
+struct Excess {
+  std::vector<std::size_t> blocks;
+  double ratio = 0.0;
+};
+
+Excess largest_of(std::span<const double> errors) {
+  std::vector<std::size_t> order(errors.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return errors[i]; });
+  const auto square = [&](std::size_t i) { return errors[i] * errors[i]; };
+  double left = 0.0, refined = 0.0;
+  auto first = order.begin();
+  for (; first != order.end() && left + square(*first) <= left_alone; ++first) left += square(*first);
+  for (auto i = first; i != order.end(); ++i) refined += square(*i);
+  Excess excess{{first, order.end()}, std::sqrt(refined / (1.0 - left)) / aim};
+  std::ranges::sort(excess.blocks);
+  return excess;
 }
 
 // One look with these options, at any density.
@@ -67,54 +111,83 @@ class LookTracer {
     if (std::ranges::any_of(scene.materials, &Material::transmits)) sheets_.emplace(mesh(), scene.materials, receive_);
   }
 
-  // What is traced by itself, at first all at the same density.
+  // What is traced by itself.
   std::vector<LookPart> parts() const {
-    const double density = first_density(options_);
-    if (options_.mode == TubeMode::uniform) return {{PartKind::uniform, density}};
-    std::vector<LookPart> parts{{PartKind::flat, density}};
+    if (options_.mode == TubeMode::uniform) return {{PartKind::uniform}};
+    std::vector<LookPart> parts{{PartKind::flat}};
     if (!options_.refines() || !scene_.smooth) return parts;
-    parts.push_back({look_.far() ? PartKind::curved : PartKind::curved_near, density});
-    if (!convexity_.no_reflection) parts.push_back({PartKind::curved_bounces, density});
+    parts.push_back({look_.far() ? PartKind::curved : PartKind::curved_near});
+    if (!convexity_.no_reflection) parts.push_back({PartKind::curved_bounces});
     return parts;
   }
 
-  // Fills part.sums, some frequencies at a time where there are sheets.
+  // All of a part, for the first time.
   void trace(LookPart& part, double share, CurrentMap* map) const {
-    const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, part.per_wavelength, options_.up);
-    const std::uint64_t rays_before = part.sums.rays;
-    part.sums = {};
+    const double density = first_density(options_);
+    const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, density, options_.up);
+    const std::size_t blocks =
+        grid.cells() > 0 ? blocks_of(part.kind, tube_look(grid, {scene_.materials, wavenumbers_, 0}, nullptr, nullptr)) : 1;
+    part.blocks.assign(blocks, PartBlock{density});
+    trace(part, part.blocks_at(density), density, share, map);
+  }
+
+  // The whole part once more, now with a map.
+  void fill(CurrentMap& map, LookPart& part) const {
+    std::set<double> densities;
+    for (const PartBlock& block : part.blocks) densities.insert(block.per_wavelength);
+    for (const double density : densities) trace(part, part.blocks_at(density), density, 0.0, &map);
+  }
+
+  // Fills the sums of these blocks, some frequencies at a time where there are sheets.
+  void trace(LookPart& part, const std::vector<std::size_t>& blocks, double density, double share, CurrentMap* map) const {
+    const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, density, options_.up);
     if (grid.cells() == 0) progress_.add(share);
     std::optional<SphericalLook> spherical;
     if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
+    std::vector<TubeSums> traced(blocks.size());
     const std::size_t count = grid.cells() > 0 ? wavenumbers_.size() : 0,
                       together = sheets_ && !map ? most_frequencies_with_sheets : wavenumbers_.size();
     for (std::size_t first = 0; first < count; first += together) {
       SpectralSurfaces surfaces{scene_.materials, wavenumbers_, first};
       surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
       const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
-      TubeSums sums =
-          trace_part(part.kind, tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map), progress_, part_of_share);
-      if (first == 0)
-        part.sums = std::move(sums);
-      else
-        part.sums.append(std::move(sums));
+      std::vector<TubeSums> sums = trace_blocks(part.kind, tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map),
+                                                blocks, progress_, part_of_share);
+      for (std::size_t i = 0; i < blocks.size(); ++i)
+        if (first == 0)
+          traced[i] = std::move(sums[i]);
+        else
+          traced[i].append(std::move(sums[i]));
     }
-    part.sums.rays += rays_before;
-    part.sums.error = numerical_error(part.sums, grid, wavenumbers_, mesh().radius);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      PartBlock& block = part.blocks[blocks[i]];
+      traced[i].rays += block.sums.rays;
+      block = {density, std::move(traced[i])};
+      block.sums.error = numerical_error(block.sums, grid, wavenumbers_, mesh().radius);
+    }
+    add_up(part, grid);
   }
 
   bool within_tolerance(const TubeSums& sums) const { return !(excess(sums, sums.error, tolerance_) > 1.0); }
 
-  // Traces those parts again, more densely, whose share of the error is too large. False if no part can be made better.
+  // Traces those blocks again, more densely, whose share of the error is too large. False if none can be made better.
   bool refine(std::vector<LookPart>& parts, const TubeSums& sums) const {
     bool any = false;
     const double most =
         std::min(options_.max_per_wavelength, finest_grid * densest_grid(mesh(), look_, wavelength_, options_.up));
     for (LookPart& part : parts) {
-      const double too_large = excess(sums, part.sums.error, tolerance_) * static_cast<double>(parts.size());
-      if (too_large <= 1.0 || !part.sampled() || part.per_wavelength >= most) continue;
-      part.per_wavelength = std::min(part.per_wavelength * std::clamp(too_large, least_growth, most_growth), most);
-      trace(part, 0.0, nullptr);
+      const auto too_large = [&](const TubeSums& of) {
+        return excess(sums, of.error, tolerance_) * static_cast<double>(parts.size());
+      };
+      if (too_large(part.sums) <= 1.0 || !part.sampled()) continue;
+      std::vector<double> errors;
+      for (const PartBlock& block : part.blocks) errors.push_back(block.per_wavelength < most ? too_large(block.sums) : 0.0);
+      const auto [blocks, ratio] = largest_of(errors);
+      if (blocks.empty()) continue;
+      double density = 0.0;
+      for (const std::size_t i : blocks) density = std::max(density, part.blocks[i].per_wavelength);
+      density *= std::clamp(std::pow(ratio, 1.0 / error_order), least_growth, most_growth);
+      trace(part, blocks, std::min(density, most), 0.0, nullptr);
       any = true;
     }
     return any;
@@ -129,6 +202,12 @@ class LookTracer {
  private:
   const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
 
+  void add_up(LookPart& part, const LaunchGrid& grid) const {
+    part.sums = {};
+    for (const PartBlock& block : part.blocks) part.sums.add(block.sums);
+    part.sums.error = numerical_error(part.sums, grid, wavenumbers_, mesh().radius);
+  }
+
   TubeLook tube_look(const LaunchGrid& grid, const SpectralSurfaces& surfaces, const SphericalLook* spherical,
                      CurrentMap* map) const {
     return {.tracer = scene_.tracer,
@@ -142,6 +221,7 @@ class LookTracer {
             .sheets = sheets_ ? &*sheets_ : nullptr,
             .map = map,
             .convexity = convexity_,
+            .tolerance = tolerance_,
             .phase_tolerance = phase_tolerance(tolerance_),
             .max_bounces = options_.max_bounces,
             .clip = options_.clip,
@@ -173,12 +253,14 @@ TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<cons
   TubeSums sums = total(parts);
   while (!tracer.within_tolerance(sums) && tracer.refine(parts, sums)) sums = total(parts);
   if (work.map)
-    for (LookPart& part : parts) tracer.trace(part, 0.0, work.map);
+    for (LookPart& part : parts) tracer.fill(*work.map, part);
   return tracer.with_truncated_tubes(std::move(sums));
 }
 
 double first_density(const TubeOptions& options) {
-  return options.refines() ? std::min(options.per_wavelength, options.max_per_wavelength) : options.per_wavelength;
+  if (!options.refines()) return options.per_wavelength;
+  const double to_begin_with = coarse_density * std::pow(coarse_tolerance / options.tolerance_db, 1.0 / error_order);
+  return std::min({to_begin_with, options.per_wavelength, options.max_per_wavelength});
 }
 
 double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {

@@ -80,9 +80,9 @@ PolygonSoup two_spheres() {
   return soup;
 }
 
-// On targets of very many faces tubes narrower than a cell are thinned by the grid, to cells or nothing, and the estimate has
-// their sampling variance. The truth: cells with a side of a fifth and less, so that they err by a fifth and less.
-TEST(Estimate, CoversTheErrorOfThinning) {
+// On targets of very many faces tubes narrower than a cell follow one ray each, and the estimate has what they and their twins
+// radiate once these part. The truth: cells with a side of a fifth and less, so that they err by a tenth and less.
+TEST(Estimate, CoversTheErrorOfNarrowTubes) {
   const PolygonSoup soup = two_spheres();
   const Sweep sweep = looks(1.2, 10);
   SolveOptions o = options(EdgeMethod::none, 40.0);
@@ -98,8 +98,8 @@ TEST(Estimate, CoversTheErrorOfThinning) {
     compare(result, truth, honesty);
   }
   const double covered = static_cast<double>(honesty.covered) / honesty.values;
-  measured("estimate, thinning by the grid, covered", 100.0 * covered, "%");
-  measured("estimate, thinning by the grid, median of estimate / error", quantile(honesty.ratios, 0.5), "");
+  measured("estimate, narrow tubes, covered", 100.0 * covered, "%");
+  measured("estimate, narrow tubes, median of estimate / error", quantile(honesty.ratios, 0.5), "");
   EXPECT_GE(covered, 0.95);
   EXPECT_LE(quantile(honesty.ratios, 0.5), 20.0);
 }

@@ -16,7 +16,6 @@ namespace {
 
 // Channels so far below the strongest of their row are told by themselves: a small error is large against them.
 constexpr int low_db = 20;
-constexpr double low_share = 0.1;
 constexpr double near_peak = 0.01;  // of the largest amplitude: 40 dB below it
 
 std::string line(const char* name, const std::string& text) { return fmt::format("{:<18} {}\n", name, text); }
@@ -34,6 +33,15 @@ struct LargestErrors {
   std::size_t rows_above = 0;
 };
 
+// As tubes are refined.
+bool within(const ScatteringMatrix& s, const ChannelErrors& errors, double tolerance_db) {
+  const double share = std::pow(10.0, tolerance_db / 20.0) - 1.0, least = low_channel * largest_amplitude(s);
+  for (const int p : {0, 1})
+    for (const int q : {0, 1})
+      if (errors[p][q] > share * std::max(std::abs(s.at(p, q)), least)) return false;
+  return true;
+}
+
 LargestErrors largest_errors(const SweepResult& result, const std::vector<ChannelErrors>& errors, double tolerance_db) {
   LargestErrors found;
   for (std::size_t row = 0; row < result.total.size(); ++row) {
@@ -42,11 +50,11 @@ LargestErrors largest_errors(const SweepResult& result, const std::vector<Channe
     if (largest == 0.0 || !std::isfinite(frobenius_norm(s))) continue;  // no level is relative to nothing
     const std::array<double, 4> levels = error_levels_db(s, errors[row]);
     for (const int channel : {0, 1, 2, 3}) {
-      const bool low = std::abs(s.at(channel / 2, channel % 2)) < low_share * largest;
+      const bool low = std::abs(s.at(channel / 2, channel % 2)) < low_channel * largest;
       double& kind = low ? found.low : channel == 0 || channel == 3 ? found.co : found.cross;
       kind = std::max(kind, levels[static_cast<std::size_t>(channel)]);
     }
-    found.rows_above += std::ranges::max(levels) > tolerance_db ? 1 : 0;
+    found.rows_above += within(s, errors[row], tolerance_db) ? 0 : 1;
   }
   return found;
 }

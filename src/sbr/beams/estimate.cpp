@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/options.h"
+
 namespace raytube {
 
 namespace {
@@ -96,7 +98,7 @@ double excess(const TubeSums& sums, const std::vector<ChannelErrors>& errors, do
     for (const std::vector<ScatteringMatrix>& bounce : sums.bounces) total += bounce[f];
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q) {
-        const double amplitude = std::max(std::abs(total.at(p, q)), 0.01 * largest_amplitude(total));
+        const double amplitude = std::max(std::abs(total.at(p, q)), low_channel * largest_amplitude(total));
         if (amplitude > 0.0) worst = std::max(worst, errors[f][p][q] / (relative_tolerance * amplitude));
       }
   }

@@ -18,8 +18,8 @@ std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGri
 /// magnitude.
 void add_truncated_tubes(TubeSums& sums);
 
-/// How many times the errors [m] exceed the tolerance, a share of max(|S_pq|, S_max / 100) with S_max the largest of the four
-/// amplitudes: at worst over frequencies and channels.
+/// How many times the errors [m] exceed the tolerance, a share of max(|S_pq|, low_channel S_max) with S_max the largest of the
+/// four amplitudes: at worst over frequencies and channels.
 double excess(const TubeSums& sums, const std::vector<ChannelErrors>& errors, double relative_tolerance);
 
 }  // namespace raytube

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "mesh/features/convexity.h"
-#include "mesh/smooth/smooth.h"
 #include "mesh/model/face_tree.h"
+#include "mesh/smooth/smooth.h"
 #include "mesh/trace/tracer.h"
 #include "sbr/beams/spectrum.h"
 #include "sbr/launch/launch.h"
@@ -29,6 +29,7 @@ struct TubeLook {
   const LineOfSightSheets* sheets;   // sheets that currents may stand behind; null: there are none
   CurrentMap* map;                   // takes every current as well, from one thread; null: none is asked for
   Convexity convexity;               // what need not be looked for
+  double tolerance;                  // permitted error of S, as a share of it
   double phase_tolerance;            // by which a curved surface may lie off its description [rad]
   int max_bounces;
   bool clip;  // integrate over exactly the parts lit; else over the cells of the grid whose ray runs through them

@@ -14,10 +14,12 @@ void add_at(Values& sum, std::size_t index, const typename Values::value_type& v
 
 }  // namespace
 
-void ErrorSum::add(const ScatteringMatrix& error) {
-  coherent += error;
+void ErrorSum::add(const ScatteringMatrix& error, double sign) {
   for (int p = 0; p < 2; ++p)
-    for (int q = 0; q < 2; ++q) squares[p][q] += std::norm(error.at(p, q));
+    for (int q = 0; q < 2; ++q) {
+      coherent.at(p, q) += sign * error.at(p, q);
+      squares[p][q] += std::norm(error.at(p, q));
+    }
 }
 
 ErrorSum& ErrorSum::operator+=(const ErrorSum& other) {

@@ -48,13 +48,13 @@ void CellTubes::launch(std::uint32_t row, std::uint32_t column_begin, std::uint3
   tubes_.resize(next + column_end - column_begin);
   rays_.resize(tubes_.size());
   for (std::uint32_t column = column_begin; column < column_end; ++column, ++next) {
-    tubes_[next] = {column, row, BeamTree::root, 0.0f};
+    tubes_[next] = {column, row, BeamTree::root};
     rays_[next] = grid_.ray(column, row);
   }
 }
 
-void CellTubes::add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch, double sampling_variance) {
-  tubes_.push_back({column, row, beam, static_cast<float>(sampling_variance)});
+void CellTubes::add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch) {
+  tubes_.push_back({column, row, beam});
   rays_.push_back(reflected_ray(column, row, beam, patch));
 }
 
@@ -100,7 +100,7 @@ void CellTubes::reflect(int bounce) {
   for (std::size_t i = 0; i < tubes_.size(); ++i) {
     const std::uint32_t triangle = found_[i];
     if (triangle == no_index) continue;
-    const auto [column, row, beam, sampling_variance] = tubes_[i];
+    const auto [column, row, beam] = tubes_[i];
     if (smooth_ && beam == BeamTree::root && smooth_->region(triangle) != no_index) continue;
     const std::uint32_t patch = mesh.triangle_patch[triangle],
                         node = beams_.child(beam, patch, {grid_.u_center(column), grid_.v_center(row)});
@@ -110,7 +110,7 @@ void CellTubes::reflect(int bounce) {
       continue;
     }
     sums_.meet(bounce, grid_.du * grid_.dv, beams_.amplitude(beam));
-    tubes_[alive] = {column, row, node, sampling_variance};
+    tubes_[alive] = {column, row, node};
     found_[alive] = triangle;
     rays_[alive] = reflected_ray(column, row, node, patch);
     ++alive;
@@ -124,10 +124,10 @@ void CellTubes::send_on() {
   if (!beams_.spectral()) return;
   const std::size_t count = tubes_.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const auto [column, row, node, sampling_variance] = tubes_[i];
+    const auto [column, row, node] = tubes_[i];
     const std::uint32_t through = beams_.through(node);
     if (through == no_index) continue;
-    tubes_.push_back({column, row, through, sampling_variance});
+    tubes_.push_back({column, row, through});
     rays_.push_back(reflected_ray(column, row, through, beams_.patch_index(through)));
   }
   std::size_t alive = 0;
@@ -147,21 +147,21 @@ void CellTubes::find_screened_tubes() {
     line_of_sight_->add(i, tubes_[i].beam, rays_[i].origin, rays_[i].source_patch);
   sums_.rays += line_of_sight_->through_sheets(beams_, [&](std::uint32_t i, std::uint32_t node) {
     const Tube& tube = tubes_[i];
-    screened_.push_back({tube.column, tube.row, node, tube.sampling_variance});
+    screened_.push_back({tube.column, tube.row, node});
     if (map_) add_to_map(screened_.back(), found_[i]);
   });
 }
 
 void CellTubes::find_runs(std::span<const Tube> tubes) {
   runs_.clear();
-  for (const auto& [column, row, node, sampling_variance] : tubes)
+  for (const auto& [column, row, node] : tubes)
     extend({node, {column, column + 1, row, row + 1}, grid_.ray_coordinates(column, row)});
 }
 
 void CellTubes::find_coarse_runs(std::span<const Tube> tubes, std::uint32_t grid) {
   const CellBlock& block = coarse_block_;
   runs_.clear();
-  for (const auto& [column, row, node, sampling_variance] : tubes) {
+  for (const auto& [column, row, node] : tubes) {
     const Group down = group_of(row, grid, block.row_begin, block.row_end);
     if (down.empty()) continue;
     const Group across = group_of(column, grid, block.column_begin, block.column_end);
@@ -186,7 +186,6 @@ void CellTubes::integrate(int bounce) {
   std::vector<ScatteringMatrix>& sums = sums_.at(bounce, frequencies_);
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
   find_screened_tubes();
-  add_variance();
   add_incoherent();
   for (std::size_t i = 0; map_ && i < tubes_.size(); ++i) add_to_map(tubes_[i], found_[i]);
   for (const std::span<const Tube> tubes : {std::span<const Tube>(tubes_), std::span<const Tube>(screened_)}) {
@@ -209,20 +208,6 @@ void CellTubes::add_incoherent() {
 
 void CellTubes::add_to_map(const Tube& tube, std::uint32_t triangle) {
   map_->add(beams_.footprint(tube.beam), cell_bounds(grid_, tube.column, tube.row), triangle);
-}
-
-// S = -(jk / 4 pi) p_hat . eta J * integral: see add_far_field.
-void CellTubes::add_variance() {
-  const double cell = grid_.du * grid_.dv / (4.0 * pi);
-  for (const Tube& tube : tubes_) {
-    if (tube.sampling_variance == 0.0f) continue;
-    const Footprint f = spherical_ ? spherical_->footprint(beams_.beam(tube.beam), beams_.patch(tube.beam),
-                                                           grid_.ray_coordinates(tube.column, tube.row))
-                                   : beams_.footprint(tube.beam);
-    const double square = tube.sampling_variance * std::pow(f.area * cell, 2);
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) variance_[p][q] += square * std::pow(largest_weight(f, p, q), 2);
-  }
 }
 
 // Current and phase gradient of a spherical wave are those where the ray met the surface: from the middle of its cells none may

@@ -31,9 +31,8 @@ class CellTubes {
   /// Tubes as launched, of the cells [column_begin, column_end) of a row. Those that meet a curved surface of the look first are
   /// left to whoever traces such surfaces.
   void launch(std::uint32_t row, std::uint32_t column_begin, std::uint32_t column_end);
-  /// A tube that travels in `beam`, just reflected by `patch`. If it stands for others that the grid has thinned,
-  /// `sampling_variance` is the variance of that over the square of what the tube radiates.
-  void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch, double sampling_variance = 0.0);
+  /// A tube that travels in `beam`, just reflected by `patch`.
+  void add(std::uint32_t column, std::uint32_t row, std::uint32_t beam, std::uint32_t patch);
 
   /// Sends every tube to the next surface and integrates the currents there as those of bounce `bounce`, counted from 0. Tubes
   /// that meet none end; all do if the next one would be bounce `max_bounces` of the look.
@@ -48,14 +47,9 @@ class CellTubes {
   /// Sums over all bounces so far; [grid][frequency].
   const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums() const { return coarse_sums_; }
 
-  /// Over all tubes and bounces so far the squares of what their currents radiate at most, times their sampling variance, over
-  /// the square of the wavenumber [m^4].
-  const ChannelErrors& variance() const { return variance_; }
-
  private:
   struct Tube {
     std::uint32_t column, row, beam;
-    float sampling_variance;
   };
   // Neighbouring cells of a row whose tubes share a footprint: together one wider tube, integrated in one closed form.
   struct Run {
@@ -76,7 +70,6 @@ class CellTubes {
   void extend(const Run& next);
   void integrate_runs(std::vector<ScatteringMatrix>& sums);
   void add_to_map(const Tube& tube, std::uint32_t triangle);
-  void add_variance();
   void add_incoherent();
 
   const Tracer& tracer_;
@@ -97,7 +90,6 @@ class CellTubes {
   std::vector<Run> runs_;
   CellBlock coarse_block_{};
   std::array<std::vector<ScatteringMatrix>, coarse_grids> coarse_sums_;
-  ChannelErrors variance_{};
 };
 
 }  // namespace raytube

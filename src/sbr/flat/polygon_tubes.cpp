@@ -15,15 +15,32 @@ namespace raytube {
 
 namespace {
 
+// How a tube goes on. A narrow one goes as a whole wherever the ray of its middle goes. Beside it runs the ray of another of its
+// points, its twin: as long as both meet the same patches, no edge that matters divides the tube.
+enum class Course : std::uint8_t {
+  cut,       // wide: cut at the edges of what it meets
+  together,  // narrow, its twin with it
+  parted,    // narrow, its twin elsewhere
+  twin       // where that one is, as an error: its currents are not counted
+};
+
 // A tube of polygonal cross-section and the beam it travels in, just reflected by a patch.
 struct PolygonTube {
   std::uint32_t beam, patch;
   ConvexPolygon outline;
+  Course course = Course::cut;
+  std::uint32_t corner = 0;  // towards which the twin's point lies
 };
+
+// Half of the area that is seen from the middle lies nearer to it, half beyond.
+dvec2 point_of_twin(const PolygonTube& tube) {
+  const dvec2 at = middle(tube.outline);
+  return at + std::sqrt(0.5) * (tube.outline[tube.corner % tube.outline.size()].at - at);
+}
 
 // A polygon that holds no more cells than this costs more than their rays.
 constexpr std::uint64_t few_cells = 16;
-// With more tubes than this under way, or more faces to meet, tubes smaller than a cell are no longer worth their number.
+// With more tubes than this under way, or more faces to meet, tubes smaller than a cell are no longer cut.
 constexpr std::size_t many_tubes = 256, many_faces = 2048;
 
 // The tubes of some faces, bounce by bounce: state of trace_faces() and its steps.
@@ -42,25 +59,71 @@ struct FaceTrace {
       if (mesh.closed(face.triangle) && facing(beams_.beam(BeamTree::root), mesh.patches[face.patch]) >= 0.0) ++sums_.faces_away;
   }
 
-  void send_middle_rays() {
+  // The ray of each tube's middle, or of its twin's point if it is one; behind them those of the twins that run along.
+  void send_rays() {
     rays_.clear();
-    for (const PolygonTube& tube : tubes_) rays_.push_back(visible_.middle_ray(beams_.beam(tube.beam), tube.patch, tube.outline));
-    in_middle_.resize(rays_.size());
-    look_.tracer.closest_hits(rays_, in_middle_);
+    const auto send = [&](const PolygonTube& tube, const dvec2& at) {
+      rays_.push_back(tube_ray(beams_.beam(tube.beam), at, &look_.faces.mesh().patches[tube.patch], tube.patch));
+    };
+    for (const PolygonTube& tube : tubes_) send(tube, tube.course == Course::twin ? point_of_twin(tube) : middle(tube.outline));
+    for (const PolygonTube& tube : tubes_)
+      if (tube.course == Course::together) send(tube, point_of_twin(tube));
+    hits_.resize(rays_.size());
+    look_.tracer.closest_hits(rays_, hits_);
+    sums_.rays += rays_.size();
+  }
+
+  void follow_all(int bounce) {
+    std::size_t next_twin = tubes_.size();
+    for (std::size_t i = 0; i < tubes_.size(); ++i) {
+      PolygonTube& tube = tubes_[i];
+      const std::size_t twin = tube.course == Course::together ? next_twin++ : i;
+      if (bounce == look_.max_bounces)
+        end(tube, hits_[i]);
+      else if (tube.course == Course::cut)
+        follow(tube, hits_[i], bounce);
+      else
+        follow_narrow(tube, i, twin, bounce);
+    }
   }
 
   // Tubes after their last bounce are truncated if their middle would meet something; where there are sheets, all that the whole
   // tube would meet counts.
+  void end(const PolygonTube& tube, const Hit& in_middle) {
+    if (tube.course == Course::twin) return;
+    if (line_of_sight_)
+      truncate(tube, in_middle);
+    else if (in_middle)
+      count_truncated(sums_.truncated[Truncation::bounces], area(tube.outline), beams_.amplitude(tube.beam));
+  }
+
   void follow(const PolygonTube& tube, const Hit& in_middle, int bounce) {
-    if (bounce == look_.max_bounces) {
-      if (line_of_sight_)
-        truncate(tube, in_middle);
-      else if (in_middle)
-        count_truncated(sums_.truncated[Truncation::bounces], area(tube.outline), beams_.amplitude(tube.beam));
+    visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, parts_);
+    reflect(tube, bounce);
+  }
+
+  void follow_narrow(PolygonTube& tube, std::size_t ray, std::size_t twin, int bounce) {
+    if (tube.course == Course::together && patch_at(hits_[twin]) != patch_at(hits_[ray])) {
+      tube.course = Course::twin;
+      meet_as_a_whole(tube, twin, bounce);
+      tube.course = Course::parted;
+    }
+    meet_as_a_whole(tube, ray, bounce);
+  }
+
+  std::uint32_t patch_at(const Hit& hit) const { return hit ? look_.faces.mesh().triangle_patch[hit.triangle] : no_index; }
+
+  // Only a ray that slipped through an edge meets a closed body from inside.
+  void meet_as_a_whole(const PolygonTube& tube, std::size_t ray, int bounce) {
+    const std::uint32_t triangle = hits_[ray].triangle;
+    if (!hits_[ray]) return;
+    const TriangleMesh& mesh = look_.faces.mesh();
+    if (mesh.closed(triangle) && facing(beams_.beam(tube.beam), mesh.patches[mesh.triangle_patch[triangle]]) > 0.0) {
+      if (tube.course != Course::twin) sums_.lose(rays_[ray], triangle, mesh);
       return;
     }
-    visible_.from_surface(beams_.beam(tube.beam), tube.patch, tube.outline, in_middle, parts_);
-    reflect(tube.beam, bounce);
+    parts_.push_back({look_.faces.face_of(triangle), tube.outline});
+    reflect(tube, bounce);
   }
 
   void truncate(const PolygonTube& tube, const Hit& in_middle) {
@@ -83,47 +146,42 @@ struct FaceTrace {
     }
   }
 
-  // Turns the parts that a beam has met into currents and reflected tubes.
-  void reflect(std::uint32_t beam, int bounce) {
+  // Turns the parts that a tube has met into currents and reflected tubes.
+  void reflect(const PolygonTube& tube, int bounce) {
     for (VisiblePart& part : parts_) {
       if (!look_.clip) cells_under(look_.grid, part.outline, blocks_);
       if (!look_.clip && blocks_.empty()) continue;
       const std::uint32_t patch = look_.faces.faces()[part.face].patch;
-      const std::uint32_t node = beams_.child(beam, patch, middle(part.outline));
-      sums_.meet(bounce, area(part.outline), beams_.amplitude(beam));
-      integrate(node, part, bounce);
-      if (const std::uint32_t through = beams_.through(node); through != no_index) send_on(through, patch, part.outline);
-      if (beams_.is_lit(node)) send_on(node, patch, std::move(part.outline));
+      const std::uint32_t node = beams_.child(tube.beam, patch, middle(part.outline));
+      if (tube.course != Course::twin) sums_.meet(bounce, area(part.outline), beams_.amplitude(tube.beam));
+      integrate(node, part, bounce, tube.course);
+      const auto send_on = [&](std::uint32_t beam, ConvexPolygon outline) {
+        if (look_.clip || cells_in_blocks() > few_cells)
+          reflected_.push_back({beam, patch, std::move(outline), tube.course, tube.corner});
+        else
+          follow_by_rays(beam, patch);
+      };
+      if (const std::uint32_t through = beams_.through(node); through != no_index) send_on(through, part.outline);
+      if (beams_.is_lit(node)) send_on(node, std::move(part.outline));
     }
     parts_.clear();
   }
 
-  void send_on(std::uint32_t beam, std::uint32_t patch, ConvexPolygon outline) {
-    if (look_.clip || cells_in_blocks() > few_cells)
-      reflected_.push_back({beam, patch, std::move(outline)});
-    else
-      follow_by_rays(beam, patch);
-  }
-
-  // Where tubes grow too many, those smaller than a cell are thinned by the grid's own rays: one goes on as a whole cell if that
-  // cell's ray runs through it, else not at all. So there are never many more tubes than the uniform grid has. Nothing is drawn:
-  // the rays are a sample of the launch plane stratified by cells, one in each.
-  void thin_by_grid() {
+  // Where tubes grow too many, those smaller than a cell are no longer cut.
+  void find_narrow() {
     if (!look_.clip || !too_many()) return;
     const double cell = look_.grid.du * look_.grid.dv;
-    std::erase_if(reflected_, [&](const PolygonTube& tube) {
-      const double size = area(tube.outline);
-      if (size >= cell) return false;
-      thinned_ += size * (cell - size);
-      cells_under(look_.grid, tube.outline, blocks_);
-      follow_by_rays(tube.beam, tube.patch, 1.0 - size / cell);
-      return true;
-    });
+    for (PolygonTube& tube : reflected_) {
+      if (tube.course != Course::cut || area(tube.outline) >= cell) continue;
+      tube.course = Course::together;
+      tube.corner = narrow_++;
+    }
   }
 
   void end_weakest() {
     const auto weight = [&](const PolygonTube& tube) { return area(tube.outline) * beams_.amplitude(tube.beam); };
     raytube::end_weakest(reflected_, most_tubes, weight, [&](const PolygonTube& tube) {
+      if (tube.course == Course::twin) return;
       count_truncated(sums_.truncated[Truncation::number], area(tube.outline), beams_.amplitude(tube.beam));
     });
   }
@@ -136,27 +194,11 @@ struct FaceTrace {
     return static_cast<double>(reflected_.size()) * look_.grid.du * look_.grid.dv > covered;
   }
 
-  // The variance of thinning, as if each tube were drawn for itself. Over all positions of the grid it becomes a cell with the
-  // probability of their areas' ratio, p: variance (1 - p) / p of the square of what it would radiate, or (1 - p) of that of the
-  // cell for each one that did (Horvitz & Thompson 1952). Where none did, one cell's with the k / 2 pi that a perfect conductor
-  // radiates at most, but no more than (area) (cell - area) of each.
-  void count_thinned() {
-    if (thinned_ == 0.0) return;
-    const double cell = look_.grid.du * look_.grid.dv;
-    ChannelErrors variance = cell_tubes_.variance();
-    if (variance == ChannelErrors{})
-      for (auto& row : variance) row.fill(std::min(thinned_, cell * cell) / std::pow(2.0 * pi, 2));
-    sums_.pieces.resize(look_.wavenumbers().size());
-    for (std::size_t f = 0; f < sums_.pieces.size(); ++f)
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) sums_.pieces[f].squares[p][q] += std::pow(look_.wavenumbers()[f], 2) * variance[p][q];
-  }
-
-  void follow_by_rays(std::uint32_t beam, std::uint32_t patch, double sampling_variance = 0.0) {
+  void follow_by_rays(std::uint32_t beam, std::uint32_t patch) {
     for (const CellBlock& block : blocks_)
       for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
         for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
-          cell_tubes_.add(column, row, beam, patch, sampling_variance);
+          cell_tubes_.add(column, row, beam, patch);
   }
 
   double cell_area() const { return static_cast<double>(cells_in_blocks()) * look_.grid.du * look_.grid.dv; }
@@ -167,18 +209,33 @@ struct FaceTrace {
     return cells;
   }
 
+  // What a narrow tube and its twin radiate once they have parted is wrong by as much: an edge divides the tube somewhere between
+  // its middle and a corner. If it takes the share 1 - x, below one half, of the tube's area, the error is the share 1 - x of
+  // both currents, and twins part with the probability 1 - x. Over all x the mean square of the former is 1/12, the mean of the
+  // latter 1/4: with phases that are independent, the estimate is sqrt(3) times the error. Where they are not, the sum with all
+  // twins in place of their tubes differs by more.
+  void integrate(std::uint32_t node, const VisiblePart& part, int bounce, Course course) {
+    if (course == Course::cut || course == Course::together) return add_currents(sums_, node, part, bounce, look_.map);
+    TubeSums sums;
+    add_currents(sums, node, part, bounce, course == Course::parted ? look_.map : nullptr);
+    sums_.pieces.resize(look_.wavenumbers().size());
+    for (std::size_t f = 0; f < sums_.pieces.size(); ++f)
+      sums_.pieces[f].add(sums.bounces[static_cast<std::size_t>(bounce)][f], course == Course::parted ? 1.0 : -1.0);
+    if (course == Course::parted) sums_.add(sums);
+  }
+
   // The PO integral over a part of a face, and over what of it the receiver has through sheets.
-  void integrate(std::uint32_t node, const VisiblePart& part, int bounce) {
-    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers().size());
-    ++sums_.hits[static_cast<std::size_t>(bounce)];
-    if (look_.spherical) return look_.spherical->add(sums_, bounce, beams_.beam(node), beams_.patch(node), part.outline);
+  void add_currents(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map) {
+    std::vector<ScatteringMatrix>& sums = to.at(bounce, look_.wavenumbers().size());
+    ++to.hits[static_cast<std::size_t>(bounce)];
+    if (look_.spherical) return look_.spherical->add(to, bounce, beams_.beam(node), beams_.patch(node), part.outline);
     const auto radiate = [&](const Footprint& footprint, const VisiblePart& of, std::span<const CellBlock> blocks) {
       for (std::size_t f = 0; f < sums.size(); ++f) {
         const double k = look_.wavenumbers()[f];
         add_far_field(sums[f], footprint, f, k,
                       look_.clip ? phase_integral(footprint, k, of.outline) : over_cells(footprint, k, blocks));
       }
-      if (look_.map) add_to_map(footprint, of, blocks);
+      if (map) add_to_map(*map, footprint, of, blocks);
     };
     radiate(beams_.footprint(node), part, blocks_);
     if (line_of_sight_) {
@@ -187,17 +244,16 @@ struct FaceTrace {
         radiate(beams_.footprint(screened.node), {part.face, std::move(screened.outline)}, screened_blocks_);
       }
     }
-    add_to_estimates(beams_.footprint(node), part.outline);
+    add_to_estimates(to, beams_.footprint(node), part.outline);
   }
 
-  void add_to_estimates(const Footprint& footprint, const ConvexPolygon& outline) {
+  void add_to_estimates(TubeSums& to, const Footprint& footprint, const ConvexPolygon& outline) {
     if (!look_.clip) count_staircase(footprint, outline);
     if (footprint.outgoing.spectrum && look_.surfaces.any_rough())
-      sums_.add_incoherent(*footprint.outgoing.spectrum, look_.clip ? area(outline) : cell_area());
+      to.add_incoherent(*footprint.outgoing.spectrum, look_.clip ? area(outline) : cell_area());
   }
 
-  void add_to_map(const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks) {
-    CurrentMap& map = *look_.map;
+  void add_to_map(CurrentMap& map, const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks) {
     if (look_.clip) return map.add(footprint, part.outline, part.face);
     for (const CellBlock& block : blocks)
       for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
@@ -243,9 +299,9 @@ struct FaceTrace {
   std::vector<VisiblePart> parts_;
   std::vector<PolygonTube> tubes_, reflected_;
   std::vector<Ray> rays_;
-  std::vector<Hit> in_middle_;
+  std::vector<Hit> hits_;
   std::vector<CellBlock> blocks_, screened_blocks_;
-  double thinned_ = 0.0;  // sum of (area) (cell - area) over the tubes that were thinned [m^4]
+  std::uint32_t narrow_ = 0;  // number of tubes found so far
   TubeSums sums_;
   CellTubes cell_tubes_;
 };
@@ -262,21 +318,19 @@ TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t en
     trace.visible_.of_whole_faces(incident, faces, trace.parts_);
   else
     trace.visible_.of_faces(incident, faces, trace.parts_);
-  trace.reflect(BeamTree::root, 0);
+  trace.reflect({BeamTree::root, no_index, {}}, 0);
   trace.sums_.rays = trace.sums_.tubes = trace.sums_.hits.empty() ? 0 : trace.sums_.hits[0];
   trace.count_faces_away(begin, end);
   for (int bounce = 1; !look.convexity.no_reflection && !(trace.reflected_.empty() && trace.cell_tubes_.empty()); ++bounce) {
     trace.beams_.next_bounce();
-    if (bounce < look.max_bounces) trace.thin_by_grid();
+    if (bounce < look.max_bounces) trace.find_narrow();
     if (trace.beams_.spectral()) trace.end_weakest();
     trace.cell_tubes_.advance(bounce);
     std::swap(trace.tubes_, trace.reflected_);
     trace.reflected_.clear();
-    trace.send_middle_rays();
-    for (std::size_t i = 0; i < trace.tubes_.size(); ++i) trace.follow(trace.tubes_[i], trace.in_middle_[i], bounce);
-    trace.sums_.rays += trace.tubes_.size();
+    trace.send_rays();
+    trace.follow_all(bounce);
   }
-  trace.count_thinned();
   trace.sums_.sliver_area = trace.visible_.sliver_area();
   return std::move(trace.sums_);
 }
