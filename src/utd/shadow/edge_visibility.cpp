@@ -25,8 +25,8 @@ constexpr double lift = 1e-6;
 // are for, in radii of the target: which side of the boundary that is does not depend on rounding. As far as single precision may
 // be wrong (ExactHit), or as double precision, where that decides.
 constexpr double outwards_single = 4e-6, outwards_double = 1e-11;
-// Moves a shadow boundary along the edge by less than this, as a fraction of the edge's length.
-constexpr double beside_crossing = 1e-9;
+// This far beyond the end of a triangle's shadow its neighbours are asked, as a fraction of the edge's length.
+constexpr double beside_end = 1e-9;
 constexpr int most_steps = 16;  // from triangle to triangle
 
 }  // namespace
@@ -92,7 +92,7 @@ double EdgeVisibility::Probe::transition(double lit_end, double dark_end) const 
     const TriangleShadow shade = shadow(blocker_there, outwards_double);
     const double end = shade.end_towards(lit_end, dark_end), room = side * (end - lit_end);
     if (!shade.hides(dark_end) || !(room > clip_tolerance)) break;
-    double beyond = end - side * std::min(beside_crossing, room / 2);
+    double beyond = end - side * std::min(beside_end, room / 2);
     std::uint32_t next = blocker_around(beyond, blocker_there);
     if (next == no_index) next = blocker(beyond = end - side * std::min(single_blocker, room / 2), outwards_double);
     if (next == no_index) return end;
@@ -176,13 +176,14 @@ void EdgeVisibility::find(std::uint32_t index, const dvec3& away, std::vector<Li
   follow_neighbours_at_ends(lit);
 }
 
-// Most edges are either hidden, by few triangles, or free: one point after the other while these are hidden, then all at once.
+// Most edges are either hidden, by few triangles, or free: one point after the other while these are hidden, then all at once. On
+// a body without shadows, all at once.
 void EdgeVisibility::test_points(const Probe& probe) {
   is_lit_.assign(points_.size(), false);
   waiting_.resize(points_.size());
   std::iota(waiting_.begin(), waiting_.end(), 0u);
   drop_hidden(probe, last_blocker_);
-  while (!waiting_.empty()) {
+  while (last_blocker_ != no_index && !waiting_.empty()) {
     const Ray middle = probe.ray(points_[waiting_[waiting_.size() / 2]]);
     std::uint32_t blocker = no_index;
     tracer_.any_blockers({&middle, 1}, probe.own_patches, {&blocker, 1});
@@ -194,7 +195,10 @@ void EdgeVisibility::test_points(const Probe& probe) {
   for (const std::uint32_t point : waiting_) rays_.push_back(probe.ray(points_[point]));
   found_.resize(rays_.size());
   tracer_.any_blockers(rays_, probe.own_patches, found_);
-  for (std::size_t i = 0; i < found_.size(); ++i) is_lit_[waiting_[i]] = found_[i] == no_index;
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    is_lit_[waiting_[i]] = found_[i] == no_index;
+    if (found_[i] != no_index) last_blocker_ = found_[i];
+  }
 }
 
 void EdgeVisibility::drop_hidden(const Probe& probe, std::uint32_t blocker) {
