@@ -32,11 +32,17 @@ void expect_exact(const TriangleMesh& mesh, const std::vector<Ray>& all) {
     limit_instruction_set(set);
     for (const int packet : {1, 16}) {
       const Tracer tracer(mesh, packet);
-      std::vector<std::uint32_t> found(all.size());
+      std::vector<std::uint32_t> found(all.size()), any(all.size());
       tracer.closest_triangles(all, found);
-      int wrong = 0;
+      tracer.any_blockers(all, nothing_ignored, any);
+      int wrong = 0, wrongly_blocked = 0;
       for (std::size_t i = 0; i < all.size(); ++i) wrong += found[i] != expected[i] ? 1 : 0;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool right = any[i] == no_index ? expected[i] == no_index : exact.meets(all[i], any[i], nothing_ignored);
+        wrongly_blocked += right ? 0 : 1;
+      }
       EXPECT_EQ(wrong, 0) << "of " << all.size() << " rays, " << set << ", packets of " << packet;
+      EXPECT_EQ(wrongly_blocked, 0) << "of " << all.size() << " rays, " << set << ", packets of " << packet;
     }
   }
   limit_instruction_set(name_of(widest_instruction_set()));

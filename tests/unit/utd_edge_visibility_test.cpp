@@ -2,6 +2,7 @@
 
 #include "unit/utd_scene.h"
 #include "utd/shadow/edge_visibility.h"
+#include "utd/shadow/triangle_shadow.h"
 #include "utd/wedge/incidence.h"
 
 namespace raytube {
@@ -18,12 +19,13 @@ std::vector<LitInterval> lit_parts(std::span<const Wedge> wedges, std::uint32_t 
   return lit;
 }
 
-/// The edge of a plate along y from -1 to 1, and above it a panel that covers y from `from` to `to` along `direction`.
-Scene shaded_edge(const dvec3& direction, double from, double to) {
+/// The edge of a plate along y from -1 to 1, and above it a panel that covers y from `from` to `to` along `direction`; `slant` is
+/// how much its borders there run along y.
+Scene shaded_edge(const dvec3& direction, double from, double to, double slant = 0.0) {
   Scene scene = test::plate(2, 2);
   scene.wedges.resize(1);
   const dvec3 on_edge(1, (from + to) / 2, 0);
-  test::add_panel(scene.mesh, on_edge + 3.0 * direction, dvec3(0.3, 0, 0), dvec3(0, (to - from) / 2, 0));
+  test::add_panel(scene.mesh, on_edge + 3.0 * direction, dvec3(0.3, slant, 0), dvec3(0, (to - from) / 2, 0));
   return scene;
 }
 
@@ -61,6 +63,39 @@ TEST(EdgeVisibility, ShadowAtAnEndIsFoundBetweenTheLastTwoPoints) {
   const auto lit = lit_parts(scene.wedges, 0, tracer, direction, 1.0);
   ASSERT_EQ(lit.size(), 1u);
   EXPECT_NEAR(lit[0].end, 1.97 / 2, clip);
+}
+
+// Rays start beside the edge, where a shadow with a slanted border is elsewhere; and behind the border of the nearest triangle
+// there may be another one.
+TEST(EdgeVisibility, ShadowOfSeveralTrianglesIsClippedWhereItMeetsTheEdge) {
+  const dvec3 direction = glm::normalize(dvec3(0.1, -0.2, 1.0));
+  Scene scene = shaded_edge(direction, -0.45, 0.02, 0.25);
+  test::add_panel(scene.mesh, dvec3(1, 0.121, 0) + 2.0 * direction, dvec3(0.3, -0.2, 0), dvec3(0, 0.112, 0));
+  const Tracer tracer(scene.mesh);
+  const auto lit = lit_parts(scene.wedges, 0, tracer, direction, 0.5);
+  ASSERT_EQ(lit.size(), 2u);
+  const double beside = 2e-11;  // rays start 1e-11 radii beside the edge, which moves shadows by as much along it
+  EXPECT_NEAR(lit[0].end, (1 - 0.45) / 2, beside);
+  EXPECT_NEAR(lit[1].begin, (1 + 0.233) / 2, beside);
+}
+
+TEST(TriangleShadow, EndsWhereTheTriangleDoesAsSeenFromTheViewpoint) {
+  TriangleMesh mesh;
+  test::add_panel(mesh, dvec3(0, 0, 1), dvec3(1, 0, 0), dvec3(0, 1, 0));  // triangle 0: below the diagonal x = y
+  const dvec3 start(-2, -0.5, 0), end(2, -0.5, 0);
+  const TriangleShadow far(mesh, 0, start, end, dvec3(0, 0, 1));
+  EXPECT_TRUE(far.hides(0.5));
+  EXPECT_FALSE(far.hides(0.37));
+  EXPECT_FALSE(far.hides(0.76));
+  EXPECT_NEAR(far.end_towards(0.0, 0.5), 1.5 / 4, clip);
+  EXPECT_NEAR(far.end_towards(1.0, 0.5), 3.0 / 4, clip);
+  const TriangleShadow near(mesh, 0, start, end, Viewpoint::at(dvec3(0, -0.5, 2)));  // twice as wide
+  EXPECT_NEAR(near.end_towards(0.0, 0.5), 1.0 / 4, clip);
+  EXPECT_NEAR(near.end_towards(1.0, 0.5), 4.0 / 4, clip);
+  EXPECT_FALSE(TriangleShadow(mesh, 0, start, end, dvec3(0, 0, -1)).hides(0.5));                                    // behind
+  EXPECT_FALSE(TriangleShadow(mesh, 0, start, end, dvec3(1, 0, 0)).hides(0.5));                                     // edge-on
+  EXPECT_TRUE(TriangleShadow(mesh, 0, start + dvec3(0, 0, 2), end + dvec3(0, 0, 0.5), dvec3(0, 0, 1)).hides(0.7));  // pierced
+  EXPECT_FALSE(TriangleShadow(mesh, 0, start + dvec3(0, 0, 2), end + dvec3(0, 0, 0.5), dvec3(0, 0, 1)).hides(0.6));
 }
 
 TEST(EdgeVisibility, FullShadowAndTurnedAway) {

@@ -46,6 +46,13 @@ class ExactHit {
   /// of an edge, or through where several meet in a corner.
   bool contains(const Ray& ray, std::uint32_t triangle) const;
 
+  /// True if it contains the ray ahead of its start, and is not on the patch the ray leaves or an ignored one.
+  bool meets(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const {
+    Hit hit;
+    keep_nearer(ray, triangle, ignored_patches, hit);
+    return static_cast<bool>(hit);
+  }
+
   /// True if the ray passes well inside all three edges: single precision cannot have mistaken this hit but for one with a
   /// near-coincident facet.
   bool is_inside(const Ray& ray, std::uint32_t triangle) const;

@@ -63,13 +63,19 @@ struct Tracer::Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  void closest(std::span<const Ray> rays, const IgnoredPatches& ignored, bool from_behind, std::span<std::uint32_t> found) const;
+  void closest(std::span<const Ray> rays, std::span<std::uint32_t> found) const;
+  void any(std::span<const Ray> rays, const IgnoredPatches& ignored, std::span<std::uint32_t> found) const;
   Proposal propose_beyond(const Ray& ray, const IgnoredPatches& ignored, std::span<const std::uint32_t> refused) const;
   std::uint32_t decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const;
   std::uint32_t ask_alone(const Ray& ray, const IgnoredPatches& ignored) const;
   bool is_lost(const Ray& ray, std::uint32_t triangle) const { return triangle != no_index && exact.is_lost(ray, triangle); }
   std::uint32_t found_again(const Ray& ray, std::uint32_t lost) const;
-  bool is_inside(const Ray& ray, const Packet& packet, std::size_t lane) const;
+  bool is_safe(std::uint32_t primitive, float side) const {
+    return primitive < safe_sides.size() && side > safe_sides[primitive];
+  }
+  bool is_inside(const Ray& ray, std::uint32_t primitive, float side) const {
+    return is_safe(primitive, side) || (primitive < safe_sides.size() && exact.is_inside(ray, primitive));
+  }
 
   const TriangleMesh& mesh;
   ExactHit exact;
@@ -171,11 +177,50 @@ bool is_hit(const Packet& packet, std::size_t lane) { return packet.rays.hit.geo
 
 // The smallest of the three edge functions of a hit - twice the area of the triangle, as the ray sees it, times a barycentric
 // coordinate - in Embree's units and precision.
+float smallest_side(float u, float v, float along) { return std::min({u, v, 1.0f - u - v}) * std::abs(along); }
+
 float smallest_side(const Packet& packet, std::size_t lane) {
   const RTCHit16& hit = packet.rays.hit;
   const RTCRay16& ray = packet.rays.ray;
   const float along = hit.Ng_x[lane] * ray.dir_x[lane] + hit.Ng_y[lane] * ray.dir_y[lane] + hit.Ng_z[lane] * ray.dir_z[lane];
-  return std::min({hit.u[lane], hit.v[lane], 1.0f - hit.u[lane] - hit.v[lane]}) * std::abs(along);
+  return smallest_side(hit.u[lane], hit.v[lane], along);
+}
+
+float smallest_side(const RTCFilterFunctionNArguments& of, unsigned lane) {
+  const float along = RTCHitN_Ng_x(of.hit, of.N, lane) * RTCRayN_dir_x(of.ray, of.N, lane) +
+                      RTCHitN_Ng_y(of.hit, of.N, lane) * RTCRayN_dir_y(of.ray, of.N, lane) +
+                      RTCHitN_Ng_z(of.hit, of.N, lane) * RTCRayN_dir_z(of.ray, of.N, lane);
+  return smallest_side(RTCHitN_u(of.hit, of.N, lane), RTCHitN_v(of.hit, of.N, lane), along);
+}
+
+// A query for any hit: which rays met what beyond doubt, and which met something that they may miss.
+struct AnyContext : QueryContext {
+  const Tracer::Scene* scene;
+  std::span<std::uint32_t> found;
+  std::vector<std::pair<unsigned, std::uint32_t>> doubtful{};  // rays and triangles that they, or neighbours, may meet
+
+  // Inactive lanes repeat the last ray.
+  void doubt(unsigned ray, std::uint32_t triangle) {
+    if (std::ranges::find(doubtful, std::pair(ray, triangle)) == doubtful.end()) doubtful.emplace_back(ray, triangle);
+  }
+};
+
+// Ends a ray at a triangle that it meets beyond doubt.
+void keep_any(const RTCFilterFunctionNArguments* arguments) {
+  auto& query = *static_cast<AnyContext*>(arguments->context);
+  for (unsigned left = lanes_set(arguments->valid, arguments->N); left != 0; left &= left - 1) {
+    const auto lane = static_cast<unsigned>(std::countr_zero(left));
+    const unsigned index = RTCRayN_id(arguments->ray, arguments->N, lane);
+    const Ray& ray = query.rays[index];
+    const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, lane), triangle = query.scene->source[primitive];
+    arguments->valid[lane] = 0;
+    if (query.refuses(ray, primitive)) continue;
+    if (query.scene->is_safe(primitive, smallest_side(*arguments, lane)) ||
+        query.scene->exact.meets(ray, triangle, query.refused_patches))
+      query.found[index] = triangle, arguments->valid[lane] = -1;
+    else
+      query.doubt(index, triangle);
+  }
 }
 
 void intersect_singly(RTCScene scene, RTCIntersectContext& context, Packet& packet) {
@@ -213,11 +258,27 @@ void intersect(RTCScene scene, RTCIntersectContext& context, int width, Packet& 
     rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
 }
 
+void occlude_singly(RTCScene scene, RTCIntersectContext& context, double scale, std::span<const Ray> rays) {
+  for (unsigned index = 0; index < rays.size(); ++index) {
+    RTCRay single = single_ray(rays[index], scale, start_of(rays[index], scale, true)).ray;
+    single.id = index;
+    rtcOccluded1(scene, &context, &single);
+  }
+}
+
+void occlude(RTCScene scene, RTCIntersectContext& context, double scale, std::span<const Ray> rays) {
+  Packet packet;
+  load(packet, rays, scale, true);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded16(packet.valid.data(), scene, &context, &packet.rays.ray);
+}
+
 // To about unit size.
 double scale_of(const TriangleMesh& mesh) { return mesh.radius > 0.0 ? std::exp2(-std::ceil(std::log2(mesh.radius))) : 1.0; }
 
-QueryContext make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredPatches& ignored) {
-  QueryContext context;
+template <class Context>
+Context make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredPatches& ignored) {
+  Context context;
   rtcInitIntersectContext(&context);
   context.exact = &scene.exact;
   context.own = scene.safe_sides.size();
@@ -283,31 +344,41 @@ float Tracer::Scene::safe_side(const ProxyTriangles& proxies, std::uint32_t tria
   return static_cast<float>(scale * scale * edge * (2.0 * exact.edge_uncertainty() + proxies.moved[triangle]));
 }
 
-bool Tracer::Scene::is_inside(const Ray& ray, const Packet& packet, std::size_t lane) const {
-  const std::uint32_t primitive = packet.rays.hit.primID[lane];
-  if (primitive >= safe_sides.size()) return false;
-  return smallest_side(packet, lane) > safe_sides[primitive] || exact.is_inside(ray, primitive);
-}
-
 // What Embree says in single precision for one packet, and the final word on the rays it can be wrong about.
-void Tracer::Scene::closest(std::span<const Ray> rays, const IgnoredPatches& ignored, bool from_behind,
-                            std::span<std::uint32_t> found) const {
+void Tracer::Scene::closest(std::span<const Ray> rays, std::span<std::uint32_t> found) const {
+  const IgnoredPatches& ignored = nothing_ignored;
   const bool leaves_surface = std::ranges::any_of(rays, [](const Ray& ray) { return ray.source_patch != no_index; });
-  QueryContext context = make_context(*this, rays.data(), ignored);
-  if (leaves_surface || from_behind) context.filter = refuse;
+  auto context = make_context<QueryContext>(*this, rays.data(), ignored);
+  if (leaves_surface) context.filter = refuse;
   Packet packet;
-  load(packet, rays, scale, from_behind);
+  load(packet, rays, scale, false);
   intersect(scene, context, width, packet);
   for (std::size_t lane = 0; lane < rays.size(); ++lane) {
     found[lane] = is_hit(packet, lane) ? packet.rays.hit.primID[lane] : no_index;
     if (!is_hit(packet, lane)) continue;
-    if (!is_inside(rays[lane], packet, lane))
+    if (!is_inside(rays[lane], found[lane], smallest_side(packet, lane)))
       found[lane] = decide(rays[lane], ignored, {found[lane], (packet.start[lane] + packet.rays.ray.tfar[lane]) / scale});
     else if (!exact.is_alone(found[lane]))
       found[lane] = exact.front_of(rays[lane], exact.nearest_near_coincident(rays[lane], found[lane], ignored), ignored).triangle;
     if (rays[lane].source_patch != no_index && is_lost(rays[lane], found[lane]))
       found[lane] = found_again(rays[lane], found[lane]);
   }
+}
+
+// The first of Embree's proposals for each ray that is right beyond doubt; where it has none but doubtful ones, one of these or
+// of the triangles that single precision can confuse with it.
+void Tracer::Scene::any(std::span<const Ray> rays, const IgnoredPatches& ignored, std::span<std::uint32_t> found) const {
+  std::ranges::fill(found, no_index);
+  auto context = make_context<AnyContext>(*this, rays.data(), ignored);
+  context.filter = keep_any;
+  context.scene = this;
+  context.found = found;
+  if (width == 1 || rays.size() == 1)
+    occlude_singly(scene, context, scale, rays);
+  else
+    occlude(scene, context, scale, rays);
+  for (const auto& [ray, triangle] : context.doubtful)
+    if (found[ray] == no_index) found[ray] = exact.nearest_around(rays[ray], triangle, ignored).triangle;
 }
 
 std::uint32_t Tracer::Scene::ask_alone(const Ray& ray, const IgnoredPatches& ignored) const {
@@ -328,7 +399,7 @@ std::uint32_t Tracer::Scene::found_again(const Ray& ray, std::uint32_t lost) con
 // The nearest of Embree's triangles other than the refused ones.
 Proposal Tracer::Scene::propose_beyond(const Ray& ray, const IgnoredPatches& ignored,
                                        std::span<const std::uint32_t> refused) const {
-  QueryContext context = make_context(*this, &ray, ignored);
+  auto context = make_context<QueryContext>(*this, &ray, ignored);
   context.filter = refuse;
   context.refused_primitives = refused;
   const double start = start_of(ray, scale, true);
@@ -367,7 +438,7 @@ std::span<const std::uint32_t> Tracer::near_coincident(std::uint32_t triangle) c
 void Tracer::closest_triangles(std::span<const Ray> rays, std::span<std::uint32_t> found) const {
   for (std::size_t first = 0; first < rays.size(); first += packet_width) {
     const std::size_t count = std::min(packet_width, rays.size() - first);
-    scene_->closest(rays.subspan(first, count), nothing_ignored, false, found.subspan(first, count));
+    scene_->closest(rays.subspan(first, count), found.subspan(first, count));
   }
 }
 
@@ -382,16 +453,17 @@ std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction, const
   return scene_->ask_alone({origin, direction}, ignored_patches);
 }
 
-void Tracer::blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches, std::span<std::uint32_t> found) const {
+void Tracer::any_blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches,
+                          std::span<std::uint32_t> found) const {
   for (std::size_t first = 0; first < rays.size(); first += packet_width) {
     const std::size_t count = std::min(packet_width, rays.size() - first);
-    scene_->closest(rays.subspan(first, count), ignored_patches, true, found.subspan(first, count));
+    scene_->any(rays.subspan(first, count), ignored_patches, found.subspan(first, count));
   }
 }
 
-bool Tracer::meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
-                          const IgnoredPatches& ignored_patches) const {
-  return static_cast<bool>(scene_->exact.nearest_around({origin, direction}, triangle, ignored_patches));
+std::uint32_t Tracer::blocker_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
+                                     const IgnoredPatches& ignored_patches) const {
+  return scene_->exact.nearest_around({origin, direction}, triangle, ignored_patches).triangle;
 }
 
 }  // namespace raytube

@@ -36,12 +36,15 @@ class Tracer {
   /// The nearest triangle that the half line from `origin` along `direction` meets, other than those of some patches; no_index if
   /// there is none. Thread-safe.
   std::uint32_t blocker(const dvec3& origin, const dvec3& direction, const IgnoredPatches& ignored_patches) const;
-  /// The blockers of many half lines; best if they lie side by side. found.size() == rays.size(). Thread-safe.
-  void blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches, std::span<std::uint32_t> found) const;
+  /// A triangle of other patches that each half line meets, nearest or not; no_index where there is none. Whether there is one
+  /// does not depend on what Embree makes of it; which one may. Best if they lie side by side. found.size() == rays.size().
+  /// Thread-safe.
+  void any_blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches, std::span<std::uint32_t> found) const;
 
-  /// Double-precision decision whether the half line meets `triangle` or one that shares a corner with it. Thread-safe.
-  bool meets_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
-                    const IgnoredPatches& ignored_patches) const;
+  /// The nearest of `triangle` and those that share a corner with it which the half line meets, decided in double precision;
+  /// no_index if it meets none of them. Thread-safe.
+  std::uint32_t blocker_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
+                               const IgnoredPatches& ignored_patches) const;
 
   /// The near-coincident facets: triangles of other patches so close to this one that single precision cannot tell which of them
   /// a ray meets, in ascending order.

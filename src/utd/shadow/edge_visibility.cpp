@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+
+#include "utd/shadow/triangle_shadow.h"
 
 namespace raytube {
 
@@ -22,75 +25,83 @@ constexpr double lift = 1e-6;
 // are for, in radii of the target: which side of the boundary that is does not depend on rounding. As far as single precision may
 // be wrong (ExactHit), or as double precision, where that decides.
 constexpr double outwards_single = 4e-6, outwards_double = 1e-11;
-// Moves a shadow boundary along the edge by less than this, as a fraction of the edge's length.
-constexpr double beside_crossing = 1e-9;
+// This far beyond the end of a triangle's shadow its neighbours are asked, as a fraction of the edge's length.
+constexpr double beside_end = 1e-9;
+constexpr int most_steps = 16;  // from triangle to triangle
+
+}  // namespace
 
 /// Tests single points of one wedge.
-struct EdgeProbe {
+struct EdgeVisibility::Probe {
   const Wedge& wedge;
   const Tracer& tracer;
   Viewpoint view;
   dvec3 offset;
   dvec3 outwards;  // out of the metal, across the edge, in lengths of the target's radius
-  std::span<const double> crossed;
   IgnoredPatches own_patches{wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch};
 
-  dvec3 point(double fraction) const { return glm::mix(wedge.start, wedge.end, fraction) + offset; }
-
-  /// From beside this point.
+  /// Beside this point.
+  dvec3 origin(double fraction, double outside) const {
+    return glm::mix(wedge.start, wedge.end, fraction) + offset + outside * outwards;
+  }
   Ray ray(double fraction, double outside = outwards_single) const {
-    const dvec3 origin = point(fraction) + outside * outwards;
-    return {origin, view.from(origin)};
+    const dvec3 from = origin(fraction, outside);
+    return {from, view.from(from)};
+  }
+  TriangleShadow shadow(std::uint32_t triangle, double outside) const {
+    return {tracer.mesh(), triangle, origin(0.0, outside), origin(1.0, outside), view};
   }
 
-  /// A triangle in the way of this point, or no_index.
-  std::uint32_t blocker(double fraction) const {
-    const Ray out = ray(fraction);
+  /// The nearest triangle in the way of this point, or no_index.
+  std::uint32_t blocker(double fraction, double outside = outwards_single) const {
+    const Ray out = ray(fraction, outside);
     return tracer.blocker(out.origin, out.direction, own_patches);
   }
-  /// Whether this triangle or one of its neighbours is in the way of this point, in double precision.
-  bool meets(double fraction, std::uint32_t triangle) const {
+  /// This triangle or one of its neighbours if in the way of this point, in double precision; or no_index.
+  std::uint32_t blocker_around(double fraction, std::uint32_t triangle) const {
     const Ray out = ray(fraction, outwards_double);
-    return tracer.meets_around(out.origin, out.direction, triangle, own_patches);
+    return tracer.blocker_around(out.origin, out.direction, triangle, own_patches);
   }
 
-  /// Whether a shadow on the dark end's side stops at `fraction`: at single_blocker from it, or half-way to the ends where these
-  /// are nearer, rays tell; at beside_crossing the double-precision decision about the blocker they found.
-  bool is_transition(double fraction, double lit_end, double dark_end) const {
-    const double side = std::copysign(1.0, dark_end - lit_end);
-    const double to_lit = std::min(single_blocker, std::abs(fraction - lit_end) / 2);
-    const double to_dark = std::min(single_blocker, std::abs(fraction - dark_end) / 2);
-    if (std::min(to_lit, to_dark) <= clip_tolerance || blocker(fraction - side * to_lit) != no_index) return false;
-    const std::uint32_t other = blocker(fraction + side * to_dark);
-    const auto is_dark = [&](double at) { return meets(at, other); };
-    const double beside = std::min({beside_crossing, to_lit, to_dark});
-    return other != no_index && is_dark(fraction + side * beside) && !is_dark(fraction - side * beside);
-  }
-
-  /// Where the shadow that `blocker` throws on the dark end stops: by search while the interval is wide enough to hold other
-  /// blockers, then with this blocker and its neighbours alone, in double precision.
-  double search(double lit_end, double dark_end, std::uint32_t blocker_there) const {
-    while (std::abs(dark_end - lit_end) > clip_tolerance) {
-      const double middle = (lit_end + dark_end) / 2;
-      bool dark = meets(middle, blocker_there);
-      if (!dark && std::abs(dark_end - lit_end) > single_blocker) {
-        const std::uint32_t other = blocker(middle);
-        dark = other != no_index;
-        if (dark) blocker_there = other;
-      }
-      (dark ? dark_end : lit_end) = middle;
-    }
-    return (lit_end + dark_end) / 2;
-  }
-
-  /// Where that shadow stops. On a polygonal body it is one of the crossings, which need only be confirmed; else it is searched.
-  double transition(double lit_end, double dark_end, std::uint32_t blocker_there) const {
-    const auto [low, high] = std::minmax(lit_end, dark_end);
-    for (auto crossing = std::ranges::lower_bound(crossed, low); crossing != crossed.end() && *crossing < high; ++crossing)
-      if (is_transition(*crossing, lit_end, dark_end)) return *crossing;
-    return search(lit_end, dark_end, blocker_there);
-  }
+  double search(double lit_end, double dark_end, std::uint32_t blocker_there) const;
+  double transition(double lit_end, double dark_end) const;
 };
+
+/// Where the shadow that `blocker` throws on the dark end stops: by search while the interval is wide enough to hold other
+/// blockers, then with this blocker and its neighbours alone, in double precision.
+double EdgeVisibility::Probe::search(double lit_end, double dark_end, std::uint32_t blocker_there) const {
+  while (std::abs(dark_end - lit_end) > clip_tolerance) {
+    const double middle = (lit_end + dark_end) / 2;
+    bool dark = blocker_around(middle, blocker_there) != no_index;
+    if (!dark && std::abs(dark_end - lit_end) > single_blocker) {
+      const std::uint32_t other = blocker(middle);
+      dark = other != no_index;
+      if (dark) blocker_there = other;
+    }
+    (dark ? dark_end : lit_end) = middle;
+  }
+  return (lit_end + dark_end) / 2;
+}
+
+/// Where the shadow on the dark end stops: from one triangle's shadow to the next, until a ray beyond is free. Searched if that
+/// leads nowhere.
+double EdgeVisibility::Probe::transition(double lit_end, double dark_end) const {
+  const double side = std::copysign(1.0, dark_end - lit_end);
+  std::uint32_t blocker_there = blocker(dark_end);
+  for (int step = 0; step < most_steps && blocker_there != no_index; ++step) {
+    const TriangleShadow shade = shadow(blocker_there, outwards_double);
+    const double end = shade.end_towards(lit_end, dark_end), room = side * (end - lit_end);
+    if (!shade.hides(dark_end) || !(room > clip_tolerance)) break;
+    double beyond = end - side * std::min(beside_end, room / 2);
+    std::uint32_t next = blocker_around(beyond, blocker_there);
+    if (next == no_index) next = blocker(beyond = end - side * std::min(single_blocker, room / 2), outwards_double);
+    if (next == no_index) return end;
+    dark_end = beyond, blocker_there = next;
+  }
+  return search(lit_end, dark_end, blocker_there);
+}
+
+namespace {
 
 int point_count(double length, double wavelength) {
   const double wanted = std::ceil(2 * length / wavelength) + 1;
@@ -123,16 +134,15 @@ void choose_points(int regular, std::span<const double> crossed, std::vector<dou
   pass(1.0);
 }
 
-/// Walks along the wedge and notes where light changes to shadow and back.
-void scan(const EdgeProbe& probe, std::span<const double> points, std::span<const std::uint32_t> blockers,
-          std::vector<LitInterval>& lit) {
+/// Walks along the wedge and notes where light changes to shadow and back; transition(lit, dark) is where between two points.
+template <class Transition>
+void scan(std::span<const double> points, const std::vector<bool>& is_lit, Transition transition, std::vector<LitInterval>& lit) {
   double begin = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const bool was_lit = blockers[i - 1] == no_index, is_lit = blockers[i] == no_index;
-    if (was_lit && !is_lit) lit.push_back({begin, probe.transition(points[i - 1], points[i], blockers[i])});
-    if (is_lit && !was_lit) begin = probe.transition(points[i], points[i - 1], blockers[i - 1]);
+    if (is_lit[i - 1] && !is_lit[i]) lit.push_back({begin, transition(points[i - 1], points[i])});
+    if (is_lit[i] && !is_lit[i - 1]) begin = transition(points[i], points[i - 1]);
   }
-  if (blockers.back() == no_index) lit.push_back({begin, 1.0});
+  if (is_lit.back()) lit.push_back({begin, 1.0});
 }
 
 /// At a corner that another face touches single precision does not know on which side of that face the outermost test point lies:
@@ -158,18 +168,45 @@ void EdgeVisibility::find(std::uint32_t index, const dvec3& away, std::vector<Li
   if (crossings_) crossings_->find(index, crossed_);
   choose_points(point_count(wedges_[index].length(), wavelength_), crossed_, points_);
   const dvec3 near_side = to_near_side(wedges_[index], away == dvec3(0.0) ? view_.from(wedges_[index].start) : away);
-  const EdgeProbe probe{wedges_[index],
-                        tracer_,
-                        view_,
-                        away * (lift * tracer_.mesh().radius) + near_side,
-                        tracer_.mesh().radius * outwards(wedges_[index]),
-                        crossed_};
-  rays_.clear();
-  for (const double point : points_) rays_.push_back(probe.ray(point));
-  blockers_.resize(points_.size());
-  tracer_.blockers(rays_, probe.own_patches, blockers_);
-  scan(probe, points_, blockers_, lit);
+  const Probe probe{wedges_[index], tracer_, view_, away * (lift * tracer_.mesh().radius) + near_side,
+                    tracer_.mesh().radius * outwards(wedges_[index])};
+  test_points(probe);
+  scan(
+      points_, is_lit_, [&](double lit_end, double dark_end) { return probe.transition(lit_end, dark_end); }, lit);
   follow_neighbours_at_ends(lit);
+}
+
+// Most edges are either hidden, by few triangles, or free: one point after the other while these are hidden, then all at once. On
+// a body without shadows, all at once.
+void EdgeVisibility::test_points(const Probe& probe) {
+  is_lit_.assign(points_.size(), false);
+  waiting_.resize(points_.size());
+  std::iota(waiting_.begin(), waiting_.end(), 0u);
+  drop_hidden(probe, last_blocker_);
+  while (last_blocker_ != no_index && !waiting_.empty()) {
+    const Ray middle = probe.ray(points_[waiting_[waiting_.size() / 2]]);
+    std::uint32_t blocker = no_index;
+    tracer_.any_blockers({&middle, 1}, probe.own_patches, {&blocker, 1});
+    if (blocker == no_index) break;
+    waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_.size() / 2));
+    drop_hidden(probe, last_blocker_ = blocker);
+  }
+  rays_.clear();
+  for (const std::uint32_t point : waiting_) rays_.push_back(probe.ray(points_[point]));
+  found_.resize(rays_.size());
+  tracer_.any_blockers(rays_, probe.own_patches, found_);
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    is_lit_[waiting_[i]] = found_[i] == no_index;
+    if (found_[i] != no_index) last_blocker_ = found_[i];
+  }
+}
+
+void EdgeVisibility::drop_hidden(const Probe& probe, std::uint32_t blocker) {
+  if (blocker == no_index ||
+      std::ranges::find(probe.own_patches, tracer_.mesh().triangle_patch[blocker]) != probe.own_patches.end())
+    return;
+  const TriangleShadow shadow = probe.shadow(blocker, outwards_single);
+  std::erase_if(waiting_, [&](std::uint32_t point) { return shadow.hides(points_[point]); });
 }
 
 }  // namespace raytube
