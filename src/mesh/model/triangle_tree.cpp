@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "mesh/model/geometry.h"
 
@@ -13,6 +12,7 @@ namespace raytube {
 namespace {
 
 constexpr std::uint32_t triangles_per_leaf = 4;
+constexpr double slender_ratio = 16.0;  // of the square of the longest side to twice the area; 1.2 of an equilateral triangle
 
 // Along a direction that is far from the given one.
 dvec3 across(const dvec3& direction) {
@@ -30,12 +30,6 @@ bool have_one_in_common(const std::array<std::uint32_t, 3>& a, const std::array<
 }
 
 }  // namespace
-
-TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh), members_(mesh.triangles.size()) {
-  std::iota(members_.begin(), members_.end(), 0u);
-  std::vector<dvec3> points;
-  if (!members_.empty()) build(0, static_cast<std::uint32_t>(members_.size()), points);
-}
 
 // The first axis between two points far apart, the second towards the one farthest from their line: triangles, fans and strips
 // lie flat in it.
@@ -63,52 +57,123 @@ TriangleTree::TurnedBox TriangleTree::box_round(std::span<const dvec3> points) {
   return box;
 }
 
-TriangleTree::Node TriangleTree::node_of(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points) const {
-  Node node{{}, begin, end, 0, mesh_.triangle_patch[members_[begin]], mesh_.triangles[members_[begin]]};
-  points.clear();
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const Triangle& t = mesh_.triangles[members_[i]];
-    for (const std::uint32_t v : t) points.push_back(mesh_.vertices[v]);
+// Halves the triangles by their middles, again and again. Boxes along the axes are made from the leaves up.
+class TriangleTree::Builder {
+ public:
+  explicit Builder(TriangleTree& tree) : tree_(tree), mesh_(tree.mesh_) {
+    members_.reserve(mesh_.triangles.size());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) members_.push_back(member(t));
+    if (!members_.empty()) build(0, static_cast<std::uint32_t>(members_.size()));
+  }
+
+ private:
+  struct Member {
+    dvec3 sum;           // of its corners
+    double slenderness;  // above zero if it is slender; adds up
+    std::uint32_t triangle;
+  };
+
+  Member member(std::uint32_t triangle) const {
+    const auto& [i, j, k] = mesh_.triangles[triangle];
+    const dvec3 &a = mesh_.vertices[i], &b = mesh_.vertices[j], &c = mesh_.vertices[k];
+    const double longest = std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)});
+    return {a + b + c, longest - slender_ratio * glm::length(area_vector(a, b, c)), triangle};
+  }
+
+  Box build(std::uint32_t begin, std::uint32_t end) {
+    const std::size_t at = tree_.nodes_.size();
+    tree_.nodes_.push_back({{}, begin, end, 0, no_index, {no_index, no_index, no_index}});
+    if (is_slender(begin, end)) turn_box(tree_.nodes_[at]);
+    const Box box = end - begin <= triangles_per_leaf ? fill_leaf(at) : divide(at);
+    Node& node = tree_.nodes_[at];
+    if (!node.turned) node.box.middle = box.middle(), node.box.half = 0.5 * (box.high - box.low);
+    return box;
+  }
+
+  bool is_slender(std::uint32_t begin, std::uint32_t end) const {
+    double sum = 0.0;
+    for (std::uint32_t i = begin; i < end; ++i) sum += members_[i].slenderness;
+    return sum > 0.0;
+  }
+
+  void turn_box(Node& node) {
+    points_.clear();
+    for (std::uint32_t i = node.begin; i < node.end; ++i)
+      for (const std::uint32_t v : mesh_.triangles[members_[i].triangle]) points_.push_back(mesh_.vertices[v]);
+    node.box = box_round(points_);
+    node.turned = true;
+  }
+
+  // In two halves, across the axis along which the middles lie farthest apart; corners may do so along another one.
+  Box divide(std::size_t at) {
+    const auto [begin, end] = std::pair(tree_.nodes_[at].begin, tree_.nodes_[at].end);
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    halve(begin, middle, end, tree_.nodes_[at].box.axes);
+    Box box = build(begin, middle);
+    tree_.nodes_[at].right = static_cast<std::uint32_t>(tree_.nodes_.size());
+    const Box other = build(middle, end);
+    box.add(other.low), box.add(other.high);
+    join_children(at);
+    return box;
+  }
+
+  void halve(std::uint32_t begin, std::uint32_t middle, std::uint32_t end, const std::array<dvec3, 3>& axes) {
+    Box middles;
+    const auto first = members_.begin();
+    for (auto m = first + begin; m != first + end; ++m)
+      middles.add({glm::dot(axes[0], m->sum), glm::dot(axes[1], m->sum), glm::dot(axes[2], m->sum)});
+    const dvec3 size = middles.high - middles.low;
+    const dvec3 along = axes[size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2];
+    std::nth_element(first + begin, first + middle, first + end, [&along](const Member& a, const Member& b) {
+      const double depth_a = glm::dot(along, a.sum), depth_b = glm::dot(along, b.sum);
+      return depth_a != depth_b ? depth_a < depth_b : a.triangle < b.triangle;
+    });
+  }
+
+  Box fill_leaf(std::size_t at) {
+    Node& node = tree_.nodes_[at];
+    node.patch = mesh_.triangle_patch[members_[node.begin].triangle];
+    node.common = mesh_.triangles[members_[node.begin].triangle];
+    Box box;
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      const std::uint32_t triangle = tree_.members_[i] = members_[i].triangle;
+      keep_common(node, mesh_.triangles[triangle], mesh_.triangle_patch[triangle]);
+      for (const std::uint32_t v : mesh_.triangles[triangle]) box.add(mesh_.vertices[v]);
+    }
+    return box;
+  }
+
+  void join_children(std::size_t at) {
+    Node& node = tree_.nodes_[at];
+    const Node &first = tree_.nodes_[at + 1], &second = tree_.nodes_[node.right];
+    node.patch = first.patch;
+    node.common = first.common;
+    keep_common(node, second.common, second.patch);
+  }
+
+  static void keep_common(Node& node, const Triangle& corners, std::uint32_t patch) {
     for (std::uint32_t& v : node.common)
-      if (std::ranges::find(t, v) == t.end()) v = no_index;
-    if (mesh_.triangle_patch[members_[i]] != node.patch) node.patch = no_index;
+      if (std::ranges::find(corners, v) == corners.end()) v = no_index;
+    if (patch != node.patch) node.patch = no_index;
   }
-  node.box = box_round(points);
-  return node;
-}
 
-dvec3 TriangleTree::sum_of_corners(std::uint32_t triangle) const {
-  const auto& [a, b, c] = mesh_.triangles[triangle];
-  return mesh_.vertices[a] + mesh_.vertices[b] + mesh_.vertices[c];
-}
+  TriangleTree& tree_;
+  const TriangleMesh& mesh_;
+  std::vector<Member> members_;
+  std::vector<dvec3> points_;  // of one node
+};
 
-// The axis along which the triangles' middles lie farthest apart; their corners may do so along another one.
-dvec3 TriangleTree::spread(const Node& node) const {
-  Box middles;
-  for (std::uint32_t i = node.begin; i < node.end; ++i) {
-    const dvec3 sum = sum_of_corners(members_[i]);
-    middles.add({glm::dot(node.box.axes[0], sum), glm::dot(node.box.axes[1], sum), glm::dot(node.box.axes[2], sum)});
-  }
-  const dvec3 size = middles.high - middles.low;
-  return node.box.axes[size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2];
-}
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh), members_(mesh.triangles.size()) { Builder{*this}; }
 
-void TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points) {
-  const std::size_t index = nodes_.size();
-  nodes_.push_back(node_of(begin, end, points));
-  if (end - begin <= triangles_per_leaf) return;
-  const dvec3 along = spread(nodes_[index]);
-  const auto depth = [&](std::uint32_t t) { return std::pair(glm::dot(along, sum_of_corners(t)), t); };
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::ranges::nth_element(members_.begin() + begin, members_.begin() + middle, members_.begin() + end, {}, depth);
-  build(begin, middle, points);
-  nodes_[index].right = static_cast<std::uint32_t>(nodes_.size());
-  build(middle, end, points);
+bool TriangleTree::are_apart(const Node& a, const Node& b, double distance) {
+  if (a.turned || b.turned) return turned_are_apart(a.box, b.box, distance);
+  const dvec3 gap = glm::abs(b.box.middle - a.box.middle) - (a.box.half + b.box.half);
+  return std::max({gap.x, gap.y, gap.z}) > distance;
 }
 
 // Gottschalk, Lin, Manocha (1996): the normals of both boxes and the products of their edges tell. A product shorter than one
 // understates the gap, which is safe.
-bool TriangleTree::are_apart(const TurnedBox& a, const TurnedBox& b, double distance) {
+bool TriangleTree::turned_are_apart(const TurnedBox& a, const TurnedBox& b, double distance) {
   const dvec3 between = b.middle - a.middle;
   if (glm::length(between) > glm::length(a.half) + glm::length(b.half) + distance) return true;
   const auto separates = [&](const dvec3& axis) {
@@ -160,7 +225,7 @@ class TriangleTree::Join {
 
   void between(std::uint32_t at_a, std::uint32_t at_b, Pairs& pairs) const {
     const Node &a = tree_.nodes_[at_a], &b = tree_.nodes_[at_b];
-    if (are_settled(a, b) || are_apart(a.box, b.box, distance_)) return;
+    if (are_settled(a, b) || are_apart(a, b, distance_)) return;
     if (a.right == 0 && b.right == 0) {
       for (std::uint32_t i = a.begin; i < a.end; ++i)
         for (std::uint32_t j = b.begin; j < b.end; ++j) look_at(tree_.members_[i], tree_.members_[j], pairs);

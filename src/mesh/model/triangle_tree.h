@@ -11,8 +11,8 @@
 
 namespace raytube {
 
-/// Boxes along the axes would do for compact triangles. Long ones in a fan or round the tip of a cone fill theirs so little
-/// that each would seem to meet each.
+/// Boxes along the axes do for compact triangles. Slender ones in a fan or round the tip of a cone fill theirs so little that
+/// each would seem to meet each: those have boxes turned as they lie.
 class TriangleTree {
  public:
   /// Keeps a reference to the mesh.
@@ -38,15 +38,14 @@ class TriangleTree {
     std::uint32_t right = 0;              // second child, the first one follows its parent; 0 in leaves
     std::uint32_t patch;                  // of all members, or no_index
     std::array<std::uint32_t, 3> common;  // vertices that all members share; no_index fills the rest
+    bool turned = false;                  // the box; else it lies along the axes of space
   };
+  class Builder;
   class Join;
 
   static TurnedBox box_round(std::span<const dvec3> points);
-  static bool are_apart(const TurnedBox& a, const TurnedBox& b, double distance);
-  void build(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points);
-  dvec3 sum_of_corners(std::uint32_t triangle) const;
-  dvec3 spread(const Node& node) const;
-  Node node_of(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points) const;
+  static bool are_apart(const Node& a, const Node& b, double distance);
+  static bool turned_are_apart(const TurnedBox& a, const TurnedBox& b, double distance);
 
   const TriangleMesh& mesh_;
   std::vector<std::uint32_t> members_;
