@@ -1,5 +1,6 @@
 #include "mesh/features/outlines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -74,12 +75,12 @@ void Outlines::add_wedges(std::span<const Wedge> wedges) {
 
 /// What is left of the outlines once the wedges are taken: flat creases, and faces that touch with no space between them.
 void Outlines::add_creases(const TriangleMesh& mesh, double min_wedge_angle) {
+  if (std::ranges::find(wanted_, true) == wanted_.end()) return;
   const EdgeTable table(mesh.triangles, mesh.vertices.size());
-  std::vector<EdgeSector> sectors = exposed_sectors(mesh, table);
-  std::erase_if(sectors, [&](const EdgeSector& sector) {
+  std::vector<EdgeSector> sectors = exposed_sectors(mesh, table, [&](const EdgeSector& sector) {
     const auto wanted = [&](const PatchSide& side) { return wanted_[side_index(side.patch, side.back)]; };
-    return sector.faces[0] == sector.faces[1] || is_wedge(mesh, sector, min_wedge_angle) ||
-           (!wanted(sector.faces[0]) && !wanted(sector.faces[1]));
+    return (wanted(sector.faces[0]) || wanted(sector.faces[1])) && sector.faces[0] != sector.faces[1] &&
+           !is_wedge(mesh, sector, min_wedge_angle);
   });
   const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();
   for (const EdgeSector& run : join_straight(mesh.vertices, std::move(sectors), distance)) {

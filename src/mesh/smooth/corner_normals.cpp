@@ -35,9 +35,11 @@ class Finder {
     find_slivers();
     leads_.assign(found_.group.size(), false);
     is_led_.assign(groups_, false);
-    add_up();
+    found_.normals.resize(groups_);
+    for (std::uint32_t group = 0; group < groups_; ++group) add_up(group);
     find_leaders();
-    add_up();
+    for (std::uint32_t group = 0; group < groups_; ++group)
+      if (is_led_[group]) add_up(group);
     find_one_sided();
     find_planes();
   }
@@ -174,13 +176,11 @@ class Finder {
 
   bool gives_normal(std::uint32_t corner) const { return is_led_[found_.group[corner]] ? leads_[corner] : !is_sliver_[corner]; }
 
-  void add_up() {
-    found_.normals.assign(groups_, dvec3(0.0));
-    for (std::uint32_t group = 0; group < groups_; ++group) {
-      for (const std::uint32_t corner : corners_[group])
-        if (gives_normal(corner)) found_.normals[group] += weighted_normal(corner);
-      found_.normals[group] = glm::normalize(found_.normals[group]);
-    }
+  void add_up(std::uint32_t group) {
+    dvec3 sum(0.0);
+    for (const std::uint32_t corner : corners_[group])
+      if (gives_normal(corner)) sum += weighted_normal(corner);
+    found_.normals[group] = glm::normalize(sum);
   }
 
   void find_one_sided() {

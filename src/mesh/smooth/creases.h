@@ -8,6 +8,11 @@
 
 namespace raytube {
 
+/// Of each plane the corners of its convex hull, and perhaps more points of its border.
+struct PlaneOutlines {
+  std::vector<std::uint32_t> first, vertices;  // outline p is vertices[first[p]] to vertices[first[p + 1] - 1]
+};
+
 /// Which edges of a mesh are creases, and across which a smooth surface may go on.
 class Creases {
  public:
@@ -27,7 +32,7 @@ class Creases {
   /// shape.
   std::uint32_t plane(std::uint32_t triangle) const { return plane_[mesh_.triangle_patch[triangle]]; }
   /// Number of planes: those of plane().
-  std::size_t planes() const { return outlines_.size(); }
+  std::size_t planes() const { return outlines_.first.size() - 1; }
 
   /// How far a triangle reaches from its side on the edge [m].
   double width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const;
@@ -41,8 +46,8 @@ class Creases {
   const TriangleMesh& mesh_;
   double least_cosine_;
   EdgeTable edges_;
-  std::vector<std::uint32_t> plane_;                  // of each patch
-  std::vector<std::vector<std::uint32_t>> outlines_;  // of each plane: the corners of its convex hull
+  std::vector<std::uint32_t> plane_;  // of each patch
+  PlaneOutlines outlines_;
   std::vector<bool> crossable_;
 };
 
