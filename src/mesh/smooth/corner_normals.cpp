@@ -189,15 +189,6 @@ class Finder {
       for (const std::uint32_t side : {corner % 3, (corner + 2) % 3})
         if (!is_led_[found_.group[corner]] && !creases_.crossable(creases_.edges().edge_of(corner / 3, static_cast<int>(side))))
           found_.one_sided[found_.group[corner]] = true;
-    for (std::uint32_t corner = 0; corner < found_.group.size(); ++corner)
-      if (is_at_tip(corner)) found_.one_sided[found_.group[corner]] = true;
-  }
-
-  // Round a vertex of a smooth surface no facet leans off the normal by more than one crease turns; round the tip of a cone all
-  // do.
-  bool is_at_tip(std::uint32_t corner) const {
-    const dvec3& plane = mesh_.patches[mesh_.triangle_patch[corner / 3]].normal;
-    return glm::dot(plane, found_.normals[found_.group[corner]]) < creases_.least_cosine();
   }
 
   void find_planes() {

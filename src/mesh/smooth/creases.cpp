@@ -97,19 +97,26 @@ PlaneOutlines outlines_of(const TriangleMesh& mesh, const EdgeTable& edges, cons
 
 Creases::Creases(const TriangleMesh& mesh, double max_turn)
     : mesh_(mesh),
-      least_cosine_(std::cos(max_turn)),
       edges_(mesh.triangles, mesh.vertices.size()),
       plane_(uncut_patches(mesh, edges_)),
       outlines_(outlines_of(mesh, edges_, plane_)),
       crossable_(edges_.size()) {
-  for (std::size_t e = 0; e < edges_.size(); ++e) crossable_[e] = is_smooth(edges_[e]);
+  find_crossable(std::cos(max_turn));
 }
 
-bool Creases::is_smooth(const EdgeTable::Edge& edge) const {
-  if (edge.sides.size() != 2) return false;
-  const auto [a, b] = std::pair(edge.sides[0], edge.sides[1]);
-  const bool opposite = mesh_.triangles[a.triangle][a.corner] != mesh_.triangles[b.triangle][b.corner];
-  return opposite && glm::dot(patch_normal(mesh_, a.triangle), patch_normal(mesh_, b.triangle)) > least_cosine_;
+void Creases::find_crossable(double least_cosine) {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const EdgeTable::Edge edge = edges_[e];
+    if (edge.sides.size() != 2) continue;
+    const auto [a, b] = std::pair(edge.sides[0], edge.sides[1]);
+    if (mesh_.triangles[a.triangle][a.corner] == mesh_.triangles[b.triangle][b.corner]) continue;
+    const double cosine = glm::dot(patch_normal(mesh_, a.triangle), patch_normal(mesh_, b.triangle));
+    crossable_[e] = cosine > least_cosine;
+    if (crossable_[e])
+      steepest_crossed_ = std::min(steepest_crossed_, cosine);
+    else
+      flattest_left_ = std::max(flattest_left_, cosine);
+  }
 }
 
 bool Creases::is_crease(const EdgeTable::Edge& edge) const {

@@ -1,6 +1,7 @@
 // The edges across which facets may be chords of one smooth surface, and how wide the facets are beside them.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "mesh/model/edge_table.h"
@@ -21,7 +22,11 @@ class Creases {
 
   /// Those of the mesh.
   const EdgeTable& edges() const { return edges_; }
-  double least_cosine() const { return least_cosine_; }  // of the angle by which a smooth surface turns
+
+  /// Cosines of the turns where two triangles meet: the steepest that a smooth surface may go on across, the flattest of the
+  /// rest.
+  double steepest_crossed() const { return steepest_crossed_; }
+  double flattest_left() const { return flattest_left_; }
 
   /// Whether a smooth surface may go on across the edge; and whether it would turn there.
   bool crossable(std::size_t edge) const { return crossable_[edge]; }
@@ -41,10 +46,10 @@ class Creases {
   bool reaches(std::uint32_t plane, const EdgeTable::Edge& edge, double width) const;
 
  private:
-  bool is_smooth(const EdgeTable::Edge& edge) const;
+  void find_crossable(double least_cosine);
 
   const TriangleMesh& mesh_;
-  double least_cosine_;
+  double steepest_crossed_ = std::numeric_limits<double>::infinity(), flattest_left_ = -steepest_crossed_;
   EdgeTable edges_;
   std::vector<std::uint32_t> plane_;  // of each patch
   PlaneOutlines outlines_;
