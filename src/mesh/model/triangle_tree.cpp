@@ -34,7 +34,8 @@ bool have_one_in_common(const std::array<std::uint32_t, 3>& a, const std::array<
 // The first axis between two points far apart, the second towards the one farthest from their line: triangles, fans and strips
 // lie flat in it.
 TriangleTree::TurnedBox TriangleTree::box_round(std::span<const dvec3> points) {
-  TurnedBox box;
+  TurnedBox box{.axes = static_cast<std::uint32_t>(axes_.size())};
+  Axes& axes = axes_.emplace_back(axes_[0]);
   const dvec3 from = farthest(points, points[0]), longest = farthest(points, from) - from;
   if (glm::length(longest) > 0.0) {
     const dvec3 along = glm::normalize(longest);
@@ -42,15 +43,15 @@ TriangleTree::TurnedBox TriangleTree::box_round(std::span<const dvec3> points) {
     const dvec3 widest = aside(*std::ranges::max_element(points, {}, [&](const dvec3& p) { return glm::length(aside(p)); }));
     const dvec3 rest = widest - glm::dot(widest, along) * along;
     const dvec3 second = glm::length(rest) > 0.0 ? glm::normalize(rest) : across(along);
-    box.axes = {along, second, glm::cross(along, second)};
+    axes = {along, second, glm::cross(along, second)};
   }
   for (int axis = 0; axis < 3; ++axis) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const dvec3& p : points) {
-      low = std::min(low, glm::dot(box.axes[axis], p - from));
-      high = std::max(high, glm::dot(box.axes[axis], p - from));
+      low = std::min(low, glm::dot(axes[axis], p - from));
+      high = std::max(high, glm::dot(axes[axis], p - from));
     }
-    box.middle += 0.5 * (low + high) * box.axes[axis];
+    box.middle += 0.5 * (low + high) * axes[axis];
     box.half[axis] = 0.5 * (high - low);
   }
   box.middle += from;
@@ -86,7 +87,7 @@ class TriangleTree::Builder {
     if (is_slender(begin, end)) turn_box(tree_.nodes_[at]);
     const Box box = end - begin <= triangles_per_leaf ? fill_leaf(at) : divide(at);
     Node& node = tree_.nodes_[at];
-    if (!node.turned) node.box.middle = box.middle(), node.box.half = 0.5 * (box.high - box.low);
+    if (node.box.axes == 0) node.box.middle = box.middle(), node.box.half = 0.5 * (box.high - box.low);
     return box;
   }
 
@@ -100,15 +101,14 @@ class TriangleTree::Builder {
     points_.clear();
     for (std::uint32_t i = node.begin; i < node.end; ++i)
       for (const std::uint32_t v : mesh_.triangles[members_[i].triangle]) points_.push_back(mesh_.vertices[v]);
-    node.box = box_round(points_);
-    node.turned = true;
+    node.box = tree_.box_round(points_);
   }
 
   // In two halves, across the axis along which the middles lie farthest apart; corners may do so along another one.
   Box divide(std::size_t at) {
     const auto [begin, end] = std::pair(tree_.nodes_[at].begin, tree_.nodes_[at].end);
     const std::uint32_t middle = begin + (end - begin) / 2;
-    halve(begin, middle, end, tree_.nodes_[at].box.axes);
+    halve(begin, middle, end, tree_.axes_[tree_.nodes_[at].box.axes]);
     Box box = build(begin, middle);
     tree_.nodes_[at].right = static_cast<std::uint32_t>(tree_.nodes_.size());
     const Box other = build(middle, end);
@@ -117,7 +117,7 @@ class TriangleTree::Builder {
     return box;
   }
 
-  void halve(std::uint32_t begin, std::uint32_t middle, std::uint32_t end, const std::array<dvec3, 3>& axes) {
+  void halve(std::uint32_t begin, std::uint32_t middle, std::uint32_t end, const Axes& axes) {
     Box middles;
     const auto first = members_.begin();
     for (auto m = first + begin; m != first + end; ++m)
@@ -163,28 +163,32 @@ class TriangleTree::Builder {
   std::vector<dvec3> points_;  // of one node
 };
 
-TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh), members_(mesh.triangles.size()) { Builder{*this}; }
+TriangleTree::TriangleTree(const TriangleMesh& mesh)
+    : mesh_(mesh), members_(mesh.triangles.size()), axes_{{dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)}} {
+  Builder{*this};
+}
 
-bool TriangleTree::are_apart(const Node& a, const Node& b, double distance) {
-  if (a.turned || b.turned) return turned_are_apart(a.box, b.box, distance);
-  const dvec3 gap = glm::abs(b.box.middle - a.box.middle) - (a.box.half + b.box.half);
+bool TriangleTree::are_apart(const TurnedBox& a, const TurnedBox& b, double distance) const {
+  if (a.axes != 0 || b.axes != 0) return turned_are_apart(a, b, distance);
+  const dvec3 gap = glm::abs(b.middle - a.middle) - (a.half + b.half);
   return std::max({gap.x, gap.y, gap.z}) > distance;
 }
 
 // Gottschalk, Lin, Manocha (1996): the normals of both boxes and the products of their edges tell. A product shorter than one
 // understates the gap, which is safe.
-bool TriangleTree::turned_are_apart(const TurnedBox& a, const TurnedBox& b, double distance) {
+bool TriangleTree::turned_are_apart(const TurnedBox& a, const TurnedBox& b, double distance) const {
+  const Axes &axes_a = axes_[a.axes], &axes_b = axes_[b.axes];
   const dvec3 between = b.middle - a.middle;
   if (glm::length(between) > glm::length(a.half) + glm::length(b.half) + distance) return true;
   const auto separates = [&](const dvec3& axis) {
     double reach = distance;
     for (int i = 0; i < 3; ++i)
-      reach += a.half[i] * std::abs(glm::dot(a.axes[i], axis)) + b.half[i] * std::abs(glm::dot(b.axes[i], axis));
+      reach += a.half[i] * std::abs(glm::dot(axes_a[i], axis)) + b.half[i] * std::abs(glm::dot(axes_b[i], axis));
     return std::abs(glm::dot(between, axis)) > reach;
   };
-  if (std::ranges::any_of(a.axes, separates) || std::ranges::any_of(b.axes, separates)) return true;
-  for (const dvec3& edge_a : a.axes)
-    for (const dvec3& edge_b : b.axes)
+  if (std::ranges::any_of(axes_a, separates) || std::ranges::any_of(axes_b, separates)) return true;
+  for (const dvec3& edge_a : axes_a)
+    for (const dvec3& edge_b : axes_b)
       if (separates(glm::cross(edge_a, edge_b))) return true;
   return false;
 }
@@ -225,7 +229,7 @@ class TriangleTree::Join {
 
   void between(std::uint32_t at_a, std::uint32_t at_b, Pairs& pairs) const {
     const Node &a = tree_.nodes_[at_a], &b = tree_.nodes_[at_b];
-    if (are_settled(a, b) || are_apart(a, b, distance_)) return;
+    if (are_settled(a, b) || tree_.are_apart(a.box, b.box, distance_)) return;
     if (a.right == 0 && b.right == 0) {
       for (std::uint32_t i = a.begin; i < a.end; ++i)
         for (std::uint32_t j = b.begin; j < b.end; ++j) look_at(tree_.members_[i], tree_.members_[j], pairs);
@@ -261,10 +265,11 @@ void TriangleTree::near_line(const dvec3& origin, const dvec3& direction, std::v
   // A dozen roundings of numbers up to the radius and the origin's distance, and as much again.
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * (mesh_.radius + glm::length(origin));
   const auto passes_by = [&](const TurnedBox& box) {
+    const Axes& axes = axes_[box.axes];
     dvec3 from, along;
     for (int axis = 0; axis < 3; ++axis) {
-      from[axis] = glm::dot(box.axes[axis], origin - box.middle);
-      along[axis] = glm::dot(box.axes[axis], direction);
+      from[axis] = glm::dot(axes[axis], origin - box.middle);
+      along[axis] = glm::dot(axes[axis], direction);
     }
     const dvec3 moment = glm::abs(glm::cross(from, along)), size = glm::abs(along), &half = box.half;
     return moment.x > half.y * size.z + half.z * size.y + rounding || moment.y > half.z * size.x + half.x * size.z + rounding ||

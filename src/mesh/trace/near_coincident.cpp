@@ -248,13 +248,14 @@ NearCoincident::NearCoincident(const TriangleMesh& mesh, const TriangleTree& tre
 
 void NearCoincident::find_patches(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> found;
+  first_patch_.reserve(first_.size());
   first_patch_.push_back(0);
   for (std::uint32_t triangle = 0; triangle + 1 < first_.size(); ++triangle) {
     found.clear();
     for (const std::uint32_t other : (*this)[triangle]) found.push_back(mesh.triangle_patch[other]);
     std::ranges::sort(found);
     patches_.insert(patches_.end(), found.begin(), std::unique(found.begin(), found.end()));
-    first_patch_.push_back(patches_.size());
+    first_patch_.push_back(static_cast<std::uint32_t>(patches_.size()));
   }
 }
 
