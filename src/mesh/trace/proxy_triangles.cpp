@@ -88,8 +88,11 @@ class Proxy {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const dvec3& vertex = mesh_.vertices[mesh_.triangles[triangle][k]];
       corners[k] = place_[3 * std::size_t{triangle} + k];
-      const dvec3 move = border_corners_[corners[k]].move().value_or(dvec3(0.0));
-      if (corners[k] == all_.vertices.size()) all_.vertices.push_back(vertex + margin_ * move);
+      if (corners[k] == all_.vertices.size()) {
+        const std::optional<dvec3> move = border_corners_[corners[k]].move();
+        all_.vertices.push_back(vertex + margin_ * move.value_or(dvec3(0.0)));
+        stays_.push_back(!move);
+      }
       moved = std::max(moved, glm::distance(all_.vertices[corners[k]], vertex));
     }
     all_.triangles.push_back(corners);
@@ -100,9 +103,7 @@ class Proxy {
   void add_strips(const EdgeTable::Edge& edge) {
     if (is_inside_patch(edge)) return;
     for (const EdgeTable::Side& side : edge.sides) {
-      const auto stays = [&](std::uint32_t corner) {
-        return !border_corners_[place_[3 * std::size_t{side.triangle} + corner % 3]].move();
-      };
+      const auto stays = [&](std::uint32_t corner) { return stays_[place_[3 * std::size_t{side.triangle} + corner % 3]]; };
       if (stays(side.corner) || stays(side.corner + 1)) add_strip(edge, side.triangle, away_from(side));
     }
     if (is_almost_flat(edge)) add_strip(edge, edge.sides[0].triangle, normal(edge.sides[0].triangle));
@@ -190,6 +191,7 @@ class Proxy {
   std::uint32_t places_ = 0;
   std::vector<std::uint32_t> place_;          // of each corner of each triangle
   std::vector<BorderCorner> border_corners_;  // by place
+  std::vector<bool> stays_;                   // by place
   ProxyTriangles all_;
 };
 
