@@ -23,7 +23,7 @@ struct Prism {
 
 /// A face and what holds it, while the tree is built.
 struct BoxedFace {
-  Box box;
+  Box box;             // round it
   std::uint32_t face;  // its number
 };
 

@@ -23,9 +23,9 @@ class Creases {
   /// Those of the mesh.
   const EdgeTable& edges() const { return edges_; }
 
-  /// Cosines of the turns where two triangles meet: the steepest that a smooth surface may go on across, the flattest of the
-  /// rest.
+  /// Cosine of the steepest turn between two triangles that a smooth surface may go on across.
   double steepest_crossed() const { return steepest_crossed_; }
+  /// Cosine of the flattest turn that it may not.
   double flattest_left() const { return flattest_left_; }
 
   /// Whether a smooth surface may go on across the edge; and whether it would turn there.
