@@ -215,7 +215,9 @@ void tell_wedges(CheckReport& report, const std::vector<Wedge>& wedges) {
 // Which facets tubes see as the surfaces they stand for, piece by piece.
 void tell_curved_surfaces(CheckReport& report, const SolvePlan& plan) {
   const TriangleMesh& mesh = plan.target.mesh;
-  const SmoothSurfaces surfaces(mesh, plan.target.options.min_wedge_angle);
+  const double max_crease = plan.target.options.min_wedge_angle;
+  const SmoothSurfaces surfaces =
+      plan.known_surfaces ? SmoothSurfaces(*plan.known_surfaces, max_crease) : SmoothSurfaces(mesh, max_crease);
   const std::vector<SmoothPiece> pieces = smooth_pieces(mesh, surfaces);
   const std::size_t all = mesh.triangles.size();
   std::size_t taken = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <ranges>
 
 #include "mesh/features/symmetry.h"
@@ -32,18 +33,19 @@ bool bends_facets(const SolvePlan& plan) {
 // Which facets count as curved, at one wavelength.
 class BandPlanner {
  public:
-  explicit BandPlanner(const SolvePlan& plan) : plan_(plan), mesh_(plan.target.mesh) {
+  BandPlanner(const SolvePlan& plan, std::shared_ptr<const SmoothSurfaces>& known)
+      : plan_(plan), mesh_(plan.target.mesh), known_(known) {
     convex_only_ = plan.tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
     if (!bends_facets(plan)) return;
     if (convex_only_ && !may_be_convex()) {
       find_bodies_apart();
       return;
     }
-    all_ = std::make_shared<const SmoothSurfaces>(mesh_, plan.target.options.min_wedge_angle);
+    all_ = surfaces();
     if (!all_->any()) all_.reset();
   }
 
-  BandPlan at(double wavelength) const {
+  BandPlan at(double wavelength) {
     BandPlan band{{}, {}, convexity_at(wavelength)};
     if (all_ && (!convex_only_ || band.convexity.no_reflection)) band.smooth = all_;
     band.wave_surfaces = band.smooth ? band.smooth : wave_surfaces_at(wavelength);
@@ -64,7 +66,15 @@ class BandPlanner {
     const bool sheets = std::ranges::any_of(plan_.sweep.materials, &Material::transmits);
     if (sheets || !all_far(plan_.sweep) || mesh_.components.size() == 1) return;
     if (auto surfaces = bodies_apart(mesh_, plan_.target.options.min_wedge_angle))
-      bodies_apart_ = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
+      known_ = bodies_apart_ = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
+  }
+
+  std::shared_ptr<const SmoothSurfaces> surfaces(double max_rise = std::numeric_limits<double>::infinity()) {
+    const double max_crease = plan_.target.options.min_wedge_angle;
+    const auto made = known_ ? std::make_shared<const SmoothSurfaces>(*known_, max_crease, max_rise)
+                             : std::make_shared<const SmoothSurfaces>(mesh_, max_crease, max_rise);
+    if (!known_) known_ = made;
+    return made;
   }
 
   // A body all of whose hollows are those between the facets of its surfaces reflects nothing onto itself. Hollow edges are none
@@ -79,14 +89,15 @@ class BandPlanner {
   }
 
   // Waves run over the curved surfaces of any body, even of one whose tubes meet its facets, unless the facets are what is meant.
-  std::shared_ptr<const SmoothSurfaces> wave_surfaces_at(double wavelength) const {
+  std::shared_ptr<const SmoothSurfaces> wave_surfaces_at(double wavelength) {
     if (!plan_.surfaces.waves.possible() || !plan_.fringe() || !bends_facets(plan_)) return {};
-    auto bent = std::make_shared<const SmoothSurfaces>(mesh_, plan_.target.options.min_wedge_angle, most_rise * wavelength);
+    auto bent = surfaces(most_rise * wavelength);
     return bent->any() ? bent : nullptr;
   }
 
   const SolvePlan& plan_;
   const TriangleMesh& mesh_;
+  std::shared_ptr<const SmoothSurfaces>& known_;
   bool convex_only_;
   std::shared_ptr<const SmoothSurfaces> all_, bodies_apart_;  // null: tubes see none
 };
@@ -99,7 +110,7 @@ bool same_body(const BandPlan& a, const BandPlan& b) {
 }
 
 // Frequencies in ascending order, each with its index: as many bands as bodies.
-void divide(const BandPlanner& planner, std::span<const std::pair<double, std::size_t>> frequencies, const BandPlan& lowest,
+void divide(BandPlanner& planner, std::span<const std::pair<double, std::size_t>> frequencies, const BandPlan& lowest,
             const BandPlan& highest, std::vector<BandPlan>& bands) {
   if (same_body(lowest, highest)) {
     if (bands.empty() || !same_body(bands.back(), lowest)) bands.push_back(lowest);
@@ -112,11 +123,11 @@ void divide(const BandPlanner& planner, std::span<const std::pair<double, std::s
   divide(planner, frequencies.subspan(half), half + 1 == frequencies.size() ? highest : at(half), highest, bands);
 }
 
-std::vector<BandPlan> bands_of(const SolvePlan& plan) {
+std::vector<BandPlan> bands_of(const SolvePlan& plan, std::shared_ptr<const SmoothSurfaces>& known) {
   std::vector<std::pair<double, std::size_t>> ascending;
   for (const double frequency : plan.sweep.frequencies) ascending.emplace_back(frequency, ascending.size());
   std::ranges::sort(ascending);
-  const BandPlanner planner(plan);
+  BandPlanner planner(plan, known);
   const BandPlan lowest = planner.at(wavelength(ascending.front().first));
   const bool one = ascending.front().first == ascending.back().first;
   std::vector<BandPlan> bands;
@@ -195,7 +206,7 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
   check_all(*this);
   const auto start = std::chrono::steady_clock::now();
   ray_range = ray_range_of(*this);
-  bands = bands_of(*this);
+  bands = bands_of(*this, known_surfaces);
   wedge_sets = raytube::wedge_sets(wedge_source(target), sweep.frequencies);
   looks = looks_of(*this);
   skips = {.repeated_looks = looks.repeated, .mirrored_looks = looks.mirrored};

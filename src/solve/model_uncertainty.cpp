@@ -29,10 +29,7 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
       curved_(find_curved_parts(plan.target.mesh, plan.target.options.min_wedge_angle)),
       body_of_(plan.sweep.frequencies.size()),
       rim_dent_(rim_dent(plan.target.wedges, plan.target.options.min_wedge_angle)) {
-  for (const BandPlan& body : plan.bands) {
-    for (const std::size_t index : body.indices) body_of_[index] = dents_.size();
-    dents_.emplace_back(plan.target.mesh, body.smooth.get(), plan.target.options.min_wedge_angle);
-  }
+  find_dents();
   std::map<std::tuple<std::size_t, double, double>, std::size_t> known;
   for (std::size_t f = 0; f < plan.sweep.frequencies.size(); ++f) {
     const double frequency = plan.sweep.frequencies[f], middle = middle_of_band(raytube::band_of(frequency));
@@ -43,6 +40,17 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
     const Band band{middle, found->second};
     band_of_.push_back(static_cast<std::size_t>(std::ranges::find(bands_, band) - bands_.begin()));
     if (band_of_.back() == bands_.size()) bands_.push_back(band);
+  }
+}
+
+void ModelUncertainty::find_dents() {
+  const TriangleMesh& mesh = plan_.target.mesh;
+  const double max_crease = doubtful_crease(plan_.target.options.min_wedge_angle);
+  const SmoothSurfaces meant =
+      plan_.known_surfaces ? SmoothSurfaces(*plan_.known_surfaces, max_crease) : SmoothSurfaces(mesh, max_crease);
+  for (const BandPlan& body : plan_.bands) {
+    for (const std::size_t index : body.indices) body_of_[index] = dents_.size();
+    dents_.emplace_back(mesh, body.smooth.get(), meant);
   }
 }
 

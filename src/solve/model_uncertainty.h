@@ -29,6 +29,7 @@ class ModelUncertainty {
     std::size_t edges;  // in edges_
     bool operator==(const Band&) const = default;
   };
+  void find_dents();
   void find_edges(std::size_t frequency, double wavelength);
   EdgeCurrents edge_currents(std::size_t frequency) const;
   RowEvidence evidence(const Look& look, const LookResult& result, std::size_t frequency,

@@ -42,8 +42,9 @@ double mirror_weight(double cosine) {
 
 double chord_error(double dent, double wavelength) { return 4.0 * pi * std::sqrt(8.0 / 15.0) * dent / wavelength; }
 
-FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, double min_wedge_angle) {
-  const SmoothSurfaces meant(mesh, doubtful_turn * min_wedge_angle);
+double doubtful_crease(double min_wedge_angle) { return doubtful_turn * min_wedge_angle; }
+
+FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, const SmoothSurfaces& meant) {
   if (!meant.any()) return;
   for (const Patch& patch : mesh.patches) dents_.push_back({patch.normal, 0.0, 0.0});
   constexpr double mean_height = 1.0 / 12.0;  // of the product of two barycentric coordinates

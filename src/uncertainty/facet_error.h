@@ -13,12 +13,15 @@ namespace raytube {
 /// a parabola stands off it, there and back, 8/15 being the mean of (1 - x^2)^2. Valid for dents below wavelength / 10.
 double chord_error(double dent, double wavelength);
 
+/// Creases up to twice as steep as `min_wedge_angle` may be tessellation, too [rad].
+double doubtful_crease(double min_wedge_angle);
+
 /// How far facets lie off the surface that they may stand for.
 class FacetDents {
  public:
-  /// `taken`: the curved surfaces that tubes see; null: all facets are flat. Creases up to twice as steep as
-  /// `min_wedge_angle` [rad] may be tessellation, too.
-  FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, double min_wedge_angle);
+  /// `taken`: the curved surfaces that tubes see; null: all facets are flat. `meant`: those that facets may stand for, of creases
+  /// up to doubtful_crease().
+  FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, const SmoothSurfaces& meant);
 
   /// The error of the physical-optics amplitude of a look over that amplitude, 0 ... 2: that of the facets which are turned so
   /// that they reflect to the receiver. With s the dent of a chord and t its turning [rad], measured in two dimensions on circles

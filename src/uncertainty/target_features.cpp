@@ -166,6 +166,7 @@ std::vector<double> face_areas(const TriangleMesh& mesh, std::span<const SmoothC
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     areas[find_root(parents, mesh.triangle_patch[t])] += triangle_area(mesh, t);
   std::erase(areas, 0.0);
+  areas.shrink_to_fit();  // one for each facet of a curved surface went
   return areas;
 }
 

@@ -30,12 +30,12 @@ bool stands_on_patch(const TriangleMesh& mesh, const EdgeTable::Edge& edge, cons
   });
 }
 
-/// The leaves in order of angle, counted from the first triangle; equal angles in order of triangles. None if the edge is too
-/// short to tell.
-std::vector<Leaf> sorted_leaves(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
+/// Fills `leaves` with those of an edge in order of angle, counted from the first triangle; equal angles in order of triangles.
+/// None if the edge is too short to tell.
+void sort_leaves(const TriangleMesh& mesh, const EdgeTable::Edge& edge, std::vector<Leaf>& leaves) {
   const dvec3 tangent = glm::normalize(mesh.vertices[edge.high] - mesh.vertices[edge.low]);
-  std::vector<Leaf> leaves;
-  if (stands_on_patch(mesh, edge, tangent)) return leaves;
+  leaves.clear();
+  if (stands_on_patch(mesh, edge, tangent)) return;
   FaceFrame first{};
   for (const auto& [triangle, corner] : edge.sides) {
     const bool forward = mesh.triangles[triangle][corner] == edge.low;
@@ -45,8 +45,8 @@ std::vector<Leaf> sorted_leaves(const TriangleMesh& mesh, const EdgeTable::Edge&
     if (!leaves.empty()) leaf.angle = opening(first, frame);
     leaves.push_back(leaf);
   }
-  std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.angle < b.angle; });
-  return leaves;
+  if (leaves.size() > 2)  // the first one's angle is 0
+    std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.angle < b.angle; });
 }
 
 /// One of the two ways to describe a sector, the same whatever the numbering of the vertices along a run.
@@ -85,17 +85,20 @@ bool is_wedge(const TriangleMesh& mesh, const EdgeSector& sector, double min_wed
   return !(same_plane && bend < no_opening) && has_opening(sector) && bend >= min_wedge_angle;
 }
 
-std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges) {
+std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges,
+                                        const std::function<bool(const EdgeSector&)>& takes) {
   std::vector<EdgeSector> sectors;
+  std::vector<Leaf> leaves;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const std::vector<Leaf> leaves = sorted_leaves(mesh, edges[e]);
+    sort_leaves(mesh, edges[e], leaves);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       const bool last = i + 1 == leaves.size();
       const Leaf &from = leaves[i], &to = leaves[last ? 0 : i + 1];
       const PatchSide first = from.counter_clockwise_side(), second = to.clockwise_side();
       if (!from.exposed(first) || !to.exposed(second)) continue;
       const double angle = to.angle - from.angle + (last ? 2.0 * pi : 0.0);
-      sectors.push_back(in_standard_order({{first, second}, edges[e].low, edges[e].high, angle / pi}));
+      const EdgeSector sector = in_standard_order({{first, second}, edges[e].low, edges[e].high, angle / pi});
+      if (takes(sector)) sectors.push_back(sector);
     }
   }
   return sectors;

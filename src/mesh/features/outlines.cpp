@@ -30,18 +30,18 @@ double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direct
 
 }  // namespace
 
-Outlines::Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle)
-    : edges_(2 * mesh.patches.size()), wanted_(2 * mesh.patches.size(), false) {
+Outlines::Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle) {
   for (const Wedge& wedge : wedges)
     if (wedge.stands_alone() && wedge.conducting())
-      for (const WedgeFace& face : wedge.faces) wanted_[side_index(face.patch, face.back)] = true;
+      for (const WedgeFace& face : wedge.faces) edges_.try_emplace(side_index(face.patch, face.back));
   add_wedges(wedges);
   add_creases(mesh, min_wedge_angle);
 }
 
 void Outlines::add(std::size_t side, const OutlineEdge& edge) {
-  if (!wanted_[side]) return;
-  OutlineEdge& added = edges_[side].emplace_back(edge);
+  const auto around = edges_.find(side);
+  if (around == edges_.end()) return;
+  OutlineEdge& added = around->second.emplace_back(edge);
   if (edge.wedge_face == 1) std::swap(added.start, added.end);
   const dvec3 along = added.end - added.start;
   added.share = along / glm::dot(along, along);
@@ -55,8 +55,9 @@ void Outlines::add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int
   const std::size_t side = side_index(w.faces[face].patch, w.faces[face].back);
   const std::uint32_t there = w.conducting() && !w.flat ? wedge : no_index;
   add(side, {w.start, w.end, w.faces[face].into_face, there, face, w.flat});
-  if (w.replaced_by == no_index || !wanted_[side]) return;
-  OutlineEdge& edge = edges_[side].back();
+  const auto around = edges_.find(side);
+  if (w.replaced_by == no_index || around == edges_.end()) return;
+  OutlineEdge& edge = around->second.back();
   edge.wedge = no_index;
   for (int i = 0; i < 2; ++i) {
     const WedgeFace& own = wedges[w.replaced_by].faces[i];
@@ -74,12 +75,12 @@ void Outlines::add_wedges(std::span<const Wedge> wedges) {
 
 /// What is left of the outlines once the wedges are taken: flat creases, and faces that touch with no space between them.
 void Outlines::add_creases(const TriangleMesh& mesh, double min_wedge_angle) {
+  if (edges_.empty()) return;
   const EdgeTable table(mesh.triangles, mesh.vertices.size());
-  std::vector<EdgeSector> sectors = exposed_sectors(mesh, table);
-  std::erase_if(sectors, [&](const EdgeSector& sector) {
-    const auto wanted = [&](const PatchSide& side) { return wanted_[side_index(side.patch, side.back)]; };
-    return sector.faces[0] == sector.faces[1] || is_wedge(mesh, sector, min_wedge_angle) ||
-           (!wanted(sector.faces[0]) && !wanted(sector.faces[1]));
+  std::vector<EdgeSector> sectors = exposed_sectors(mesh, table, [&](const EdgeSector& sector) {
+    const auto wanted = [&](const PatchSide& side) { return edges_.contains(side_index(side.patch, side.back)); };
+    return (wanted(sector.faces[0]) || wanted(sector.faces[1])) && sector.faces[0] != sector.faces[1] &&
+           !is_wedge(mesh, sector, min_wedge_angle);
   });
   const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();
   for (const EdgeSector& run : join_straight(mesh.vertices, std::move(sectors), distance)) {
@@ -91,7 +92,10 @@ void Outlines::add_creases(const TriangleMesh& mesh, double min_wedge_angle) {
   }
 }
 
-std::span<const OutlineEdge> Outlines::around(const WedgeFace& face) const { return edges_[side_index(face.patch, face.back)]; }
+std::span<const OutlineEdge> Outlines::around(const WedgeFace& face) const {
+  const auto found = edges_.find(side_index(face.patch, face.back));
+  return found == edges_.end() ? std::span<const OutlineEdge>() : found->second;
+}
 
 FaceExit Outlines::exit(const WedgeFace& face, std::uint32_t own, const dvec3& point, const dvec3& direction) const {
   FaceExit nearest{nullptr, std::numeric_limits<double>::infinity()};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "mesh/features/wedges.h"
@@ -51,8 +52,7 @@ class Outlines {
   void add_wedges(std::span<const Wedge> wedges);
   void add_creases(const TriangleMesh& mesh, double min_wedge_angle);
 
-  std::vector<std::vector<OutlineEdge>> edges_;  // at 2 patch + back
-  std::vector<bool> wanted_;                     // at 2 patch + back: has a convex wedge
+  std::unordered_map<std::size_t, std::vector<OutlineEdge>> edges_;  // at 2 patch + back, of those that have a convex wedge
 };
 
 }  // namespace raytube

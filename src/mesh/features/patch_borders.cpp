@@ -1,19 +1,38 @@
 #include "mesh/features/patch_borders.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace raytube {
 
-PatchBorders::PatchBorders(const TriangleMesh& mesh, const EdgeTable& edges) : borders_(mesh.patches.size()) {
+namespace {
+
+/// Calls visit(patch, edge) for the edges round each patch.
+template <class Visit>
+void for_each_border_edge(const TriangleMesh& mesh, const EdgeTable& edges, Visit visit) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto [low, high, sides] = edges[e];
+    const EdgeTable::Edge edge = edges[e];
     const auto patch = [&](const EdgeTable::Side& side) { return mesh.triangle_patch[side.triangle]; };
-    if (sides.size() == 2 && patch(sides[0]) == patch(sides[1])) continue;
-    for (const EdgeTable::Side& side : sides) borders_[patch(side)].insert(borders_[patch(side)].end(), {low, high});
+    if (edge.sides.size() == 2 && patch(edge.sides[0]) == patch(edge.sides[1])) continue;
+    for (const EdgeTable::Side& side : edge.sides) visit(patch(side), edge);
   }
-  for (auto& vertices : borders_) {
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+}  // namespace
+
+PatchBorders::PatchBorders(const TriangleMesh& mesh, const EdgeTable& edges) : first_(mesh.patches.size() + 1, 0) {
+  for_each_border_edge(mesh, edges, [&](std::uint32_t patch, const EdgeTable::Edge&) { first_[patch + 1] += 2; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  vertices_.resize(first_.back());
+  last_.assign(first_.begin(), first_.end() - 1);
+  for_each_border_edge(mesh, edges, [&](std::uint32_t patch, const EdgeTable::Edge& edge) {
+    vertices_[last_[patch]++] = edge.low;
+    vertices_[last_[patch]++] = edge.high;
+  });
+  for (std::uint32_t patch = 0; patch < last_.size(); ++patch) {
+    const auto begin = vertices_.begin() + first_[patch], end = vertices_.begin() + last_[patch];
+    std::sort(begin, end);
+    last_[patch] = first_[patch] + static_cast<std::uint32_t>(std::unique(begin, end) - begin);
   }
 }
 

@@ -16,10 +16,13 @@ class PatchBorders {
   PatchBorders(const TriangleMesh& mesh, const EdgeTable& edges);
 
   /// Each once, in ascending order; the patch's extent in any direction is theirs.
-  std::span<const std::uint32_t> operator[](std::uint32_t patch) const { return borders_[patch]; }
+  std::span<const std::uint32_t> operator[](std::uint32_t patch) const {
+    return {vertices_.data() + first_[patch], vertices_.data() + last_[patch]};
+  }
 
  private:
-  std::vector<std::vector<std::uint32_t>> borders_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<std::uint32_t> first_, last_;  // of each patch, in vertices_: where its own begin, and end
 };
 
 }  // namespace raytube

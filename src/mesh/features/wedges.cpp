@@ -38,8 +38,8 @@ Wedge wedge_of(const TriangleMesh& mesh, const PatchBorders& borders, const Edge
 
 std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle) {
   const EdgeTable edges(mesh.triangles, mesh.vertices.size());
-  std::vector<EdgeSector> sectors = exposed_sectors(mesh, edges);
-  std::erase_if(sectors, [&](const EdgeSector& sector) { return !is_wedge(mesh, sector, min_wedge_angle); });
+  std::vector<EdgeSector> sectors =
+      exposed_sectors(mesh, edges, [&](const EdgeSector& sector) { return is_wedge(mesh, sector, min_wedge_angle); });
   const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();
   const PatchBorders borders(mesh, edges);
   std::vector<Wedge> wedges;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -38,11 +37,13 @@ MeshFile read_bytes(const std::filesystem::path& path) {
     file.reject(fmt::format("not found; check the path, which in a case file is relative to it{}", backslash_remedy(file.name)));
   if (std::filesystem::is_directory(path, error)) file.reject("is a folder; name the mesh file in it");
   if (!std::filesystem::is_regular_file(path, error)) file.reject("is a pipe or a device; copy the mesh into a file");
-  if (std::filesystem::file_size(path, error) > installed_memory())
-    file.reject("is larger than this machine's memory; take a larger machine, or divide the mesh");
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (size > installed_memory()) file.reject("is larger than this machine's memory; take a larger machine, or divide the mesh");
   std::ifstream stream(path, std::ios::binary);
-  file.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) file.reject("cannot be read; check its permissions");
+  if (!error) file.bytes.resize(size);
+  stream.read(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
+  file.bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad() || !stream.is_open()) file.reject("cannot be read; check its permissions");
   if (file.bytes.empty()) file.reject("is empty; export the mesh again");
   return file;
 }

@@ -37,6 +37,7 @@ Buckets bucket_by_lower_vertex(std::span<const Triangle> triangles, std::size_t 
 EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t vertex_count) : edge_of_side_(3 * triangles.size()) {
   Buckets buckets = bucket_by_lower_vertex(triangles, vertex_count);
   sides_.reserve(buckets.slots.size());
+  ends_.reserve(buckets.slots.size() / 2 + 1);  // as many as a closed surface has
   for (std::uint32_t low = 0; low < vertex_count; ++low) {
     const auto begin = buckets.slots.begin() + buckets.begin[low], end = buckets.slots.begin() + buckets.begin[low + 1];
     std::sort(begin, end, [](const Slot& a, const Slot& b) { return a.high != b.high ? a.high < b.high : a.side < b.side; });

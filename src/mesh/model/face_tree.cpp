@@ -11,50 +11,53 @@ namespace raytube {
 
 namespace {
 
-std::vector<Box> boxes_of(const TriangleMesh& mesh, const Faces& faces) {
-  std::vector<Box> boxes(faces.faces.size());
-  for (std::size_t f = 0; f < boxes.size(); ++f)
-    for (const std::uint32_t corner : faces.corners_of(faces.faces[f])) boxes[f].add(mesh.vertices[corner]);
-  return boxes;
+std::vector<BoxedFace> boxed_faces(const TriangleMesh& mesh, const Faces& faces) {
+  std::vector<BoxedFace> boxed(faces.faces.size());
+  for (std::uint32_t f = 0; f < boxed.size(); ++f) {
+    boxed[f].face = f;
+    for (const std::uint32_t corner : faces.corners_of(faces.faces[f])) boxed[f].box.add(mesh.vertices[corner]);
+  }
+  return boxed;
 }
 
-Faces in_order(const Faces& faces, std::span<const std::uint32_t> order) {
+Faces in_order(const Faces& faces, std::span<const BoxedFace> order) {
   Faces sorted;
   sorted.corners.reserve(faces.corners.size());
-  for (const std::uint32_t f : order) {
-    Face face = faces.faces[f];
+  sorted.faces.reserve(order.size());
+  for (const BoxedFace& boxed : order) {
+    Face face = faces.faces[boxed.face];
     const auto corners = faces.corners_of(face);
     face.first_corner = static_cast<std::uint32_t>(sorted.corners.size());
     sorted.corners.insert(sorted.corners.end(), corners.begin(), corners.end());
     sorted.faces.push_back(face);
   }
   std::vector<std::uint32_t> index(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) index[order[i]] = i;
+  for (std::uint32_t i = 0; i < order.size(); ++i) index[order[i].face] = i;
+  sorted.face_of_triangle.reserve(faces.face_of_triangle.size());
   for (const std::uint32_t f : faces.face_of_triangle) sorted.face_of_triangle.push_back(index[f]);
   return sorted;
 }
 
-Box box_of(std::span<const Box> boxes, std::span<const std::uint32_t> order) {
+Box box_of(std::span<const BoxedFace> faces) {
   Box box;
-  for (const std::uint32_t f : order) box.add(boxes[f].low), box.add(boxes[f].high);
+  for (const BoxedFace& f : faces) box.add(f.box.low), box.add(f.box.high);
   return box;
 }
 
 // Halves along the longest side of the box, again and again; every part but the last one has `full` faces. Ties go by index.
-void divide(std::span<const Box> boxes, std::span<std::uint32_t> order, std::size_t full,
-            std::span<std::span<std::uint32_t>> parts) {
+void divide(std::span<BoxedFace> order, std::size_t full, std::span<std::span<BoxedFace>> parts) {
   if (parts.size() == 1) {
     parts[0] = order;
     return;
   }
-  const Box box = box_of(boxes, order);
+  const Box box = box_of(order);
   const dvec3 size = box.high - box.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const auto key = [&](std::uint32_t f) { return std::pair(boxes[f].low[axis] + boxes[f].high[axis], f); };
+  const auto key = [axis](const BoxedFace& f) { return std::pair(f.box.low[axis] + f.box.high[axis], f.face); };
   const std::size_t middle = parts.size() / 2, half = middle * full;
   std::ranges::nth_element(order, order.begin() + static_cast<std::ptrdiff_t>(half), {}, key);
-  divide(boxes, order.first(half), full, parts.first(middle));
-  divide(boxes, order.subspan(half), full, parts.subspan(middle));
+  divide(order.first(half), full, parts.first(middle));
+  divide(order.subspan(half), full, parts.subspan(middle));
 }
 
 }  // namespace
@@ -64,11 +67,10 @@ FaceTree::FaceTree(const TriangleMesh& mesh)
       faces_(find_faces(mesh)),
       // A dozen roundings of numbers up to the radius, in the box and in the prism.
       box_rounding_(16.0 * std::numeric_limits<float>::epsilon() * mesh.radius) {
-  const std::vector<Box> boxes = boxes_of(mesh, faces_);
-  std::vector<std::uint32_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0u);
-  if (!boxes.empty()) build(boxes, order, 0);
+  std::vector<BoxedFace> order = boxed_faces(mesh, faces_);
+  if (!order.empty()) build(order, 0);
   faces_ = in_order(faces_, order);
+  points_.reserve(faces_.corners.size());
   for (const std::uint32_t corner : faces_.corners) points_.push_back(mesh.vertices[corner]);
   list_triangles();
 }
@@ -83,18 +85,18 @@ void FaceTree::list_triangles() {
 }
 
 // All nodes but the last of each level are full, so that few are looked at; the root may not be.
-std::uint32_t FaceTree::build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin) {
+std::uint32_t FaceTree::build(std::span<BoxedFace> order, std::uint32_t begin) {
   const auto node = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   std::size_t full = 1;
   while (full * lanes < order.size()) full *= lanes;
-  std::array<std::span<std::uint32_t>, lanes> parts;
-  divide(boxes, order, full, std::span(parts).first((order.size() + full - 1) / full));
+  std::array<std::span<BoxedFace>, lanes> parts;
+  divide(order, full, std::span(parts).first((order.size() + full - 1) / full));
   for (int lane = 0; lane < lanes; ++lane) {
-    const std::span<std::uint32_t> part = parts[lane];
+    const std::span<BoxedFace> part = parts[lane];
     const auto first = part.empty() ? begin : begin + static_cast<std::uint32_t>(part.data() - order.data());
-    const std::uint32_t child = part.size() > 1 ? build(boxes, part, first) : 0;
-    set_lane(node, lane, box_of(boxes, part), first, first + static_cast<std::uint32_t>(part.size()), child);
+    const std::uint32_t child = part.size() > 1 ? build(part, first) : 0;
+    set_lane(node, lane, box_of(part), first, first + static_cast<std::uint32_t>(part.size()), child);
   }
   return node;
 }

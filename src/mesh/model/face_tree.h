@@ -21,6 +21,12 @@ struct Prism {
   double floor_facing = 0.0;                                  // above zero: the lines rise on the side its normal points to
 };
 
+/// A face and what holds it, while the tree is built.
+struct BoxedFace {
+  Box box;             // round it
+  std::uint32_t face;  // its number
+};
+
 /// The faces of a mesh in a tree of boxes, eight to a node. Boxes are in single precision, enlarged by what that may cost.
 class FaceTree {
  public:
@@ -61,7 +67,7 @@ class FaceTree {
   struct Query;
 
   void list_triangles();
-  std::uint32_t build(std::span<const Box> boxes, std::span<std::uint32_t> order, std::uint32_t begin);
+  std::uint32_t build(std::span<BoxedFace> order, std::uint32_t begin);
   void set_lane(std::uint32_t node, int lane, const Box& box, std::uint32_t begin, std::uint32_t end, std::uint32_t child);
 
   const TriangleMesh& mesh_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "mesh/model/edge_table.h"
 #include "mesh/model/geometry.h"
@@ -22,10 +23,7 @@ class FaceFinder {
         edges_(mesh.triangles, mesh.vertices.size()),
         parents_(mesh.triangles.size()),
         loops_(mesh.triangles.size()) {
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      parents_[t] = t;
-      loops_[t].assign(mesh.triangles[t].begin(), mesh.triangles[t].end());
-    }
+    std::iota(parents_.begin(), parents_.end(), 0u);
   }
 
   Faces run() {
@@ -59,10 +57,7 @@ class FaceFinder {
       if (!flat[patch] || members[patch].size() < 3) continue;
       std::vector<std::uint32_t> outline = convex_outline(members[patch], mesh_.patches[patch].normal);
       if (outline.empty()) continue;
-      for (const std::uint32_t t : members[patch]) {
-        parents_[t] = members[patch][0];
-        loops_[t].clear();
-      }
+      for (const std::uint32_t t : members[patch]) parents_[t] = members[patch][0];
       loops_[members[patch][0]] = std::move(outline);
     }
   }
@@ -123,10 +118,10 @@ class FaceFinder {
 
   bool join_across(const EdgeTable::Edge& edge) {
     const std::uint32_t a = find_root(parents_, edge.sides[0].triangle), b = find_root(parents_, edge.sides[1].triangle);
-    if (a == b || loops_[a].size() + loops_[b].size() > most_corners) return false;
+    if (a == b || loop(a).size() + loop(b).size() > most_corners) return false;
     const std::uint32_t start = mesh_.triangles[edge.sides[0].triangle][edge.sides[0].corner];
-    std::vector<std::uint32_t> one = turned_to_end_at(loops_[a], start),
-                               other = turned_to_end_at(loops_[b], edge.low + edge.high - start);
+    std::vector<std::uint32_t> one = turned_to_end_at(loop(a), start),
+                               other = turned_to_end_at(loop(b), edge.low + edge.high - start);
     drop_shared_chain(one, other);
     const dvec3& normal = mesh_.patches[mesh_.triangle_patch[edge.sides[0].triangle]].normal;
     if (turn(one[one.size() - 2], one.back(), other[1], normal) == Turn::right) return false;
@@ -134,14 +129,19 @@ class FaceFinder {
     one.pop_back();
     one.insert(one.end(), other.begin(), other.end() - 1);
     loops_[std::min(a, b)] = std::move(one);
-    loops_[std::max(a, b)].clear();
+    loops_[std::max(a, b)] = {};
     parents_[std::max(a, b)] = std::min(a, b);
     return true;
   }
 
-  static std::vector<std::uint32_t> turned_to_end_at(std::vector<std::uint32_t> loop, std::uint32_t vertex) {
-    std::rotate(loop.begin(), std::ranges::find(loop, vertex) + 1, loop.end());
-    return loop;
+  std::span<const std::uint32_t> loop(std::uint32_t face) const {
+    return loops_[face].empty() ? std::span<const std::uint32_t>(mesh_.triangles[face]) : loops_[face];
+  }
+
+  static std::vector<std::uint32_t> turned_to_end_at(std::span<const std::uint32_t> loop, std::uint32_t vertex) {
+    std::vector<std::uint32_t> turned(loop.begin(), loop.end());
+    std::rotate(turned.begin(), std::ranges::find(turned, vertex) + 1, turned.end());
+    return turned;
   }
 
   // `one` runs from the end of the shared edge to its start, `other` from its start to its end. Where they go on side by side,
@@ -181,10 +181,10 @@ class FaceFinder {
     Faces result;
     result.face_of_triangle.resize(loops_.size());
     for (std::uint32_t t = 0; t < loops_.size(); ++t) {
-      if (loops_[t].empty()) continue;
+      if (parents_[t] != t) continue;
       const std::uint32_t patch = mesh_.triangle_patch[t];
-      const bool joined = loops_[t].size() > 3;
-      const std::vector<std::uint32_t> corners = joined ? true_corners(loops_[t], mesh_.patches[patch].normal) : loops_[t];
+      std::span<const std::uint32_t> corners = loop(t);
+      if (corners.size() > 3) corners = loops_[t] = true_corners(loops_[t], mesh_.patches[patch].normal);
       result.faces.push_back(
           {patch, t, static_cast<std::uint32_t>(result.corners.size()), static_cast<std::uint32_t>(corners.size())});
       result.corners.insert(result.corners.end(), corners.begin(), corners.end());
@@ -199,7 +199,7 @@ class FaceFinder {
   const TriangleMesh& mesh_;
   EdgeTable edges_;
   std::vector<std::uint32_t> parents_;             // faces joined so far, by their lowest triangle
-  std::vector<std::vector<std::uint32_t>> loops_;  // corners of the face of that triangle; empty if it was joined to another
+  std::vector<std::vector<std::uint32_t>> loops_;  // corners of the face of that triangle, if it is not that triangle alone
 };
 
 }  // namespace

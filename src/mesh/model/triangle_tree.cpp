@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "mesh/model/geometry.h"
 
@@ -13,6 +12,7 @@ namespace raytube {
 namespace {
 
 constexpr std::uint32_t triangles_per_leaf = 4;
+constexpr double slender_ratio = 16.0;  // of the square of the longest side to twice the area; 1.2 of an equilateral triangle
 
 // Along a direction that is far from the given one.
 dvec3 across(const dvec3& direction) {
@@ -31,16 +31,11 @@ bool have_one_in_common(const std::array<std::uint32_t, 3>& a, const std::array<
 
 }  // namespace
 
-TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh), members_(mesh.triangles.size()) {
-  std::iota(members_.begin(), members_.end(), 0u);
-  std::vector<dvec3> points;
-  if (!members_.empty()) build(0, static_cast<std::uint32_t>(members_.size()), points);
-}
-
 // The first axis between two points far apart, the second towards the one farthest from their line: triangles, fans and strips
 // lie flat in it.
 TriangleTree::TurnedBox TriangleTree::box_round(std::span<const dvec3> points) {
-  TurnedBox box;
+  TurnedBox box{.axes = static_cast<std::uint32_t>(axes_.size())};
+  Axes& axes = axes_.emplace_back(axes_[0]);
   const dvec3 from = farthest(points, points[0]), longest = farthest(points, from) - from;
   if (glm::length(longest) > 0.0) {
     const dvec3 along = glm::normalize(longest);
@@ -48,78 +43,152 @@ TriangleTree::TurnedBox TriangleTree::box_round(std::span<const dvec3> points) {
     const dvec3 widest = aside(*std::ranges::max_element(points, {}, [&](const dvec3& p) { return glm::length(aside(p)); }));
     const dvec3 rest = widest - glm::dot(widest, along) * along;
     const dvec3 second = glm::length(rest) > 0.0 ? glm::normalize(rest) : across(along);
-    box.axes = {along, second, glm::cross(along, second)};
+    axes = {along, second, glm::cross(along, second)};
   }
   for (int axis = 0; axis < 3; ++axis) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const dvec3& p : points) {
-      low = std::min(low, glm::dot(box.axes[axis], p - from));
-      high = std::max(high, glm::dot(box.axes[axis], p - from));
+      low = std::min(low, glm::dot(axes[axis], p - from));
+      high = std::max(high, glm::dot(axes[axis], p - from));
     }
-    box.middle += 0.5 * (low + high) * box.axes[axis];
+    box.middle += 0.5 * (low + high) * axes[axis];
     box.half[axis] = 0.5 * (high - low);
   }
   box.middle += from;
   return box;
 }
 
-TriangleTree::Node TriangleTree::node_of(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points) const {
-  Node node{{}, begin, end, 0, mesh_.triangle_patch[members_[begin]], mesh_.triangles[members_[begin]]};
-  points.clear();
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const Triangle& t = mesh_.triangles[members_[i]];
-    for (const std::uint32_t v : t) points.push_back(mesh_.vertices[v]);
+// Halves the triangles by their middles, again and again. Boxes along the axes are made from the leaves up.
+class TriangleTree::Builder {
+ public:
+  explicit Builder(TriangleTree& tree) : tree_(tree), mesh_(tree.mesh_) {
+    members_.reserve(mesh_.triangles.size());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) members_.push_back(member(t));
+    if (!members_.empty()) build(0, static_cast<std::uint32_t>(members_.size()));
+  }
+
+ private:
+  struct Member {
+    dvec3 sum;           // of its corners
+    double slenderness;  // above zero if it is slender; adds up
+    std::uint32_t triangle;
+  };
+
+  Member member(std::uint32_t triangle) const {
+    const auto& [i, j, k] = mesh_.triangles[triangle];
+    const dvec3 &a = mesh_.vertices[i], &b = mesh_.vertices[j], &c = mesh_.vertices[k];
+    const double longest = std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)});
+    return {a + b + c, longest - slender_ratio * glm::length(area_vector(a, b, c)), triangle};
+  }
+
+  Box build(std::uint32_t begin, std::uint32_t end) {
+    const std::size_t at = tree_.nodes_.size();
+    tree_.nodes_.push_back({{}, begin, end, 0, no_index, {no_index, no_index, no_index}});
+    if (is_slender(begin, end)) turn_box(tree_.nodes_[at]);
+    const Box box = end - begin <= triangles_per_leaf ? fill_leaf(at) : divide(at);
+    Node& node = tree_.nodes_[at];
+    if (node.box.axes == 0) node.box.middle = box.middle(), node.box.half = 0.5 * (box.high - box.low);
+    return box;
+  }
+
+  bool is_slender(std::uint32_t begin, std::uint32_t end) const {
+    double sum = 0.0;
+    for (std::uint32_t i = begin; i < end; ++i) sum += members_[i].slenderness;
+    return sum > 0.0;
+  }
+
+  void turn_box(Node& node) {
+    points_.clear();
+    for (std::uint32_t i = node.begin; i < node.end; ++i)
+      for (const std::uint32_t v : mesh_.triangles[members_[i].triangle]) points_.push_back(mesh_.vertices[v]);
+    node.box = tree_.box_round(points_);
+  }
+
+  // In two halves, across the axis along which the middles lie farthest apart; corners may do so along another one.
+  Box divide(std::size_t at) {
+    const auto [begin, end] = std::pair(tree_.nodes_[at].begin, tree_.nodes_[at].end);
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    halve(begin, middle, end, tree_.axes_[tree_.nodes_[at].box.axes]);
+    Box box = build(begin, middle);
+    tree_.nodes_[at].right = static_cast<std::uint32_t>(tree_.nodes_.size());
+    const Box other = build(middle, end);
+    box.add(other.low), box.add(other.high);
+    join_children(at);
+    return box;
+  }
+
+  void halve(std::uint32_t begin, std::uint32_t middle, std::uint32_t end, const Axes& axes) {
+    Box middles;
+    const auto first = members_.begin();
+    for (auto m = first + begin; m != first + end; ++m)
+      middles.add({glm::dot(axes[0], m->sum), glm::dot(axes[1], m->sum), glm::dot(axes[2], m->sum)});
+    const dvec3 size = middles.high - middles.low;
+    const dvec3 along = axes[size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2];
+    std::nth_element(first + begin, first + middle, first + end, [&along](const Member& a, const Member& b) {
+      const double depth_a = glm::dot(along, a.sum), depth_b = glm::dot(along, b.sum);
+      return depth_a != depth_b ? depth_a < depth_b : a.triangle < b.triangle;
+    });
+  }
+
+  Box fill_leaf(std::size_t at) {
+    Node& node = tree_.nodes_[at];
+    node.patch = mesh_.triangle_patch[members_[node.begin].triangle];
+    node.common = mesh_.triangles[members_[node.begin].triangle];
+    Box box;
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      const std::uint32_t triangle = tree_.members_[i] = members_[i].triangle;
+      keep_common(node, mesh_.triangles[triangle], mesh_.triangle_patch[triangle]);
+      for (const std::uint32_t v : mesh_.triangles[triangle]) box.add(mesh_.vertices[v]);
+    }
+    return box;
+  }
+
+  void join_children(std::size_t at) {
+    Node& node = tree_.nodes_[at];
+    const Node &first = tree_.nodes_[at + 1], &second = tree_.nodes_[node.right];
+    node.patch = first.patch;
+    node.common = first.common;
+    keep_common(node, second.common, second.patch);
+  }
+
+  static void keep_common(Node& node, const Triangle& corners, std::uint32_t patch) {
     for (std::uint32_t& v : node.common)
-      if (std::ranges::find(t, v) == t.end()) v = no_index;
-    if (mesh_.triangle_patch[members_[i]] != node.patch) node.patch = no_index;
+      if (std::ranges::find(corners, v) == corners.end()) v = no_index;
+    if (patch != node.patch) node.patch = no_index;
   }
-  node.box = box_round(points);
-  return node;
+
+  TriangleTree& tree_;
+  const TriangleMesh& mesh_;
+  std::vector<Member> members_;
+  std::vector<dvec3> points_;  // of one node
+};
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh)
+    : mesh_(mesh), members_(mesh.triangles.size()), axes_{{dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)}} {
+  Builder{*this};
 }
 
-dvec3 TriangleTree::sum_of_corners(std::uint32_t triangle) const {
-  const auto& [a, b, c] = mesh_.triangles[triangle];
-  return mesh_.vertices[a] + mesh_.vertices[b] + mesh_.vertices[c];
-}
-
-// The axis along which the triangles' middles lie farthest apart; their corners may do so along another one.
-dvec3 TriangleTree::spread(const Node& node) const {
-  Box middles;
-  for (std::uint32_t i = node.begin; i < node.end; ++i) {
-    const dvec3 sum = sum_of_corners(members_[i]);
-    middles.add({glm::dot(node.box.axes[0], sum), glm::dot(node.box.axes[1], sum), glm::dot(node.box.axes[2], sum)});
-  }
-  const dvec3 size = middles.high - middles.low;
-  return node.box.axes[size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2];
-}
-
-void TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points) {
-  const std::size_t index = nodes_.size();
-  nodes_.push_back(node_of(begin, end, points));
-  if (end - begin <= triangles_per_leaf) return;
-  const dvec3 along = spread(nodes_[index]);
-  const auto depth = [&](std::uint32_t t) { return std::pair(glm::dot(along, sum_of_corners(t)), t); };
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::ranges::nth_element(members_.begin() + begin, members_.begin() + middle, members_.begin() + end, {}, depth);
-  build(begin, middle, points);
-  nodes_[index].right = static_cast<std::uint32_t>(nodes_.size());
-  build(middle, end, points);
+bool TriangleTree::are_apart(const TurnedBox& a, const TurnedBox& b, double distance) const {
+  if (a.axes != 0 || b.axes != 0) return turned_are_apart(a, b, distance);
+  const dvec3 gap = glm::abs(b.middle - a.middle) - (a.half + b.half);
+  return std::max({gap.x, gap.y, gap.z}) > distance;
 }
 
 // Gottschalk, Lin, Manocha (1996): the normals of both boxes and the products of their edges tell. A product shorter than one
 // understates the gap, which is safe.
-bool TriangleTree::are_apart(const TurnedBox& a, const TurnedBox& b, double distance) {
+bool TriangleTree::turned_are_apart(const TurnedBox& a, const TurnedBox& b, double distance) const {
+  const Axes &axes_a = axes_[a.axes], &axes_b = axes_[b.axes];
   const dvec3 between = b.middle - a.middle;
   if (glm::length(between) > glm::length(a.half) + glm::length(b.half) + distance) return true;
   const auto separates = [&](const dvec3& axis) {
     double reach = distance;
     for (int i = 0; i < 3; ++i)
-      reach += a.half[i] * std::abs(glm::dot(a.axes[i], axis)) + b.half[i] * std::abs(glm::dot(b.axes[i], axis));
+      reach += a.half[i] * std::abs(glm::dot(axes_a[i], axis)) + b.half[i] * std::abs(glm::dot(axes_b[i], axis));
     return std::abs(glm::dot(between, axis)) > reach;
   };
-  if (std::ranges::any_of(a.axes, separates) || std::ranges::any_of(b.axes, separates)) return true;
-  for (const dvec3& edge_a : a.axes)
-    for (const dvec3& edge_b : b.axes)
+  if (std::ranges::any_of(axes_a, separates) || std::ranges::any_of(axes_b, separates)) return true;
+  for (const dvec3& edge_a : axes_a)
+    for (const dvec3& edge_b : axes_b)
       if (separates(glm::cross(edge_a, edge_b))) return true;
   return false;
 }
@@ -160,7 +229,7 @@ class TriangleTree::Join {
 
   void between(std::uint32_t at_a, std::uint32_t at_b, Pairs& pairs) const {
     const Node &a = tree_.nodes_[at_a], &b = tree_.nodes_[at_b];
-    if (are_settled(a, b) || are_apart(a.box, b.box, distance_)) return;
+    if (are_settled(a, b) || tree_.are_apart(a.box, b.box, distance_)) return;
     if (a.right == 0 && b.right == 0) {
       for (std::uint32_t i = a.begin; i < a.end; ++i)
         for (std::uint32_t j = b.begin; j < b.end; ++j) look_at(tree_.members_[i], tree_.members_[j], pairs);
@@ -196,10 +265,11 @@ void TriangleTree::near_line(const dvec3& origin, const dvec3& direction, std::v
   // A dozen roundings of numbers up to the radius and the origin's distance, and as much again.
   const double rounding = 32.0 * std::numeric_limits<double>::epsilon() * (mesh_.radius + glm::length(origin));
   const auto passes_by = [&](const TurnedBox& box) {
+    const Axes& axes = axes_[box.axes];
     dvec3 from, along;
     for (int axis = 0; axis < 3; ++axis) {
-      from[axis] = glm::dot(box.axes[axis], origin - box.middle);
-      along[axis] = glm::dot(box.axes[axis], direction);
+      from[axis] = glm::dot(axes[axis], origin - box.middle);
+      along[axis] = glm::dot(axes[axis], direction);
     }
     const dvec3 moment = glm::abs(glm::cross(from, along)), size = glm::abs(along), &half = box.half;
     return moment.x > half.y * size.z + half.z * size.y + rounding || moment.y > half.z * size.x + half.x * size.z + rounding ||

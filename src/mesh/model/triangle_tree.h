@@ -11,8 +11,8 @@
 
 namespace raytube {
 
-/// Boxes along the axes would do for compact triangles. Long ones in a fan or round the tip of a cone fill theirs so little
-/// that each would seem to meet each.
+/// Boxes along the axes do for compact triangles. Slender ones in a fan or round the tip of a cone fill theirs so little that
+/// each would seem to meet each: those have boxes turned as they lie.
 class TriangleTree {
  public:
   /// Keeps a reference to the mesh.
@@ -27,10 +27,11 @@ class TriangleTree {
   void near_line(const dvec3& origin, const dvec3& direction, std::vector<std::uint32_t>& found) const;
 
  private:
+  using Axes = std::array<dvec3, 3>;
   struct TurnedBox {
     dvec3 middle{0.0};
-    std::array<dvec3, 3> axes{dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)};
-    dvec3 half{0.0};  // sides, along the axes
+    dvec3 half{0.0};         // sides, along the axes
+    std::uint32_t axes = 0;  // number of these; 0: those of space
   };
   struct Node {
     TurnedBox box;
@@ -39,18 +40,17 @@ class TriangleTree {
     std::uint32_t patch;                  // of all members, or no_index
     std::array<std::uint32_t, 3> common;  // vertices that all members share; no_index fills the rest
   };
+  class Builder;
   class Join;
 
-  static TurnedBox box_round(std::span<const dvec3> points);
-  static bool are_apart(const TurnedBox& a, const TurnedBox& b, double distance);
-  void build(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points);
-  dvec3 sum_of_corners(std::uint32_t triangle) const;
-  dvec3 spread(const Node& node) const;
-  Node node_of(std::uint32_t begin, std::uint32_t end, std::vector<dvec3>& points) const;
+  TurnedBox box_round(std::span<const dvec3> points);
+  bool are_apart(const TurnedBox& a, const TurnedBox& b, double distance) const;
+  bool turned_are_apart(const TurnedBox& a, const TurnedBox& b, double distance) const;
 
   const TriangleMesh& mesh_;
   std::vector<std::uint32_t> members_;
   std::vector<Node> nodes_;
+  std::vector<Axes> axes_;  // of turned boxes; few triangles need any
 };
 
 }  // namespace raytube

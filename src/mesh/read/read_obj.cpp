@@ -70,9 +70,9 @@ class ObjParser {
 
   void read_facet() {
     name_facet();
-    soup_.polygons.emplace_back();
-    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word())
-      soup_.polygons.back().push_back(vertex_of(word));
+    corners_.clear();
+    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) corners_.push_back(vertex_of(word));
+    soup_.polygons.emplace_back(corners_.begin(), corners_.end());
   }
 
   /// A corner reads vertex[/texture[/normal]]. Vertices count from 1, or backwards from the last one read, which is -1.
@@ -99,6 +99,7 @@ class ObjParser {
   const MeshFile& file_;
   TextScanner scanner_;
   PolygonSoup soup_;
+  std::vector<std::uint32_t> corners_;  // of one facet
   std::vector<std::string> groups_;
   std::string object_, material_;
   std::optional<std::uint32_t> names_;  // the list of these, once a facet goes by it

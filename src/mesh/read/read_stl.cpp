@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "core/text.h"
@@ -23,27 +22,53 @@ namespace {
 constexpr std::size_t header_bytes = 84;  // 80 free ones, then the number of facets
 constexpr std::size_t facet_bytes = 50;   // normal and three corners in single precision, two bytes of attributes
 
-struct PointHash {
-  std::size_t operator()(const dvec3& p) const {
+/// Numbers points, each once: where its number stands, by its coordinates.
+class PointNumbers {
+ public:
+  /// The number of a point in `points`, behind which it is put if it is new.
+  std::uint32_t number_of(const dvec3& point, std::vector<dvec3>& points) {
+    if (2 * (points.size() + 1) > slots_.size()) grow(points);
+    std::uint32_t& slot = slots_[slot_of(point, points)];
+    if (slot == no_index) {
+      slot = static_cast<std::uint32_t>(points.size());
+      points.push_back(point);
+    }
+    return slot;
+  }
+
+ private:
+  /// Where it stands, or may be put: the next free slot from that of its hash.
+  std::size_t slot_of(const dvec3& point, const std::vector<dvec3>& points) const {
+    std::size_t slot = hash(point) & (slots_.size() - 1);
+    while (slots_[slot] != no_index && points[slots_[slot]] != point) slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+
+  void grow(const std::vector<dvec3>& points) {
+    slots_.assign(std::max<std::size_t>(1024, 2 * slots_.size()), no_index);
+    for (std::uint32_t i = 0; i < points.size(); ++i) slots_[slot_of(points[i], points)] = i;
+  }
+
+  static std::size_t hash(const dvec3& p) {
     std::size_t hash = 0;
     for (int axis = 0; axis < 3; ++axis) hash = (hash ^ std::bit_cast<std::uint64_t>(p[axis])) * 0x9E3779B97F4A7C15u;
     return hash ^ (hash >> 32);
   }
+
+  std::vector<std::uint32_t> slots_;  // a power of two of them
 };
 
 /// STL repeats a corner in each facet that has it; corners with the same coordinates become one vertex.
 class SoupBuilder {
  public:
   void add_corner(const dvec3& point) {
-    const dvec3 key = point + 0.0;  // -0 becomes 0
-    const auto [entry, is_new] = index_.try_emplace(key, static_cast<std::uint32_t>(soup_.points.size()));
-    if (is_new) soup_.points.push_back(key);
-    corners_.push_back(entry->second);
+    corners_.push_back(numbers_.number_of(point + 0.0, soup_.points));  // -0 becomes 0
   }
   void end_facet() {
     if (!names_) names_ = soup_.names.list({name_});
     soup_.names.give(soup_.polygons.size(), *names_);
-    soup_.polygons.push_back(std::exchange(corners_, {}));
+    soup_.polygons.emplace_back(corners_.begin(), corners_.end());
+    corners_.clear();
   }
   /// Of the facets that follow.
   void set_name(std::string_view name) {
@@ -58,7 +83,7 @@ class SoupBuilder {
   std::vector<std::uint32_t> corners_;
   std::string name_;
   std::optional<std::uint32_t> names_;
-  std::unordered_map<dvec3, std::uint32_t, PointHash> index_;
+  PointNumbers numbers_;
 };
 
 std::uint64_t announced_facets(const MeshFile& file) {

@@ -45,12 +45,23 @@ dvec3 recentre(std::vector<dvec3>& points, double metres_per_unit) {
   return middle * metres_per_unit;
 }
 
+/// Most polygons are, and need no list of pieces.
+bool is_triangle(std::span<const std::uint32_t> corners) {
+  return corners.size() == 3 && corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
+}
+
 Facets split_polygons(const PolygonSoup& soup, MeshReport& report) {
   Facets facets;
+  facets.triangles.reserve(soup.polygons.size());
   for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
-    const std::vector<Triangle> pieces = triangulate(soup.points, soup.polygons[i]);
-    if (pieces.empty()) ++report.facets_unusable;
-    facets.triangles.insert(facets.triangles.end(), pieces.begin(), pieces.end());
+    const std::vector<std::uint32_t>& corners = soup.polygons[i];
+    if (is_triangle(corners)) {
+      facets.triangles.push_back({corners[0], corners[1], corners[2]});
+    } else {
+      const std::vector<Triangle> pieces = triangulate(soup.points, corners);
+      if (pieces.empty()) ++report.facets_unusable;
+      facets.triangles.insert(facets.triangles.end(), pieces.begin(), pieces.end());
+    }
     if (!soup.materials.empty()) facets.materials.resize(facets.triangles.size(), soup.materials[i]);
   }
   return facets;
@@ -156,6 +167,7 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
   report.weld_distance = weld_fraction * diagonal;
 
   Facets facets = split_polygons(soup, report);
+  soup.polygons = {};  // they take more memory than all that is made of them here
   report.triangles_read = facets.triangles.size();
   WeldedPoints welded = weld(soup.points, report.weld_distance, diagonal);
   report.vertices_welded = soup.points.size() - welded.vertices.size();

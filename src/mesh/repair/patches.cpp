@@ -58,7 +58,6 @@ bool before(const dvec3& a, const dvec3& b) { return std::tie(a.x, a.y, a.z) < s
 /// A triangle with its corners in an order of their own.
 struct Seed {
   std::uint32_t triangle;
-  double area;
   std::array<dvec3, 3> corners;
 };
 
@@ -125,38 +124,51 @@ class PatchFinder {
   /// Of equal ones by coordinates: in which order a file lists triangles and their corners must not decide where a sliver
   /// belongs.
   std::vector<std::uint32_t> largest_first() const {
-    std::vector<Seed> seeds;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) seeds.push_back(seed(t));
-    std::ranges::sort(seeds, [](const Seed& a, const Seed& b) {
-      if (a.area != b.area) return a.area > b.area;
-      return std::ranges::lexicographical_compare(a.corners, b.corners, before);
-    });
+    std::vector<std::pair<double, std::uint32_t>> sizes;  // less than zero, triangle
+    sizes.reserve(mesh_.triangles.size());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) sizes.emplace_back(-size_of(corners_in_order(t)), t);
+    std::ranges::sort(sizes);
     std::vector<std::uint32_t> order;
-    for (const Seed& seed : seeds) order.push_back(seed.triangle);
+    order.reserve(sizes.size());
+    for (const auto& entry : sizes) order.push_back(entry.second);
+    for (std::size_t first = 0, last = 0; first < sizes.size(); first = last) {
+      while (last < sizes.size() && sizes[last].first == sizes[first].first) ++last;
+      if (last - first > 1) sort_by_corners(std::span(order).subspan(first, last - first));
+    }
     return order;
   }
 
-  Seed seed(std::uint32_t triangle) const {
+  void sort_by_corners(std::span<std::uint32_t> triangles) const {
+    std::vector<Seed> seeds;
+    for (const std::uint32_t t : triangles) seeds.push_back({t, corners_in_order(t)});
+    std::ranges::sort(
+        seeds, [](const Seed& a, const Seed& b) { return std::ranges::lexicographical_compare(a.corners, b.corners, before); });
+    std::ranges::transform(seeds, triangles.begin(), &Seed::triangle);
+  }
+
+  std::array<dvec3, 3> corners_in_order(std::uint32_t triangle) const {
     std::array<dvec3, 3> corners;
     for (int k = 0; k < 3; ++k) corners[k] = mesh_.vertices[mesh_.triangles[triangle][k]];
     std::ranges::sort(corners, before);
-    return {triangle, glm::length(area_vector(corners[0], corners[1], corners[2])), corners};
+    return corners;
   }
+
+  static double size_of(const std::array<dvec3, 3>& c) { return glm::length(area_vector(c[0], c[1], c[2])); }
 
   void grow(std::uint32_t seed) {
     const auto patch = static_cast<std::uint32_t>(mesh_.patches.size());
     GrowingPlane growing;
-    std::vector<std::uint32_t> queue;
+    queue_.clear();
     const auto take = [&](std::uint32_t triangle) {
       const auto& [a, b, c] = mesh_.triangles[triangle];
       growing.add(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
       mesh_.triangle_patch[triangle] = patch;
-      queue.push_back(triangle);
+      queue_.push_back(triangle);
     };
     take(seed);
-    for (std::size_t i = 0; i < queue.size(); ++i)
+    for (std::size_t i = 0; i < queue_.size(); ++i)
       for (int k = 0; k < 3; ++k) {
-        const std::uint32_t next = neighbour(queue[i], k);
+        const std::uint32_t next = neighbour(queue_[i], k);
         if (next != no_index && mesh_.triangle_patch[next] == no_index && fits(growing.plane(), next)) take(next);
       }
     mesh_.patches.push_back(growing.plane());
@@ -239,6 +251,7 @@ class PatchFinder {
   TriangleMesh& mesh_;
   EdgeTable edges_;
   double distance_;
+  std::vector<std::uint32_t> queue_;  // of a patch that grows
 };
 
 }  // namespace

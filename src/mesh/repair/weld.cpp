@@ -1,8 +1,8 @@
 #include "mesh/repair/weld.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <unordered_map>
 
 #include "mesh/model/geometry.h"
 #include "mesh/model/triangle_mesh.h"
@@ -15,29 +15,45 @@ namespace {
 /// axis, so that the key is exact.
 class CellGrid {
  public:
-  CellGrid(const dvec3& low, double cell) : low_(low), cell_(cell) {}
+  CellGrid(const dvec3& low, double cell, std::size_t most_vertices)
+      : low_(low), cell_(cell), slots_(std::bit_ceil(2 * most_vertices + 1)) {
+    next_.reserve(most_vertices);
+  }
 
   using Cell = glm::u64vec3;
   Cell cell_of(const dvec3& p) const { return Cell(glm::max(glm::floor((p - low_) / cell_), 0.0)); }
 
   void add(std::uint32_t vertex, const dvec3& p) {
-    const auto [head, is_new] = first_.try_emplace(key(cell_of(p)), no_index);
-    next_.push_back(head->second);
-    head->second = vertex;
+    const std::uint64_t key = key_of(cell_of(p));
+    Slot& slot = slots_[slot_of(key)];
+    next_.push_back(slot.last);
+    slot = {key, vertex};
   }
 
   template <class Visit>
   void for_each_in(const Cell& cell, Visit visit) const {
-    const auto head = first_.find(key(cell));
-    for (std::uint32_t v = head == first_.end() ? no_index : head->second; v != no_index; v = next_[v]) visit(v);
+    for (std::uint32_t v = slots_[slot_of(key_of(cell))].last; v != no_index; v = next_[v]) visit(v);
   }
 
  private:
-  static std::uint64_t key(const Cell& c) { return c.x | c.y << 21 | c.z << 42; }
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t last = no_index;  // vertex of the cell; none: the slot is free
+  };
+
+  static std::uint64_t key_of(const Cell& c) { return c.x | c.y << 21 | c.z << 42; }
+
+  /// That of a cell, or the free one where it would be.
+  std::size_t slot_of(std::uint64_t key) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = (key * 0x9E3779B97F4A7C15u >> 32) & mask;
+    while (slots_[slot].last != no_index && slots_[slot].key != key) slot = (slot + 1) & mask;
+    return slot;
+  }
 
   dvec3 low_;
   double cell_;
-  std::unordered_map<std::uint64_t, std::uint32_t> first_;
+  std::vector<Slot> slots_;  // half of them stay free at least
   std::vector<std::uint32_t> next_;
 };
 
@@ -56,7 +72,7 @@ std::uint32_t first_near(const CellGrid& grid, std::span<const dvec3> vertices, 
 }  // namespace
 
 WeldedPoints weld(std::span<const dvec3> points, double distance, double diagonal) {
-  CellGrid grid(bounding_box(points).low, diagonal / 1e6);
+  CellGrid grid(bounding_box(points).low, diagonal / 1e6, points.size());
   WeldedPoints welded;
   welded.vertex_of_point.reserve(points.size());
   for (const dvec3& p : points) {

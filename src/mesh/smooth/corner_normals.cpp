@@ -35,9 +35,11 @@ class Finder {
     find_slivers();
     leads_.assign(found_.group.size(), false);
     is_led_.assign(groups_, false);
-    add_up();
+    found_.normals.resize(groups_);
+    for (std::uint32_t group = 0; group < groups_; ++group) add_up(group);
     find_leaders();
-    add_up();
+    for (std::uint32_t group = 0; group < groups_; ++group)
+      if (is_led_[group]) add_up(group);
     find_one_sided();
     find_planes();
   }
@@ -174,13 +176,11 @@ class Finder {
 
   bool gives_normal(std::uint32_t corner) const { return is_led_[found_.group[corner]] ? leads_[corner] : !is_sliver_[corner]; }
 
-  void add_up() {
-    found_.normals.assign(groups_, dvec3(0.0));
-    for (std::uint32_t group = 0; group < groups_; ++group) {
-      for (const std::uint32_t corner : corners_[group])
-        if (gives_normal(corner)) found_.normals[group] += weighted_normal(corner);
-      found_.normals[group] = glm::normalize(found_.normals[group]);
-    }
+  void add_up(std::uint32_t group) {
+    dvec3 sum(0.0);
+    for (const std::uint32_t corner : corners_[group])
+      if (gives_normal(corner)) sum += weighted_normal(corner);
+    found_.normals[group] = glm::normalize(sum);
   }
 
   void find_one_sided() {
@@ -189,15 +189,6 @@ class Finder {
       for (const std::uint32_t side : {corner % 3, (corner + 2) % 3})
         if (!is_led_[found_.group[corner]] && !creases_.crossable(creases_.edges().edge_of(corner / 3, static_cast<int>(side))))
           found_.one_sided[found_.group[corner]] = true;
-    for (std::uint32_t corner = 0; corner < found_.group.size(); ++corner)
-      if (is_at_tip(corner)) found_.one_sided[found_.group[corner]] = true;
-  }
-
-  // Round a vertex of a smooth surface no facet leans off the normal by more than one crease turns; round the tip of a cone all
-  // do.
-  bool is_at_tip(std::uint32_t corner) const {
-    const dvec3& plane = mesh_.patches[mesh_.triangle_patch[corner / 3]].normal;
-    return glm::dot(plane, found_.normals[found_.group[corner]]) < creases_.least_cosine();
   }
 
   void find_planes() {

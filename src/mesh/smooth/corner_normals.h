@@ -16,7 +16,7 @@ struct CornerNormals {
 
   std::vector<std::uint32_t> group;  // of each corner, three a triangle: its number in what follows
   std::vector<dvec3> normals;        // unit
-  std::vector<bool> one_sided;       // the facets that give it end at the vertex, and none of them leads; or it is that of a tip
+  std::vector<bool> one_sided;       // the facets that give it end at the vertex, and none of them leads
   std::vector<bool> is_plane;        // [plane] the normals at its corners are its own
 };
 

@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "mesh/features/patch_borders.h"
-#include "mesh/model/triangle_rows.h"
 
 namespace raytube {
 
@@ -25,6 +24,8 @@ bool is_one_plane(const Patch& a, const Patch& b) { return a.normal == b.normal 
 std::vector<std::uint32_t> uncut_patches(const TriangleMesh& mesh, const EdgeTable& edges) {
   std::vector<std::uint32_t> parents(mesh.patches.size());
   std::iota(parents.begin(), parents.end(), 0u);
+  const auto is_first_material = [&](const Patch& patch) { return patch.material == mesh.patches[0].material; };
+  if (std::ranges::all_of(mesh.patches, is_first_material)) return parents;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges[e].sides.size() != 2) continue;
     const std::uint32_t a = mesh.triangle_patch[edges[e].sides[0].triangle], b = mesh.triangle_patch[edges[e].sides[1].triangle];
@@ -43,7 +44,6 @@ std::vector<std::uint32_t> hull_of(const std::vector<dvec3>& vertices, std::vect
   const auto place = [&](std::uint32_t i) { return dvec2(glm::dot(u, vertices[i]), glm::dot(v, vertices[i])); };
   const auto key = [&](std::uint32_t i) { return std::tuple(place(i).x, place(i).y, i); };
   std::ranges::sort(points, {}, key);
-  if (points.size() < 4) return points;
   std::vector<std::uint32_t> hull;
   const auto add = [&](std::uint32_t point, std::size_t least) {
     const auto turns = [&] {
@@ -60,17 +60,36 @@ std::vector<std::uint32_t> hull_of(const std::vector<dvec3>& vertices, std::vect
   return hull;
 }
 
-std::vector<std::vector<std::uint32_t>> outlines_of(const TriangleMesh& mesh, const EdgeTable& edges,
-                                                    const std::vector<std::uint32_t>& plane) {
+// The points on the borders of the patches of each plane.
+PlaneOutlines borders_of(const TriangleMesh& mesh, const EdgeTable& edges, const std::vector<std::uint32_t>& plane) {
   const PatchBorders borders(mesh, edges);
-  std::vector<std::vector<std::uint32_t>> outlines(plane.empty() ? 0 : *std::ranges::max_element(plane) + 1);
-  std::vector<const dvec3*> normals(outlines.size());
-  for (std::uint32_t patch = 0; patch < plane.size(); ++patch) {
-    std::vector<std::uint32_t>& outline = outlines[plane[patch]];
-    outline.insert(outline.end(), borders[patch].begin(), borders[patch].end());
-    normals[plane[patch]] = &mesh.patches[patch].normal;
+  PlaneOutlines found{std::vector<std::uint32_t>(plane.empty() ? 1 : *std::ranges::max_element(plane) + 2, 0), {}};
+  for (std::uint32_t patch = 0; patch < plane.size(); ++patch)
+    found.first[plane[patch] + 1] += static_cast<std::uint32_t>(borders[patch].size());
+  std::partial_sum(found.first.begin(), found.first.end(), found.first.begin());
+  found.vertices.resize(found.first.back());
+  std::vector<std::uint32_t> next(found.first.begin(), found.first.end() - 1);
+  for (std::uint32_t patch = 0; patch < plane.size(); ++patch)
+    for (const std::uint32_t vertex : borders[patch]) found.vertices[next[plane[patch]]++] = vertex;
+  return found;
+}
+
+PlaneOutlines outlines_of(const TriangleMesh& mesh, const EdgeTable& edges, const std::vector<std::uint32_t>& plane) {
+  const PlaneOutlines borders = borders_of(mesh, edges, plane);
+  std::vector<std::uint32_t> patch_of(borders.first.size() - 1);
+  for (std::uint32_t patch = 0; patch < plane.size(); ++patch) patch_of[plane[patch]] = patch;
+  PlaneOutlines outlines{{0}, {}};
+  outlines.first.reserve(borders.first.size());
+  for (std::uint32_t p = 0; p < patch_of.size(); ++p) {
+    const auto begin = borders.vertices.begin() + borders.first[p], end = borders.vertices.begin() + borders.first[p + 1];
+    if (end - begin < 4) {
+      outlines.vertices.insert(outlines.vertices.end(), begin, end);
+    } else {
+      const std::vector<std::uint32_t> hull = hull_of(mesh.vertices, {begin, end}, mesh.patches[patch_of[p]].normal);
+      outlines.vertices.insert(outlines.vertices.end(), hull.begin(), hull.end());
+    }
+    outlines.first.push_back(static_cast<std::uint32_t>(outlines.vertices.size()));
   }
-  for (std::size_t i = 0; i < outlines.size(); ++i) outlines[i] = hull_of(mesh.vertices, std::move(outlines[i]), *normals[i]);
   return outlines;
 }
 
@@ -78,19 +97,26 @@ std::vector<std::vector<std::uint32_t>> outlines_of(const TriangleMesh& mesh, co
 
 Creases::Creases(const TriangleMesh& mesh, double max_turn)
     : mesh_(mesh),
-      least_cosine_(std::cos(max_turn)),
       edges_(mesh.triangles, mesh.vertices.size()),
       plane_(uncut_patches(mesh, edges_)),
       outlines_(outlines_of(mesh, edges_, plane_)),
       crossable_(edges_.size()) {
-  for (std::size_t e = 0; e < edges_.size(); ++e) crossable_[e] = is_smooth(edges_[e]);
+  find_crossable(std::cos(max_turn));
 }
 
-bool Creases::is_smooth(const EdgeTable::Edge& edge) const {
-  if (edge.sides.size() != 2) return false;
-  const auto [a, b] = std::pair(edge.sides[0], edge.sides[1]);
-  const bool opposite = mesh_.triangles[a.triangle][a.corner] != mesh_.triangles[b.triangle][b.corner];
-  return opposite && glm::dot(patch_normal(mesh_, a.triangle), patch_normal(mesh_, b.triangle)) > least_cosine_;
+void Creases::find_crossable(double least_cosine) {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const EdgeTable::Edge edge = edges_[e];
+    if (edge.sides.size() != 2) continue;
+    const auto [a, b] = std::pair(edge.sides[0], edge.sides[1]);
+    if (mesh_.triangles[a.triangle][a.corner] == mesh_.triangles[b.triangle][b.corner]) continue;
+    const double cosine = glm::dot(patch_normal(mesh_, a.triangle), patch_normal(mesh_, b.triangle));
+    crossable_[e] = cosine > least_cosine;
+    if (crossable_[e])
+      steepest_crossed_ = std::min(steepest_crossed_, cosine);
+    else
+      flattest_left_ = std::max(flattest_left_, cosine);
+  }
 }
 
 bool Creases::is_crease(const EdgeTable::Edge& edge) const {
@@ -106,7 +132,8 @@ double Creases::width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) 
 bool Creases::reaches(std::uint32_t plane, const EdgeTable::Edge& edge, double width) const {
   const dvec3 start = mesh_.vertices[edge.low], along = glm::normalize(mesh_.vertices[edge.high] - start);
   const auto is_far = [&](std::uint32_t v) { return glm::length(glm::cross(mesh_.vertices[v] - start, along)) > width; };
-  return std::ranges::any_of(outlines_[plane], is_far);
+  const auto outline = outlines_.vertices.begin();
+  return std::any_of(outline + outlines_.first[plane], outline + outlines_.first[plane + 1], is_far);
 }
 
 }  // namespace raytube

@@ -1,12 +1,18 @@
 // The edges across which facets may be chords of one smooth surface, and how wide the facets are beside them.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "mesh/model/edge_table.h"
 #include "mesh/model/triangle_mesh.h"
 
 namespace raytube {
+
+/// Of each plane the corners of its convex hull, and perhaps more points of its border.
+struct PlaneOutlines {
+  std::vector<std::uint32_t> first, vertices;  // outline p is vertices[first[p]] to vertices[first[p + 1] - 1]
+};
 
 /// Which edges of a mesh are creases, and across which a smooth surface may go on.
 class Creases {
@@ -16,7 +22,11 @@ class Creases {
 
   /// Those of the mesh.
   const EdgeTable& edges() const { return edges_; }
-  double least_cosine() const { return least_cosine_; }  // of the angle by which a smooth surface turns
+
+  /// Cosine of the steepest turn between two triangles that a smooth surface may go on across.
+  double steepest_crossed() const { return steepest_crossed_; }
+  /// Cosine of the flattest turn that it may not.
+  double flattest_left() const { return flattest_left_; }
 
   /// Whether a smooth surface may go on across the edge; and whether it would turn there.
   bool crossable(std::size_t edge) const { return crossable_[edge]; }
@@ -27,7 +37,7 @@ class Creases {
   /// shape.
   std::uint32_t plane(std::uint32_t triangle) const { return plane_[mesh_.triangle_patch[triangle]]; }
   /// Number of planes: those of plane().
-  std::size_t planes() const { return outlines_.size(); }
+  std::size_t planes() const { return outlines_.first.size() - 1; }
 
   /// How far a triangle reaches from its side on the edge [m].
   double width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const;
@@ -36,13 +46,13 @@ class Creases {
   bool reaches(std::uint32_t plane, const EdgeTable::Edge& edge, double width) const;
 
  private:
-  bool is_smooth(const EdgeTable::Edge& edge) const;
+  void find_crossable(double least_cosine);
 
   const TriangleMesh& mesh_;
-  double least_cosine_;
+  double steepest_crossed_ = std::numeric_limits<double>::infinity(), flattest_left_ = -steepest_crossed_;
   EdgeTable edges_;
-  std::vector<std::uint32_t> plane_;                  // of each patch
-  std::vector<std::vector<std::uint32_t>> outlines_;  // of each plane: the corners of its convex hull
+  std::vector<std::uint32_t> plane_;  // of each patch
+  PlaneOutlines outlines_;
   std::vector<bool> crossable_;
 };
 

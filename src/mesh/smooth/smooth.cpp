@@ -39,15 +39,44 @@ dvec3 bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b, double stee
 }  // namespace
 
 SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise)
-    : mesh_(mesh), steepest_(std::sin(std::min(most_creases * max_crease, widest_lean))) {
-  const Creases creases(mesh, max_crease);
-  CornerNormals corners(mesh, creases);
-  corner_normal_ = std::move(corners.group);
-  normals_ = std::move(corners.normals);
-  one_sided_ = std::move(corners.one_sided);
-  find_regions(creases, corners.is_plane);
+    : SmoothSurfaces(mesh, find_chords(mesh, max_crease), max_crease, max_rise) {}
+
+SmoothSurfaces::SmoothSurfaces(const SmoothSurfaces& others, double max_crease, double max_rise)
+    : SmoothSurfaces(others.mesh_, others.has_chords_of(max_crease) ? others.chords_ : find_chords(others.mesh_, max_crease),
+                     max_crease, max_rise) {}
+
+SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, double max_crease, double max_rise)
+    : mesh_(mesh),
+      chords_(std::move(chords)),
+      steepest_(std::sin(std::min(most_creases * max_crease, widest_lean))),
+      region_(chords_->region),
+      one_sided_(chords_->one_sided) {
+  add_tips(std::cos(max_crease));
   keep_flat(max_rise);
   count_facets();
+}
+
+bool SmoothSurfaces::has_chords_of(double max_crease) const {
+  return chords_->steepest_crossed > std::cos(max_crease) && chords_->flattest_left <= std::cos(max_crease);
+}
+
+std::shared_ptr<const SmoothSurfaces::Chords> SmoothSurfaces::find_chords(const TriangleMesh& mesh, double max_crease) {
+  const Creases creases(mesh, max_crease);
+  CornerNormals corners(mesh, creases);
+  auto chords = std::make_shared<Chords>(Chords{creases.steepest_crossed(), creases.flattest_left(), {}, {}, {}, {}, {}});
+  chords->corner_normal = std::move(corners.group);
+  chords->normals = std::move(corners.normals);
+  chords->one_sided = std::move(corners.one_sided);
+  find_regions(mesh, creases, corners.is_plane, *chords);
+  return chords;
+}
+
+// Round a vertex of a smooth surface no facet leans off the normal by more than one crease turns; round the tip of a cone all do.
+void SmoothSurfaces::add_tips(double least_cosine) {
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (int corner = 0; corner < 3; ++corner)
+      if (glm::dot(mesh_.patches[mesh_.triangle_patch[t]].normal, normal(t, corner)) < least_cosine)
+        one_sided_[normal_index(t, corner)] = true;
 }
 
 void SmoothSurfaces::keep_components(const std::vector<bool>& kept) {
@@ -65,23 +94,24 @@ void SmoothSurfaces::count_facets() {
   }
 }
 
-void SmoothSurfaces::find_regions(const Creases& creases, const std::vector<bool>& is_plane) {
+void SmoothSurfaces::find_regions(const TriangleMesh& mesh, const Creases& creases, const std::vector<bool>& is_plane,
+                                  Chords& chords) {
   const auto bends = [&](std::uint32_t t) { return !is_plane[creases.plane(t)]; };
-  const auto material = [&](std::uint32_t t) { return mesh_.patches[mesh_.triangle_patch[t]].material; };
-  boundary_.assign(3 * mesh_.triangles.size(), true);
-  std::vector<std::uint32_t> parents(mesh_.triangles.size());
+  const auto material = [&](std::uint32_t t) { return mesh.patches[mesh.triangle_patch[t]].material; };
+  chords.boundary.assign(3 * mesh.triangles.size(), true);
+  std::vector<std::uint32_t> parents(mesh.triangles.size());
   for (std::uint32_t i = 0; i < parents.size(); ++i) parents[i] = i;
   for (std::size_t e = 0; e < creases.edges().size(); ++e) {
     if (!creases.crossable(e)) continue;
     const auto sides = creases.edges()[e].sides;
     const std::uint32_t a = sides[0].triangle, b = sides[1].triangle;
     if (!bends(a) || !bends(b) || material(a) != material(b)) continue;
-    for (const EdgeTable::Side& side : sides) boundary_[3 * std::size_t{side.triangle} + side.corner] = false;
+    for (const EdgeTable::Side& side : sides) chords.boundary[3 * std::size_t{side.triangle} + side.corner] = false;
     parents[find_root(parents, b)] = find_root(parents, a);
   }
-  region_ = number_sets(std::move(parents));
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-    if (!bends(t)) region_[t] = no_index;
+  chords.region = number_sets(std::move(parents));
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!bends(t)) chords.region[t] = no_index;
 }
 
 double SmoothSurfaces::rise(std::uint32_t triangle) const {

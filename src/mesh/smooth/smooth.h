@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -63,6 +64,9 @@ class SmoothSurfaces {
   /// corners differ more than creases do (slivers of rounding), stay facets, and those that rise above their facets by more than
   /// `max_rise` [m] in the mean, each as a whole.
   SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise = std::numeric_limits<double>::infinity());
+  /// The same for the mesh of `others`, which may have all components but need not: most of the work is done where no crease is
+  /// steeper than one of the two limits and flatter than the other.
+  SmoothSurfaces(const SmoothSurfaces& others, double max_crease, double max_rise = std::numeric_limits<double>::infinity());
 
   /// Those of other components, [component], become flat.
   void keep_components(const std::vector<bool>& kept);
@@ -89,19 +93,19 @@ class SmoothSurfaces {
   std::size_t conducting_facets() const;  // how many are
 
   /// Whether the side from `corner` of a triangle to the next one bounds its surface.
-  bool on_boundary(std::uint32_t triangle, int corner) const { return boundary_[3 * std::size_t{triangle} + corner]; }
+  bool on_boundary(std::uint32_t triangle, int corner) const { return chords_->boundary[3 * std::size_t{triangle} + corner]; }
 
   /// How far the surface bends off that side: the point at fraction x of the side lies at its chord minus x (1 - x) times this.
   dvec3 bend(std::uint32_t triangle, int corner) const;
 
   /// The normal at a corner of a triangle, and its number among so many: corners of one surface share theirs at a vertex.
-  const dvec3& normal(std::uint32_t triangle, int corner) const { return normals_[normal_index(triangle, corner)]; }
+  const dvec3& normal(std::uint32_t triangle, int corner) const { return chords_->normals[normal_index(triangle, corner)]; }
   /// The number of that normal, below normals().
   std::uint32_t normal_index(std::uint32_t triangle, int corner) const {
-    return corner_normal_[3 * std::size_t{triangle} + corner];
+    return chords_->corner_normal[3 * std::size_t{triangle} + corner];
   }
   /// How many there are.
-  std::size_t normals() const { return normals_.size(); }
+  std::size_t normals() const { return chords_->normals.size(); }
 
   /// The surface over a triangle with a region.
   BentFacet facet(std::uint32_t triangle) const;
@@ -111,17 +115,29 @@ class SmoothSurfaces {
   LocalSurface at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const;
 
  private:
-  void find_regions(const Creases& creases, const std::vector<bool>& is_plane);
+  /// What follows from which edges a surface may go on across.
+  struct Chords {
+    double steepest_crossed, flattest_left;    // cosines of the turns at these edges, and at others
+    std::vector<std::uint32_t> region;         // [triangle] as region(), though none stays flat
+    std::vector<bool> boundary;                // [side] of three a triangle
+    std::vector<std::uint32_t> corner_normal;  // in `normals`, three a triangle
+    std::vector<dvec3> normals;
+    std::vector<bool> one_sided;  // [normal] but those of tips
+  };
+
+  static std::shared_ptr<const Chords> find_chords(const TriangleMesh& mesh, double max_crease);
+  static void find_regions(const TriangleMesh& mesh, const Creases& creases, const std::vector<bool>& is_plane, Chords& chords);
+  SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, double max_crease, double max_rise);
+  bool has_chords_of(double max_crease) const;
+  void add_tips(double least_cosine);
   bool is_doubtful(std::uint32_t triangle) const;
   void keep_flat(double max_rise);
   void count_facets();
 
   const TriangleMesh& mesh_;
+  std::shared_ptr<const Chords> chords_;
   double steepest_;  // of the leans of sides that are chords, a sine
   std::vector<std::uint32_t> region_;
-  std::vector<bool> boundary_;
-  std::vector<std::uint32_t> corner_normal_;  // in normals_, three a triangle
-  std::vector<dvec3> normals_;
   std::vector<bool> one_sided_;  // [normal]
   std::size_t facets_ = 0;
   double rise_ = 0.0;

@@ -16,30 +16,51 @@ namespace {
 using ArcBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 using Corners = std::array<dvec3, 3>;
 
-// The gap between two triangles along an axis, above zero if they are apart; an axis without length tells nothing.
-double gap_along(const Corners& a, const Corners& b, const dvec3& axis) {
-  const double length = glm::length(axis);
-  if (!(length > 0.0)) return 0.0;
+constexpr std::size_t few_triangles = 32;  // round a vertex, of which each is held against each
+
+// The gap between two triangles along an axis, above zero if they are apart, times the length of the axis.
+double scaled_gap_along(const Corners& a, const Corners& b, const dvec3& axis) {
   const auto range = [&](const Corners& corners) {
     return std::minmax({glm::dot(corners[0], axis), glm::dot(corners[1], axis), glm::dot(corners[2], axis)});
   };
   const auto [low_a, high_a] = range(a);
   const auto [low_b, high_b] = range(b);
-  return std::max(low_a - high_b, low_b - high_a) / length;
+  return std::max(low_a - high_b, low_b - high_a);
+}
+
+// Whether the gap is wider than `distance`, which is no less than zero; an axis without length tells nothing.
+bool separates(const Corners& a, const Corners& b, const dvec3& axis, double distance) {
+  const double gap = scaled_gap_along(a, b, axis);
+  return gap > 0.0 && gap / glm::length(axis) > distance;
+}
+
+// Whether the two cover one another along the axis by at least `least`.
+bool overlap_along(const Corners& a, const Corners& b, const dvec3& axis, double least) {
+  const double length = glm::length(axis);
+  return length > 0.0 && scaled_gap_along(a, b, axis) / length <= -least;
+}
+
+// Whether boxes along the axes of space tell already that the two are apart.
+bool boxes_are_apart(const Corners& a, const Corners& b, double distance) {
+  const dvec3 low_a = glm::min(glm::min(a[0], a[1]), a[2]), high_a = glm::max(glm::max(a[0], a[1]), a[2]);
+  const dvec3 low_b = glm::min(glm::min(b[0], b[1]), b[2]), high_b = glm::max(glm::max(b[0], b[1]), b[2]);
+  const dvec3 gap = glm::max(low_a - high_b, low_b - high_a);
+  return std::max({gap.x, gap.y, gap.z}) > distance;
 }
 
 // Whether a plane with a gap of this width on it separates the two (Gottschalk, Lin and Manocha 1996: for convex polyhedra it is
 // enough to try the normals of both and the products of their edges; for flat ones also the normals of edges in their planes).
 bool are_apart(const Corners& a, const Corners& b, double distance) {
+  if (boxes_are_apart(a, b, distance)) return true;
   const dvec3 normals[2] = {area_vector(a[0], a[1], a[2]), area_vector(b[0], b[1], b[2])};
   for (const dvec3& normal : normals)
-    if (gap_along(a, b, normal) > distance) return true;
+    if (separates(a, b, normal, distance)) return true;
   for (int i = 0; i < 3; ++i) {
     const dvec3 edge_a = a[(i + 1) % 3] - a[i], edge_b = b[(i + 1) % 3] - b[i];
-    if (gap_along(a, b, glm::cross(normals[0], edge_a)) > distance) return true;
-    if (gap_along(a, b, glm::cross(normals[1], edge_b)) > distance) return true;
+    if (separates(a, b, glm::cross(normals[0], edge_a), distance)) return true;
+    if (separates(a, b, glm::cross(normals[1], edge_b), distance)) return true;
     for (int j = 0; j < 3; ++j)
-      if (gap_along(a, b, glm::cross(edge_a, b[(j + 1) % 3] - b[j])) > distance) return true;
+      if (separates(a, b, glm::cross(edge_a, b[(j + 1) % 3] - b[j]), distance)) return true;
   }
   return false;
 }
@@ -149,27 +170,40 @@ class PairFinder {
   }
 
   void look_round(std::uint32_t vertex, std::span<const std::uint32_t> triangles) {
-    const auto patch = [&](std::uint32_t i) { return mesh_.triangle_patch[triangles[i]]; };
-    std::vector<Arc> arcs;
-    std::vector<ArcBox> boxes;
+    if (are_one_patch(triangles)) return;
+    arcs_.clear(), boxes_.clear();
     for (const std::uint32_t triangle : triangles) {
-      arcs.push_back(arc(triangle, vertex));
-      boxes.push_back(corner_.box(arcs.back(), static_cast<std::uint32_t>(boxes.size())));
+      arcs_.push_back(arc(triangle, vertex));
+      boxes_.push_back(corner_.box(arcs_.back(), static_cast<std::uint32_t>(boxes_.size())));
     }
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const ArcBox& a, const ArcBox& b) {
-      const std::uint32_t i = a.info(), j = b.info();
-      if (patch(i) == patch(j) || !share_one_corner(triangles[i], triangles[j])) return;
-      if (corner_.is_narrow(arcs[i], arcs[j])) add(triangles[i], triangles[j]);
-    });
+    const auto look_at = [&](const ArcBox& a, const ArcBox& b) {
+      const std::uint32_t i = a.info(), j = b.info(), t = triangles[i], u = triangles[j];
+      if (patch(t) != patch(u) && share_one_corner(t, u) && corner_.is_narrow(arcs_[i], arcs_[j])) add(t, u);
+    };
+    if (triangles.size() <= few_triangles)
+      look_at_all(look_at);
+    else
+      CGAL::box_self_intersection_d(boxes_.begin(), boxes_.end(), look_at);
   }
+
+  template <class LookAt>
+  void look_at_all(const LookAt& look_at) const {
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      for (std::size_t j = i + 1; j < boxes_.size(); ++j)
+        if (CGAL::do_overlap(boxes_[i].bbox(), boxes_[j].bbox())) look_at(boxes_[i], boxes_[j]);
+  }
+
+  bool are_one_patch(std::span<const std::uint32_t> triangles) const {
+    return std::ranges::all_of(triangles, [&](std::uint32_t t) { return patch(t) == patch(triangles[0]); });
+  }
+
+  std::uint32_t patch(std::uint32_t triangle) const { return mesh_.triangle_patch[triangle]; }
 
   void look_along(const EdgeTable::Edge& edge) {
     for (std::size_t i = 0; i < edge.sides.size(); ++i)
       for (std::size_t j = i + 1; j < edge.sides.size(); ++j) {
         const std::uint32_t a = edge.sides[i].triangle, b = edge.sides[j].triangle;
-        if (mesh_.triangle_patch[a] != mesh_.triangle_patch[b] &&
-            corner_.is_folded(inwards(edge.sides[i]), inwards(edge.sides[j])))
-          add(a, b);
+        if (patch(a) != patch(b) && corner_.is_folded(inwards(edge.sides[i]), inwards(edge.sides[j]))) add(a, b);
       }
   }
 
@@ -183,6 +217,8 @@ class PairFinder {
   const TriangleMesh& mesh_;
   double distance_;
   Corner corner_;
+  std::vector<Arc> arcs_;      // of the triangles round one vertex
+  std::vector<ArcBox> boxes_;  // of these
 };
 
 }  // namespace
@@ -195,7 +231,7 @@ bool lie_upon_one_another(const Corners& a, const Corners& b, double distance) {
   if (std::ranges::any_of(a, is_beside) || std::ranges::any_of(b, is_beside)) return false;
   for (int i = 0; i < 3; ++i)
     for (const Corners& corners : {a, b})
-      if (gap_along(a, b, glm::cross(normal, corners[(i + 1) % 3] - corners[i])) > -distance) return false;
+      if (!overlap_along(a, b, glm::cross(normal, corners[(i + 1) % 3] - corners[i]), distance)) return false;
   return true;
 }
 
@@ -212,13 +248,14 @@ NearCoincident::NearCoincident(const TriangleMesh& mesh, const TriangleTree& tre
 
 void NearCoincident::find_patches(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> found;
+  first_patch_.reserve(first_.size());
   first_patch_.push_back(0);
   for (std::uint32_t triangle = 0; triangle + 1 < first_.size(); ++triangle) {
     found.clear();
     for (const std::uint32_t other : (*this)[triangle]) found.push_back(mesh.triangle_patch[other]);
     std::ranges::sort(found);
     patches_.insert(patches_.end(), found.begin(), std::unique(found.begin(), found.end()));
-    first_patch_.push_back(patches_.size());
+    first_patch_.push_back(static_cast<std::uint32_t>(patches_.size()));
   }
 }
 

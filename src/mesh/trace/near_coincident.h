@@ -37,7 +37,7 @@ class NearCoincident {
  private:
   void find_patches(const TriangleMesh& mesh);
 
-  std::vector<std::size_t> first_, first_patch_;
+  std::vector<std::uint32_t> first_, first_patch_;
   std::vector<std::uint32_t> others_, patches_;
 };
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "mesh/model/edge_table.h"
 #include "mesh/model/geometry.h"
+#include "mesh/model/triangle_rows.h"
 
 namespace raytube {
 
@@ -86,8 +88,11 @@ class Proxy {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const dvec3& vertex = mesh_.vertices[mesh_.triangles[triangle][k]];
       corners[k] = place_[3 * std::size_t{triangle} + k];
-      const dvec3 move = border_corners_[corners[k]].move().value_or(dvec3(0.0));
-      if (corners[k] == all_.vertices.size()) all_.vertices.push_back(vertex + margin_ * move);
+      if (corners[k] == all_.vertices.size()) {
+        const std::optional<dvec3> move = border_corners_[corners[k]].move();
+        all_.vertices.push_back(vertex + margin_ * move.value_or(dvec3(0.0)));
+        stays_.push_back(!move);
+      }
       moved = std::max(moved, glm::distance(all_.vertices[corners[k]], vertex));
     }
     all_.triangles.push_back(corners);
@@ -98,9 +103,7 @@ class Proxy {
   void add_strips(const EdgeTable::Edge& edge) {
     if (is_inside_patch(edge)) return;
     for (const EdgeTable::Side& side : edge.sides) {
-      const auto stays = [&](std::uint32_t corner) {
-        return !border_corners_[place_[3 * std::size_t{side.triangle} + corner % 3]].move();
-      };
+      const auto stays = [&](std::uint32_t corner) { return stays_[place_[3 * std::size_t{side.triangle} + corner % 3]]; };
       if (stays(side.corner) || stays(side.corner + 1)) add_strip(edge, side.triangle, away_from(side));
     }
     if (is_almost_flat(edge)) add_strip(edge, edge.sides[0].triangle, normal(edge.sides[0].triangle));
@@ -154,17 +157,28 @@ class Proxy {
 
   // A number for each vertex as a corner of a patch, for all corners of triangles, in the order in which they come.
   std::vector<std::uint32_t> number_places() {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> corners;  // patch and vertex, corner
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (std::uint32_t k = 0; k < 3; ++k)
-        corners.emplace_back(std::uint64_t{patch(t)} << 32 | mesh_.triangles[t][k], 3 * t + k);
-    std::ranges::sort(corners);
-    std::vector<std::uint32_t> first(corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      first[corners[i].second] =
-          i > 0 && corners[i].first == corners[i - 1].first ? first[corners[i - 1].second] : corners[i].second;
+    std::vector<std::uint32_t> first = first_corners();
     for (std::uint32_t corner = 0; corner < first.size(); ++corner)
       first[corner] = first[corner] == corner ? places_++ : first[first[corner]];
+    return first;
+  }
+
+  // Of each corner of each triangle the first one at its vertex in its patch.
+  std::vector<std::uint32_t> first_corners() const {
+    std::vector<std::uint32_t> first(3 * mesh_.triangles.size());
+    const TriangleRows at_vertex = triangle_rows(mesh_.vertices.size(), mesh_.triangles, std::identity());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;  // patch, corner
+    for (std::uint32_t vertex = 0; vertex < at_vertex.size(); ++vertex) {
+      corners.clear();
+      for (const std::uint32_t t : at_vertex[vertex]) {
+        const auto k = std::ranges::find(mesh_.triangles[t], vertex) - mesh_.triangles[t].begin();
+        corners.emplace_back(patch(t), 3 * t + static_cast<std::uint32_t>(k));
+      }
+      std::ranges::sort(corners);
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        first[corners[i].second] =
+            i > 0 && corners[i].first == corners[i - 1].first ? first[corners[i - 1].second] : corners[i].second;
+    }
     return first;
   }
 
@@ -177,6 +191,7 @@ class Proxy {
   std::uint32_t places_ = 0;
   std::vector<std::uint32_t> place_;          // of each corner of each triangle
   std::vector<BorderCorner> border_corners_;  // by place
+  std::vector<bool> stays_;                   // by place
   ProxyTriangles all_;
 };
 

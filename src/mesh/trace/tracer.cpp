@@ -315,8 +315,10 @@ Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time, double t
   rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
   ProxyTriangles& proxies = parts.proxies;
   add_geometry(proxies);
+  safe_sides.reserve(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) safe_sides.push_back(safe_side(proxies, t));
   source = std::move(proxies.source);
+  proxies = {};  // Embree has its own copy, and needs the memory
   rtcJoinCommitScene(scene);
   check_device(device);
 }
