@@ -67,7 +67,7 @@ cp cases/stochastic/out/error_time.png docs/figures/stochastic.png
 for name in convergence_plate convergence_dihedral; do cp "$work/$name/converge.png" docs/figures/$name.png; done
 "$program" run cases/trihedral/case.toml -o "$work/image" --quiet --set output.image_look=90
 for name in image image_window; do cp "$work/image/$name.png" docs/figures/trihedral_$name.png; done
-"$program" run cases/haul_truck/case.toml -o "$work/front" --quiet --set look.phi_deg=0 --set 'tubes.up=[0,0,1]' --set output.image_look=0
+"$program" run cases/haul_truck/case.toml -o "$work/front" --quiet --set look.phi_deg=0 --set output.image_look=0
 cp "$work/front/image_window.png" docs/figures/haul_truck_image.png
 for name in double_slit/case double_slit/study open_box/case; do
   "$program" sources cases/$name.toml -o "$work/$name" --quiet

@@ -23,9 +23,6 @@ namespace {
 constexpr std::size_t most_tiles_per_batch = 128, least_tiles_per_batch = 8;
 constexpr double bytes_per_batch = 64e6;
 
-// What the sums of all blocks of a look may take.
-constexpr double bytes_of_blocks = 32e6;
-
 // Between sheets tubes double at every meeting, so that those of few faces are many.
 constexpr std::uint32_t faces_per_tile_with_sheets = 8;
 
@@ -94,7 +91,7 @@ Tiles tiles_of(PartKind kind, const TubeLook& look) {
     case PartKind::uniform:
       return uniform_tiles(look);
     case PartKind::flat:
-      return cells_are_cheaper(look) ? uniform_tiles(look) : polygon_tiles(look);
+      return in_polygons(kind, look) ? polygon_tiles(look) : uniform_tiles(look);
     case PartKind::curved: {
       const auto curved = std::make_shared<const CurvedLook>(look);
       return {CurvedLook::blocks, [curved](std::size_t i) { return curved->trace(i); }};
@@ -135,8 +132,10 @@ std::size_t tiles_per_batch(int bounces, std::size_t frequencies) {
   return most > most_tiles_per_batch ? most_tiles_per_batch : std::max(least_tiles_per_batch, static_cast<std::size_t>(most));
 }
 
+bool in_polygons(PartKind kind, const TubeLook& look) { return kind == PartKind::flat && !cells_are_cheaper(look); }
+
 std::size_t blocks_of(PartKind kind, const TubeLook& look) {
-  if (kind != PartKind::flat || cells_are_cheaper(look)) return 1;
+  if (!in_polygons(kind, look)) return 1;
   const std::size_t tiles = polygon_tiles(look).count;
   const double most = bytes_of_blocks / tile_sum_bytes(bounces_of(look), look.wavenumbers().size());
   return most < 1.0 ? 1 : std::clamp<std::size_t>(tiles, 1, static_cast<std::size_t>(most));

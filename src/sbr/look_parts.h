@@ -21,6 +21,9 @@ enum class PartKind {
   curved_bounces  // what curved surfaces reflect
 };
 
+/// True if tubes of the part are polygons.
+bool in_polygons(PartKind kind, const TubeLook& look);
+
 /// Into how many blocks a part of a look is divided that can be traced on grids of different density: polygons, where that
 /// leaves their sums small; else one.
 std::size_t blocks_of(PartKind kind, const TubeLook& look);
@@ -30,6 +33,9 @@ std::size_t blocks_of(PartKind kind, const TubeLook& look);
 /// stopped.
 std::vector<TubeSums> trace_blocks(PartKind kind, const TubeLook& look, std::span<const std::size_t> blocks, Progress& progress,
                                    double share);
+
+/// What the sums of all blocks of a part may take.
+inline constexpr double bytes_of_blocks = 32e6;
 
 /// Faces whose tubes are followed together, as one tile, where no sheets let waves through.
 inline constexpr std::uint32_t faces_per_tile = 256;

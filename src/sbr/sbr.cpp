@@ -23,8 +23,8 @@ namespace {
 // The error of tubes too narrow to be cut falls with the power 3/2 of their width (theory/method.md). The least and the most by
 // which cells per wavelength grow, the least so that a grid that has just missed is not followed by many like it.
 constexpr double error_order = 1.5, least_growth = 1.5, most_growth = 4.0;
-// The density that leaves some tenths of a decibel on a vehicle, and the tolerance [dB] at which a grid begins with it.
-constexpr double coarse_density = 2.2, coarse_tolerance = 1.0;
+// The cells per wavelength whose narrow tubes leave a decibel in the worst row of most looks at vehicles.
+constexpr double density_for_a_decibel = 5.0;
 
 // Of the densest grid that can be launched, the share that is not exceeded for the tolerance's sake.
 constexpr double finest_grid = 0.9;
@@ -123,10 +123,9 @@ class LookTracer {
 
   // All of a part, for the first time.
   void trace(LookPart& part, double share, CurrentMap* map) const {
-    const double density = first_density(options_);
+    const double density = first_density(part.kind);
     const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, density, options_.up);
-    const std::size_t blocks =
-        grid.cells() > 0 ? blocks_of(part.kind, tube_look(grid, {scene_.materials, wavenumbers_, 0}, nullptr, nullptr)) : 1;
+    const std::size_t blocks = grid.cells() > 0 ? blocks_of(part.kind, tube_look(grid, all_surfaces(), nullptr, nullptr)) : 1;
     part.blocks.assign(blocks, PartBlock{density});
     trace(part, part.blocks_at(density), density, share, map);
   }
@@ -173,8 +172,7 @@ class LookTracer {
   // Traces those blocks again, more densely, whose share of the error is too large. False if none can be made better.
   bool refine(std::vector<LookPart>& parts, const TubeSums& sums) const {
     bool any = false;
-    const double most =
-        std::min(options_.max_per_wavelength, finest_grid * densest_grid(mesh(), look_, wavelength_, options_.up));
+    const double most = densest();
     for (LookPart& part : parts) {
       const auto too_large = [&](const TubeSums& of) {
         return excess(sums, of.error, tolerance_) * static_cast<double>(parts.size());
@@ -201,6 +199,21 @@ class LookTracer {
 
  private:
   const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
+
+  // Of cells the usual one; the few narrow tubes among polygons cost little, so they begin where they may do.
+  double first_density(PartKind kind) const {
+    const double density = raytube::first_density(options_);
+    const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, density, options_.up);
+    if (!options_.refines() || grid.cells() == 0 || !in_polygons(kind, tube_look(grid, all_surfaces(), nullptr, nullptr)))
+      return density;
+    return std::min(density_for_a_decibel * std::pow(options_.tolerance_db, -1.0 / error_order), densest());
+  }
+
+  double densest() const {
+    return std::min(options_.max_per_wavelength, finest_grid * densest_grid(mesh(), look_, wavelength_, options_.up));
+  }
+
+  SpectralSurfaces all_surfaces() const { return {scene_.materials, wavenumbers_, 0}; }
 
   void add_up(LookPart& part, const LaunchGrid& grid) const {
     part.sums = {};
@@ -258,15 +271,18 @@ TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<cons
 }
 
 double first_density(const TubeOptions& options) {
-  if (!options.refines()) return options.per_wavelength;
-  const double to_begin_with = coarse_density * std::pow(coarse_tolerance / options.tolerance_db, 1.0 / error_order);
-  return std::min({to_begin_with, options.per_wavelength, options.max_per_wavelength});
+  return options.refines() ? std::min(options.per_wavelength, options.max_per_wavelength) : options.per_wavelength;
 }
 
 double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {
   // The batch, the sum of all batches, and the look's own result.
   const std::size_t held = std::min(tiles, tiles_per_batch(bounces, frequencies)) + 2;
   return static_cast<double>(held) * tile_sum_bytes(bounces, frequencies);
+}
+
+// Of those that are refined both the old ones and the new.
+double block_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {
+  return 2.0 * std::min(static_cast<double>(tiles) * tile_sum_bytes(bounces, frequencies), bytes_of_blocks);
 }
 
 // Beams of two bounces: most_tubes before a meeting, and after it twice as many, or more where facets divide them.

@@ -68,6 +68,9 @@ double first_density(const TubeOptions& options);
 /// Bytes that the sums of one look under way take at most, with so many tiles, bounces and frequencies.
 double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies);
 
+/// Bytes that the sums of a look's blocks take at most, which are kept while some of them are refined.
+double block_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies);
+
 /// Bytes that the tubes of one tile take at most where they are between sheets, few of which stand behind one another.
 double tubes_between_sheets_bytes(std::size_t frequencies);
 

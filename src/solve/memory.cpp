@@ -56,6 +56,15 @@ const Look& widest_look(const TriangleMesh& mesh, const Sweep& sweep, const Tube
   return *std::ranges::max_element(sweep.looks, {}, area);
 }
 
+// Of the sums that are kept for refinement.
+double refined_bytes(const SolvePlan& plan) {
+  if (plan.rays() || !plan.tubes.refines()) return 0.0;
+  const Target& target = plan.target;
+  const std::size_t tiles =
+      tiles_of_look(target.tracer, target.faces, plan.sweep.looks.front(), plan.sweep.frequencies, plan.tubes);
+  return block_sum_bytes(tiles, plan.max_bounces(), plan.sweep.frequencies.size());
+}
+
 // Groups of sums that a look may have at a time.
 std::size_t most_tiles(const SolvePlan& plan) {
   if (plan.rays()) return 1;
@@ -80,8 +89,8 @@ MemoryEstimate estimate_memory(const SolvePlan& plan) {
   const auto under_way = std::min<std::size_t>(plan.threads > 0 ? plan.threads : all_threads(), plan.sweep.looks.size());
   const double edge_sums = other_parts * static_cast<double>(frequencies) * sizeof(ScatteringMatrix);
   return {rows * bytes_per_row(bounces, plan.keep_parts) + looks * bytes_per_look,
-          static_cast<double>(under_way) *
-              (look_sum_bytes(most_tiles(plan), bounces, frequencies) + edge_sums + mechanism_look_bytes(plan)),
+          static_cast<double>(under_way) * (look_sum_bytes(most_tiles(plan), bounces, frequencies) + refined_bytes(plan) +
+                                            edge_sums + mechanism_look_bytes(plan)),
           mechanism_bytes(plan)};
 }
 

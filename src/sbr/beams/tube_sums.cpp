@@ -14,11 +14,11 @@ void add_at(Values& sum, std::size_t index, const typename Values::value_type& v
 
 }  // namespace
 
-void ErrorSum::add(const ScatteringMatrix& error, double sign) {
+void ErrorSum::add(const ScatteringMatrix& error, double count) {
   for (int p = 0; p < 2; ++p)
     for (int q = 0; q < 2; ++q) {
-      coherent.at(p, q) += sign * error.at(p, q);
-      squares[p][q] += std::norm(error.at(p, q));
+      coherent.at(p, q) += count * error.at(p, q);
+      squares[p][q] += std::abs(count) * std::norm(error.at(p, q));
     }
 }
 

@@ -16,8 +16,8 @@ struct ErrorSum {
   ScatteringMatrix coherent;  // sum of the errors [m]
   ChannelErrors squares{};    // sum of their squared magnitudes [m^2]
 
-  /// One more part, with this sign.
-  void add(const ScatteringMatrix& error, double sign = 1.0);
+  /// One more part, or so many independent ones like it, below zero with the opposite sign.
+  void add(const ScatteringMatrix& error, double count = 1.0);
   /// The parts of another sum.
   ErrorSum& operator+=(const ErrorSum& other);
   /// The larger of the two sums' magnitudes [m].

@@ -19,6 +19,7 @@ namespace {
 // points, its twin: as long as both meet the same patches, no edge that matters divides the tube.
 enum class Course : std::uint8_t {
   cut,       // wide: cut at the edges of what it meets
+  alone,     // narrow, without a twin
   together,  // narrow, its twin with it
   parted,    // narrow, its twin elsewhere
   twin       // where that one is, as an error: its currents are not counted
@@ -30,7 +31,11 @@ struct PolygonTube {
   ConvexPolygon outline;
   Course course = Course::cut;
   std::uint32_t corner = 0;  // towards which the twin's point lies
+  double likes = 1.0;        // narrow tubes that its twin speaks for
 };
+
+// Of tubes smaller than this share of a cell, whose errors hardly count, as many have a twin as they have area.
+constexpr double always_with_twin = 0.125;
 
 // Half of the area that is seen from the middle lies nearer to it, half beyond.
 dvec2 point_of_twin(const PolygonTube& tube) {
@@ -113,13 +118,13 @@ struct FaceTrace {
 
   std::uint32_t patch_at(const Hit& hit) const { return hit ? look_.faces.mesh().triangle_patch[hit.triangle] : no_index; }
 
-  // Only a ray that slipped through an edge meets a closed body from inside.
+  // Only a ray that slipped through an edge meets a closed body from inside: then the tube is cut after all.
   void meet_as_a_whole(const PolygonTube& tube, std::size_t ray, int bounce) {
     const std::uint32_t triangle = hits_[ray].triangle;
     if (!hits_[ray]) return;
     const TriangleMesh& mesh = look_.faces.mesh();
     if (mesh.closed(triangle) && facing(beams_.beam(tube.beam), mesh.patches[mesh.triangle_patch[triangle]]) > 0.0) {
-      if (tube.course != Course::twin) sums_.lose(rays_[ray], triangle, mesh);
+      if (tube.course != Course::twin) follow(tube, {}, bounce);
       return;
     }
     parts_.push_back({look_.faces.face_of(triangle), tube.outline});
@@ -154,10 +159,10 @@ struct FaceTrace {
       const std::uint32_t patch = look_.faces.faces()[part.face].patch;
       const std::uint32_t node = beams_.child(tube.beam, patch, middle(part.outline));
       if (tube.course != Course::twin) sums_.meet(bounce, area(part.outline), beams_.amplitude(tube.beam));
-      integrate(node, part, bounce, tube.course);
+      integrate(node, part, bounce, tube);
       const auto send_on = [&](std::uint32_t beam, ConvexPolygon outline) {
         if (look_.clip || cells_in_blocks() > few_cells)
-          reflected_.push_back({beam, patch, std::move(outline), tube.course, tube.corner});
+          reflected_.push_back({beam, patch, std::move(outline), tube.course, tube.corner, tube.likes});
         else
           follow_by_rays(beam, patch);
       };
@@ -173,8 +178,13 @@ struct FaceTrace {
     const double cell = look_.grid.du * look_.grid.dv;
     for (PolygonTube& tube : reflected_) {
       if (tube.course != Course::cut || area(tube.outline) >= cell) continue;
-      tube.course = Course::together;
-      tube.corner = narrow_++;
+      const double probability = std::min(1.0, area(tube.outline) / (always_with_twin * cell));
+      twins_due_ += probability;
+      tube.course = twins_due_ >= 1.0 ? Course::together : Course::alone;
+      if (tube.course == Course::alone) continue;
+      twins_due_ -= 1.0;
+      tube.corner = twins_++;
+      tube.likes = 1.0 / probability;
     }
   }
 
@@ -214,13 +224,14 @@ struct FaceTrace {
   // both currents, and twins part with the probability 1 - x. Over all x the mean square of the former is 1/12, the mean of the
   // latter 1/4: with phases that are independent, the estimate is sqrt(3) times the error. Where they are not, the sum with all
   // twins in place of their tubes differs by more.
-  void integrate(std::uint32_t node, const VisiblePart& part, int bounce, Course course) {
-    if (course == Course::cut || course == Course::together) return add_currents(sums_, node, part, bounce, look_.map);
+  void integrate(std::uint32_t node, const VisiblePart& part, int bounce, const PolygonTube& tube) {
+    const Course course = tube.course;
+    if (course != Course::parted && course != Course::twin) return add_currents(sums_, node, part, bounce, look_.map);
     TubeSums sums;
     add_currents(sums, node, part, bounce, course == Course::parted ? look_.map : nullptr);
     sums_.pieces.resize(look_.wavenumbers().size());
     for (std::size_t f = 0; f < sums_.pieces.size(); ++f)
-      sums_.pieces[f].add(sums.bounces[static_cast<std::size_t>(bounce)][f], course == Course::parted ? 1.0 : -1.0);
+      sums_.pieces[f].add(sums.bounces[static_cast<std::size_t>(bounce)][f], course == Course::parted ? tube.likes : -tube.likes);
     if (course == Course::parted) sums_.add(sums);
   }
 
@@ -301,7 +312,8 @@ struct FaceTrace {
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   std::vector<CellBlock> blocks_, screened_blocks_;
-  std::uint32_t narrow_ = 0;  // number of tubes found so far
+  std::uint32_t twins_ = 0;  // number of them so far
+  double twins_due_ = 0.5;
   TubeSums sums_;
   CellTubes cell_tubes_;
 };

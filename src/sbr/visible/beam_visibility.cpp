@@ -8,11 +8,11 @@ namespace raytube {
 namespace {
 
 // Up to so many faces are compared each with each; beyond, groups of neighbours ask the tree which faces stand in front of them.
-constexpr std::size_t few = 32, group = 16;
+constexpr std::size_t few = 128, group = 32;
 // Times the area of its members' boxes, from which on a group's box is mostly empty.
 constexpr double scattered = 2.0;
 // A face with more than this in front of it is halved first, until so many times in a row nothing came of it.
-constexpr std::size_t many = 48;
+constexpr std::size_t many = 100;
 constexpr int patience = 1;
 
 // All that an incident wave lights.
@@ -211,9 +211,10 @@ bool BeamVisibility::subtract(const ProjectedFace& front, const Affine& order, c
   };
   rest_ = piece;
   for (const Affine& edge : front.edges) {
+    const Range r = range(rest_, edge);
+    if (r.high <= projector_.length_rounding()) return leaves_all();
+    if (r.low >= -projector_.length_rounding()) continue;
     cut(rest_, edge, projector_.length_rounding(), inside_, outside_);
-    if (inside_.empty()) return leaves_all();
-    if (outside_.empty()) continue;
     remaining_.push_back(outside_);
     std::swap(rest_, inside_);
   }
