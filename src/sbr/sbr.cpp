@@ -23,8 +23,9 @@ namespace {
 // The error of tubes too narrow to be cut falls with the power 3/2 of their width (theory/method.md). The least and the most by
 // which cells per wavelength grow, the least so that a grid that has just missed is not followed by many like it.
 constexpr double error_order = 1.5, least_growth = 1.5, most_growth = 4.0;
-// The cells per wavelength whose narrow tubes leave a decibel in the worst row of most looks at vehicles.
-constexpr double density_for_a_decibel = 5.0;
+// The cells per wavelength whose narrow tubes leave less than a decibel in the worst row of most looks at vehicles. Time grows
+// with the square root of the density alone: a second grid costs more than a first one that is finer than it would have to be.
+constexpr double density_for_a_decibel = 10.0;
 
 // Of the densest grid that can be launched, the share that is not exceeded for the tolerance's sake.
 constexpr double finest_grid = 0.9;
