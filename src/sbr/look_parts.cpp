@@ -23,9 +23,6 @@ namespace {
 constexpr std::size_t most_tiles_per_batch = 128, least_tiles_per_batch = 8;
 constexpr double bytes_per_batch = 64e6;
 
-// Between sheets tubes double at every meeting, so that those of few faces are many.
-constexpr std::uint32_t faces_per_tile_with_sheets = 8;
-
 // A flat face takes as long as so many cells. Cells of this density are estimated to leave this share of S (1.5 dB) on vehicles,
 // and less in proportion to their width.
 constexpr double cells_per_face = 20.0, cells_per_wavelength = 20.0, error_of_cells = 0.19;
@@ -86,12 +83,12 @@ Tiles near_facet_tiles(const TubeLook& look) {
                         [&look](std::uint32_t begin, std::uint32_t end) { return light_curved_facets(look, begin, end); });
 }
 
-Tiles tiles_of(PartKind kind, const TubeLook& look) {
+Tiles tiles_of(PartKind kind, bool polygons, const TubeLook& look) {
   switch (kind) {
     case PartKind::uniform:
       return uniform_tiles(look);
     case PartKind::flat:
-      return in_polygons(kind, look) ? polygon_tiles(look) : uniform_tiles(look);
+      return polygons ? polygon_tiles(look) : uniform_tiles(look);
     case PartKind::curved: {
       const auto curved = std::make_shared<const CurvedLook>(look);
       return {CurvedLook::blocks, [curved](std::size_t i) { return curved->trace(i); }};
@@ -132,19 +129,18 @@ std::size_t tiles_per_batch(int bounces, std::size_t frequencies) {
   return most > most_tiles_per_batch ? most_tiles_per_batch : std::max(least_tiles_per_batch, static_cast<std::size_t>(most));
 }
 
-bool in_polygons(PartKind kind, const TubeLook& look) { return kind == PartKind::flat && !cells_are_cheaper(look); }
-
-std::size_t blocks_of(PartKind kind, const TubeLook& look) {
-  if (!in_polygons(kind, look)) return 1;
+Division divide(PartKind kind, const TubeLook& look) {
+  if (kind != PartKind::flat || cells_are_cheaper(look)) return {};
+  if (!look.clip) return {.polygons = true};
   const std::size_t tiles = polygon_tiles(look).count;
   const double most = bytes_of_blocks / tile_sum_bytes(bounces_of(look), look.wavenumbers().size());
-  return most < 1.0 ? 1 : std::clamp<std::size_t>(tiles, 1, static_cast<std::size_t>(most));
+  return {true, most < 1.0 ? 1 : std::clamp<std::size_t>(tiles, 1, static_cast<std::size_t>(most))};
 }
 
-std::vector<TubeSums> trace_blocks(PartKind kind, const TubeLook& look, std::span<const std::size_t> blocks, Progress& progress,
-                                   double share) {
-  const Tiles tiles = tiles_of(kind, look);
-  const std::vector<TileOfBlock> chosen = tiles_of_blocks(tiles.count, blocks_of(kind, look), blocks);
+std::vector<TubeSums> trace_blocks(PartKind kind, const Division& division, const TubeLook& look,
+                                   std::span<const std::size_t> blocks, Progress& progress, double share) {
+  const Tiles tiles = tiles_of(kind, division.polygons, look);
+  const std::vector<TileOfBlock> chosen = tiles_of_blocks(tiles.count, division.blocks, blocks);
   if (chosen.empty()) progress.add(share);
   std::vector<TubeSums> sums(blocks.size());
   const std::size_t together = tiles_per_batch(bounces_of(look), look.wavenumbers().size());

@@ -21,24 +21,29 @@ enum class PartKind {
   curved_bounces  // what curved surfaces reflect
 };
 
-/// True if tubes of the part are polygons.
-bool in_polygons(PartKind kind, const TubeLook& look);
+/// How a part of a look is traced, at all its frequencies alike.
+struct Division {
+  bool polygons = false;  // its tubes are polygons
+  std::size_t blocks =
+      1;  // what can be traced on grids of different density: polygons that are refined, as far as sums stay small
+};
 
-/// Into how many blocks a part of a look is divided that can be traced on grids of different density: polygons, where that
-/// leaves their sums small; else one.
-std::size_t blocks_of(PartKind kind, const TubeLook& look);
+/// Of a look with all frequencies.
+Division divide(PartKind kind, const TubeLook& look);
 
 /// Traces some blocks of a part, in rising order, and adds up the tiles of each in order, whoever computes them: one thread where
 /// the look has a map, else all. Reports finished tiles as shares of `share` to `progress`. Throws Interrupted when the solve is
 /// stopped.
-std::vector<TubeSums> trace_blocks(PartKind kind, const TubeLook& look, std::span<const std::size_t> blocks, Progress& progress,
-                                   double share);
+std::vector<TubeSums> trace_blocks(PartKind kind, const Division& division, const TubeLook& look,
+                                   std::span<const std::size_t> blocks, Progress& progress, double share);
 
 /// What the sums of all blocks of a part may take.
 inline constexpr double bytes_of_blocks = 32e6;
 
 /// Faces whose tubes are followed together, as one tile, where no sheets let waves through.
 inline constexpr std::uint32_t faces_per_tile = 256;
+/// Between sheets tubes double at every meeting, so that those of few faces are many.
+inline constexpr std::uint32_t faces_per_tile_with_sheets = 8;
 
 /// Bytes of the sums of a tile at most.
 double tile_sum_bytes(int bounces, std::size_t frequencies);

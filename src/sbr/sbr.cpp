@@ -22,7 +22,7 @@ namespace {
 
 // The error of tubes too narrow to be cut falls with the power 3/2 of their width (theory/method.md). The least and the most by
 // which cells per wavelength grow, the least so that a grid that has just missed is not followed by many like it.
-constexpr double error_order = 1.5, least_growth = 1.5, most_growth = 4.0;
+constexpr double order_of_polygons = 1.5, least_growth = 1.5, most_growth = 4.0;
 // The cells per wavelength whose narrow tubes leave less than a decibel in the worst row of most looks at vehicles. Time grows
 // with the square root of the density alone: a second grid costs more than a first one that is finer than it would have to be.
 constexpr double density_for_a_decibel = 10.0;
@@ -41,11 +41,12 @@ struct PartBlock {
 
 struct LookPart {
   PartKind kind;
+  Division division{};
   std::vector<PartBlock> blocks{};
   TubeSums sums{};  // of all blocks
 
-  // More cells make it better: there are some, or small polygons go on uncut.
-  bool sampled() const { return !sums.coarse.empty() || (kind == PartKind::flat && !sums.pieces.empty()); }
+  // More cells make these sums better: there are some, or small polygons go on uncut.
+  bool sampled(const TubeSums& of) const { return !of.coarse.empty() || (kind == PartKind::flat && !of.pieces.empty()); }
 
   // The blocks on grids of this density.
   std::vector<std::size_t> blocks_at(double per_wavelength) const {
@@ -124,10 +125,11 @@ class LookTracer {
 
   // All of a part, for the first time.
   void trace(LookPart& part, double share, CurrentMap* map) const {
-    const double density = first_density(part.kind);
-    const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, density, options_.up);
-    const std::size_t blocks = grid.cells() > 0 ? blocks_of(part.kind, tube_look(grid, all_surfaces(), nullptr, nullptr)) : 1;
-    part.blocks.assign(blocks, PartBlock{density});
+    const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, first_density(options_), options_.up);
+    if (grid.cells() > 0)
+      part.division = divide(part.kind, tube_look(grid, {scene_.materials, wavenumbers_, 0}, nullptr, nullptr));
+    const double density = density_to_begin_with(part.division);
+    part.blocks.assign(part.division.blocks, PartBlock{density});
     trace(part, part.blocks_at(density), density, share, map);
   }
 
@@ -151,8 +153,9 @@ class LookTracer {
       SpectralSurfaces surfaces{scene_.materials, wavenumbers_, first};
       surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
       const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
-      std::vector<TubeSums> sums = trace_blocks(part.kind, tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map),
-                                                blocks, progress_, part_of_share);
+      std::vector<TubeSums> sums =
+          trace_blocks(part.kind, part.division, tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map), blocks,
+                       progress_, part_of_share);
       for (std::size_t i = 0; i < blocks.size(); ++i)
         if (first == 0)
           traced[i] = std::move(sums[i]);
@@ -168,24 +171,27 @@ class LookTracer {
     add_up(part, grid);
   }
 
-  bool within_tolerance(const TubeSums& sums) const { return !(excess(sums, sums.error, tolerance_) > 1.0); }
+  bool within_tolerance(const TubeSums& sums) const { return !(excess_of(sums, sums) > 1.0); }
 
   // Traces those blocks again, more densely, whose share of the error is too large. False if none can be made better.
   bool refine(std::vector<LookPart>& parts, const TubeSums& sums) const {
     bool any = false;
     const double most = densest();
     for (LookPart& part : parts) {
-      const auto too_large = [&](const TubeSums& of) {
-        return excess(sums, of.error, tolerance_) * static_cast<double>(parts.size());
-      };
-      if (too_large(part.sums) <= 1.0 || !part.sampled()) continue;
+      const auto too_large = [&](const TubeSums& of) { return excess_of(of, sums) * static_cast<double>(parts.size()); };
+      const double whole = too_large(part.sums);
+      if (whole <= 1.0 || !part.sampled(part.sums)) continue;
       std::vector<double> errors;
-      for (const PartBlock& block : part.blocks) errors.push_back(block.per_wavelength < most ? too_large(block.sums) : 0.0);
+      for (const PartBlock& block : part.blocks) errors.push_back(part.sampled(block.sums) ? too_large(block.sums) : 0.0);
+      // Where the blocks' errors are no more independent than those of the whole, they count for as much more.
+      const double squares = std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0);
+      for (std::size_t i = 0; i < errors.size(); ++i)
+        errors[i] *= part.blocks[i].per_wavelength < most ? std::max(1.0, whole / std::sqrt(squares)) : 0.0;
       const auto [blocks, ratio] = largest_of(errors);
       if (blocks.empty()) continue;
       double density = 0.0;
       for (const std::size_t i : blocks) density = std::max(density, part.blocks[i].per_wavelength);
-      density *= std::clamp(std::pow(ratio, 1.0 / error_order), least_growth, most_growth);
+      density *= std::clamp(part.division.polygons ? std::pow(ratio, 1.0 / order_of_polygons) : ratio, least_growth, most_growth);
       trace(part, blocks, std::min(density, most), 0.0, nullptr);
       any = true;
     }
@@ -201,20 +207,21 @@ class LookTracer {
  private:
   const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
 
+  // How many times the errors of a part of all sums are what those may have.
+  double excess_of(const TubeSums& part, const TubeSums& all) const {
+    return excess(all, part.error, tolerance_, look_.transmit == look_.receive);
+  }
+
   // Of cells the usual one; the few narrow tubes among polygons cost little, so they begin where they may do.
-  double first_density(PartKind kind) const {
-    const double density = raytube::first_density(options_);
-    const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, density, options_.up);
-    if (!options_.refines() || grid.cells() == 0 || !in_polygons(kind, tube_look(grid, all_surfaces(), nullptr, nullptr)))
-      return density;
-    return std::min(density_for_a_decibel * std::pow(options_.tolerance_db, -1.0 / error_order), densest());
+  double density_to_begin_with(const Division& division) const {
+    const bool fixed = options_.per_wavelength >= options_.max_per_wavelength;
+    if (!options_.refines() || !division.polygons || fixed) return first_density(options_);
+    return std::min(density_for_a_decibel * std::pow(options_.tolerance_db, -1.0 / order_of_polygons), densest());
   }
 
   double densest() const {
     return std::min(options_.max_per_wavelength, finest_grid * densest_grid(mesh(), look_, wavelength_, options_.up));
   }
-
-  SpectralSurfaces all_surfaces() const { return {scene_.materials, wavenumbers_, 0}; }
 
   void add_up(LookPart& part, const LaunchGrid& grid) const {
     part.sums = {};
@@ -294,8 +301,9 @@ double tubes_between_sheets_bytes(std::size_t frequencies) {
 }
 
 std::size_t tiles_of_look(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
-                          const TubeOptions& options) {
-  if (options.mode == TubeMode::adaptive) return (faces.faces().size() + faces_per_tile - 1) / faces_per_tile;
+                          const TubeOptions& options, bool sheets) {
+  const std::size_t together = sheets ? faces_per_tile_with_sheets : faces_per_tile;
+  if (options.mode == TubeMode::adaptive) return (faces.faces().size() + together - 1) / together;
   const double shortest = wavelength(std::ranges::max(frequencies));
   return Tiling(grid_of_look(tracer.mesh(), look, shortest, options.per_wavelength, options.up)).count();
 }

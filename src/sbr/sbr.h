@@ -62,7 +62,8 @@ struct TubeWork {
 TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
                         const TubeWork& work);
 
-/// Cells per wavelength of the first grid of a look; clipped adaptive tubes become finer where they have to.
+/// Cells per wavelength of the first grid of a look; clipped adaptive tubes become finer where they have to, and polygons begin
+/// with what suits the tolerance.
 double first_density(const TubeOptions& options);
 
 /// Bytes that the sums of one look under way take at most, with so many tiles, bounces and frequencies.
@@ -74,8 +75,9 @@ double block_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies);
 /// Bytes that the tubes of one tile take at most where they are between sheets, few of which stand behind one another.
 double tubes_between_sheets_bytes(std::size_t frequencies);
 
-/// Tiles of a look: blocks of the launch grid of a look, groups of faces where tubes are adaptive.
+/// Tiles of a look: blocks of the launch grid of a look, groups of faces where tubes are adaptive, smaller ones between
+/// sheets.
 std::size_t tiles_of_look(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
-                          const TubeOptions& options);
+                          const TubeOptions& options, bool sheets);
 
 }  // namespace raytube

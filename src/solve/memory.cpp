@@ -56,12 +56,14 @@ const Look& widest_look(const TriangleMesh& mesh, const Sweep& sweep, const Tube
   return *std::ranges::max_element(sweep.looks, {}, area);
 }
 
+bool has_sheets(const SolvePlan& plan) { return std::ranges::any_of(plan.sweep.materials, &Material::transmits); }
+
 // Of the sums that are kept for refinement.
 double refined_bytes(const SolvePlan& plan) {
   if (plan.rays() || !plan.tubes.refines()) return 0.0;
   const Target& target = plan.target;
   const std::size_t tiles =
-      tiles_of_look(target.tracer, target.faces, plan.sweep.looks.front(), plan.sweep.frequencies, plan.tubes);
+      tiles_of_look(target.tracer, target.faces, plan.sweep.looks.front(), plan.sweep.frequencies, plan.tubes, has_sheets(plan));
   return block_sum_bytes(tiles, plan.max_bounces(), plan.sweep.frequencies.size());
 }
 
@@ -71,7 +73,7 @@ std::size_t most_tiles(const SolvePlan& plan) {
   const Target& target = plan.target;
   const Sweep& sweep = plan.sweep;
   const auto tiles = [&](const Look& look) {
-    return tiles_of_look(target.tracer, target.faces, look, sweep.frequencies, plan.tubes);
+    return tiles_of_look(target.tracer, target.faces, look, sweep.frequencies, plan.tubes, has_sheets(plan));
   };
   if (plan.tubes.mode == TubeMode::uniform) return tiles(widest_look(target.mesh, sweep, plan.tubes));
   const std::size_t flat = tiles(sweep.looks.front());

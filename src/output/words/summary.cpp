@@ -33,7 +33,7 @@ struct LargestErrors {
   std::size_t rows_above = 0;
 };
 
-// As tubes are refined.
+// True if refinement would leave these tubes as they are: see low_channel.
 bool within(const ScatteringMatrix& s, const ChannelErrors& errors, double tolerance_db) {
   const double share = std::pow(10.0, tolerance_db / 20.0) - 1.0, least = low_channel * largest_amplitude(s);
   for (const int p : {0, 1})

@@ -91,11 +91,14 @@ void add_truncated_tubes(TubeSums& sums) {
       for (std::size_t q = 0; q < 2; ++q) sums.error[f][p][q] += truncated.error(f, p, q);
 }
 
-double excess(const TubeSums& sums, const std::vector<ChannelErrors>& errors, double relative_tolerance) {
+double excess(const TubeSums& sums, std::vector<ChannelErrors> errors, double relative_tolerance, bool monostatic) {
   double worst = 0.0;
   for (std::size_t f = 0; f < errors.size(); ++f) {
-    ScatteringMatrix total;
-    for (const std::vector<ScatteringMatrix>& bounce : sums.bounces) total += bounce[f];
+    ScatteringMatrix total = sums.total(f);
+    if (monostatic) {
+      total.at(0, 1) = total.at(1, 0) = 0.5 * (total.at(0, 1) + total.at(1, 0));
+      errors[f][0][1] = errors[f][1][0] = 0.5 * (errors[f][0][1] + errors[f][1][0]);
+    }
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q) {
         const double amplitude = std::max(std::abs(total.at(p, q)), low_channel * largest_amplitude(total));

@@ -1,7 +1,6 @@
 #include "sbr/flat/cell_tubes.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sbr/beams/current_map.h"
 #include "sbr/beams/spherical_look.h"

@@ -31,7 +31,7 @@ struct PolygonTube {
   ConvexPolygon outline;
   Course course = Course::cut;
   std::uint32_t corner = 0;  // towards which the twin's point lies
-  double likes = 1.0;        // narrow tubes that its twin speaks for
+  double stands_for = 1.0;   // as many narrow tubes, with its twin
 };
 
 // Of tubes smaller than this share of a cell, whose errors hardly count, as many have a twin as they have area.
@@ -162,7 +162,7 @@ struct FaceTrace {
       integrate(node, part, bounce, tube);
       const auto send_on = [&](std::uint32_t beam, ConvexPolygon outline) {
         if (look_.clip || cells_in_blocks() > few_cells)
-          reflected_.push_back({beam, patch, std::move(outline), tube.course, tube.corner, tube.likes});
+          reflected_.push_back({beam, patch, std::move(outline), tube.course, tube.corner, tube.stands_for});
         else
           follow_by_rays(beam, patch);
       };
@@ -184,12 +184,15 @@ struct FaceTrace {
       if (tube.course == Course::alone) continue;
       twins_due_ -= 1.0;
       tube.corner = twins_++;
-      tube.likes = 1.0 / probability;
+      tube.stands_for = 1.0 / probability;
     }
   }
 
   void end_weakest() {
-    const auto weight = [&](const PolygonTube& tube) { return area(tube.outline) * beams_.amplitude(tube.beam); };
+    // Twins end first.
+    const auto weight = [&](const PolygonTube& tube) {
+      return tube.course == Course::twin ? 0.0 : area(tube.outline) * beams_.amplitude(tube.beam);
+    };
     raytube::end_weakest(reflected_, most_tubes, weight, [&](const PolygonTube& tube) {
       if (tube.course == Course::twin) return;
       count_truncated(sums_.truncated[Truncation::number], area(tube.outline), beams_.amplitude(tube.beam));
@@ -227,12 +230,15 @@ struct FaceTrace {
   void integrate(std::uint32_t node, const VisiblePart& part, int bounce, const PolygonTube& tube) {
     const Course course = tube.course;
     if (course != Course::parted && course != Course::twin) return add_currents(sums_, node, part, bounce, look_.map);
-    TubeSums sums;
-    add_currents(sums, node, part, bounce, course == Course::parted ? look_.map : nullptr);
+    TubeSums sums;  // as if this were the first bounce
+    add_currents(sums, node, part, 0, course == Course::parted ? look_.map : nullptr);
     sums_.pieces.resize(look_.wavenumbers().size());
     for (std::size_t f = 0; f < sums_.pieces.size(); ++f)
-      sums_.pieces[f].add(sums.bounces[static_cast<std::size_t>(bounce)][f], course == Course::parted ? tube.likes : -tube.likes);
-    if (course == Course::parted) sums_.add(sums);
+      sums_.pieces[f].add(sums.bounces[0][f], course == Course::parted ? tube.stands_for : -tube.stands_for);
+    if (course != Course::parted) return;
+    sums.bounces.insert(sums.bounces.begin(), static_cast<std::size_t>(bounce), {});
+    sums.hits.insert(sums.hits.begin(), static_cast<std::size_t>(bounce), 0);
+    sums_.add(sums);
   }
 
   // The PO integral over a part of a face, and over what of it the receiver has through sheets.

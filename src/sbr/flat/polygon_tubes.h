@@ -1,9 +1,9 @@
-// Tubes of polygonal cross-section, as wide as the faces they meet allow: cut at edges and shadow boundaries, nowhere else.
+// Tubes of polygonal cross-section, as wide as the faces they meet allow: cut at edges and shadow boundaries, nowhere else, as
+// long as they are not both many and narrow.
 //
 // The central header of this folder, in which tubes on flat faces are traced in two ways: as polygons of launch coordinates,
 // whose PO integral is a closed form whatever their size (polygon_tubes), or as single cells of the launch grid, each followed by
-// one ray (cell_tubes; tile_tracer launches a tile of them where coverage finds the target). Polygons that become too many or too
-// small go on as cells. Bounces are counted from 0.
+// one ray (cell_tubes; tile_tracer launches a tile of them where coverage finds the target). Bounces are counted from 0.
 #pragma once
 
 #include "sbr/beams/tube_look.h"
