@@ -21,11 +21,11 @@ enum class PartKind {
   curved_bounces  // what curved surfaces reflect
 };
 
-/// How a part of a look is traced, at all its frequencies alike.
+/// How a part of a look is traced, at all its frequencies alike: by polygons or not, and in how many blocks that can have grids
+/// of different density. Polygons that are refined have many, as far as their sums stay small.
 struct Division {
-  bool polygons = false;  // its tubes are polygons
-  std::size_t blocks =
-      1;  // what can be traced on grids of different density: polygons that are refined, as far as sums stay small
+  bool polygons = false;
+  std::size_t blocks = 1;
 };
 
 /// Of a look with all frequencies.

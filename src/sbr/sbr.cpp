@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -14,15 +13,15 @@
 #include "sbr/launch/launch.h"
 #include "sbr/launch/tile.h"
 #include "sbr/look_parts.h"
+#include "sbr/refinement.h"
 #include "sbr/visible/line_of_sight.h"
 
 namespace raytube {
 
 namespace {
 
-// The error of tubes too narrow to be cut falls with the power 3/2 of their width (theory/method.md). The least and the most by
-// which cells per wavelength grow, the least so that a grid that has just missed is not followed by many like it.
-constexpr double order_of_polygons = 1.5, least_growth = 1.5, most_growth = 4.0;
+// Powers of the cells' width with which errors fall: of tubes too narrow to be cut (theory/method.md), and of cells.
+constexpr double order_of_polygons = 1.5, order_of_cells = 1.0;
 // The cells per wavelength whose narrow tubes leave less than a decibel in the worst row of most looks at vehicles. Time grows
 // with the square root of the density alone: a second grid costs more than a first one that is finer than it would have to be.
 constexpr double density_for_a_decibel = 10.0;
@@ -67,31 +66,6 @@ TubeSums total(const std::vector<LookPart>& parts) {
         for (int q = 0; q < 2; ++q) sums.error[f][p][q] += part.sums.error[f][p][q];
   }
   return sums;
-}
-
-// The share of the permitted square that blocks may leave which are not refined, and the share of the permitted error that the
-// others aim at: a grid denser by a third costs less than one more that only just misses.
-constexpr double left_alone = 0.25, aim = 0.65;
-
-// Of blocks whose errors are so many times the tolerance, independent of one another: those that have to be refined, and how many
-// times their error together is what it may be.
-struct Excess {
-  std::vector<std::size_t> blocks;
-  double ratio = 0.0;
-};
-
-Excess largest_of(std::span<const double> errors) {
-  std::vector<std::size_t> order(errors.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return errors[i]; });
-  const auto square = [&](std::size_t i) { return errors[i] * errors[i]; };
-  double left = 0.0, refined = 0.0;
-  auto first = order.begin();
-  for (; first != order.end() && left + square(*first) <= left_alone; ++first) left += square(*first);
-  for (auto i = first; i != order.end(); ++i) refined += square(*i);
-  Excess excess{{first, order.end()}, std::sqrt(refined / (1.0 - left)) / aim};
-  std::ranges::sort(excess.blocks);
-  return excess;
 }
 
 // One look with these options, at any density.
@@ -140,28 +114,10 @@ class LookTracer {
     for (const double density : densities) trace(part, part.blocks_at(density), density, 0.0, &map);
   }
 
-  // Fills the sums of these blocks, some frequencies at a time where there are sheets.
+  // Fills the sums of these blocks.
   void trace(LookPart& part, const std::vector<std::size_t>& blocks, double density, double share, CurrentMap* map) const {
     const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, density, options_.up);
-    if (grid.cells() == 0) progress_.add(share);
-    std::optional<SphericalLook> spherical;
-    if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
-    std::vector<TubeSums> traced(blocks.size());
-    const std::size_t count = grid.cells() > 0 ? wavenumbers_.size() : 0,
-                      together = sheets_ && !map ? most_frequencies_with_sheets : wavenumbers_.size();
-    for (std::size_t first = 0; first < count; first += together) {
-      SpectralSurfaces surfaces{scene_.materials, wavenumbers_, first};
-      surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
-      const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
-      std::vector<TubeSums> sums =
-          trace_blocks(part.kind, part.division, tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map), blocks,
-                       progress_, part_of_share);
-      for (std::size_t i = 0; i < blocks.size(); ++i)
-        if (first == 0)
-          traced[i] = std::move(sums[i]);
-        else
-          traced[i].append(std::move(sums[i]));
-    }
+    std::vector<TubeSums> traced = sums_of(part, blocks, grid, share, map);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       PartBlock& block = part.blocks[blocks[i]];
       traced[i].rays += block.sums.rays;
@@ -181,18 +137,14 @@ class LookTracer {
       const auto too_large = [&](const TubeSums& of) { return excess_of(of, sums) * static_cast<double>(parts.size()); };
       const double whole = too_large(part.sums);
       if (whole <= 1.0 || !part.sampled(part.sums)) continue;
-      std::vector<double> errors;
-      for (const PartBlock& block : part.blocks) errors.push_back(part.sampled(block.sums) ? too_large(block.sums) : 0.0);
-      // Where the blocks' errors are no more independent than those of the whole, they count for as much more.
-      const double squares = std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0);
-      for (std::size_t i = 0; i < errors.size(); ++i)
-        errors[i] *= part.blocks[i].per_wavelength < most ? std::max(1.0, whole / std::sqrt(squares)) : 0.0;
-      const auto [blocks, ratio] = largest_of(errors);
+      std::vector<BlockError> errors;
+      for (const PartBlock& block : part.blocks)
+        errors.push_back({part.sampled(block.sums) ? too_large(block.sums) : 0.0, block.per_wavelength < most});
+      const auto [blocks, growth] = refinement(errors, whole, part.division.polygons ? order_of_polygons : order_of_cells);
       if (blocks.empty()) continue;
       double density = 0.0;
       for (const std::size_t i : blocks) density = std::max(density, part.blocks[i].per_wavelength);
-      density *= std::clamp(part.division.polygons ? std::pow(ratio, 1.0 / order_of_polygons) : ratio, least_growth, most_growth);
-      trace(part, blocks, std::min(density, most), 0.0, nullptr);
+      trace(part, blocks, std::min(growth * density, most), 0.0, nullptr);
       any = true;
     }
     return any;
@@ -206,6 +158,30 @@ class LookTracer {
 
  private:
   const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
+
+  // Of these blocks, some frequencies at a time where there are sheets.
+  std::vector<TubeSums> sums_of(const LookPart& part, const std::vector<std::size_t>& blocks, const LaunchGrid& grid,
+                                double share, CurrentMap* map) const {
+    if (grid.cells() == 0) progress_.add(share);
+    std::optional<SphericalLook> spherical;
+    if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
+    std::vector<TubeSums> all(blocks.size());
+    const std::size_t count = grid.cells() > 0 ? wavenumbers_.size() : 0,
+                      together = sheets_ && !map ? most_frequencies_with_sheets : wavenumbers_.size();
+    for (std::size_t first = 0; first < count; first += together) {
+      SpectralSurfaces surfaces{scene_.materials, wavenumbers_, first};
+      surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
+      const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
+      const TubeLook look = tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map);
+      std::vector<TubeSums> some = trace_blocks(part.kind, part.division, look, blocks, progress_, part_of_share);
+      for (std::size_t i = 0; i < blocks.size(); ++i)
+        if (first == 0)
+          all[i] = std::move(some[i]);
+        else
+          all[i].append(std::move(some[i]));
+    }
+    return all;
+  }
 
   // How many times the errors of a part of all sums are what those may have.
   double excess_of(const TubeSums& part, const TubeSums& all) const {

@@ -23,16 +23,12 @@ enum class CurvedSurfaces {
   always   // on every target
 };
 
-/// A channel whose amplitude is below this share of the strongest one's in its row, 20 dB under it, is refined to what the
-/// tolerance is at that share: decibels of what hardly returns are dear.
-inline constexpr double low_channel = 0.1;
-
 /// Cells are counted per wavelength along each side of the launch plane, at the highest frequency.
 struct TubeOptions {
   TubeMode mode = TubeMode::adaptive;  // how tubes are laid
   double per_wavelength = 10.0;        // density of the grid; where it is refined, of the first one
   double max_per_wavelength = 40.0;    // cap of the density where it is refined (refines())
-  double tolerance_db = 0.1;           // refined until the estimated error of every channel is below this: see low_channel
+  double tolerance_db = 0.1;           // refined until the estimated error of every channel is below this: scene/tolerance.h
   bool clip = true;  // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
   CurvedSurfaces curved = CurvedSurfaces::convex;  // adaptive with clip
   int max_bounces = 8;                             // surfaces that a tube meets at most

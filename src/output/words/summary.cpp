@@ -9,6 +9,7 @@
 #include "core/decimal.h"
 #include "core/text.h"
 #include "output/tables/csv.h"
+#include "scene/tolerance.h"
 
 namespace raytube {
 
@@ -33,15 +34,6 @@ struct LargestErrors {
   std::size_t rows_above = 0;
 };
 
-// True if refinement would leave these tubes as they are: see low_channel.
-bool within(const ScatteringMatrix& s, const ChannelErrors& errors, double tolerance_db) {
-  const double share = std::pow(10.0, tolerance_db / 20.0) - 1.0, least = low_channel * largest_amplitude(s);
-  for (const int p : {0, 1})
-    for (const int q : {0, 1})
-      if (errors[p][q] > share * std::max(std::abs(s.at(p, q)), least)) return false;
-  return true;
-}
-
 LargestErrors largest_errors(const SweepResult& result, const std::vector<ChannelErrors>& errors, double tolerance_db) {
   LargestErrors found;
   for (std::size_t row = 0; row < result.total.size(); ++row) {
@@ -54,7 +46,7 @@ LargestErrors largest_errors(const SweepResult& result, const std::vector<Channe
       double& kind = low ? found.low : channel == 0 || channel == 3 ? found.co : found.cross;
       kind = std::max(kind, levels[static_cast<std::size_t>(channel)]);
     }
-    found.rows_above += within(s, errors[row], tolerance_db) ? 0 : 1;
+    found.rows_above += excess(s, errors[row], relative_tolerance(tolerance_db)) > 1.0 ? 1 : 0;
   }
   return found;
 }

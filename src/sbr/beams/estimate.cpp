@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/options.h"
+#include "scene/tolerance.h"
 
 namespace raytube {
 
@@ -99,11 +99,7 @@ double excess(const TubeSums& sums, std::vector<ChannelErrors> errors, double re
       total.at(0, 1) = total.at(1, 0) = 0.5 * (total.at(0, 1) + total.at(1, 0));
       errors[f][0][1] = errors[f][1][0] = 0.5 * (errors[f][0][1] + errors[f][1][0]);
     }
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) {
-        const double amplitude = std::max(std::abs(total.at(p, q)), low_channel * largest_amplitude(total));
-        if (amplitude > 0.0) worst = std::max(worst, errors[f][p][q] / (relative_tolerance * amplitude));
-      }
+    worst = std::max(worst, excess(total, errors[f], relative_tolerance));
   }
   return worst;
 }

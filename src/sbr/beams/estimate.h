@@ -18,8 +18,7 @@ std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGri
 /// magnitude.
 void add_truncated_tubes(TubeSums& sums);
 
-/// How many times the errors [m] exceed the tolerance, a share of max(|S_pq|, low_channel S_max) with S_max the largest of the
-/// four amplitudes: at worst over frequencies and channels. Of a monostatic look both cross-polar channels are their mean.
+/// The excess() of a look at its worst frequency. Of a monostatic one both cross-polar channels are their mean.
 double excess(const TubeSums& sums, std::vector<ChannelErrors> errors, double relative_tolerance, bool monostatic);
 
 }  // namespace raytube

@@ -3,10 +3,9 @@
 
 #include <cmath>
 
-namespace raytube {
+#include "scene/tolerance.h"
 
-/// Error of an amplitude, as a share of it, that moves its level by `tolerance_db` [dB]: |S + error| / |S| = 10^(dB / 20).
-inline double relative_tolerance(double tolerance_db) { return std::pow(10.0, tolerance_db / 20.0) - 1.0; }
+namespace raytube {
 
 /// Phase [rad] by which a current may be off: one wrong by a small phase is wrong by as large a share of itself, since
 /// |e^{jx} - 1| = x to first order.

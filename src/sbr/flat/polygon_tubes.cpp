@@ -3,11 +3,9 @@
 #include <cmath>
 #include <optional>
 
-#include "sbr/beams/current_map.h"
-#include "sbr/beams/polygon_integral.h"
-#include "sbr/beams/spherical_look.h"
 #include "sbr/beams/truncated_tubes.h"
 #include "sbr/flat/cell_tubes.h"
+#include "sbr/flat/polygon_currents.h"
 #include "sbr/launch/lattice.h"
 #include "sbr/visible/beam_visibility.h"
 
@@ -54,6 +52,7 @@ struct FaceTrace {
       : look_(look),
         beams_(look.faces.mesh(), look.surfaces, look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
         visible_(look.faces, look.tracer),
+        currents_(look, beams_, line_of_sight_),
         cell_tubes_(look, beams_, sums_) {
     if (look.sheets) line_of_sight_.emplace(*look.sheets, look.faces, look.tracer, visible_, beams_);
   }
@@ -161,7 +160,7 @@ struct FaceTrace {
       if (tube.course != Course::twin) sums_.meet(bounce, area(part.outline), beams_.amplitude(tube.beam));
       integrate(node, part, bounce, tube);
       const auto send_on = [&](std::uint32_t beam, ConvexPolygon outline) {
-        if (look_.clip || cells_in_blocks() > few_cells)
+        if (look_.clip || cells_of(blocks_) > few_cells)
           reflected_.push_back({beam, patch, std::move(outline), tube.course, tube.corner, tube.stands_for});
         else
           follow_by_rays(beam, patch);
@@ -214,14 +213,6 @@ struct FaceTrace {
           cell_tubes_.add(column, row, beam, patch);
   }
 
-  double cell_area() const { return static_cast<double>(cells_in_blocks()) * look_.grid.du * look_.grid.dv; }
-
-  std::uint64_t cells_in_blocks() const {
-    std::uint64_t cells = 0;
-    for (const CellBlock& block : blocks_) cells += block.cells();
-    return cells;
-  }
-
   // What a narrow tube and its twin radiate once they have parted is wrong by as much: an edge divides the tube somewhere between
   // its middle and a corner. If it takes the share 1 - x, below one half, of the tube's area, the error is the share 1 - x of
   // both currents, and twins part with the probability 1 - x. Over all x the mean square of the former is 1/12, the mean of the
@@ -229,9 +220,9 @@ struct FaceTrace {
   // twins in place of their tubes differs by more.
   void integrate(std::uint32_t node, const VisiblePart& part, int bounce, const PolygonTube& tube) {
     const Course course = tube.course;
-    if (course != Course::parted && course != Course::twin) return add_currents(sums_, node, part, bounce, look_.map);
+    if (course != Course::parted && course != Course::twin) return currents_.add(sums_, node, part, blocks_, bounce, look_.map);
     TubeSums sums;  // as if this were the first bounce
-    add_currents(sums, node, part, 0, course == Course::parted ? look_.map : nullptr);
+    currents_.add(sums, node, part, blocks_, 0, course == Course::parted ? look_.map : nullptr);
     sums_.pieces.resize(look_.wavenumbers().size());
     for (std::size_t f = 0; f < sums_.pieces.size(); ++f)
       sums_.pieces[f].add(sums.bounces[0][f], course == Course::parted ? tube.stands_for : -tube.stands_for);
@@ -239,74 +230,6 @@ struct FaceTrace {
     sums.bounces.insert(sums.bounces.begin(), static_cast<std::size_t>(bounce), {});
     sums.hits.insert(sums.hits.begin(), static_cast<std::size_t>(bounce), 0);
     sums_.add(sums);
-  }
-
-  // The PO integral over a part of a face, and over what of it the receiver has through sheets.
-  void add_currents(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map) {
-    std::vector<ScatteringMatrix>& sums = to.at(bounce, look_.wavenumbers().size());
-    ++to.hits[static_cast<std::size_t>(bounce)];
-    if (look_.spherical) return look_.spherical->add(to, bounce, beams_.beam(node), beams_.patch(node), part.outline);
-    const auto radiate = [&](const Footprint& footprint, const VisiblePart& of, std::span<const CellBlock> blocks) {
-      for (std::size_t f = 0; f < sums.size(); ++f) {
-        const double k = look_.wavenumbers()[f];
-        add_far_field(sums[f], footprint, f, k,
-                      look_.clip ? phase_integral(footprint, k, of.outline) : over_cells(footprint, k, blocks));
-      }
-      if (map) add_to_map(*map, footprint, of, blocks);
-    };
-    radiate(beams_.footprint(node), part, blocks_);
-    if (line_of_sight_) {
-      for (ScreenedPart& screened : line_of_sight_->through_sheets(node, part.outline)) {
-        if (!look_.clip) cells_under(look_.grid, screened.outline, screened_blocks_);
-        radiate(beams_.footprint(screened.node), {part.face, std::move(screened.outline)}, screened_blocks_);
-      }
-    }
-    add_to_estimates(to, beams_.footprint(node), part.outline);
-  }
-
-  void add_to_estimates(TubeSums& to, const Footprint& footprint, const ConvexPolygon& outline) {
-    if (!look_.clip) count_staircase(footprint, outline);
-    if (footprint.outgoing.spectrum && look_.surfaces.any_rough())
-      to.add_incoherent(*footprint.outgoing.spectrum, look_.clip ? area(outline) : cell_area());
-  }
-
-  void add_to_map(CurrentMap& map, const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks) {
-    if (look_.clip) return map.add(footprint, part.outline, part.face);
-    for (const CellBlock& block : blocks)
-      for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
-        for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
-          map.add(footprint, cell_bounds(look_.grid, column, row),
-                  map.triangle_under(footprint, part.face, look_.grid.ray_coordinates(column, row)));
-  }
-
-  // Cells stand for the polygon but for their stairs along its sides: each step is off by up to half a cell, h / sqrt(12) in the
-  // rms. The steps of a side along the grid are all alike, those of one across it independent.
-  void count_staircase(const Footprint& footprint, const ConvexPolygon& outline) {
-    const double step = std::max(look_.grid.du, look_.grid.dv);
-    sums_.pieces.resize(look_.wavenumbers().size());
-    for (std::size_t f = 0; f < sums_.pieces.size(); ++f) {
-      const double k = look_.wavenumbers()[f], per_area = k / (4.0 * pi) * footprint.area;
-      double square = 0.0;  // of the launch area that is wrong [m^4]
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        const dvec2 side = outline[(i + 1) % outline.size()].at - outline[i].at;
-        const double alike = sinc(0.5 * k * glm::dot(dvec2(footprint.phase_u, footprint.phase_v), side)) * glm::length(side);
-        square += step * step / 12.0 * (alike * alike + step * glm::length(side));
-      }
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q)
-          sums_.pieces[f].squares[p][q] += std::pow(per_area * largest_weight(footprint, p, q), 2) * square;
-    }
-  }
-
-  Complex over_cells(const Footprint& footprint, double k, std::span<const CellBlock> blocks) const {
-    Complex sum = 0.0;
-    for (const CellBlock& block : blocks) {
-      const LaunchGrid& grid = look_.grid;
-      const dvec2 size{(block.column_end - block.column_begin) * grid.du, (block.row_end - block.row_begin) * grid.dv};
-      const dvec2 low{grid.u_begin + block.column_begin * grid.du, grid.v_begin + block.row_begin * grid.dv};
-      sum += phase_integral(footprint, k, low + 0.5 * size, size.x, size.y);
-    }
-    return sum;
   }
 
   const TubeLook& look_;
@@ -317,7 +240,8 @@ struct FaceTrace {
   std::vector<PolygonTube> tubes_, reflected_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
-  std::vector<CellBlock> blocks_, screened_blocks_;
+  PolygonCurrents currents_;
+  std::vector<CellBlock> blocks_;
   std::uint32_t twins_ = 0;  // number of them so far
   double twins_due_ = 0.5;
   TubeSums sums_;
