@@ -78,6 +78,24 @@ CurvedSurfaces read_curved(const CaseValue& value) {
   reject(value, fmt::format("tubes.curved \"{}\" is unknown; write \"convex\", \"always\" or \"never\"", quotable(text)));
 }
 
+double read_share(const CaseValue& value, const std::string& key) {
+  const double share = read_number(value, key);
+  if (share < 0.0 || share > 1.0) reject(value, fmt::format("{} must be from 0 to 1 (found {})", key, share));
+  return share;
+}
+
+// Whoever asks for a tolerance gets it, unless a share of the model uncertainty is asked for as well.
+void read_accuracy(const CaseValue& root, const CaseValue* mode, const CaseValue* clip, Case& c) {
+  const CaseValue *tolerance = find(root, "accuracy", "tolerance_db"), *share = find(root, "accuracy", "model_share");
+  for (const auto& [value, key] : {std::pair{tolerance, "tolerance_db"}, {share, "model_share"}})
+    if (value && !c.tubes.refines())
+      reject(*value, {mode, clip},
+             fmt::format("accuracy.{} needs adaptive tubes with clip; the others have the density given, so remove it", key));
+  if (tolerance) c.tubes.tolerance_db = read_positive(*tolerance, "accuracy.tolerance_db");
+  if (tolerance) c.tubes.model_share = 0.0;
+  if (share) c.tubes.model_share = read_share(*share, "accuracy.model_share");
+}
+
 void read_tubes(const CaseValue& root, Case& c) {
   const CaseValue *mode = find(root, "tubes", "mode"), *clip = find(root, "tubes", "clip");
   if (mode) {
@@ -101,12 +119,7 @@ void read_tubes(const CaseValue& root, Case& c) {
       reject(*curved, {mode, clip}, "tubes.curved needs adaptive tubes with clip; the others see facets, so remove it");
     c.tubes.curved = read_curved(*curved);
   }
-  if (const CaseValue* tolerance = find(root, "accuracy", "tolerance_db")) {
-    if (!clipped)
-      reject(*tolerance, {mode, clip},
-             "accuracy.tolerance_db needs adaptive tubes with clip; the others have the density given, so remove it");
-    c.tubes.tolerance_db = read_positive(*tolerance, "accuracy.tolerance_db");
-  }
+  read_accuracy(root, mode, clip, c);
   if (const CaseValue* skip = find(root, "tubes", "skip")) c.tubes.skip = read_flag(*skip, "tubes.skip");
   if (const CaseValue* up = find(root, "tubes", "up")) c.tubes.up = read_up(*up);
 }

@@ -158,7 +158,8 @@ JsonValue resolved_case(const Case& c) {
   if (c.radar.positions.empty()) put_looks(c, json);
   if (!c.sweep.looks.front().far()) json["radar"] = radar_json(c);
   json["tubes"] = tubes_json(c.tubes);
-  if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip) json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}};
+  if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip)
+    json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}, {"model_share", c.tubes.model_share}};
   json["edges"] = edges_json(c.edges, c.wedges, !c.sweep.materials.empty());
   json["surfaces"] = {{"waves", use_json(c.surfaces.waves)}};
   json["output"] = {{"plots", c.plots}, {"netcdf", c.netcdf}};

@@ -96,4 +96,11 @@ inline double frobenius_norm(const ScatteringMatrix& s) {
 /// Errors of the magnitudes |S_pq| [m]; indices as of ScatteringMatrix.
 using ChannelErrors = std::array<std::array<double, 2>, 2>;
 
+/// All of them times a factor.
+inline ChannelErrors scaled(ChannelErrors errors, double factor) {
+  for (std::array<double, 2>& received : errors)
+    for (double& error : received) error *= factor;
+  return errors;
+}
+
 }  // namespace raytube

@@ -71,6 +71,7 @@ void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptio
     if (!(f > 0.0) || !std::isfinite(f)) throw InputError("every frequency must be a positive number of hertz");
   if (!(tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
   if (!(tubes.max_per_wavelength > 0.0)) throw InputError("tubes.max_per_wavelength must be positive");
+  if (!(tubes.model_share >= 0.0)) throw InputError("tubes.model_share must not be negative");
   if (edges.order < 1 || edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
   if (!(edges.interaction_budget >= 0.0) || !std::isfinite(edges.interaction_budget))
     throw InputError("edges.between_budget must be a finite number of at least 0");

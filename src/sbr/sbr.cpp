@@ -25,6 +25,9 @@ constexpr double order_of_polygons = 1.5, order_of_cells = 1.0;
 // The cells per wavelength whose narrow tubes leave less than a decibel in the worst row of most looks at vehicles. Time grows
 // with the square root of the density alone: a second grid costs more than a first one that is finer than it would have to be.
 constexpr double density_for_a_decibel = 10.0;
+// Where errors are permitted that are not known yet: on vehicles those of this density are a tenth of the model uncertainty in
+// the median, and a quarter at worst in most looks.
+constexpr double density_beside_a_model = 5.0;
 
 // Of the densest grid that can be launched, the share that is not exceeded for the tolerance's sake.
 constexpr double finest_grid = 0.9;
@@ -72,7 +75,7 @@ TubeSums total(const std::vector<LookPart>& parts) {
 class LookTracer {
  public:
   LookTracer(const TubeScene& scene, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
-             Progress& progress)
+             const TubeWork& work)
       : scene_(scene),
         convexity_(options.skip ? scene.convexity : Convexity{}),
         look_(look),
@@ -81,7 +84,7 @@ class LookTracer {
         wavelength_(wavelength(std::ranges::max(frequencies))),
         tolerance_(relative_tolerance(options.tolerance_db)),
         options_(options),
-        progress_(progress) {
+        work_(work) {
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
     if (!look.far()) antennas_.emplace(look, scene.radar, mesh().center);
     if (std::ranges::any_of(scene.materials, &Material::transmits)) sheets_.emplace(mesh(), scene.materials, receive_);
@@ -127,14 +130,24 @@ class LookTracer {
     add_up(part, grid);
   }
 
-  bool within_tolerance(const TubeSums& sums) const { return !(excess_of(sums, sums) > 1.0); }
+  // What errors of a look may be: more than the tolerance says only if that is exceeded.
+  PermittedErrors permitted(const TubeSums& sums) const {
+    PermittedErrors errors{tolerance_, {}};
+    if (work_.permits && excess_of(sums, sums, errors) > 1.0) errors.in_any_case = work_.permits(sums);
+    return errors;
+  }
 
-  // Traces those blocks again, more densely, whose share of the error is too large. False if none can be made better.
+  // Traces those blocks again, more densely, whose share of the error is too large. False if the whole is not, or if none can be
+  // made better.
   bool refine(std::vector<LookPart>& parts, const TubeSums& sums) const {
+    const PermittedErrors errors_permitted = permitted(sums);
+    if (!(excess_of(sums, sums, errors_permitted) > 1.0)) return false;
     bool any = false;
     const double most = densest();
     for (LookPart& part : parts) {
-      const auto too_large = [&](const TubeSums& of) { return excess_of(of, sums) * static_cast<double>(parts.size()); };
+      const auto too_large = [&](const TubeSums& of) {
+        return excess_of(of, sums, errors_permitted) * static_cast<double>(parts.size());
+      };
       const double whole = too_large(part.sums);
       if (whole <= 1.0 || !part.sampled(part.sums)) continue;
       std::vector<BlockError> errors;
@@ -162,7 +175,7 @@ class LookTracer {
   // Of these blocks, some frequencies at a time where there are sheets.
   std::vector<TubeSums> sums_of(const LookPart& part, const std::vector<std::size_t>& blocks, const LaunchGrid& grid,
                                 double share, CurrentMap* map) const {
-    if (grid.cells() == 0) progress_.add(share);
+    if (grid.cells() == 0) work_.progress.add(share);
     std::optional<SphericalLook> spherical;
     if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
     std::vector<TubeSums> all(blocks.size());
@@ -173,7 +186,7 @@ class LookTracer {
       surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
       const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
       const TubeLook look = tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map);
-      std::vector<TubeSums> some = trace_blocks(part.kind, part.division, look, blocks, progress_, part_of_share);
+      std::vector<TubeSums> some = trace_blocks(part.kind, part.division, look, blocks, work_.progress, part_of_share);
       for (std::size_t i = 0; i < blocks.size(); ++i)
         if (first == 0)
           all[i] = std::move(some[i]);
@@ -184,15 +197,16 @@ class LookTracer {
   }
 
   // How many times the errors of a part of all sums are what those may have.
-  double excess_of(const TubeSums& part, const TubeSums& all) const {
-    return excess(all, part.error, tolerance_, look_.transmit == look_.receive);
+  double excess_of(const TubeSums& part, const TubeSums& all, const PermittedErrors& errors) const {
+    return excess(all, part.error, errors, look_.transmit == look_.receive);
   }
 
   // Of cells the usual one; the few narrow tubes among polygons cost little, so they begin where they may do.
   double density_to_begin_with(const Division& division) const {
     const bool fixed = options_.per_wavelength >= options_.max_per_wavelength;
     if (!options_.refines() || !division.polygons || fixed) return first_density(options_);
-    return std::min(density_for_a_decibel * std::pow(options_.tolerance_db, -1.0 / order_of_polygons), densest());
+    const double for_tolerance = density_for_a_decibel * std::pow(options_.tolerance_db, -1.0 / order_of_polygons);
+    return std::min({for_tolerance, work_.permits ? density_beside_a_model : for_tolerance, densest()});
   }
 
   double densest() const {
@@ -231,7 +245,7 @@ class LookTracer {
   SphericalBasis transmit_, receive_;
   double wavelength_, tolerance_;
   const TubeOptions& options_;
-  Progress& progress_;
+  const TubeWork& work_;
   std::vector<double> wavenumbers_;
   std::optional<AntennaPair> antennas_;
   std::optional<LineOfSightSheets> sheets_;
@@ -241,14 +255,14 @@ class LookTracer {
 
 TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
                         const TubeWork& work) {
-  const LookTracer tracer(scene, look, frequencies, options, work.progress);
+  const LookTracer tracer(scene, look, frequencies, options, work);
   std::vector<LookPart> parts = tracer.parts();
   CurrentMap* const first_map = options.refines() ? nullptr : work.map;
   for (LookPart& part : parts) tracer.trace(part, work.share / static_cast<double>(parts.size()), first_map);
   if (!options.refines()) return tracer.with_truncated_tubes(std::move(parts.front().sums));
-  // Each part is sampled more finely until the whole is within the tolerance.
+  // Each part is sampled more finely until the whole is as good as it has to be.
   TubeSums sums = total(parts);
-  while (!tracer.within_tolerance(sums) && tracer.refine(parts, sums)) sums = total(parts);
+  while (tracer.refine(parts, sums)) sums = total(parts);
   if (work.map)
     for (LookPart& part : parts) tracer.fill(*work.map, part);
   return tracer.with_truncated_tubes(std::move(sums));

@@ -16,7 +16,9 @@
 // Carlo baseline.
 #pragma once
 
+#include <functional>
 #include <span>
+#include <vector>
 
 #include "core/field.h"
 #include "core/progress.h"
@@ -47,18 +49,21 @@ struct TubeScene {
   const Radar& radar = isotropic_radar;    // of looks from a finite distance
 };
 
-/// Where a trace reports to.
+/// Where a trace reports to, and whom it asks.
 struct TubeWork {
   Progress& progress;         // told as tiles are done
   double share = 1.0;         // of the progress that this look is
   CurrentMap* map = nullptr;  // takes every current of the last trace as well; null: none is asked for
+  /// Errors [m] of a look with these sums, [frequency], that are no reason to refine it whatever the tolerance; asked only where
+  /// it is exceeded. Empty: there are none.
+  std::function<std::vector<ChannelErrors>(const TubeSums&)> permits{};
 };
 
 /// Traces the tubes of a look and integrates the PO current of every bounce, radiating unblocked, for all frequencies [Hz] and
 /// both transmit polarisations: S [m], its estimated error and the counts. Where the options refine, again with smaller cells
-/// until the error is within the tolerance. Phase reference: the centre of the mesh, of looks from a finite distance the origin
-/// of its own coordinates. The result does not depend on the number of threads. Throws InputError where the grid would be too
-/// dense.
+/// until the error is within the tolerance, or within what is permitted. Phase reference: the centre of the mesh, of looks from a
+/// finite distance the origin of its own coordinates. The result does not depend on the number of threads. Throws InputError
+/// where the grid would be too dense.
 TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
                         const TubeWork& work);
 

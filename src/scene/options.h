@@ -29,6 +29,7 @@ struct TubeOptions {
   double per_wavelength = 10.0;        // density of the grid; where it is refined, of the first one
   double max_per_wavelength = 40.0;    // cap of the density where it is refined (refines())
   double tolerance_db = 0.1;           // refined until the estimated error of every channel is below this: scene/tolerance.h
+  double model_share = 0.25;           // or below this share of the model uncertainty: digits that the physics lacks are dear
   bool clip = true;  // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
   CurvedSurfaces curved = CurvedSurfaces::convex;  // adaptive with clip
   int max_bounces = 8;                             // surfaces that a tube meets at most

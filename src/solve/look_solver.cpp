@@ -20,8 +20,11 @@ void make_look_reciprocal(LookResult& look) {
 
 }  // namespace
 
-BandSolver::BandSolver(const SolvePlan& plan, const BandPlan& band)
-    : scene_(plan, band), scheduler_(band.frequencies, plan.tubes.tolerance_db) {
+BandSolver::BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model)
+    : scene_(plan, plan.bands[band]),
+      band_(band),
+      model_(model),
+      scheduler_(plan.bands[band].frequencies, plan.tubes.tolerance_db) {
   for (const MechanismEntry& entry : mechanism_list()) mechanisms_[static_cast<std::size_t>(entry.id)] = entry.make(scene_);
   if (plan.rays()) ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.max_bounces());
 }
@@ -30,7 +33,7 @@ LookResult BandSolver::solve(const Look& look, Progress& progress, double share,
   const SolvePlan& plan = scene_.plan;
   if (plan.rays()) return rays(look, progress, share);
   LookResult result;
-  result.tubes = sbr_scattering(scene_.tubes, look, scene_.band.frequencies, plan.tubes, {progress, first_tubes_share * share});
+  result.tubes = trace_tubes(look, progress, first_tubes_share * share, nullptr);
   LookSink sink;
   run_mechanisms({look, result.tubes}, sink, begins);
   result.others = std::move(sink.sums);
@@ -45,7 +48,7 @@ void BandSolver::solve_image(const Look& look, std::size_t frequency_index, cons
                              LookImage& image) const {
   const std::vector<double>& frequencies = scene_.band.frequencies;
   CurrentMap map(scene_.plan.target.faces, lattice, frequency_index, wavenumber(frequencies[frequency_index]));
-  const TubeSums tubes = sbr_scattering(scene_.tubes, look, frequencies, scene_.plan.tubes, {progress, 1.0, &map});
+  const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
   image.cells = map.take_cells();
   image.triangles = map.take_triangles();
   ImageRequest request{frequency_index, lattice};
@@ -53,6 +56,18 @@ void BandSolver::solve_image(const Look& look, std::size_t frequency_index, cons
   sink.image = &request;
   run_mechanisms({look, tubes}, sink, {});
   image.edges = std::move(request.pieces);
+}
+
+std::vector<ChannelErrors> BandSolver::permitted_errors(const Look& look, const TubeSums& tubes) const {
+  std::vector<ChannelErrors> errors = model_.at_least(look, band_, tubes);
+  for (ChannelErrors& row : errors) row = scaled(row, scene_.plan.tubes.model_share);
+  return errors;
+}
+
+TubeSums BandSolver::trace_tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const {
+  TubeWork work{progress, share, map};
+  if (scene_.plan.tubes.model_share > 0.0) work.permits = [&](const TubeSums& tubes) { return permitted_errors(look, tubes); };
+  return sbr_scattering(scene_.tubes, look, scene_.band.frequencies, scene_.plan.tubes, work);
 }
 
 void BandSolver::run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const {
@@ -103,8 +118,8 @@ LookResult BandSolver::rays(const Look& look, Progress& progress, double share) 
   return result;
 }
 
-LookSolver::LookSolver(const SolvePlan& plan) : plan_(plan) {
-  for (const BandPlan& band : plan.bands) bands_.push_back(std::make_unique<const BandSolver>(plan, band));
+LookSolver::LookSolver(const SolvePlan& plan) : plan_(plan), model_(plan) {
+  for (std::size_t b = 0; b < plan.bands.size(); ++b) bands_.push_back(std::make_unique<const BandSolver>(plan, b, model_));
 }
 
 LookResult LookSolver::solve(std::size_t index, Progress& progress, double share, const StageCallback& begins) const {

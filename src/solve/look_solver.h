@@ -10,6 +10,7 @@
 #include "sbr/sbr.h"
 #include "solve/look_result.h"
 #include "solve/mechanisms/list.h"
+#include "solve/model_uncertainty.h"
 #include "solve/scheduler.h"
 #include "utd/gtd/ray_fields.h"
 
@@ -22,10 +23,11 @@ inline constexpr double first_tubes_share = 0.5;
 enum class LookStage { tubes, edges, interaction };
 using StageCallback = std::function<void(LookStage)>;
 
-/// Computes looks at the frequencies of one band. Refers to the plan.
+/// Computes looks at the frequencies of one band. Refers to the plan and its model uncertainty.
 class BandSolver {
  public:
-  BandSolver(const SolvePlan& plan, const BandPlan& band);
+  /// `band`: in the plan.
+  BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model);
   BandSolver(const BandSolver&) = delete;
 
   LookResult solve(const Look& look, Progress& progress, double share, const StageCallback& begins) const;
@@ -36,11 +38,15 @@ class BandSolver {
   std::vector<double> edge_lengths() const;
 
  private:
+  std::vector<ChannelErrors> permitted_errors(const Look& look, const TubeSums& tubes) const;
+  TubeSums trace_tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const;
   LookResult rays(const Look& look, Progress& progress, double share) const;
   void run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const;
   void run(MechanismId id, const TracedLook& look, LookSink& sink) const;
 
   BandScene scene_;
+  std::size_t band_;
+  const ModelUncertainty& model_;
   std::array<std::unique_ptr<Mechanism>, mechanism_count> mechanisms_;  // [MechanismId]; null: not there
   Scheduler scheduler_;
   std::optional<RayFields> ray_fields_;
@@ -64,12 +70,15 @@ class LookSolver {
   /// How long all edges that may add to S are together, per frequency [m].
   std::vector<double> edge_lengths() const;
 
+  const ModelUncertainty& model_uncertainty() const { return model_; }
+
   /// The rays over curved surfaces of a look at the first frequency of each band, in the mesh's own coordinates; none if no waves
   /// run over any. Their points are a tenth of the wavelength apart, or more.
   std::vector<SurfaceRay> surface_rays(const Look& look) const;
 
  private:
   const SolvePlan& plan_;
+  ModelUncertainty model_;
   std::vector<std::unique_ptr<const BandSolver>> bands_;
 };
 

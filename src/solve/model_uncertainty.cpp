@@ -69,16 +69,29 @@ EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
   return currents;
 }
 
+std::vector<LookFeatures> ModelUncertainty::features(const Look& look) const {
+  std::vector<LookFeatures> features;
+  for (const Band& band : bands_)
+    features.push_back(find_look_features({plan_.target.mesh, curved_, edges_[band.edges]}, look, band.frequency));
+  return features;
+}
+
+RowEvidence ModelUncertainty::evidence_of_tubes(const Look& look, std::size_t frequency,
+                                                std::span<const ScatteringMatrix> bounces) const {
+  return {.facets = dents_[body_of_[frequency]].relative_error(look, bands_[band_of_[frequency]].frequency),
+          .rim_dent = rim_dent_,
+          .half_extent = plan_.target.mesh.radius,
+          .bounces = bounces,
+          .penumbra_share = penumbra_shares_[frequency],
+          .edge_order = plan_.fringe() ? plan_.edges.order : 0,
+          .wavelength = wavelength(plan_.sweep.frequencies[frequency])};
+}
+
 RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& result, std::size_t frequency,
                                        std::vector<ScatteringMatrix>& bounces) const {
-  bounces.clear();
-  for (const std::vector<ScatteringMatrix>& bounce : result.tubes.bounces) bounces.push_back(bounce[frequency]);
-  RowEvidence row{.facets = dents_[body_of_[frequency]].relative_error(look, bands_[band_of_[frequency]].frequency),
-                  .rim_dent = rim_dent_,
-                  .half_extent = plan_.target.mesh.radius,
-                  .bounces = bounces,
-                  .met = result.met[body_of_[frequency]],
-                  .penumbra_share = penumbra_shares_[frequency]};
+  bounces = result.tubes.bounces_at(frequency);
+  RowEvidence row = evidence_of_tubes(look, frequency, bounces);
+  row.met = result.met[body_of_[frequency]];
   const LookSums& others = result.others;
   const auto part = [&](Part which) { return others.s[which].empty() ? ScatteringMatrix() : others.s[which][frequency]; };
   row.edges = part(Part::edges_first), row.higher = part(Part::edges_higher), row.interaction = part(Part::interaction);
@@ -89,21 +102,33 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   row.has_surface_waves = ran(MechanismId::surface_waves) && plan_.sweep.materials.empty();  // they run on conductors
   row.has_interaction = ran(MechanismId::interaction) && !others.s[Part::interaction].empty() && !none_afforded;
   if (!others.left_out.empty()) row.left_out = others.left_out[frequency];
-  row.edge_order = plan_.fringe() ? plan_.edges.order : 0;
   row.truncated =
       plan_.sweep.materials.empty() ? result.truncated[body_of_[frequency]] : 0.0;  // else it is in the numerical error
-  row.wavelength = wavelength(plan_.sweep.frequencies[frequency]);
   return row;
 }
 
 std::vector<OmissionErrors> ModelUncertainty::of(const Look& look, const LookResult& result) const {
-  std::vector<LookFeatures> features;
-  for (const Band& band : bands_)
-    features.push_back(find_look_features({plan_.target.mesh, curved_, edges_[band.edges]}, look, band.frequency));
+  const std::vector<LookFeatures> found = features(look);
   std::vector<OmissionErrors> errors;
   std::vector<ScatteringMatrix> bounces;
   for (std::size_t f = 0; f < plan_.sweep.frequencies.size(); ++f)
-    errors.push_back(estimate_omissions(features[band_of_[f]], evidence(look, result, f, bounces)));
+    errors.push_back(estimate_omissions(found[band_of_[f]], evidence(look, result, f, bounces)));
+  return errors;
+}
+
+std::vector<ChannelErrors> ModelUncertainty::at_least(const Look& look, std::size_t band, const TubeSums& tubes) const {
+  const std::vector<LookFeatures> found = features(look);
+  const auto on = [&](MechanismId id) { return entry_of(id).state(plan_).on; };
+  const bool waves = on(MechanismId::surface_waves), interaction = on(MechanismId::interaction);
+  std::vector<ChannelErrors> errors;
+  const std::vector<std::size_t>& frequencies = plan_.bands[band].indices;
+  for (std::size_t i = 0; i < frequencies.size(); ++i) {
+    const std::vector<ScatteringMatrix> bounces = tubes.bounces_at(i);
+    RowEvidence row = evidence_of_tubes(look, frequencies[i], bounces);
+    row.met = tubes.met;
+    row.has_surface_waves = waves, row.has_interaction = interaction;
+    errors.push_back(root_sum_square(estimate_omissions(found[band_of_[frequencies[i]]], row)));
+  }
   return errors;
 }
 

@@ -19,6 +19,10 @@ class ModelUncertainty {
   /// [frequency] of a look that was computed; looks that follow from it have the same.
   std::vector<OmissionErrors> of(const Look& look, const LookResult& result) const;
 
+  /// [frequency of the plan's band] all omissions together, of a look with tubes alone so far: as if all mechanisms that take
+  /// part ran and added nothing, so no more than it will be.
+  std::vector<ChannelErrors> at_least(const Look& look, std::size_t band, const TubeSums& tubes) const;
+
   /// Of the weak edges at the first frequency, by length: the share beside curved faces.
   double curved_edges() const { return edges_.empty() ? 0.0 : curved_share(edges_[bands_.front().edges].edges); }
 
@@ -32,6 +36,8 @@ class ModelUncertainty {
   void find_dents();
   void find_edges(std::size_t frequency, double wavelength);
   EdgeCurrents edge_currents(std::size_t frequency) const;
+  std::vector<LookFeatures> features(const Look& look) const;
+  RowEvidence evidence_of_tubes(const Look& look, std::size_t frequency, std::span<const ScatteringMatrix> bounces) const;
   RowEvidence evidence(const Look& look, const LookResult& result, std::size_t frequency,
                        std::vector<ScatteringMatrix>& bounces) const;
 

@@ -38,10 +38,10 @@ void add_errors(const std::vector<ChannelErrors>& errors, std::size_t frequency_
 
 }  // namespace
 
-RowCollector::RowCollector(const SolvePlan& plan, std::vector<double> edge_lengths)
+RowCollector::RowCollector(const SolvePlan& plan, const ModelUncertainty& model, std::vector<double> edge_lengths)
     : plan_(plan),
       sweep_(plan.sweep),
-      model_uncertainty_(plan),
+      model_uncertainty_(model),
       first_(plan.looks.computed.size() + 1),
       following_(sweep_.looks.size()),
       sliver_areas_(plan.looks.computed.size()),

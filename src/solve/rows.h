@@ -14,11 +14,11 @@
 namespace raytube {
 
 /// Puts each look's result in its rows and in those of the looks that follow from it, and adds up the counts: as they come, so
-/// that no look is held longer than it takes. Refers to the plan.
+/// that no look is held longer than it takes. Refers to the plan and its model uncertainty.
 class RowCollector {
  public:
   /// `edge_lengths`: of the edges that add to S, all in all, per frequency [m].
-  RowCollector(const SolvePlan& plan, std::vector<double> edge_lengths);
+  RowCollector(const SolvePlan& plan, const ModelUncertainty& model, std::vector<double> edge_lengths);
 
   /// The result of plan.looks.computed[index]; each once, in any order, from any thread.
   void add(std::size_t index, const LookResult& look);
@@ -41,7 +41,7 @@ class RowCollector {
 
   const SolvePlan& plan_;
   const Sweep& sweep_;
-  ModelUncertainty model_uncertainty_;
+  const ModelUncertainty& model_uncertainty_;
   std::vector<std::size_t> first_,
       following_;                     // looks that follow from computed look i: following_[first_[i]...first_[i + 1] - 1]
   std::vector<double> sliver_areas_;  // of each computed look: the one count whose sum depends on its order

@@ -29,7 +29,7 @@ SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& call
   const std::size_t looks = plan.looks.computed.size();
   if (kept.begin) kept.begin(looks);
   const LookSolver solver(plan);
-  RowCollector rows(plan, solver.edge_lengths());
+  RowCollector rows(plan, solver.model_uncertainty(), solver.edge_lengths());
   Progress progress(callback);
   const double share = 1.0 / static_cast<double>(looks);
   std::vector<char> known(looks);

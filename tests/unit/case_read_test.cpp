@@ -18,6 +18,7 @@ TEST(CaseRead, SmallestCaseGetsEveryDefault) {
   EXPECT_TRUE(c.tubes.skip);
   EXPECT_EQ(c.tubes.curved, CurvedSurfaces::convex);
   EXPECT_EQ(c.tubes.tolerance_db, 0.1);
+  EXPECT_EQ(c.tubes.model_share, 0.25);
   EXPECT_EQ(c.tubes.max_per_wavelength, 40.0);
   EXPECT_EQ(c.tubes.max_bounces, 8);
   EXPECT_FALSE(c.tubes.up);
@@ -193,13 +194,34 @@ TEST(CaseRead, LookListBistatic) {
 
 TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
   const std::string json = resolved_case_json(read_text(smallest, {"frequency.ghz=9.4"}));
-  for (const char* part :
-       {"\"title\": \"m\"", "\"unit\": \"mm\"", "\"material\": \"pec\"", "\"ghz\": 9.4", "\"theta_deg\": 90.0",
-        "\"mode\": \"adaptive\"", "\"per_wavelength\": 40.0", "\"clip\": true", "\"skip\": true", "\"curved\": \"convex\"",
-        "\"tolerance_db\": 0.1", "\"max_bounces\": 8", "\"method\": \"fringe\"", "\"order\": 3", "\"receiver_shadow\": false",
-        "\"transition\": \"exact\"", "\"thin_sheets\": true", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
+  for (const char* part : {"\"title\": \"m\"",
+                           "\"unit\": \"mm\"",
+                           "\"material\": \"pec\"",
+                           "\"ghz\": 9.4",
+                           "\"theta_deg\": 90.0",
+                           "\"mode\": \"adaptive\"",
+                           "\"per_wavelength\": 40.0",
+                           "\"clip\": true",
+                           "\"skip\": true",
+                           "\"curved\": \"convex\"",
+                           "\"tolerance_db\": 0.1",
+                           "\"model_share\": 0.25",
+                           "\"max_bounces\": 8",
+                           "\"method\": \"fringe\"",
+                           "\"order\": 3",
+                           "\"receiver_shadow\": false",
+                           "\"transition\": \"exact\"",
+                           "\"thin_sheets\": true",
+                           "\"min_wedge_deg\": 15.0",
+                           "\"plots\": true"})
     EXPECT_THAT(json, HasSubstr(part));
   EXPECT_EQ(json.find("\"receive\""), std::string::npos);
+}
+
+TEST(CaseRead, WhoeverAsksForAToleranceGetsIt) {
+  EXPECT_EQ(read_text(smallest, {"accuracy.tolerance_db=0.1"}).tubes.model_share, 0.0);
+  EXPECT_EQ(read_text(smallest, {"accuracy.tolerance_db=0.1", "accuracy.model_share=0.5"}).tubes.model_share, 0.5);
+  EXPECT_EQ(read_text(smallest, {"accuracy.model_share=0"}).tubes.tolerance_db, 0.1);
 }
 
 TEST(CaseRead, UniformTubesHaveADensityAndNoTolerance) {

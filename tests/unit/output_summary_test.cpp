@@ -55,6 +55,20 @@ TEST(Summary, RowsAboveTheToleranceComeWithTheRemedy) {
   EXPECT_THAT(text(1.001 * limit, run), Not(HasSubstr("above tolerance")));
 }
 
+// 20 log10(1 + 0.2) = 1.6 dB: above the tolerance, and a fifth of the model uncertainty.
+TEST(Summary, RowsThatTheModelUncertaintyPermitsAreToldByThemselves) {
+  SweepResult result = rows({{1.0, 0.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 1.0}}, {{0.2, 0.0, 0.0, 0.0}, {0.3, 0.0, 0.0, 0.0}});
+  result.model = {{{{1.0, 0.0}, {0.0, 1.0}}}, {{{1.0, 0.0}, {0.0, 1.0}}}};
+  EXPECT_THAT(summary_text(result, facts()),
+              AllOf(HasSubstr("within model share 1 of 2 rows are above accuracy.tolerance_db = 0.1, but below 0.25 of the model "
+                              "uncertainty (accuracy.model_share)\n"),
+                    HasSubstr("above tolerance    1 of 2 rows")));
+  RunFacts run = facts();
+  run.tubes.model_share = 0.0;
+  EXPECT_THAT(summary_text(result, run),
+              AllOf(Not(HasSubstr("within model share")), HasSubstr("above tolerance    2 of 2 rows")));
+}
+
 TEST(Summary, TruncatedTubesByReason) {
   SweepResult result = rows({{1.0, 0.0, 0.0, 1.0}}, {{}});
   result.statistics.truncated[Truncation::bounces] = {12, 0.01};

@@ -3,6 +3,7 @@
 
 #include "mesh/load.h"
 #include "run.h"
+#include "scene/tolerance.h"
 #include "shapes.h"
 
 namespace raytube {
@@ -135,6 +136,29 @@ TEST(Estimate, OfAVehicleIsSharp) {
   EXPECT_LE(quantile(ratios, 0.5), 2.8);
 }
 
+// Four looks at the truck: where the tolerance is exceeded, what is left is within the share of the model uncertainty that every
+// row is told with.
+TEST(Estimate, StopsAtAShareOfTheModelUncertainty) {
+  const Target truck(load_mesh(RAYTUBE_SOURCE_DIR "/cases/haul_truck/truck.ply", 1e-3).mesh);
+  std::vector<Direction> directions;
+  for (const double phi : {12.0, 66.0, 110.0, 151.0}) directions.push_back({90.0 * degree, phi * degree});
+  const Sweep sweep = monostatic(directions, 94e9);
+  SolveOptions o;
+  o.edges.method = EdgeMethod::none;
+  o.tubes.max_bounces = 5;
+  const SweepResult result = solve(truck, sweep, o);
+  o.tubes.model_share = 0.0;
+  const SweepResult fine = solve(truck, sweep, o);
+  const double tolerance = relative_tolerance(o.tubes.tolerance_db);
+  int above = 0;
+  for (std::size_t row = 0; row < sweep.rows(); ++row) {
+    above += excess(result.total[row], result.error[row], tolerance) > 1.0 ? 1 : 0;
+    EXPECT_LE(excess(result.total[row], result.error[row], tolerance, scaled(result.model[row], 0.25)), 1.0);
+    EXPECT_LE(excess(fine.total[row], fine.error[row], tolerance), 1.0);
+  }
+  EXPECT_GT(above, 0);
+}
+
 // A sphere of many small facets is sampled; cells get smaller until the tolerance is met.
 TEST(Estimate, ToleranceIsMet) {
   const PolygonSoup soup = shapes::icosphere(4, 1.5);
@@ -143,6 +167,7 @@ TEST(Estimate, ToleranceIsMet) {
   o.tubes.curved = CurvedSurfaces::never;
   o.tubes.max_per_wavelength = 80.0;
   const Sweep sweep = looks(1.0, 6);
+  o.tubes.model_share = 0.0;
   for (const double tolerance_db : {0.5, 0.1}) {
     o.tubes.tolerance_db = tolerance_db;
     const SweepResult result = solve_soup(soup, sweep, o);

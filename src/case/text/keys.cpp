@@ -14,7 +14,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 43> known_keys = {"title",
+constexpr std::array<std::string_view, 44> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -33,6 +33,7 @@ constexpr std::array<std::string_view, 43> known_keys = {"title",
                                                          "tubes.clip",
                                                          "tubes.curved",
                                                          "accuracy.tolerance_db",
+                                                         "accuracy.model_share",
                                                          "tubes.skip",
                                                          "edges.method",
                                                          "edges.order",

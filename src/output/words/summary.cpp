@@ -31,10 +31,9 @@ double peak_sigma_dbsm(const SweepResult& result) {
 // The largest levels [dB] of each kind of channel; below zero: there is none.
 struct LargestErrors {
   double co = -1.0, cross = -1.0, low = -1.0;
-  std::size_t rows_above = 0;
 };
 
-LargestErrors largest_errors(const SweepResult& result, const std::vector<ChannelErrors>& errors, double tolerance_db) {
+LargestErrors largest_errors(const SweepResult& result, const std::vector<ChannelErrors>& errors) {
   LargestErrors found;
   for (std::size_t row = 0; row < result.total.size(); ++row) {
     const ScatteringMatrix& s = result.total[row];
@@ -46,9 +45,26 @@ LargestErrors largest_errors(const SweepResult& result, const std::vector<Channe
       double& kind = low ? found.low : channel == 0 || channel == 3 ? found.co : found.cross;
       kind = std::max(kind, levels[static_cast<std::size_t>(channel)]);
     }
-    found.rows_above += excess(s, errors[row], relative_tolerance(tolerance_db)) > 1.0 ? 1 : 0;
   }
   return found;
+}
+
+// Rows whose numerical error is above the tolerance, by whether the model uncertainty permits that.
+struct RowsAbove {
+  std::size_t permitted = 0, others = 0;
+};
+
+RowsAbove rows_above(const SweepResult& result, const TubeOptions& tubes) {
+  RowsAbove rows;
+  const double tolerance = relative_tolerance(tubes.tolerance_db);
+  for (std::size_t row = 0; row < result.total.size(); ++row) {
+    const ScatteringMatrix& s = result.total[row];
+    if (!std::isfinite(frobenius_norm(s)) || !(excess(s, result.error[row], tolerance) > 1.0)) continue;
+    const ChannelErrors model = result.model.empty() ? ChannelErrors{} : result.model[row];
+    const bool permitted = !(excess(s, result.error[row], tolerance, scaled(model, tubes.model_share)) > 1.0);
+    ++(permitted ? rows.permitted : rows.others);
+  }
+  return rows;
 }
 
 std::string levels_text(const LargestErrors& errors) {
@@ -67,12 +83,19 @@ std::string remedy(const SweepResult& result, const RunFacts& facts) {
 }
 
 std::string error_lines(const SweepResult& result, const RunFacts& facts) {
-  const LargestErrors errors = largest_errors(result, result.error, facts.tubes.tolerance_db);
-  const std::string text = line("numerical error", levels_text(errors));
-  if (!facts.tubes.refines() || errors.rows_above == 0) return text;
-  return text +
-         line("above tolerance", fmt::format("{} of {} rows (accuracy.tolerance_db = {}): {}", errors.rows_above,
-                                             result.total.size(), number_text(facts.tubes.tolerance_db), remedy(result, facts)));
+  std::string text = line("numerical error", levels_text(largest_errors(result, result.error)));
+  if (!facts.tubes.refines()) return text;
+  const RowsAbove above = rows_above(result, facts.tubes);
+  const std::string tolerance = number_text(facts.tubes.tolerance_db);
+  if (above.permitted > 0)
+    text += line("within model share",
+                 fmt::format("{} of {} rows are above accuracy.tolerance_db = {}, but below {} of the model uncertainty "
+                             "(accuracy.model_share)",
+                             above.permitted, result.total.size(), tolerance, number_text(facts.tubes.model_share)));
+  if (above.others > 0)
+    text += line("above tolerance", fmt::format("{} of {} rows (accuracy.tolerance_db = {}): {}", above.others,
+                                                result.total.size(), tolerance, remedy(result, facts)));
+  return text;
 }
 
 double largest_co_polar(const SweepResult& result) {

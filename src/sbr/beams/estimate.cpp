@@ -91,7 +91,7 @@ void add_truncated_tubes(TubeSums& sums) {
       for (std::size_t q = 0; q < 2; ++q) sums.error[f][p][q] += truncated.error(f, p, q);
 }
 
-double excess(const TubeSums& sums, std::vector<ChannelErrors> errors, double relative_tolerance, bool monostatic) {
+double excess(const TubeSums& sums, std::vector<ChannelErrors> errors, const PermittedErrors& permitted, bool monostatic) {
   double worst = 0.0;
   for (std::size_t f = 0; f < errors.size(); ++f) {
     ScatteringMatrix total = sums.total(f);
@@ -99,7 +99,8 @@ double excess(const TubeSums& sums, std::vector<ChannelErrors> errors, double re
       total.at(0, 1) = total.at(1, 0) = 0.5 * (total.at(0, 1) + total.at(1, 0));
       errors[f][0][1] = errors[f][1][0] = 0.5 * (errors[f][0][1] + errors[f][1][0]);
     }
-    worst = std::max(worst, excess(total, errors[f], relative_tolerance));
+    const ChannelErrors in_any_case = permitted.in_any_case.empty() ? ChannelErrors{} : permitted.in_any_case[f];
+    worst = std::max(worst, excess(total, errors[f], permitted.relative_tolerance, in_any_case));
   }
   return worst;
 }

@@ -36,6 +36,12 @@ std::vector<ScatteringMatrix>& TubeSums::at(int bounce, std::size_t frequencies)
   return bounces[b];
 }
 
+std::vector<ScatteringMatrix> TubeSums::bounces_at(std::size_t frequency) const {
+  std::vector<ScatteringMatrix> result;
+  for (const std::vector<ScatteringMatrix>& bounce : bounces) result.push_back(bounce[frequency]);
+  return result;
+}
+
 ScatteringMatrix TubeSums::total(std::size_t frequency) const {
   ScatteringMatrix sum;
   for (const std::vector<ScatteringMatrix>& bounce : bounces) sum += bounce[frequency];

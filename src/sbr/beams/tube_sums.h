@@ -50,6 +50,8 @@ struct TubeSums {
 
   /// S of all bounces at a frequency, by its index.
   ScatteringMatrix total(std::size_t frequency) const;
+  /// S of bounce 1, 2, ... [m].
+  std::vector<ScatteringMatrix> bounces_at(std::size_t frequency) const;
 
   /// A tube of this area across its wave [m^2], of this amplitude of unit incident ones, met a surface.
   void meet(int bounce, double area, double amplitude);
