@@ -9,7 +9,7 @@
 #include "core/csv_reader.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "program/commands.h"
+#include "program/options.h"
 
 namespace raytube {
 
@@ -91,48 +91,6 @@ constexpr const char* sources_examples =
     "Examples:\n"
     "  raytube sources cases/double_slit/case.toml\n"
     "  raytube sources case.toml --set source.rays=1000000 --set source.models=geometry";
-
-void add_set_option(CLI::App& command, Request& request) {
-  command.add_option("--set", request.overrides, "Override a case key: KEY=VALUE with a dotted key; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void add_case_options(CLI::App& command, Request& request) {
-  command.add_option("case", request.case_file, "Case file (TOML)")->required()->type_name("CASE.toml");
-  add_set_option(command, request);
-}
-
-void add_output_option(CLI::App& command, Request& request, const char* description) {
-  command.add_option("-o,--output", request.output_folder, description)->type_name("DIR")->check([](const std::string& name) {
-    return name.empty() ? "needs the name of a folder" : std::string();
-  });
-}
-
-void add_threads_option(CLI::App& command, Request& request) {
-  command.add_option("--threads", request.threads, "Number of threads; default all cores")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
-}
-
-void add_machine_options(CLI::App& command, Request& request) {
-  add_threads_option(command, request);
-  command
-      .add_option("--instruction-set", request.instruction_set,
-                  "Use none wider than this one: sse2, sse4.2, avx, avx2, avx512; default the processor's. Results are the same")
-      ->type_name("NAME");
-}
-
-void add_quiet_option(CLI::App& command, Request& request, const char* summary) {
-  command.add_flag("--quiet", request.quiet, fmt::format("No progress, no {}; warnings are told all the same", summary));
-}
-
-CLI::App* add_command(CLI::App& app, const char* name, const char* description, const char* examples) {
-  CLI::App* command = app.add_subcommand(name, description);
-  command->footer(examples);
-  return command;
-}
 
 // A check of CLI11 for whole numbers.
 auto whole_number(std::uint64_t least, std::uint64_t most) {
@@ -328,14 +286,15 @@ bool wants_tube(const CLI::App& trace) {
 void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2)
     throw InputError(
-        "no command; write run, check, trace, converge or sources and a case file, or compare or convert and two files (see "
-        "raytube "
-        "--help)");
+        "no command; write run, check, trace, converge or sources and a case file, profile or isar and a case or a result, or "
+        "compare or convert and two files (see raytube --help)");
   const std::string word = argv[1];
   const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
-    throw InputError(fmt::format(
-        "unknown command \"{}\"; write run, check, trace, converge, sources, compare or convert (see raytube --help)", word));
+    throw InputError(
+        fmt::format("unknown command \"{}\"; write run, check, trace, converge, sources, compare, convert, profile or isar (see "
+                    "raytube --help)",
+                    word));
 }
 
 }  // namespace
@@ -353,6 +312,8 @@ Request parse_command_line(int argc, const char* const* argv) {
   CLI::App* converge = add_converge(app, request);
   CLI::App* convert = add_convert(app, request);
   CLI::App* sources = add_sources(app, request);
+  CLI::App* profile = add_profile(app, request);
+  CLI::App* isar = add_isar(app, request);
   check_first_word(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -361,13 +322,15 @@ Request parse_command_line(int argc, const char* const* argv) {
     app.exit(error);
     return request;
   }
-  const std::array<std::pair<const CLI::App*, Command>, 7> commands = {{{run, Command::run},
+  const std::array<std::pair<const CLI::App*, Command>, 9> commands = {{{run, Command::run},
                                                                         {check, Command::check},
                                                                         {trace, Command::trace},
                                                                         {compare, Command::compare},
                                                                         {converge, Command::converge},
                                                                         {convert, Command::convert},
-                                                                        {sources, Command::sources}}};
+                                                                        {sources, Command::sources},
+                                                                        {profile, Command::profile},
+                                                                        {isar, Command::isar}}};
   if (run->count("--launch") == 0) request.random.reset();
   if (request.random && request.parts)
     throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");
@@ -375,6 +338,8 @@ Request parse_command_line(int argc, const char* const* argv) {
     throw InputError("--resume: random tubes are drawn anew as a whole; leave out --resume or --launch random");
   if (*converge) sort_out_studied(*converge, request);
   if (*trace) request.tube = wants_tube(*trace);
+  for (const CLI::App* product : {profile, isar})
+    if (*product) check_product_options(*product, request);
   for (const auto& [given, command] : commands)
     if (*given) request.command = command;
   return request;

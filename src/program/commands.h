@@ -1,23 +1,36 @@
 // The room of the program: the command line, and nothing that another program could want.
 //
 //     command_line  arguments -> Request;  main: Request -> command, exceptions -> sentence and exit code
-//     run, check, trace, compare, converge, convert, sources: the commands, each in a file of its name
+//     run, check, trace, compare, converge, convert, sources, profile, isar: the commands, each in a file of its name
+//     products      what profile and isar take: a result that is there, or a case that is solved first
 //     results, look_journal, interrupt, progress_bar: how a command brings its files into place, survives being stopped and
 //                   tells how far it is
 //
 // This file: what the user asked for, and the commands that answer.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "imaging/window.h"
 #include "scene/random_result.h"
 
 namespace raytube {
 
-enum class Command { none, run, check, trace, compare, converge, convert, sources };
+enum class Command { none, run, check, trace, compare, converge, convert, sources, profile, isar };
+
+/// What profile and isar make of a sweep.
+struct ProductRequest {
+  Window window;                              // over frequencies, of images over angles, too
+  int padding = 4;                            // profile: ranges to a resolution cell
+  double pixels = 4.0;                        // isar: cells of the image to a resolution cell
+  std::vector<double> size;                   // isar: of the image along its axes [m]; empty: the target's
+  std::optional<std::array<double, 2>> plan;  // isar: size and resolution of a target to be planned for [m]; nothing is computed
+  double plan_ghz = 10.0;                     // isar: middle of the planned band
+};
 
 struct Request {
   Command command = Command::none;  // none: help or version was printed
@@ -48,6 +61,7 @@ struct Request {
   double within_db = 20.0;                        // compare: rows that count
   std::optional<double> tolerance_db;             // compare: fall short above it
   std::optional<double> tolerance_relative;       // same
+  ProductRequest product;                         // profile, isar; their input is `result`
 };
 
 /// Throws InputError for a command line that cannot be understood.
@@ -62,5 +76,7 @@ void converge_command(const Request& request);
 void converge_results(const Request& request);  // converge_command for results that are there
 void convert_command(const Request& request);
 void sources_command(const Request& request);
+void profile_command(const Request& request);
+void isar_command(const Request& request);
 
 }  // namespace raytube

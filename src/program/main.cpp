@@ -45,6 +45,10 @@ void execute(const Request& request) {
       return convert_command(request);
     case Command::sources:
       return sources_command(request);
+    case Command::profile:
+      return profile_command(request);
+    case Command::isar:
+      return isar_command(request);
     case Command::none:
       return;
   }

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "core/threads.h"
+
 namespace raytube {
 
 namespace {
@@ -12,6 +14,13 @@ namespace {
 void tell(const std::string& line) { fmt::print(stderr, "raytube: {}\n", line); }
 
 }  // namespace
+
+std::string work_text(const SolvePlan& plan) {
+  const std::size_t looks = plan.looks.computed.size(), frequencies = plan.sweep.frequencies.size();
+  const int threads = plan.threads > 0 ? plan.threads : all_threads();
+  return fmt::format("solving {} look{} at {} frequenc{} on {} thread{}", looks, looks == 1 ? "" : "s", frequencies,
+                     frequencies == 1 ? "y" : "ies", threads, threads == 1 ? "" : "s");
+}
 
 ProgressBar::ProgressBar(bool quiet, const std::string& work, double there)
     : kind_(quiet                        ? Kind::none

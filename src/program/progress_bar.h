@@ -6,8 +6,12 @@
 
 #include "core/progress_lines.h"
 #include "core/time_left.h"
+#include "plan/plan.h"
 
 namespace raytube {
+
+/// What a solve will do, in a line.
+std::string work_text(const SolvePlan& plan);
 
 class ProgressBar {
  public:

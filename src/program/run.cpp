@@ -63,13 +63,6 @@ struct Solved {
   std::optional<RandomResult> by_chance = {};
 };
 
-std::string work_text(const SolvePlan& plan) {
-  const std::size_t looks = plan.looks.computed.size(), frequencies = plan.sweep.frequencies.size();
-  const int threads = plan.threads > 0 ? plan.threads : all_threads();
-  return fmt::format("solving {} look{} at {} frequenc{} on {} thread{}", looks, looks == 1 ? "" : "s", frequencies,
-                     frequencies == 1 ? "y" : "ies", threads, threads == 1 ? "" : "s");
-}
-
 Solved solve_with_progress(const SolvePlan& plan, const Request& request, LookJournal& journal) {
   const double there = static_cast<double>(journal.resumed()) / static_cast<double>(plan.looks.computed.size());
   ProgressBar bar(request.quiet, work_text(plan), there);

@@ -80,24 +80,27 @@ const Rooms may_include = {
     {"case/directions", {"core", "scene", "case/data", "case/text"}},
     {"case/materials", {"core", "scene", "case/data", "case/text"}},
     {"case", {"core", "scene", "mesh", "mesh/model", "case/data", "case/text", "case/directions", "case/materials"}},
+    {"imaging", {"core", "math"}},
+
     {"output/files", {"core", "scene"}},
     {"output/netcdf", {"core", "output/files"}},
     {"output/tables", {"core", "scene", "output/files", "output/netcdf"}},
     {"output/compare", {"core", "scene", "output/files", "output/netcdf", "output/tables"}},
-    {"output/vtk", {"core", "scene", "output/files", "output/tables"}},
+    {"output/products", {"core", "imaging", "output/files", "output/netcdf", "output/tables"}},
+    {"output/vtk", {"core", "scene", "imaging", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
-    {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
+    {"output/plots", {"core", "scene", "imaging", "output/files", "output/netcdf", "output/tables", "output/compare"}},
     {"jobs/warnings",
      base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "plan", "solve", "solve/mechanisms"}},
     {"jobs",
      base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/files", "output/tables",
                                   "output/words", "plan", "sbr", "sbr/launch", "solve", "solve/mechanisms"}},
-    {"program", base +
-                    std::set<std::string>{
-                        "jobs",           "jobs/warnings", "case",          "case/data",    "case/materials", "mesh",
-                        "output/compare", "output/files",  "output/netcdf", "output/plots", "output/words",   "output/tables",
-                        "output/vtk",     "plan",          "point_source",  "sbr",          "solve",          "solve/mechanisms",
-                        "utd/shadow",     "utd/wedge"}},
+    {"program",
+     base + std::set<std::string>{"jobs",         "jobs/warnings",  "case",         "case/data",       "case/materials",
+                                  "mesh",         "output/compare", "output/files", "output/netcdf",   "output/plots",
+                                  "output/words", "output/tables",  "imaging",      "output/products", "output/vtk",
+                                  "plan",         "point_source",   "sbr",          "solve",           "solve/mechanisms",
+                                  "utd/shadow",   "utd/wedge"}},
 };
 
 struct SourceFile {

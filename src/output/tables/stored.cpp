@@ -108,11 +108,16 @@ class StoredRows {
 
 }  // namespace
 
-StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::string& note) {
+StoredResult stored_sweep(const Sweep& sweep) {
   StoredResult stored;
   stored.frequency_hz = sweep.frequencies;
   for (const Look& look : sweep.looks) stored.looks.push_back(stored_look(look));
   stored.bistatic = sweep.bistatic;
+  return stored;
+}
+
+StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::string& note) {
+  StoredResult stored = stored_sweep(sweep);
   stored.s = result.total;
   for (auto* levels : {&stored.sigma_dbsm, &stored.err_db, &stored.model_db}) levels->reserve(sweep.rows());
   for (std::size_t row = 0; row < sweep.rows(); ++row) {

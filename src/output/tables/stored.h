@@ -10,6 +10,9 @@
 
 namespace raytube {
 
+/// Its frequencies and looks, without S.
+StoredResult stored_sweep(const Sweep& sweep);
+
 /// All that files say of a solve. `note` is a further comment line of rcs.csv, or empty. Attributes are the caller's.
 StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::string& note = "");
 

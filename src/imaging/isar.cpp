@@ -1,0 +1,171 @@
+#include "imaging/isar.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "core/error.h"
+
+namespace raytube {
+
+namespace {
+
+dvec3 direction_of(double theta_deg, double phi_deg) { return spherical_basis({theta_deg * degree, phi_deg * degree}).radial; }
+
+// Orthonormal: away from the radar, along rising azimuth, upwards; two or three of them.
+std::vector<dvec3> axis_directions(const AngleGrid& grid) {
+  const SphericalBasis middle = spherical_basis({grid.theta_deg.middle() * degree, grid.phi_deg.middle() * degree});
+  const bool azimuth = grid.phi_deg.count > 1, elevation = grid.theta_deg.count > 1;
+  if (azimuth && elevation) return {-middle.radial, middle.phi_hat, -middle.theta_hat};
+  if (elevation) return {-middle.radial, -middle.theta_hat};
+  return {glm::cross(middle.phi_hat, dvec3(0.0, 0.0, 1.0)) * -1.0, middle.phi_hat};
+}
+
+// Weights of an axis' samples, of sum 1.
+std::vector<double> shares(const Window& window, std::size_t count) {
+  std::vector<double> result = weights(window, count);
+  const double all = std::accumulate(result.begin(), result.end(), 0.0);
+  for (double& each : result) each /= all;
+  return result;
+}
+
+// The samples of the grid with their weights: wave vectors along the image's axes.
+struct WeightedSamples {
+  std::vector<dvec3> wave_vectors;  // [rad/m]
+  std::vector<double> weight;       // of sum 1
+  std::vector<std::size_t> rows;
+};
+
+WeightedSamples weighted_samples(const SweepSamples& samples, const AngleGrid& grid, const IsarOptions& options,
+                                 const std::vector<dvec3>& axes) {
+  const std::vector<double> of_frequency = shares(options.window, samples.frequency.count),
+                            of_theta = shares(options.window, grid.theta_deg.count),
+                            of_phi = shares(options.window, grid.phi_deg.count);
+  WeightedSamples result;
+  double all = 0.0;
+  for (std::size_t i = 0; i < grid.looks.size(); ++i) {
+    const SweepLook& look = samples.looks[grid.looks[i]];
+    const std::size_t t = i / grid.phi_deg.count;
+    const double sine = std::sin(grid.theta_deg.at(t) * degree), of_angle = of_theta[t] * of_phi[i % grid.phi_deg.count];
+    for (std::size_t f = 0; f < samples.frequency.count; ++f) {
+      const double k = samples.wavenumber_at(f);
+      dvec3 along(0.0);
+      for (std::size_t axis = 0; axis < axes.size(); ++axis)
+        along[static_cast<int>(axis)] = k * glm::dot(look.transmit + look.receive, axes[axis]);
+      // k dk dangle in the plane, k^2 sin theta dk dtheta dphi in space.
+      const double volume = axes.size() == 3 ? k * k * sine : k;
+      result.wave_vectors.push_back(along);
+      all += result.weight.emplace_back(of_frequency[f] * of_angle * volume);
+      result.rows.push_back(samples.row(grid.looks[i], f));
+    }
+  }
+  for (double& each : result.weight) each /= all;
+  return result;
+}
+
+// From the step of the samples along an axis in the middle of the sweep, so many of them, and their weights.
+ImageAxis image_axis(const dvec3& direction, double step, std::size_t count, const Window& window) {
+  const double unambiguous = 2.0 * pi / step, cell = unambiguous / static_cast<double>(count);
+  return {direction, cell, cell * peak_width(weights(window, count)), unambiguous};
+}
+
+EvenGrid image_grid(const std::vector<ImageAxis>& axes, const IsarOptions& options, const std::string& what) {
+  EvenGrid grid;
+  double cells = 1.0;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const double size = options.size[i] > 0.0 ? options.size[i] : axes[i].unambiguous;
+    const double count = std::ceil(size * options.pixels / axes[i].cell);
+    cells *= count;
+    if (cells > static_cast<double>(most_image_cells))
+      throw InputError(fmt::format("{}: an image of {:g} cells, more than {}; ask for a smaller one with --size", what, cells,
+                                   most_image_cells));
+    grid.count[i] = std::max<std::size_t>(2, static_cast<std::size_t>(count));
+    grid.step[i] = axes[i].cell / options.pixels;
+  }
+  return grid;
+}
+
+std::vector<Complex> weighted(const SweepSamples& samples, const WeightedSamples& some, int channel) {
+  std::vector<Complex> values;
+  values.reserve(some.rows.size());
+  for (std::size_t j = 0; j < some.rows.size(); ++j)
+    values.push_back(some.weight[j] * samples.s[some.rows[j]].at(channel / 2, channel % 2));
+  return values;
+}
+
+void focus_far(const SweepSamples& samples, const WeightedSamples& some, IsarImage& image) {
+  const GriddedTransform transform(image.grid, some.wave_vectors);
+  tbb::parallel_for(0, 4, [&](int channel) {
+    const std::vector<Complex> values = transform(weighted(samples, some, channel));
+    for (std::size_t i = 0; i < values.size(); ++i) image.s[i].at(channel / 2, channel % 2) = values[i];
+  });
+}
+
+// The sum over one look's frequencies for one place: its phases are in even steps.
+ScatteringMatrix projected(const SweepSamples& samples, const WeightedSamples& some, std::size_t first, double length) {
+  ScatteringMatrix sum;
+  Complex phase = std::polar(1.0, -samples.wavenumber_at(0) * length);
+  const Complex step = std::polar(1.0, -wavenumber(samples.frequency.step) * length);
+  for (std::size_t j = first; j < first + samples.frequency.count; ++j, phase *= step) {
+    ScatteringMatrix sample = samples.s[some.rows[j]];
+    sum += sample *= some.weight[j] * phase;
+  }
+  return sum;
+}
+
+void focus_near(const SweepSamples& samples, const AngleGrid& grid, const WeightedSamples& some, IsarImage& image) {
+  tbb::parallel_for(std::size_t{0}, image.s.size(), [&](std::size_t i) {
+    const dvec3 place = image.place(i);
+    for (std::size_t look = 0; look < grid.looks.size(); ++look)
+      image.s[i] += projected(samples, some, look * samples.frequency.count, samples.looks[grid.looks[look]].phase_length(place));
+  });
+}
+
+}  // namespace
+
+std::vector<ImageAxis> image_axes(const SweepSamples& samples, const AngleGrid& grid, const Window& window) {
+  const std::vector<dvec3> directions = axis_directions(grid);
+  const double k = wavenumber(samples.frequency.middle()), dk = wavenumber(std::abs(samples.frequency.step));
+  const dvec3 middle = direction_of(grid.theta_deg.middle(), grid.phi_deg.middle());
+  std::vector<ImageAxis> axes{
+      image_axis(directions[0], 2.0 * dk * std::abs(glm::dot(middle, directions[0])), samples.frequency.count, window)};
+  const double sine = std::sin(grid.theta_deg.middle() * degree);
+  const double azimuth = 2.0 * k * sine * std::abs(grid.phi_deg.step) * degree,
+               elevation = 2.0 * k * std::abs(grid.theta_deg.step) * degree;
+  if (grid.phi_deg.count > 1) axes.push_back(image_axis(directions[1], azimuth, grid.phi_deg.count, window));
+  if (grid.theta_deg.count > 1) axes.push_back(image_axis(directions.back(), elevation, grid.theta_deg.count, window));
+  return axes;
+}
+
+dvec3 IsarImage::place(std::size_t index) const {
+  dvec3 at(0.0);
+  for (std::size_t axis = axes.size(); axis-- > 0;) {
+    at += coordinate(axis, index % grid.count[axis]) * axes[axis].direction;
+    index /= grid.count[axis];
+  }
+  return at;
+}
+
+void require_aperture(const SweepSamples& samples, const AngleGrid& grid, const std::string& what) {
+  if (samples.frequency.count < 2 || grid.looks.size() < 2)
+    throw InputError(
+        fmt::format("{} has one {}; an image needs several frequencies and several angles (raytube isar --plan SIZE "
+                    "RESOLUTION writes a case)",
+                    what, samples.frequency.count < 2 ? "frequency" : "look"));
+}
+
+IsarImage isar_image(const SweepSamples& samples, const AngleGrid& grid, const IsarOptions& options, const std::string& what) {
+  IsarImage image{.axes = image_axes(samples, grid, options.window)};
+  image.grid = image_grid(image.axes, options, what);
+  image.s.resize(image.grid.size());
+  const WeightedSamples some = weighted_samples(samples, grid, options, axis_directions(grid));
+  if (samples.looks.front().far())
+    focus_far(samples, some, image);
+  else
+    focus_near(samples, grid, some, image);
+  return image;
+}
+
+}  // namespace raytube

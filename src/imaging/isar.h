@@ -1,0 +1,58 @@
+// ISAR images: S over frequency and one or two angles, brought to the places it comes from.
+//
+//   I(x) = sum over samples of w S e^{-j K . x} / sum of w,   K = k (s + s')
+//
+// s, s': directions to transmitter and receiver, K: the wave vector of a sample. A point at x of amplitude A that all looks see
+// alike has I(x) = A. Far away K . x is linear in x, and the sum is made by gridding (imaging/fourier.h), exact to 1e-7 of the
+// sum of |S| however wide the angle is; at a finite distance it is exact back projection with the paths to every place. (Mensa,
+// High Resolution Radar Cross-Section Imaging, 1991, ch. 4; Jakowatz et al., Spotlight-Mode Synthetic Aperture Radar, 1996,
+// ch. 2.) Samples of a polar grid count by the volume they stand for in K.
+#pragma once
+
+#include "imaging/fourier.h"
+#include "imaging/sweep_grid.h"
+#include "imaging/window.h"
+
+namespace raytube {
+
+struct IsarOptions {
+  Window window{};               // over frequency and angles
+  std::array<double, 3> size{};  // [m] along range, cross-range and the third axis; 0: all that is unambiguous
+  double pixels = 4.0;           // to a resolution cell of even weights
+};
+
+/// What an image shows along one axis.
+struct ImageAxis {
+  dvec3 direction;     // unit, in the coordinates of the target
+  double cell;         // of even weights, from the peak to the first null [m]
+  double resolution;   // width of a point's peak 3 dB below its top [m]
+  double unambiguous;  // what is farther apart lies upon one another [m]
+};
+
+/// The axes of a sweep over frequency and angles: away from the radar in the middle of the angles, along rising azimuth, and,
+/// with azimuth and elevation both, upwards, seen from there. With azimuth alone the first two lie in the plane z = 0, whatever
+/// theta: what is above it is displaced.
+std::vector<ImageAxis> image_axes(const SweepSamples& samples, const AngleGrid& grid, const Window& window);
+
+/// I over an even grid about the origin of the target's coordinates. `s`: the last axis runs fastest.
+struct IsarImage {
+  std::vector<ImageAxis> axes;  // two or three
+  EvenGrid grid{};
+  std::vector<ScatteringMatrix> s{};  // [m]
+
+  /// A point of the grid in the coordinates of the target [m].
+  dvec3 place(std::size_t index) const;
+  double coordinate(std::size_t axis, std::size_t i) const {
+    return (static_cast<double>(i) - static_cast<double>(grid.count[axis] / 2)) * grid.step[axis];
+  }
+};
+
+/// Throws InputError that begins with `what` for one frequency or one angle.
+void require_aperture(const SweepSamples& samples, const AngleGrid& grid, const std::string& what);
+
+inline constexpr std::size_t most_image_cells = 50'000'000;
+
+/// Of several frequencies and angles. Throws InputError that begins with `what` for more than most_image_cells.
+IsarImage isar_image(const SweepSamples& samples, const AngleGrid& grid, const IsarOptions& options, const std::string& what);
+
+}  // namespace raytube

@@ -1,0 +1,46 @@
+// Range profiles: the Fourier transform of S over frequency.
+//
+//   p(R) = sum of w_m S(f_m) e^{j 2 k_m R} / sum of w_m
+//
+// R: range [m] beyond the phase reference, along the line of sight; of a bistatic look along the bisector, times the cosine of
+// half the bistatic angle: half of the additional path. A point at R of amplitude A has p(R) = A, so a point of sigma reads
+// sigma.
+#pragma once
+
+#include "imaging/sweep_grid.h"
+#include "imaging/window.h"
+
+namespace raytube {
+
+struct ProfileOptions {
+  Window window{};
+  int padding = 4;  // ranges to a resolution cell of even weights, at least
+};
+
+/// What a sweep of frequencies resolves.
+struct RangeLimits {
+  double cell;         // c / 2B, B the steps' sum and one more: of even weights, from the peak to the first null [m]
+  double resolution;   // width of a point's peak 3 dB below its top [m]
+  double unambiguous;  // what is farther apart than this lies upon one another: c / 2 df [m]
+};
+
+RangeLimits range_limits(const EvenAxis& frequency, const Window& window);
+
+/// Of many looks. Rows of `s`: looks vary slowest.
+struct RangeProfiles {
+  RangeLimits limits;
+  EvenAxis range{};                             // [m], from minus half of the unambiguous range on
+  std::vector<ScatteringMatrix> s{};            // p [m]
+  std::vector<ChannelErrors> error{}, model{};  // [look] of |p| [m] if all that may be wrong with S came from one range
+};
+
+/// Throws InputError that begins with `what` for one frequency.
+void require_band(const SweepSamples& samples, const std::string& what);
+
+/// Of two frequencies or more.
+RangeProfiles range_profiles(const SweepSamples& samples, const ProfileOptions& options);
+
+/// The step in frequency that a target of this depth along the line of sight asks for [Hz].
+double frequency_step_for(double depth);
+
+}  // namespace raytube

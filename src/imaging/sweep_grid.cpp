@@ -1,0 +1,72 @@
+#include "imaging/sweep_grid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/error.h"
+
+namespace raytube {
+
+namespace {
+
+// Of a step: decimal numbers of tables are rounded to a millionth of a degree, frequencies to a hertz.
+constexpr double even_tolerance = 1e-3;
+
+std::vector<double> without_repetitions(std::vector<double> values) {
+  std::ranges::sort(values);
+  values.erase(std::ranges::unique(values).begin(), values.end());
+  return values;
+}
+
+}  // namespace
+
+EvenAxis even_axis(const std::vector<double>& values, const std::string& what, const std::string& unit) {
+  EvenAxis axis{values.front(), 0.0, values.size()};
+  if (values.size() < 2) return axis;
+  axis.step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+  double least = std::abs(axis.step);
+  for (std::size_t i = 1; i < values.size(); ++i) least = std::min(least, std::abs(values[i] - values[i - 1]));
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (const double step = values[i] - values[i - 1]; std::abs(step - axis.step) > even_tolerance * std::abs(axis.step))
+      throw InputError(
+          fmt::format("{} are not in even steps: from {:.9g} to {:.9g} {} it is {:.6g}, elsewhere {:.6g}; compute "
+                      "{:.9g} to {:.9g} {} in steps of {:.6g}",
+                      what, values[i - 1], values[i], unit, step, i == 1 ? values[2] - values[1] : values[1] - values[0],
+                      values.front(), values.back(), unit, std::copysign(least, axis.step)));
+  return axis;
+}
+
+bool SweepLook::far() const { return std::isinf(transmit_range); }
+
+double SweepLook::phase_length(const dvec3& r) const {
+  if (far()) return glm::dot(transmit + receive, r);
+  const auto nearer = [&](const dvec3& direction, double range) { return range - glm::length(range * direction - r); };
+  return nearer(transmit, transmit_range) + nearer(receive, receive_range);
+}
+
+AngleGrid angle_grid(const std::vector<std::array<double, 2>>& theta_phi_deg, const std::string& what) {
+  std::map<std::array<double, 2>, std::size_t> known;
+  std::vector<double> theta, phi;
+  for (std::size_t i = 0; i < theta_phi_deg.size(); ++i) {
+    if (!known.try_emplace(theta_phi_deg[i], i).second)
+      throw InputError(fmt::format("{} is there twice: theta {:g}, phi {:g} degrees; keep one of them", what, theta_phi_deg[i][0],
+                                   theta_phi_deg[i][1]));
+    theta.push_back(theta_phi_deg[i][0]), phi.push_back(theta_phi_deg[i][1]);
+  }
+  theta = without_repetitions(std::move(theta)), phi = without_repetitions(std::move(phi));
+  AngleGrid grid{even_axis(theta, what + "s in theta", "degrees"), even_axis(phi, what + "s in phi", "degrees"), {}};
+  for (const double t : theta)
+    for (const double p : phi) {
+      const auto found = known.find({t, p});
+      if (found == known.end())
+        throw InputError(
+            fmt::format("{} is missing: theta {:g}, phi {:g} degrees; an image needs every theta at every phi", what, t, p));
+      grid.looks.push_back(found->second);
+    }
+  return grid;
+}
+
+}  // namespace raytube

@@ -1,0 +1,62 @@
+#include "output/products/isar_csv.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "core/decimal.h"
+#include "output/files/files.h"
+#include "output/tables/csv.h"
+
+namespace raytube {
+
+namespace {
+
+std::string vector_text(const dvec3& v) {
+  return fmt::format("({}, {}, {})", number_text(v.x + 0.0), number_text(v.y + 0.0), number_text(v.z + 0.0));
+}
+
+std::string head(const IsarImage& image, const Window& window) {
+  std::string text = fmt::format(
+      "# ISAR image: I(x) = sum of w S exp(-j k (s + s') . x) / sum of w over frequencies and angles, windows: {}. A point of "
+      "sigma "
+      "that\n# all looks see alike reads sigma. Coordinates from the origin of the mesh's own, in metres.\n",
+      name_of(window));
+  for (std::size_t axis = 0; axis < image.axes.size(); ++axis)
+    text += fmt::format("# {}_m along {}: peaks {:.6g} m wide 3 dB below their top, unambiguous {:.6g} m.\n", axis_name(axis),
+                        vector_text(image.axes[axis].direction), image.axes[axis].resolution, image.axes[axis].unambiguous);
+  for (std::size_t axis = 0; axis < image.axes.size(); ++axis) text += fmt::format("{}_m,", axis_name(axis));
+  text += "x_m,y_m,z_m";
+  for (const char* channel : channel_names) text += fmt::format(",re_{0},im_{0}", channel);
+  for (const char* channel : channel_names) text += fmt::format(",sigma_{}_dbsm", channel);
+  return text + '\n';
+}
+
+std::string cell_text(const IsarImage& image, std::size_t index) {
+  std::array<std::size_t, 3> at{};
+  for (std::size_t axis = image.axes.size(), left = index; axis-- > 0; left /= image.grid.count[axis])
+    at[axis] = left % image.grid.count[axis];
+  std::string text;
+  for (std::size_t axis = 0; axis < image.axes.size(); ++axis) text += fmt::format("{:.9g},", image.coordinate(axis, at[axis]));
+  const dvec3 place = image.place(index);
+  text += fmt::format("{:.9g},{:.9g},{:.9g}", place.x + 0.0, place.y + 0.0, place.z + 0.0);
+  for (const int channel : {0, 1, 2, 3}) {
+    const Complex value = image.s[index].at(channel / 2, channel % 2);
+    text += fmt::format(",{:.9g},{:.9g}", value.real(), value.imag());
+  }
+  for (const int channel : {0, 1, 2, 3}) text += fmt::format(",{:.3f}", sigma_dbsm(image.s[index].at(channel / 2, channel % 2)));
+  return text + '\n';
+}
+
+}  // namespace
+
+const char* axis_name(std::size_t axis) { return std::array{"range", "cross_range", "height"}[axis]; }
+
+void write_isar_csv(const std::filesystem::path& file, const IsarImage& image, const Window& window) {
+  OutputFile out(file);
+  out.write(head(image, window));
+  for (std::size_t i = 0; i < image.s.size(); ++i) out.write(cell_text(image, i));
+  out.commit();
+}
+
+}  // namespace raytube

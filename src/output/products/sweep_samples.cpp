@@ -1,0 +1,56 @@
+#include "output/products/sweep_samples.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace raytube {
+
+namespace {
+
+dvec3 direction_of(double theta_deg, double phi_deg) { return spherical_basis({theta_deg * degree, phi_deg * degree}).radial; }
+
+// rcs.csv: level = 20 log10(1 + error / max(|S|, S_max / 100)).
+ChannelErrors errors_of_levels(const ScatteringMatrix& s, const ChannelErrors& levels_db) {
+  ChannelErrors errors{};
+  for (std::size_t p = 0; p < 2; ++p)
+    for (std::size_t q = 0; q < 2; ++q)
+      errors[p][q] = (std::pow(10.0, levels_db[p][q] / 20.0) - 1.0) * std::max(std::abs(s.s[p][q]), 0.01 * largest_amplitude(s));
+  return errors;
+}
+
+std::vector<ChannelErrors> errors_of(const StoredResult& result, const std::vector<ChannelErrors>& metres,
+                                     const std::vector<ChannelErrors>& levels_db) {
+  if (!metres.empty()) return metres;
+  std::vector<ChannelErrors> errors(result.rows());
+  for (std::size_t row = 0; row < levels_db.size(); ++row) errors[row] = errors_of_levels(result.s[row], levels_db[row]);
+  return errors;
+}
+
+}  // namespace
+
+SweepSamples samples_of(const StoredResult& result, const std::string& name) {
+  SweepSamples samples{.frequency = even_axis(result.frequency_hz, name + ": frequencies", "Hz")};
+  for (const StoredLook& look : result.looks)
+    samples.looks.push_back({direction_of(look.theta_deg, look.phi_deg), direction_of(look.rx_theta_deg, look.rx_phi_deg),
+                             look.range_m, look.rx_range_m});
+  samples.s = result.s;
+  samples.error = errors_of(result, result.error_m, result.err_db);
+  samples.model = errors_of(result, result.model_m, result.model_db);
+  return samples;
+}
+
+AngleGrid grid_of_looks(const StoredResult& result, const std::string& name) {
+  std::vector<std::array<double, 2>> angles;
+  for (const StoredLook& look : result.looks) {
+    if (look.theta_deg != look.rx_theta_deg || look.phi_deg != look.rx_phi_deg || look.range_m != look.rx_range_m)
+      throw InputError(fmt::format("{}: its looks are bistatic; images need monostatic ones, without [receive]", name));
+    angles.push_back({look.theta_deg, look.phi_deg});
+  }
+  return angle_grid(angles, name + ": look");
+}
+
+}  // namespace raytube

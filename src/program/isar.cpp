@@ -1,0 +1,143 @@
+// raytube isar: a sweep of frequencies and angles -> an image.
+#include "imaging/isar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "imaging/range_profile.h"
+#include "output/plots/isar_plot.h"
+#include "output/products/isar_csv.h"
+#include "output/products/sweep_samples.h"
+#include "output/tables/csv.h"
+#include "output/vtk/isar_vti.h"
+#include "program/products.h"
+
+namespace raytube {
+
+namespace {
+
+const ResultNames isar_names = {{"isar.png"}, {"isar.csv", "isar.vti"}};
+
+constexpr double room_about = 1.2;  // an image is so much wider than the target
+
+// Along an axis of the image: how far the target reaches to either side of the origin, and how wide it is.
+struct Reach {
+  double half, width;
+};
+
+Reach reach_along(const std::vector<dvec3>& points, const dvec3& axis) {
+  double low = glm::dot(points.front(), axis), high = low;
+  for (const dvec3& point : points) {
+    const double at = glm::dot(point, axis);
+    low = std::min(low, at), high = std::max(high, at);
+  }
+  return {std::max(std::abs(low), std::abs(high)), high - low};
+}
+
+[[noreturn]] void refuse_coarse(const ProductSource& source, std::size_t axis, const ImageAxis& limits, double width, double step,
+                                const char* unit) {
+  throw InputError(
+      fmt::format("{}: the target is {:.3g} m wide along {}, but steps of {:.6g} {} show {:.3g} m without ambiguity; compute "
+                  "steps of {:.3g} {} or less",
+                  source.name, width, axis_name(axis), step, unit, limits.unambiguous, step * limits.unambiguous / width, unit));
+}
+
+// The step of the samples behind an axis of the image, and its unit.
+std::pair<double, const char*> step_of(const SweepSamples& samples, const AngleGrid& grid, std::size_t axis) {
+  if (axis == 0) return {std::abs(samples.frequency.step) * 1e-6, "MHz"};
+  const bool azimuth = axis == 1 && grid.phi_deg.count > 1;
+  return {std::abs(azimuth ? grid.phi_deg.step : grid.theta_deg.step), "degrees"};
+}
+
+// As wide as the target, where it is known, and no wider than what is unambiguous. Throws InputError if the target is.
+std::array<double, 3> image_size(const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
+                                 const ProductRequest& asked) {
+  std::array<double, 3> size{};
+  const std::vector<dvec3> points = source.outermost();
+  const std::vector<ImageAxis> axes = image_axes(samples, grid, asked.window);
+  for (std::size_t axis = 0; axis < axes.size() && !points.empty(); ++axis) {
+    const Reach reach = reach_along(points, axes[axis].direction);
+    const auto [step, unit] = step_of(samples, grid, axis);
+    if (reach.width > axes[axis].unambiguous) refuse_coarse(source, axis, axes[axis], reach.width, step, unit);
+    size[axis] = std::min(2.0 * room_about * reach.half + 4.0 * axes[axis].resolution, axes[axis].unambiguous);
+  }
+  for (std::size_t axis = 0; axis < std::min(asked.size.size(), axes.size()); ++axis) size[axis] = asked.size[axis];
+  return size;
+}
+
+std::string image_text(const IsarImage& image, const Window& window) {
+  std::string text;
+  for (std::size_t axis = 0; axis < image.axes.size(); ++axis) {
+    const ImageAxis& a = image.axes[axis];
+    text += fmt::format(
+        "{:<18} along ({:.4g}, {:.4g}, {:.4g}): resolution {:.4g} m ({} window), unambiguous {:.4g} m, {} cells of {:.4g} m\n",
+        axis_name(axis), a.direction.x + 0.0, a.direction.y + 0.0, a.direction.z + 0.0, a.resolution, name_of(window),
+        a.unambiguous, image.grid.count[axis], image.grid.step[axis]);
+  }
+  const auto peak = std::ranges::max_element(image.s, {}, largest_amplitude);
+  const dvec3 at = image.place(static_cast<std::size_t>(peak - image.s.begin()));
+  return text + fmt::format("peak               {:.2f} dBsm at ({:.4g}, {:.4g}, {:.4g}) m\n",
+                            sigma_dbsm(largest_amplitude(*peak)), at.x + 0.0, at.y + 0.0, at.z + 0.0);
+}
+
+// What a case needs for an image of a target of this size with cells of this resolution, as its sections.
+std::string planned_case(double size, double resolution, double ghz) {
+  constexpr double room = 1.5;  // beside the target
+  const double band = 0.5 * speed_of_light / resolution, step = frequency_step_for(room * size), middle = ghz * 1e9;
+  const auto frequencies = static_cast<int>(std::ceil(band / step)) + 1;
+  const double wave = wavelength(middle), angle = 0.5 * wave / resolution / degree,
+               angle_step = 0.5 * wave / (room * size) / degree;
+  const auto angles = static_cast<int>(std::ceil(angle / angle_step)) + 1;
+  return fmt::format(
+      "# ISAR of a target {:g} m wide with cells of {:g} m: {} frequencies, {} angles. theta_deg, and the middle of phi_deg, are "
+      "yours to set.\n\n[frequency]\nghz = {{ start = {:.9g}, stop = {:.9g}, count = {} }}\n\n[look]\ntheta_deg = 90.0\nphi_deg "
+      "= {{ start = "
+      "{:.9g}, stop = {:.9g}, count = {} }}\n",
+      size, resolution, frequencies, angles, ghz - 0.5e-9 * band, ghz + 0.5e-9 * band, frequencies, -0.5 * angle, 0.5 * angle,
+      angles);
+}
+
+void plan_image(const ProductRequest& asked) {
+  const auto [size, resolution] = *asked.plan;
+  const double band_ghz = 0.5e-9 * speed_of_light / resolution;
+  if (band_ghz >= 2.0 * asked.plan_ghz)
+    throw InputError(fmt::format(
+        "--plan: a resolution of {:g} m takes a band of {:.4g} GHz, which does not fit about {:g} GHz; ask for a coarser "
+        "one, or for a higher --ghz",
+        resolution, band_ghz, asked.plan_ghz));
+  if (size < resolution)
+    throw InputError(
+        fmt::format("--plan: a size of {:g} m is below the resolution of {:g} m; the size comes first", size, resolution));
+  fmt::print("{}", planned_case(size, resolution, asked.plan_ghz));
+}
+
+}  // namespace
+
+void isar_command(const Request& request) {
+  const ProductRequest& asked = request.product;
+  if (asked.plan) return plan_image(asked);
+  AngleGrid grid;
+  std::array<double, 3> size{};
+  const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
+    check_output(product_folder(request), isar_names, {{"the result", request.result}});
+    const SweepSamples samples = samples_of(unsolved.result, unsolved.name);
+    grid = grid_of_looks(unsolved.result, unsolved.name);
+    require_aperture(samples, grid, unsolved.name);
+    size = image_size(unsolved, samples, grid, asked);
+  });
+  const SweepSamples samples = samples_of(source.result, source.name);
+  const IsarImage image = isar_image(samples, grid, {asked.window, size, asked.pixels}, source.name);
+  if (!request.quiet) fmt::print("{}", image_text(image, asked.window));
+  write_products(request, source, isar_names, [&](const std::filesystem::path& folder) {
+    write_isar_csv(folder / "isar.csv", image, asked.window);
+    stop_if_interrupted();
+    write_isar_vti(folder / "isar.vti", image);
+    stop_if_interrupted();
+    if (const std::string trouble = plot_isar(folder, source.title, image, source.lines()); !trouble.empty()) warn(trouble);
+  });
+}
+
+}  // namespace raytube

@@ -1,0 +1,156 @@
+#include "program/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/csv_reader.h"
+#include "core/error.h"
+
+namespace raytube {
+
+void add_set_option(CLI::App& command, Request& request) {
+  command.add_option("--set", request.overrides, "Override a case key: KEY=VALUE with a dotted key; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_case_options(CLI::App& command, Request& request) {
+  command.add_option("case", request.case_file, "Case file (TOML)")->required()->type_name("CASE.toml");
+  add_set_option(command, request);
+}
+
+void add_output_option(CLI::App& command, Request& request, const char* description) {
+  command.add_option("-o,--output", request.output_folder, description)->type_name("DIR")->check([](const std::string& name) {
+    return name.empty() ? "needs the name of a folder" : std::string();
+  });
+}
+
+void add_threads_option(CLI::App& command, Request& request) {
+  command.add_option("--threads", request.threads, "Number of threads; default all cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+}
+
+void add_machine_options(CLI::App& command, Request& request) {
+  add_threads_option(command, request);
+  command
+      .add_option("--instruction-set", request.instruction_set,
+                  "Use none wider than this one: sse2, sse4.2, avx, avx2, avx512; default the processor's. Results are the same")
+      ->type_name("NAME");
+}
+
+void add_quiet_option(CLI::App& command, Request& request, const char* summary) {
+  command.add_flag("--quiet", request.quiet, fmt::format("No progress, no {}; warnings are told all the same", summary));
+}
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* description, const char* examples) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->footer(examples);
+  return command;
+}
+
+namespace {
+
+constexpr const char* profile_examples =
+    "Writes profile.csv, profile.png and .svg, of several looks also waterfall.png and .svg; of a case that it solves first "
+    "rcs.nc, too.\n\n"
+    "Examples:\n"
+    "  raytube profile out/rcs.csv\n"
+    "  raytube profile case.toml -o profile --window hann\n"
+    "  raytube profile rcs.nc -o profile --window taylor --sidelobes 50";
+
+constexpr const char* isar_examples =
+    "Frequencies by one angle give an image in a plane, by azimuth and elevation one in space. Writes isar.csv, isar.png and "
+    "isar.vti (for\n"
+    "ParaView); of a case that it solves first rcs.nc, too. --plan prints the frequencies and looks that a target asks for.\n\n"
+    "Examples:\n"
+    "  raytube isar --plan 6 0.1 --ghz 10\n"
+    "  raytube isar case.toml -o image\n"
+    "  raytube isar out/rcs.csv -o image --window hann --size 8 8";
+
+// As checks of CLI11: empty, or what is wrong.
+std::string not_a_window(const std::string& name) {
+  return window_of_name(name) ? "" : "needs rectangular, hann, hamming, taylor or kaiser (found " + name + ")";
+}
+
+auto number_between(double least, double most) {
+  return [least, most](const std::string& text) -> std::string {
+    const std::optional<double> number = parsed_number(text);
+    return number && *number >= least && *number <= most
+               ? ""
+               : fmt::format("needs a number from {:g} to {:g} (found {})", least, most, text);
+  };
+}
+
+constexpr double least_length = 1e-6, most_length = 1e6;  // [m]
+
+void add_product_options(CLI::App& command, Request& request) {
+  Window& window = request.product.window;
+  command
+      .add_option_function<std::string>(
+          "--window", [&window](const std::string& name) { window.kind = *window_of_name(name); },
+          "rectangular, hann, hamming, taylor (the default) or kaiser: lower side lobes, wider peaks")
+      ->type_name("NAME")
+      ->check(not_a_window);
+  command.add_option("--sidelobes", window.sidelobe_db, "taylor, kaiser: side lobes so far below the peak; default 35")
+      ->type_name("DB")
+      ->check(number_between(least_sidelobe_db, most_sidelobe_db));
+  add_set_option(command, request);
+  add_output_option(command, request, "Folder for the results; default <case folder>/out, or that of the result");
+  add_machine_options(command, request);
+  add_quiet_option(command, request, "summary");
+}
+
+}  // namespace
+
+CLI::App* add_profile(CLI::App& app, Request& request) {
+  CLI::App* profile =
+      add_command(app, "profile", "Range profiles of a sweep over frequency, and their waterfall", profile_examples);
+  profile->add_option("input", request.result, "Result of a run, or a case to be solved first")
+      ->required()
+      ->type_name("RESULT.csv|.nc|CASE.toml");
+  profile->add_option("--padding", request.product.padding, "Ranges to a resolution cell; default 4")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
+  add_product_options(*profile, request);
+  return profile;
+}
+
+CLI::App* add_isar(CLI::App& app, Request& request) {
+  CLI::App* isar = add_command(app, "isar", "Image of a sweep over frequency and angle (ISAR)", isar_examples);
+  isar->add_option("input", request.result, "Result of a run, or a case to be solved first")
+      ->type_name("RESULT.csv|.nc|CASE.toml");
+  isar->add_option("--size", request.product.size, "Of the image along range, cross-range and height [m]; default the target's")
+      ->type_name("M")
+      ->expected(2, 3)
+      ->check(number_between(least_length, most_length));
+  isar->add_option("--pixels", request.product.pixels, "Cells of the image to a resolution cell; default 4")
+      ->type_name("N")
+      ->check(number_between(1.0, 32.0));
+  isar->add_option("--plan", request.product.plan, "Print what a case needs for a target of this size at this resolution [m]")
+      ->type_name("SIZE RESOLUTION")
+      ->check(number_between(least_length, most_length));
+  isar->add_option("--ghz", request.product.plan_ghz, "With --plan: the middle of the band; default 10")
+      ->type_name("F")
+      ->check(number_between(1e-6, 1e9));
+  add_product_options(*isar, request);
+  return isar;
+}
+
+void check_product_options(const CLI::App& command, const Request& request) {
+  const WindowKind kind = request.product.window.kind;
+  if (command.count("--sidelobes") > 0 && kind != WindowKind::taylor && kind != WindowKind::kaiser)
+    throw InputError(
+        fmt::format("--sidelobes: a {} window has side lobes of its own; leave it out, or write --window taylor or kaiser",
+                    name_of(request.product.window)));
+  if (command.get_name() != "isar") return;
+  if (!request.product.plan && command.count("input") == 0)
+    throw InputError("input is required: a result or a case, or --plan SIZE RESOLUTION; see raytube isar --help");
+  if (request.product.plan && command.count("input") > 0)
+    throw InputError("--plan: computes nothing, so that it takes no result and no case; leave one out");
+  if (!request.product.plan && command.count("--ghz") > 0) throw InputError("--ghz: means nothing without --plan; leave it out");
+}
+
+}  // namespace raytube

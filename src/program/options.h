@@ -1,0 +1,27 @@
+// Options that commands have in common, and those of commands that make something of a sweep.
+#pragma once
+
+#include "program/commands.h"
+
+namespace CLI {
+class App;
+}
+
+namespace raytube {
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* description, const char* examples);
+
+void add_set_option(CLI::App& command, Request& request);
+void add_case_options(CLI::App& command, Request& request);
+void add_output_option(CLI::App& command, Request& request, const char* description);
+void add_threads_option(CLI::App& command, Request& request);
+void add_machine_options(CLI::App& command, Request& request);
+void add_quiet_option(CLI::App& command, Request& request, const char* summary);
+
+CLI::App* add_profile(CLI::App& app, Request& request);
+CLI::App* add_isar(CLI::App& app, Request& request);
+
+/// Throws InputError for options of profile and isar that do not go together.
+void check_product_options(const CLI::App& command, const Request& request);
+
+}  // namespace raytube

@@ -1,0 +1,156 @@
+#include "program/products.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "case/read_case.h"
+#include "case/target.h"
+#include "core/error.h"
+#include "core/json.h"
+#include "core/text.h"
+#include "core/threads.h"
+#include "jobs/inputs.h"
+#include "jobs/memory.h"
+#include "jobs/solvable.h"
+#include "output/netcdf/netcdf_file.h"
+#include "output/tables/stored.h"
+#include "program/interrupt.h"
+#include "program/progress_bar.h"
+#include "program/unusable_rows.h"
+#include "scene/sampling.h"
+#include "solve/solve.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* solved_result = "rcs.nc";
+constexpr std::size_t most_lines = 4000;
+
+bool is_case(const fs::path& file) { return lower_case(file.extension().string()) == ".toml"; }
+
+ProductSource solved_case(const Request& request, const SweepCheck& check) {
+  const Case c = read_case(request.result, request.overrides);
+  LoadedMesh loaded = load_target(c);
+  const int threads = request.threads > 0 ? request.threads : all_threads();
+  ProductSource source{.name = c.file.string(), .title = c.title, .result = {}, .target = {}, .solved = true};
+  Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
+  run_on_threads(threads, [&] { source.target = std::make_unique<const Target>(std::move(loaded.mesh), c.wedges); });
+  const SolvePlan plan = plan_of_case(*source.target, c, threads, false);
+  source.result = stored_sweep(c.sweep);
+  check(source);
+  check_memory(plan, c, nullptr);
+  ProgressBar bar(request.quiet, work_text(plan));
+  const SweepResult result = naming_the_case(c, [&] {
+    return solve(plan,
+                 [&](double share) {
+                   bar.show(share);
+                   return !InterruptFlag::raised();
+                 },
+                 {});
+  });
+  warn_of_unusable_rows(result.statistics);
+  source.result = stored(c.sweep, result);
+  manifest.statistics = result.statistics;
+  source.result.attributes = attributes_of(manifest);
+  return source;
+}
+
+std::string text_of(const JsonValue& json, const char* name) {
+  const JsonValue* value = json.find(name);
+  return value ? value->text : "";
+}
+
+// run.json beside a result; none if there is none, or another result's.
+std::optional<JsonValue> run_of(const fs::path& result) {
+  std::ifstream in(fs::absolute(result).parent_path() / "run.json");
+  return parsed_json({std::istreambuf_iterator<char>(in), {}});
+}
+
+// The target of a result, if its meshes are where its run had them, and the same.
+std::unique_ptr<const Target> target_of(const JsonValue& run) {
+  const JsonValue* const mesh = run.find("mesh");
+  try {
+    const Case c = read_case(text_of(run, "case_file"), {});
+    LoadedMesh loaded = load_target(c);
+    if (!mesh || text_of(*mesh, "sha256") != sha256_of_meshes(c, loaded.report).front()) return {};
+    return std::make_unique<const Target>(std::move(loaded.mesh), c.wedges);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+ProductSource stored_result(const fs::path& file) {
+  ProductSource source{.name = file.string(), .title = file.stem().string(), .result = {}, .target = {}};
+  source.result = is_netcdf_name(file) ? read_netcdf(file) : read_rcs_csv(file);
+  for (const auto& [name, text] : source.result.attributes)
+    if (name == "title") source.title = text;
+  const std::optional<JsonValue> run = run_of(file);
+  if (!run) return source;
+  if (const JsonValue* const resolved = run->find("case"); resolved && !text_of(*resolved, "title").empty())
+    source.title = text_of(*resolved, "title");
+  source.target = target_of(*run);
+  return source;
+}
+
+}  // namespace
+
+std::vector<dvec3> ProductSource::outermost() const {
+  if (!target) return {};
+  std::vector<dvec3> points = outermost_points(target->mesh.vertices);
+  for (dvec3& point : points) point += target->mesh.center;
+  return points;
+}
+
+std::vector<std::array<dvec3, 2>> ProductSource::lines() const {
+  std::vector<std::array<dvec3, 2>> lines;
+  if (!target) return lines;
+  std::vector<Wedge> wedges = target->wedges;
+  std::ranges::stable_sort(wedges, std::ranges::greater{}, &Wedge::length);
+  for (std::size_t i = 0; i < std::min(wedges.size(), most_lines); ++i)
+    lines.push_back({wedges[i].start + target->mesh.center, wedges[i].end + target->mesh.center});
+  return lines;
+}
+
+ProductSource product_source(const Request& request, const SweepCheck& check) {
+  if (is_case(request.result)) return solved_case(request, check);
+  if (!request.overrides.empty())
+    throw InputError(fmt::format("--set {}: means nothing for a result that is there; leave it out, or give a case",
+                                 request.overrides.front()));
+  ProductSource source = stored_result(request.result);
+  check(source);
+  return source;
+}
+
+fs::path product_folder(const Request& request) {
+  if (!request.output_folder.empty()) return request.output_folder;
+  const fs::path folder = fs::absolute(request.result).parent_path();
+  return is_case(request.result) ? folder / "out" : folder;
+}
+
+void write_products(const Request& request, const ProductSource& source, const ResultNames& names,
+                    const std::function<void(const fs::path&)>& write) {
+  const OutputFolder folder(product_folder(request));
+  AllOrNothing ending(folder);
+  const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
+  NewResults results(folder.path());
+  write(results.folder());
+  ResultNames all = names;
+  if (source.solved) {
+    write_netcdf(results.folder() / solved_result, source.result);
+    all.tables.insert(all.tables.begin(), solved_result);
+  }
+  stop_if_interrupted();
+  replace_results(results, folder.path(), all, {}, [&ending] { ending.complete(); });
+  std::vector<std::string> written = all.tables;
+  written.insert(written.end(), all.pictures.begin(), all.pictures.end());
+  if (!request.quiet) fmt::print("results            {}: {}\n", folder.path().string(), fmt::join(written, ", "));
+}
+
+}  // namespace raytube

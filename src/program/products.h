@@ -1,0 +1,44 @@
+// What range profiles and images are made of: a result that is there, or a case that is solved first.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "output/netcdf/stored_result.h"
+#include "plan/target.h"
+#include "program/commands.h"
+#include "program/results.h"
+
+namespace raytube {
+
+struct ProductSource {
+  std::string name;   // for sentences: the file
+  std::string title;  // for pictures
+  StoredResult result;
+  std::unique_ptr<const Target> target;  // of a case, and of a result beside whose run.json its meshes are as they were
+  bool solved = false;                   // just now: the result is on no disk yet
+
+  /// Points of the target as wide as all of it, in its own coordinates; none if it is not known.
+  std::vector<dvec3> outermost() const;
+  /// Its wedges, the longest, in its own coordinates.
+  std::vector<std::array<dvec3, 2>> lines() const;
+};
+
+/// Throws InputError for a sweep that nothing can be made of; S is not there yet.
+using SweepCheck = std::function<void(const ProductSource&)>;
+
+/// The case, if the input is a .toml, solved; else the result, a .csv of raytube's or a .nc. Throws InputError, as `check` does,
+/// of a case before it is solved.
+ProductSource product_source(const Request& request, const SweepCheck& check);
+
+/// The folder of a command's results: the one asked for, else `out` beside a case, else that of the result.
+std::filesystem::path product_folder(const Request& request);
+
+/// Brings into their place what `write` writes into a folder; and, of a case, the result itself as rcs.nc. Tells where they are.
+void write_products(const Request& request, const ProductSource& source, const ResultNames& names,
+                    const std::function<void(const std::filesystem::path&)>& write);
+
+}  // namespace raytube

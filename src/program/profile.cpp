@@ -1,0 +1,84 @@
+// raytube profile: a sweep of frequencies -> range profiles.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "imaging/range_profile.h"
+#include "output/plots/profile_plot.h"
+#include "output/products/profile_csv.h"
+#include "output/products/sweep_samples.h"
+#include "output/tables/csv.h"
+#include "program/products.h"
+
+namespace raytube {
+
+namespace {
+
+ResultNames profile_names(const StoredResult& result) {
+  ResultNames names{{"profile.png", "profile.svg"}, {"profile.csv"}};
+  if (result.looks.size() > 1) names.pictures.insert(names.pictures.end(), {"waterfall.png", "waterfall.svg"});
+  return names;
+}
+
+// Half of the difference of the paths to the farthest and the nearest of these points.
+double depth(const SweepLook& look, const std::vector<dvec3>& points) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const dvec3& point : points) {
+    const double length = look.phase_length(point);
+    least = std::min(least, length), most = std::max(most, length);
+  }
+  return points.empty() ? 0.0 : 0.5 * (most - least);
+}
+
+// What is deeper than the unambiguous range lies upon itself.
+void check_sweep(const ProductSource& source, const Window& window) {
+  const SweepSamples samples = samples_of(source.result, source.name);
+  require_band(samples, source.name);
+  double deepest = 0.0;
+  const std::vector<dvec3> points = source.outermost();
+  for (const SweepLook& look : samples.looks) deepest = std::max(deepest, depth(look, points));
+  const RangeLimits limits = range_limits(samples.frequency, window);
+  if (deepest > limits.unambiguous)
+    throw InputError(fmt::format(
+        "{}: the target is {:.3g} m deep along the line of sight, but steps of {:.6g} MHz show {:.3g} m without "
+        "ambiguity; compute frequencies in steps of {:.3g} MHz or less",
+        source.name, deepest, std::abs(samples.frequency.step) * 1e-6, limits.unambiguous, frequency_step_for(deepest) * 1e-6));
+}
+
+std::string peak_text(const ProductSource& source, const RangeProfiles& profiles) {
+  const auto peak = std::ranges::max_element(profiles.s, {}, largest_amplitude);
+  const auto index = static_cast<std::size_t>(peak - profiles.s.begin());
+  const StoredLook& look = source.result.looks[index / profiles.range.count];
+  return fmt::format("peak               {:.2f} dBsm at {:.4g} m beyond the origin, theta {:g}, phi {:g}\n",
+                     sigma_dbsm(largest_amplitude(*peak)), profiles.range.at(index % profiles.range.count), look.theta_deg,
+                     look.phi_deg);
+}
+
+std::string limits_text(const RangeProfiles& profiles, const Window& window) {
+  const RangeLimits& limits = profiles.limits;
+  return fmt::format("range              resolution {:.4g} m ({} window), unambiguous {:.4g} m\n", limits.resolution,
+                     name_of(window), limits.unambiguous);
+}
+
+}  // namespace
+
+void profile_command(const Request& request) {
+  const ProductRequest& asked = request.product;
+  ResultNames names;
+  const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
+    names = profile_names(unsolved.result);
+    check_output(product_folder(request), names, {{"the result", request.result}});
+    check_sweep(unsolved, asked.window);
+  });
+  const SweepSamples samples = samples_of(source.result, source.name);
+  const RangeProfiles profiles = range_profiles(samples, {asked.window, asked.padding});
+  if (!request.quiet) fmt::print("{}{}", limits_text(profiles, asked.window), peak_text(source, profiles));
+  write_products(request, source, names, [&](const std::filesystem::path& folder) {
+    write_profile_csv(folder / "profile.csv", source.result, profiles, asked.window);
+    stop_if_interrupted();
+    if (const std::string trouble = plot_profiles(folder, source.title, source.result, profiles); !trouble.empty()) warn(trouble);
+  });
+}
+
+}  // namespace raytube

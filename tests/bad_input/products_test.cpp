@@ -1,0 +1,68 @@
+// Range profiles and images through the real program: what it writes, and the sentences for sweeps that none can be made of.
+#include "program.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Products : public BadInput {
+ protected:
+  void SetUp() override {
+    BadInput::SetUp();
+    ASSERT_EQ(raytube("run case.toml -o kept --quiet --set output.plots=false " + sweep).code, 0);
+  }
+
+  const std::string sweep =
+      "--set edges.method=none --set 'frequency.ghz={start=9,stop=11,count=21}' --set look.theta_deg=60 --set target.unit=m "
+      "--set 'look.phi_deg={start=-2.5,stop=2.5,count=11}'";
+};
+
+TEST_F(Products, OfAResultAndOfItsCaseAreTheSame) {
+  const Outcome profile = raytube("profile kept/rcs.csv -o a");
+  EXPECT_EQ(profile.code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), AllOf(HasSubstr("resolution"), HasSubstr("peak"), HasSubstr("profile.csv")));
+  EXPECT_EQ(raytube("profile case.toml -o b --quiet " + sweep).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "b/rcs.nc"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "b/waterfall.png"));
+  EXPECT_TRUE(text_of(scratch / "a/profile.csv") == text_of(scratch / "b/profile.csv"));
+  EXPECT_EQ(raytube("isar b/rcs.nc -o b --quiet --size 0.3 0.3 --threads 1").code, 0);
+  EXPECT_EQ(raytube("isar kept/rcs.csv -o a --quiet --size 0.3 0.3 --threads 2").code, 0);
+  EXPECT_TRUE(text_of(scratch / "a/isar.csv") == text_of(scratch / "b/isar.csv"));
+  EXPECT_THAT(text_of(scratch / "a/isar.vti"), HasSubstr("<ImageData WholeExtent="));
+}
+
+TEST_F(Products, SweepsThatNothingCanBeMadeOfAreRefused) {
+  expect_refused("profile case.toml --set edges.method=none", "has one frequency; a range profile needs a band");
+  expect_refused("isar case.toml --set edges.method=none", "has one frequency; an image needs several frequencies and several");
+  expect_refused("profile case.toml " + sweep + " --set 'frequency.ghz=[9,10,12]'", "frequencies are not in even steps: from");
+  expect_refused("isar case.toml " + sweep + " --set 'look.phi_deg=[0,1,3]'", "looks in phi are not in even steps: from 0 to 1");
+  expect_refused("profile case.toml " + sweep + " --set 'frequency.ghz=[1,11]'", "compute frequencies in steps of");
+  expect_refused("isar case.toml " + sweep + " --set 'look.phi_deg=[-60,0,60]'", "along cross_range, but steps of 60 degrees");
+  expect_refused("isar case.toml " + sweep + " --set receive.theta_deg=80 --set receive.phi_deg=0", "its looks are bistatic");
+}
+
+TEST_F(Products, OptionsThatDoNotGoTogetherAreRefused) {
+  expect_refused("profile kept/rcs.csv --window blackman", "needs rectangular, hann, hamming, taylor or kaiser (found blackman)");
+  expect_refused("profile kept/rcs.csv --window hann --sidelobes 40", "--sidelobes: a hann window has side lobes of its own");
+  expect_refused("profile kept/rcs.csv --set frequency.ghz=3", "means nothing for a result that is there");
+  expect_refused("profile kept/channels.csv", "its columns are not those of rcs.csv");
+  expect_refused("isar", "input is required: a result or a case, or --plan SIZE RESOLUTION");
+  expect_refused("isar kept/rcs.csv --plan 5 0.1", "--plan: computes nothing");
+  expect_refused("isar kept/rcs.csv --ghz 10", "--ghz: means nothing without --plan");
+  expect_refused("isar --plan 5 0.001", "takes a band of 149.9 GHz, which does not fit about 10 GHz");
+  expect_refused("isar --plan 0.1 5 --ghz 1", "is below the resolution of 5 m");
+  expect_refused("isar kept/rcs.csv --size 1e5 1e5", "an image of");
+}
+
+TEST_F(Products, APlanIsACase) {
+  const Outcome plan = raytube("isar --plan 0.2 0.05");
+  EXPECT_EQ(plan.code, 0);
+  scratch.write("planned.toml", target + text_of(scratch / "stdout.txt") + "[edges]\nmethod = \"none\"\n");
+  EXPECT_EQ(raytube("isar planned.toml -o planned --quiet").code, 0);
+}
+
+}  // namespace
+}  // namespace raytube
