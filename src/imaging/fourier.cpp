@@ -39,7 +39,7 @@ class Plan {
 
 // Points of the fine grid that a sample goes to, along each axis, and the exponent of the kernel e^{beta (sqrt(1 - z^2) - 1)} for
 // a grid twice as fine: 2.30 a point (Barnett et al. 2019, eq. 3.4).
-constexpr int kernel_width = 8;
+constexpr std::size_t kernel_width = 8;
 constexpr double kernel_exponent = 2.30 * kernel_width;
 constexpr std::size_t finer = 2;
 
@@ -49,7 +49,7 @@ double kernel(double z) { return z * z < 1.0 ? std::exp(kernel_exponent * (std::
 struct KernelRow {
   std::array<std::size_t, kernel_width> at{};
   std::array<double, kernel_width> weight{};
-  int count = 1;
+  std::size_t count = 1;
 };
 
 // `phase` of a step of the grid [rad].
@@ -59,12 +59,68 @@ KernelRow kernel_row(double phase, std::size_t fine) {
   const double turns = phase / (2.0 * pi), place = (turns - std::floor(turns)) * size;
   const double first = std::ceil(place - 0.5 * kernel_width);
   KernelRow row{.count = kernel_width};
-  for (int i = 0; i < kernel_width; ++i) {
-    const double point = first + i;
-    row.weight[static_cast<std::size_t>(i)] = kernel((point - place) / (0.5 * kernel_width));
-    row.at[static_cast<std::size_t>(i)] = static_cast<std::size_t>(point + size) % fine;
+  for (std::size_t i = 0; i < kernel_width; ++i) {
+    const double point = first + static_cast<double>(i);
+    row.weight[i] = kernel((point - place) / (0.5 * kernel_width));
+    row.at[i] = static_cast<std::size_t>(point + size) % fine;
   }
   return row;
+}
+
+std::array<std::size_t, 3> fine_counts(const EvenGrid& grid) {
+  std::array<std::size_t, 3> fine{1, 1, 1};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (grid.count[axis] > 1) fine[axis] = fast_size(std::max<std::size_t>(finer * grid.count[axis], 2 * kernel_width));
+  return fine;
+}
+
+Complex scaled(Complex value, double factor) { return value * factor; }
+ScatteringMatrix scaled(ScatteringMatrix value, double factor) { return value *= factor; }
+
+// Onto the points about its place on the fine grid.
+template <class Value>
+void spread(const Value& value, const dvec3& wave_vector, const EvenGrid& grid, const std::array<std::size_t, 3>& fine,
+            std::vector<Value>& sums) {
+  std::array<KernelRow, 3> rows;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    rows[axis] = kernel_row(wave_vector[static_cast<int>(axis)] * grid.step[axis], fine[axis]);
+  for (std::size_t a = 0; a < rows[0].count; ++a)
+    for (std::size_t b = 0; b < rows[1].count; ++b) {
+      Value* const line = sums.data() + (rows[0].at[a] * fine[1] + rows[1].at[b]) * fine[2];
+      const double weight = rows[0].weight[a] * rows[1].weight[b];
+      for (std::size_t c = 0; c < rows[2].count; ++c) line[rows[2].at[c]] += scaled(value, weight * rows[2].weight[c]);
+    }
+}
+
+// One over the transform of the kernel, at the points of the grid.
+std::vector<double> correction(std::size_t count, std::size_t fine) {
+  if (count == 1) return {1.0};
+  std::vector<double> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turns = (static_cast<double>(i) - static_cast<double>(count / 2)) / static_cast<double>(fine),
+                 half = 0.5 * kernel_width;
+    double sum = 0.0;
+    for (const GaussPoint& point : gauss_rule(most_gauss_points))
+      sum += point.weight * kernel(point.node) * std::cos(2.0 * pi * turns * half * point.node);
+    result.push_back(1.0 / (2.0 * half * sum));
+  }
+  return result;
+}
+
+// The transform of the sums on the fine grid, where it is wanted.
+std::vector<Complex> points_of(std::vector<Complex> sums, const EvenGrid& grid, const std::array<std::size_t, 3>& fine) {
+  fourier_transform(sums, fine, -1);
+  std::array<std::vector<double>, 3> corrections;
+  for (std::size_t axis = 0; axis < 3; ++axis) corrections[axis] = correction(grid.count[axis], fine[axis]);
+  const auto place = [&](std::size_t axis, std::size_t i) { return (i + fine[axis] - grid.count[axis] / 2) % fine[axis]; };
+  std::vector<Complex> result;
+  result.reserve(grid.size());
+  for (std::size_t a = 0; a < grid.count[0]; ++a)
+    for (std::size_t b = 0; b < grid.count[1]; ++b)
+      for (std::size_t c = 0; c < grid.count[2]; ++c)
+        result.push_back(sums[(place(0, a) * fine[1] + place(1, b)) * fine[2] + place(2, c)] *
+                         (corrections[0][a] * corrections[1][b] * corrections[2][c]));
+  return result;
 }
 
 }  // namespace
@@ -83,57 +139,27 @@ std::size_t fast_size(std::size_t least) {
 }
 
 GriddedTransform::GriddedTransform(const EvenGrid& grid, std::span<const dvec3> wave_vectors)
-    : grid_(grid), wave_vectors_(wave_vectors) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (grid.count[axis] > 1) fine_[axis] = fast_size(std::max<std::size_t>(finer * grid.count[axis], 2 * kernel_width));
-}
-
-std::vector<Complex> GriddedTransform::spread(std::span<const Complex> values) const {
-  std::vector<Complex> fine(fine_[0] * fine_[1] * fine_[2]);
-  for (std::size_t j = 0; j < values.size(); ++j) {
-    std::array<KernelRow, 3> rows;
-    for (int axis = 0; axis < 3; ++axis)
-      rows[static_cast<std::size_t>(axis)] =
-          kernel_row(wave_vectors_[j][axis] * grid_.step[static_cast<std::size_t>(axis)], fine_[static_cast<std::size_t>(axis)]);
-    for (std::size_t a = 0; a < static_cast<std::size_t>(rows[0].count); ++a)
-      for (std::size_t b = 0; b < static_cast<std::size_t>(rows[1].count); ++b) {
-        const Complex value = values[j] * (rows[0].weight[a] * rows[1].weight[b]);
-        Complex* const line = fine.data() + (rows[0].at[a] * fine_[1] + rows[1].at[b]) * fine_[2];
-        for (std::size_t c = 0; c < static_cast<std::size_t>(rows[2].count); ++c)
-          line[rows[2].at[c]] += value * rows[2].weight[c];
-      }
-  }
-  return fine;
-}
-
-// One over the transform of the kernel, at the points of the grid.
-std::vector<double> GriddedTransform::correction(int axis) const {
-  const std::size_t count = grid_.count[static_cast<std::size_t>(axis)], fine = fine_[static_cast<std::size_t>(axis)];
-  if (count == 1) return {1.0};
-  std::vector<double> result;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double turns = (static_cast<double>(i) - static_cast<double>(count / 2)) / static_cast<double>(fine),
-                 half = 0.5 * kernel_width;
-    double sum = 0.0;
-    for (const GaussPoint& point : gauss_rule(most_gauss_points))
-      sum += point.weight * kernel(point.node) * std::cos(2.0 * pi * turns * half * point.node);
-    result.push_back(1.0 / (2.0 * half * sum));
-  }
-  return result;
-}
+    : grid_(grid), wave_vectors_(wave_vectors) {}
 
 std::vector<Complex> GriddedTransform::operator()(std::span<const Complex> values) const {
-  std::vector<Complex> fine = spread(values);
-  fourier_transform(fine, fine_, -1);
-  const std::array corrections{correction(0), correction(1), correction(2)};
-  const auto place = [&](std::size_t axis, std::size_t i) { return (i + fine_[axis] - grid_.count[axis] / 2) % fine_[axis]; };
-  std::vector<Complex> result;
-  result.reserve(grid_.size());
-  for (std::size_t a = 0; a < grid_.count[0]; ++a)
-    for (std::size_t b = 0; b < grid_.count[1]; ++b)
-      for (std::size_t c = 0; c < grid_.count[2]; ++c)
-        result.push_back(fine[(place(0, a) * fine_[1] + place(1, b)) * fine_[2] + place(2, c)] *
-                         (corrections[0][a] * corrections[1][b] * corrections[2][c]));
+  const std::array<std::size_t, 3> fine = fine_counts(grid_);
+  std::vector<Complex> sums(fine[0] * fine[1] * fine[2]);
+  for (std::size_t j = 0; j < values.size(); ++j) spread(values[j], wave_vectors_[j], grid_, fine, sums);
+  return points_of(std::move(sums), grid_, fine);
+}
+
+GriddedSum::GriddedSum(const EvenGrid& grid) : grid_(grid), fine_(fine_counts(grid)), sums_(fine_[0] * fine_[1] * fine_[2]) {}
+
+void GriddedSum::add(const dvec3& wave_vector, const ScatteringMatrix& value) { spread(value, wave_vector, grid_, fine_, sums_); }
+
+std::vector<ScatteringMatrix> GriddedSum::at_points() const {
+  std::vector<ScatteringMatrix> result(grid_.size());
+  for (const int channel : {0, 1, 2, 3}) {
+    std::vector<Complex> sums;
+    for (const ScatteringMatrix& s : sums_) sums.push_back(s.at(channel / 2, channel % 2));
+    sums = points_of(std::move(sums), grid_, fine_);
+    for (std::size_t i = 0; i < sums.size(); ++i) result[i].at(channel / 2, channel % 2) = sums[i];
+  }
   return result;
 }
 

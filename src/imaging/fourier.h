@@ -37,12 +37,23 @@ class GriddedTransform {
   std::vector<Complex> operator()(std::span<const Complex> values) const;
 
  private:
-  std::vector<Complex> spread(std::span<const Complex> values) const;
-  std::vector<double> correction(int axis) const;
-
   EvenGrid grid_;
   std::span<const dvec3> wave_vectors_;
-  std::array<std::size_t, 3> fine_{1, 1, 1};
+};
+
+/// The same sum of scattering matrices, added one after the other.
+class GriddedSum {
+ public:
+  explicit GriddedSum(const EvenGrid& grid);
+
+  void add(const dvec3& wave_vector, const ScatteringMatrix& value);
+  /// At grid points, the last axis running fastest.
+  std::vector<ScatteringMatrix> at_points() const;
+
+ private:
+  EvenGrid grid_;
+  std::array<std::size_t, 3> fine_;
+  std::vector<ScatteringMatrix> sums_;  // on the fine grid
 };
 
 }  // namespace raytube

@@ -23,45 +23,30 @@ std::vector<dvec3> axis_directions(const AngleGrid& grid) {
   return {glm::cross(middle.phi_hat, dvec3(0.0, 0.0, 1.0)) * -1.0, middle.phi_hat};
 }
 
-// Weights of an axis' samples, of sum 1.
-std::vector<double> shares(const Window& window, std::size_t count) {
-  std::vector<double> result = weights(window, count);
-  const double all = std::accumulate(result.begin(), result.end(), 0.0);
-  for (double& each : result) each /= all;
+dvec3 along(const std::vector<dvec3>& axes, const dvec3& vector) {
+  dvec3 result(0.0);
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) result[static_cast<int>(axis)] = glm::dot(vector, axes[axis]);
   return result;
 }
 
-// The samples of the grid with their weights: wave vectors along the image's axes.
-struct WeightedSamples {
-  std::vector<dvec3> wave_vectors;  // [rad/m]
-  std::vector<double> weight;       // of sum 1
-  std::vector<std::size_t> rows;
-};
-
-WeightedSamples weighted_samples(const SweepSamples& samples, const AngleGrid& grid, const IsarOptions& options,
-                                 const std::vector<dvec3>& axes) {
-  const std::vector<double> of_frequency = shares(options.window, samples.frequency.count),
-                            of_theta = shares(options.window, grid.theta_deg.count),
-                            of_phi = shares(options.window, grid.phi_deg.count);
-  WeightedSamples result;
-  double all = 0.0;
+ImageSamples weighted_samples(const SweepSamples& samples, const AngleGrid& grid, const Window& window,
+                              const std::vector<dvec3>& axes) {
+  const std::vector<double> of_frequency = weights(window, samples.frequency.count),
+                            of_theta = weights(window, grid.theta_deg.count), of_phi = weights(window, grid.phi_deg.count);
+  ImageSamples result;
   for (std::size_t i = 0; i < grid.looks.size(); ++i) {
     const SweepLook& look = samples.looks[grid.looks[i]];
     const std::size_t t = i / grid.phi_deg.count;
     const double sine = std::sin(grid.theta_deg.at(t) * degree), of_angle = of_theta[t] * of_phi[i % grid.phi_deg.count];
     for (std::size_t f = 0; f < samples.frequency.count; ++f) {
       const double k = samples.wavenumber_at(f);
-      dvec3 along(0.0);
-      for (std::size_t axis = 0; axis < axes.size(); ++axis)
-        along[static_cast<int>(axis)] = k * glm::dot(look.transmit + look.receive, axes[axis]);
       // k dk dangle in the plane, k^2 sin theta dk dtheta dphi in space.
       const double volume = axes.size() == 3 ? k * k * sine : k;
-      result.wave_vectors.push_back(along);
-      all += result.weight.emplace_back(of_frequency[f] * of_angle * volume);
-      result.rows.push_back(samples.row(grid.looks[i], f));
+      result.add(along(axes, k * (look.transmit + look.receive)), of_frequency[f] * of_angle * volume,
+                 samples.s[samples.row(grid.looks[i], f)]);
     }
   }
-  for (double& each : result.weight) each /= all;
+  result.normalise();
   return result;
 }
 
@@ -87,40 +72,43 @@ EvenGrid image_grid(const std::vector<ImageAxis>& axes, const IsarOptions& optio
   return grid;
 }
 
-std::vector<Complex> weighted(const SweepSamples& samples, const WeightedSamples& some, int channel) {
-  std::vector<Complex> values;
-  values.reserve(some.rows.size());
-  for (std::size_t j = 0; j < some.rows.size(); ++j)
-    values.push_back(some.weight[j] * samples.s[some.rows[j]].at(channel / 2, channel % 2));
-  return values;
-}
-
-void focus_far(const SweepSamples& samples, const WeightedSamples& some, IsarImage& image) {
-  const GriddedTransform transform(image.grid, some.wave_vectors);
+void focus_far(const ImageSamples& samples, IsarImage& image) {
+  const GriddedTransform transform(image.grid, samples.wave_vectors);
   tbb::parallel_for(0, 4, [&](int channel) {
-    const std::vector<Complex> values = transform(weighted(samples, some, channel));
+    std::vector<Complex> values;
+    values.reserve(samples.s.size());
+    for (std::size_t j = 0; j < samples.s.size(); ++j)
+      values.push_back(samples.weights[j] * samples.s[j].at(channel / 2, channel % 2));
+    values = transform(values);
     for (std::size_t i = 0; i < values.size(); ++i) image.s[i].at(channel / 2, channel % 2) = values[i];
   });
 }
 
 // The sum over one look's frequencies for one place: its phases are in even steps.
-ScatteringMatrix projected(const SweepSamples& samples, const WeightedSamples& some, std::size_t first, double length) {
+ScatteringMatrix projected(const SweepSamples& sweep, const ImageSamples& samples, std::size_t first, double length) {
   ScatteringMatrix sum;
-  Complex phase = std::polar(1.0, -samples.wavenumber_at(0) * length);
-  const Complex step = std::polar(1.0, -wavenumber(samples.frequency.step) * length);
-  for (std::size_t j = first; j < first + samples.frequency.count; ++j, phase *= step) {
-    ScatteringMatrix sample = samples.s[some.rows[j]];
-    sum += sample *= some.weight[j] * phase;
+  Complex phase = std::polar(1.0, -sweep.wavenumber_at(0) * length);
+  const Complex step = std::polar(1.0, -wavenumber(sweep.frequency.step) * length);
+  for (std::size_t j = first; j < first + sweep.frequency.count; ++j, phase *= step) {
+    ScatteringMatrix sample = samples.s[j];
+    sum += sample *= samples.weights[j] * phase;
   }
   return sum;
 }
 
-void focus_near(const SweepSamples& samples, const AngleGrid& grid, const WeightedSamples& some, IsarImage& image) {
+void focus_near(const SweepSamples& sweep, const AngleGrid& grid, const ImageSamples& samples, IsarImage& image) {
   tbb::parallel_for(std::size_t{0}, image.s.size(), [&](std::size_t i) {
     const dvec3 place = image.place(i);
     for (std::size_t look = 0; look < grid.looks.size(); ++look)
-      image.s[i] += projected(samples, some, look * samples.frequency.count, samples.looks[grid.looks[look]].phase_length(place));
+      image.s[i] += projected(sweep, samples, look * sweep.frequency.count, sweep.looks[grid.looks[look]].phase_length(place));
   });
+}
+
+IsarImage empty_image(const std::vector<ImageAxis>& axes, const IsarOptions& options, const std::string& what) {
+  IsarImage image{.axes = axes};
+  image.grid = image_grid(image.axes, options, what);
+  image.s.resize(image.grid.size());
+  return image;
 }
 
 }  // namespace
@@ -156,15 +144,31 @@ void require_aperture(const SweepSamples& samples, const AngleGrid& grid, const 
                     what, samples.frequency.count < 2 ? "frequency" : "look"));
 }
 
-IsarImage isar_image(const SweepSamples& samples, const AngleGrid& grid, const IsarOptions& options, const std::string& what) {
-  IsarImage image{.axes = image_axes(samples, grid, options.window)};
-  image.grid = image_grid(image.axes, options, what);
-  image.s.resize(image.grid.size());
-  const WeightedSamples some = weighted_samples(samples, grid, options, axis_directions(grid));
-  if (samples.looks.front().far())
-    focus_far(samples, some, image);
+void ImageSamples::add(const dvec3& wave_vector, double weight, const ScatteringMatrix& value) {
+  wave_vectors.push_back(wave_vector);
+  weights.push_back(weight);
+  s.push_back(value);
+}
+
+void ImageSamples::normalise() {
+  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& each : weights) each /= all;
+}
+
+IsarImage isar_image(const ImageSamples& samples, const std::vector<ImageAxis>& axes, const IsarOptions& options,
+                     const std::string& what) {
+  IsarImage image = empty_image(axes, options, what);
+  focus_far(samples, image);
+  return image;
+}
+
+IsarImage isar_image(const SweepSamples& sweep, const AngleGrid& grid, const IsarOptions& options, const std::string& what) {
+  IsarImage image = empty_image(image_axes(sweep, grid, options.window), options, what);
+  const ImageSamples samples = weighted_samples(sweep, grid, options.window, axis_directions(grid));
+  if (sweep.looks.front().far())
+    focus_far(samples, image);
   else
-    focus_near(samples, grid, some, image);
+    focus_near(sweep, grid, samples, image);
   return image;
 }
 

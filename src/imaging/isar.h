@@ -52,6 +52,21 @@ void require_aperture(const SweepSamples& samples, const AngleGrid& grid, const 
 
 inline constexpr std::size_t most_image_cells = 50'000'000;
 
+/// S at wave vectors K along the axes of an image [rad/m], and what each counts: of sum 1.
+struct ImageSamples {
+  std::vector<dvec3> wave_vectors;
+  std::vector<double> weights;
+  std::vector<ScatteringMatrix> s;
+
+  void add(const dvec3& wave_vector, double weight, const ScatteringMatrix& value);
+  /// Makes the sum of the weights 1.
+  void normalise();
+};
+
+/// The image of samples in the far field. Throws InputError as below.
+IsarImage isar_image(const ImageSamples& samples, const std::vector<ImageAxis>& axes, const IsarOptions& options,
+                     const std::string& what);
+
 /// Of several frequencies and angles. Throws InputError that begins with `what` for more than most_image_cells.
 IsarImage isar_image(const SweepSamples& samples, const AngleGrid& grid, const IsarOptions& options, const std::string& what);
 

@@ -27,6 +27,8 @@ struct ProductRequest {
   Window window;                              // over frequencies, of images over angles, too
   int padding = 4;                            // profile: ranges to a resolution cell
   double pixels = 4.0;                        // isar: cells of the image to a resolution cell
+  bool direct = false;                        // from pieces of one look at one frequency, without the sweep
+  std::vector<std::string> mechanisms;        // direct: these alone; empty: all
   std::vector<double> size;                   // isar: of the image along its axes [m]; empty: the target's
   std::optional<std::array<double, 2>> plan;  // isar: size and resolution of a target to be planned for [m]; nothing is computed
   double plan_ghz = 10.0;                     // isar: middle of the planned band

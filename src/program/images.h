@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "case/data/case.h"
+#include "plan/plan.h"
 #include "program/commands.h"
 #include "program/results.h"
-#include "plan/plan.h"
 
 namespace raytube {
 

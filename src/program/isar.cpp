@@ -68,6 +68,17 @@ std::array<double, 3> image_size(const ProductSource& source, const SweepSamples
   return size;
 }
 
+IsarImage direct_image(const Request& request, const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
+                       const IsarOptions& options) {
+  double cell = std::numeric_limits<double>::infinity();
+  for (const ImageAxis& axis : image_axes(samples, grid, options.window)) cell = std::min(cell, axis.cell / pieces_to_a_cell);
+  DirectImage direct(samples, grid);
+  const std::size_t middle =
+      grid.looks[middle_index(grid.theta_deg.count) * grid.phi_deg.count + middle_index(grid.phi_deg.count)];
+  direct_pieces(request, source, middle, cell, [&](const PlacedScatterer& piece) { direct.add(piece); });
+  return direct.image(options, source.name);
+}
+
 std::string image_text(const IsarImage& image, const Window& window) {
   std::string text;
   for (std::size_t axis = 0; axis < image.axes.size(); ++axis) {
@@ -129,7 +140,9 @@ void isar_command(const Request& request) {
     size = image_size(unsolved, samples, grid, asked);
   });
   const SweepSamples samples = samples_of(source.result, source.name);
-  const IsarImage image = isar_image(samples, grid, {asked.window, size, asked.pixels}, source.name);
+  const IsarOptions options{asked.window, size, asked.pixels};
+  const IsarImage image =
+      asked.direct ? direct_image(request, source, samples, grid, options) : isar_image(samples, grid, options, source.name);
   if (!request.quiet) fmt::print("{}", image_text(image, asked.window));
   write_products(request, source, isar_names, [&](const std::filesystem::path& folder) {
     write_isar_csv(folder / "isar.csv", image, asked.window);

@@ -1,11 +1,13 @@
 #include "program/options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 
 #include "core/csv_reader.h"
 #include "core/error.h"
+#include "scene/scattering_piece.h"
 
 namespace raytube {
 
@@ -75,6 +77,11 @@ std::string not_a_window(const std::string& name) {
   return window_of_name(name) ? "" : "needs rectangular, hann, hamming, taylor or kaiser (found " + name + ")";
 }
 
+std::string not_a_mechanism(const std::string& name) {
+  const bool known = std::ranges::find(scattering_mechanisms, std::string_view(name)) != scattering_mechanisms.end();
+  return known ? "" : fmt::format("needs {} (found {})", fmt::join(scattering_mechanisms, ", "), name);
+}
+
 auto number_between(double least, double most) {
   return [least, most](const std::string& text) -> std::string {
     const std::optional<double> number = parsed_number(text);
@@ -97,6 +104,16 @@ void add_product_options(CLI::App& command, Request& request) {
   command.add_option("--sidelobes", window.sidelobe_db, "taylor, kaiser: side lobes so far below the peak; default 35")
       ->type_name("DB")
       ->check(number_between(least_sidelobe_db, most_sidelobe_db));
+  CLI::Option* direct = command.add_flag(
+      "--direct", request.product.direct,
+      "Of a case: from where every current is, at one frequency, of an image in one look; the sweep is not computed");
+  command
+      .add_option("--mechanisms", request.product.mechanisms,
+                  "With --direct, these alone: bounce_1, bounce_2, bounce_3_on, edges, interaction, surface_waves")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->needs(direct)
+      ->check(not_a_mechanism);
   add_set_option(command, request);
   add_output_option(command, request, "Folder for the results; default <case folder>/out, or that of the result");
   add_machine_options(command, request);

@@ -22,6 +22,7 @@
 #include "program/progress_bar.h"
 #include "program/unusable_rows.h"
 #include "scene/sampling.h"
+#include "solve/pieces.h"
 #include "solve/solve.h"
 
 namespace raytube {
@@ -39,12 +40,17 @@ ProductSource solved_case(const Request& request, const SweepCheck& check) {
   const Case c = read_case(request.result, request.overrides);
   LoadedMesh loaded = load_target(c);
   const int threads = request.threads > 0 ? request.threads : all_threads();
-  ProductSource source{.name = c.file.string(), .title = c.title, .result = {}, .target = {}, .solved = true};
+  ProductSource source{.of_case = {}, .name = c.file.string(), .title = c.title, .result = {}, .target = {}, .solved = true};
   Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
   run_on_threads(threads, [&] { source.target = std::make_unique<const Target>(std::move(loaded.mesh), c.wedges); });
   const SolvePlan plan = plan_of_case(*source.target, c, threads, false);
   source.result = stored_sweep(c.sweep);
+  source.of_case = c;
   check(source);
+  if (request.product.direct) {
+    source.solved = false;
+    return source;
+  }
   check_memory(plan, c, nullptr);
   ProgressBar bar(request.quiet, work_text(plan));
   const SweepResult result = naming_the_case(c, [&] {
@@ -87,7 +93,7 @@ std::unique_ptr<const Target> target_of(const JsonValue& run) {
 }
 
 ProductSource stored_result(const fs::path& file) {
-  ProductSource source{.name = file.string(), .title = file.stem().string(), .result = {}, .target = {}};
+  ProductSource source{.of_case = {}, .name = file.string(), .title = file.stem().string(), .result = {}, .target = {}};
   source.result = is_netcdf_name(file) ? read_netcdf(file) : read_rcs_csv(file);
   for (const auto& [name, text] : source.result.attributes)
     if (name == "title") source.title = text;
@@ -118,8 +124,27 @@ std::vector<std::array<dvec3, 2>> ProductSource::lines() const {
   return lines;
 }
 
+void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,
+                   const std::function<void(const PlacedScatterer&)>& sink) {
+  const Case& c = *source.of_case;
+  const std::vector<std::string>& wanted = request.product.mechanisms;
+  SolveOptions options{c.tubes, c.edges, c.surfaces, request.threads};
+  options.progress = [](double) { return !InterruptFlag::raised(); };
+  const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
+  naming_the_case(c, [&] {
+    scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, [&](const ScatteringPiece& piece) {
+      const std::string name = scattering_mechanisms[static_cast<std::size_t>(piece.mechanism)];
+      if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) return;
+      sink({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
+    });
+  });
+}
+
 ProductSource product_source(const Request& request, const SweepCheck& check) {
   if (is_case(request.result)) return solved_case(request, check);
+  if (request.product.direct)
+    throw InputError(fmt::format("--direct: {} is a result, which does not say where its S comes from; give its case",
+                                 request.result.string()));
   if (!request.overrides.empty())
     throw InputError(fmt::format("--set {}: means nothing for a result that is there; leave it out, or give a case",
                                  request.overrides.front()));

@@ -4,9 +4,12 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "case/data/case.h"
+#include "imaging/direct.h"
 #include "output/netcdf/stored_result.h"
 #include "plan/target.h"
 #include "program/commands.h"
@@ -15,8 +18,9 @@
 namespace raytube {
 
 struct ProductSource {
-  std::string name;   // for sentences: the file
-  std::string title;  // for pictures
+  std::optional<Case> of_case{};  // it was solved from, or is to be taken to pieces
+  std::string name;             // for sentences: the file
+  std::string title;            // for pictures
   StoredResult result;
   std::unique_ptr<const Target> target;  // of a case, and of a result beside whose run.json its meshes are as they were
   bool solved = false;                   // just now: the result is on no disk yet
@@ -30,8 +34,16 @@ struct ProductSource {
 /// Throws InputError for a sweep that nothing can be made of; S is not there yet.
 using SweepCheck = std::function<void(const ProductSource&)>;
 
-/// The case, if the input is a .toml, solved; else the result, a .csv of raytube's or a .nc. Throws InputError, as `check` does,
-/// of a case before it is solved.
+/// Pieces to a resolution cell of even weights: over a band their phase turns by a quarter of a turn and less.
+inline constexpr double pieces_to_a_cell = 4.0;
+
+/// Of one look of the case, at the frequency in the middle of its list, all that scatters by the mechanisms that are asked for,
+/// in pieces of `cell` [m].
+void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,
+                   const std::function<void(const PlacedScatterer&)>& sink);
+
+/// The case, if the input is a .toml, solved unless a direct product is asked for; else the result, a .csv of raytube's or a .nc.
+/// Throws InputError, as `check` does, of a case before it is solved.
 ProductSource product_source(const Request& request, const SweepCheck& check);
 
 /// The folder of a command's results: the one asked for, else `out` beside a case, else that of the result.

@@ -46,6 +46,17 @@ void check_sweep(const ProductSource& source, const Window& window) {
         source.name, deepest, std::abs(samples.frequency.step) * 1e-6, limits.unambiguous, frequency_step_for(deepest) * 1e-6));
 }
 
+// S of each look from its pieces.
+void fill_from_pieces(const Request& request, const ProductSource& source, SweepSamples& samples) {
+  const double cell = range_limits(samples.frequency, {}).cell / pieces_to_a_cell;
+  samples.s.clear();
+  for (std::size_t look = 0; look < samples.looks.size(); ++look) {
+    DirectSweep direct(samples.frequency, samples.looks[look].transmit);
+    direct_pieces(request, source, look, cell, [&](const PlacedScatterer& piece) { direct.add(piece); });
+    std::ranges::copy(direct.scattering(), std::back_inserter(samples.s));
+  }
+}
+
 std::string peak_text(const ProductSource& source, const RangeProfiles& profiles) {
   const auto peak = std::ranges::max_element(profiles.s, {}, largest_amplitude);
   const auto index = static_cast<std::size_t>(peak - profiles.s.begin());
@@ -71,7 +82,8 @@ void profile_command(const Request& request) {
     check_output(product_folder(request), names, {{"the result", request.result}});
     check_sweep(unsolved, asked.window);
   });
-  const SweepSamples samples = samples_of(source.result, source.name);
+  SweepSamples samples = samples_of(source.result, source.name);
+  if (asked.direct) fill_from_pieces(request, source, samples);
   const RangeProfiles profiles = range_profiles(samples, {asked.window, asked.padding});
   if (!request.quiet) fmt::print("{}{}", limits_text(profiles, asked.window), peak_text(source, profiles));
   write_products(request, source, names, [&](const std::filesystem::path& folder) {

@@ -125,8 +125,8 @@ fs::path folder_of_named_file(const char* option, const fs::path& file, std::str
         fmt::format("{} {}: cannot be written; give an ordinary file in a folder that exists", option, file.string()));
   std::string first;
   if (std::ifstream in(file); in && std::getline(in, first) && first + '\n' != head)
-    throw InputError(
-        fmt::format("{} {}: holds something else than an earlier result; name another file, or delete it", option, file.string()));
+    throw InputError(fmt::format("{} {}: holds something else than an earlier result; name another file, or delete it", option,
+                                 file.string()));
   return folder;
 }
 

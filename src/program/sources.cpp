@@ -10,6 +10,7 @@
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/threads.h"
+#include "jobs/memory.h"
 #include "mesh/load.h"
 #include "mesh/model/join.h"
 #include "output/plots/sources_plot.h"
@@ -18,7 +19,6 @@
 #include "point_source/ray_hits.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
-#include "jobs/memory.h"
 #include "program/progress_bar.h"
 #include "program/results.h"
 

@@ -14,11 +14,11 @@
 #include "output/vtk/surface_rays_vtp.h"
 #include "output/vtk/tube_paths_vtp.h"
 #include "output/words/tubes_text.h"
+#include "plan/admissible.h"
 #include "program/commands.h"
 #include "program/results.h"
 #include "sbr/replay.h"
 #include "sbr/tube_paths.h"
-#include "plan/admissible.h"
 #include "solve/look_solver.h"
 
 namespace raytube {

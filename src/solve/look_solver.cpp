@@ -18,6 +18,25 @@ void make_look_reciprocal(LookResult& look) {
   for (std::vector<ScatteringMatrix>& part : look.others.s.of) make_reciprocal(part);
 }
 
+ScatteringMechanism mechanism_of_bounce(int bounce) {
+  return bounce == 0   ? ScatteringMechanism::first_bounce
+         : bounce == 1 ? ScatteringMechanism::second_bounce
+                       : ScatteringMechanism::later_bounces;
+}
+
+ScatteringMechanism mechanism_of(MechanismId id) {
+  switch (id) {
+    case MechanismId::surface_waves:
+      return ScatteringMechanism::surface_waves;
+    case MechanismId::interaction:
+      return ScatteringMechanism::interaction;
+    case MechanismId::edge_currents:
+    case MechanismId::material_edges:
+      break;
+  }
+  return ScatteringMechanism::edges;
+}
+
 }  // namespace
 
 BandSolver::BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model)
@@ -51,11 +70,29 @@ void BandSolver::solve_image(const Look& look, std::size_t frequency_index, cons
   const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
   image.cells = map.take_cells();
   image.triangles = map.take_triangles();
+  image.edges = edge_pieces(look, tubes, frequency_index, lattice).pieces;
+}
+
+void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
+                              const PieceSink& sink) const {
+  CurrentMap map(scene_.plan.target.faces, currents, 0, wavenumber(scene_.band.frequencies.front()), [&](const CurrentPiece& of) {
+    sink({of.place, of.s, mechanism_of_bounce(of.bounce), of.triangle});
+  });
+  const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
+  const ImageRequest request = edge_pieces(look, tubes, 0, edges);
+  for (std::size_t i = 0; i < request.pieces.size(); ++i) {
+    const ImageEdge& edge = request.pieces[i];
+    sink({0.5 * (edge.begin + edge.end), edge.s, mechanism_of(request.mechanisms[i]), no_index});
+  }
+}
+
+ImageRequest BandSolver::edge_pieces(const Look& look, const TubeSums& tubes, std::size_t frequency_index,
+                                     const ImageLattice& lattice) const {
   ImageRequest request{frequency_index, lattice};
   LookSink sink;
   sink.image = &request;
   run_mechanisms({look, tubes}, sink, {});
-  image.edges = std::move(request.pieces);
+  return request;
 }
 
 std::vector<ChannelErrors> BandSolver::permitted_errors(const Look& look, const TubeSums& tubes) const {
@@ -89,6 +126,7 @@ void BandSolver::run(MechanismId id, const TracedLook& look, LookSink& sink) con
   if (!decision.any()) return;
   told.ran = decision.wanted;
   mechanism->solve(look, decision.wanted, sink);
+  if (sink.image) sink.image->mechanisms.resize(sink.image->pieces.size(), id);
 }
 
 std::vector<SurfaceRay> BandSolver::surface_rays(const Look& look) const {
@@ -142,6 +180,11 @@ void LookSolver::solve_image(std::size_t index, std::size_t frequency_index, con
       bands_[b]->solve_image(plan_.sweep.looks[index], static_cast<std::size_t>(found - indices.begin()), lattice, progress,
                              image);
   }
+}
+
+void LookSolver::solve_pieces(const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
+                              const PieceSink& sink) const {
+  bands_.front()->solve_pieces(plan_.sweep.looks.front(), currents, edges, progress, sink);
 }
 
 std::vector<SurfaceRay> LookSolver::surface_rays(const Look& look) const {

@@ -8,6 +8,7 @@
 #include "core/progress.h"
 #include "plan/plan.h"
 #include "sbr/sbr.h"
+#include "scene/scattering_piece.h"
 #include "solve/look_result.h"
 #include "solve/mechanisms/list.h"
 #include "solve/model_uncertainty.h"
@@ -34,12 +35,18 @@ class BandSolver {
   /// Fills the cells, triangles and pieces of an image with what adds to S at one of the band's frequencies.
   void solve_image(const Look& look, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
                    LookImage& image) const;
+  /// Everything that adds to S at the band's only frequency: currents in pieces within a cell of one lattice, all others in
+  /// pieces within a cell of the other one. Recentred coordinates.
+  void solve_pieces(const Look& look, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
+                    const PieceSink& sink) const;
   std::vector<SurfaceRay> surface_rays(const Look& look) const;
   std::vector<double> edge_lengths() const;
 
  private:
   std::vector<ChannelErrors> permitted_errors(const Look& look, const TubeSums& tubes) const;
   TubeSums trace_tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const;
+  ImageRequest edge_pieces(const Look& look, const TubeSums& tubes, std::size_t frequency_index,
+                           const ImageLattice& lattice) const;
   LookResult rays(const Look& look, Progress& progress, double share) const;
   void run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const;
   void run(MechanismId id, const TracedLook& look, LookSink& sink) const;
@@ -66,6 +73,9 @@ class LookSolver {
   /// others in pieces within a cell of the lattice each. Recentred coordinates, phase reference as of solve().
   void solve_image(std::size_t index, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
                    LookImage& image) const;
+
+  /// Of a plan with one look and one frequency: BandSolver::solve_pieces.
+  void solve_pieces(const ImageLattice& currents, const ImageLattice& edges, Progress& progress, const PieceSink& sink) const;
 
   /// How long all edges that may add to S are together, per frequency [m].
   std::vector<double> edge_lengths() const;

@@ -54,7 +54,19 @@ TEST_F(Products, OptionsThatDoNotGoTogetherAreRefused) {
   expect_refused("isar kept/rcs.csv --ghz 10", "--ghz: means nothing without --plan");
   expect_refused("isar --plan 5 0.001", "takes a band of 149.9 GHz, which does not fit about 10 GHz");
   expect_refused("isar --plan 0.1 5 --ghz 1", "is below the resolution of 5 m");
+  expect_refused("isar kept/rcs.csv --direct", "--direct: kept/rcs.csv is a result, which does not say where its S comes from");
+  expect_refused("isar case.toml --mechanisms edges", "--mechanisms requires --direct");
+  expect_refused("isar case.toml --direct --mechanisms bounce_4", "needs bounce_1, bounce_2, bounce_3_on, edges, interaction");
   expect_refused("isar kept/rcs.csv --size 1e5 1e5", "an image of");
+}
+
+TEST_F(Products, OneLookMakesAnImageByItself) {
+  const std::string options = " --direct --quiet --size 2 2 ";
+  EXPECT_EQ(raytube("isar case.toml -o a" + options + sweep + " --threads 1").code, 0);
+  EXPECT_EQ(raytube("isar case.toml -o b" + options + sweep + " --threads 2").code, 0);
+  EXPECT_TRUE(text_of(scratch / "a/isar.csv") == text_of(scratch / "b/isar.csv"));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "a/rcs.nc"));
+  expect_refused("isar case.toml --direct " + sweep + " --set radar.range_m=100", "the pieces seen from a finite distance");
 }
 
 TEST_F(Products, APlanIsACase) {

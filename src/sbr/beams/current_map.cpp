@@ -1,6 +1,9 @@
 #include "sbr/beams/current_map.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 #include "sbr/beams/polygon_integral.h"
 
@@ -18,23 +21,42 @@ double depth_inside(const std::array<dvec2, 3>& corners, const dvec2& at) {
   return least;
 }
 
+TubeMiddle middle_of(const Footprint& footprint, const dvec2& at) {
+  const Beam& beam = footprint.outgoing;
+  const dvec2 step = at - beam.anchor;
+  return {at, beam.base + step.x * beam.along_u + step.y * beam.along_v,
+          footprint.phase + footprint.phase_u * step.x + footprint.phase_v * step.y};
+}
+
 }  // namespace
 
 ImageLattice image_lattice(const LaunchGrid& grid) {
   return {grid.u_hat, grid.v_hat, {grid.u_begin, grid.v_begin}, {grid.du, grid.dv}, grid.columns, grid.rows};
 }
 
-CurrentMap::CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber)
+CurrentMap::CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber,
+                       CurrentSink sink)
     : faces_(faces),
       lattice_(lattice),
       frequency_index_(frequency_index),
       wavenumber_(wavenumber),
+      sink_(std::move(sink)),
       cells_(lattice.cells()),
       triangles_(faces.mesh().triangles.size()) {}
 
-void CurrentMap::add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
+void CurrentMap::keep(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
   cells_[lattice_.index(lattice_.at(at))] += s;
   triangles_[triangle] += s;
+}
+
+void CurrentMap::add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
+  keep(at, triangle, s);
+  if (sink_) sink_({place_on(triangle, at), s, bounce_, triangle});
+}
+
+void CurrentMap::add(const TubeMiddle& middle, std::uint32_t triangle, const ScatteringMatrix& s) {
+  keep(middle.at, triangle, s);
+  if (sink_) sink_({place_of(middle), s, bounce_, triangle});
 }
 
 void CurrentMap::add(const Footprint& footprint, const Bounds& tube, std::uint32_t triangle) {
@@ -42,7 +64,7 @@ void CurrentMap::add(const Footprint& footprint, const Bounds& tube, std::uint32
     const dvec2 at = middle(part), size = part.high - part.low;
     ScatteringMatrix s;
     add_far_field(s, footprint, frequency_index_, wavenumber_, phase_integral(footprint, wavenumber_, at, size.x, size.y));
-    add(at, triangle, s);
+    add(middle_of(footprint, at), triangle, s);
   });
 }
 
@@ -56,8 +78,47 @@ void CurrentMap::add(const Footprint& footprint, const ConvexPolygon& outline, s
     cut_up(clipped_, [&](const ConvexPolygon& part) {
       add_far_field(cells_[lattice_.index(lattice_.at(middle(part)))], footprint, frequency_index_, wavenumber_,
                     phase_integral(footprint, wavenumber_, part));
+      if (sink_) tell(footprint, part, triangle);
     });
   }
+}
+
+// A surface that the look does not see square on reflects to elsewhere: its pieces cancel but for its sides, and do so at other
+// frequencies and angles as well only if the phase hardly turns across each. They are slices across its gradient.
+void CurrentMap::tell(const Footprint& footprint, const ConvexPolygon& part, std::uint32_t triangle) {
+  constexpr double most_slices = 1024.0, slices_to_a_turn = 8.0;
+  const Affine path{0.0, footprint.phase_u, footprint.phase_v};
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const Corner& corner : part) least = std::min(least, path(corner.at)), most = std::max(most, path(corner.at));
+  const double slices = std::clamp(std::ceil(slices_to_a_turn * (most - least) * wavenumber_ / (2.0 * pi)), 1.0, most_slices);
+  ConvexPolygon left = part, slice, beyond;
+  for (double i = 1.0; i < slices && !left.empty(); ++i) {
+    cut(left, {-(least + (most - least) * i / slices), path.u, path.v}, 0.0, beyond, slice);
+    std::swap(left, beyond);
+    if (!slice.empty()) tell_slice(footprint, slice, triangle);
+  }
+  if (!left.empty()) tell_slice(footprint, left, triangle);
+}
+
+void CurrentMap::tell_slice(const Footprint& footprint, const ConvexPolygon& slice, std::uint32_t triangle) {
+  ScatteringMatrix s;
+  add_far_field(s, footprint, frequency_index_, wavenumber_, phase_integral(footprint, wavenumber_, slice));
+  sink_({place_of(middle_of(footprint, middle(slice))), s, bounce_, triangle});
+}
+
+dvec3 CurrentMap::place_of(const TubeMiddle& middle) const {
+  const dvec2 across = 0.5 * (middle.at + lattice_.project(middle.point));
+  return 0.5 * middle.path * glm::cross(lattice_.u_hat, lattice_.v_hat) + across.x * lattice_.u_hat + across.y * lattice_.v_hat;
+}
+
+// On its plane, seen from the radar.
+dvec3 CurrentMap::place_on(std::uint32_t triangle, const dvec2& at) const {
+  const TriangleMesh& mesh = faces_.mesh();
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const dvec3 normal = glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]),
+              towards = glm::cross(lattice_.u_hat, lattice_.v_hat), across = at.x * lattice_.u_hat + at.y * lattice_.v_hat;
+  const double facing = glm::dot(normal, towards);
+  return facing == 0.0 ? across : across + glm::dot(normal, mesh.vertices[a] - across) / facing * towards;
 }
 
 std::uint32_t CurrentMap::triangle_under(const Footprint& footprint, std::uint32_t face, const dvec2& at) const {

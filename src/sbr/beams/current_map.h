@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -13,23 +14,48 @@
 
 namespace raytube {
 
+/// What a current radiates that is as small as a cell of a map, and not much deeper: of a plane wave, back to where it came from.
+struct CurrentPiece {
+  // From where a wave that is reflected once would come back with this phase, and with these changes of it as the direction
+  // turns: half of the path, and the middle between where its tube set out and where the current is [m].
+  dvec3 place;
+  ScatteringMatrix s;
+  int bounce;              // counted from 0
+  std::uint32_t triangle;  // of the current
+};
+using CurrentSink = std::function<void(const CurrentPiece&)>;
+
+/// The middle ray of a tube where it meets a surface.
+struct TubeMiddle {
+  dvec2 at;     // launch coordinates
+  dvec3 point;  // on the surface
+  double path;  // exponent / k of what the current there radiates [m]
+};
+
 /// Takes the far field of every current at one frequency. Whatever is wider than a cell of the lattice is cut along its lines in
 /// the launch plane, where the phase is still linear: the parts add up to the whole to rounding. One thread at a time.
 class CurrentMap {
  public:
   /// The lattice's coordinates are those of a LaunchGrid; `wavenumber` [rad/m] is that of `frequency_index` in the look.
-  CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber);
+  /// `sink`, if there is one, takes each piece of a current as well.
+  CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber,
+             CurrentSink sink = {});
 
   std::size_t frequency_index() const { return frequency_index_; }
   const double& wavenumber() const { return wavenumber_; }
   const ImageLattice& lattice() const { return lattice_; }
 
+  /// Counted from 0: of all currents that are added from now on.
+  void set_bounce(int bounce) { bounce_ = bounce; }
+
   /// A tube that meets this part of a face.
   void add(const Footprint& footprint, const ConvexPolygon& outline, std::uint32_t face);
   /// A rectangular tube that meets a triangle.
   void add(const Footprint& footprint, const Bounds& tube, std::uint32_t triangle);
-  /// The far field `s` of a tube too narrow to be cut, that set out at these launch coordinates.
+  /// The far field `s` of a tube too narrow to be cut, that set out at these launch coordinates and meets this triangle first.
   void add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
+  /// The same of one that may have been reflected before.
+  void add(const TubeMiddle& middle, std::uint32_t triangle, const ScatteringMatrix& s);
 
   /// The triangle of a face that the ray of these launch coordinates meets.
   std::uint32_t triangle_under(const Footprint& footprint, std::uint32_t face, const dvec2& at) const;
@@ -54,12 +80,19 @@ class CurrentMap {
   template <class Visit>
   void slice(const ConvexPolygon& polygon, int axis, Slices& slices, Visit visit);
   std::array<dvec2, 3> corners(const Footprint& footprint, std::uint32_t triangle) const;
+  void keep(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
+  void tell(const Footprint& footprint, const ConvexPolygon& part, std::uint32_t triangle);
+  void tell_slice(const Footprint& footprint, const ConvexPolygon& slice, std::uint32_t triangle);
+  dvec3 place_of(const TubeMiddle& middle) const;
+  dvec3 place_on(std::uint32_t triangle, const dvec2& at) const;
   bool clip_to(const std::array<dvec2, 3>& corners, const ConvexPolygon& outline);
 
   const FaceTree& faces_;
   ImageLattice lattice_;
   std::size_t frequency_index_;
   double wavenumber_;
+  CurrentSink sink_;
+  int bounce_ = 0;
   std::vector<ScatteringMatrix> cells_, triangles_;
   ConvexPolygon triangle_, clipped_, inside_, outside_;
   Slices rows_, columns_;

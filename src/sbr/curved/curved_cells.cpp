@@ -278,6 +278,7 @@ class CellTrace {
   template <class Shape, class TriangleAt>
   void add_to_map(const CurvedPiece& piece, const Shape& shape, const ScatteringMatrix& whole, TriangleAt triangle_at) {
     ScatteringMatrix rest = whole;
+    look_.map->set_bounce(0);
     double most = -1.0;
     dvec2 strongest(0.0);
     look_.map->cut_up(shape, [&](const Shape& cell) {

@@ -58,7 +58,7 @@ class CurvedTubes {
       }
       keep([&](const Tube& tube, const Hit& hit) {
         integrate(tube, bounce);
-        if (look_.map) add_to_map(tube, hit.triangle);
+        if (look_.map) add_to_map(tube, hit.triangle, bounce);
         return true;
       });
     }
@@ -139,10 +139,12 @@ class CurvedTubes {
         add_far_fields(coarse_sums_[grid], tube.footprint, band_, 3.0 * cell);
   }
 
-  void add_to_map(const Tube& tube, std::uint32_t triangle) {
+  void add_to_map(const Tube& tube, std::uint32_t triangle, int bounce) {
+    look_.map->set_bounce(bounce);
     ScatteringMatrix s;
     add_far_field(s, tube.footprint, look_.map->frequency_index(), look_.map->wavenumber(), {look_.grid.du, look_.grid.dv});
-    look_.map->add({look_.grid.u_center(tube.cell.x), look_.grid.v_center(tube.cell.y)}, triangle, s);
+    const dvec2 at(look_.grid.u_center(tube.cell.x), look_.grid.v_center(tube.cell.y));
+    look_.map->add({at, tube.footprint.outgoing.base, tube.footprint.phase}, triangle, s);
   }
 
   const TubeLook& look_;

@@ -181,6 +181,7 @@ void CellTubes::extend(const Run& next) {
 }
 
 void CellTubes::integrate(int bounce) {
+  if (map_) map_->set_bounce(bounce);
   if (tubes_.empty()) return;
   std::vector<ScatteringMatrix>& sums = sums_.at(bounce, frequencies_);
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();

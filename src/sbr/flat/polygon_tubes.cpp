@@ -220,6 +220,7 @@ struct FaceTrace {
   // twins in place of their tubes differs by more.
   void integrate(std::uint32_t node, const VisiblePart& part, int bounce, const PolygonTube& tube) {
     const Course course = tube.course;
+    if (look_.map) look_.map->set_bounce(bounce);
     if (course != Course::parted && course != Course::twin) return currents_.add(sums_, node, part, blocks_, bounce, look_.map);
     TubeSums sums;  // as if this were the first bounce
     currents_.add(sums, node, part, blocks_, 0, course == Course::parted ? look_.map : nullptr);

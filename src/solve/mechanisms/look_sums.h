@@ -47,6 +47,7 @@ struct ImageRequest {
   std::size_t frequency_index;  // among those of the look
   const ImageLattice& lattice;  // in recentred coordinates
   std::vector<ImageEdge> pieces{};
+  std::vector<MechanismId> mechanisms{};  // of the pieces
 };
 
 /// Takes what one mechanism after the other adds.

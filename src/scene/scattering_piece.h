@@ -1,0 +1,32 @@
+// What scatters, in pieces small against what a sweep resolves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "core/field.h"
+
+namespace raytube {
+
+/// What a piece is of.
+enum class ScatteringMechanism : std::uint8_t { first_bounce, second_bounce, later_bounces, edges, interaction, surface_waves };
+
+/// All of them, by their names in files.
+inline constexpr std::array scattering_mechanisms{"bounce_1", "bounce_2", "bounce_3_on", "edges", "interaction", "surface_waves"};
+
+/// Adds s to S of one monostatic look at one frequency.
+struct ScatteringPiece {
+  // Where a point would be that has the same phase, and the same changes of it as frequency and direction change a little: of what
+  // is reflected on its way half of the path, and between where it set out and where it is last. Of an edge where that stands,
+  // also if light reaches it by reflection [m].
+  dvec3 place;
+  ScatteringMatrix s;  // [m]
+  ScatteringMechanism mechanism;
+  std::uint32_t triangle;  // of the mesh; of edges none (no_index)
+};
+
+/// Takes one after the other, one thread at a time.
+using PieceSink = std::function<void(const ScatteringPiece&)>;
+
+}  // namespace raytube

@@ -1,0 +1,54 @@
+#include "solve/pieces.h"
+
+#include "core/error.h"
+#include "core/threads.h"
+#include "plan/phase_reference.h"
+#include "plan/plan.h"
+#include "solve/image.h"
+#include "solve/look_solver.h"
+
+namespace raytube {
+
+namespace {
+
+// As of the slices of currents.
+constexpr double edge_pieces_to_a_wavelength = 16.0;
+
+// Throws InputError for looks whose pieces have no one place, or do not tell of other frequencies.
+void check_pieces(const Sweep& sweep, const SolveOptions& options) {
+  if (sweep.bistatic) throw InputError("the pieces of bistatic looks have no one place; remove [receive], or compute the sweep");
+  if (!sweep.looks.front().far())
+    throw InputError("the pieces seen from a finite distance have no one place; remove [radar], or compute the sweep");
+  if (!sweep.materials.empty())
+    throw InputError("materials change with frequency, so that one does not tell of others; compute the sweep");
+  if (options.edges.method == EdgeMethod::utd)
+    throw InputError("edges.method \"utd\" adds up rays, which have no pieces; write \"fringe\" or \"none\"");
+}
+
+}  // namespace
+
+void scattering_pieces(const Target& target, const Sweep& sweep, std::size_t look, double frequency, const SolveOptions& options,
+                       double cell, const PieceSink& sink) {
+  check_pieces(sweep, options);
+  Sweep one = sweep;
+  one.frequencies = {frequency}, one.looks = {sweep.looks[look]};
+  const SolvePlan plan(target, one, options);
+  const auto lattice_of = [&](double per_wavelength) {
+    ImageLattice lattice = image_cells(plan, 0, per_wavelength);
+    lattice.corner -= lattice.project(target.mesh.center);
+    return lattice;
+  };
+  const ImageLattice lattice = lattice_of(wavelength(frequency) / cell),
+                     fine = lattice_of(std::max(edge_pieces_to_a_wavelength, wavelength(frequency) / cell));
+  const Complex factor = to_mesh_origin(target.mesh, one.looks.front(), frequency);
+  const PieceSink finished = [&](ScatteringPiece piece) {
+    piece.place += target.mesh.center;
+    make_reciprocal(std::span(&piece.s, 1));
+    piece.s *= factor;
+    sink(piece);
+  };
+  Progress progress(options.progress);
+  run_on_threads(plan.threads, [&] { LookSolver(plan).solve_pieces(lattice, fine, progress, finished); });
+}
+
+}  // namespace raytube

@@ -1,0 +1,112 @@
+// Range profiles and images of pieces, of one look at one frequency, against those of the sweep.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "imaging/direct.h"
+#include "run.h"
+#include "shapes.h"
+#include "solve/pieces.h"
+
+namespace raytube {
+namespace {
+
+using namespace raytube::testing;
+
+// Faces of 0.3 m on +x and +y, the fold is z.
+TriangleMesh dihedral() { return build_mesh(shapes::dihedral(0.3, 0.3), 1.0).mesh; }
+
+struct Aperture {
+  EvenAxis frequency;
+  AngleGrid grid;
+  Sweep sweep;
+  SweepSamples samples;
+};
+
+Aperture aperture(const EvenAxis& frequency, const EvenAxis& phi_deg) {
+  Aperture result{frequency, {{90.0, 0.0, 1}, phi_deg, std::vector<std::size_t>(phi_deg.count)}, {}, {.frequency = frequency}};
+  std::iota(result.grid.looks.begin(), result.grid.looks.end(), std::size_t{0});
+  std::vector<Direction> directions;
+  for (std::size_t i = 0; i < phi_deg.count; ++i) {
+    directions.push_back({90.0 * degree, phi_deg.at(i) * degree});
+    const dvec3 direction = spherical_basis(directions.back()).radial;
+    constexpr double far = std::numeric_limits<double>::infinity();
+    result.samples.looks.push_back({direction, direction, far, far});
+  }
+  result.sweep = monostatic(directions, frequency.first);
+  result.sweep.frequencies.clear();
+  for (std::size_t f = 0; f < frequency.count; ++f) result.sweep.frequencies.push_back(frequency.at(f));
+  return result;
+}
+
+double correlation(const std::vector<ScatteringMatrix>& a, const std::vector<ScatteringMatrix>& b, int p) {
+  Complex product = 0.0;
+  double of_a = 0.0, of_b = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    product += std::conj(a[i].at(p, p)) * b[i].at(p, p);
+    of_a += std::norm(a[i].at(p, p)), of_b += std::norm(b[i].at(p, p));
+  }
+  return std::abs(product) / std::sqrt(of_a * of_b);
+}
+
+// Each look at the middle frequency: pieces lose nothing, first and later bounces, edges and what they start.
+TEST(Pieces, AddUpToS) {
+  const Target target(dihedral());
+  const Aperture of = aperture({10e9, 0.0, 1}, {20.0, 12.5, 3});
+  const SolveOptions o;
+  const SweepResult result = solve(target, of.sweep, o);
+  for (std::size_t look = 0; look < 3; ++look) {
+    ScatteringMatrix sum;
+    scattering_pieces(target, of.sweep, look, 10e9, o, 0.02, [&](const ScatteringPiece& piece) { sum += piece.s; });
+    EXPECT_LT(largest_amplitude(sum - result.total[look]), 1e-9 * largest_amplitude(result.total[look]));
+  }
+}
+
+// A band of 2 GHz and 8 degrees. Bounces once: at the plates' sides; twice: at the fold. Order 1: what edges of further orders
+// start is told where it began, though its path is longer. What is left is the change of S with angle of what is not small.
+TEST(DirectImage, OfADihedralIsThatOfTheSweep) {
+  const Target target(dihedral());
+  const Aperture of = aperture({9e9, 100e6, 21}, {26.0, 0.5, 17});
+  SolveOptions o;
+  o.edges.order = 1;
+  SweepSamples swept = of.samples;
+  swept.s = solve(target, of.sweep, o).total;
+  const IsarOptions image_options{{}, {1.0, 0.8, 0.0}, 3.0};
+  DirectImage direct(of.samples, of.grid);
+  scattering_pieces(target, of.sweep, middle_index(17), of.frequency.at(middle_index(21)), o, 0.015,
+                    [&](const ScatteringPiece& piece) {
+                      direct.add({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
+                    });
+  const IsarImage a = direct.image(image_options, ""), b = isar_image(swept, of.grid, image_options, "");
+  for (const int p : {0, 1}) EXPECT_GT(correlation(a.s, b.s, p), 0.99);
+}
+
+// The profile of one look needs no other angle: nothing but the cut into pieces is left.
+TEST(DirectSweep, OfATiltedPlateIsTheSweep) {
+  const Target target(build_mesh(shapes::plate(0.7), 1.0).mesh);
+  Aperture of = aperture({9e9, 100e6, 21}, {30.0, 0.0, 1});
+  of.sweep.looks.front().transmit.theta = of.sweep.looks.front().receive.theta = 55.0 * degree;
+  SolveOptions o;
+  o.edges.order = 1;
+  const SweepResult swept = solve(target, of.sweep, o);
+  DirectSweep direct(of.frequency, spherical_basis(of.sweep.looks.front().transmit).radial);
+  scattering_pieces(target, of.sweep, 0, of.frequency.at(middle_index(21)), o, 0.02, [&](const ScatteringPiece& piece) {
+    direct.add({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
+  });
+  const std::vector<ScatteringMatrix> s = direct.scattering();
+  for (const int p : {0, 1}) EXPECT_GT(correlation(s, swept.total, p), 0.999);
+}
+
+TEST(Pieces, WhatHasNoPiecesIsRefused) {
+  const Target target(build_mesh(shapes::plate(0.1), 1.0).mesh);
+  const Aperture of = aperture({10e9, 0.0, 1}, {0.0, 0.0, 1});
+  Sweep bistatic = of.sweep;
+  bistatic.bistatic = true;
+  EXPECT_THROW(scattering_pieces(target, bistatic, 0, 10e9, {}, 0.1, [](const ScatteringPiece&) {}), InputError);
+  SolveOptions rays;
+  rays.edges.method = EdgeMethod::utd;
+  EXPECT_THROW(scattering_pieces(target, of.sweep, 0, 10e9, rays, 0.1, [](const ScatteringPiece&) {}), InputError);
+}
+
+}  // namespace
+}  // namespace raytube
