@@ -328,14 +328,15 @@ bool wants_tube(const CLI::App& trace) {
 void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2)
     throw InputError(
-        "no command; write run, check, trace, converge or sources and a case file, or compare or convert and two files (see "
-        "raytube "
-        "--help)");
+        "no command; write run, check, trace, converge or sources and a case file, compare or convert and two files, or plot "
+        "or statistics and a result (see raytube --help)");
   const std::string word = argv[1];
   const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
-    throw InputError(fmt::format(
-        "unknown command \"{}\"; write run, check, trace, converge, sources, compare or convert (see raytube --help)", word));
+    throw InputError(
+        fmt::format("unknown command \"{}\"; write run, check, trace, converge, sources, compare, convert, plot or statistics "
+                    "(see raytube --help)",
+                    word));
 }
 
 }  // namespace
@@ -353,6 +354,8 @@ Request parse_command_line(int argc, const char* const* argv) {
   CLI::App* converge = add_converge(app, request);
   CLI::App* convert = add_convert(app, request);
   CLI::App* sources = add_sources(app, request);
+  CLI::App* plot = add_plot(app, request.plot);
+  CLI::App* statistics = add_statistics(app, request.statistics);
   check_first_word(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -361,13 +364,10 @@ Request parse_command_line(int argc, const char* const* argv) {
     app.exit(error);
     return request;
   }
-  const std::array<std::pair<const CLI::App*, Command>, 7> commands = {{{run, Command::run},
-                                                                        {check, Command::check},
-                                                                        {trace, Command::trace},
-                                                                        {compare, Command::compare},
-                                                                        {converge, Command::converge},
-                                                                        {convert, Command::convert},
-                                                                        {sources, Command::sources}}};
+  const std::pair<const CLI::App*, Command> commands[] = {
+      {run, Command::run},         {check, Command::check},       {trace, Command::trace},
+      {compare, Command::compare}, {converge, Command::converge}, {convert, Command::convert},
+      {sources, Command::sources}, {plot, Command::plot},         {statistics, Command::statistics}};
   if (run->count("--launch") == 0) request.random.reset();
   if (request.random && request.parts)
     throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");

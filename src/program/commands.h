@@ -1,7 +1,8 @@
 // The room of the program: the command line, and nothing that another program could want.
 //
 //     command_line  arguments -> Request;  main: Request -> command, exceptions -> sentence and exit code
-//     run, check, trace, compare, converge, convert, sources: the commands, each in a file of its name
+//     run, check, trace, compare, converge, convert, sources, plot, statistics: the commands, each in a file of its name
+//     result_commands  command line of plot and statistics
 //     results, look_journal, interrupt, progress_bar: how a command brings its files into place, survives being stopped and
 //                   tells how far it is
 //
@@ -13,11 +14,12 @@
 #include <string>
 #include <vector>
 
+#include "program/result_commands.h"
 #include "scene/random_result.h"
 
 namespace raytube {
 
-enum class Command { none, run, check, trace, compare, converge, convert, sources };
+enum class Command { none, run, check, trace, compare, converge, convert, sources, plot, statistics };
 
 struct Request {
   Command command = Command::none;  // none: help or version was printed
@@ -48,6 +50,8 @@ struct Request {
   double within_db = 20.0;                        // compare: rows that count
   std::optional<double> tolerance_db;             // compare: fall short above it
   std::optional<double> tolerance_relative;       // same
+  PlotRequest plot;
+  StatisticsRequest statistics;
 };
 
 /// Throws InputError for a command line that cannot be understood.

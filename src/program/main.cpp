@@ -45,6 +45,10 @@ void execute(const Request& request) {
       return convert_command(request);
     case Command::sources:
       return sources_command(request);
+    case Command::plot:
+      return plot_command(request.plot);
+    case Command::statistics:
+      return statistics_command(request.statistics);
     case Command::none:
       return;
   }

@@ -87,17 +87,21 @@ const Rooms may_include = {
     {"output/vtk", {"core", "scene", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
     {"output/plots", {"core", "scene", "output/files", "output/tables", "output/compare"}},
+    {"output/charts", {"core", "scene", "output/netcdf", "output/tables", "output/plots"}},
+    {"output/statistics", {"core", "scene", "output/files", "output/tables", "output/plots", "output/charts"}},
     {"jobs/warnings",
      base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "plan", "solve", "solve/mechanisms"}},
     {"jobs",
      base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "mesh", "output/files", "output/tables",
                                   "output/words", "plan", "sbr", "sbr/launch", "solve", "solve/mechanisms"}},
-    {"program", base +
-                    std::set<std::string>{
-                        "jobs",           "jobs/warnings", "case",          "case/data",    "case/materials", "mesh",
-                        "output/compare", "output/files",  "output/netcdf", "output/plots", "output/words",   "output/tables",
-                        "output/vtk",     "plan",          "point_source",  "sbr",          "solve",          "solve/mechanisms",
-                        "utd/shadow",     "utd/wedge"}},
+    {"program", base + std::set<std::string>{"jobs",          "jobs/warnings",    "case",
+                                             "case/data",     "case/materials",   "mesh",
+                                             "output/charts", "output/compare",   "output/statistics",
+                                             "output/files",  "output/netcdf",    "output/plots",
+                                             "output/words",  "output/tables",    "output/vtk",
+                                             "plan",          "point_source",     "sbr",
+                                             "solve",         "solve/mechanisms", "utd/shadow",
+                                             "utd/wedge"}},
 };
 
 struct SourceFile {
