@@ -4,7 +4,7 @@ import shlex
 
 
 def kind(argument):
-    """What completes an argument: "keys", "folders", "files SUFFIX...", "word WORD" or "nothing"."""
+    """What completes an argument: "keys", "folders", "files SUFFIX...", "word WORD..." or "nothing"."""
     if argument == "KEY=VALUE":
         return "keys"
     if argument == "DIR":
@@ -12,7 +12,7 @@ def kind(argument):
     suffixes = re.findall(r"\.([a-z]+)", argument)
     if suffixes:
         return " ".join(["files", *suffixes, *["nc"] * (suffixes == ["csv"])])  # a table may be netCDF wherever it may be CSV
-    return f"word {argument}" if argument.islower() else "nothing"
+    return f"word {argument.replace('|', ' ')}" if argument.islower() else "nothing"
 
 
 BASH = r"""# bash completion for raytube, made at build time of the program's own help.

@@ -52,6 +52,12 @@ tubes --tubes 300 --paths "$work/paths.vtp"
 xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' pvpython docs/figures/tubes.py "$work"/{hits.vtu,paths.vtp,wedges.vtp} docs/figures/haul_truck_tubes.png
 run haul_truck cases/haul_truck/case.toml
 grep -v '^#' "$work/haul_truck/rcs.csv" >"$work/haul_truck_errors.csv"
+(cd "$work" && "$program" statistics haul_truck/rcs.csv -o truck_statistics >/dev/null)
+cp "$work/truck_statistics/statistics.png" docs/figures/haul_truck_statistics.png
+run all_round cases/powercube/case.toml --set frequency.ghz=10 --set 'look.theta_deg={start=0,stop=180,step=1}' \
+  --set 'look.phi_deg={start=-180,stop=180,step=1}'
+"$program" plot "$work/all_round/rcs.csv" -o "$work/pictures/powercube_sphere.png" --quiet --title '90 mm cube, 10 GHz, monostatic, all round'
+cp "$work/pictures/powercube_sphere.png" docs/figures/
 for body in cube2 dihedral3; do
   run $body docs/figures/$body.toml "${fine[@]}"
   run ${body}_off docs/figures/$body.toml "${fine[@]}" "${off[@]}"
@@ -83,7 +89,7 @@ done
 for name in sphere radome coated_sphere; do paste -d, "$work/$name.csv" "$work/${name}_reference.csv" >"$work/${name}_both.csv"; done
 
 cd docs/figures
-pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder almond almond_rays wing wing_rays trihedral haul_truck haul_truck_image haul_truck_tubes convergence_plate
+pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder almond almond_rays wing wing_rays trihedral haul_truck haul_truck_image haul_truck_tubes haul_truck_statistics powercube_sphere convergence_plate
           convergence_dihedral stochastic double_slit_launch double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','

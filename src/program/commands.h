@@ -1,10 +1,13 @@
 // The room of the program: the command line, and nothing that another program could want.
 //
 //     command_line  arguments -> Request;  main: Request -> command, exceptions -> sentence and exit code
-//     run, check, trace, compare, converge, convert, sources, profile, isar: the commands, each in a file of its name
+//     run, check, trace, compare, converge, convert, sources, profile, isar, plot, statistics: the commands, each in a file of
+//     its
+//                   name
 //     products      what profile and isar take: a result that is there, or a case that is solved first
-//     results, look_journal, interrupt, progress_bar: how a command brings its files into place, survives being stopped and
-//                   tells how far it is
+//     result_commands  command line of plot and statistics
+//     work          how a command brings its files into place (results), survives being stopped (interrupt, look_journal) and
+//                   tells how far it is (progress_bar)
 //
 // This file: what the user asked for, and the commands that answer.
 #pragma once
@@ -16,11 +19,12 @@
 #include <vector>
 
 #include "imaging/window.h"
+#include "program/result_commands.h"
 #include "scene/random_result.h"
 
 namespace raytube {
 
-enum class Command { none, run, check, trace, compare, converge, convert, sources, profile, isar };
+enum class Command { none, run, check, trace, compare, converge, convert, sources, profile, isar, plot, statistics };
 
 /// What profile and isar make of a sweep.
 struct ProductRequest {
@@ -64,6 +68,8 @@ struct Request {
   std::optional<double> tolerance_db;             // compare: fall short above it
   std::optional<double> tolerance_relative;       // same
   ProductRequest product;                         // profile, isar; their input is `result`
+  PlotRequest plot;
+  StatisticsRequest statistics;
 };
 
 /// Throws InputError for a command line that cannot be understood.

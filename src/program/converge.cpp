@@ -19,10 +19,10 @@
 #include "output/plots/convergence_plot.h"
 #include "output/tables/stored.h"
 #include "program/commands.h"
-#include "program/interrupt.h"
-#include "program/progress_bar.h"
-#include "program/results.h"
 #include "program/unusable_rows.h"
+#include "program/work/interrupt.h"
+#include "program/work/progress_bar.h"
+#include "program/work/results.h"
 #include "solve/solve.h"
 
 namespace raytube {

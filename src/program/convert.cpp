@@ -9,8 +9,8 @@
 #include "output/tables/csv.h"
 #include "output/tables/stored.h"
 #include "program/commands.h"
-#include "program/interrupt.h"
-#include "program/results.h"
+#include "program/work/interrupt.h"
+#include "program/work/results.h"
 
 namespace raytube {
 

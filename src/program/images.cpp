@@ -8,7 +8,7 @@
 #include "output/tables/image_csv.h"
 #include "output/vtk/image_pvd.h"
 #include "output/vtk/image_vtu.h"
-#include "program/interrupt.h"
+#include "program/work/interrupt.h"
 #include "solve/image.h"
 
 namespace raytube {

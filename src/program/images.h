@@ -8,7 +8,7 @@
 #include "case/data/case.h"
 #include "plan/plan.h"
 #include "program/commands.h"
-#include "program/results.h"
+#include "program/work/results.h"
 
 namespace raytube {
 

@@ -16,7 +16,7 @@
 #include "core/error.h"
 #include "core/instruction_set.h"
 #include "program/commands.h"
-#include "program/interrupt.h"
+#include "program/work/interrupt.h"
 
 namespace {
 
@@ -49,6 +49,10 @@ void execute(const Request& request) {
       return profile_command(request);
     case Command::isar:
       return isar_command(request);
+    case Command::plot:
+      return plot_command(request.plot);
+    case Command::statistics:
+      return statistics_command(request.statistics);
     case Command::none:
       return;
   }

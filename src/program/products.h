@@ -13,14 +13,14 @@
 #include "output/netcdf/stored_result.h"
 #include "plan/target.h"
 #include "program/commands.h"
-#include "program/results.h"
+#include "program/work/results.h"
 
 namespace raytube {
 
 struct ProductSource {
   std::optional<Case> of_case{};  // it was solved from, or is to be taken to pieces
-  std::string name;             // for sentences: the file
-  std::string title;            // for pictures
+  std::string name;               // for sentences: the file
+  std::string title;              // for pictures
   StoredResult result;
   std::unique_ptr<const Target> target;  // of a case, and of a result beside whose run.json its meshes are as they were
   bool solved = false;                   // just now: the result is on no disk yet

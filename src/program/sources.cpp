@@ -18,9 +18,9 @@
 #include "point_source/launch_limit.h"
 #include "point_source/ray_hits.h"
 #include "program/commands.h"
-#include "program/interrupt.h"
-#include "program/progress_bar.h"
-#include "program/results.h"
+#include "program/work/interrupt.h"
+#include "program/work/progress_bar.h"
+#include "program/work/results.h"
 
 namespace raytube {
 

@@ -16,7 +16,7 @@
 #include "output/words/tubes_text.h"
 #include "plan/admissible.h"
 #include "program/commands.h"
-#include "program/results.h"
+#include "program/work/results.h"
 #include "sbr/replay.h"
 #include "sbr/tube_paths.h"
 #include "solve/look_solver.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "output/words/summary.h"
-#include "program/results.h"
+#include "program/work/results.h"
 
 namespace raytube {
 

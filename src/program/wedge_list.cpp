@@ -4,7 +4,7 @@
 
 #include "output/tables/wedges_csv.h"
 #include "output/vtk/wedges_vtp.h"
-#include "program/results.h"
+#include "program/work/results.h"
 #include "utd/shadow/wedge_lines.h"
 
 namespace raytube {

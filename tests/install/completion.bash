@@ -40,5 +40,7 @@ expect "edges.order=" raytube run --set edges.or
 expect "" raytube run --set edges.order = ca        # a value
 expect "result.csv result.nc" raytube compare result.csv res
 expect "" raytube compare result.csv result.nc res
+expect "auto curves map polar" raytube plot result.csv --kind ""
+expect "cases" raytube statistics result.csv -o ca
 expect "random" raytube run case.toml --launch r
 exit $faults

@@ -148,10 +148,59 @@ TEST(Plot, AMapDiffersInTwoQuantitiesOnly) {
   EXPECT_EQ(map->fixed, "11 GHz");
   EXPECT_EQ(map->rows[5 + 6 * 4], sweep.row(5 + 6 * 4, 1));
   EXPECT_FALSE(map_through(7, coordinates, plan_cuts(coordinates), 12));  // few enough for panels
-  Sweep gap = sweep;
-  gap.looks.pop_back();
-  const RowCoordinates others = coordinates_of_rows(gap);
-  EXPECT_FALSE(map_through(7, others, plan_cuts(others), 4));
+}
+
+std::optional<SweepMap> map_of(const Sweep& sweep) {
+  const RowCoordinates coordinates = coordinates_of_rows(sweep);
+  return map_through(0, coordinates, plan_cuts(coordinates), 4);
+}
+
+TEST(Plot, AMapMayHaveHolesAndRepeatedRows) {
+  Sweep sweep = grid({10, 20, 30, 40, 50}, {0, 1, 2, 3, 4, 5}, {10});
+  sweep.looks.pop_back();
+  sweep.looks.push_back(sweep.looks.front());
+  const auto map = map_of(sweep);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->rows.front(), 0u);
+  EXPECT_EQ(map->rows.back(), SweepMap::hole);
+  EXPECT_EQ(map->held, 30u);
+  EXPECT_THAT(rcs_plot_script("svg", "x.svg", "t", sweep, constant(sweep, 1.0, 0.0)), HasSubstr(" NaN \n"));
+  Sweep diagonal{{1e9}, {}, false};  // what fills a fifth of a grid has none
+  for (const double t : {10, 20, 30, 40, 50}) diagonal.looks.push_back({{t * degree, t * degree}, {t * degree, t * degree}});
+  EXPECT_FALSE(map_of(diagonal));
+}
+
+// As of looks that are alike in solid angle.
+TEST(Plot, AMapMayHaveFewerAzimuthsTowardsThePole) {
+  Sweep sweep{{1e9}, {}, false};
+  std::vector<std::size_t> first;
+  for (const int theta : {0, 10, 30, 50, 70, 90}) {
+    first.push_back(sweep.looks.size());
+    const int count = theta == 0 ? 1 : 2 + theta / 10 * 4;
+    for (int i = 0; i < count; ++i) {
+      const Direction d{theta * degree, i * 360.0 / count * degree};
+      sweep.looks.push_back({d, d});
+    }
+  }
+  const auto map = map_of(sweep);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->x.size(), 38u);
+  EXPECT_EQ(map->rows[37], 0u);             // the pole is the nearest of its row everywhere
+  EXPECT_EQ(map->rows[38 + 37], first[1]);  // 0 is nearer to 351 degrees than 300 is
+  EXPECT_EQ(map->rows[5 * 38 + 37], first[5] + 37);
+}
+
+// As an arc tangent gives them.
+TEST(Plot, AMapIsNotTornByRounding) {
+  Sweep sweep = grid({10, 20, 30, 40, 50}, {0, 1, 2, 3, 4, 5}, {10});
+  for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
+    Direction& d = sweep.looks[i].transmit;
+    d.theta += 1e-14 * static_cast<double>(i % 3), d.phi -= 1e-14 * static_cast<double>(i % 5);
+    sweep.looks[i].receive = d;
+  }
+  EXPECT_TRUE(map_of(sweep));
+  sweep.bistatic = true;  // with receivers that are the transmitters
+  EXPECT_TRUE(map_of(sweep));
 }
 
 // Levels that rise by 1 dB a step: of the 11 rows about the i-th the second, the sixth and the tenth are i - 4, i and i + 4.

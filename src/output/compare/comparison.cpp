@@ -6,12 +6,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
 
 #include "core/error.h"
 #include "output/compare/curve_lag.h"
 #include "output/compare/square_metres.h"
 #include "output/tables/csv.h"
+#include "output/tables/key_coordinates.h"
 
 namespace raytube {
 
@@ -26,31 +26,6 @@ void fill_keys(Comparison& c) {
       if (!c.result.has_key[k]) key[k] = c.reference.rows[j].key[k];
     c.keys.push_back(key);
   }
-}
-
-bool receiver_elsewhere(const Comparison& c) {
-  using Key = ResultTable;
-  return std::ranges::any_of(c.keys, [&](const ResultTable::Keys& key) {
-    return (c.has_key[Key::rx_theta] && (!c.has_key[Key::theta] || key[Key::rx_theta] != key[Key::theta])) ||
-           (c.has_key[Key::rx_phi] &&
-            (!c.has_key[Key::phi] || std::abs(std::remainder(key[Key::rx_phi] - key[Key::phi], 360.0)) > 1e-9));
-  });
-}
-
-RowCoordinates coordinates_of(const Comparison& c) {
-  using Key = ResultTable;
-  const bool bistatic = receiver_elsewhere(c);
-  RowCoordinates coordinates{{},
-                             {c.has_key[Key::phi], c.has_key[Key::theta], bistatic && c.has_key[Key::rx_phi],
-                              bistatic && c.has_key[Key::rx_theta], c.has_key[Key::frequency], false}};
-  std::map<std::array<double, 4>, std::size_t> looks;
-  for (const ResultTable::Keys& key : c.keys) {
-    const double rx_phi = bistatic ? key[Key::rx_phi] : 0.0, rx_theta = bistatic ? key[Key::rx_theta] : 0.0;
-    const std::array<double, 4> look = {key[Key::phi], key[Key::theta], rx_phi, rx_theta};
-    const auto number = static_cast<double>(looks.try_emplace(look, looks.size()).first->second);
-    coordinates.rows.push_back({look[0], look[1], look[2], look[3], key[Key::frequency] / 1e9, number});
-  }
-  return coordinates;
 }
 
 ChannelPair pair_of(const Comparison& c, int channel) {
@@ -123,7 +98,7 @@ Comparison compare_results(ResultTable result, ResultTable reference, double wit
   fill_keys(c);
   fill_pairs(c);
   find_signals(c);
-  c.coordinates = coordinates_of(c);
+  c.coordinates = coordinates_of_keys(c.keys, c.has_key);
   c.cuts = plan_cuts(c.coordinates);
   for (int channel = 0; channel < 4; ++channel) {
     c.lag[channel] = ErrorMeasures::undefined;

@@ -44,15 +44,16 @@ std::string run_gnuplot(const std::filesystem::path& script) {
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("gnuplot failed with status {}", WEXITSTATUS(status));
 }
 
-// PNG ends with a chunk of its own (ISO/IEC 15948:2004, 11.2.5), SVG with the tag that closes it. On a full disk gnuplot leaves
-// half a picture and says nothing.
+// PNG ends with a chunk of its own (ISO/IEC 15948:2004, 11.2.5), SVG with the tag that closes it, PDF with a line of its own
+// (ISO 32000-1:2008, 7.5.5). On a full disk gnuplot leaves half a picture and says nothing.
 bool is_whole(const std::filesystem::path& picture) {
-  constexpr std::string_view chunk("IEND\xAE\x42\x60\x82", 8), tag = "</svg>";
+  constexpr std::string_view chunk("IEND\xAE\x42\x60\x82", 8), tag = "</svg>", last_line = "%%EOF";
   constexpr std::streamoff at_most = 16;  // blanks may follow
   std::ifstream in(picture, std::ios::binary);
   in.seekg(-at_most, std::ios::end);
   const std::string end{std::istreambuf_iterator<char>(in), {}};
-  return picture.extension() == ".png" ? end.ends_with(chunk) : end.find(tag) != std::string::npos;
+  if (picture.extension() == ".png") return end.ends_with(chunk);
+  return end.find(picture.extension() == ".pdf" ? last_line : tag) != std::string::npos;
 }
 
 // Throws std::runtime_error if that is why the picture is not whole: gnuplot does not say. What there is of it keeps its room

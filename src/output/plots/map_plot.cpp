@@ -9,8 +9,8 @@
 
 #include "output/plots/cut_panel.h"
 #include "output/plots/gnuplot.h"
+#include "output/plots/map_dots.h"
 #include "output/tables/csv.h"
-#include "output/tables/sampled_rows.h"
 
 namespace raytube {
 
@@ -19,52 +19,15 @@ namespace {
 constexpr double map_range = 50.0;    // [dB] below the peak, as measured maps are shown
 constexpr double least_range = 10.0;  // [dB] of the colours: less would show rounding
 constexpr double cross_polar_range = 20.0;
-constexpr std::size_t most_dots_across = 480, most_dots_up = 300;  // about the pixels of a map
 
-// Even dots along an axis, and the values [first, last) that each one stands for.
-struct DotAxis {
-  double first, step;  // middle of the first dot
-  std::vector<std::pair<std::size_t, std::size_t>> values;
-
-  double low() const { return first - 0.5 * step; }
-  double high() const { return low() + step * static_cast<double>(values.size()); }
-};
-
-std::size_t nearest_value(const std::vector<double>& x, double to) {
-  return static_cast<std::size_t>(std::ranges::min_element(x, {}, [&](double v) { return std::abs(v - to); }) - x.begin());
-}
-
-// One dot a value where these are even and not too many; otherwise as many as a map has room for.
-DotAxis dot_axis(const std::vector<double>& x, std::size_t most) {
-  const std::size_t count = x.size() <= most && in_even_steps(x) ? x.size() : most;
-  const double low = x[0] - 0.5 * (x[1] - x[0]), high = x.back() + 0.5 * (x.back() - x[x.size() - 2]);
-  const double step = (high - low) / static_cast<double>(count);
-  DotAxis axis{low + 0.5 * step, step, {}};
-  for (std::size_t i = 0; i < count; ++i) {
-    const double from = low + step * static_cast<double>(i);
-    const auto begin = std::ranges::lower_bound(x, from) - x.begin(), end = std::ranges::lower_bound(x, from + step) - x.begin();
-    if (begin < end)
-      axis.values.emplace_back(begin, end);
-    else
-      axis.values.emplace_back(nearest_value(x, from + 0.5 * step), nearest_value(x, from + 0.5 * step) + 1);
-  }
-  return axis;
-}
-
-// The strongest of the rows that a dot stands for, so that no peak is lost.
-double level_of_dot(const SweepMap& map, const std::vector<double>& levels, std::pair<std::size_t, std::size_t> across,
-                    std::pair<std::size_t, std::size_t> up) {
-  double level = -std::numeric_limits<double>::infinity();
-  for (std::size_t j = up.first; j < up.second; ++j)
-    for (std::size_t i = across.first; i < across.second; ++i) level = std::max(level, levels[j * map.x.size() + i]);
-  return level;
-}
+constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 
 std::array<std::vector<double>, 4> levels_of_map(const SweepMap& map, const SweepResult& result) {
   std::array<std::vector<double>, 4> levels;
   for (const std::size_t row : map.rows)
     for (int channel = 0; channel < 4; ++channel)
-      levels[static_cast<std::size_t>(channel)].push_back(sigma_dbsm(result.total[row].at(channel / 2, channel % 2)));
+      levels[static_cast<std::size_t>(channel)].push_back(
+          row == SweepMap::hole ? not_there : sigma_dbsm(result.total[row].at(channel / 2, channel % 2)));
   return levels;
 }
 
@@ -75,7 +38,8 @@ struct ColorRange {
 ColorRange color_range(const std::array<std::vector<double>, 4>& levels, const std::vector<int>& channels, double peak) {
   if (!std::isfinite(peak)) return {-map_range, 0.0};  // nothing comes back at all
   double lowest = peak;
-  for (const int channel : channels) lowest = std::min(lowest, std::ranges::min(levels[static_cast<std::size_t>(channel)]));
+  for (const int channel : channels)
+    for (const double level : levels[static_cast<std::size_t>(channel)]) lowest = std::fmin(lowest, level);
   const double top = std::ceil(peak);
   return {std::clamp(std::floor(lowest), top - map_range, top - least_range), top};
 }
@@ -90,9 +54,11 @@ struct ChannelMaps {
 };
 
 ChannelMaps maps_of(const SweepMap& map, const SweepResult& result) {
-  ChannelMaps maps{dot_axis(map.x, most_dots_across), dot_axis(map.y, most_dots_up), levels_of_map(map, result), {}, 0.0, 0, {}};
+  ChannelMaps maps{dots_across(map), dots_up(map), levels_of_map(map, result), {}, 0.0, 0, {}};
   std::array<double, 4> peaks{};
-  for (std::size_t channel = 0; channel < 4; ++channel) peaks[channel] = std::ranges::max(maps.levels[channel]);
+  peaks.fill(not_there);
+  for (std::size_t channel = 0; channel < 4; ++channel)
+    for (const double level : maps.levels[channel]) peaks[channel] = std::fmax(peaks[channel], level);
   maps.strongest = static_cast<int>(std::ranges::max_element(peaks) - peaks.begin());
   maps.peak = std::ranges::max(peaks);
   const bool cross = std::max(peaks[1], peaks[2]) >= maps.peak - cross_polar_range;
@@ -129,12 +95,11 @@ struct MapLayout {
 };
 
 std::string map_data(int channel, const SweepMap& map, const ChannelMaps& maps) {
+  const std::vector<double> dots = map_dots(map, maps.levels[static_cast<std::size_t>(channel)], maps.across, maps.up);
   std::string text = fmt::format("$map{} << EOD\n", channel);
-  for (const auto& up : maps.up.values) {
-    for (const auto& across : maps.across.values)
-      text += fmt::format(
-          "{:.2f} ", std::max(level_of_dot(map, maps.levels[static_cast<std::size_t>(channel)], across, up), maps.colors.bottom));
-    text += '\n';
+  for (std::size_t i = 0; i < dots.size(); ++i) {
+    text += std::isnan(dots[i]) ? "NaN " : fmt::format("{:.2f} ", std::max(dots[i], maps.colors.bottom));
+    if ((i + 1) % maps.across.values.size() == 0) text += '\n';
   }
   return text + "EOD\n";
 }
@@ -216,7 +181,7 @@ std::string map_plot_script(const std::string& terminal, const std::string& file
   const ChannelMaps maps = maps_of(map, result);
   const MapLayout layout{.map_rows = static_cast<double>(maps.channels.size()) / 2};
   const CutScripts cuts = cuts_through_peak(map, peak, coordinates, result, sweep, outermost, layout);
-  const std::string heading = map_heading(title, map, maps, coordinates_text(coordinates, peak), map.rows.size() == sweep.rows());
+  const std::string heading = map_heading(title, map, maps, coordinates_text(coordinates, peak), map.held == sweep.rows());
   std::string script =
       gnuplot_preamble(terminal, fmt::format("{:.0f},{:.0f}", layout.across(), layout.down()), file) + channel_styles + cuts.data;
   for (const int channel : maps.channels) script += map_data(channel, map, maps);

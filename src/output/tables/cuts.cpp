@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 
 #include "core/decimal.h"
@@ -76,20 +77,34 @@ Cut curves_of(const CutRows& rows, Quantity quantity, const SweepResult& result)
 
 bool holds(const std::vector<std::size_t>& rows, std::size_t row) { return std::ranges::find(rows, row) != rows.end(); }
 
-// Of the evenly spread cuts the nearest one makes room for that through the peak.
-std::vector<std::size_t> choice_with_peak(const std::vector<CutRows>& cuts, std::size_t peak, std::size_t most) {
-  std::vector<std::size_t> choice = spread_choice(cuts.size(), most);
-  const auto through = std::ranges::find_if(cuts, [&](const CutRows& cut) { return holds(cut.rows, peak); }) - cuts.begin();
-  const auto nearest =
-      std::ranges::min_element(choice, {}, [&](std::size_t i) { return std::abs(static_cast<std::ptrdiff_t>(i) - through); });
-  if (nearest != choice.end()) *nearest = static_cast<std::size_t>(through);
-  return choice;
+constexpr double rounding = 1e-9;  // [degrees, GHz]: far above what computing an angle leaves, far below any step
+
+void merge_equal_values(Quantity quantity, std::vector<Values>& rows) {
+  std::vector<double> all, kept;
+  for (const Values& row : rows) all.push_back(row[quantity]);
+  std::ranges::sort(all);
+  for (const double value : all)
+    if (kept.empty() || value - kept.back() > rounding) kept.push_back(value);
+  for (Values& row : rows) row[quantity] = *std::prev(std::ranges::upper_bound(kept, row[quantity]));
+}
+
+// A receiver that stands at the transmitter in every look tells nothing.
+bool receiver_elsewhere(const Sweep& sweep) {
+  return sweep.bistatic && std::ranges::any_of(sweep.looks, [](const Look& look) {
+           return look.transmit.theta != look.receive.theta || look.transmit.phi != look.receive.phi;
+         });
 }
 
 }  // namespace
 
+void merge_equal_values(RowCoordinates& coordinates) {
+  for (const Quantity quantity :
+       {RowCoordinates::phi, RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta, RowCoordinates::frequency})
+    merge_equal_values(quantity, coordinates.rows);
+}
+
 RowCoordinates coordinates_of_rows(const Sweep& sweep) {
-  const bool bistatic = sweep.bistatic;
+  const bool bistatic = receiver_elsewhere(sweep);
   RowCoordinates coordinates{{}, {true, true, bistatic, bistatic, true, false}};
   coordinates.rows.reserve(sweep.rows());
   for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
@@ -103,6 +118,7 @@ RowCoordinates coordinates_of_rows(const Sweep& sweep) {
       coordinates.rows.push_back(row);
     }
   }
+  merge_equal_values(coordinates);
   return coordinates;
 }
 
@@ -138,6 +154,15 @@ std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most) {
   return choice;
 }
 
+std::vector<std::size_t> choice_with(const std::vector<CutRows>& cuts, std::size_t row, std::size_t most) {
+  std::vector<std::size_t> choice = spread_choice(cuts.size(), most);
+  const auto through = std::ranges::find_if(cuts, [&](const CutRows& cut) { return holds(cut.rows, row); }) - cuts.begin();
+  const auto nearest =
+      std::ranges::min_element(choice, {}, [&](std::size_t i) { return std::abs(static_cast<std::ptrdiff_t>(i) - through); });
+  if (nearest != choice.end() && through < std::ssize(cuts)) *nearest = static_cast<std::size_t>(through);
+  return choice;
+}
+
 std::size_t peak_row(const SweepResult& result) {
   return static_cast<std::size_t>(std::ranges::max_element(result.total, {}, largest_amplitude) - result.total.begin());
 }
@@ -151,7 +176,7 @@ Cut cut_through(std::size_t row, Quantity quantity, const RowCoordinates& coordi
 Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most_cuts) {
   const CutPlan plan = plan_cuts(coordinates_of_rows(sweep));
   Cuts chosen{plan.axis, {}, plan.cuts.size()};
-  for (const std::size_t i : choice_with_peak(plan.cuts, peak_row(result), most_cuts))
+  for (const std::size_t i : choice_with(plan.cuts, peak_row(result), most_cuts))
     chosen.cuts.push_back(curves_of(plan.cuts[i], plan.quantity, result));
   return chosen;
 }

@@ -17,6 +17,9 @@ struct RowCoordinates {
   std::array<bool, quantities> told{};               // which ones are told of a row; the receiver's only when it differs
 };
 
+/// Makes values equal that differ by no more than the rounding of whoever computed them.
+void merge_equal_values(RowCoordinates& coordinates);
+
 /// Rows in the order of every output: looks slowest, frequency fastest.
 RowCoordinates coordinates_of_rows(const Sweep& sweep);
 
@@ -48,6 +51,9 @@ std::string coordinates_text(const RowCoordinates& coordinates, std::size_t row)
 /// At most `most` of `count` cuts, evenly spread from the first to the last.
 std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most);
 
+/// The same of these cuts, the nearest one replaced by that through this row.
+std::vector<std::size_t> choice_with(const std::vector<CutRows>& cuts, std::size_t row, std::size_t most);
+
 /// Curves over one quantity, the others held fixed.
 struct Cut {
   std::string fixed;  // "10 GHz, θ = 90°"
@@ -69,7 +75,7 @@ std::size_t peak_row(const SweepResult& result);
 /// The curve over one quantity that holds this row.
 Cut cut_through(std::size_t row, RowCoordinates::Quantity quantity, const RowCoordinates& coordinates, const SweepResult& result);
 
-/// The curves of plan_cuts, or the few of them that spread_choice takes, the nearest one replaced by that through the peak.
+/// The curves of plan_cuts, or the few of them that choice_with takes with that through the peak.
 Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most_cuts);
 
 }  // namespace raytube

@@ -106,6 +106,13 @@ class StoredRows {
   StoredResult result_;
 };
 
+constexpr const char* readable = "give the path of a readable table, for example out/rcs.csv";
+
+bool has_rcs_columns(const CsvReader& reader) {
+  const std::string columns = joined(reader.columns(), ",");
+  return columns == rcs_columns(true) || columns == rcs_columns(false);
+}
+
 }  // namespace
 
 StoredResult stored_sweep(const Sweep& sweep) {
@@ -154,10 +161,11 @@ Sweep sweep_of(const StoredResult& result) {
   return sweep;
 }
 
+bool has_rcs_columns(const std::filesystem::path& file) { return has_rcs_columns(CsvReader(file, readable)); }
+
 StoredResult read_rcs_csv(const std::filesystem::path& file) {
-  CsvReader reader(file, "give the path of a readable table, for example out/rcs.csv");
-  const std::string columns = joined(reader.columns(), ",");
-  if (columns != rcs_columns(true) && columns != rcs_columns(false))
+  CsvReader reader(file, readable);
+  if (!has_rcs_columns(reader))
     throw InputError(fmt::format("{}: its columns are not those of rcs.csv, {}; give a table that raytube has written",
                                  file.string(), "freq_hz,theta_deg, ... to model_hh_db, and perhaps range_m,rx_range_m"));
   StoredRows rows(reader);

@@ -22,6 +22,9 @@ double stored_bytes_per_row(bool parts, int bounces);
 /// What was asked for, as far as a file says it: frequencies and looks, without antennas and materials.
 Sweep sweep_of(const StoredResult& result);
 
+/// Whether a table has the columns of rcs.csv, in their order.
+bool has_rcs_columns(const std::filesystem::path& file);
+
 /// Reads rcs.csv as a run writes it, from the numbers to the comment lines. Throws InputError, with the line, if it has other
 /// columns or if its rows are not every look at every frequency, frequency fastest.
 StoredResult read_rcs_csv(const std::filesystem::path& file);

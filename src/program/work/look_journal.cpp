@@ -1,4 +1,4 @@
-#include "program/look_journal.h"
+#include "program/work/look_journal.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "program/results.h"
+#include "program/work/results.h"
 
 namespace raytube {
 

@@ -1,4 +1,4 @@
-#include "program/interrupt.h"
+#include "program/work/interrupt.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

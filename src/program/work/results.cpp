@@ -1,4 +1,4 @@
-#include "program/results.h"
+#include "program/work/results.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "output/files/earlier_results.h"
 #include "output/files/sync.h"
-#include "program/interrupt.h"
+#include "program/work/interrupt.h"
 
 namespace raytube {
 

@@ -1,4 +1,4 @@
-#include "program/progress_bar.h"
+#include "program/work/progress_bar.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
