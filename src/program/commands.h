@@ -24,7 +24,7 @@
 
 namespace raytube {
 
-enum class Command { none, run, check, trace, compare, converge, convert, sources, profile, isar, plot, statistics };
+enum class Command { none, run, check, trace, compare, converge, convert, sources, profile, isar, centres, plot, statistics };
 
 /// What profile and isar make of a sweep.
 struct ProductRequest {
@@ -32,6 +32,8 @@ struct ProductRequest {
   int padding = 4;                            // profile: ranges to a resolution cell
   double pixels = 4.0;                        // isar: cells of the image to a resolution cell
   bool direct = false;                        // from pieces of one look at one frequency, without the sweep
+  std::size_t centres = 50;                   // centres: so many at most
+  double resolution = 0.0;                    // centres: of the places [m]; 0: what suits the target
   std::vector<std::string> mechanisms;        // direct: these alone; empty: all
   std::vector<double> size;                   // isar: of the image along its axes [m]; empty: the target's
   std::optional<std::array<double, 2>> plan;  // isar: size and resolution of a target to be planned for [m]; nothing is computed
@@ -86,5 +88,6 @@ void convert_command(const Request& request);
 void sources_command(const Request& request);
 void profile_command(const Request& request);
 void isar_command(const Request& request);
+void centres_command(const Request& request);
 
 }  // namespace raytube

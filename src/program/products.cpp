@@ -124,19 +124,29 @@ std::vector<std::array<dvec3, 2>> ProductSource::lines() const {
   return lines;
 }
 
-void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,
-                   const std::function<void(const PlacedScatterer&)>& sink) {
+ProductSource unsolved_case(const Request& request) {
+  if (!is_case(request.result))
+    throw InputError(fmt::format("{} is no case (.toml); only a case says where its S comes from", request.result.string()));
+  Request direct = request;
+  direct.product.direct = true;
+  return solved_case(direct, [](const ProductSource&) {});
+}
+
+void pieces_of_look(const Request& request, const ProductSource& source, std::size_t look, double cell, const PieceSink& sink) {
   const Case& c = *source.of_case;
-  const std::vector<std::string>& wanted = request.product.mechanisms;
   SolveOptions options{c.tubes, c.edges, c.surfaces, request.threads};
   options.progress = [](double) { return !InterruptFlag::raised(); };
   const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
-  naming_the_case(c, [&] {
-    scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, [&](const ScatteringPiece& piece) {
-      const std::string name = scattering_mechanisms[static_cast<std::size_t>(piece.mechanism)];
-      if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) return;
-      sink({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
-    });
+  naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, sink); });
+}
+
+void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,
+                   const std::function<void(const PlacedScatterer&)>& sink) {
+  const std::vector<std::string>& wanted = request.product.mechanisms;
+  pieces_of_look(request, source, look, cell, [&](const ScatteringPiece& piece) {
+    const std::string name = scattering_mechanisms[static_cast<std::size_t>(piece.mechanism)];
+    if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) return;
+    sink({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
   });
 }
 
