@@ -17,7 +17,7 @@ namespace raytube {
 namespace {
 
 constexpr double cells_to_a_side = 2.0, most_cells = 3e7;
-constexpr std::size_t refinements = 12;
+constexpr std::size_t steps_to_a_side = 12;
 
 double power(const ScatteringMatrix& s) { return std::norm(frobenius_norm(s)); }
 
@@ -46,7 +46,7 @@ struct Cluster {
   dvec3 at{0.0};  // mean, by amplitude
   ScatteringMatrix s{};
   std::size_t mechanism = 0;
-  std::uint32_t triangle = 0;  // of the strongest
+  std::optional<std::uint32_t> triangle{};  // of the strongest
   double amplitude = 0.0, strongest = -1.0;
 
   void add(const dvec3& place, const ScatteringPiece& piece) {
@@ -230,8 +230,8 @@ std::vector<ScatteringMatrix> fitted(const std::vector<Cluster>& clusters, const
 template <class Sum>
 double extent(double most, Sum sum) {
   std::vector<double> levels;
-  for (int i = -static_cast<int>(refinements); i <= static_cast<int>(refinements); ++i)
-    levels.push_back(power(sum(most * i / static_cast<double>(refinements))));
+  for (int i = -static_cast<int>(steps_to_a_side); i <= static_cast<int>(steps_to_a_side); ++i)
+    levels.push_back(power(sum(most * i / static_cast<double>(steps_to_a_side))));
   const double least = 0.5 * std::ranges::max(levels);
   const auto within = std::ranges::count_if(levels, [&](double level) { return level >= least; });
   return 2.0 * most * static_cast<double>(within) / static_cast<double>(levels.size());
@@ -248,7 +248,7 @@ void describe(const std::vector<Cluster>& clusters, const dvec3& at, const Centr
     ScatteringMatrix s = each.s;
     near.push_back({away, s *= response(away, options.side, hann_response)});
     by_mechanism[each.mechanism] += s;
-    if (power(s) > strongest) strongest = power(s), centre.triangle = each.triangle;
+    if (power(s) > strongest && each.triangle) strongest = power(s), centre.triangle = each.triangle;
   }
   double all = 0.0;
   for (const ScatteringMatrix& s : by_mechanism) all += power(s);

@@ -7,6 +7,7 @@
 // vectors.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/field.h"
@@ -29,8 +30,8 @@ struct ScatteringCentre {
   dvec3 place;         // [m]
   ScatteringMatrix s;  // [m]
   std::array<double, scattering_mechanisms.size()>
-      shares{};                // of the power of the pieces within the cube, by mechanism; of sum 1
-  std::uint32_t triangle = 0;  // with the strongest piece within it; no_index: none
+      shares{};                             // of the power of the pieces within the cube, by mechanism; of sum 1
+  std::optional<std::uint32_t> triangle{};  // with the strongest current within it
   // Over which the sum of the pieces within the cube is within 3 dB of its largest, as far as is resolved: frequency as a share
   // of the look's, angles [rad].
   double band = 0.0, azimuth = 0.0, elevation = 0.0;

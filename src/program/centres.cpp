@@ -18,7 +18,7 @@ namespace raytube {
 
 namespace {
 
-const ResultNames centre_names = {{}, {"centres.csv", "centres.ply"}};
+const ResultNames centre_names = {{}, {"centres.csv", "centres.ply", "by_part.csv"}};
 
 constexpr double sides_to_a_target = 60.0, wavelengths_to_a_side = 2.0;
 
@@ -72,8 +72,13 @@ void centres_command(const Request& request) {
   const ScatteringCentres found = scattering_centres(pieces, axes_of(direction), {asked.centres, side, length});
   if (!request.quiet) fmt::print("{}", centres_text(found, s));
   write_products(request, source, centre_names, [&](const std::filesystem::path& folder) {
-    write_centres_csv(folder / "centres.csv", found, {direction, speed_of_light / length, side});
+    const CentreLook look{direction, speed_of_light / length, side};
+    const auto part_of = [&mesh = source.target->mesh](std::uint32_t triangle) {
+      return mesh.part_names[mesh.triangle_part[triangle]];
+    };
+    write_centres_csv(folder / "centres.csv", found, look, part_of);
     write_centres_ply(folder / "centres.ply", found);
+    write_by_part_csv(folder / "by_part.csv", pieces, look, part_of);
   });
 }
 

@@ -38,7 +38,7 @@ bool is_case(const fs::path& file) { return lower_case(file.extension().string()
 
 ProductSource solved_case(const Request& request, const SweepCheck& check) {
   const Case c = read_case(request.result, request.overrides);
-  LoadedMesh loaded = load_target(c);
+  LoadedMesh loaded = load_target(c, request.product.direct);
   const int threads = request.threads > 0 ? request.threads : all_threads();
   ProductSource source{.of_case = {}, .name = c.file.string(), .title = c.title, .result = {}, .target = {}, .solved = true};
   Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/decimal.h"
 #include "output/files/files.h"
@@ -12,6 +14,13 @@
 namespace raytube {
 
 namespace {
+
+std::string amplitude_columns() {
+  std::string text;
+  for (const char* channel : channel_names) text += fmt::format(",re_{0},im_{0}", channel);
+  for (const char* channel : channel_names) text += fmt::format(",sigma_{}_dbsm", channel);
+  return text;
+}
 
 std::string head(const CentreLook& look) {
   std::string text = fmt::format(
@@ -24,12 +33,9 @@ std::string head(const CentreLook& look) {
       "within 3 dB of its largest;\n# half of what a cube resolves at most.\n",
       number_text(decimal_degrees(look.direction.theta)), number_text(decimal_degrees(look.direction.phi)),
       number_text(look.frequency), look.side);
-  text += "centre,x_m,y_m,z_m,range_m";
-  for (const char* channel : channel_names) text += fmt::format(",re_{0},im_{0}", channel);
-  for (const char* channel : channel_names) text += fmt::format(",sigma_{}_dbsm", channel);
-  text += ",mechanism";
+  text += "centre,x_m,y_m,z_m,range_m" + amplitude_columns() + ",mechanism";
   for (const char* mechanism : scattering_mechanisms) text += fmt::format(",share_{}", mechanism);
-  return text + ",persistence_ghz,persistence_azimuth_deg,persistence_elevation_deg,triangle\n";
+  return text + ",persistence_ghz,persistence_azimuth_deg,persistence_elevation_deg,triangle,part\n";
 }
 
 std::string amplitudes_text(const ScatteringMatrix& s) {
@@ -42,13 +48,23 @@ std::string amplitudes_text(const ScatteringMatrix& s) {
   return text;
 }
 
-std::string centre_text(std::size_t number, const ScatteringCentre& centre, const CentreLook& look) {
+// In quotes where it has a comma or quotes.
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string centre_text(std::size_t number, const ScatteringCentre& centre, const CentreLook& look,
+                        const PartOfTriangle& part_of) {
   std::string text = fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g}", number, centre.place.x, centre.place.y, centre.place.z,
                                  -glm::dot(centre.place, spherical_basis(look.direction).radial));
   text += amplitudes_text(centre.s) + ',' + scattering_mechanisms[centre.mechanism()];
   for (const double share : centre.shares) text += fmt::format(",{:.4f}", share);
-  return text + fmt::format(",{:.5g},{:.4g},{:.4g},{}\n", centre.band * look.frequency * 1e-9, centre.azimuth / degree,
-                            centre.elevation / degree, centre.triangle == 0xffffffffu ? "" : fmt::format("{}", centre.triangle));
+  text += fmt::format(",{:.5g},{:.4g},{:.4g}", centre.band * look.frequency * 1e-9, centre.azimuth / degree,
+                      centre.elevation / degree);
+  return text + (centre.triangle ? fmt::format(",{},{}\n", *centre.triangle, csv_cell(part_of(*centre.triangle))) : ",,\n");
 }
 
 double level(const ScatteringCentre& centre) { return sigma_dbsm(std::max(std::abs(centre.s.vv()), std::abs(centre.s.hh()))); }
@@ -67,11 +83,39 @@ std::array<int, 3> color_of(double share) {
 
 }  // namespace
 
-void write_centres_csv(const std::filesystem::path& file, const ScatteringCentres& found, const CentreLook& look) {
+void write_centres_csv(const std::filesystem::path& file, const ScatteringCentres& found, const CentreLook& look,
+                       const PartOfTriangle& part_of) {
   OutputFile out(file);
   out.write(head(look));
-  for (std::size_t i = 0; i < found.centres.size(); ++i) out.write(centre_text(i + 1, found.centres[i], look));
-  out.write("rest,,,," + amplitudes_text(found.rest) + std::string(scattering_mechanisms.size() + 5, ',') + '\n');
+  for (std::size_t i = 0; i < found.centres.size(); ++i) out.write(centre_text(i + 1, found.centres[i], look, part_of));
+  out.write("rest,,,," + amplitudes_text(found.rest) + std::string(scattering_mechanisms.size() + 6, ',') + '\n');
+  out.commit();
+}
+
+void write_by_part_csv(const std::filesystem::path& file, const std::vector<ScatteringPiece>& pieces, const CentreLook& look,
+                       const PartOfTriangle& part_of) {
+  std::map<std::string, ScatteringMatrix> by_part, by_mechanism;
+  ScatteringMatrix all;
+  for (const ScatteringPiece& piece : pieces) {
+    all += piece.s;
+    if (piece.triangle)
+      by_part[part_of(*piece.triangle)] += piece.s;
+    else
+      by_mechanism[scattering_mechanisms[static_cast<std::size_t>(piece.mechanism)]] += piece.s;
+  }
+  std::vector<std::pair<std::string, ScatteringMatrix>> rows(by_part.begin(), by_part.end());
+  std::ranges::stable_sort(rows, std::ranges::greater{}, [](const auto& row) { return frobenius_norm(row.second); });
+  OutputFile out(file);
+  out.write(fmt::format(
+      "# S of the look theta {}, phi {} degrees at {} Hz by the parts of the mesh that currents are on, by the names in its "
+      "file; edges, interaction and waves\n# over surfaces by mechanism. Amplitudes S_pq [m], phase reference the origin: "
+      "they add up to the last row.\n",
+      number_text(decimal_degrees(look.direction.theta)), number_text(decimal_degrees(look.direction.phi)),
+      number_text(look.frequency)));
+  out.write("part,mechanism" + amplitude_columns() + '\n');
+  for (const auto& [part, s] : rows) out.write(csv_cell(part) + ",tubes" + amplitudes_text(s) + '\n');
+  for (const auto& [mechanism, s] : by_mechanism) out.write(',' + mechanism + amplitudes_text(s) + '\n');
+  out.write(",all" + amplitudes_text(all) + '\n');
   out.commit();
 }
 
