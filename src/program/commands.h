@@ -2,6 +2,7 @@
 //
 //     command_line  arguments -> Request;  main: Request -> command, exceptions -> sentence and exit code
 //     run, check, trace, compare, converge, convert, sources, profile, isar: the commands, each in a file of its name
+//     report/       raytube report: a page of a result
 //     products      what profile and isar take: a result that is there, or a case that is solved first
 //     results, look_journal, interrupt, progress_bar: how a command brings its files into place, survives being stopped and
 //                   tells how far it is
@@ -20,7 +21,7 @@
 
 namespace raytube {
 
-enum class Command { none, run, check, trace, compare, converge, convert, sources, profile, isar };
+enum class Command { none, run, check, trace, compare, converge, convert, sources, profile, isar, report };
 
 /// What profile and isar make of a sweep.
 struct ProductRequest {
@@ -30,6 +31,12 @@ struct ProductRequest {
   std::vector<double> size;                   // isar: of the image along its axes [m]; empty: the target's
   std::optional<std::array<double, 2>> plan;  // isar: size and resolution of a target to be planned for [m]; nothing is computed
   double plan_ghz = 10.0;                     // isar: middle of the planned band
+};
+
+/// The page that report makes of a result.
+struct ReportRequest {
+  std::filesystem::path file;      // empty: report.html beside the result
+  std::vector<std::size_t> looks;  // shown in space; empty: report chooses
 };
 
 struct Request {
@@ -62,6 +69,7 @@ struct Request {
   std::optional<double> tolerance_db;             // compare: fall short above it
   std::optional<double> tolerance_relative;       // same
   ProductRequest product;                         // profile, isar; their input is `result`
+  ReportRequest report;                           // of `result`, which may be a folder
 };
 
 /// Throws InputError for a command line that cannot be understood.
@@ -78,5 +86,6 @@ void convert_command(const Request& request);
 void sources_command(const Request& request);
 void profile_command(const Request& request);
 void isar_command(const Request& request);
+void report_command(const Request& request);
 
 }  // namespace raytube

@@ -49,6 +49,8 @@ void execute(const Request& request) {
       return profile_command(request);
     case Command::isar:
       return isar_command(request);
+    case Command::report:
+      return report_command(request);
     case Command::none:
       return;
   }

@@ -89,6 +89,7 @@ const Rooms may_include = {
     {"output/products", {"core", "imaging", "output/files", "output/netcdf", "output/tables"}},
     {"output/vtk", {"core", "scene", "imaging", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
+    {"output/report", {"core", "scene", "imaging", "output/netcdf", "output/tables", "output/products", "output/words"}},
     {"output/plots", {"core", "scene", "imaging", "output/files", "output/netcdf", "output/tables", "output/compare"}},
     {"jobs/warnings",
      base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "plan", "solve", "solve/mechanisms"}},
@@ -101,6 +102,9 @@ const Rooms may_include = {
                                   "output/words", "output/tables",  "imaging",      "output/products", "output/vtk",
                                   "plan",         "point_source",   "sbr",          "solve",           "solve/mechanisms",
                                   "utd/shadow",   "utd/wedge"}},
+    {"program/report",
+     base + std::set<std::string>{"case", "case/data", "imaging", "jobs", "output/files", "output/netcdf", "output/products",
+                                  "output/report", "output/tables", "output/vtk", "plan", "program", "sbr", "solve"}},
 };
 
 struct SourceFile {

@@ -6,6 +6,7 @@
 //     vtk      results in space, for ParaView
 //     compare  two results beside each other, convergence over tube density, random runs
 //     plots    pictures through gnuplot
+//     report   a page of HTML
 //
 // Each includes only from those before it. Angles in tables are in degrees, frequencies in Hz, S in metres, sigma in dBsm;
 // channels pq = vv, vh, hv, hh name the receive polarisation first.
