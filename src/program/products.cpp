@@ -74,13 +74,23 @@ void add_settings(const JsonValue& resolved, const char* section, std::vector<st
     settings.push_back(fmt::format("{}.{}={}", section, keys->names[i], json_text(keys->items[i], -1)));
 }
 
+// Of one mesh file a text, of several a list.
+std::vector<std::string> mesh_hashes(const JsonValue& run) {
+  const JsonValue* const mesh = run.find("mesh");
+  const JsonValue* const sha256 = mesh ? mesh->find("sha256") : nullptr;
+  if (!sha256) return {};
+  if (sha256->kind == JsonValue::Kind::text) return {sha256->text};
+  std::vector<std::string> hashes;
+  for (const JsonValue& hash : sha256->items) hashes.push_back(hash.text);
+  return hashes;
+}
+
 // The target of a result, if its meshes are where its run had them, and the same.
 std::unique_ptr<const Target> target_of(const JsonValue& run) {
-  const JsonValue* const mesh = run.find("mesh");
   try {
     const Case c = case_of_run(run);
     LoadedMesh loaded = load_target(c);
-    if (!mesh || text_of(*mesh, "sha256") != sha256_of_meshes(c, loaded.report).front()) return {};
+    if (mesh_hashes(run) != sha256_of_meshes(c, loaded.report)) return {};
     return std::make_unique<const Target>(std::move(loaded.mesh), c.wedges);
   } catch (const InputError&) {
     return {};

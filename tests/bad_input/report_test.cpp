@@ -56,6 +56,20 @@ TEST_F(Report, UsesTheImagesOfARun) {
   expect_refused("report images", "image_1_mesh.vtu: is no image of a look");
 }
 
+// Of a target of several files, named on the command line alone.
+TEST_F(Report, SaysWhatItLacks) {
+  scratch.write("other.off", "OFF\n3 1 0\n0 0 2\n1 0 2\n0 1 2\n3 0 1 2\n");
+  ASSERT_EQ(
+      raytube("run case.toml -o uneven --quiet " + settings +
+              " --set 'look.phi_deg=[0,1,3,4]' --set 'look.theta_deg=[0,10,20]' --set 'target.mesh=[\"mesh.off\",\"other.off\"]'")
+          .code,
+      0);
+  EXPECT_EQ(raytube("report uneven --quiet").code, 0);
+  EXPECT_THAT(page("uneven/report.html"),
+              AllOf(HasSubstr("\"traced\":3"), HasSubstr("Curves by mechanism: "), HasSubstr("Map: rcs.csv: azimuth"),
+                    HasSubstr("are not in even steps"), HasSubstr("Range profiles: rcs.csv has one frequency")));
+}
+
 TEST_F(Report, FoldersWithoutAResultAreRefused) {
   expect_refused("report nowhere", "nowhere: is not there; give the folder of a run");
   expect_refused("report .", "holds neither rcs.csv nor rcs.nc");

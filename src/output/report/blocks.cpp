@@ -7,6 +7,11 @@
 
 namespace raytube {
 
+JsonValue block_axis(double first, double step, const Blocks& blocks) {
+  const double size = static_cast<double>(blocks.size) * step, middle = first + 0.5 * (size - step);
+  return {{"first", middle}, {"last", middle + size * static_cast<double>(blocks.count() - 1)}, {"count", blocks.count()}};
+}
+
 BlockLevels::BlockLevels(const Blocks& slow, const Blocks& fast) : slow_(slow), fast_(fast) {
   for (std::vector<double>& levels : levels_)
     levels.assign(slow.count() * fast.count(), -std::numeric_limits<double>::infinity());

@@ -24,6 +24,9 @@ struct Blocks {
   std::size_t of(std::size_t value) const { return value / size; }
 };
 
+/// An even axis in blocks: the middles of the first and the last one.
+JsonValue block_axis(double first, double step, const Blocks& blocks);
+
 /// sigma [dBsm] of the four channels over a grid [slow][fast] in blocks, packed.
 class BlockLevels {
  public:

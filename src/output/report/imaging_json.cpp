@@ -11,14 +11,6 @@ constexpr std::size_t most_ranges = 500, most_looks = 200, most_across = 240;
 
 JsonValue axis_direction(const dvec3& v) { return std::vector<double>{v.x, v.y, v.z}; }
 
-// The middles of the first and the last block of an even axis.
-JsonValue axis_json(double first, double step, const Blocks& blocks) {
-  const double size = static_cast<double>(blocks.size) * step;
-  return {{"first", first + 0.5 * (size - step)},
-          {"last", first + 0.5 * (size - step) + size * static_cast<double>(blocks.count() - 1)},
-          {"count", blocks.count()}};
-}
-
 double level_of_amplitude(double metres) { return sigma_dbsm(Complex(metres)); }
 
 // What the errors of a look come to at one range, of VV and HH the larger.
@@ -39,7 +31,7 @@ JsonValue profiles_json(const RangeProfiles& profiles, std::size_t looks, const 
   BlockLevels levels(slow, fast);
   for (std::size_t i = 0; i < profiles.s.size(); ++i)
     levels.add(i / profiles.range.count, i % profiles.range.count, profiles.s[i]);
-  return {{"range", axis_json(profiles.range.first, profiles.range.step, fast)},
+  return {{"range", block_axis(profiles.range.first, profiles.range.step, fast)},
           {"looks_a_block", slow.size},
           {"blocks", slow.count()},
           {"resolution", profiles.limits.resolution},
@@ -55,8 +47,8 @@ JsonValue isar_json(const IsarImage& image, const Window& window) {
   BlockLevels levels(slow, fast);
   for (std::size_t i = 0; i < image.s.size(); ++i)
     levels.add(i / (grid.count[1] * grid.count[2]), i / grid.count[2] % grid.count[1], image.s[i]);
-  return {{"range", axis_json(image.coordinate(0, 0), grid.step[0], slow)},
-          {"cross", axis_json(image.coordinate(1, 0), grid.step[1], fast)},
+  return {{"range", block_axis(image.coordinate(0, 0), grid.step[0], slow)},
+          {"cross", block_axis(image.coordinate(1, 0), grid.step[1], fast)},
           {"range_axis", axis_direction(image.axes[0].direction)},
           {"cross_axis", axis_direction(image.axes[1].direction)},
           {"range_resolution", image.axes[0].resolution},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "imaging/sweep_grid.h"
 #include "output/report/blocks.h"
 #include "output/report/packed.h"
 #include "output/tables/csv.h"
@@ -97,6 +98,15 @@ std::size_t strongest_row(const StoredResult& result) {
   return strongest;
 }
 
+JsonValue map_axis(const std::vector<double>& values, RowCoordinates::Quantity quantity, const Blocks& blocks,
+                   const std::string& name) {
+  const std::string label = axis_label(quantity);
+  const EvenAxis axis = even_axis(values, name + ": " + label, quantity == RowCoordinates::frequency ? "GHz" : "degrees");
+  JsonValue json = block_axis(axis.first, axis.step, blocks);
+  json["label"] = label;
+  return json;
+}
+
 }  // namespace
 
 JsonValue sweep_json(const StoredResult& result) {
@@ -114,7 +124,7 @@ JsonValue sweep_json(const StoredResult& result) {
           {"parts", parts_json(result, rows)}};
 }
 
-JsonValue map_json(const StoredResult& result) {
+JsonValue map_json(const StoredResult& result, const std::string& name) {
   const RowCoordinates coordinates = coordinates_of_rows(sweep_of(result));
   const std::optional<SweepMap> map = map_through(strongest_row(result), coordinates, plan_cuts(coordinates), 2);
   if (!map) return {};
@@ -124,11 +134,10 @@ JsonValue map_json(const StoredResult& result) {
     const ChannelErrors& sigma = result.sigma_dbsm[map->rows[i]];
     levels.add(i / map->x.size(), i % map->x.size(), std::array{sigma[0][0], sigma[0][1], sigma[1][0], sigma[1][1]});
   }
-  return {
-      {"x", {{"label", axis_label(map->across)}, {"first", map->x.front()}, {"last", map->x.back()}, {"count", across.count()}}},
-      {"y", {{"label", axis_label(map->up)}, {"first", map->y.front()}, {"last", map->y.back()}, {"count", up.count()}}},
-      {"fixed", map->fixed},
-      {"sigma", levels.json()}};
+  return {{"x", map_axis(map->x, map->across, across, name)},
+          {"y", map_axis(map->y, map->up, up, name)},
+          {"fixed", map->fixed},
+          {"sigma", levels.json()}};
 }
 
 }  // namespace raytube

@@ -10,7 +10,8 @@ namespace raytube {
 /// large for a page the strongest and the weakest of every few neighbours along its curves.
 JsonValue sweep_json(const StoredResult& result);
 
-/// sigma over the two quantities of a sweep that has two; else null. It lies on the grid that holds the peak.
-JsonValue map_json(const StoredResult& result);
+/// sigma over the two quantities of a sweep that has two; else null. It lies on the grid that holds the peak. Throws InputError
+/// that begins with `name` for uneven steps.
+JsonValue map_json(const StoredResult& result, const std::string& name);
 
 }  // namespace raytube

@@ -78,7 +78,7 @@ JsonValue report_data(ReportSource& source, const std::vector<std::size_t>& look
   JsonValue data = {{"title", product.title}, {"file", source.file.filename().string()}};
   data["sentences"] = sentences_json(product.result, source.run);
   data["sweep"] = sweep_json(product.result);
-  data["map"] = map_json(product.result);
+  data["map"] = view_or_note(source, "Map", [&] { return map_json(product.result, product.name); });
   data["profiles"] = view_or_note(source, "Range profiles", [&] { return profiles_of(product); });
   data["isar"] = view_or_note(source, "Image of frequency and angle", [&] { return isar_of(product); });
   data["scene"] = scene_json(report_scene(source, looks));

@@ -59,6 +59,7 @@ ReportSource report_source(const Request& request) {
   Request of_file = request;
   of_file.result = source.file;
   source.product = product_source(of_file, [](const ProductSource&) {});
+  source.product.name = source.file.filename().string();  // in sentences on the page, which may lie elsewhere
   const std::optional<JsonValue> run = run_of(source.file);
   source.run = run ? *run : run_of_attributes(source.product.result);
   read_parts(source);

@@ -154,7 +154,7 @@ function lookAxis(profiles, rows, sweep) {
   const name = rows.swept.filter((each) => each !== "ghz");
   const one = name.length === 1 ? sweep.looks[name[0]] : null, size = profiles.looks_a_block;
   const looks = sweep.looks.phi.length, middles = Array.from({ length: profiles.blocks }, (_, i) => (i * size + Math.min((i + 1) * size, looks) - 1) / 2);
-  const even = one && profiles.blocks > 1;
+  const even = one && profiles.blocks > 1 && one.every((value, i) => Math.abs(value - one[0] - i * (one[1] - one[0])) < 1e-3 * Math.abs(one[1] - one[0]));
   const at = (i) => (even ? (one[Math.floor(middles[i])] + one[Math.ceil(middles[i])]) / 2 : middles[i]);
   return { label: even ? quantityLabels[name[0]] : "look", at, first: at(0), last: at(profiles.blocks - 1) };
 }
