@@ -15,7 +15,10 @@ const directionOf = (thetaDeg, phiDeg) => {
   return new THREE.Vector3(Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta));
 };
 
-// The camera on a sphere about the target: drag turns, wheel goes nearer, drag with the right button or shift moves. z is up.
+// So narrow that an image laid over the target, which knows no perspective, fits it from the radar.
+const viewAngle = 8;
+
+// The camera on a sphere about the target: drag turns, wheel enlarges, drag with the right button or shift moves. z is up.
 class Orbit {
   constructor(canvas, camera, { centre, radius, first }, changed) {
     Object.assign(this, { camera, home: { centre: centre.clone(), radius }, changed });
@@ -30,7 +33,7 @@ class Orbit {
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
-      this.distance *= Math.exp(0.001 * event.deltaY);
+      this.camera.zoom *= Math.exp(-0.001 * event.deltaY);
       this.apply();
     }, { passive: false });
     canvas.addEventListener("dblclick", () => this.lookFrom(first));
@@ -41,7 +44,8 @@ class Orbit {
     this.centre = this.home.centre.clone();
     this.theta = Math.min(Math.max(Math.acos(d.z), 0.001), Math.PI - 0.001);
     this.phi = Math.atan2(d.y, d.x);
-    this.distance = 3.2 * this.home.radius;
+    this.distance = 1.1 * this.home.radius / Math.tan(viewAngle / 2 * Math.PI / 180);
+    this.camera.zoom = 1;
     this.apply();
   }
 
@@ -50,7 +54,8 @@ class Orbit {
     const dx = (event.clientX - this.last.x) / canvas.clientHeight, dy = (event.clientY - this.last.y) / canvas.clientHeight;
     if (this.last.moves) {
       const right = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 0), up = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 1);
-      this.centre.addScaledVector(right, -0.8 * dx * this.distance).addScaledVector(up, 0.8 * dy * this.distance);
+      const height = 2.2 * this.home.radius / this.camera.zoom;
+      this.centre.addScaledVector(right, -dx * height).addScaledVector(up, dy * height);
     } else {
       this.phi -= 4 * dx;
       this.theta = Math.min(Math.max(this.theta - 4 * dy, 0.001), Math.PI - 0.001);
@@ -64,8 +69,8 @@ class Orbit {
     const sine = Math.sin(this.theta);
     const away = new THREE.Vector3(sine * Math.cos(this.phi), sine * Math.sin(this.phi), Math.cos(this.theta));
     this.camera.position.copy(this.centre).addScaledVector(away, this.distance);
-    this.camera.near = 0.01 * this.distance;
-    this.camera.far = this.distance + 20 * this.home.radius;
+    this.camera.near = this.distance - 6 * this.home.radius;
+    this.camera.far = this.distance + 6 * this.home.radius;
     this.camera.lookAt(this.centre);
     this.camera.updateMatrixWorld();
     this.camera.updateProjectionMatrix();
@@ -118,7 +123,7 @@ class SpaceView {
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
     holder.append(this.renderer.domElement);
     this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(38, 1, 0.01, 100);
+    this.camera = new THREE.PerspectiveCamera(viewAngle, 1, 0.01, 100);
     this.scene.add(this.camera, new THREE.AmbientLight(0xffffff, 0.55));
     const lamp = new THREE.DirectionalLight(0xffffff, 0.6);
     lamp.position.set(0.4, 0.8, 1);
@@ -338,6 +343,6 @@ function spaceWords(data, sweep) {
   const look = data.looks.length
     ? ` Colours: σ of what each facet alone sends back, of all bounces together, at ${numberText(data.looks[0].ghz, 6)} GHz; facets and edges add up with their phases.` + (data.looks.length === 1 ? " This is " + lookWords(sweep, data.looks[0].look) + "." : "")
     : "";
-  return "Drag to turn, wheel to come nearer, drag with shift to move, double click for the first view." + look +
+  return "Drag to turn, wheel to enlarge, drag with shift to move, double click for the first view." + look +
     " Grey facets are below the levels shown; images laid over the target are coloured from their own peak down. The red arrow points from the radar to the target; tubes are grey before their first reflection, then orange, red, violet, blue." + coarse;
 }
