@@ -52,22 +52,6 @@ std::pair<double, const char*> step_of(const SweepSamples& samples, const AngleG
   return {std::abs(azimuth ? grid.phi_deg.step : grid.theta_deg.step), "degrees"};
 }
 
-// As wide as the target, where it is known, and no wider than what is unambiguous. Throws InputError if the target is.
-std::array<double, 3> image_size(const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
-                                 const ProductRequest& asked) {
-  std::array<double, 3> size{};
-  const std::vector<dvec3> points = source.outermost();
-  const std::vector<ImageAxis> axes = image_axes(samples, grid, asked.window);
-  for (std::size_t axis = 0; axis < axes.size() && !points.empty(); ++axis) {
-    const Reach reach = reach_along(points, axes[axis].direction);
-    const auto [step, unit] = step_of(samples, grid, axis);
-    if (reach.width > axes[axis].unambiguous) refuse_coarse(source, axis, axes[axis], reach.width, step, unit);
-    size[axis] = std::min(2.0 * room_about * reach.half + 4.0 * axes[axis].resolution, axes[axis].unambiguous);
-  }
-  for (std::size_t axis = 0; axis < std::min(asked.size.size(), axes.size()); ++axis) size[axis] = asked.size[axis];
-  return size;
-}
-
 IsarImage direct_image(const Request& request, const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
                        const IsarOptions& options) {
   double cell = std::numeric_limits<double>::infinity();
@@ -126,6 +110,21 @@ void plan_image(const ProductRequest& asked) {
 }
 
 }  // namespace
+
+std::array<double, 3> image_size(const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
+                                 const ProductRequest& asked) {
+  std::array<double, 3> size{};
+  const std::vector<dvec3> points = source.outermost();
+  const std::vector<ImageAxis> axes = image_axes(samples, grid, asked.window);
+  for (std::size_t axis = 0; axis < axes.size() && !points.empty(); ++axis) {
+    const Reach reach = reach_along(points, axes[axis].direction);
+    const auto [step, unit] = step_of(samples, grid, axis);
+    if (reach.width > axes[axis].unambiguous) refuse_coarse(source, axis, axes[axis], reach.width, step, unit);
+    size[axis] = std::min(2.0 * room_about * reach.half + 4.0 * axes[axis].resolution, axes[axis].unambiguous);
+  }
+  for (std::size_t axis = 0; axis < std::min(asked.size.size(), axes.size()); ++axis) size[axis] = asked.size[axis];
+  return size;
+}
 
 void isar_command(const Request& request) {
   const ProductRequest& asked = request.product;

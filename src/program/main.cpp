@@ -55,6 +55,8 @@ void execute(const Request& request) {
       return plot_command(request.plot);
     case Command::statistics:
       return statistics_command(request.statistics);
+    case Command::report:
+      return report_command(request);
     case Command::none:
       return;
   }

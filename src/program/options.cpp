@@ -99,6 +99,14 @@ auto number_between(double least, double most) {
   };
 }
 
+constexpr const char* report_examples =
+    "One page of HTML with everything inside: curves, map, profiles, images, the target in space, settings and warnings. Writes\n"
+    "report.html into the folder.\n\n"
+    "Examples:\n"
+    "  raytube report out\n"
+    "  raytube report out -o truck.html --looks 0,90\n"
+    "  raytube report result.nc -o result.html";
+
 constexpr double least_length = 1e-6, most_length = 1e6;  // [m]
 
 void add_product_options(CLI::App& command, Request& request) {
@@ -183,6 +191,24 @@ CLI::App* add_centres(CLI::App& app, Request& request) {
   add_machine_options(*centres, request);
   add_quiet_option(*centres, request, "summary");
   return centres;
+}
+
+CLI::App* add_report(CLI::App& app, Request& request) {
+  CLI::App* report = add_command(app, "report", "One page of HTML from the results of a run", report_examples);
+  report->add_option("result", request.result, "Folder of a run, or its rcs.csv or netCDF file")
+      ->required()
+      ->type_name("DIR|RESULT.csv|.nc");
+  report->add_option("-o,--output", request.report.file, "The page; default report.html beside the result")
+      ->type_name("FILE.html")
+      ->check([](const std::string& name) { return name.empty() ? "needs the name of a file" : std::string(); });
+  report
+      ->add_option("--looks", request.report.looks,
+                   "Looks whose return is shown in space, counted from 0; default those of output.image_look, or the strongest")
+      ->type_name("I,...")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 1000000000));
+  add_quiet_option(*report, request, "summary");
+  return report;
 }
 
 void check_product_options(const CLI::App& command, const Request& request) {

@@ -31,21 +31,6 @@ double depth(const SweepLook& look, const std::vector<dvec3>& points) {
   return points.empty() ? 0.0 : 0.5 * (most - least);
 }
 
-// What is deeper than the unambiguous range lies upon itself.
-void check_sweep(const ProductSource& source, const Window& window) {
-  const SweepSamples samples = samples_of(source.result, source.name);
-  require_band(samples, source.name);
-  double deepest = 0.0;
-  const std::vector<dvec3> points = source.outermost();
-  for (const SweepLook& look : samples.looks) deepest = std::max(deepest, depth(look, points));
-  const RangeLimits limits = range_limits(samples.frequency, window);
-  if (deepest > limits.unambiguous)
-    throw InputError(fmt::format(
-        "{}: the target is {:.3g} m deep along the line of sight, but steps of {:.6g} MHz show {:.3g} m without "
-        "ambiguity; compute frequencies in steps of {:.3g} MHz or less",
-        source.name, deepest, std::abs(samples.frequency.step) * 1e-6, limits.unambiguous, frequency_step_for(deepest) * 1e-6));
-}
-
 // S of each look from its pieces.
 void fill_from_pieces(const Request& request, const ProductSource& source, SweepSamples& samples) {
   const double cell = range_limits(samples.frequency, {}).cell / pieces_to_a_cell;
@@ -74,13 +59,27 @@ std::string limits_text(const RangeProfiles& profiles, const Window& window) {
 
 }  // namespace
 
+void require_unambiguous_depth(const ProductSource& source, const Window& window) {
+  const SweepSamples samples = samples_of(source.result, source.name);
+  require_band(samples, source.name);
+  double deepest = 0.0;
+  const std::vector<dvec3> points = source.outermost();
+  for (const SweepLook& look : samples.looks) deepest = std::max(deepest, depth(look, points));
+  const RangeLimits limits = range_limits(samples.frequency, window);
+  if (deepest > limits.unambiguous)
+    throw InputError(fmt::format(
+        "{}: the target is {:.3g} m deep along the line of sight, but steps of {:.6g} MHz show {:.3g} m without "
+        "ambiguity; compute frequencies in steps of {:.3g} MHz or less",
+        source.name, deepest, std::abs(samples.frequency.step) * 1e-6, limits.unambiguous, frequency_step_for(deepest) * 1e-6));
+}
+
 void profile_command(const Request& request) {
   const ProductRequest& asked = request.product;
   ResultNames names;
   const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
     names = profile_names(unsolved.result);
     check_output(product_folder(request), names, {{"the result", request.result}});
-    check_sweep(unsolved, asked.window);
+    require_unambiguous_depth(unsolved, asked.window);
   });
   SweepSamples samples = samples_of(source.result, source.name);
   if (asked.direct) fill_from_pieces(request, source, samples);

@@ -89,6 +89,7 @@ const Rooms may_include = {
     {"output/products", {"core", "scene", "imaging", "output/files", "output/netcdf", "output/tables"}},
     {"output/vtk", {"core", "scene", "imaging", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
+    {"output/report", {"core", "scene", "imaging", "output/netcdf", "output/tables", "output/products", "output/words"}},
     {"output/plots", {"core", "scene", "imaging", "output/files", "output/netcdf", "output/tables", "output/compare"}},
     {"output/charts", {"core", "scene", "output/netcdf", "output/tables", "output/plots"}},
     {"output/statistics", {"core", "scene", "output/files", "output/tables", "output/plots", "output/charts"}},
@@ -107,6 +108,9 @@ const Rooms may_include = {
                                              "solve",          "solve/mechanisms", "utd/shadow",
                                              "utd/wedge",      "program/work",     "imaging",
                                              "output/products"}},
+    {"program/report", base + std::set<std::string>{"case", "case/data", "imaging", "jobs", "output/files", "output/netcdf",
+                                                    "output/products", "output/report", "output/tables", "output/vtk", "plan",
+                                                    "program", "program/work", "sbr", "solve"}},
 };
 
 struct SourceFile {
