@@ -19,7 +19,7 @@ namespace raytube {
 
 namespace {
 
-const ResultNames isar_names = {{"isar.png"}, {"isar.csv", "isar.vti"}};
+const ResultNames isar_names = {{"isar.png", "isar_pauli.png"}, {"isar.csv", "isar.vti"}};
 
 constexpr double room_about = 1.2;  // an image is so much wider than the target
 
@@ -109,6 +109,13 @@ void plan_image(const ProductRequest& asked) {
   fmt::print("{}", planned_case(size, resolution, asked.plan_ghz));
 }
 
+void draw_isar(const std::filesystem::path& folder, const ProductSource& source, const IsarImage& image) {
+  const std::vector<std::array<dvec3, 2>> lines = source.lines();
+  std::string trouble = plot_isar(folder, source.title, image, lines);
+  if (trouble.empty() && image.axes.size() == 2) trouble = plot_pauli(folder, source.title, image, lines);
+  if (!trouble.empty()) warn(trouble);
+}
+
 }  // namespace
 
 std::array<double, 3> image_size(const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
@@ -148,7 +155,7 @@ void isar_command(const Request& request) {
     stop_if_interrupted();
     write_isar_vti(folder / "isar.vti", image);
     stop_if_interrupted();
-    if (const std::string trouble = plot_isar(folder, source.title, image, source.lines()); !trouble.empty()) warn(trouble);
+    draw_isar(folder, source, image);
   });
 }
 
