@@ -21,6 +21,17 @@ std::vector<double> without_repetitions(std::vector<double> values) {
   return values;
 }
 
+// Azimuths go on over 360 degrees where the gap between two of them is wider than the one there.
+std::vector<double> unwound(std::vector<double> azimuths) {
+  std::size_t begin = 0;
+  double widest = azimuths.front() + 360.0 - azimuths.back();
+  for (std::size_t i = 1; i < azimuths.size(); ++i)
+    if (const double gap = azimuths[i] - azimuths[i - 1]; gap > widest * (1.0 + even_tolerance)) widest = gap, begin = i;
+  for (std::size_t i = 0; i < begin; ++i) azimuths[i] += 360.0;
+  std::ranges::rotate(azimuths, azimuths.begin() + static_cast<std::ptrdiff_t>(begin));
+  return azimuths;
+}
+
 }  // namespace
 
 EvenAxis even_axis(const std::vector<double>& values, const std::string& what, const std::string& unit) {
@@ -56,11 +67,11 @@ AngleGrid angle_grid(const std::vector<std::array<double, 2>>& theta_phi_deg, co
                                    theta_phi_deg[i][1]));
     theta.push_back(theta_phi_deg[i][0]), phi.push_back(theta_phi_deg[i][1]);
   }
-  theta = without_repetitions(std::move(theta)), phi = without_repetitions(std::move(phi));
+  theta = without_repetitions(std::move(theta)), phi = unwound(without_repetitions(std::move(phi)));
   AngleGrid grid{even_axis(theta, what + "s in theta", "degrees"), even_axis(phi, what + "s in phi", "degrees"), {}};
   for (const double t : theta)
     for (const double p : phi) {
-      const auto found = known.find({t, p});
+      const auto found = known.find({t, known.contains({t, p}) ? p : p - 360.0});
       if (found == known.end())
         throw InputError(
             fmt::format("{} is missing: theta {:g}, phi {:g} degrees; an image needs every theta at every phi", what, t, p));

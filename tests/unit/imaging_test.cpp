@@ -267,6 +267,14 @@ TEST(SweepGrid, UnevenStepsAreNamed) {
   EXPECT_EQ(even_axis({10.0}, "", "").count, 1u);
 }
 
+TEST(SweepGrid, AzimuthsGoOnOverAFullTurn) {
+  const AngleGrid grid = angle_grid({{90, 0}, {90, 2}, {90, 356}, {90, 358}}, "");
+  EXPECT_EQ(grid.phi_deg.first, 356.0);
+  EXPECT_EQ(grid.phi_deg.last(), 362.0);
+  EXPECT_THAT(grid.looks, testing::ElementsAre(2u, 3u, 0u, 1u));
+  EXPECT_EQ(angle_grid({{90, 0}, {90, 120}, {90, 240}}, "").phi_deg.first, 0.0);
+}
+
 TEST(SweepGrid, MissingAndDoubleLooksAreNamed) {
   EXPECT_THAT(complaint([] {
                 angle_grid({{80, 0}, {80, 1}, {90, 0}}, "x: look");
