@@ -89,9 +89,9 @@ void check_last_facet(const Case& c, std::size_t polygons) {
 }
 
 // Names take memory, and are of use to parts alone.
-PolygonSoup read_named(const Case& c, std::size_t file) {
+PolygonSoup read_named(const Case& c, std::size_t file, bool named) {
   PolygonSoup soup = read_polygon_soup(c.mesh_files[file], c.metres_per_unit);
-  if (!c.assignment.parts.empty()) add_name(soup, c.meshes[file]);
+  if (!c.assignment.parts.empty() || (named && c.meshes.size() > 1)) add_name(soup, c.meshes[file]);
   return soup;
 }
 
@@ -118,10 +118,11 @@ void assign_materials(PolygonSoup& soup, const Case& c) {
   if (numbers.empty()) soup.materials.clear();
 }
 
-LoadedMesh load_target(const Case& c) {
-  PolygonSoup whole = read_named(c, 0);
-  for (std::size_t i = 1; i < c.meshes.size(); ++i) add_polygons(read_named(c, i), whole);
+LoadedMesh load_target(const Case& c, bool named) {
+  PolygonSoup whole = read_named(c, 0, named);
+  for (std::size_t i = 1; i < c.meshes.size(); ++i) add_polygons(read_named(c, i, named), whole);
   assign_materials(whole, c);
+  if (named) number_parts(whole);
   return build_mesh(std::move(whole), c.metres_per_unit, mesh_names(c), c.sweep.materials);
 }
 

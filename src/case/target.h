@@ -13,7 +13,8 @@ std::string mesh_names(const Case& c);
 /// a part or a facet that is not there, and for a polygon that goes by names of different materials.
 void assign_materials(PolygonSoup& soup, const Case& c);
 
-/// Reads the files, assigns the materials and builds the mesh. Throws InputError.
-LoadedMesh load_target(const Case& c);
+/// Reads the files, assigns the materials and builds the mesh. With `named`, triangles keep their parts' names, that of their file
+/// among them where there are several. Throws InputError.
+LoadedMesh load_target(const Case& c, bool named = false);
 
 }  // namespace raytube

@@ -286,15 +286,14 @@ bool wants_tube(const CLI::App& trace) {
 void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2)
     throw InputError(
-        "no command; write run, check, trace, converge or sources and a case file, profile or isar and a case or a result, plot "
-        "or "
-        "statistics and a result, or compare or convert and two files (see raytube --help)");
+        "no command; write run, check, trace, converge or sources and a case file, profile or isar and a case or a result, plot, "
+        "statistics or report and a result, or compare or convert and two files (see raytube --help)");
   const std::string word = argv[1];
   const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
     throw InputError(fmt::format(
-        "unknown command \"{}\"; write run, check, trace, converge, sources, compare, convert, profile, isar, plot or "
-        "statistics (see raytube --help)",
+        "unknown command \"{}\"; write run, check, trace, converge, sources, compare, convert, profile, isar, centres, plot, "
+        "statistics or report (see raytube --help)",
         word));
 }
 
@@ -315,8 +314,10 @@ Request parse_command_line(int argc, const char* const* argv) {
   CLI::App* sources = add_sources(app, request);
   CLI::App* profile = add_profile(app, request);
   CLI::App* isar = add_isar(app, request);
+  CLI::App* centres = add_centres(app, request);
   CLI::App* plot = add_plot(app, request.plot);
   CLI::App* statistics = add_statistics(app, request.statistics);
+  CLI::App* report = add_report(app, request);
   check_first_word(app, argc, argv);
   try {
     app.parse(argc, argv);
@@ -326,9 +327,10 @@ Request parse_command_line(int argc, const char* const* argv) {
     return request;
   }
   const std::pair<const CLI::App*, Command> commands[] = {
-      {run, Command::run},           {check, Command::check},     {trace, Command::trace},          {compare, Command::compare},
-      {converge, Command::converge}, {convert, Command::convert}, {sources, Command::sources},      {profile, Command::profile},
-      {isar, Command::isar},         {plot, Command::plot},       {statistics, Command::statistics}};
+      {run, Command::run},           {check, Command::check},     {trace, Command::trace},     {compare, Command::compare},
+      {converge, Command::converge}, {convert, Command::convert}, {sources, Command::sources}, {profile, Command::profile},
+      {isar, Command::isar},         {centres, Command::centres}, {plot, Command::plot},       {statistics, Command::statistics},
+      {report, Command::report}};
   if (run->count("--launch") == 0) request.random.reset();
   if (request.random && request.parts)
     throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");

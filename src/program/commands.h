@@ -1,9 +1,9 @@
 // The room of the program: the command line, and nothing that another program could want.
 //
 //     command_line  arguments -> Request;  main: Request -> command, exceptions -> sentence and exit code
-//     run, check, trace, compare, converge, convert, sources, profile, isar, plot, statistics: the commands, each in a file of
-//     its
-//                   name
+//     run, check, trace, compare, converge, convert, sources, profile, isar, centres, plot, statistics: the commands, each in a
+//                   file of its name
+//     report/       raytube report: a page of a result
 //     products      what profile and isar take: a result that is there, or a case that is solved first
 //     result_commands  command line of plot and statistics
 //     work          how a command brings its files into place (results), survives being stopped (interrupt, look_journal) and
@@ -24,7 +24,22 @@
 
 namespace raytube {
 
-enum class Command { none, run, check, trace, compare, converge, convert, sources, profile, isar, plot, statistics };
+enum class Command {
+  none,
+  run,
+  check,
+  trace,
+  compare,
+  converge,
+  convert,
+  sources,
+  profile,
+  isar,
+  centres,
+  plot,
+  statistics,
+  report
+};
 
 /// What profile and isar make of a sweep.
 struct ProductRequest {
@@ -32,10 +47,18 @@ struct ProductRequest {
   int padding = 4;                            // profile: ranges to a resolution cell
   double pixels = 4.0;                        // isar: cells of the image to a resolution cell
   bool direct = false;                        // from pieces of one look at one frequency, without the sweep
+  std::size_t centres = 50;                   // centres: so many at most
+  double resolution = 0.0;                    // centres: of the places [m]; 0: what suits the target
   std::vector<std::string> mechanisms;        // direct: these alone; empty: all
   std::vector<double> size;                   // isar: of the image along its axes [m]; empty: the target's
   std::optional<std::array<double, 2>> plan;  // isar: size and resolution of a target to be planned for [m]; nothing is computed
   double plan_ghz = 10.0;                     // isar: middle of the planned band
+};
+
+/// The page that report makes of a result.
+struct ReportRequest {
+  std::filesystem::path file;      // empty: report.html beside the result
+  std::vector<std::size_t> looks;  // shown in space; empty: report chooses
 };
 
 struct Request {
@@ -70,6 +93,7 @@ struct Request {
   ProductRequest product;                         // profile, isar; their input is `result`
   PlotRequest plot;
   StatisticsRequest statistics;
+  ReportRequest report;  // of `result`, which may be a folder
 };
 
 /// Throws InputError for a command line that cannot be understood.
@@ -86,5 +110,7 @@ void convert_command(const Request& request);
 void sources_command(const Request& request);
 void profile_command(const Request& request);
 void isar_command(const Request& request);
+void centres_command(const Request& request);
+void report_command(const Request& request);
 
 }  // namespace raytube

@@ -20,7 +20,7 @@ namespace raytube {
 
 namespace {
 
-const ResultNames isar_names = {{"isar.png"}, {"isar.csv", "isar.vti"}};
+const ResultNames isar_names = {{"isar.png", "isar_pauli.png"}, {"isar.csv", "isar.vti"}};
 
 IsarImage direct_image(const Request& request, const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
                        const IsarOptions& options) {
@@ -79,6 +79,13 @@ void plan_image(const ProductRequest& asked) {
   fmt::print("{}", planned_case(size, resolution, asked.plan_ghz));
 }
 
+void draw_isar(const std::filesystem::path& folder, const ProductSource& source, const IsarImage& image) {
+  const std::vector<std::array<dvec3, 2>> lines = source.lines();
+  std::string trouble = plot_isar(folder, source.title, image, lines);
+  if (trouble.empty() && image.axes.size() == 2) trouble = plot_pauli(folder, source.title, image, lines);
+  if (!trouble.empty()) warn(trouble);
+}
+
 }  // namespace
 
 void isar_command(const Request& request) {
@@ -102,7 +109,7 @@ void isar_command(const Request& request) {
     stop_if_interrupted();
     write_isar_vti(folder / "isar.vti", image);
     stop_if_interrupted();
-    if (const std::string trouble = plot_isar(folder, source.title, image, source.lines()); !trouble.empty()) warn(trouble);
+    draw_isar(folder, source, image);
   });
 }
 

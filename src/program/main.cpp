@@ -49,10 +49,14 @@ void execute(const Request& request) {
       return profile_command(request);
     case Command::isar:
       return isar_command(request);
+    case Command::centres:
+      return centres_command(request);
     case Command::plot:
       return plot_command(request.plot);
     case Command::statistics:
       return statistics_command(request.statistics);
+    case Command::report:
+      return report_command(request);
     case Command::none:
       return;
   }

@@ -63,6 +63,14 @@ constexpr const char* profile_examples =
     "  raytube profile case.toml -o profile --window hann\n"
     "  raytube profile rcs.nc -o profile --window taylor --sidelobes 50";
 
+constexpr const char* centres_examples =
+    "Takes everything that scatters at the middle frequency to pieces, and finds the strongest places: amplitude of all "
+    "channels, mechanism, "
+    "over which\nband and angles it persists. Writes centres.csv and centres.ply.\n\n"
+    "Examples:\n"
+    "  raytube centres cases/trihedral/case.toml --look 20\n"
+    "  raytube centres case.toml -n 20 --resolution 0.05 -o centres";
+
 constexpr const char* isar_examples =
     "Frequencies by one angle give an image in a plane, by azimuth and elevation one in space. Writes isar.csv, isar.png and "
     "isar.vti (for\n"
@@ -90,6 +98,14 @@ auto number_between(double least, double most) {
                : fmt::format("needs a number from {:g} to {:g} (found {})", least, most, text);
   };
 }
+
+constexpr const char* report_examples =
+    "One page of HTML with everything inside: curves, map, profiles, images, the target in space, settings and warnings. Writes\n"
+    "report.html into the folder.\n\n"
+    "Examples:\n"
+    "  raytube report out\n"
+    "  raytube report out -o truck.html --looks 0,90\n"
+    "  raytube report result.nc -o result.html";
 
 constexpr double least_length = 1e-6, most_length = 1e6;  // [m]
 
@@ -154,6 +170,45 @@ CLI::App* add_isar(CLI::App& app, Request& request) {
       ->check(number_between(1e-6, 1e9));
   add_product_options(*isar, request);
   return isar;
+}
+
+CLI::App* add_centres(CLI::App& app, Request& request) {
+  CLI::App* centres = add_command(app, "centres", "Scattering centres of a look", centres_examples);
+  centres->add_option("case", request.result, "Case file (TOML)")->required()->type_name("CASE.toml");
+  add_set_option(*centres, request);
+  centres->add_option("--look", request.look, "Direction, counted from 0; default 0")
+      ->type_name("I")
+      ->check(CLI::Range(0, 1000000000));
+  centres->add_option("-n,--count", request.product.centres, "So many at most; default 50")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  centres
+      ->add_option("--resolution", request.product.resolution,
+                   "Of their places [m]; default a sixtieth of the target, or two wavelengths")
+      ->type_name("M")
+      ->check(number_between(least_length, most_length));
+  add_output_option(*centres, request, "Folder for the results; default <case folder>/out");
+  add_machine_options(*centres, request);
+  add_quiet_option(*centres, request, "summary");
+  return centres;
+}
+
+CLI::App* add_report(CLI::App& app, Request& request) {
+  CLI::App* report = add_command(app, "report", "One page of HTML from the results of a run", report_examples);
+  report->add_option("result", request.result, "Folder of a run, or its rcs.csv or netCDF file")
+      ->required()
+      ->type_name("DIR|RESULT.csv|.nc");
+  report->add_option("-o,--output", request.report.file, "The page; default report.html beside the result")
+      ->type_name("FILE.html")
+      ->check([](const std::string& name) { return name.empty() ? "needs the name of a file" : std::string(); });
+  report
+      ->add_option("--looks", request.report.looks,
+                   "Looks whose return is shown in space, counted from 0; default those of output.image_look, or the strongest")
+      ->type_name("I,...")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 1000000000));
+  add_quiet_option(*report, request, "summary");
+  return report;
 }
 
 void check_product_options(const CLI::App& command, const Request& request) {

@@ -19,7 +19,9 @@ void add_machine_options(CLI::App& command, Request& request);
 void add_quiet_option(CLI::App& command, Request& request, const char* summary);
 
 CLI::App* add_profile(CLI::App& app, Request& request);
+CLI::App* add_centres(CLI::App& app, Request& request);
 CLI::App* add_isar(CLI::App& app, Request& request);
+CLI::App* add_report(CLI::App& app, Request& request);
 
 /// Throws InputError for options of profile and isar that do not go together.
 void check_product_options(const CLI::App& command, const Request& request);

@@ -37,7 +37,7 @@ bool is_case(const fs::path& file) { return lower_case(file.extension().string()
 
 ProductSource solved_case(const Request& request, const SweepCheck& check) {
   const Case c = read_case(request.result, request.overrides);
-  LoadedMesh loaded = load_target(c);
+  LoadedMesh loaded = load_target(c, request.product.direct);
   const int threads = request.threads > 0 ? request.threads : all_threads();
   ProductSource source{.of_case = {}, .name = c.file.string(), .title = c.title, .result = {}, .target = {}, .solved = true};
   Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
@@ -72,19 +72,30 @@ std::string text_of(const JsonValue& json, const char* name) {
   return value ? value->text : "";
 }
 
-// run.json beside a result; none if there is none, or another result's.
-std::optional<JsonValue> run_of(const fs::path& result) {
-  std::ifstream in(fs::absolute(result).parent_path() / "run.json");
-  return parsed_json({std::istreambuf_iterator<char>(in), {}});
+// A value of JSON in the syntax of TOML, which differs for tables alone: none of these sections holds one.
+void add_settings(const JsonValue& resolved, const char* section, std::vector<std::string>& settings) {
+  const JsonValue* const keys = resolved.find(section);
+  for (std::size_t i = 0; keys && i < keys->names.size(); ++i)
+    settings.push_back(fmt::format("{}.{}={}", section, keys->names[i], json_text(keys->items[i], -1)));
+}
+
+// Of one mesh file a text, of several a list.
+std::vector<std::string> mesh_hashes(const JsonValue& run) {
+  const JsonValue* const mesh = run.find("mesh");
+  const JsonValue* const sha256 = mesh ? mesh->find("sha256") : nullptr;
+  if (!sha256) return {};
+  if (sha256->kind == JsonValue::Kind::text) return {sha256->text};
+  std::vector<std::string> hashes;
+  for (const JsonValue& hash : sha256->items) hashes.push_back(hash.text);
+  return hashes;
 }
 
 // The target of a result, if its meshes are where its run had them, and the same.
 std::unique_ptr<const Target> target_of(const JsonValue& run) {
-  const JsonValue* const mesh = run.find("mesh");
   try {
-    const Case c = read_case(text_of(run, "case_file"), {});
+    const Case c = case_of_run(run);
     LoadedMesh loaded = load_target(c);
-    if (!mesh || text_of(*mesh, "sha256") != sha256_of_meshes(c, loaded.report).front()) return {};
+    if (mesh_hashes(run) != sha256_of_meshes(c, loaded.report)) return {};
     return std::make_unique<const Target>(std::move(loaded.mesh), c.wedges);
   } catch (const InputError&) {
     return {};
@@ -106,25 +117,53 @@ ProductSource stored_result(const fs::path& file) {
 
 }  // namespace
 
+std::optional<JsonValue> run_of(const fs::path& result) {
+  std::ifstream in(fs::absolute(result).parent_path() / "run.json");
+  return parsed_json({std::istreambuf_iterator<char>(in), {}});
+}
+
+Case case_of_run(const JsonValue& run) {
+  std::vector<std::string> settings;
+  if (const JsonValue* const resolved = run.find("case")) {
+    if (const JsonValue* target = resolved->find("target"))
+      for (const char* key : {"mesh", "unit"})
+        if (const JsonValue* value = target->find(key))
+          settings.push_back(fmt::format("target.{}={}", key, json_text(*value, -1)));
+    for (const char* section : {"frequency", "look", "tubes", "accuracy", "edges", "surfaces"})
+      add_settings(*resolved, section, settings);
+  }
+  return read_case(text_of(run, "case_file"), settings);
+}
+
 std::vector<dvec3> ProductSource::outermost() const { return target ? outermost_of(*target) : std::vector<dvec3>{}; }
 
 std::vector<std::array<dvec3, 2>> ProductSource::lines() const {
   return target ? lines_of(*target) : std::vector<std::array<dvec3, 2>>{};
 }
 
-void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,
-                   const std::function<void(const PlacedScatterer&)>& sink) {
+ProductSource unsolved_case(const Request& request) {
+  if (!is_case(request.result))
+    throw InputError(fmt::format("{} is no case (.toml); only a case says where its S comes from", request.result.string()));
+  Request direct = request;
+  direct.product.direct = true;
+  return solved_case(direct, [](const ProductSource&) {});
+}
+
+void pieces_of_look(const Request& request, const ProductSource& source, std::size_t look, double cell, const PieceSink& sink) {
   const Case& c = *source.of_case;
-  const std::vector<std::string>& wanted = request.product.mechanisms;
   SolveOptions options{c.tubes, c.edges, c.surfaces, request.threads};
   options.progress = [](double) { return !InterruptFlag::raised(); };
   const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
-  naming_the_case(c, [&] {
-    scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, [&](const ScatteringPiece& piece) {
-      const std::string name = scattering_mechanisms[static_cast<std::size_t>(piece.mechanism)];
-      if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) return;
-      sink({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
-    });
+  naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, sink); });
+}
+
+void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,
+                   const std::function<void(const PlacedScatterer&)>& sink) {
+  const std::vector<std::string>& wanted = request.product.mechanisms;
+  pieces_of_look(request, source, look, cell, [&](const ScatteringPiece& piece) {
+    const std::string name = scattering_mechanisms[static_cast<std::size_t>(piece.mechanism)];
+    if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) return;
+    sink({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
   });
 }
 

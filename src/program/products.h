@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "case/data/case.h"
+#include "core/json.h"
 #include "imaging/direct.h"
 #include "output/netcdf/stored_result.h"
 #include "plan/target.h"
 #include "program/commands.h"
 #include "program/work/results.h"
+#include "scene/scattering_piece.h"
 
 namespace raytube {
 
@@ -31,11 +33,23 @@ struct ProductSource {
   std::vector<std::array<dvec3, 2>> lines() const;
 };
 
+/// run.json beside a result; none if there is none.
+std::optional<JsonValue> run_of(const std::filesystem::path& result);
+
+/// The case of run.json, with the settings that it was run with, also those of --set. Throws InputError if it cannot be read.
+Case case_of_run(const JsonValue& run);
+
 /// Throws InputError for a sweep that nothing can be made of; S is not there yet.
 using SweepCheck = std::function<void(const ProductSource&)>;
 
 /// Pieces to a resolution cell of even weights: over a band their phase turns by a quarter of a turn and less.
 inline constexpr double pieces_to_a_cell = 4.0;
+
+/// The case with its target, to be taken to pieces. Throws InputError if the input is none.
+ProductSource unsolved_case(const Request& request);
+
+/// All that scatters in one look of the case, at the frequency in the middle of its list, in pieces of `cell` [m].
+void pieces_of_look(const Request& request, const ProductSource& source, std::size_t look, double cell, const PieceSink& sink);
 
 /// Of one look of the case, at the frequency in the middle of its list, all that scatters by the mechanisms that are asked for,
 /// in pieces of `cell` [m].

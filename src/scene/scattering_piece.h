@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "core/field.h"
 
@@ -23,7 +24,7 @@ struct ScatteringPiece {
   dvec3 place;
   ScatteringMatrix s;  // [m]
   ScatteringMechanism mechanism;
-  std::uint32_t triangle;  // of the mesh; of edges none (no_index)
+  std::optional<std::uint32_t> triangle;  // of the mesh, that the current is on; edges have none
 };
 
 /// Takes one after the other, one thread at a time.

@@ -82,7 +82,7 @@ void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, co
   const ImageRequest request = edge_pieces(look, tubes, 0, edges);
   for (std::size_t i = 0; i < request.pieces.size(); ++i) {
     const ImageEdge& edge = request.pieces[i];
-    sink({0.5 * (edge.begin + edge.end), edge.s, mechanism_of(request.mechanisms[i]), no_index});
+    sink({0.5 * (edge.begin + edge.end), edge.s, mechanism_of(request.mechanisms[i]), {}});
   }
 }
 

@@ -1,5 +1,9 @@
 #include "solve/pieces.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/threads.h"
 #include "plan/phase_reference.h"
@@ -34,9 +38,16 @@ void scattering_pieces(const Target& target, const Sweep& sweep, std::size_t loo
   one.frequencies = {frequency}, one.looks = {sweep.looks[look]};
   const SolvePlan plan(target, one, options);
   const auto lattice_of = [&](double per_wavelength) {
-    ImageLattice lattice = image_cells(plan, 0, per_wavelength);
-    lattice.corner -= lattice.project(target.mesh.center);
-    return lattice;
+    try {
+      ImageLattice lattice = image_cells(plan, 0, per_wavelength);
+      lattice.corner -= lattice.project(target.mesh.center);
+      return lattice;
+    } catch (const InputError&) {
+      throw InputError(
+          fmt::format("the look sees no area of the target, or has too many pieces of {:.3g} m; take another look, or resolve "
+                      "it more coarsely",
+                      wavelength(frequency) / per_wavelength));
+    }
   };
   const ImageLattice lattice = lattice_of(wavelength(frequency) / cell),
                      fine = lattice_of(std::max(edge_pieces_to_a_wavelength, wavelength(frequency) / cell));

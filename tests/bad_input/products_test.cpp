@@ -69,6 +69,20 @@ TEST_F(Products, OneLookMakesAnImageByItself) {
   expect_refused("isar case.toml --direct " + sweep + " --set radar.range_m=100", "the pieces seen from a finite distance");
 }
 
+TEST_F(Products, CentresAreThoseOfOneLook) {
+  EXPECT_EQ(raytube("centres case.toml -o a --quiet --set target.unit=m").code, 0);
+  EXPECT_THAT(text_of(scratch / "a/centres.csv"), AllOf(HasSubstr("\n1,"), HasSubstr("\nrest,,,,,"), HasSubstr("bounce_1")));
+  EXPECT_THAT(text_of(scratch / "a/centres.ply"), HasSubstr("element vertex "));
+  scratch.write("named.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng near\nf 1 2 3\ng far, side\nf 1 3 4\n");
+  EXPECT_EQ(raytube("centres case.toml -o b --quiet --set target.unit=m --set target.mesh=named.obj").code, 0);
+  EXPECT_THAT(text_of(scratch / "b/by_part.csv"),
+              AllOf(HasSubstr("\nnear,tubes,"), HasSubstr("\n\"far,, side\""), HasSubstr("\n,all,")));
+  expect_refused("centres kept/rcs.csv", "kept/rcs.csv is no case (.toml)");
+  expect_refused("centres case.toml --look 1", "--look 1: the case has 1 look, counted from 0");
+  expect_refused("centres case.toml --set target.unit=m --resolution 1e-4", "has too many pieces of 2.5e-05 m");
+  expect_refused("centres case.toml --set radar.range_m=100", "the pieces seen from a finite distance have no one place");
+}
+
 TEST_F(Products, APlanIsACase) {
   const Outcome plan = raytube("isar --plan 0.2 0.05");
   EXPECT_EQ(plan.code, 0);

@@ -28,7 +28,7 @@ touch case.toml result.csv result.nc mesh.stl
 mkdir cases
 
 expect "run" raytube ru
-expect "check compare converge convert" raytube c
+expect "check compare converge convert centres" raytube c
 expect "--version" raytube --v
 expect "cases case.toml" raytube run ca
 expect "case.toml" raytube run --quiet -o out case.

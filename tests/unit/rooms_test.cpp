@@ -80,15 +80,16 @@ const Rooms may_include = {
     {"case/directions", {"core", "scene", "case/data", "case/text"}},
     {"case/materials", {"core", "scene", "case/data", "case/text"}},
     {"case", {"core", "scene", "mesh", "mesh/model", "case/data", "case/text", "case/directions", "case/materials"}},
-    {"imaging", {"core", "math"}},
+    {"imaging", {"core", "math", "scene"}},
 
     {"output/files", {"core", "scene"}},
     {"output/netcdf", {"core", "output/files"}},
     {"output/tables", {"core", "scene", "output/files", "output/netcdf"}},
     {"output/compare", {"core", "scene", "output/files", "output/netcdf", "output/tables"}},
-    {"output/products", {"core", "imaging", "output/files", "output/netcdf", "output/tables"}},
+    {"output/products", {"core", "scene", "imaging", "output/files", "output/netcdf", "output/tables"}},
     {"output/vtk", {"core", "scene", "imaging", "output/files", "output/tables"}},
     {"output/words", {"core", "scene", "output/tables"}},
+    {"output/report", {"core", "scene", "imaging", "output/netcdf", "output/tables", "output/products", "output/words"}},
     {"output/plots", {"core", "scene", "imaging", "output/files", "output/netcdf", "output/tables", "output/compare"}},
     {"output/charts", {"core", "scene", "output/netcdf", "output/tables", "output/plots"}},
     {"output/statistics", {"core", "scene", "output/files", "output/tables", "output/plots", "output/charts"}},
@@ -107,6 +108,9 @@ const Rooms may_include = {
                                              "solve",          "solve/mechanisms", "utd/shadow",
                                              "utd/wedge",      "program/work",     "imaging",
                                              "output/products"}},
+    {"program/report", base + std::set<std::string>{"case", "case/data", "imaging", "jobs", "output/files", "output/netcdf",
+                                                    "output/products", "output/report", "output/tables", "output/vtk", "plan",
+                                                    "program", "program/work", "sbr", "solve"}},
 };
 
 struct SourceFile {

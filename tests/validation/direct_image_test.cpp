@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "imaging/centres.h"
 #include "imaging/direct.h"
 #include "run.h"
 #include "shapes.h"
@@ -95,6 +96,33 @@ TEST(DirectSweep, OfATiltedPlateIsTheSweep) {
   });
   const std::vector<ScatteringMatrix> s = direct.scattering();
   for (const int p : {0, 1}) EXPECT_GT(correlation(s, swept.total, p), 0.999);
+}
+
+// A trihedral of 0.4 m, seen along its axis: the triple bounce is at its apex, with the level of all of it, 4 pi a^4 / 3 lambda^2
+// of leg a; nothing else comes within 30 dB. The rest adds what is missing.
+TEST(ScatteringCentres, OfATrihedralIsItsApex) {
+  constexpr double leg = 0.4, frequency = 10e9;
+  const Target target(build_mesh(shapes::trihedral(leg), 1.0).mesh);
+  Aperture of = aperture({frequency, 0.0, 1}, {45.0, 0.0, 1});
+  of.sweep.looks.front().transmit.theta = of.sweep.looks.front().receive.theta = std::acos(1.0 / std::sqrt(3.0));
+  std::vector<ScatteringPiece> pieces;
+  ScatteringMatrix s;
+  scattering_pieces(target, of.sweep, 0, frequency, {}, 0.015, [&](const ScatteringPiece& piece) {
+    pieces.push_back(piece);
+    s += piece.s;
+  });
+  const SphericalBasis basis = spherical_basis(of.sweep.looks.front().transmit);
+  const ScatteringCentres found =
+      scattering_centres(pieces, {-basis.radial, basis.phi_hat, -basis.theta_hat}, {20, 0.06, wavelength(frequency)});
+  const ScatteringCentre& first = found.centres.front();
+  EXPECT_LT(glm::length(first.place), 0.1 * 0.06);
+  EXPECT_EQ(first.mechanism(), static_cast<std::size_t>(ScatteringMechanism::later_bounces));
+  const double level = 4.0 * pi * std::pow(leg, 4) / (3.0 * wavelength(frequency) * wavelength(frequency));
+  EXPECT_NEAR(dbsm(first.s.vv()), 10.0 * std::log10(level), 0.3);
+  EXPECT_LT(dbsm(found.centres[1].s.vv()), dbsm(first.s.vv()) - 30.0);
+  ScatteringMatrix sum = found.rest;
+  for (const ScatteringCentre& centre : found.centres) sum += centre.s;
+  EXPECT_LT(largest_amplitude(sum - s), 1e-12 * largest_amplitude(s));
 }
 
 TEST(Pieces, WhatHasNoPiecesIsRefused) {

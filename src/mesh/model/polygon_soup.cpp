@@ -1,8 +1,22 @@
 #include "mesh/model/polygon_soup.h"
 
+#include <map>
+
 namespace raytube {
 
 void add_name(PolygonSoup& soup, const std::string& name) { soup.names.add_to_all(name, soup.polygons.size()); }
+
+void number_parts(PolygonSoup& soup) {
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known;
+  for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
+    const std::span<const std::uint32_t> names = soup.names.of(i);
+    const auto [found, is_new] = known.try_emplace({names.begin(), names.end()}, static_cast<std::uint32_t>(known.size()));
+    soup.parts.push_back(found->second);
+    if (!is_new) continue;
+    std::string& text = soup.part_names.emplace_back();
+    for (const std::uint32_t name : names) text += (text.empty() ? "" : ", ") + soup.names.all()[name];
+  }
+}
 
 void add_polygons(const PolygonSoup& part, PolygonSoup& whole) {
   const auto first_point = static_cast<std::uint32_t>(whole.points.size());

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "mesh/model/part_names.h"
 #include "mesh/model/triangle_mesh.h"
@@ -25,12 +27,17 @@ struct PolygonSoup {
   /// 3MF: objects. Other formats have none.
   PartNames names{};
   std::vector<std::uint32_t> materials{};              // of each polygon, as Patch::material; empty: all are perfect conductors
+  std::vector<std::uint32_t> parts{};                  // of each polygon, among part_names; empty: not wanted
+  std::vector<std::string> part_names{};               // what polygons go by
   std::optional<StatedUnit> stated_unit{};             // what the file itself says, if it says any
   std::vector<std::filesystem::path> further_files{};  // that the file named and that were read with it (glTF)
 };
 
 /// Gives every polygon a further name, as that of the file they are from.
 void add_name(PolygonSoup& soup, const std::string& name);
+
+/// Numbers the parts: polygons that go by the same names are one, called by all of them.
+void number_parts(PolygonSoup& soup);
 
 /// Several files as one target: appends the polygons of `part` to those of `whole`, with their names and materials. Nothing is
 /// welded yet. Both are in the same unit.

@@ -42,6 +42,8 @@ struct TriangleMesh {
   std::vector<std::uint32_t> triangle_component;        // [triangle]
   std::vector<Patch> patches;                           // numbered as triangle_patch says
   std::vector<Component> components;                    // numbered as triangle_component says
+  std::vector<std::uint32_t> triangle_part;             // [triangle] among part_names; empty: nobody wanted it
+  std::vector<std::string> part_names;                  // by the names in the mesh file, or of it
   dvec3 center{0.0};                                    // in the mesh's own coordinates [m]
   double radius = 0.0;                                  // largest distance of a vertex from `center`
 

@@ -63,6 +63,7 @@ Facets split_polygons(const PolygonSoup& soup, MeshReport& report) {
       facets.triangles.insert(facets.triangles.end(), pieces.begin(), pieces.end());
     }
     if (!soup.materials.empty()) facets.materials.resize(facets.triangles.size(), soup.materials[i]);
+    if (!soup.parts.empty()) facets.parts.resize(facets.triangles.size(), soup.parts[i]);
   }
   return facets;
 }
@@ -185,6 +186,7 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
   mesh.components = std::move(surfaces.components);
   open_penetrable_components(mesh, facets, materials, report);
   mesh.triangles = std::move(facets.triangles);
+  mesh.triangle_part = std::move(facets.parts), mesh.part_names = std::move(soup.part_names);
   find_patches(mesh, flat_fraction * diagonal, facets.materials);
   report_as_traced(mesh, report);
   return loaded;

@@ -12,6 +12,7 @@ namespace raytube {
 struct Facets {
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> materials;  // of each triangle, as Patch::material; empty: all are perfect conductors
+  std::vector<std::uint32_t> parts;      // of each triangle, as PolygonSoup::parts; empty: not wanted
 
   std::uint32_t material(std::size_t triangle) const { return materials.empty() ? no_index : materials[triangle]; }
 
@@ -19,6 +20,7 @@ struct Facets {
   void add(const Triangle& triangle, const Facets& other, std::size_t like) {
     triangles.push_back(triangle);
     if (!other.materials.empty()) materials.push_back(other.materials[like]);
+    if (!other.parts.empty()) parts.push_back(other.parts[like]);
   }
 
   /// Leaves out the triangles for which `drop(index)` holds; returns how many.
@@ -28,11 +30,13 @@ struct Facets {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (drop(i)) continue;
       if (!materials.empty()) materials[kept] = materials[i];
+      if (!parts.empty()) parts[kept] = parts[i];
       triangles[kept++] = triangles[i];
     }
     const std::uint64_t dropped = triangles.size() - kept;
     triangles.resize(kept);
     if (!materials.empty()) materials.resize(kept);
+    if (!parts.empty()) parts.resize(kept);
     return dropped;
   }
 };

@@ -7,6 +7,7 @@
 //     compare  two results beside each other, convergence over tube density, random runs
 //     plots    pictures through gnuplot
 //     charts, statistics: what is drawn of, and told about, results that are there
+//     report   a page of HTML
 //
 // Each includes only from those before it. Angles in tables are in degrees, frequencies in Hz, S in metres, sigma in dBsm;
 // channels pq = vv, vh, hv, hh name the receive polarisation first.

@@ -93,7 +93,47 @@ LevelPanels panels_of_space(const std::string& title, const IsarImage& image, st
   return drawn;
 }
 
+// Red, green, blue.
+std::array<double, 3> pauli_amplitudes(const ScatteringMatrix& s) {
+  const double scale = std::sqrt(0.5);
+  return {scale * std::abs(s.hh() - s.vv()), scale * std::abs(s.at(0, 1) + s.at(1, 0)), scale * std::abs(s.hh() + s.vv())};
+}
+
+// x, y and a colour a row.
+std::string pauli_data(const IsarImage& image) {
+  constexpr double range = 40.0;
+  double top = 0.0;
+  for (const ScatteringMatrix& s : image.s) top = std::max(top, std::ranges::max(pauli_amplitudes(s)));
+  std::string text = "$colors << EOD\n";
+  for (std::size_t i = 0; i < image.s.size(); ++i) {
+    text +=
+        fmt::format("{:.6g} {:.6g}", image.coordinate(1, i % image.grid.count[1]), image.coordinate(0, i / image.grid.count[1]));
+    for (const double amplitude : pauli_amplitudes(image.s[i]))
+      text += fmt::format(" {:.0f}", 255.0 * std::clamp(1.0 + 20.0 * std::log10(amplitude / top) / range, 0.0, 1.0));
+    text += '\n';
+  }
+  return text + "EOD\n";
+}
+
+std::string pauli_script(const std::string& file, const std::string& title, const IsarImage& image,
+                         std::span<const std::array<dvec3, 2>> lines) {
+  const LevelPanels axes{.heading = heading(title, image) + "\nred |HH − VV|, green |HV + VH|, blue |HH + VV|, 40 dB",
+                         .x = {axis_of(image, 1), labels[1]},
+                         .y = {axis_of(image, 0), labels[0]},
+                         .alike = true,
+                         .level_label = "",
+                         .panels = {{}},
+                         .lines = projected(lines, image.axes[1].direction, image.axes[0].direction)};
+  return colors_panel_script(file, axes, pauli_data(image));
+}
+
 }  // namespace
+
+std::string plot_pauli(const std::filesystem::path& folder, const std::string& title, const IsarImage& image,
+                       std::span<const std::array<dvec3, 2>> target_lines) {
+  const std::filesystem::path picture = folder / "isar_pauli.png";
+  return draw_picture(picture, pauli_script(picture.string(), title, image, target_lines));
+}
 
 std::string plot_isar(const std::filesystem::path& folder, const std::string& title, const IsarImage& image,
                       std::span<const std::array<dvec3, 2>> target_lines) {

@@ -102,7 +102,27 @@ std::string limits_text(const EvenAxis& dots) {
   return fmt::format("[{:.9g}:{:.9g}]", std::min(first, last), std::max(first, last));
 }
 
+std::string axes_text(const LevelPanels& drawn, const DotsAlong& x, const DotsAlong& y) {
+  return fmt::format(
+      "unset key\nset xtics out nomirror\nset ytics out nomirror\nset grid noxtics noytics\nset xrange {}\nset yrange {}\nset "
+      "xlabel '{}'\nset ylabel '{}'\n",
+      limits_text(x.dots), limits_text(y.dots), drawn.x.label, drawn.y.label);
+}
+
+std::string lines_plot(const LevelPanels& drawn) {
+  return drawn.lines.empty() ? "\n" : ", \\\n  $lines using 1:2 with lines lc rgb '#80ffffff' lw 1 notitle\n";
+}
+
 }  // namespace
+
+std::string colors_panel_script(const std::string& file, const LevelPanels& axes, const std::string& colors) {
+  const DotsAlong x = dots_along(axes.x.values), y = dots_along(axes.y.values);
+  const PanelLayout layout{panel_size(axes, x, y), 1};
+  std::string script = gnuplot_preamble("pngcairo", fmt::format("{:.0f},{:.0f}", layout.across(), layout.down()), file);
+  script += lines_data(axes.lines) + colors + "set title " + gnuplot_quoted_lines(axes.heading) + '\n';
+  script += axes_text(axes, x, y) + layout.margins(0) + "plot $colors using 1:2:3:4:5 with rgbimage notitle" + lines_plot(axes);
+  return script + "set output\n";
+}
 
 std::string level_panels_script(const std::string& terminal, const std::string& file, const LevelPanels& drawn) {
   const DotsAlong x = dots_along(drawn.x.values), y = dots_along(drawn.y.values);
@@ -112,16 +132,13 @@ std::string level_panels_script(const std::string& terminal, const std::string& 
       gnuplot_preamble(terminal, fmt::format("{:.0f},{:.0f}", layout.across(), layout.down()), file) + lines_data(drawn.lines);
   for (std::size_t i = 0; i < drawn.panels.size(); ++i) script += dots_data(i, drawn.panels[i].levels, x, y, bottom);
   script += "set multiplot title " + gnuplot_quoted_lines(drawn.heading) + '\n' + level_palette;
-  script += fmt::format(
-      "set cbrange [{}:{}]\nset cblabel '{}'\nunset key\nset xtics out nomirror\nset ytics out nomirror\nset grid noxtics "
-      "noytics\nset xrange {}\nset yrange {}\nset xlabel '{}'\nset ylabel '{}'\n",
-      bottom, top, drawn.level_label, limits_text(x.dots), limits_text(y.dots), drawn.x.label, drawn.y.label);
+  script += fmt::format("set cbrange [{}:{}]\nset cblabel '{}'\n", bottom, top, drawn.level_label) + axes_text(drawn, x, y);
   for (std::size_t i = 0; i < drawn.panels.size(); ++i) {
     script += layout.margins(i) + fmt::format("set title '{}'\n", drawn.panels[i].title) +
               (i == 0 ? layout.color_box() : "unset colorbox\n");
     script += fmt::format("plot $levels{} using ({:.9g}+{:.9g}*$1):({:.9g}+{:.9g}*$2):3 matrix with image notitle", i,
                           x.dots.first, x.dots.step, y.dots.first, y.dots.step);
-    script += drawn.lines.empty() ? "\n" : ", \\\n  $lines using 1:2 with lines lc rgb '#80ffffff' lw 1 notitle\n";
+    script += lines_plot(drawn);
   }
   return script + "unset multiplot\nset output\n";
 }

@@ -36,4 +36,8 @@ struct LevelPanels {
 /// The gnuplot commands and data that draw `file`; what has more values than dots shows the strongest of each dot's.
 std::string level_panels_script(const std::string& terminal, const std::string& file, const LevelPanels& drawn);
 
+/// One panel with these axes, heading and lines, of colours: rows of x, y, red, green and blue (0 to 255) in the data block
+/// $colors.
+std::string colors_panel_script(const std::string& file, const LevelPanels& axes, const std::string& colors);
+
 }  // namespace raytube

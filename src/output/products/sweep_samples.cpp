@@ -32,14 +32,22 @@ std::vector<ChannelErrors> errors_of(const StoredResult& result, const std::vect
 
 }  // namespace
 
+std::vector<ChannelErrors> errors_in_metres(const StoredResult& result) {
+  return errors_of(result, result.error_m, result.err_db);
+}
+
+std::vector<ChannelErrors> model_in_metres(const StoredResult& result) {
+  return errors_of(result, result.model_m, result.model_db);
+}
+
 SweepSamples samples_of(const StoredResult& result, const std::string& name) {
   SweepSamples samples{.frequency = even_axis(result.frequency_hz, name + ": frequencies", "Hz")};
   for (const StoredLook& look : result.looks)
     samples.looks.push_back({direction_of(look.theta_deg, look.phi_deg), direction_of(look.rx_theta_deg, look.rx_phi_deg),
                              look.range_m, look.rx_range_m});
   samples.s = result.s;
-  samples.error = errors_of(result, result.error_m, result.err_db);
-  samples.model = errors_of(result, result.model_m, result.model_db);
+  samples.error = errors_in_metres(result);
+  samples.model = model_in_metres(result);
   return samples;
 }
 

@@ -12,6 +12,10 @@ namespace raytube {
 /// `name` for frequencies that are not in even steps.
 SweepSamples samples_of(const StoredResult& result, const std::string& name);
 
+/// Numerical error and model uncertainty of |S| [m], which follow from the levels of a result that does not hold them.
+std::vector<ChannelErrors> errors_in_metres(const StoredResult& result);
+std::vector<ChannelErrors> model_in_metres(const StoredResult& result);
+
 /// Its looks by the angles to the transmitter. Throws InputError that begins with `name` for bistatic looks, and as angle_grid
 /// does.
 AngleGrid grid_of_looks(const StoredResult& result, const std::string& name);

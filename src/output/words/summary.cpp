@@ -83,7 +83,7 @@ std::string remedy(const SweepResult& result, const RunFacts& facts) {
 }
 
 std::string error_lines(const SweepResult& result, const RunFacts& facts) {
-  std::string text = line("numerical error", levels_text(largest_errors(result, result.error)));
+  std::string text = line("numerical error", numerical_error_text(result));
   if (!facts.tubes.refines()) return text;
   const RowsAbove above = rows_above(result, facts.tubes);
   const std::string tolerance = number_text(facts.tubes.tolerance_db);
@@ -123,26 +123,15 @@ std::string median_text(const char* channels, std::vector<double> levels) {
   return fmt::format("{} median {:.2g} dB, at most {:.2g} dB", channels, median, std::ranges::max(levels));
 }
 
-std::string model_levels_text(const SweepResult& result) {
-  std::vector<std::string> kinds;
-  for (const auto& [channels, both] : {std::pair{"VV, HH", std::array{0, 3}}, std::pair{"VH, HV", std::array{1, 2}}})
-    if (const std::vector<double> levels = levels_near_peak(result, result.model, both); !levels.empty())
-      kinds.push_back(median_text(channels, levels));
-  return kinds.empty() ? "0 dB: no return" : "within 40 dB of the peak: " + joined(kinds, "; ");
-}
-
 // How a remedy begins where no key is one.
 constexpr std::string_view no_remedy = "none";
 
 // What it is mostly, and the handle that makes it less.
 std::string model_lines(const SweepResult& result) {
   if (result.model.empty()) return "";
-  const std::string text = line("model uncertainty", model_levels_text(result));
+  const std::string text = line("model uncertainty", model_uncertainty_text(result));
   if (result.model_parts.empty()) return text;
-  const ModelPart& largest = result.model_parts.front();
-  const bool none = largest.remedy.starts_with(no_remedy);
-  const std::string handle = none ? "no key reduces it" + largest.remedy.substr(no_remedy.size()) : "remedy: " + largest.remedy;
-  return text + line("", fmt::format("mostly {} ({:.0f} %); {}", largest.what, 100.0 * largest.share, handle));
+  return text + line("", largest_part_text(result.model_parts.front()));
 }
 
 // Whether it changes any row within 40 dB of the peak by a tenth of the tolerance.
@@ -192,6 +181,22 @@ std::string beyond_bound_lines(const Statistics& statistics) {
 }
 
 }  // namespace
+
+std::string numerical_error_text(const SweepResult& result) { return levels_text(largest_errors(result, result.error)); }
+
+std::string model_uncertainty_text(const SweepResult& result) {
+  std::vector<std::string> kinds;
+  for (const auto& [channels, both] : {std::pair{"VV, HH", std::array{0, 3}}, std::pair{"VH, HV", std::array{1, 2}}})
+    if (const std::vector<double> levels = levels_near_peak(result, result.model, both); !levels.empty())
+      kinds.push_back(median_text(channels, levels));
+  return kinds.empty() ? "0 dB: no return" : "within 40 dB of the peak: " + joined(kinds, "; ");
+}
+
+std::string largest_part_text(const ModelPart& largest) {
+  const bool none = largest.remedy.starts_with(no_remedy);
+  const std::string handle = none ? "no key reduces it" + largest.remedy.substr(no_remedy.size()) : "remedy: " + largest.remedy;
+  return fmt::format("mostly {} ({:.0f} %); {}", largest.what, 100.0 * largest.share, handle);
+}
 
 std::string beyond_bound_sentence(const BeyondBound& part) {
   if (std::isinf(part.ratio))

@@ -25,6 +25,15 @@ std::string beyond_bound_sentence(const BeyondBound& part);
 /// What is to be said of lost rays: how many, and where the first ones were in units of the mesh.
 std::string lost_rays_sentence(const Statistics& statistics, double metres_per_unit, const std::string& unit);
 
+/// The largest numerical errors of channels: "at most VV, HH 0.01 dB; ...".
+std::string numerical_error_text(const SweepResult& result);
+
+/// Median and largest model uncertainty of channels near the peak.
+std::string model_uncertainty_text(const SweepResult& result);
+
+/// What the model uncertainty mostly is, and the handle that makes it less.
+std::string largest_part_text(const ModelPart& largest);
+
 /// Lines of a name and what is to be said of it.
 std::string summary_text(const SweepResult& result, const RunFacts& facts);
 
