@@ -267,6 +267,7 @@ PYBIND11_MODULE(_core, module) {
   module.def("all_threads", &all_threads);
   bind_target_and_job(module);
   bind_stored(module);
+  bind_products(module);
   bind_comparison(module);
   py::module_::import("atexit").attr("register")(py::cpp_function([] {
     const py::gil_scoped_release others_go_on;

@@ -8,6 +8,9 @@ namespace raytube::python {
 /// StoredResult as the class `Stored`: arrays of the shape [look, frequency, receive, transmit].
 void bind_stored(pybind11::module_& module);
 
+/// range_profiles, isar: of a result; outline: what a target looks like in them.
+void bind_products(pybind11::module_& module);
+
 /// compare: two results as Comparison.
 void bind_comparison(pybind11::module_& module);
 

@@ -10,10 +10,11 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from raytube import _arguments, _core
 from raytube._core import InputError
-from raytube._looks import Looks
+from raytube._looks import Looks, monostatic
 from raytube._result import RaytubeWarning, Result
 from raytube._target import Target
 
@@ -273,6 +274,11 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     return Convergence(text, data)
 
 
+def outline_of(target: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Points as wide as the target (n, 3), and the ends of its edges (n, 2, 3) [m]."""
+    return _core.outline(_job_of_target("plot", target, 1.0, monostatic(0.0, 0.0), {}))
+
+
 class _Reported:
     """A callable for the finished share, or None; closes its progress bar."""
 
@@ -307,7 +313,7 @@ def _threads(threads: Any) -> int:
 
 def _solved(job: Any, keep_parts: Any, threads: Any, progress: Any) -> Result:
     with _Reported(progress) as report:
-        result = Result(_core.solve(job, _threads(threads), _arguments.flag(keep_parts, "keep_parts"), report))
+        result = Result(_core.solve(job, _threads(threads), _arguments.flag(keep_parts, "keep_parts"), report), _core.outline(job))
     _warn(result.warnings, 4)
     return result
 

@@ -1,4 +1,4 @@
-"""Pictures of results. The only module that imports matplotlib."""
+"""Pictures of results, profiles and images. The only module that imports matplotlib."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from raytube._core import InputError
 
 if TYPE_CHECKING:
+    from xarray import DataArray
+
+    from raytube._products import IsarImage, RangeProfiles
     from raytube._result import Result
 
 _ANGLES = {"phi_deg": "azimuth φ (degrees)", "theta_deg": "polar angle θ (degrees)", "rx_phi_deg": "azimuth φ of the receiver (degrees)",
@@ -53,6 +56,48 @@ def plot_polar(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
     ax.set_ylim(bottom=floor)
     ax.set_title(f"{_title(result)}\nσ (dBsm) against {label}")
     ax.legend(loc="lower left", bbox_to_anchor=(-0.15, -0.1))
+    return ax
+
+
+def plot_profiles(profiles: RangeProfiles, channels: tuple[str, ...], ax: Any) -> Any:
+    import matplotlib.pyplot as plt
+
+    ax = ax or plt.subplots(constrained_layout=True)[1]
+    sigma, ranges = profiles["sigma_dbsm"].sel(channel=list(channels)), profiles["range_m"].values
+    if "look" in sigma.dims:
+        varying = [name for name in _ANGLES if name in profiles.coords and np.ptp(profiles[name].values) > 0.0]
+        y, label = (profiles[varying[0]].values, _ANGLES[varying[0]]) if len(varying) == 1 else (np.arange(sigma.sizes["look"]), "look")
+        levels = sigma.sel(channel=channels[0]).transpose("look", "range_m").values
+        _colours(ax, (ranges, "range (m)"), (y, label), levels, channels[0])
+    else:
+        for channel in channels:
+            ax.plot(ranges, sigma.sel(channel=channel).values, label=channel.upper())
+        ax.set_ylim(bottom=max(ax.get_ylim()[0], _peak(sigma.values) - _DEPTH))
+        ax.set_xlabel("range (m)")
+        ax.set_ylabel("σ (dBsm)")
+        ax.grid(alpha=0.3)
+        ax.legend()
+    ax.set_title(profiles.attrs["title"])
+    return ax
+
+
+def plot_isar(image: IsarImage, channel: str, ax: Any, edges: DataArray | None) -> Any:
+    import matplotlib.pyplot as plt
+    from matplotlib.collections import LineCollection
+
+    ax = ax or plt.subplots(constrained_layout=True)[1]
+    sigma, up = image["sigma_dbsm"].sel(channel=channel), "range"
+    if "height_m" in sigma.dims:
+        sigma, up = sigma.max("range_m"), "height"
+    levels = sigma.transpose(f"{up}_m", "cross_range_m").values
+    _colours(ax, (image["cross_range_m"].values, "cross-range (m)"), (image[f"{up}_m"].values, f"{up} (m)"), levels, channel)
+    if edges is not None:
+        axes = np.array([image.attrs["cross_range_direction"], image.attrs[f"{up}_direction"]])
+        limits = ax.get_xlim(), ax.get_ylim()
+        ax.add_collection(LineCollection(list(edges.transpose("edge", "end", "xyz").values @ axes.T), colors="white", linewidths=0.4, alpha=0.6))
+        ax.set(xlim=limits[0], ylim=limits[1])
+    ax.set_aspect("equal")
+    ax.set_title(image.attrs["title"])
     return ax
 
 
@@ -117,9 +162,14 @@ def _curves(result: Result, channels: tuple[str, ...], ax: Any, x: NDArray[Any],
 def _map(result: Result, channel: str, ax: Any, across: tuple[NDArray[Any], str], up: tuple[NDArray[Any], str], across_first: bool) -> None:
     (x, x_label), (y, y_label) = across, up
     sigma = result.sigma_dbsm.sel(channel=channel).values.reshape((len(y), len(x)) if across_first else (len(x), len(y)))
+    _colours(ax, (x, x_label), (y, y_label), sigma if across_first else sigma.T, channel)
+
+
+def _colours(ax: Any, across: tuple[NDArray[Any], str], up: tuple[NDArray[Any], str], sigma: NDArray[Any], channel: str) -> None:
+    """Levels [up, across]."""
     peak = _peak(sigma)
     lowest = max(float(np.min(sigma[np.isfinite(sigma)], initial=peak)), peak - _MAP_DEPTH)
-    mesh = ax.pcolormesh(x, y, sigma if across_first else sigma.T, shading="nearest", vmin=lowest, vmax=peak)
-    ax.set_xlabel(x_label)
-    ax.set_ylabel(y_label)
+    mesh = ax.pcolormesh(across[0], up[0], sigma, shading="nearest", vmin=lowest, vmax=peak)
+    ax.set_xlabel(across[1])
+    ax.set_ylabel(up[1])
     ax.figure.colorbar(mesh, ax=ax, label=f"σ, {channel.upper()} (dBsm)")

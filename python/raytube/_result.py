@@ -24,7 +24,10 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
+    from raytube._products import IsarImage, RangeProfiles
+
 _Choice = str | tuple[str, ...] | list[str]
+_Outline = tuple[NDArray[np.float64], NDArray[np.float64]]  # points as wide as the target, ends of its edges [m]
 _S_UNITS = {"units": "m", "long_name": "scattering amplitude S"}
 
 
@@ -39,9 +42,11 @@ class Result:
     """
 
     _stored: _core.Stored
+    _outline: _Outline | None
 
-    def __init__(self, stored: _core.Stored) -> None:
+    def __init__(self, stored: _core.Stored, outline: _Outline | None = None) -> None:
         self.__dict__["_stored"] = stored
+        self.__dict__["_outline"] = outline
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a result does not change, so its {name} cannot be set; change a copy: result.to_xarray()")
@@ -211,6 +216,141 @@ class Result:
 
         return _plots.plot_polar(self, _arguments.channels(channels, "plot_polar"), ax)
 
+    def range_profile(self, look: int = 0, *, window: str = "taylor", sidelobe_db: float = 35.0, padding: int = 4) -> RangeProfiles:
+        """The range profile of one look: where along the line of sight its return comes from.
+
+        ``p(R) = sum of w S exp(2 j k R) / sum of w`` over the frequencies; a point of sigma reads sigma at its peak.
+
+        Parameters
+        ----------
+        look : int
+            Direction pair, counted from 0.
+        window : {"taylor", "rectangular", "hann", "hamming", "kaiser"}
+            Weights w of the frequencies.
+        sidelobe_db : float
+            Of "taylor" and "kaiser": side lobes so far below the peak, 15 to 100 dB.
+        padding : int
+            Ranges to a resolution cell c/2B, at least; 1 to 64.
+
+        Returns
+        -------
+        xarray.Dataset
+            ``S`` (range_m, channel): p [m], complex; ``sigma_dbsm``; ``error_dbsm`` and ``model_dbsm`` (channel): what numerical error
+            and model uncertainty come to if all of either were at one range. ``range_m`` [m] counts from the origin of the mesh's
+            coordinates along the line of sight, away from the radar; of a bistatic look it is half of the additional path.
+            ``attrs``: ``range_resolution_m`` (3 dB width of a point), ``range_unambiguous_m`` (what is so much farther appears at the
+            same range), ``window``. Its method ``plot(channels=("vv", "hh"), ax=None)`` draws it.
+
+        Raises
+        ------
+        InputError
+            For one frequency, or frequencies in uneven steps; and where the target is known, for steps too coarse for its depth.
+
+        Notes
+        -----
+        The same numbers as those of ``raytube profile`` [1]_.
+
+        References
+        ----------
+        .. [1] D. L. Mensa, High Resolution Radar Cross-Section Imaging, 1991, ch. 2.
+        """
+        from raytube import _products
+
+        return _products.range_profile(self, look, window, sidelobe_db, padding)
+
+    def waterfall(self, *, window: str = "taylor", sidelobe_db: float = 35.0, padding: int = 4) -> RangeProfiles:
+        """The range profiles of all looks.
+
+        Parameters
+        ----------
+        window, sidelobe_db, padding
+            As in `range_profile`.
+
+        Returns
+        -------
+        xarray.Dataset
+            As of `range_profile`, with the dimension ``look`` first, and ``theta_deg`` and ``phi_deg`` as its coordinates. Its method
+            ``plot`` draws a map of one channel over range and looks.
+
+        Raises
+        ------
+        InputError
+            As `range_profile` does.
+        """
+        from raytube import _products
+
+        return _products.waterfall(self, window, sidelobe_db, padding)
+
+    def isar(self, size: Any = None, pixels: float = 4.0, *, window: str = "taylor", sidelobe_db: float = 35.0) -> IsarImage:
+        """The image of a sweep over frequency and one angle, in a plane: where on the target its return comes from.
+
+        ``I(x) = sum of w S exp(-j K . x) / sum of w``, ``K = 2 k s``, over frequencies and looks; a point of sigma that all looks see alike
+        reads sigma. Exact to 1e-7 of the sum of abs(S) however wide the angle is, by gridding [2]_; at a finite range with the paths of
+        every cell.
+
+        Parameters
+        ----------
+        size : float or sequence of float, optional
+            Along range and cross-range about the origin of the mesh's coordinates [m]. Default: as wide as the target, for what `solve`
+            and `run` made; else all that is unambiguous.
+        pixels : float
+            Cells of the image to a resolution cell; 1 to 32.
+        window, sidelobe_db
+            As in `range_profile`, over frequencies and angles.
+
+        Returns
+        -------
+        xarray.Dataset
+            ``S`` (range_m, cross_range_m, channel): I [m], complex; ``sigma_dbsm``; ``outline``: ends of the target's edges [m], where the
+            target is known. ``attrs``: ``range_direction`` and ``cross_range_direction``, unit vectors in the coordinates of the target (a
+            cell's place is the sum of its coordinates times these), and for both ``..._resolution_m`` and ``..._unambiguous_m``. Range
+            is away from the radar in the middle of the angles; with azimuth alone both lie in the plane z = 0. Its method
+            ``plot(channel=None, ax=None, target=None)`` draws it, the edges of the target over it.
+
+        Raises
+        ------
+        InputError
+            For bistatic looks, one frequency or look, uneven steps, looks over two angles; and where the target is known, for steps too
+            coarse for its width.
+
+        Notes
+        -----
+        The same numbers as those of ``raytube isar`` [1]_.
+
+        References
+        ----------
+        .. [1] D. L. Mensa, High Resolution Radar Cross-Section Imaging, 1991, ch. 4.
+        .. [2] A. H. Barnett, J. Magland and L. af Klinteberg, SIAM J. Sci. Comput. 41 (2019), C479.
+        """
+        from raytube import _products
+
+        return _products.isar(self, size, pixels, window, sidelobe_db, 2)
+
+    def isar_3d(self, size: Any = None, pixels: float = 4.0, *, window: str = "taylor", sidelobe_db: float = 35.0) -> IsarImage:
+        """The image of a sweep over frequency, azimuth and polar angle, in space.
+
+        Parameters
+        ----------
+        size : float or sequence of float, optional
+            Along range, cross-range and height [m], as in `isar`.
+        pixels, window, sidelobe_db
+            As in `isar`.
+
+        Returns
+        -------
+        xarray.Dataset
+            As of `isar`, with the dimension ``height_m`` behind ``cross_range_m``: upwards as seen from the radar. Its method ``plot`` draws
+            the strongest cell along each line of sight.
+
+        Raises
+        ------
+        InputError
+            As `isar` does, and for looks over one angle alone.
+        """
+        from raytube import _products
+
+        return _products.isar(self, size, pixels, window, sidelobe_db, 3)
+
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes the result to a file, which appears when it is complete.
 
@@ -275,7 +415,7 @@ class Result:
             file = os.path.join(folder, "result.nc")
             self._stored.write_netcdf(file)
             with open(file, "rb") as stream:
-                return _unpickled, (stream.read(),)
+                return _unpickled, (stream.read(), self._outline)
 
     def _known(self, channels: _Choice | None) -> tuple[str, ...]:
         if channels is not None:
@@ -346,12 +486,12 @@ class Result:
                             coords=self._coordinates | channels, attrs=attributes)
 
 
-def _unpickled(content: bytes) -> Result:
+def _unpickled(content: bytes, outline: _Outline | None) -> Result:
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "result.nc")
         with open(file, "wb") as stream:
             stream.write(content)
-        return Result(_core.Stored.read_netcdf(file))
+        return Result(_core.Stored.read_netcdf(file), outline)
 
 
 def load(file: str | os.PathLike[str]) -> Result:

@@ -64,8 +64,8 @@ EvenGrid image_grid(const std::vector<ImageAxis>& axes, const IsarOptions& optio
     const double count = std::ceil(size * options.pixels / axes[i].cell);
     cells *= count;
     if (cells > static_cast<double>(most_image_cells))
-      throw InputError(fmt::format("{}: an image of {:g} cells, more than {}; ask for a smaller one with --size", what, cells,
-                                   most_image_cells));
+      throw InputError(fmt::format("{}: an image of {:g} cells, more than {}; ask for a smaller size, or for fewer pixels", what,
+                                   cells, most_image_cells));
     grid.count[i] = std::max<std::size_t>(2, static_cast<std::size_t>(count));
     grid.step[i] = axes[i].cell / options.pixels;
   }

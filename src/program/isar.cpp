@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "imaging/range_profile.h"
+#include "jobs/imaged_target.h"
 #include "output/plots/isar_plot.h"
 #include "output/products/isar_csv.h"
 #include "output/products/sweep_samples.h"
@@ -20,37 +21,6 @@ namespace raytube {
 namespace {
 
 const ResultNames isar_names = {{"isar.png", "isar_pauli.png"}, {"isar.csv", "isar.vti"}};
-
-constexpr double room_about = 1.2;  // an image is so much wider than the target
-
-// Along an axis of the image: how far the target reaches to either side of the origin, and how wide it is.
-struct Reach {
-  double half, width;
-};
-
-Reach reach_along(const std::vector<dvec3>& points, const dvec3& axis) {
-  double low = glm::dot(points.front(), axis), high = low;
-  for (const dvec3& point : points) {
-    const double at = glm::dot(point, axis);
-    low = std::min(low, at), high = std::max(high, at);
-  }
-  return {std::max(std::abs(low), std::abs(high)), high - low};
-}
-
-[[noreturn]] void refuse_coarse(const ProductSource& source, std::size_t axis, const ImageAxis& limits, double width, double step,
-                                const char* unit) {
-  throw InputError(
-      fmt::format("{}: the target is {:.3g} m wide along {}, but steps of {:.6g} {} show {:.3g} m without ambiguity; compute "
-                  "steps of {:.3g} {} or less",
-                  source.name, width, axis_name(axis), step, unit, limits.unambiguous, step * limits.unambiguous / width, unit));
-}
-
-// The step of the samples behind an axis of the image, and its unit.
-std::pair<double, const char*> step_of(const SweepSamples& samples, const AngleGrid& grid, std::size_t axis) {
-  if (axis == 0) return {std::abs(samples.frequency.step) * 1e-6, "MHz"};
-  const bool azimuth = axis == 1 && grid.phi_deg.count > 1;
-  return {std::abs(azimuth ? grid.phi_deg.step : grid.theta_deg.step), "degrees"};
-}
 
 IsarImage direct_image(const Request& request, const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
                        const IsarOptions& options) {
@@ -118,21 +88,6 @@ void draw_isar(const std::filesystem::path& folder, const ProductSource& source,
 
 }  // namespace
 
-std::array<double, 3> image_size(const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
-                                 const ProductRequest& asked) {
-  std::array<double, 3> size{};
-  const std::vector<dvec3> points = source.outermost();
-  const std::vector<ImageAxis> axes = image_axes(samples, grid, asked.window);
-  for (std::size_t axis = 0; axis < axes.size() && !points.empty(); ++axis) {
-    const Reach reach = reach_along(points, axes[axis].direction);
-    const auto [step, unit] = step_of(samples, grid, axis);
-    if (reach.width > axes[axis].unambiguous) refuse_coarse(source, axis, axes[axis], reach.width, step, unit);
-    size[axis] = std::min(2.0 * room_about * reach.half + 4.0 * axes[axis].resolution, axes[axis].unambiguous);
-  }
-  for (std::size_t axis = 0; axis < std::min(asked.size.size(), axes.size()); ++axis) size[axis] = asked.size[axis];
-  return size;
-}
-
 void isar_command(const Request& request) {
   const ProductRequest& asked = request.product;
   if (asked.plan) return plan_image(asked);
@@ -142,8 +97,7 @@ void isar_command(const Request& request) {
     check_output(product_folder(request), isar_names, {{"the result", request.result}});
     const SweepSamples samples = samples_of(unsolved.result, unsolved.name);
     grid = grid_of_looks(unsolved.result, unsolved.name);
-    require_aperture(samples, grid, unsolved.name);
-    size = image_size(unsolved, samples, grid, asked);
+    size = image_size(samples, grid, asked.window, unsolved.outermost(), asked.size, unsolved.name);
   });
   const SweepSamples samples = samples_of(source.result, source.name);
   const IsarOptions options{asked.window, size, asked.pixels};

@@ -13,6 +13,7 @@
 #include "core/json.h"
 #include "core/text.h"
 #include "core/threads.h"
+#include "jobs/imaged_target.h"
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
 #include "jobs/solvable.h"
@@ -21,7 +22,6 @@
 #include "program/unusable_rows.h"
 #include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
-#include "scene/sampling.h"
 #include "solve/pieces.h"
 #include "solve/solve.h"
 
@@ -32,7 +32,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* solved_result = "rcs.nc";
-constexpr std::size_t most_lines = 4000;
 
 bool is_case(const fs::path& file) { return lower_case(file.extension().string()) == ".toml"; }
 
@@ -136,21 +135,10 @@ Case case_of_run(const JsonValue& run) {
   return read_case(text_of(run, "case_file"), settings);
 }
 
-std::vector<dvec3> ProductSource::outermost() const {
-  if (!target) return {};
-  std::vector<dvec3> points = outermost_points(target->mesh.vertices);
-  for (dvec3& point : points) point += target->mesh.center;
-  return points;
-}
+std::vector<dvec3> ProductSource::outermost() const { return target ? outermost_of(*target) : std::vector<dvec3>{}; }
 
 std::vector<std::array<dvec3, 2>> ProductSource::lines() const {
-  std::vector<std::array<dvec3, 2>> lines;
-  if (!target) return lines;
-  std::vector<Wedge> wedges = target->wedges;
-  std::ranges::stable_sort(wedges, std::ranges::greater{}, &Wedge::length);
-  for (std::size_t i = 0; i < std::min(wedges.size(), most_lines); ++i)
-    lines.push_back({wedges[i].start + target->mesh.center, wedges[i].end + target->mesh.center});
-  return lines;
+  return target ? lines_of(*target) : std::vector<std::array<dvec3, 2>>{};
 }
 
 ProductSource unsolved_case(const Request& request) {

@@ -11,7 +11,6 @@
 #include "case/data/case.h"
 #include "core/json.h"
 #include "imaging/direct.h"
-#include "imaging/sweep_grid.h"
 #include "output/netcdf/stored_result.h"
 #include "plan/target.h"
 #include "program/commands.h"
@@ -60,14 +59,6 @@ void direct_pieces(const Request& request, const ProductSource& source, std::siz
 /// The case, if the input is a .toml, solved unless a direct product is asked for; else the result, a .csv of raytube's or a .nc.
 /// Throws InputError, as `check` does, of a case before it is solved.
 ProductSource product_source(const Request& request, const SweepCheck& check);
-
-/// What is deeper than the unambiguous range lies upon itself: throws InputError then, and for one frequency.
-void require_unambiguous_depth(const ProductSource& source, const Window& window);
-
-/// Of an image: as wide as the target, where it is known, and no wider than what is unambiguous; what is asked for comes first.
-/// Throws InputError if the target is wider.
-std::array<double, 3> image_size(const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
-                                 const ProductRequest& asked);
 
 /// The folder of a command's results: the one asked for, else `out` beside a case, else that of the result.
 std::filesystem::path product_folder(const Request& request);

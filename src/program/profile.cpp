@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/error.h"
 #include "imaging/range_profile.h"
+#include "jobs/imaged_target.h"
 #include "output/plots/profile_plot.h"
 #include "output/products/profile_csv.h"
 #include "output/products/sweep_samples.h"
@@ -19,16 +19,6 @@ ResultNames profile_names(const StoredResult& result) {
   ResultNames names{{"profile.png", "profile.svg"}, {"profile.csv"}};
   if (result.looks.size() > 1) names.pictures.insert(names.pictures.end(), {"waterfall.png", "waterfall.svg"});
   return names;
-}
-
-// Half of the difference of the paths to the farthest and the nearest of these points.
-double depth(const SweepLook& look, const std::vector<dvec3>& points) {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const dvec3& point : points) {
-    const double length = look.phase_length(point);
-    least = std::min(least, length), most = std::max(most, length);
-  }
-  return points.empty() ? 0.0 : 0.5 * (most - least);
 }
 
 // S of each look from its pieces.
@@ -59,27 +49,13 @@ std::string limits_text(const RangeProfiles& profiles, const Window& window) {
 
 }  // namespace
 
-void require_unambiguous_depth(const ProductSource& source, const Window& window) {
-  const SweepSamples samples = samples_of(source.result, source.name);
-  require_band(samples, source.name);
-  double deepest = 0.0;
-  const std::vector<dvec3> points = source.outermost();
-  for (const SweepLook& look : samples.looks) deepest = std::max(deepest, depth(look, points));
-  const RangeLimits limits = range_limits(samples.frequency, window);
-  if (deepest > limits.unambiguous)
-    throw InputError(fmt::format(
-        "{}: the target is {:.3g} m deep along the line of sight, but steps of {:.6g} MHz show {:.3g} m without "
-        "ambiguity; compute frequencies in steps of {:.3g} MHz or less",
-        source.name, deepest, std::abs(samples.frequency.step) * 1e-6, limits.unambiguous, frequency_step_for(deepest) * 1e-6));
-}
-
 void profile_command(const Request& request) {
   const ProductRequest& asked = request.product;
   ResultNames names;
   const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
     names = profile_names(unsolved.result);
     check_output(product_folder(request), names, {{"the result", request.result}});
-    require_unambiguous_depth(unsolved, asked.window);
+    require_range(samples_of(unsolved.result, unsolved.name), unsolved.outermost(), unsolved.name);
   });
   SweepSamples samples = samples_of(source.result, source.name);
   if (asked.direct) fill_from_pieces(request, source, samples);

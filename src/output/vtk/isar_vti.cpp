@@ -11,8 +11,6 @@ namespace raytube {
 namespace {
 
 constexpr double lowest_level = -400.0;  // [dBsm] in the place of -inf, which readers refuse
-constexpr std::string_view isar_head =
-    "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\"><!-- ISAR image of raytube -->\n";
 
 struct Geometry {
   std::string extent, place;  // attributes
@@ -39,21 +37,22 @@ Geometry geometry_of(const IsarImage& image) {
 }
 
 void write_values(OutputFile& out, const IsarImage& image, int channel) {
-  const auto s_of = [channel](const ScatteringMatrix& s) { return s.at(channel / 2, channel % 2); };
-  const std::string name = channel_names[static_cast<std::size_t>(channel)];
-  write_array(out, "Float32", "sigma_" + name + "_dbsm", image.s,
-              [&](const ScatteringMatrix& s) { return fmt::format("{:.2f}", std::max(sigma_dbsm(s_of(s)), lowest_level)); });
-  write_array(out, "Float32", "re_" + name, image.s,
-              [&](const ScatteringMatrix& s) { return fmt::format("{:.6g}", s_of(s).real()); });
-  write_array(out, "Float32", "im_" + name, image.s,
-              [&](const ScatteringMatrix& s) { return fmt::format("{:.6g}", s_of(s).imag()); });
+  std::vector<float> values(image.s.size());
+  const auto write = [&](const std::string& quantity, auto number) {
+    std::ranges::transform(image.s, values.begin(),
+                           [&](const ScatteringMatrix& s) { return static_cast<float>(number(s.at(channel / 2, channel % 2))); });
+    write_binary_array(out, fmt::format(fmt::runtime(quantity), channel_names[static_cast<std::size_t>(channel)]), values);
+  };
+  write("sigma_{}_dbsm", [](const Complex& s) { return std::max(sigma_dbsm(s), lowest_level); });
+  write("re_{}", [](const Complex& s) { return s.real(); });
+  write("im_{}", [](const Complex& s) { return s.imag(); });
 }
 
 }  // namespace
 
 void write_isar_vti(const std::filesystem::path& file, const IsarImage& image) {
   OutputFile out(file);
-  out.write(isar_head);
+  out.write(fmt::format("<VTKFile type=\"ImageData\" {}><!-- ISAR image of raytube -->\n", vtk_binary));
   const Geometry geometry = geometry_of(image);
   {
     const VtkElement data(out, "ImageData", "Whole" + geometry.extent + ' ' + geometry.place);

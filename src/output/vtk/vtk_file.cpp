@@ -1,5 +1,7 @@
 #include "output/vtk/vtk_file.h"
 
+#include <bit>
+#include <cstring>
 #include <ranges>
 
 #include "core/decimal.h"
@@ -55,7 +57,31 @@ void write_section(OutputFile& out, std::string_view name, const VtkData& data) 
   data(out);
 }
 
+// RFC 4648, sec. 4.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t triple = 0;
+    for (std::size_t j = i; j < i + 3; ++j) triple = triple << 8 | (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0u);
+    for (const int shift : {18, 12, 6, 0}) text += letters[triple >> shift & 63];
+  }
+  for (std::size_t missing = (3 - bytes.size() % 3) % 3; missing > 0; --missing) text[text.size() - missing] = '=';
+  return text;
+}
+
 }  // namespace
+
+void write_binary_array(OutputFile& out, std::string_view name, std::span<const float> values) {
+  static_assert(std::endian::native == std::endian::little);
+  const std::uint64_t size = values.size_bytes();
+  std::string bytes(sizeof size + size, '\0');
+  std::memcpy(bytes.data(), &size, sizeof size);
+  std::memcpy(bytes.data() + sizeof size, values.data(), size);
+  const VtkElement array(out, "DataArray", fmt::format("type=\"Float32\" Name=\"{}\" format=\"binary\"", name));
+  out.write(base64(bytes) + '\n');
+}
 
 void write_lines_vtp(const std::filesystem::path& file, std::string_view head, const VtkLines& lines, const VtkData& point_data,
                      const VtkData& cell_data) {

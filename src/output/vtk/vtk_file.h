@@ -1,7 +1,8 @@
 // VTK's XML files, which ParaView opens: what all of them are made of.
 //
 // output/vtk writes results in space: lines (.vtp: paths of tubes, rays over surfaces, wedges) and the target's triangles with
-// what belongs to each (.vtu: images, hits). Numbers are text; positions are in the mesh's own coordinates [m].
+// what belongs to each (.vtu: images, hits). Numbers are text, but for those of images in space; positions are in the mesh's own
+// coordinates [m].
 #pragma once
 
 #include <fmt/format.h>
@@ -42,6 +43,12 @@ void write_array(OutputFile& out, std::string_view type, std::string_view name, 
       fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\"", type, name, components));
   for (auto&& item : items) out.write(fmt::format("{}\n", text(item)));
 }
+
+/// The attributes of a file with arrays in base64.
+inline constexpr std::string_view vtk_binary = "version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"";
+
+/// An array of Float32 in base64, for many numbers: a third of the size of text, and written in a tenth of the time.
+void write_binary_array(OutputFile& out, std::string_view name, std::span<const float> values);
 
 /// Lines one after another.
 struct VtkLines {

@@ -7,13 +7,14 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "jobs/imaged_target.h"
 #include "output/products/sweep_samples.h"
 #include "output/report/imaging_json.h"
 #include "output/report/page.h"
 #include "output/report/sweep_json.h"
 #include "output/report/words_json.h"
-#include "program/work/interrupt.h"
 #include "program/report/report_scene.h"
+#include "program/work/interrupt.h"
 
 namespace raytube {
 
@@ -41,8 +42,8 @@ JsonValue view_or_note(ReportSource& source, const char* name, const View& view)
 
 JsonValue profiles_of(const ProductSource& product) {
   const Window window;
-  require_unambiguous_depth(product, window);
   const SweepSamples samples = samples_of(product.result, product.name);
+  require_range(samples, product.outermost(), product.name);
   return profiles_json(range_profiles(samples, {window, ranges_a_cell}), product.result.looks.size(), window);
 }
 
@@ -61,8 +62,7 @@ JsonValue isar_of(const ProductSource& product) {
   const ProductRequest plain;
   const SweepSamples samples = samples_of(product.result, product.name);
   const AngleGrid grid = grid_of_looks(product.result, product.name);
-  require_aperture(samples, grid, product.name);
-  const std::array<double, 3> size = image_size(product, samples, grid, plain);
+  const std::array<double, 3> size = image_size(samples, grid, plain.window, product.outermost(), {}, product.name);
   const double pixels = shown_pixels(image_axes(samples, grid, plain.window), size, plain.pixels);
   return isar_json(isar_image(samples, grid, {plain.window, size, pixels}, product.name), plain.window);
 }

@@ -1,0 +1,130 @@
+// Range profiles and images of results.
+#include <pybind11/complex.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "bindings/interruptible.h"
+#include "bindings/job.h"
+#include "bindings/result.h"
+#include "imaging/isar.h"
+#include "imaging/range_profile.h"
+#include "jobs/imaged_target.h"
+#include "output/products/sweep_samples.h"
+
+namespace raytube::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using SharedResult = std::shared_ptr<StoredResult>;
+using PointRows = std::vector<std::array<double, 3>>;
+
+constexpr const char* what = "the result";  // in sentences
+
+// An array that keeps the rows themselves.
+template <class Value, class Row>
+py::object owned_array(std::vector<Row> rows, std::vector<py::ssize_t> shape) {
+  auto kept = std::make_unique<std::vector<Row>>(std::move(rows));
+  const void* data = kept->data();
+  const py::capsule owner(kept.release(), [](void* memory) { delete static_cast<std::vector<Row>*>(memory); });
+  return py::array_t<Value>(std::move(shape), static_cast<const Value*>(data), owner);
+}
+
+py::tuple direction_tuple(const dvec3& v) { return py::make_tuple(v.x + 0.0, v.y + 0.0, v.z + 0.0); }
+
+std::vector<dvec3> vectors_of(const PointRows& points) {
+  std::vector<dvec3> vectors;
+  for (const auto& [x, y, z] : points) vectors.emplace_back(x, y, z);
+  return vectors;
+}
+
+Window window_of(const std::string& name, double sidelobe_db) { return {*window_of_name(name), sidelobe_db}; }
+
+void keep_look(SweepSamples& samples, std::size_t look) {
+  const auto keep = [&](auto& rows, std::size_t count) {
+    const auto first = rows.begin() + static_cast<std::ptrdiff_t>(look * count);
+    rows = {first, first + static_cast<std::ptrdiff_t>(count)};
+  };
+  keep(samples.looks, 1);
+  keep(samples.s, samples.frequency.count);
+  keep(samples.error, samples.frequency.count);
+  keep(samples.model, samples.frequency.count);
+}
+
+// Of one look, or of all.
+py::dict profiles(const SharedResult& result, std::optional<std::size_t> look, const PointRows& outermost,
+                  const std::string& window, double sidelobe_db, int padding) {
+  RangeProfiles made =
+      interruptibly([result, look, points = vectors_of(outermost), w = window_of(window, sidelobe_db), padding](Watch&) {
+        SweepSamples samples = samples_of(*result, what);
+        if (look) keep_look(samples, *look);
+        require_range(samples, points, what);
+        return range_profiles(samples, {w, padding});
+      });
+  const auto looks = static_cast<py::ssize_t>(made.error.size()), ranges = static_cast<py::ssize_t>(made.range.count);
+  std::vector<double> range_m;
+  for (std::size_t i = 0; i < made.range.count; ++i) range_m.push_back(made.range.at(i));
+  py::dict d;
+  d["range_m"] = owned_array<double>(std::move(range_m), {ranges});
+  d["S"] = owned_array<Complex>(std::move(made.s), {looks, ranges, 4});
+  d["error_m"] = owned_array<double>(std::move(made.error), {looks, 1, 4});
+  d["model_m"] = owned_array<double>(std::move(made.model), {looks, 1, 4});
+  d["resolution_m"] = made.limits.resolution;
+  d["unambiguous_m"] = made.limits.unambiguous;
+  return d;
+}
+
+py::dict axis_of(const IsarImage& image, std::size_t axis) {
+  std::vector<double> at;
+  for (std::size_t i = 0; i < image.grid.count[axis]; ++i) at.push_back(image.coordinate(axis, i));
+  const auto count = static_cast<py::ssize_t>(at.size());
+  py::dict d;
+  d["at_m"] = owned_array<double>(std::move(at), {count});
+  d["direction"] = direction_tuple(image.axes[axis].direction);
+  d["resolution_m"] = image.axes[axis].resolution;
+  d["unambiguous_m"] = image.axes[axis].unambiguous;
+  return d;
+}
+
+py::tuple isar(const SharedResult& result, const PointRows& outermost, const std::vector<double>& size, double pixels,
+               const std::string& window, double sidelobe_db) {
+  IsarImage image =
+      interruptibly([result, points = vectors_of(outermost), size, pixels, w = window_of(window, sidelobe_db)](Watch&) {
+        const SweepSamples samples = samples_of(*result, what);
+        const AngleGrid grid = grid_of_looks(*result, what);
+        return isar_image(samples, grid, {w, image_size(samples, grid, w, points, size, what), pixels}, what);
+      });
+  py::list axes;
+  std::vector<py::ssize_t> shape;
+  for (std::size_t axis = 0; axis < image.axes.size(); ++axis) {
+    axes.append(axis_of(image, axis));
+    shape.push_back(static_cast<py::ssize_t>(image.grid.count[axis]));
+  }
+  shape.push_back(4);
+  return py::make_tuple(axes, owned_array<Complex>(std::move(image.s), std::move(shape)));
+}
+
+// PointRows as wide as the target, and lines to be drawn over it.
+py::tuple outline(const std::shared_ptr<Job>& job) {
+  std::vector<dvec3> points = outermost_of(job->built->target);
+  std::vector<std::array<dvec3, 2>> lines = lines_of(job->built->target);
+  static_assert(sizeof(dvec3) == 3 * sizeof(double));
+  const auto count = static_cast<py::ssize_t>(points.size()), line_count = static_cast<py::ssize_t>(lines.size());
+  return py::make_tuple(owned_array<double>(std::move(points), {count, 3}),
+                        owned_array<double>(std::move(lines), {line_count, 2, 3}));
+}
+
+}  // namespace
+
+void bind_products(py::module_& module) {
+  module.def("range_profiles", &profiles);
+  module.def("isar", &isar);
+  module.def("outline", &outline);
+  module.def("sidelobe_limits_db", [] { return py::make_tuple(least_sidelobe_db, most_sidelobe_db); });
+}
+
+}  // namespace raytube::python

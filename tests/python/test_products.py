@@ -1,0 +1,189 @@
+"""Range profiles and images: the program's numbers with labels, levels of points, sentences, pictures."""
+import base64
+import csv
+import multiprocessing
+import pickle
+import re
+
+import numpy as np
+import pytest
+
+import raytube as rt
+from raytube import _core
+from raytube._result import Result
+
+C = 299792458.0
+FREQUENCIES = np.linspace(9e9, 11e9, 41)
+PLACES = np.array([[0.3, 0.1, 0.2], [-0.6, 0.4, -0.1]])  # of points of amplitudes 1 and 1/2, in metres
+
+
+def of_points(theta_deg, phi_deg, places=PLACES):
+    """A result of points that all looks see alike: S = sum of A exp(2 j k s . r)."""
+    theta, phi = (a.ravel() for a in np.meshgrid(theta_deg, phi_deg, indexing="ij"))
+    t, p = np.radians(theta), np.radians(phi)
+    towards_radar = np.column_stack([np.sin(t) * np.cos(p), np.sin(t) * np.sin(p), np.cos(t)])
+    s = np.zeros((theta.size, FREQUENCIES.size, 2, 2), complex)
+    for amplitude, place in zip((1.0, 0.5), places):
+        s[:, :, 0, 0] += amplitude * np.exp(2j * np.outer(towards_radar @ place, 2 * np.pi * FREQUENCIES / C))
+    s[:, :, 1, 1] = 0.1 * s[:, :, 0, 0]
+    s[:, :, 0, 1] = s[:, :, 1, 0] = complex(np.nan, np.nan)
+    return Result(_core.Stored.from_arrays(FREQUENCIES, np.column_stack([theta, phi, theta, phi]), False, s, [("title", "points")]))
+
+
+@pytest.fixture(scope="module")
+def plane():
+    return of_points([90], np.linspace(-4, 4, 33), PLACES * [1, 1, 0])
+
+
+@pytest.fixture(scope="module")
+def space():
+    return of_points(np.linspace(86, 94, 17), np.linspace(-4, 4, 17))
+
+
+@pytest.fixture(scope="module")
+def solved(dihedral):
+    looks = rt.monostatic(theta_deg=90, phi_deg=np.linspace(43, 47, 9))
+    return rt.solve(dihedral, np.linspace(9, 11, 9), looks, edges={"method": "none"}, title="dihedral")
+
+
+def test_a_point_reads_its_level_at_its_range(plane):
+    profile = plane.range_profile(look=16, padding=32)
+    assert profile.S.dims == ("range_m", "channel") and float(profile.phi_deg) == 0.0
+    strongest = profile.sigma_dbsm.sel(channel="vv").idxmax()
+    assert float(strongest) == pytest.approx(-0.3, abs=C / 4e9 / 32)  # half a cell c/2B over the padding; x towards the radar is nearer
+    assert float(profile.sigma_dbsm.sel(channel="vv").max()) == pytest.approx(10 * np.log10(4 * np.pi), abs=0.05)  # side lobes of the other
+    assert np.isnan(profile.sigma_dbsm.sel(channel="vh")).all() and np.isnan(profile.error_dbsm).all()
+    assert profile.attrs["range_unambiguous_m"] == pytest.approx(C / 2 / 50e6) and profile.attrs["window"] == "taylor, 35 dB"
+
+
+def test_a_waterfall_is_the_profiles_of_all_looks(plane):
+    waterfall = plane.waterfall(window="hann")
+    assert waterfall.S.dims == ("look", "range_m", "channel") and waterfall.phi_deg.dims == ("look",)
+    for look in (0, 20):
+        assert waterfall.isel(look=look).identical(plane.range_profile(look, window="hann"))
+
+
+def test_points_lie_where_they_are_in_a_plane(plane):
+    image = plane.isar(size=(2.0, 2.0), pixels=8)
+    assert image.S.dims == ("range_m", "cross_range_m", "channel")
+    peak = image.sigma_dbsm.sel(channel="vv").argmax(["range_m", "cross_range_m"])
+    place = sum(float(image[axis][peak[axis]]) * np.array(image.attrs[axis.removesuffix("_m") + "_direction"]) for axis in peak)
+    assert place == pytest.approx([0.3, 0.1, 0.0], abs=C / 4e9 / 8)  # half of a pixel
+    assert float(image.sigma_dbsm.sel(channel="vv").max()) == pytest.approx(10 * np.log10(4 * np.pi), abs=0.1)
+    assert "outline" not in image
+
+
+def test_points_lie_where_they_are_in_space(space):
+    image = space.isar_3d(size=1.6, pixels=4)
+    assert image.S.dims == ("range_m", "cross_range_m", "height_m", "channel")
+    peak = image.sigma_dbsm.sel(channel="vv").argmax(["range_m", "cross_range_m", "height_m"])
+    place = [float(image[axis][peak[axis]]) for axis in ("range_m", "cross_range_m", "height_m")]
+    assert place == pytest.approx([-0.3, 0.1, 0.2], abs=0.5 * max(float(image[axis].diff(axis)[0]) for axis in peak) + 1e-9)
+
+
+def rows_of(file):
+    return list(csv.DictReader(line for line in file.read_text().splitlines() if not line.startswith("#")))
+
+
+def test_numbers_are_those_of_the_program(solved, program, tmp_path):
+    solved.save(tmp_path / "rcs.nc")
+    loaded = rt.load(tmp_path / "rcs.nc")  # of which nobody knows the target, as of the file alone
+    program("profile", tmp_path / "rcs.nc", "-o", tmp_path, "--window", "kaiser", "--sidelobes", "50", "--quiet")
+    program("isar", tmp_path / "rcs.nc", "-o", tmp_path, "--size", "0.4", "0.5", "--pixels", "3", "--quiet")
+    waterfall, image = loaded.waterfall(window="kaiser", sidelobe_db=50), loaded.isar((0.4, 0.5), pixels=3)
+    rows, values = rows_of(tmp_path / "profile.csv"), waterfall.S.sel(channel="hh").values.ravel()
+    assert [float(row["re_hh"]) for row in rows] == pytest.approx(values.real, rel=1e-8, abs=1e-15)  # nine digits are written
+    assert [float(row["error_vv_dbsm"]) for row in rows[:: waterfall.sizes["range_m"]]] == pytest.approx(waterfall.error_dbsm.sel(channel="vv").values, abs=0.006)
+    assert [float(row["range_m"]) for row in rows[: waterfall.sizes["range_m"]]] == pytest.approx(waterfall.range_m.values, rel=1e-8)
+    rows = rows_of(tmp_path / "isar.csv")
+    assert [float(row["im_vv"]) for row in rows] == pytest.approx(image.S.sel(channel="vv").values.imag.ravel(), rel=1e-8, abs=1e-15)
+    assert [float(row["cross_range_m"]) for row in rows[: image.sizes["cross_range_m"]]] == pytest.approx(image.cross_range_m.values, rel=1e-8)
+
+
+def test_the_file_for_paraview_holds_the_image(solved, program, tmp_path):
+    solved.save(tmp_path / "rcs.nc")
+    program("isar", tmp_path / "rcs.nc", "-o", tmp_path, "--size", "0.4", "0.5", "--quiet")
+    text = (tmp_path / "isar.vti").read_text()
+    assert 'byte_order="LittleEndian" header_type="UInt64"' in text
+    image = solved.isar((0.4, 0.5))
+    for name, values in (("re_vv", image.S.sel(channel="vv").values.real), ("sigma_hh_dbsm", image.sigma_dbsm.sel(channel="hh").values)):
+        found = base64.b64decode(re.search(rf'Name="{name}" format="binary">\s*(\S+)', text)[1], validate=True)
+        assert int.from_bytes(found[:8], "little") == len(found) - 8
+        assert np.array_equal(np.frombuffer(found[8:], "<f4"), np.maximum(values.ravel().astype("<f4"), -400) if "sigma" in name else values.ravel().astype("<f4"))
+
+
+def test_a_solved_target_is_shown_whole_and_outlined(solved, dihedral, tmp_path):
+    image, profile = solved.isar(), solved.range_profile()
+    assert float(image.range_m[0]) < -0.15 and image.attrs["range_unambiguous_m"] > float(image.range_m[-1] - image.range_m[0])
+    assert image.outline.dims == ("edge", "end", "xyz") and np.abs(image.outline).max() == pytest.approx(0.15, rel=0.01)
+    assert np.isfinite(profile.error_dbsm).all() and np.isfinite(profile.model_dbsm.sel(channel=["vv", "hh"])).all()
+    again = pickle.loads(pickle.dumps(solved)).isar()
+    assert again.identical(image) and type(again) is type(image)
+    solved.save(tmp_path / "rcs.nc")
+    assert "outline" not in rt.load(tmp_path / "rcs.nc").isar(0.4)
+    coarse = rt.solve(dihedral, [9.0, 11.0], rt.monostatic(90, [45, 46]), edges={"method": "none"})
+    with pytest.raises(rt.InputError, match="the target is .* m deep .* compute frequencies in steps of"):
+        coarse.range_profile()
+    with pytest.raises(rt.InputError, match="the target is .* m wide along range, but steps of 2000 MHz"):
+        coarse.isar()
+
+
+def test_results_of_the_radar_explorer(plane, tmp_path):
+    pytest.importorskip("tables")
+    first = plane.to_radar_explorer(tmp_path, "points", channels=("vv", "hh"))[0]
+    read = rt.read_radar_explorer(first)
+    assert np.allclose(read.isar(2.0).S.sel(channel="vv"), plane.isar(2.0).S.sel(channel="vv"), rtol=0, atol=1e-12)
+    assert np.allclose(read.range_profile(3).S.sel(channel="hh"), plane.range_profile(3).S.sel(channel="hh"), rtol=0, atol=1e-12)
+
+
+def test_other_processes(solved):
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        there = pool.apply(Result.range_profile, (solved, 2))
+    assert there.identical(solved.range_profile(2))
+
+
+@pytest.mark.parametrize("call, sentence", [
+    (lambda plane, space: plane.range_profile(33), r"look 33: there are 33 direction pair\(s\)"),
+    (lambda plane, space: plane.range_profile(window="blackman"), "window: choose among rectangular, hann"),
+    (lambda plane, space: plane.waterfall(window=3), "window: give a text"),
+    (lambda plane, space: plane.waterfall(window="hann", sidelobe_db=40), "a hann window has side lobes of its own"),
+    (lambda plane, space: plane.waterfall(sidelobe_db=5), "sidelobe_db: give a number from 15 to 100"),
+    (lambda plane, space: plane.waterfall(padding=0), "padding: give a whole number from 1 to 64"),
+    (lambda plane, space: plane.isar(size=(1, 2, 3)), "size: give a positive length in metres, or 2 of them along range, cross-range"),
+    (lambda plane, space: plane.isar(size=-1), "size: give a positive length"),
+    (lambda plane, space: plane.isar(size=1e5, pixels=32), "the result: an image of .* cells"),
+    (lambda plane, space: plane.isar(pixels=0.5), "pixels: give a number from 1 to 32"),
+    (lambda plane, space: plane.isar_3d(), "isar_3d: an image in space needs looks over theta and phi both"),
+    (lambda plane, space: space.isar(), "isar: the looks vary in theta and in phi"),
+    (lambda plane, space: plane.isar().plot(channel="rl"), "channels are vv, vh, hv, hh"),
+])
+def test_sentences(plane, space, call, sentence):
+    with pytest.raises(rt.InputError, match=sentence):
+        call(plane, space)
+
+
+def test_sentences_about_sweeps(plate):
+    with pytest.raises(rt.InputError, match="^the result has one frequency; a range profile needs"):
+        rt.solve(plate, 10.0, rt.monostatic(0, 0)).range_profile()
+    with pytest.raises(rt.InputError, match="^the result has one look; an image needs"):
+        rt.solve(plate, [9.9, 10.0], rt.monostatic(0, 0)).isar()
+    with pytest.raises(rt.InputError, match="^the result: frequencies are not in even steps"):
+        rt.solve(plate, [9.0, 9.1, 9.3], rt.monostatic(0, 0)).range_profile()
+    with pytest.raises(rt.InputError, match="^the result: its looks are bistatic"):
+        rt.solve(plate, [9.9, 10.0], rt.bistatic(0, 0, 10, [0, 1])).isar()
+
+
+def test_pictures(plane, space, solved, dihedral):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    from matplotlib.collections import LineCollection
+
+    axes = [solved.range_profile().plot(), plane.waterfall().plot("hh"), solved.isar().plot(), plane.isar(1.0).plot("hh", target=dihedral),
+            space.isar_3d(1.0, pixels=1).plot(), pyplot.subplots()[1]]
+    assert [line.get_label() for line in axes[0].lines] == ["VV", "HH"] and axes[0].get_xlabel() == "range (m)"
+    assert "azimuth" in axes[1].get_ylabel() and axes[4].get_ylabel() == "height (m)"
+    outlined = [any(isinstance(c, LineCollection) for c in ax.collections) for ax in axes]
+    assert outlined == [False, False, True, True, False, False]
+    assert plane.isar(1.0).isel(range_m=slice(0, 5)).plot(ax=axes[5]) is axes[5]
+    pyplot.close("all")
