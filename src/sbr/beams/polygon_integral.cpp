@@ -1,6 +1,9 @@
 #include "sbr/beams/polygon_integral.h"
 
 #include <algorithm>
+#include <limits>
+
+#include "math/lanes.h"
 
 namespace raytube {
 
@@ -28,6 +31,19 @@ Complex series(double x1, double x2, double x3) {
   return std::polar(1.0, mean) * Complex(parts[0], parts[1]);
 }
 
+// Exponent / k at a launch point.
+double path_at(const Footprint& f, const dvec2& at) {
+  const dvec2 offset = at - f.outgoing.anchor;
+  return f.phase + f.phase_u * offset.x + f.phase_v * offset.y;
+}
+
+// The sum over nodes at one wavenumber.
+Complex interpolated(std::span<const double> weights, const std::vector<Complex>& values) {
+  double re = 0.0, im = 0.0;
+  for (std::size_t n = 0; n < values.size(); ++n) re += weights[n] * values[n].real(), im += weights[n] * values[n].imag();
+  return {re, im};
+}
+
 }  // namespace
 
 Complex triangle_phase_mean(double x1, double x2, double x3) {
@@ -52,8 +68,32 @@ Complex phase_integral(const Footprint& f, double k, const ConvexPolygon& polygo
     a = b;
     phase_a = phase_b;
   }
-  const dvec2 offset = origin - f.outgoing.anchor;
-  return std::polar(f.area, k * (f.phase + f.phase_u * offset.x + f.phase_v * offset.y)) * sum;
+  return std::polar(f.area, k * path_at(f, origin)) * sum;
+}
+
+void phase_integrals(const Footprint& f, Band& band, const ConvexPolygon& polygon, std::vector<Complex>& integrals) {
+  const std::span<const double> wavenumbers = band.wavenumbers();
+  integrals.resize(wavenumbers.size());
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const Corner& corner : polygon)
+    least = std::min(least, path_at(f, corner.at)), most = std::max(most, path_at(f, corner.at));
+  const ChebyshevNodes* const nodes = band.nodes(0.5 * (most - least));
+  if (!nodes) {
+    for (std::size_t i = 0; i < wavenumbers.size(); ++i) integrals[i] = phase_integral(f, wavenumbers[i], polygon);
+    return;
+  }
+  const double middle = 0.5 * (least + most);
+  std::vector<Complex> values;
+  for (const double k : nodes->at) values.push_back(phase_integral(f, k, polygon) * std::polar(1.0, -k * middle));
+  const std::span<const double> weights = nodes->weights;
+  for (std::size_t first = 0; first < wavenumbers.size(); first += lanes) {
+    const std::size_t count = std::min(lanes, wavenumbers.size() - first);
+    Reals phase{};
+    for (std::size_t i = 0; i < count; ++i) phase[i] = wavenumbers[first + i] * middle;
+    const Complexes turn = unit_phasors(phase);
+    for (std::size_t i = 0; i < count; ++i)
+      integrals[first + i] = turn[i] * interpolated(weights.subspan((first + i) * values.size(), values.size()), values);
+  }
 }
 
 }  // namespace raytube

@@ -21,10 +21,10 @@ void PolygonCurrents::add(TubeSums& to, std::uint32_t node, const VisiblePart& p
   ++to.hits[static_cast<std::size_t>(bounce)];
   if (look_.spherical) return look_.spherical->add(to, bounce, beams_.beam(node), beams_.patch(node), part.outline);
   const auto radiate = [&](const Footprint& footprint, const VisiblePart& of, std::span<const CellBlock> under) {
+    if (look_.clip) phase_integrals(footprint, band_, of.outline, integrals_);
     for (std::size_t f = 0; f < sums.size(); ++f) {
       const double k = look_.wavenumbers()[f];
-      add_far_field(sums[f], footprint, f, k,
-                    look_.clip ? phase_integral(footprint, k, of.outline) : over_cells(footprint, k, under));
+      add_far_field(sums[f], footprint, f, k, look_.clip ? integrals_[f] : over_cells(footprint, k, under));
     }
     if (map) add_to_map(*map, footprint, of, under);
   };

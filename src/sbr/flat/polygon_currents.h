@@ -21,7 +21,7 @@ class PolygonCurrents {
  public:
   /// Keeps references to all it is given.
   PolygonCurrents(const TubeLook& look, BeamTree& beams, std::optional<PolygonLineOfSight>& line_of_sight)
-      : look_(look), beams_(beams), line_of_sight_(line_of_sight) {}
+      : look_(look), beams_(beams), line_of_sight_(line_of_sight), band_(look.wavenumbers()) {}
 
   /// Adds the PO integral over a part of a face, and over what of it the receiver has through sheets, as that of bounce `bounce`;
   /// `blocks` are the cells that stand for it where tubes are not clipped. `map`, if any, takes the currents as well.
@@ -38,6 +38,8 @@ class PolygonCurrents {
   const TubeLook& look_;
   BeamTree& beams_;
   std::optional<PolygonLineOfSight>& line_of_sight_;
+  Band band_;
+  std::vector<Complex> integrals_;  // [frequency] of one part
   std::vector<CellBlock> screened_blocks_;
 };
 
