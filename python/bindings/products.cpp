@@ -62,8 +62,7 @@ py::dict profiles(const SharedResult& result, std::optional<std::size_t> look, c
       interruptibly([result, look, points = vectors_of(outermost), w = window_of(window, sidelobe_db), padding](Watch&) {
         SweepSamples samples = samples_of(*result, what);
         if (look) keep_look(samples, *look);
-        require_range(samples, points, what);
-        return range_profiles(samples, {w, padding});
+        return range_profiles(samples, {w, padding, middle_range(samples, points, what)});
       });
   const auto looks = static_cast<py::ssize_t>(made.error.size()), ranges = static_cast<py::ssize_t>(made.range.count);
   std::vector<double> range_m;
@@ -96,7 +95,7 @@ py::tuple isar(const SharedResult& result, const PointRows& outermost, const std
       interruptibly([result, points = vectors_of(outermost), size, pixels, w = window_of(window, sidelobe_db)](Watch&) {
         const SweepSamples samples = samples_of(*result, what);
         const AngleGrid grid = grid_of_looks(*result, what);
-        return isar_image(samples, grid, {w, image_size(samples, grid, w, points, size, what), pixels}, what);
+        return isar_image(samples, grid, {w, image_frame(samples, grid, w, points, size, what), pixels}, what);
       });
   py::list axes;
   std::vector<py::ssize_t> shape;

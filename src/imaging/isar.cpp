@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/error.h"
@@ -50,20 +51,32 @@ ImageSamples weighted_samples(const SweepSamples& samples, const AngleGrid& grid
   return result;
 }
 
-// From the step of the samples along an axis in the middle of the sweep, so many of them, and their weights.
-ImageAxis image_axis(const dvec3& direction, double step, std::size_t count, const Window& window) {
-  const double unambiguous = 2.0 * pi / step, cell = unambiguous / static_cast<double>(count);
-  return {direction, cell, cell * peak_width(weights(window, count)), unambiguous};
+// How far the wave vectors of the sweep reach along a direction [rad/m].
+double extent_along(const SweepSamples& samples, const dvec3& direction) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const SweepLook& look : samples.looks)
+    for (const double k : {samples.wavenumber_at(0), samples.wavenumber_at(samples.frequency.count - 1)}) {
+      const double along = k * glm::dot(look.transmit + look.receive, direction);
+      least = std::min(least, along), most = std::max(most, along);
+    }
+  return most - least;
+}
+
+// From the step of the samples along an axis in the middle of the sweep, so many of them, their weights, and how far they reach.
+ImageAxis image_axis(const dvec3& direction, double step, std::size_t count, const Window& window, double extent) {
+  const auto samples = static_cast<double>(count);
+  const double cell = 2.0 * pi / extent * (samples - 1.0) / samples;
+  return {direction, cell, cell * peak_width(weights(window, count)), 2.0 * pi / step};
 }
 
 EvenGrid image_grid(const std::vector<ImageAxis>& axes, const IsarOptions& options, const std::string& what) {
   EvenGrid grid;
   double cells = 1.0;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const double size = options.size[i] > 0.0 ? options.size[i] : axes[i].unambiguous;
+    const double size = options.frame.size[i] > 0.0 ? options.frame.size[i] : axes[i].unambiguous;
     const double count = std::ceil(size * options.pixels / axes[i].cell);
     cells *= count;
-    if (cells > static_cast<double>(most_image_cells))
+    if (!(cells <= static_cast<double>(most_image_cells)))
       throw InputError(fmt::format("{}: an image of {:g} cells, more than {}; ask for a smaller size, or for fewer pixels", what,
                                    cells, most_image_cells));
     grid.count[i] = std::max<std::size_t>(2, static_cast<std::size_t>(count));
@@ -78,7 +91,8 @@ void focus_far(const ImageSamples& samples, IsarImage& image) {
     std::vector<Complex> values;
     values.reserve(samples.s.size());
     for (std::size_t j = 0; j < samples.s.size(); ++j)
-      values.push_back(samples.weights[j] * samples.s[j].at(channel / 2, channel % 2));
+      values.push_back(samples.s[j].at(channel / 2, channel % 2) *
+                       std::polar(samples.weights[j], -glm::dot(samples.wave_vectors[j], image.middle)));
     values = transform(values);
     for (std::size_t i = 0; i < values.size(); ++i) image.s[i].at(channel / 2, channel % 2) = values[i];
   });
@@ -106,6 +120,8 @@ void focus_near(const SweepSamples& sweep, const AngleGrid& grid, const ImageSam
 
 IsarImage empty_image(const std::vector<ImageAxis>& axes, const IsarOptions& options, const std::string& what) {
   IsarImage image{.axes = axes};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    image.middle[static_cast<int>(axis)] = glm::dot(options.frame.middle, axes[axis].direction);
   image.grid = image_grid(image.axes, options, what);
   image.s.resize(image.grid.size());
   return image;
@@ -117,13 +133,16 @@ std::vector<ImageAxis> image_axes(const SweepSamples& samples, const AngleGrid& 
   const std::vector<dvec3> directions = axis_directions(grid);
   const double k = wavenumber(samples.frequency.middle()), dk = wavenumber(std::abs(samples.frequency.step));
   const dvec3 middle = direction_of(grid.theta_deg.middle(), grid.phi_deg.middle());
-  std::vector<ImageAxis> axes{
-      image_axis(directions[0], 2.0 * dk * std::abs(glm::dot(middle, directions[0])), samples.frequency.count, window)};
+  std::vector<ImageAxis> axes{image_axis(directions[0], 2.0 * dk * std::abs(glm::dot(middle, directions[0])),
+                                         samples.frequency.count, window, extent_along(samples, directions[0]))};
   const double sine = std::sin(grid.theta_deg.middle() * degree);
   const double azimuth = 2.0 * k * sine * std::abs(grid.phi_deg.step) * degree,
                elevation = 2.0 * k * std::abs(grid.theta_deg.step) * degree;
-  if (grid.phi_deg.count > 1) axes.push_back(image_axis(directions[1], azimuth, grid.phi_deg.count, window));
-  if (grid.theta_deg.count > 1) axes.push_back(image_axis(directions.back(), elevation, grid.theta_deg.count, window));
+  if (grid.phi_deg.count > 1)
+    axes.push_back(image_axis(directions[1], azimuth, grid.phi_deg.count, window, extent_along(samples, directions[1])));
+  if (grid.theta_deg.count > 1)
+    axes.push_back(
+        image_axis(directions.back(), elevation, grid.theta_deg.count, window, extent_along(samples, directions.back())));
   return axes;
 }
 
@@ -136,12 +155,27 @@ dvec3 IsarImage::place(std::size_t index) const {
   return at;
 }
 
+void require_cells(const std::vector<ImageAxis>& axes, const IsarOptions& options, const std::string& what) {
+  image_grid(axes, options, what);
+}
+
+void require_several(const SweepSamples& samples, const std::string& what) {
+  if (samples.frequency.count > 1 && samples.looks.size() > 1) return;
+  throw InputError(
+      fmt::format("{} has one {}; an image needs several frequencies and several angles (raytube isar --plan SIZE "
+                  "RESOLUTION writes a case)",
+                  what, samples.frequency.count < 2 ? "frequency" : "look"));
+}
+
 void require_aperture(const SweepSamples& samples, const AngleGrid& grid, const std::string& what) {
-  if (samples.frequency.count < 2 || grid.looks.size() < 2)
+  require_several(samples, what);
+  constexpr double least_sine = 1e-2;
+  const double sine = std::sin(grid.theta_deg.middle() * degree);
+  if (grid.phi_deg.count > 1 && sine < least_sine)
     throw InputError(
-        fmt::format("{} has one {}; an image needs several frequencies and several angles (raytube isar --plan SIZE "
-                    "RESOLUTION writes a case)",
-                    what, samples.frequency.count < 2 ? "frequency" : "look"));
+        fmt::format("{}: at theta {:g} degrees azimuth does not turn the target to the radar; sweep theta at one phi, or take "
+                    "a theta away from 0 and 180",
+                    what, grid.theta_deg.middle()));
 }
 
 void ImageSamples::add(const dvec3& wave_vector, double weight, const ScatteringMatrix& value) {

@@ -15,10 +15,16 @@
 
 namespace raytube {
 
-struct IsarOptions {
-  Window window{};               // over frequency and angles
+/// What of space an image shows.
+struct ImageFrame {
   std::array<double, 3> size{};  // [m] along range, cross-range and the third axis; 0: all that is unambiguous
-  double pixels = 4.0;           // to a resolution cell of even weights
+  dvec3 middle{0.0};             // in the coordinates of the target [m]
+};
+
+struct IsarOptions {
+  Window window{};  // over frequency and angles
+  ImageFrame frame{};
+  double pixels = 4.0;  // to a resolution cell of even weights
 };
 
 /// What an image shows along one axis.
@@ -34,23 +40,31 @@ struct ImageAxis {
 /// theta: what is above it is displaced.
 std::vector<ImageAxis> image_axes(const SweepSamples& samples, const AngleGrid& grid, const Window& window);
 
-/// I over an even grid about the origin of the target's coordinates. `s`: the last axis runs fastest.
+/// I over an even grid about a point. `s`: the last axis runs fastest.
 struct IsarImage {
   std::vector<ImageAxis> axes;  // two or three
   EvenGrid grid{};
+  dvec3 middle{0.0};                  // of the grid, along the axes [m]
   std::vector<ScatteringMatrix> s{};  // [m]
 
-  /// A point of the grid in the coordinates of the target [m].
+  /// A point of the grid in the coordinates of the target [m]; of an image in a plane, on the one through the origin.
   dvec3 place(std::size_t index) const;
   double coordinate(std::size_t axis, std::size_t i) const {
-    return (static_cast<double>(i) - static_cast<double>(grid.count[axis] / 2)) * grid.step[axis];
+    return middle[static_cast<int>(axis)] +
+           (static_cast<double>(i) - static_cast<double>(grid.count[axis] / 2)) * grid.step[axis];
   }
 };
 
-/// Throws InputError that begins with `what` for one frequency or one angle.
+/// Throws InputError that begins with `what` for an image of more than most_image_cells.
+void require_cells(const std::vector<ImageAxis>& axes, const IsarOptions& options, const std::string& what);
+
+/// Throws InputError that begins with `what` for one frequency or one look.
+void require_several(const SweepSamples& samples, const std::string& what);
+
+/// Throws the same, and for angles that do not turn the target.
 void require_aperture(const SweepSamples& samples, const AngleGrid& grid, const std::string& what);
 
-inline constexpr std::size_t most_image_cells = 50'000'000;
+inline constexpr std::size_t most_image_cells = 4'000'000;
 
 /// S at wave vectors K along the axes of an image [rad/m], and what each counts: of sum 1.
 struct ImageSamples {

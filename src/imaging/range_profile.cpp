@@ -73,7 +73,8 @@ RangeProfiles range_profiles(const SweepSamples& samples, const ProfileOptions& 
   const double all = std::accumulate(weight.begin(), weight.end(), 0.0);
   for (double& each : weight) each /= all;
   const std::size_t count = fast_size(static_cast<std::size_t>(options.padding) * frequency.count);
-  result.range = {-0.5 * result.limits.unambiguous, result.limits.unambiguous / static_cast<double>(count), count};
+  result.range = {options.middle - 0.5 * result.limits.unambiguous, result.limits.unambiguous / static_cast<double>(count),
+                  count};
   result.s.resize(samples.looks.size() * count);
   Profile profile(samples, result.range, weight);
   for (std::size_t look = 0; look < samples.looks.size(); ++look) {

@@ -14,7 +14,8 @@ namespace raytube {
 
 struct ProfileOptions {
   Window window{};
-  int padding = 4;  // ranges to a resolution cell of even weights, at least
+  int padding = 4;      // ranges to a resolution cell of even weights, at least
+  double middle = 0.0;  // of the ranges that are shown, as wide as what is unambiguous [m]
 };
 
 /// What a sweep of frequencies resolves.
@@ -29,7 +30,7 @@ RangeLimits range_limits(const EvenAxis& frequency, const Window& window);
 /// Of many looks. Rows of `s`: looks vary slowest.
 struct RangeProfiles {
   RangeLimits limits;
-  EvenAxis range{};                             // [m], from minus half of the unambiguous range on
+  EvenAxis range{};                             // [m], half of the unambiguous range to either side of the middle
   std::vector<ScatteringMatrix> s{};            // p [m]
   std::vector<ChannelErrors> error{}, model{};  // [look] of |p| [m] if all that may be wrong with S came from one range
 };

@@ -32,21 +32,26 @@ std::vector<double> unwound(std::vector<double> azimuths) {
   return azimuths;
 }
 
+double median_step(const std::vector<double>& values) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
+  std::ranges::nth_element(steps, steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
+  return steps[steps.size() / 2];
+}
+
 }  // namespace
 
 EvenAxis even_axis(const std::vector<double>& values, const std::string& what, const std::string& unit) {
   EvenAxis axis{values.front(), 0.0, values.size()};
   if (values.size() < 2) return axis;
   axis.step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
-  double least = std::abs(axis.step);
-  for (std::size_t i = 1; i < values.size(); ++i) least = std::min(least, std::abs(values[i] - values[i - 1]));
+  const double usual = median_step(values);
   for (std::size_t i = 1; i < values.size(); ++i)
-    if (const double step = values[i] - values[i - 1]; std::abs(step - axis.step) > even_tolerance * std::abs(axis.step))
+    if (const double step = values[i] - values[i - 1]; !(std::abs(step - usual) <= even_tolerance * std::abs(usual)))
       throw InputError(
-          fmt::format("{} are not in even steps: from {:.9g} to {:.9g} {} it is {:.6g}, elsewhere {:.6g}; compute "
-                      "{:.9g} to {:.9g} {} in steps of {:.6g}",
-                      what, values[i - 1], values[i], unit, step, i == 1 ? values[2] - values[1] : values[1] - values[0],
-                      values.front(), values.back(), unit, std::copysign(least, axis.step)));
+          fmt::format("{} are not in even steps: from {:.9g} to {:.9g} {} it is {:.6g}, elsewhere {:.6g}; compute {:.9g} to "
+                      "{:.9g} {} in even ones",
+                      what, values[i - 1], values[i], unit, step, usual, values.front(), values.back(), unit));
   return axis;
 }
 
@@ -67,7 +72,11 @@ AngleGrid angle_grid(const std::vector<std::array<double, 2>>& theta_phi_deg, co
                                    theta_phi_deg[i][1]));
     theta.push_back(theta_phi_deg[i][0]), phi.push_back(theta_phi_deg[i][1]);
   }
-  theta = without_repetitions(std::move(theta)), phi = unwound(without_repetitions(std::move(phi)));
+  theta = without_repetitions(std::move(theta)), phi = without_repetitions(std::move(phi));
+  if (phi.size() > 1 && phi.back() - phi.front() >= 360.0)
+    throw InputError(
+        fmt::format("{}s in phi go round to where they began, {:g} degrees; end the sweep one step before", what, phi.back()));
+  phi = unwound(std::move(phi));
   AngleGrid grid{even_axis(theta, what + "s in theta", "degrees"), even_axis(phi, what + "s in phi", "degrees"), {}};
   for (const double t : theta)
     for (const double p : phi) {

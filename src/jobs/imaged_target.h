@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "imaging/sweep_grid.h"
-#include "imaging/window.h"
+#include "imaging/isar.h"
 #include "plan/target.h"
 
 namespace raytube {
@@ -18,13 +17,14 @@ std::vector<dvec3> outermost_of(const Target& target);
 /// Its wedges, the longest, in its own coordinates.
 std::vector<std::array<dvec3, 2>> lines_of(const Target& target);
 
-/// Throws InputError that begins with `what` for one frequency, and for a target that is deeper than what the sweep shows
-/// without ambiguity. No points: the target is not known.
-void require_range(const SweepSamples& samples, std::span<const dvec3> outermost, const std::string& what);
+/// The middle of the ranges in which the target lies, over all looks [m]; 0 where it is not known, without points. Throws
+/// InputError that begins with `what` for one frequency, and for ranges that are more than the sweep shows without ambiguity.
+double middle_range(const SweepSamples& samples, std::span<const dvec3> outermost, const std::string& what);
 
-/// What an image shows along its axes [m]: `asked`, else all of the target and no more than what is unambiguous. Throws
-/// InputError that begins with `what` for one frequency or angle, and for a target that is wider than that.
-std::array<double, 3> image_size(const SweepSamples& samples, const AngleGrid& grid, const Window& window,
-                                 std::span<const dvec3> outermost, std::span<const double> asked, const std::string& what);
+/// What an image shows: along its axes `asked`, else all of the target and no more than what is unambiguous, about its middle;
+/// about the origin where it is not known. Throws InputError that begins with `what` for one frequency or angle, and for a target
+/// that is wider than what is unambiguous.
+ImageFrame image_frame(const SweepSamples& samples, const AngleGrid& grid, const Window& window, std::span<const dvec3> outermost,
+                       std::span<const double> asked, const std::string& what);
 
 }  // namespace raytube

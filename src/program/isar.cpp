@@ -52,10 +52,15 @@ std::string image_text(const IsarImage& image, const Window& window) {
 std::string planned_case(double size, double resolution, double ghz) {
   constexpr double room = 1.5;  // beside the target
   const double band = 0.5 * speed_of_light / resolution, step = frequency_step_for(room * size), middle = ghz * 1e9;
-  const auto frequencies = static_cast<int>(std::ceil(band / step)) + 1;
+  const double frequencies = std::ceil(band / step) + 1.0;
   const double wave = wavelength(middle), angle = 0.5 * wave / resolution / degree,
                angle_step = 0.5 * wave / (room * size) / degree;
-  const auto angles = static_cast<int>(std::ceil(angle / angle_step)) + 1;
+  const double angles = std::ceil(angle / angle_step) + 1.0;
+  constexpr double most_samples = 1e5;
+  if (std::max(frequencies, angles) > most_samples)
+    throw InputError(
+        fmt::format("--plan: {:g} m at {:g} m takes {:.3g} frequencies and {:.3g} angles; ask for a coarser resolution", size,
+                    resolution, frequencies, angles));
   return fmt::format(
       "# ISAR of a target {:g} m wide with cells of {:g} m: {} frequencies, {} angles. theta_deg, and the middle of phi_deg, are "
       "yours to set.\n\n[frequency]\nghz = {{ start = {:.9g}, stop = {:.9g}, count = {} }}\n\n[look]\ntheta_deg = 90.0\nphi_deg "
@@ -92,15 +97,16 @@ void isar_command(const Request& request) {
   const ProductRequest& asked = request.product;
   if (asked.plan) return plan_image(asked);
   AngleGrid grid;
-  std::array<double, 3> size{};
+  IsarOptions options{asked.window, {}, asked.pixels};
   const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
-    check_output(product_folder(request), isar_names, {{"the result", request.result}});
+    check_output(product_folder(request), with_result(request, isar_names), {{"the result", request.result}});
     const SweepSamples samples = samples_of(unsolved.result, unsolved.name);
+    require_several(samples, unsolved.name);
     grid = grid_of_looks(unsolved.result, unsolved.name);
-    size = image_size(samples, grid, asked.window, unsolved.outermost(), asked.size, unsolved.name);
+    options.frame = image_frame(samples, grid, asked.window, unsolved.outermost(), asked.size, unsolved.name);
+    require_cells(image_axes(samples, grid, asked.window), options, unsolved.name);
   });
   const SweepSamples samples = samples_of(source.result, source.name);
-  const IsarOptions options{asked.window, size, asked.pixels};
   const IsarImage image =
       asked.direct ? direct_image(request, source, samples, grid, options) : isar_image(samples, grid, options, source.name);
   if (!request.quiet) fmt::print("{}", image_text(image, asked.window));

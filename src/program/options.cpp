@@ -66,13 +66,14 @@ constexpr const char* profile_examples =
 constexpr const char* centres_examples =
     "Takes everything that scatters at the middle frequency to pieces, and finds the strongest places: amplitude of all "
     "channels, mechanism, "
-    "over which\nband and angles it persists. Writes centres.csv and centres.ply.\n\n"
+    "over which\nband and angles it persists. Writes centres.csv, centres.ply and by_part.csv.\n\n"
     "Examples:\n"
     "  raytube centres cases/trihedral/case.toml --look 20\n"
     "  raytube centres case.toml -n 20 --resolution 0.05 -o centres";
 
 constexpr const char* isar_examples =
-    "Frequencies by one angle give an image in a plane, by azimuth and elevation one in space. Writes isar.csv, isar.png and "
+    "Frequencies by one angle give an image in a plane, by azimuth and elevation one in space. Writes isar.csv, isar.png, "
+    "isar_pauli.png and "
     "isar.vti (for\n"
     "ParaView); of a case that it solves first rcs.nc, too. --plan prints the frequencies and looks that a target asks for.\n\n"
     "Examples:\n"
@@ -222,6 +223,9 @@ void check_product_options(const CLI::App& command, const Request& request) {
     throw InputError("input is required: a result or a case, or --plan SIZE RESOLUTION; see raytube isar --help");
   if (request.product.plan && command.count("input") > 0)
     throw InputError("--plan: computes nothing, so that it takes no result and no case; leave one out");
+  for (const char* option : {"--output", "--set", "--size", "--pixels", "--window", "--sidelobes", "--direct"})
+    if (request.product.plan && command.count(option) > 0)
+      throw InputError(fmt::format("{}: means nothing with --plan; leave it out", option));
   if (!request.product.plan && command.count("--ghz") > 0) throw InputError("--ghz: means nothing without --plan; leave it out");
 }
 

@@ -17,6 +17,7 @@
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
 #include "jobs/solvable.h"
+#include "output/files/sha256.h"
 #include "output/netcdf/netcdf_file.h"
 #include "output/tables/stored.h"
 #include "program/unusable_rows.h"
@@ -102,13 +103,20 @@ std::unique_ptr<const Target> target_of(const JsonValue& run) {
   }
 }
 
+// Of the table that a result is, or is a copy of.
+std::string rcs_csv_sha256_of(const fs::path& file, const StoredResult& result) {
+  if (!is_netcdf_name(file)) return sha256_of_file(file);
+  const auto found = std::ranges::find(result.attributes, "rcs_csv_sha256", &std::pair<std::string, std::string>::first);
+  return found == result.attributes.end() ? "" : found->second;
+}
+
 ProductSource stored_result(const fs::path& file) {
   ProductSource source{.of_case = {}, .name = file.string(), .title = file.stem().string(), .result = {}, .target = {}};
   source.result = is_netcdf_name(file) ? read_netcdf(file) : read_rcs_csv(file);
   for (const auto& [name, text] : source.result.attributes)
     if (name == "title") source.title = text;
   const std::optional<JsonValue> run = run_of(file);
-  if (!run) return source;
+  if (!run || text_of(*run, "rcs_csv_sha256") != rcs_csv_sha256_of(file, source.result)) return source;
   if (const JsonValue* const resolved = run->find("case"); resolved && !text_of(*resolved, "title").empty())
     source.title = text_of(*resolved, "title");
   source.target = target_of(*run);
@@ -160,11 +168,16 @@ void pieces_of_look(const Request& request, const ProductSource& source, std::si
 void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,
                    const std::function<void(const PlacedScatterer&)>& sink) {
   const std::vector<std::string>& wanted = request.product.mechanisms;
+  bool any = false;
   pieces_of_look(request, source, look, cell, [&](const ScatteringPiece& piece) {
     const std::string name = scattering_mechanisms[static_cast<std::size_t>(piece.mechanism)];
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) return;
+    any = any || largest_amplitude(piece.s) > 0.0;
     sink({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
   });
+  if (!wanted.empty() && !any)
+    throw InputError(fmt::format("--mechanisms {}: add nothing in look {}; leave the option out, or name others",
+                                 fmt::join(wanted, ","), look));
 }
 
 ProductSource product_source(const Request& request, const SweepCheck& check) {
@@ -186,6 +199,11 @@ fs::path product_folder(const Request& request) {
   return is_case(request.result) ? folder / "out" : folder;
 }
 
+ResultNames with_result(const Request& request, ResultNames names) {
+  if (is_case(request.result) && !request.product.direct) names.tables.insert(names.tables.begin(), solved_result);
+  return names;
+}
+
 void write_products(const Request& request, const ProductSource& source, const ResultNames& names,
                     const std::function<void(const fs::path&)>& write) {
   const OutputFolder folder(product_folder(request));
@@ -193,15 +211,13 @@ void write_products(const Request& request, const ProductSource& source, const R
   const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
   NewResults results(folder.path());
   write(results.folder());
-  ResultNames all = names;
-  if (source.solved) {
-    write_netcdf(results.folder() / solved_result, source.result);
-    all.tables.insert(all.tables.begin(), solved_result);
-  }
+  const ResultNames all = source.solved ? with_result(request, names) : names;
+  if (source.solved) write_netcdf(results.folder() / solved_result, source.result);
   stop_if_interrupted();
   replace_results(results, folder.path(), all, {}, [&ending] { ending.complete(); });
   std::vector<std::string> written = all.tables;
   written.insert(written.end(), all.pictures.begin(), all.pictures.end());
+  std::erase_if(written, [&](const std::string& name) { return !results.has_placed(name); });
   if (!request.quiet) fmt::print("results            {}: {}\n", folder.path().string(), fmt::join(written, ", "));
 }
 

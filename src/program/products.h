@@ -60,6 +60,9 @@ void direct_pieces(const Request& request, const ProductSource& source, std::siz
 /// Throws InputError, as `check` does, of a case before it is solved.
 ProductSource product_source(const Request& request, const SweepCheck& check);
 
+/// These results, and of a case that is solved the result itself.
+ResultNames with_result(const Request& request, ResultNames names);
+
 /// The folder of a command's results: the one asked for, else `out` beside a case, else that of the result.
 std::filesystem::path product_folder(const Request& request);
 

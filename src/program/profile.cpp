@@ -52,14 +52,15 @@ std::string limits_text(const RangeProfiles& profiles, const Window& window) {
 void profile_command(const Request& request) {
   const ProductRequest& asked = request.product;
   ResultNames names;
+  double middle = 0.0;
   const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
     names = profile_names(unsolved.result);
-    check_output(product_folder(request), names, {{"the result", request.result}});
-    require_range(samples_of(unsolved.result, unsolved.name), unsolved.outermost(), unsolved.name);
+    check_output(product_folder(request), with_result(request, names), {{"the result", request.result}});
+    middle = middle_range(samples_of(unsolved.result, unsolved.name), unsolved.outermost(), unsolved.name);
   });
   SweepSamples samples = samples_of(source.result, source.name);
   if (asked.direct) fill_from_pieces(request, source, samples);
-  const RangeProfiles profiles = range_profiles(samples, {asked.window, asked.padding});
+  const RangeProfiles profiles = range_profiles(samples, {asked.window, asked.padding, middle});
   if (!request.quiet) fmt::print("{}{}", limits_text(profiles, asked.window), peak_text(source, profiles));
   write_products(request, source, names, [&](const std::filesystem::path& folder) {
     write_profile_csv(folder / "profile.csv", source.result, profiles, asked.window);

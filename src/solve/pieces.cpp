@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/threads.h"
@@ -29,6 +30,25 @@ void check_pieces(const Sweep& sweep, const SolveOptions& options) {
     throw InputError("edges.method \"utd\" adds up rays, which have no pieces; write \"fringe\" or \"none\"");
 }
 
+ImageLattice lattice_of_pieces(const SolvePlan& plan, double wavelength, double cell) {
+  try {
+    return image_cells(plan, 0, wavelength / cell);
+  } catch (const InputError&) {
+    throw InputError(
+        fmt::format("the look sees no area of the target, or has too many pieces of {:.3g} m; take another look, or resolve it "
+                    "more coarsely",
+                    cell));
+  }
+}
+
+// Cells of at least so many to the metre: none of them is held.
+ImageLattice divided(ImageLattice lattice, double to_a_metre) {
+  const auto times = static_cast<std::uint32_t>(std::max(1.0, std::ceil(to_a_metre * std::max(lattice.cell.x, lattice.cell.y))));
+  lattice.cell /= times;
+  lattice.columns *= times, lattice.rows *= times;
+  return lattice;
+}
+
 }  // namespace
 
 void scattering_pieces(const Target& target, const Sweep& sweep, std::size_t look, double frequency, const SolveOptions& options,
@@ -37,20 +57,9 @@ void scattering_pieces(const Target& target, const Sweep& sweep, std::size_t loo
   Sweep one = sweep;
   one.frequencies = {frequency}, one.looks = {sweep.looks[look]};
   const SolvePlan plan(target, one, options);
-  const auto lattice_of = [&](double per_wavelength) {
-    try {
-      ImageLattice lattice = image_cells(plan, 0, per_wavelength);
-      lattice.corner -= lattice.project(target.mesh.center);
-      return lattice;
-    } catch (const InputError&) {
-      throw InputError(
-          fmt::format("the look sees no area of the target, or has too many pieces of {:.3g} m; take another look, or resolve "
-                      "it more coarsely",
-                      wavelength(frequency) / per_wavelength));
-    }
-  };
-  const ImageLattice lattice = lattice_of(wavelength(frequency) / cell),
-                     fine = lattice_of(std::max(edge_pieces_to_a_wavelength, wavelength(frequency) / cell));
+  ImageLattice lattice = lattice_of_pieces(plan, wavelength(frequency), cell);
+  lattice.corner -= lattice.project(target.mesh.center);
+  const ImageLattice fine = divided(lattice, edge_pieces_to_a_wavelength / wavelength(frequency));
   const Complex factor = to_mesh_origin(target.mesh, one.looks.front(), frequency);
   const PieceSink finished = [&](ScatteringPiece piece) {
     piece.place += target.mesh.center;

@@ -29,7 +29,8 @@ TEST_F(Products, OfAResultAndOfItsCaseAreTheSame) {
   EXPECT_TRUE(std::filesystem::exists(scratch / "b/waterfall.png"));
   EXPECT_TRUE(text_of(scratch / "a/profile.csv") == text_of(scratch / "b/profile.csv"));
   EXPECT_EQ(raytube("isar b/rcs.nc -o b --quiet --size 0.3 0.3 --threads 1").code, 0);
-  EXPECT_EQ(raytube("isar kept/rcs.csv -o a --quiet --size 0.3 0.3 --threads 2").code, 0);
+  std::filesystem::copy_file(scratch / "kept/rcs.csv", scratch / "bare.csv");  // where nothing is known of the target, either
+  EXPECT_EQ(raytube("isar bare.csv -o a --quiet --size 0.3 0.3 --threads 2").code, 0);
   EXPECT_TRUE(text_of(scratch / "a/isar.csv") == text_of(scratch / "b/isar.csv"));
   EXPECT_THAT(text_of(scratch / "a/isar.vti"), HasSubstr("<ImageData WholeExtent="));
 }
@@ -42,6 +43,27 @@ TEST_F(Products, SweepsThatNothingCanBeMadeOfAreRefused) {
   expect_refused("profile case.toml " + sweep + " --set 'frequency.ghz=[1,11]'", "compute frequencies in steps of");
   expect_refused("isar case.toml " + sweep + " --set 'look.phi_deg=[-60,0,60]'", "along cross_range, but steps of 60 degrees");
   expect_refused("isar case.toml " + sweep + " --set receive.theta_deg=80 --set receive.phi_deg=0", "its looks are bistatic");
+}
+
+// The plate is a metre wide and begins at its origin: its middle is in the middle.
+TEST_F(Products, AnImageIsAboutTheTarget) {
+  EXPECT_EQ(raytube("isar kept/rcs.csv -o a").code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("isar_pauli.png"));
+  EXPECT_EQ(raytube("profile kept/rcs.csv -o a --quiet").code, 0);
+  // Of another run than the one whose run.json is beside it nothing is known.
+  ASSERT_EQ(raytube("run case.toml -o other.nc --quiet " + sweep).code, 0);
+  std::filesystem::copy_file(scratch / "other.nc", scratch / "kept/other.nc");
+  EXPECT_EQ(raytube("isar kept/other.nc -o a --quiet --size 0.3 0.3").code, 0);
+}
+
+TEST_F(Products, WhatWouldTakeTooLongIsRefusedFirst) {
+  expect_refused("isar case.toml " + sweep + " --set look.theta_deg=0", "at theta 0 degrees azimuth does not turn the target");
+  expect_refused("isar case.toml " + sweep + " --size 1e4 1e4", "an image of");
+  expect_refused("isar --plan 1e6 0.1", "ask for a coarser resolution");
+  expect_refused("isar --plan 5 0.1 --direct", "--direct: means nothing with --plan");
+  expect_refused("isar case.toml --direct --mechanisms surface_waves " + sweep,
+                 "--mechanisms surface_waves: add nothing in look 5");
+  expect_refused("report case.toml", "case.toml: is a case, not a result");
 }
 
 TEST_F(Products, OptionsThatDoNotGoTogetherAreRefused) {

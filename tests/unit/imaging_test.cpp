@@ -177,7 +177,7 @@ TEST(Isar, PointsReadTheirLevelAtTheirPlace) {
   const AngleGrid grid = grid_of({75.0, 0.0, 1}, {24.0, 0.3, 41});
   const std::vector<Point> points{{{0.4, 0.1, 0.0}, 1.0}, {{-0.3, -0.5, 0.0}, 0.3}};
   const SweepSamples samples = samples_of_grid({9e9, 50e6, 41}, grid, points);
-  const IsarImage image = isar_image(samples, grid, {{}, {2.0, 2.0, 0.0}, 8.0}, "");
+  const IsarImage image = isar_image(samples, grid, {{}, {{2.0, 2.0, 0.0}}, 8.0}, "");
   for (const Point& point : points) {
     dvec3 place(0.0);
     EXPECT_NEAR(20.0 * std::log10(peak_near(image, point.at, 0.15, place) / point.amplitude), 0.0, 0.1);
@@ -190,7 +190,7 @@ TEST(Isar, PointsReadTheirLevelAtTheirPlace) {
 TEST(Isar, WideAnglesAreBackProjected) {
   const AngleGrid grid = grid_of({90.0, 0.0, 1}, {-20.0, 0.5, 81});
   const SweepSamples samples = samples_of_grid({9e9, 50e6, 41}, grid, {{{0.4, 0.1, 0.0}, 1.0}, {{-0.3, -0.3, 0.0}, 0.3}});
-  const IsarImage image = isar_image(samples, grid, {{}, {1.4, 0.8, 0.0}, 3.0}, "");
+  const IsarImage image = isar_image(samples, grid, {{}, {{1.4, 0.8, 0.0}}, 3.0}, "");
   for (std::size_t i = 0; i < image.s.size(); i += 97)
     EXPECT_LT(std::abs(image.s[i].at(0, 0) - exact_sum(samples, grid, {}, image.place(i))), 1e-6);
 }
@@ -199,16 +199,36 @@ TEST(Isar, WideAnglesAreBackProjected) {
 TEST(Isar, AFiniteRangeIsFocused) {
   const AngleGrid grid = grid_of({90.0, 0.0, 1}, {-6.0, 0.3, 41});
   const SweepSamples samples = samples_of_grid({9e9, 50e6, 41}, grid, {{{0.5, 0.6, 0.0}, 1.0}}, 3.0);
-  const IsarImage image = isar_image(samples, grid, {{}, {1.6, 1.6, 0.0}, 10.0}, "");
+  const IsarImage image = isar_image(samples, grid, {{}, {{1.6, 1.6, 0.0}}, 10.0}, "");
   dvec3 place(0.0);
   EXPECT_NEAR(20.0 * std::log10(peak_near(image, {0.5, 0.6, 0.0}, 0.2, place)), 0.0, 0.1);
   EXPECT_LT(glm::length(place - dvec3(0.5, 0.6, 0.0)), 0.02);
 }
 
+// A target far from its origin: the same about its middle.
+TEST(Isar, AFrameLiesWhereTheTargetIs) {
+  const AngleGrid grid = grid_of({90.0, 0.0, 1}, {-6.0, 0.3, 41});
+  const SweepSamples samples = samples_of_grid({9e9, 50e6, 41}, grid, {{{-8.5, 4.2, 0.0}, 1.0}});
+  const IsarImage image = isar_image(samples, grid, {{}, {{1.0, 1.0, 0.0}, {-8.4, 4.0, 0.0}}, 8.0}, "");
+  dvec3 place(0.0);
+  EXPECT_NEAR(20.0 * std::log10(peak_near(image, {-8.5, 4.2, 0.0}, 0.2, place)), 0.0, 0.1);
+  EXPECT_LT(glm::length(place - dvec3(-8.5, 4.2, 0.0)), 0.02);
+}
+
+// Over a right angle wave vectors reach twice as far along range as the band does: cells follow, so that no peak is lost between.
+TEST(Isar, CellsFollowWideAngles) {
+  const AngleGrid grid = grid_of({90.0, 0.0, 1}, {-45.0, 0.5, 181});
+  const SweepSamples samples = samples_of_grid({9e9, 50e6, 41}, grid, {{{0.21, 0.1, 0.0}, 1.0}});
+  const IsarImage image = isar_image(samples, grid, {{}, {{0.8, 0.8, 0.0}}, 4.0}, "");
+  EXPECT_LT(image.axes[0].cell, 0.05);
+  dvec3 place(0.0);
+  EXPECT_NEAR(20.0 * std::log10(peak_near(image, {0.21, 0.1, 0.0}, 0.2, place)), 0.0, 0.2);
+}
+
 TEST(Isar, AzimuthAndElevationShowSpace) {
   const AngleGrid grid = grid_of({80.0, 0.5, 21}, {-5.0, 0.5, 21});
   const SweepSamples samples = samples_of_grid({9e9, 100e6, 21}, grid, {{{0.3, 0.2, -0.3}, 1.0}});
-  const IsarImage image = isar_image(samples, grid, {{}, {1.2, 1.2, 1.2}, 4.0}, "");
+  const IsarImage image = isar_image(samples, grid, {{}, {{1.2, 1.2, 1.2}}, 4.0}, "");
   dvec3 place(0.0);
   EXPECT_NEAR(20.0 * std::log10(peak_near(image, {0.3, 0.2, -0.3}, 0.3, place)), 0.0, 0.3);
   EXPECT_LT(glm::length(place - dvec3(0.3, 0.2, -0.3)), 0.03);
@@ -273,6 +293,17 @@ TEST(SweepGrid, AzimuthsGoOnOverAFullTurn) {
   EXPECT_EQ(grid.phi_deg.last(), 362.0);
   EXPECT_THAT(grid.looks, testing::ElementsAre(2u, 3u, 0u, 1u));
   EXPECT_EQ(angle_grid({{90, 0}, {90, 120}, {90, 240}}, "").phi_deg.first, 0.0);
+}
+
+TEST(SweepGrid, AGapIsNamed) {
+  EXPECT_THAT(complaint([] {
+                even_axis({1.0, 2.0, 3.0, 5.0, 6.0}, "x: looks", "degrees");
+              }),
+              HasSubstr("from 3 to 5 degrees it is 2, elsewhere 1; compute 1 to 6 degrees in even ones"));
+  EXPECT_THAT(complaint([] {
+                angle_grid({{90, 0}, {90, 180}, {90, 360}}, "x: look");
+              }),
+              HasSubstr("looks in phi go round to where they began, 360 degrees"));
 }
 
 TEST(SweepGrid, MissingAndDoubleLooksAreNamed) {

@@ -72,7 +72,7 @@ TEST(DirectImage, OfADihedralIsThatOfTheSweep) {
   o.edges.order = 1;
   SweepSamples swept = of.samples;
   swept.s = solve(target, of.sweep, o).total;
-  const IsarOptions image_options{{}, {1.0, 0.8, 0.0}, 3.0};
+  const IsarOptions image_options{{}, {{1.0, 0.8, 0.0}}, 3.0};
   DirectImage direct(of.samples, of.grid);
   scattering_pieces(target, of.sweep, middle_index(17), of.frequency.at(middle_index(21)), o, 0.015,
                     [&](const ScatteringPiece& piece) {

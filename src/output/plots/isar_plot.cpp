@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "output/plots/curves.h"
 #include "output/plots/gnuplot.h"
@@ -102,7 +103,7 @@ std::array<double, 3> pauli_amplitudes(const ScatteringMatrix& s) {
 // x, y and a colour a row.
 std::string pauli_data(const IsarImage& image) {
   constexpr double range = 40.0;
-  double top = 0.0;
+  double top = std::numeric_limits<double>::min();
   for (const ScatteringMatrix& s : image.s) top = std::max(top, std::ranges::max(pauli_amplitudes(s)));
   std::string text = "$colors << EOD\n";
   for (std::size_t i = 0; i < image.s.size(); ++i) {

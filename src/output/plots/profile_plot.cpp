@@ -49,7 +49,7 @@ std::string profile_data(std::span<const ScatteringMatrix> profile, const EvenAx
 // A level line where all of an uncertainty would be at one range, of the stronger co-polar channel.
 std::string floor_line(const ChannelErrors& errors, double bottom, const char* name, const char* color) {
   const double level = sigma_dbsm(std::max(errors[0][0], errors[1][1]));
-  if (level < bottom) return "";
+  if (!(level >= bottom) || !std::isfinite(level)) return "";
   return fmt::format(", \\\n  {:.3f} with lines lc rgb '{}' lw 1.5 dt (4,4) title '{}, if all at one range'", level, color, name);
 }
 
@@ -114,11 +114,12 @@ std::string plot_profiles(const std::filesystem::path& folder, const std::string
   const std::string trouble = draw_pictures(folder, "profile", [&](const std::string& terminal, const std::string& file) {
     return profile_script(terminal, file, title, result, profiles);
   });
-  if (!trouble.empty() || result.looks.size() < 2) return trouble;
+  if (result.looks.size() < 2) return trouble;
   const LevelPanels drawn = waterfall(title, result, profiles);
-  return draw_pictures(folder, "waterfall", [&](const std::string& terminal, const std::string& file) {
+  const std::string of_waterfall = draw_pictures(folder, "waterfall", [&](const std::string& terminal, const std::string& file) {
     return level_panels_script(terminal, file, drawn);
   });
+  return trouble.empty() ? of_waterfall : trouble;
 }
 
 }  // namespace raytube

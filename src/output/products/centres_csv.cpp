@@ -59,7 +59,7 @@ std::string csv_cell(const std::string& text) {
 std::string centre_text(std::size_t number, const ScatteringCentre& centre, const CentreLook& look,
                         const PartOfTriangle& part_of) {
   std::string text = fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g}", number, centre.place.x, centre.place.y, centre.place.z,
-                                 -glm::dot(centre.place, spherical_basis(look.direction).radial));
+                                 0.0 - glm::dot(centre.place, spherical_basis(look.direction).radial));
   text += amplitudes_text(centre.s) + ',' + scattering_mechanisms[centre.mechanism()];
   for (const double share : centre.shares) text += fmt::format(",{:.4f}", share);
   text += fmt::format(",{:.5g},{:.4g},{:.4g}", centre.band * look.frequency * 1e-9, centre.azimuth / degree,

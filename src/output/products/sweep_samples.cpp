@@ -18,7 +18,9 @@ ChannelErrors errors_of_levels(const ScatteringMatrix& s, const ChannelErrors& l
   ChannelErrors errors{};
   for (std::size_t p = 0; p < 2; ++p)
     for (std::size_t q = 0; q < 2; ++q)
-      errors[p][q] = (std::pow(10.0, levels_db[p][q] / 20.0) - 1.0) * std::max(std::abs(s.s[p][q]), 0.01 * largest_amplitude(s));
+      if (std::isfinite(levels_db[p][q]))  // of nothing at all no error is known
+        errors[p][q] =
+            (std::pow(10.0, levels_db[p][q] / 20.0) - 1.0) * std::max(std::abs(s.s[p][q]), 0.01 * largest_amplitude(s));
   return errors;
 }
 
@@ -46,6 +48,9 @@ SweepSamples samples_of(const StoredResult& result, const std::string& name) {
     samples.looks.push_back({direction_of(look.theta_deg, look.phi_deg), direction_of(look.rx_theta_deg, look.rx_phi_deg),
                              look.range_m, look.rx_range_m});
   samples.s = result.s;
+  for (std::size_t row = 0; row < samples.s.size(); ++row)
+    if (!std::isfinite(frobenius_norm(samples.s[row])))
+      throw InputError(fmt::format("{}: row {} has no finite S; compute it again", name, row + 1));
   samples.error = errors_in_metres(result);
   samples.model = model_in_metres(result);
   return samples;

@@ -43,8 +43,8 @@ JsonValue view_or_note(ReportSource& source, const char* name, const View& view)
 JsonValue profiles_of(const ProductSource& product) {
   const Window window;
   const SweepSamples samples = samples_of(product.result, product.name);
-  require_range(samples, product.outermost(), product.name);
-  return profiles_json(range_profiles(samples, {window, ranges_a_cell}), product.result.looks.size(), window);
+  const double middle = middle_range(samples, product.outermost(), product.name);
+  return profiles_json(range_profiles(samples, {window, ranges_a_cell, middle}), product.result.looks.size(), window);
 }
 
 // Cells of the image to a resolution cell: as raytube isar has them, or as many as a page is worth.
@@ -62,9 +62,9 @@ JsonValue isar_of(const ProductSource& product) {
   const ProductRequest plain;
   const SweepSamples samples = samples_of(product.result, product.name);
   const AngleGrid grid = grid_of_looks(product.result, product.name);
-  const std::array<double, 3> size = image_size(samples, grid, plain.window, product.outermost(), {}, product.name);
-  const double pixels = shown_pixels(image_axes(samples, grid, plain.window), size, plain.pixels);
-  return isar_json(isar_image(samples, grid, {plain.window, size, pixels}, product.name), plain.window);
+  const ImageFrame frame = image_frame(samples, grid, plain.window, product.outermost(), {}, product.name);
+  const double pixels = shown_pixels(image_axes(samples, grid, plain.window), frame.size, plain.pixels);
+  return isar_json(isar_image(samples, grid, {plain.window, frame, pixels}, product.name), plain.window);
 }
 
 JsonValue notes_json(const std::vector<std::string>& notes) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "output/tables/parts_csv.h"
 
 namespace raytube {
@@ -21,6 +22,8 @@ fs::path result_file(const fs::path& given) {
 }
 
 void require_readable_run(const fs::path& result) {
+  if (lower_case(result.extension().string()) == ".toml")
+    throw InputError(fmt::format("{}: is a case, not a result; run it first (raytube run)", result.string()));
   const fs::path file = fs::absolute(result).parent_path() / "run.json";
   if (!fs::exists(file)) return;
   const std::optional<JsonValue> run = run_of(result);
