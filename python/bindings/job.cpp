@@ -80,6 +80,10 @@ LookImage Job::image(std::size_t look, double per_wavelength, int threads, Watch
   return naming_the_case(asked, [&] { return image_of_look(plan, look, per_wavelength, watch.progress()); });
 }
 
+LookCentres Job::centres(const CentresAsked& which, int threads, Watch& watch) const {
+  return centres_of_look(built->target, asked, which, threads_of(threads), watch.progress());
+}
+
 TubeTrace Job::trace(std::size_t look, const dvec2& at) const {
   const Sweep& sweep = asked.sweep;
   check_look(asked, look);

@@ -11,6 +11,7 @@
 #include "bindings/target.h"
 #include "case/read_case.h"
 #include "core/json.h"
+#include "jobs/centres_of_look.h"
 #include "output/compare/convergence_report.h"
 #include "output/netcdf/stored_result.h"
 #include "sbr/replay.h"
@@ -43,6 +44,7 @@ struct Job {
   StoredResult solve(int threads, bool parts, Watch& watch) const;
   TextAndData check(int threads) const;
   LookImage image(std::size_t look, double per_wavelength, int threads, Watch& watch) const;
+  LookCentres centres(const CentresAsked& which, int threads, Watch& watch) const;
   TubeTrace trace(std::size_t look, const dvec2& at) const;
   Study converge(const std::vector<double>& densities, int threads, Watch& watch) const;
 };

@@ -117,9 +117,38 @@ py::tuple outline(const std::shared_ptr<Job>& job) {
                         owned_array<double>(std::move(lines), {line_count, 2, 3}));
 }
 
+py::dict centres(const std::shared_ptr<Job>& job, std::size_t look, std::size_t count, double resolution, int threads,
+                 const py::object& progress) {
+  const LookCentres all = interruptibly(
+      [=](Watch& watch) {
+        return job->centres({look, count, resolution}, threads, watch);
+      },
+      progress);
+  const auto number = static_cast<py::ssize_t>(all.found.centres.size());
+  std::vector<double> places, persistence;
+  std::vector<ScatteringMatrix> s;
+  py::list mechanisms;
+  for (const ScatteringCentre& centre : all.found.centres) {
+    places.insert(places.end(), {centre.place.x, centre.place.y, centre.place.z});
+    persistence.insert(persistence.end(), {centre.band * all.frequency, centre.azimuth / degree, centre.elevation / degree});
+    s.push_back(centre.s);
+    mechanisms.append(scattering_mechanisms[centre.mechanism()]);
+  }
+  py::dict d;
+  d["place"] = owned_array<double>(std::move(places), {number, 3});
+  d["persistence"] = owned_array<double>(std::move(persistence), {number, 3});
+  d["S"] = owned_array<Complex>(std::move(s), {number, 2, 2});
+  d["rest"] = owned_array<Complex>(std::vector<ScatteringMatrix>{all.found.rest}, {2, 2});
+  d["mechanism"] = mechanisms;
+  d["frequency_hz"] = all.frequency;
+  d["resolution_m"] = all.side;
+  return d;
+}
+
 }  // namespace
 
 void bind_products(py::module_& module) {
+  module.def("centres", &centres);
   module.def("range_profiles", &profiles);
   module.def("isar", &isar);
   module.def("outline", &outline);

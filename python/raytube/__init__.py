@@ -20,7 +20,7 @@ program of the same name does, for a case file or for a target. compare: two res
 """
 
 from raytube._core import InputError, __version__
-from raytube._jobs import CheckReport, Convergence, check, converge, image, run, solve, trace
+from raytube._jobs import CheckReport, Convergence, centres, check, converge, image, run, solve, trace
 from raytube._comparison import Comparison, compare
 from raytube._looks import Looks, bistatic, looks, monostatic
 from raytube._radar_explorer import read_radar_explorer
@@ -28,6 +28,6 @@ from raytube._result import RaytubeWarning, Result, load
 from raytube._target import Target
 
 __all__ = ["CheckReport", "Comparison", "Convergence", "InputError", "Looks", "RaytubeWarning", "Result", "Target", "bistatic", "check",
-           "compare", "converge", "image", "load", "looks", "monostatic", "read_radar_explorer", "run", "solve", "trace", "__version__"]
+           "centres", "compare", "converge", "image", "load", "looks", "monostatic", "read_radar_explorer", "run", "solve", "trace", "__version__"]
 InputError.__doc__ = """Bad input: one sentence that says what is wrong, where, and what to do. A ValueError."""
 InputError.__module__ = "raytube"

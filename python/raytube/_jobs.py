@@ -204,6 +204,59 @@ def image(what: Any, *args: Any, look: int = 0, per_wavelength: float = 10.0, th
     return xr.Dataset(variables, coordinates, {"frequency_hz": frequency, "look": look, "title": job.title})
 
 
+def centres(what: Any, *args: Any, look: int = 0, count: int = 50, resolution: float | None = None, threads: int = 0,
+            progress: _Progress = False, **keywords: Any) -> xr.Dataset:
+    """The scattering centres of one monostatic look: the strongest places that it returns from, without a sweep.
+
+    Parameters
+    ----------
+    what : Target or path
+        A target, or a case file.
+    *args, **keywords
+        As in `check`.
+    look : int
+        Direction pair, counted from 0.
+    count : int
+        So many at most.
+    resolution : float, optional
+        Side of the cube that each is resolved to [m]; by default a sixtieth of the target, two wavelengths at least.
+    threads, progress
+        As in `solve`.
+
+    Returns
+    -------
+    xarray.Dataset
+        The strongest first. ``S`` (centre, receive, transmit) [m], complex, phase reference the origin, and ``sigma_dbsm``; ``place``
+        (centre, xyz) in the mesh's coordinates [m]; ``mechanism``; ``persistence_hz``, ``persistence_azimuth_deg`` and
+        ``persistence_elevation_deg``, over which the pieces within the cube stay within 3 dB of their largest sum; ``rest`` [m], with
+        which the centres add up to S of the look at ``attrs["frequency_hz"]``, the middle of the list.
+
+    Raises
+    ------
+    InputError
+        As `solve` does; for bistatic looks, antennas at a finite distance and materials; for a resolution too fine for the target.
+    """
+    import xarray as xr
+
+    number, cell = _arguments.whole(count, "count"), 0.0 if resolution is None else _arguments.number(resolution, "resolution")
+    if number < 1 or (resolution is not None and cell <= 0.0):
+        raise InputError(f"centres: count and resolution must be positive (found {number}, {cell:g})")
+    job = _job("centres", what, args, keywords)
+    with _Reported(progress) as report:
+        found = _core.centres(job, _arguments.whole(look, "look"), number, cell, _threads(threads), report)
+    with np.errstate(divide="ignore"):
+        sigma = 20.0 * np.log10(np.abs(found["S"])) + 10.0 * np.log10(4.0 * np.pi)
+    dims = ("centre", "receive", "transmit")
+    variables: dict[str, Any] = {"S": (dims, found["S"], {"units": "m"}), "sigma_dbsm": (dims, sigma, {"units": "dBsm"}),
+                                 "place": (("centre", "xyz"), found["place"], {"units": "m"}), "mechanism": ("centre", found["mechanism"]),
+                                 "rest": (("receive", "transmit"), found["rest"], {"units": "m"})}
+    for i, name in enumerate(("persistence_hz", "persistence_azimuth_deg", "persistence_elevation_deg")):
+        variables[name] = ("centre", found["persistence"][:, i])
+    coordinates = {"xyz": ["x", "y", "z"], "receive": ["v", "h"], "transmit": ["v", "h"]}
+    facts = {"frequency_hz": found["frequency_hz"], "resolution_m": found["resolution_m"], "look": look, "title": job.title}
+    return xr.Dataset(variables, coordinates, facts)
+
+
 def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, **keywords: Any) -> dict[str, Any]:
     """Follows one tube, bounce by bounce.
 

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "imaging/range_profile.h"
+#include "jobs/centres_of_look.h"
 #include "jobs/imaged_target.h"
 #include "output/plots/isar_plot.h"
 #include "output/products/isar_csv.h"

@@ -123,6 +123,15 @@ ProductSource stored_result(const fs::path& file) {
   return source;
 }
 
+// All that scatters in one look of the case, at the frequency in the middle of its list.
+void pieces_of_look(const Request& request, const ProductSource& source, std::size_t look, double cell, const PieceSink& sink) {
+  const Case& c = *source.of_case;
+  SolveOptions options{c.tubes, c.edges, c.surfaces, request.threads};
+  options.progress = [](double) { return !InterruptFlag::raised(); };
+  const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
+  naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, sink); });
+}
+
 }  // namespace
 
 std::optional<JsonValue> run_of(const fs::path& result) {
@@ -155,14 +164,6 @@ ProductSource unsolved_case(const Request& request) {
   Request direct = request;
   direct.product.direct = true;
   return solved_case(direct, [](const ProductSource&) {});
-}
-
-void pieces_of_look(const Request& request, const ProductSource& source, std::size_t look, double cell, const PieceSink& sink) {
-  const Case& c = *source.of_case;
-  SolveOptions options{c.tubes, c.edges, c.surfaces, request.threads};
-  options.progress = [](double) { return !InterruptFlag::raised(); };
-  const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
-  naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, sink); });
 }
 
 void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,

@@ -42,14 +42,8 @@ Case case_of_run(const JsonValue& run);
 /// Throws InputError for a sweep that nothing can be made of; S is not there yet.
 using SweepCheck = std::function<void(const ProductSource&)>;
 
-/// Pieces to a resolution cell of even weights: over a band their phase turns by a quarter of a turn and less.
-inline constexpr double pieces_to_a_cell = 4.0;
-
 /// The case with its target, to be taken to pieces. Throws InputError if the input is none.
 ProductSource unsolved_case(const Request& request);
-
-/// All that scatters in one look of the case, at the frequency in the middle of its list, in pieces of `cell` [m].
-void pieces_of_look(const Request& request, const ProductSource& source, std::size_t look, double cell, const PieceSink& sink);
 
 /// Of one look of the case, at the frequency in the middle of its list, all that scatters by the mechanisms that are asked for,
 /// in pieces of `cell` [m].

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "imaging/range_profile.h"
+#include "jobs/centres_of_look.h"
 #include "jobs/imaged_target.h"
 #include "output/plots/profile_plot.h"
 #include "output/products/profile_csv.h"

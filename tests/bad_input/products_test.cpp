@@ -100,7 +100,7 @@ TEST_F(Products, CentresAreThoseOfOneLook) {
   EXPECT_THAT(text_of(scratch / "b/by_part.csv"),
               AllOf(HasSubstr("\nnear,tubes,"), HasSubstr("\n\"far,, side\""), HasSubstr("\n,all,")));
   expect_refused("centres kept/rcs.csv", "kept/rcs.csv is no case (.toml)");
-  expect_refused("centres case.toml --look 1", "--look 1: the case has 1 look, counted from 0");
+  expect_refused("centres case.toml --look 1", "look 1: there are 1 direction pair(s), counted from 0");
   expect_refused("centres case.toml --set target.unit=m --resolution 1e-4", "has too many pieces of 2.5e-05 m");
   expect_refused("centres case.toml --set radar.range_m=100", "the pieces seen from a finite distance have no one place");
 }

@@ -105,7 +105,7 @@ def test_the_file_for_paraview_holds_the_image(solved, program, tmp_path):
     program("isar", tmp_path / "rcs.nc", "-o", tmp_path, "--size", "0.4", "0.5", "--quiet")
     text = (tmp_path / "isar.vti").read_text()
     assert 'byte_order="LittleEndian" header_type="UInt64"' in text
-    image = solved.isar((0.4, 0.5))
+    image = rt.load(tmp_path / "rcs.nc").isar((0.4, 0.5))
     for name, values in (("re_vv", image.S.sel(channel="vv").values.real), ("sigma_hh_dbsm", image.sigma_dbsm.sel(channel="hh").values)):
         found = base64.b64decode(re.search(rf'Name="{name}" format="binary">\s*(\S+)', text)[1], validate=True)
         assert int.from_bytes(found[:8], "little") == len(found) - 8
@@ -122,7 +122,7 @@ def test_a_solved_target_is_shown_whole_and_outlined(solved, dihedral, tmp_path)
     solved.save(tmp_path / "rcs.nc")
     assert "outline" not in rt.load(tmp_path / "rcs.nc").isar(0.4)
     coarse = rt.solve(dihedral, [9.0, 11.0], rt.monostatic(90, [45, 46]), edges={"method": "none"})
-    with pytest.raises(rt.InputError, match="the target is .* m deep .* compute frequencies in steps of"):
+    with pytest.raises(rt.InputError, match="the target lies within .* compute frequencies in steps of"):
         coarse.range_profile()
     with pytest.raises(rt.InputError, match="the target is .* m wide along range, but steps of 2000 MHz"):
         coarse.isar()
@@ -187,3 +187,17 @@ def test_pictures(plane, space, solved, dihedral):
     assert outlined == [False, False, True, True, False, False]
     assert plane.isar(1.0).isel(range_m=slice(0, 5)).plot(ax=axes[5]) is axes[5]
     pyplot.close("all")
+
+
+def test_centres_of_a_trihedral_are_its_apex():
+    import raytube as rt
+
+    corners = np.array([[0, 0, 0], [0.4, 0, 0], [0, 0.4, 0], [0, 0, 0.4]])
+    target = rt.Target(corners, [[0, 1, 2], [0, 2, 3], [0, 3, 1]], unit="m")
+    looks = rt.monostatic(float(np.degrees(np.arccos(1 / np.sqrt(3)))), 45.0)
+    found = rt.centres(target, ghz=10.0, looks=looks, count=5, resolution=0.06)
+    assert np.linalg.norm(found.place[0]) < 0.006 and str(found.mechanism[0].values) == "bounce_3_on"
+    whole = rt.solve(target, ghz=10.0, looks=looks).S.values.reshape(2, 2)
+    assert np.allclose(found.S.sum("centre").values + found.rest.values, whole, rtol=0.0, atol=1e-9 * np.abs(whole).max())
+    with pytest.raises(rt.InputError, match="counted from 0"):
+        rt.centres(target, ghz=10.0, looks=looks, look=1)

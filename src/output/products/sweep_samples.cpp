@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "output/tables/csv.h"
 
 namespace raytube {
 
@@ -18,7 +19,7 @@ ChannelErrors errors_of_levels(const ScatteringMatrix& s, const ChannelErrors& l
   ChannelErrors errors{};
   for (std::size_t p = 0; p < 2; ++p)
     for (std::size_t q = 0; q < 2; ++q)
-      if (std::isfinite(levels_db[p][q]))  // of nothing at all no error is known
+      if (!std::isinf(levels_db[p][q]))  // of nothing at all no error is told
         errors[p][q] =
             (std::pow(10.0, levels_db[p][q] / 20.0) - 1.0) * std::max(std::abs(s.s[p][q]), 0.01 * largest_amplitude(s));
   return errors;
@@ -30,6 +31,19 @@ std::vector<ChannelErrors> errors_of(const StoredResult& result, const std::vect
   std::vector<ChannelErrors> errors(result.rows());
   for (std::size_t row = 0; row < levels_db.size(); ++row) errors[row] = errors_of_levels(result.s[row], levels_db[row]);
   return errors;
+}
+
+bool is_finite(Complex value) { return std::isfinite(value.real()) && std::isfinite(value.imag()); }
+
+// A channel may be missing as a whole, as in results of other programs.
+void require_finite(const std::vector<ScatteringMatrix>& s, const std::string& name) {
+  for (const int channel : {0, 1, 2, 3}) {
+    const auto lacks = [channel](const ScatteringMatrix& row) { return !is_finite(row.at(channel / 2, channel % 2)); };
+    const auto first = std::ranges::find_if(s, lacks);
+    if (first == s.end() || std::ranges::all_of(s, lacks)) continue;
+    throw InputError(fmt::format("{}: row {} has no finite S_{}; compute it again", name, first - s.begin() + 1,
+                                 channel_names[static_cast<std::size_t>(channel)]));
+  }
 }
 
 }  // namespace
@@ -48,9 +62,7 @@ SweepSamples samples_of(const StoredResult& result, const std::string& name) {
     samples.looks.push_back({direction_of(look.theta_deg, look.phi_deg), direction_of(look.rx_theta_deg, look.rx_phi_deg),
                              look.range_m, look.rx_range_m});
   samples.s = result.s;
-  for (std::size_t row = 0; row < samples.s.size(); ++row)
-    if (!std::isfinite(frobenius_norm(samples.s[row])))
-      throw InputError(fmt::format("{}: row {} has no finite S; compute it again", name, row + 1));
+  require_finite(samples.s, name);
   samples.error = errors_in_metres(result);
   samples.model = model_in_metres(result);
   return samples;

@@ -1,0 +1,61 @@
+#include "jobs/centres_of_look.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "imaging/direct.h"
+#include "jobs/solvable.h"
+#include "solve/pieces.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double sides_to_a_target = 60.0, wavelengths_to_a_side = 2.0;
+
+// No less than what narrow bands and angles resolve.
+double usual_side(const Target& target, double wavelength) {
+  return std::max(2.0 * target.mesh.radius / sides_to_a_target, wavelengths_to_a_side * wavelength);
+}
+
+LookAxes axes_of(const Direction& direction) {
+  const SphericalBasis basis = spherical_basis(direction);
+  return {-basis.radial, basis.phi_hat, -basis.theta_hat};
+}
+
+LookCentres found_centres(const Target& target, const Case& c, const CentresAsked& asked, int threads,
+                          const std::function<bool(double)>& progress) {
+  const std::size_t looks = c.sweep.looks.size();
+  if (asked.look >= looks)
+    throw InputError(
+        fmt::format("look {}: there are {} direction pair(s), counted from 0; choose among these", asked.look, looks));
+  const std::vector<double>& frequencies = c.sweep.frequencies;
+  LookCentres result{.found = {},
+                     .pieces = {},
+                     .s = {},
+                     .direction = c.sweep.looks[asked.look].transmit,
+                     .frequency = frequencies[middle_index(frequencies.size())],
+                     .side = asked.resolution};
+  const double length = wavelength(result.frequency);
+  if (result.side == 0.0) result.side = usual_side(target, length);
+  SolveOptions options{c.tubes, c.edges, c.surfaces, threads};
+  options.progress = progress;
+  scattering_pieces(target, c.sweep, asked.look, result.frequency, options, result.side / pieces_to_a_cell,
+                    [&](const ScatteringPiece& piece) {
+                      result.pieces.push_back(piece);
+                      result.s += piece.s;
+                    });
+  result.found = scattering_centres(result.pieces, axes_of(result.direction), {asked.count, result.side, length});
+  return result;
+}
+
+}  // namespace
+
+LookCentres centres_of_look(const Target& target, const Case& c, const CentresAsked& asked, int threads,
+                            const std::function<bool(double)>& progress) {
+  return naming_the_case(c, [&] { return found_centres(target, c, asked, threads, progress); });
+}
+
+}  // namespace raytube
