@@ -65,8 +65,8 @@ std::string profile_script(const std::string& terminal, const std::string& file,
   script +=
       "set title " + gnuplot_quoted_lines(heading(title, profiles, "range profile, " + look_text(result.looks[look]))) + '\n';
   script += fmt::format(
-      "set xlabel 'range beyond the origin (m)'\nset ylabel 'σ (dBsm)'\nset xrange [{}:{}]\nset yrange [{}:{}]\nset key outside "
-      "bottom center horizontal\n",
+      "set xlabel 'range beyond the origin (m)'\nset ylabel 'σ (dBsm)'\nset xrange [{}:{}]\nset yrange [{}:{}]\nset bmargin 9\n"
+      "set key at screen 0.5, screen 0.08 center center horizontal maxcols 3\n",
       profiles.range.first, profiles.range.last(), bottom, top);
   script += "plot ";
   for (const std::size_t channel : {0, 1, 2, 3})
