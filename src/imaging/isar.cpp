@@ -13,8 +13,6 @@ namespace raytube {
 
 namespace {
 
-dvec3 direction_of(double theta_deg, double phi_deg) { return spherical_basis({theta_deg * degree, phi_deg * degree}).radial; }
-
 // Orthonormal: away from the radar, along rising azimuth, upwards; two or three of them.
 std::vector<dvec3> axis_directions(const AngleGrid& grid) {
   const SphericalBasis middle = spherical_basis({grid.theta_deg.middle() * degree, grid.phi_deg.middle() * degree});

@@ -55,6 +55,8 @@ EvenAxis even_axis(const std::vector<double>& values, const std::string& what, c
   return axis;
 }
 
+dvec3 direction_of(double theta_deg, double phi_deg) { return spherical_basis({theta_deg * degree, phi_deg * degree}).radial; }
+
 bool SweepLook::far() const { return std::isinf(transmit_range); }
 
 double SweepLook::phase_length(const dvec3& r) const {

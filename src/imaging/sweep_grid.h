@@ -24,6 +24,9 @@ struct EvenAxis {
 /// and says where the first uneven step is, and the step that would do.
 EvenAxis even_axis(const std::vector<double>& values, const std::string& what, const std::string& unit);
 
+/// Unit vector towards a direction given in degrees.
+dvec3 direction_of(double theta_deg, double phi_deg);
+
 /// Directions from the target to the transmitter and receiver, and how far these are [m].
 struct SweepLook {
   dvec3 transmit, receive;  // unit

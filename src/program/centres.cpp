@@ -39,11 +39,11 @@ std::string centres_text(const ScatteringCentres& found, const ScatteringMatrix&
 
 void centres_command(const Request& request) {
   const ProductRequest& asked = request.product;
-  const ProductSource source = unsolved_case(request);
-  const Case& c = *source.of_case;
-  check_output(product_folder(request), centre_names, input_files(c));
-  const LookCentres centres = centres_of_look(*source.target, c, {request.look, asked.centres, asked.resolution}, request.threads,
-                                              [](double) { return !InterruptFlag::raised(); });
+  const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
+    check_output(product_folder(request), centre_names, input_files(*unsolved.of_case));
+  });
+  const LookCentres centres = centres_of_look(*source.target, *source.of_case, {request.look, asked.centres, asked.resolution},
+                                              request.threads, [](double) { return !InterruptFlag::raised(); });
   if (!request.quiet) fmt::print("{}", centres_text(centres.found, centres.s));
   write_products(request, source, centre_names, [&](const std::filesystem::path& folder) {
     const CentreLook look{centres.direction, centres.frequency, centres.side};

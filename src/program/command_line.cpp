@@ -337,6 +337,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   if (request.random && request.resume)
     throw InputError("--resume: random tubes are drawn anew as a whole; leave out --resume or --launch random");
   if (*converge) sort_out_studied(*converge, request);
+  if (*centres) request.product.direct = true;
   if (*trace) request.tube = wants_tube(*trace);
   for (const CLI::App* product : {profile, isar})
     if (*product) check_product_options(*product, request);

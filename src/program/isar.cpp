@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/threads.h"
 #include "imaging/range_profile.h"
 #include "jobs/centres_of_look.h"
 #include "jobs/imaged_target.h"
@@ -108,8 +109,11 @@ void isar_command(const Request& request) {
     require_cells(image_axes(samples, grid, asked.window), options, unsolved.name);
   });
   const SweepSamples samples = samples_of(source.result, source.name);
-  const IsarImage image =
-      asked.direct ? direct_image(request, source, samples, grid, options) : isar_image(samples, grid, options, source.name);
+  IsarImage image;
+  run_on_threads(request.threads, [&] {
+    image =
+        asked.direct ? direct_image(request, source, samples, grid, options) : isar_image(samples, grid, options, source.name);
+  });
   if (!request.quiet) fmt::print("{}", image_text(image, asked.window));
   write_products(request, source, isar_names, [&](const std::filesystem::path& folder) {
     write_isar_csv(folder / "isar.csv", image, asked.window);

@@ -36,32 +36,32 @@ constexpr const char* solved_result = "rcs.nc";
 
 bool is_case(const fs::path& file) { return lower_case(file.extension().string()) == ".toml"; }
 
-ProductSource solved_case(const Request& request, const SweepCheck& check) {
+// Of a case, unless its pieces are enough.
+bool is_solved_first(const Request& request) { return is_case(request.result) && !request.product.direct; }
+
+SweepResult solved(const Request& request, const SolvePlan& plan) {
+  ProgressBar bar(request.quiet, work_text(plan));
+  const auto progress = [&](double share) {
+    bar.show(share);
+    return !InterruptFlag::raised();
+  };
+  SweepResult result = solve(plan, progress, {});
+  warn_of_unusable_rows(result.statistics);
+  return result;
+}
+
+ProductSource source_of_case(const Request& request, const SweepCheck& check) {
   const Case c = read_case(request.result, request.overrides);
   LoadedMesh loaded = load_target(c, request.product.direct);
   const int threads = request.threads > 0 ? request.threads : all_threads();
-  ProductSource source{.of_case = {}, .name = c.file.string(), .title = c.title, .result = {}, .target = {}, .solved = true};
+  ProductSource source{.of_case = c, .name = c.file.string(), .title = c.title, .result = stored_sweep(c.sweep), .target = {}};
   Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
   run_on_threads(threads, [&] { source.target = std::make_unique<const Target>(std::move(loaded.mesh), c.wedges); });
   const SolvePlan plan = plan_of_case(*source.target, c, threads, false);
-  source.result = stored_sweep(c.sweep);
-  source.of_case = c;
   check(source);
-  if (request.product.direct) {
-    source.solved = false;
-    return source;
-  }
+  if (!is_solved_first(request)) return source;
   check_memory(plan, c, nullptr);
-  ProgressBar bar(request.quiet, work_text(plan));
-  const SweepResult result = naming_the_case(c, [&] {
-    return solve(plan,
-                 [&](double share) {
-                   bar.show(share);
-                   return !InterruptFlag::raised();
-                 },
-                 {});
-  });
-  warn_of_unusable_rows(result.statistics);
+  const SweepResult result = naming_the_case(c, [&] { return solved(request, plan); });
   source.result = stored(c.sweep, result);
   manifest.statistics = result.statistics;
   source.result.attributes = attributes_of(manifest);
@@ -158,14 +158,6 @@ std::vector<std::array<dvec3, 2>> ProductSource::lines() const {
   return target ? lines_of(*target) : std::vector<std::array<dvec3, 2>>{};
 }
 
-ProductSource unsolved_case(const Request& request) {
-  if (!is_case(request.result))
-    throw InputError(fmt::format("{} is no case (.toml); only a case says where its S comes from", request.result.string()));
-  Request direct = request;
-  direct.product.direct = true;
-  return solved_case(direct, [](const ProductSource&) {});
-}
-
 void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,
                    const std::function<void(const PlacedScatterer&)>& sink) {
   const std::vector<std::string>& wanted = request.product.mechanisms;
@@ -182,10 +174,9 @@ void direct_pieces(const Request& request, const ProductSource& source, std::siz
 }
 
 ProductSource product_source(const Request& request, const SweepCheck& check) {
-  if (is_case(request.result)) return solved_case(request, check);
+  if (is_case(request.result)) return source_of_case(request, check);
   if (request.product.direct)
-    throw InputError(fmt::format("--direct: {} is a result, which does not say where its S comes from; give its case",
-                                 request.result.string()));
+    throw InputError(fmt::format("{} is no case (.toml); only a case says where its S comes from", request.result.string()));
   if (!request.overrides.empty())
     throw InputError(fmt::format("--set {}: means nothing for a result that is there; leave it out, or give a case",
                                  request.overrides.front()));
@@ -201,7 +192,7 @@ fs::path product_folder(const Request& request) {
 }
 
 ResultNames with_result(const Request& request, ResultNames names) {
-  if (is_case(request.result) && !request.product.direct) names.tables.insert(names.tables.begin(), solved_result);
+  if (is_solved_first(request)) names.tables.insert(names.tables.begin(), solved_result);
   return names;
 }
 
@@ -212,8 +203,8 @@ void write_products(const Request& request, const ProductSource& source, const R
   const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
   NewResults results(folder.path());
   write(results.folder());
-  const ResultNames all = source.solved ? with_result(request, names) : names;
-  if (source.solved) write_netcdf(results.folder() / solved_result, source.result);
+  const ResultNames all = with_result(request, names);
+  if (is_solved_first(request)) write_netcdf(results.folder() / solved_result, source.result);
   stop_if_interrupted();
   replace_results(results, folder.path(), all, {}, [&ending] { ending.complete(); });
   std::vector<std::string> written = all.tables;

@@ -25,7 +25,6 @@ struct ProductSource {
   std::string title;              // for pictures
   StoredResult result;
   std::unique_ptr<const Target> target;  // of a case, and of a result beside whose run.json its meshes are as they were
-  bool solved = false;                   // just now: the result is on no disk yet
 
   /// Points of the target as wide as all of it, in its own coordinates; none if it is not known.
   std::vector<dvec3> outermost() const;
@@ -41,9 +40,6 @@ Case case_of_run(const JsonValue& run);
 
 /// Throws InputError for a sweep that nothing can be made of; S is not there yet.
 using SweepCheck = std::function<void(const ProductSource&)>;
-
-/// The case with its target, to be taken to pieces. Throws InputError if the input is none.
-ProductSource unsolved_case(const Request& request);
 
 /// Of one look of the case, at the frequency in the middle of its list, all that scatters by the mechanisms that are asked for,
 /// in pieces of `cell` [m].

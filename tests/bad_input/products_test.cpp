@@ -76,7 +76,7 @@ TEST_F(Products, OptionsThatDoNotGoTogetherAreRefused) {
   expect_refused("isar kept/rcs.csv --ghz 10", "--ghz: means nothing without --plan");
   expect_refused("isar --plan 5 0.001", "takes a band of 149.9 GHz, which does not fit about 10 GHz");
   expect_refused("isar --plan 0.1 5 --ghz 1", "is below the resolution of 5 m");
-  expect_refused("isar kept/rcs.csv --direct", "--direct: kept/rcs.csv is a result, which does not say where its S comes from");
+  expect_refused("isar kept/rcs.csv --direct", "kept/rcs.csv is no case (.toml); only a case says where its S comes from");
   expect_refused("isar case.toml --mechanisms edges", "--mechanisms requires --direct");
   expect_refused("isar case.toml --direct --mechanisms bounce_4", "needs bounce_1, bounce_2, bounce_3_on, edges, interaction");
   expect_refused("isar kept/rcs.csv --size 1e5 1e5", "an image of");

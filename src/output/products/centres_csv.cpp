@@ -9,18 +9,14 @@
 
 #include "core/decimal.h"
 #include "output/files/files.h"
+#include "output/products/amplitude_columns.h"
 #include "output/tables/csv.h"
 
 namespace raytube {
 
 namespace {
 
-std::string amplitude_columns() {
-  std::string text;
-  for (const char* channel : channel_names) text += fmt::format(",re_{0},im_{0}", channel);
-  for (const char* channel : channel_names) text += fmt::format(",sigma_{}_dbsm", channel);
-  return text;
-}
+constexpr int all_digits = 17;  // so that rows add up
 
 std::string head(const CentreLook& look) {
   std::string text = fmt::format(
@@ -38,16 +34,6 @@ std::string head(const CentreLook& look) {
   return text + ",persistence_ghz,persistence_azimuth_deg,persistence_elevation_deg,triangle,part\n";
 }
 
-std::string amplitudes_text(const ScatteringMatrix& s) {
-  std::string text;
-  for (const int channel : {0, 1, 2, 3}) {
-    const Complex value = s.at(channel / 2, channel % 2);
-    text += ',' + number_text(value.real()) + ',' + number_text(value.imag());
-  }
-  for (const int channel : {0, 1, 2, 3}) text += fmt::format(",{:.3f}", sigma_dbsm(s.at(channel / 2, channel % 2)));
-  return text;
-}
-
 // In quotes where it has a comma or quotes.
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
@@ -60,7 +46,7 @@ std::string centre_text(std::size_t number, const ScatteringCentre& centre, cons
                         const PartOfTriangle& part_of) {
   std::string text = fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g}", number, centre.place.x, centre.place.y, centre.place.z,
                                  0.0 - glm::dot(centre.place, spherical_basis(look.direction).radial));
-  text += amplitudes_text(centre.s) + ',' + scattering_mechanisms[centre.mechanism()];
+  text += amplitudes_text(centre.s, all_digits) + ',' + scattering_mechanisms[centre.mechanism()];
   for (const double share : centre.shares) text += fmt::format(",{:.4f}", share);
   text += fmt::format(",{:.5g},{:.4g},{:.4g}", centre.band * look.frequency * 1e-9, centre.azimuth / degree,
                       centre.elevation / degree);
@@ -88,7 +74,7 @@ void write_centres_csv(const std::filesystem::path& file, const ScatteringCentre
   OutputFile out(file);
   out.write(head(look));
   for (std::size_t i = 0; i < found.centres.size(); ++i) out.write(centre_text(i + 1, found.centres[i], look, part_of));
-  out.write("rest,,,," + amplitudes_text(found.rest) + std::string(scattering_mechanisms.size() + 6, ',') + '\n');
+  out.write("rest,,,," + amplitudes_text(found.rest, all_digits) + std::string(scattering_mechanisms.size() + 6, ',') + '\n');
   out.commit();
 }
 
@@ -113,9 +99,9 @@ void write_by_part_csv(const std::filesystem::path& file, const std::vector<Scat
       number_text(decimal_degrees(look.direction.theta)), number_text(decimal_degrees(look.direction.phi)),
       number_text(look.frequency)));
   out.write("part,mechanism" + amplitude_columns() + '\n');
-  for (const auto& [part, s] : rows) out.write(csv_cell(part) + ",tubes" + amplitudes_text(s) + '\n');
-  for (const auto& [mechanism, s] : by_mechanism) out.write(',' + mechanism + amplitudes_text(s) + '\n');
-  out.write(",all" + amplitudes_text(all) + '\n');
+  for (const auto& [part, s] : rows) out.write(csv_cell(part) + ",tubes" + amplitudes_text(s, all_digits) + '\n');
+  for (const auto& [mechanism, s] : by_mechanism) out.write(',' + mechanism + amplitudes_text(s, all_digits) + '\n');
+  out.write(",all" + amplitudes_text(all, all_digits) + '\n');
   out.commit();
 }
 

@@ -6,15 +6,12 @@
 
 #include "core/decimal.h"
 #include "output/files/files.h"
+#include "output/products/amplitude_columns.h"
 #include "output/tables/csv.h"
 
 namespace raytube {
 
 namespace {
-
-std::string vector_text(const dvec3& v) {
-  return fmt::format("({}, {}, {})", number_text(v.x + 0.0), number_text(v.y + 0.0), number_text(v.z + 0.0));
-}
 
 std::string head(const IsarImage& image, const Window& window) {
   std::string text = fmt::format(
@@ -26,10 +23,7 @@ std::string head(const IsarImage& image, const Window& window) {
     text += fmt::format("# {}_m along {}: peaks {:.6g} m wide 3 dB below their top, unambiguous {:.6g} m.\n", axis_name(axis),
                         vector_text(image.axes[axis].direction), image.axes[axis].resolution, image.axes[axis].unambiguous);
   for (std::size_t axis = 0; axis < image.axes.size(); ++axis) text += fmt::format("{}_m,", axis_name(axis));
-  text += "x_m,y_m,z_m";
-  for (const char* channel : channel_names) text += fmt::format(",re_{0},im_{0}", channel);
-  for (const char* channel : channel_names) text += fmt::format(",sigma_{}_dbsm", channel);
-  return text + '\n';
+  return text + "x_m,y_m,z_m" + amplitude_columns() + '\n';
 }
 
 std::string cell_text(const IsarImage& image, std::size_t index) {
@@ -40,12 +34,7 @@ std::string cell_text(const IsarImage& image, std::size_t index) {
   for (std::size_t axis = 0; axis < image.axes.size(); ++axis) text += fmt::format("{:.9g},", image.coordinate(axis, at[axis]));
   const dvec3 place = image.place(index);
   text += fmt::format("{:.9g},{:.9g},{:.9g}", place.x + 0.0, place.y + 0.0, place.z + 0.0);
-  for (const int channel : {0, 1, 2, 3}) {
-    const Complex value = image.s[index].at(channel / 2, channel % 2);
-    text += fmt::format(",{:.9g},{:.9g}", value.real(), value.imag());
-  }
-  for (const int channel : {0, 1, 2, 3}) text += fmt::format(",{:.3f}", sigma_dbsm(image.s[index].at(channel / 2, channel % 2)));
-  return text + '\n';
+  return text + amplitudes_text(image.s[index], 9) + '\n';
 }
 
 }  // namespace

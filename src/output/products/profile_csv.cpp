@@ -4,6 +4,7 @@
 
 #include "core/decimal.h"
 #include "output/files/files.h"
+#include "output/products/amplitude_columns.h"
 #include "output/tables/csv.h"
 
 namespace raytube {
@@ -23,9 +24,8 @@ std::string head(const RangeProfiles& profiles, const Window& window) {
       "at "
       "one range.\n",
       name_of(window), limits.resolution, limits.unambiguous);
-  text += "theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,range_m";
-  for (const char* channel : channel_names) text += fmt::format(",re_{0},im_{0}", channel);
-  for (const char* level : {"sigma", "error", "model"})
+  text += "theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,range_m" + amplitude_columns();
+  for (const char* level : {"error", "model"})
     for (const char* channel : channel_names) text += fmt::format(",{}_{}_dbsm", level, channel);
   return text + '\n';
 }
@@ -36,15 +36,7 @@ std::string floors_text(const ChannelErrors& errors) {
   return text;
 }
 
-std::string row_text(double range, const ScatteringMatrix& s) {
-  std::string text = fmt::format(",{:.9g}", range);
-  for (const int channel : {0, 1, 2, 3}) {
-    const Complex value = s.at(channel / 2, channel % 2);
-    text += fmt::format(",{:.9g},{:.9g}", value.real(), value.imag());
-  }
-  for (const int channel : {0, 1, 2, 3}) text += fmt::format(",{:.3f}", sigma_dbsm(s.at(channel / 2, channel % 2)));
-  return text;
-}
+std::string row_text(double range, const ScatteringMatrix& s) { return fmt::format(",{:.9g}", range) + amplitudes_text(s, 9); }
 
 }  // namespace
 

@@ -12,8 +12,6 @@ namespace raytube {
 
 namespace {
 
-dvec3 direction_of(double theta_deg, double phi_deg) { return spherical_basis({theta_deg * degree, phi_deg * degree}).radial; }
-
 // rcs.csv: level = 20 log10(1 + error / max(|S|, S_max / 100)).
 ChannelErrors errors_of_levels(const ScatteringMatrix& s, const ChannelErrors& levels_db) {
   ChannelErrors errors{};

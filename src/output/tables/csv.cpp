@@ -105,6 +105,10 @@ std::string key_text(const std::string& frequency, const Look& look) {
 
 double sigma_dbsm(Complex s) { return 20.0 * std::log10(std::hypot(s.real(), s.imag())) + 10.0 * std::log10(4.0 * pi); }
 
+std::string vector_text(const dvec3& vector) {
+  return fmt::format("({}, {}, {})", number_text(vector.x + 0.0), number_text(vector.y + 0.0), number_text(vector.z + 0.0));
+}
+
 std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelErrors& errors) {
   const std::array<Complex, 4> values = channels(s);
   const std::array<double, 4> error{errors[0][0], errors[0][1], errors[1][0], errors[1][1]};

@@ -17,6 +17,9 @@ inline constexpr std::array<const char*, 4> channel_names = {"vv", "vh", "hv", "
 /// sigma of one amplitude [dBsm]; -inf for zero. Does not underflow where |S|^2 would.
 double sigma_dbsm(Complex s);
 
+/// "(1, 0, 0)", as comment lines of tables have directions.
+std::string vector_text(const dvec3& vector);
+
 /// err_pq_db of a row, in the order of channel_names: 20 log10(1 + error / max(|S_pq|, S_max / 100)), S_max the largest
 /// amplitude.
 std::array<double, 4> error_levels_db(const ScatteringMatrix& s, const ChannelErrors& errors);

@@ -20,10 +20,6 @@ constexpr const char* image_conventions =
     "# Time factor exp(+j omega t); a wave travels as exp(-j k r). Phase reference: the origin of the mesh's coordinates.\n"
     "# Scattering amplitude S_pq [m], p receive, q transmit; sigma_pq = 4 pi |S_pq|^2; dBsm is 10 log10(sigma / 1 m^2).\n";
 
-std::string axis_text(const dvec3& axis) {
-  return fmt::format("({}, {}, {})", number_text(axis.x + 0.0), number_text(axis.y + 0.0), number_text(axis.z + 0.0));
-}
-
 std::string look_note(const Sweep& sweep, const LookImage& image) {
   const auto text = [](const Direction& d) {
     return fmt::format("theta {} phi {}", number_text(decimal_degrees(d.theta)), number_text(decimal_degrees(d.phi)));
@@ -32,8 +28,8 @@ std::string look_note(const Sweep& sweep, const LookImage& image) {
   return fmt::format("# Look {}, {} deg to the transmitter, {} deg to the receiver; {} Hz.\n", image.look, text(look.transmit),
                      text(look.receive), number_text(image.frequency)) +
          fmt::format("# {} columns of {} m along u = {}, {} rows of {} m along v = {}.\n", image.lattice.columns,
-                     number_text(image.lattice.cell.x), axis_text(image.lattice.u_hat), image.lattice.rows,
-                     number_text(image.lattice.cell.y), axis_text(image.lattice.v_hat));
+                     number_text(image.lattice.cell.x), vector_text(image.lattice.u_hat), image.lattice.rows,
+                     number_text(image.lattice.cell.y), vector_text(image.lattice.v_hat));
 }
 
 std::string image_columns() {
