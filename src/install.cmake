@@ -2,9 +2,12 @@
 # that links hold, the documentation with example and cases.
 include(CMakePackageConfigHelpers)
 install(TARGETS raytube RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET raytube_mpi)
+  install(TARGETS raytube_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/raytube)
+endif()
 install(TARGETS raytube_solver EXPORT raytubeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 set(public_headers
-    core/complex_vector.h core/error.h core/field.h core/progress.h
+    core/complex_vector.h core/error.h core/field.h core/progress.h core/work_team.h
     scene/antenna.h scene/image.h scene/layers.h scene/look_plan.h scene/material.h scene/random_result.h scene/tube_paths.h scene/wedge_line.h
     scene/results.h scene/sweep.h
     mesh/load.h mesh/model/edge_table.h mesh/model/face_tree.h mesh/model/faces.h mesh/model/geometry.h mesh/model/part_names.h

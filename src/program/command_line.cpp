@@ -35,7 +35,13 @@ constexpr const char* run_examples =
     "  raytube run case.toml --set tubes.per_wavelength=20 --set edges.method=none\n"
     "  raytube run case.toml --resume\n"
     "  raytube run case.toml -o result.nc\n"
+    "  raytube run case.toml --shard 3/7 -o shards      (one of seven; then raytube merge shards)\n"
     "  raytube run case.toml --launch random --samples 100000 --seed 1 --repeat 10      (also writes random.csv)";
+constexpr const char* merge_examples =
+    "Writes what one run would have written, byte for byte, once all shards of one case, mesh and program are there.\n\n"
+    "Examples:\n"
+    "  raytube run case.toml --shard 1/2 -o shards; raytube run case.toml --shard 2/2 -o shards; raytube merge shards\n"
+    "  raytube merge shards -o result.nc";
 constexpr const char* check_examples =
     "Prints the resolved case, the mesh report, the wedges, what will be skipped and the expected cost.\n\n"
     "Examples:\n"
@@ -133,9 +139,24 @@ CLI::App* add_run(CLI::App& app, Request& request) {
   add_machine_options(*run, request);
   run->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
   run->add_flag("--resume", request.resume, "Go on with the looks that a run stopped before has left in the folder");
+  run->add_option("--shard", request.shard,
+                  "Compute part I of N of the looks alone, or go on with it, for raytube merge; slurm: the task of a job array")
+      ->type_name("I/N|slurm");
   add_quiet_option(*run, request, "summary");
   add_random_options(*run, request);
   return run;
+}
+
+CLI::App* add_merge(CLI::App& app, Request& request) {
+  CLI::App* merge = add_command(app, "merge", "Put the shards of a run together", merge_examples);
+  merge->add_option("shards", request.merged_folder, "Folder of the shards")->required()->type_name("DIR");
+  merge->add_option("case", request.case_file, "Case file (TOML), if it is no longer where the shards were made")
+      ->type_name("CASE.toml");
+  add_output_option(*merge, request, "Folder for the results, or FILE.nc; default that of the shards");
+  add_machine_options(*merge, request);
+  merge->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
+  add_quiet_option(*merge, request, "summary");
+  return merge;
 }
 
 CLI::App* add_check(CLI::App& app, Request& request) {
@@ -287,14 +308,16 @@ void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2)
     throw InputError(
         "no command; write run, check, trace, converge or sources and a case file, profile or isar and a case or a result, plot, "
-        "statistics or report and a result, or compare or convert and two files (see raytube --help)");
+        "statistics or report and a result, merge and the folder of shards, or compare or convert and two files (see raytube "
+        "--help)");
   const std::string word = argv[1];
   const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
-    throw InputError(fmt::format(
-        "unknown command \"{}\"; write run, check, trace, converge, sources, compare, convert, profile, isar, centres, plot, "
-        "statistics or report (see raytube --help)",
-        word));
+    throw InputError(
+        fmt::format("unknown command \"{}\"; write run, merge, check, trace, converge, sources, compare, convert, profile, isar, "
+                    "centres, plot, "
+                    "statistics or report (see raytube --help)",
+                    word));
 }
 
 }  // namespace
@@ -306,6 +329,7 @@ Request parse_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.footer(main_footer);
   CLI::App* run = add_run(app, request);
+  CLI::App* merge = add_merge(app, request);
   CLI::App* check = add_check(app, request);
   CLI::App* trace = add_trace(app, request);
   CLI::App* compare = add_compare(app, request);
@@ -330,10 +354,12 @@ Request parse_command_line(int argc, const char* const* argv) {
       {run, Command::run},           {check, Command::check},     {trace, Command::trace},     {compare, Command::compare},
       {converge, Command::converge}, {convert, Command::convert}, {sources, Command::sources}, {profile, Command::profile},
       {isar, Command::isar},         {centres, Command::centres}, {plot, Command::plot},       {statistics, Command::statistics},
-      {report, Command::report}};
+      {report, Command::report},     {merge, Command::merge}};
   if (run->count("--launch") == 0) request.random.reset();
   if (request.random && request.parts)
     throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");
+  if (request.shard && request.parts)
+    throw InputError("--parts: shards hold all parts as they are; leave it out, and give it to raytube merge");
   if (request.random && request.resume)
     throw InputError("--resume: random tubes are drawn anew as a whole; leave out --resume or --launch random");
   if (*converge) sort_out_studied(*converge, request);

@@ -1,7 +1,8 @@
 // The room of the program: the command line, and nothing that another program could want.
 //
 //     command_line  arguments -> Request;  main: Request -> command, exceptions -> sentence and exit code
-//     run, check, trace, compare, converge, convert, sources, profile, isar, centres, plot, statistics: the commands, each in a
+//     run/          raytube run and merge: a case into its folder, or shards of it
+//     check, trace, compare, converge, convert, sources, profile, isar, centres, plot, statistics: the commands, each in a
 //                   file of its name
 //     report/       raytube report: a page of a result
 //     products      what profile and isar take: a result that is there, or a case that is solved first
@@ -24,6 +25,8 @@
 
 namespace raytube {
 
+class Ranks;
+
 enum class Command {
   none,
   run,
@@ -38,7 +41,8 @@ enum class Command {
   centres,
   plot,
   statistics,
-  report
+  report,
+  merge
 };
 
 /// What profile and isar make of a sweep.
@@ -73,6 +77,9 @@ struct Request {
   bool parts = false;
   std::optional<RandomOptions> random;  // run: --launch random
   bool resume = false;                  // run: go on with what a stopped one has left
+  std::optional<std::string> shard;     // run: this one of several parts of the looks alone
+  std::filesystem::path merged_folder;  // merge: of the shards
+  Ranks* ranks = nullptr;               // of the job of several processes that this is one of; null: it is alone
   bool quiet = false;
   std::size_t look = 0;
   double u = 0.0, v = 0.0;                        // launch coordinates [m], origin = mesh origin
@@ -112,5 +119,9 @@ void profile_command(const Request& request);
 void isar_command(const Request& request);
 void centres_command(const Request& request);
 void report_command(const Request& request);
+void merge_command(const Request& request);
+
+/// Of a process that does not lead its job: computes for the one that does, and does the same command.
+void help_command(const Request& request);
 
 }  // namespace raytube

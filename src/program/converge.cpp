@@ -19,10 +19,12 @@
 #include "output/plots/convergence_plot.h"
 #include "output/tables/stored.h"
 #include "program/commands.h"
+#include "program/helping.h"
 #include "program/unusable_rows.h"
 #include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
 #include "program/work/results.h"
+#include "ranks/ranks.h"
 #include "solve/solve.h"
 
 namespace raytube {
@@ -66,6 +68,7 @@ class DensityStudy {
         bar_(request.quiet, fmt::format("solving {} looks at {} densities", c.sweep.looks.size(), densities.size())),
         study_{c.title, c.sweep, {}, {}} {
     options_ = options_of_study(c, request.threads);
+    options_.team = team_of(request);
   }
 
   void add(double density) {
@@ -141,6 +144,14 @@ class DensityStudy {
 
 }  // namespace
 
+void help_to_converge(const Request& request, const Case& c, const Target& target) {
+  SolveOptions options = options_of_study(c, request.threads);
+  for (const double density : parsed_densities(request.densities)) {
+    options.tubes.per_wavelength = density;
+    help_to_solve(SolvePlan(target, c.sweep, options), request.ranks->team());
+  }
+}
+
 void converge_command(const Request& request) {
   if (!request.studied.empty()) return converge_results(request);
   const std::vector<double> densities = parsed_densities(request.densities);
@@ -149,7 +160,9 @@ void converge_command(const Request& request) {
   const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
   check_output(destination, names_of_convergence_results(c.plots), input_files(c));
   std::optional<Target> built;
-  run_on_threads(request.threads, [&] { built.emplace(load_target(c).mesh, c.wedges); });
+  LoadedMesh loaded = load_target(c);
+  share_mesh(request, loaded.mesh);
+  run_on_threads(request.threads, [&] { built.emplace(std::move(loaded.mesh), c.wedges); });
   const Target& target = *built;
   if (!c.image_looks.empty())
     warn(fmt::format("{}: output.image_look has no effect here: a study of density makes no images; use raytube run for them",
@@ -162,6 +175,7 @@ void converge_command(const Request& request) {
       study.add(density);
       study.write(false);
     }
+    if (request.ranks) request.ranks->end();
     if (c.plots) study.write(true);
     if (!request.quiet) fmt::print("{}results         {}\n", study.text(), study.folder().string());
   } catch (const Interrupted&) {

@@ -6,17 +6,21 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "core/error.h"
 #include "core/instruction_set.h"
 #include "program/commands.h"
 #include "program/work/interrupt.h"
+#include "ranks/ranks.h"
 
 namespace {
 
@@ -28,8 +32,31 @@ constexpr const char* too_little =
     "container's), take fewer --threads, or split the sweep";
 constexpr int fell_short = 1, bad_input = 2;
 
+// Beside the program where it was built, and where it is installed.
+std::vector<std::filesystem::path> plugin_folders() {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+  return {folder, folder / RAYTUBE_PLUGINS};
+}
+
+// Those whose work can be shared.
+void require_shareable(Command command) {
+  for (const Command shared : {Command::run, Command::converge, Command::profile, Command::isar, Command::none})
+    if (command == shared) return;
+  throw InputError("this command does not share its work among processes; start one alone, without mpirun");
+}
+
+// Those of a job that do not lead it do not talk, and end with it.
+void be_quiet() {
+  [[maybe_unused]] const bool is_closed = std::freopen("/dev/null", "w", stdout) != nullptr;
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
 void execute(const Request& request) {
   if (!request.instruction_set.empty()) limit_instruction_set(request.instruction_set);
+  if (request.ranks) require_shareable(request.command);
+  if (request.ranks && !request.ranks->leads() && request.command != Command::none) return help_command(request);
   switch (request.command) {
     case Command::run:
       return run_command(request);
@@ -57,18 +84,22 @@ void execute(const Request& request) {
       return statistics_command(request.statistics);
     case Command::report:
       return report_command(request);
+    case Command::merge:
+      return merge_command(request);
     case Command::none:
       return;
   }
 }
 
 // One line that can be read, whatever a file name or a library's message holds: of a long one the beginning and the end.
-int complain(std::string sentence, int code) {
+int complain(Ranks* ranks, std::string sentence, int code) {
   constexpr std::size_t beginning = 350, end = 250;
   if (sentence.size() > beginning + end) sentence.replace(beginning, sentence.size() - beginning - end, " ... ");
   for (char& c : sentence)
     if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
-  fmt::print(stderr, "raytube: {}\n", sentence);
+  const bool is_leader = ranks ? ranks->leads() : is_first_process();
+  if (is_leader) fmt::print(stderr, "raytube: {}\n", sentence);
+  if (ranks) ranks->fail(code, sentence);
   return code;
 }
 
@@ -96,23 +127,34 @@ void require_printed() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::unique_ptr<Ranks> job;
+  Ranks* ranks = nullptr;
   try {
     open_standard_streams();
     end_on_interrupt();
     std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails, as on a full disk
-    execute(parse_command_line(argc, argv));
+    job = launched_ranks(plugin_folders());
+    ranks = job.get();
+    if (ranks && !ranks->leads()) be_quiet();
+    Request request = parse_command_line(argc, argv);
+    request.ranks = ranks;
+    if (ranks && request.threads == 0) request.threads = ranks->threads();
+    execute(request);
+    if (ranks) ranks->end();
     require_printed();
     return 0;
   } catch (const InputError& error) {
-    return complain(error.what(), bad_input);
+    return complain(ranks, error.what(), bad_input);
+  } catch (const RankFailed& failure) {
+    return complain(ranks, failure.what(), failure.code());
   } catch (const Interrupted& interruption) {
-    return complain(interruption.what(), code_of_an_interrupt);
+    return complain(ranks, interruption.what(), code_of_an_interrupt);
   } catch (const std::bad_alloc&) {
-    return complain(too_little, fell_short);
+    return complain(ranks, too_little, fell_short);
   } catch (const std::system_error& error) {
-    return complain(error.code() == std::errc::resource_unavailable_try_again ? too_little : error.what(), fell_short);
+    return complain(ranks, error.code() == std::errc::resource_unavailable_try_again ? too_little : error.what(), fell_short);
   } catch (const std::exception& error) {
-    if (for_want_of_a_thread(error)) return complain(too_little, fell_short);
-    return complain(std::ferror(stdout) ? not_printed : error.what(), fell_short);
+    if (for_want_of_a_thread(error)) return complain(ranks, too_little, fell_short);
+    return complain(ranks, std::ferror(stdout) ? not_printed : error.what(), fell_short);
   }
 }

@@ -20,9 +20,11 @@
 #include "output/files/sha256.h"
 #include "output/netcdf/netcdf_file.h"
 #include "output/tables/stored.h"
+#include "program/helping.h"
 #include "program/unusable_rows.h"
 #include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
+#include "ranks/ranks.h"
 #include "solve/pieces.h"
 #include "solve/solve.h"
 
@@ -45,7 +47,8 @@ SweepResult solved(const Request& request, const SolvePlan& plan) {
     bar.show(share);
     return !InterruptFlag::raised();
   };
-  SweepResult result = solve(plan, progress, {});
+  SweepResult result = solve(plan, progress, {}, team_of(request));
+  if (request.ranks) request.ranks->end();
   warn_of_unusable_rows(result.statistics);
   return result;
 }
@@ -53,6 +56,7 @@ SweepResult solved(const Request& request, const SolvePlan& plan) {
 ProductSource source_of_case(const Request& request, const SweepCheck& check) {
   const Case c = read_case(request.result, request.overrides);
   LoadedMesh loaded = load_target(c, request.product.direct);
+  if (is_solved_first(request)) share_mesh(request, loaded.mesh);
   const int threads = request.threads > 0 ? request.threads : all_threads();
   ProductSource source{.of_case = c, .name = c.file.string(), .title = c.title, .result = stored_sweep(c.sweep), .target = {}};
   Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
@@ -174,6 +178,9 @@ void direct_pieces(const Request& request, const ProductSource& source, std::siz
 }
 
 ProductSource product_source(const Request& request, const SweepCheck& check) {
+  if (request.ranks && !is_solved_first(request))
+    throw InputError(
+        fmt::format("{}: nothing is solved that several processes could share; start one alone", request.result.string()));
   if (is_case(request.result)) return source_of_case(request, check);
   if (request.product.direct)
     throw InputError(fmt::format("{} is no case (.toml); only a case says where its S comes from", request.result.string()));

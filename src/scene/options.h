@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/field.h"
+#include "core/work_team.h"
 
 namespace raytube {
 
@@ -125,7 +126,8 @@ struct SolveOptions {
   /// Called now and then with the finished share of the work (0..1), kept looks first; return false to stop (solve then throws
   /// Interrupted).
   std::function<bool(double)> progress{};
-  KeptLooks kept{};  // empty: none are kept
+  KeptLooks kept{};          // empty: none are kept
+  WorkTeam* team = nullptr;  // of the processes that solve the same; this one leads it. Null: alone
 };
 
 }  // namespace raytube

@@ -1,11 +1,10 @@
 #include "solve/random.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "core/bytes.h"
 #include "core/threads.h"
 #include "plan/admissible.h"
 #include "plan/phase_reference.h"
@@ -15,6 +14,25 @@
 namespace raytube {
 
 namespace {
+
+// Between processes.
+template <class Archive, class Sums>
+void visit_sums(Archive& archive, Sums& sums) {
+  archive(sums.scattering), archive(sums.hits), archive(sums.rays), archive(sums.lost_rays), archive(sums.truncated);
+}
+
+std::string bytes_of_sums(const RandomSums& sums) {
+  ByteWriter writer;
+  visit_sums(writer, sums);
+  return writer.take();
+}
+
+RandomSums sums_of_bytes(const std::string& bytes) {
+  RandomSums sums;
+  ByteReader reader(bytes);
+  visit_sums(reader, sums);
+  return sums;
+}
 
 constexpr double solution_share = 0.5;  // of the progress; the random runs have the rest
 
@@ -28,20 +46,33 @@ Rows fixed_part(const SweepResult& solution) {
   return rows;
 }
 
-// Every look of every run; runs vary slowest.
-std::vector<RandomSums> draw(const SolvePlan& plan, const RandomOptions& random, const std::function<bool(double)>& callback) {
-  const Sweep& sweep = plan.sweep;
-  const std::size_t looks = sweep.looks.size(), runs = static_cast<std::size_t>(random.runs);
-  std::vector<RandomSums> drawn(runs * looks);
+// Of every look of every run; runs vary slowest.
+std::size_t draws(const SolvePlan& plan, const RandomOptions& random) {
+  return static_cast<std::size_t>(random.runs) * plan.sweep.looks.size();
+}
+
+// A look's stream depends on nothing but its index and the run.
+RandomSums drawn_one(const SolvePlan& plan, const RandomOptions& random, std::size_t i) {
+  const std::size_t looks = plan.sweep.looks.size();
+  const std::uint64_t stream = std::uint64_t{i / looks} << 32 | i % looks;
+  return random_tubes(plan.target.tracer, plan.sweep.looks[i % looks], plan.sweep.frequencies, plan.tubes,
+                      {random.samples, random.seed, stream}, plan.sweep.materials);
+}
+
+std::vector<RandomSums> draw(const SolvePlan& plan, const RandomOptions& random, const std::function<bool(double)>& callback,
+                             WorkTeam& team) {
+  std::vector<RandomSums> drawn(draws(plan, random));
   const double share = (1.0 - solution_share) / static_cast<double>(drawn.size());
   Progress progress(callback ? [&](double done) { return callback(solution_share + done); } : std::function<bool(double)>());
-  tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
-    // A look's stream depends on nothing but its index and the run.
-    const std::uint64_t stream = std::uint64_t{i / looks} << 32 | i % looks;
-    drawn[i] = random_tubes(plan.target.tracer, sweep.looks[i % looks], sweep.frequencies, plan.tubes,
-                            {random.samples, random.seed, stream}, sweep.materials);
+  TeamMember leader(team, std::vector<bool>(drawn.size()), [&](std::size_t i, const std::string& bytes) {
+    drawn[i] = sums_of_bytes(bytes);
     progress.add(share);
   });
+  compute_items(team, drawn.size(), plan.threads, [&](std::size_t i) {
+    drawn[i] = drawn_one(plan, random, i);
+    progress.add(share);
+  });
+  leader.finish();
   return drawn;
 }
 
@@ -113,14 +144,15 @@ void check_random_tubes(const SolvePlan& plan, const RandomOptions& random) {
 }
 
 RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions& random,
-                                     const std::function<bool(double)>& callback) {
+                                     const std::function<bool(double)>& callback, WorkTeam* team) {
   check_random_tubes(plan, random);
   const auto first_half = [&](double done) { return callback(solution_share * done); };
-  RandomResult result{random, {}, solve(plan, callback ? first_half : std::function<bool(double)>()), {}, 0.0};
+  RandomResult result{random, {}, solve(plan, callback ? first_half : std::function<bool(double)>(), {}, team), {}, 0.0};
 
   const auto start = std::chrono::steady_clock::now();
   std::vector<RandomSums> drawn;
-  run_on_threads(plan.threads, [&] { drawn = draw(plan, random, callback); });
+  TeamOfOne alone;
+  run_on_threads(plan.threads, [&] { drawn = draw(plan, random, callback, team ? *team : alone); });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
   const Sweep& sweep = plan.sweep;
@@ -136,6 +168,16 @@ RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions&
   result.mean.statistics.solve_s = result.deterministic.statistics.solve_s + elapsed.count();
   result.run_s = elapsed.count() / random.runs;
   return result;
+}
+
+void help_with_random_tubes(const SolvePlan& plan, const RandomOptions& random, WorkTeam& team) {
+  help_to_solve(plan, team);
+  run_on_threads(plan.threads, [&] {
+    const std::size_t items = draws(plan, random);
+    TeamMember member(team, std::vector<bool>(items), {});
+    compute_items(team, items, plan.threads, [&](std::size_t i) { team.give(i, bytes_of_sums(drawn_one(plan, random, i))); });
+    member.finish();
+  });
 }
 
 RandomResult solve_with_random_tubes(const Target& target, const Sweep& sweep, const SolveOptions& options,

@@ -13,9 +13,12 @@ void check_random_tubes(const SolvePlan& plan, const RandomOptions& random);
 /// Solves the plan, which keeps parts, then repeats it with random tubes (sbr/random_tubes.h) in the place of the solver's.
 /// Whatever edges add is taken over from the solution: the two differ by tubes alone. Random tubes see flat facets. Runs differ
 /// in their random numbers; the same bytes for any number of threads. Throws InputError as check_random_tubes() does, Interrupted
-/// when `progress` (as for solve()) says stop.
+/// when `progress` (as for solve()) says stop. `team`: as of solve(); the others help_with_random_tubes().
 RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions& random,
-                                     const std::function<bool(double)>& progress = {});
+                                     const std::function<bool(double)>& progress = {}, WorkTeam* team = nullptr);
+
+/// Computes looks and random tubes for the process that leads the team and solves the same.
+void help_with_random_tubes(const SolvePlan& plan, const RandomOptions& random, WorkTeam& team);
 
 /// Plans first; throws InputError as SolvePlan does, too.
 RandomResult solve_with_random_tubes(const Target& target, const Sweep& sweep, const SolveOptions& options,

@@ -14,16 +14,36 @@
 #pragma once
 
 #include "core/error.h"  // what is thrown, for whoever catches it
+#include "core/work_team.h"
 #include "plan/plan.h"
 #include "plan/target.h"
 #include "scene/results.h"
 
 namespace raytube {
 
-/// S of every row of the plan's sweep. The same bytes for any number of threads. `progress` is called now and then with the
-/// finished share (0 to 1) and returns false to stop; `kept` takes finished looks and gives them back to a later solve of the
-/// same plan. Throws Interrupted when `progress` says stop.
-SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& progress = {}, const KeptLooks& kept = {});
+/// S of every row of the plan's sweep. The same bytes for any number of threads and processes. `progress` is called now and then
+/// with the finished share (0 to 1) and returns false to stop; `kept` takes finished looks and gives them back to a later solve
+/// of the same plan. With a `team` it computes looks beside the other processes of it, which help_to_solve() the same plan; of
+/// the one that leads. Throws Interrupted when `progress` says stop.
+SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& progress = {}, const KeptLooks& kept = {},
+                  WorkTeam* team = nullptr);
+
+/// One part of a sweep's looks: of those that are computed every count-th one, from `index` on.
+struct Shard {
+  std::size_t index = 0, count = 1;
+
+  bool has(std::size_t look) const { return look % count == index; }
+  /// How many of so many looks it has.
+  std::size_t size(std::size_t looks) const { return looks > index ? (looks - index - 1) / count + 1 : 0; }
+};
+
+/// The looks of a shard into the hands of `kept` alone: a later solve() that has those of all shards computes none. Otherwise as
+/// solve().
+void solve_shard(const SolvePlan& plan, const Shard& shard, const std::function<bool(double)>& progress, const KeptLooks& kept,
+                 WorkTeam* team = nullptr);
+
+/// Computes looks for the process that leads the team and solves the same plan.
+void help_to_solve(const SolvePlan& plan, WorkTeam& team);
 
 /// Plans and solves. Throws InputError as SolvePlan does, Interrupted as above.
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options = {});

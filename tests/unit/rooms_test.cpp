@@ -98,6 +98,8 @@ const Rooms may_include = {
     {"jobs", base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "imaging", "mesh",
                                           "output/files", "output/products", "output/tables", "output/words", "plan", "sbr",
                                           "sbr/launch", "solve", "solve/mechanisms"}},
+    {"ranks", {"core"}},
+    {"mpi", {"core", "ranks"}},
     {"program/work", {"core", "plan", "output/files", "solve"}},
     {"program", base + std::set<std::string>{"jobs",           "jobs/warnings",    "case",
                                              "case/data",      "case/materials",   "mesh",
@@ -106,8 +108,12 @@ const Rooms may_include = {
                                              "output/words",   "output/tables",    "output/vtk",
                                              "plan",           "point_source",     "sbr",
                                              "solve",          "solve/mechanisms", "utd/shadow",
-                                             "utd/wedge",      "program/work",     "imaging",
+                                             "utd/wedge",      "program/work",     "imaging",         "ranks",
                                              "output/products"}},
+    {"program/run", base + std::set<std::string>{"case", "case/data", "case/materials", "jobs", "jobs/warnings", "mesh",
+                                                 "output/compare", "output/files", "output/netcdf", "output/plots",
+                                                 "output/tables", "output/words", "plan", "program", "program/work", "ranks",
+                                                 "solve"}},
     {"program/report", base + std::set<std::string>{"case", "case/data", "imaging", "jobs", "output/files", "output/netcdf",
                                                     "output/products", "output/report", "output/tables", "output/vtk", "plan",
                                                     "program", "program/work", "sbr", "solve"}},
@@ -228,7 +234,7 @@ Findings types_defined_twice(const std::vector<SourceFile>& files) {
 }
 
 Findings foreign_libraries_in_headers(const std::vector<SourceFile>& files) {
-  static const std::regex foreign(R"(#include\s+<(embree|CGAL|OpenMesh|CLI|toml|nlohmann|openssl|netcdf))");
+  static const std::regex foreign(R"(#include\s+<(mpi\.h|embree|CGAL|OpenMesh|CLI|toml|nlohmann|openssl|netcdf))");
   Findings found;
   for (const SourceFile& file : files)
     if (file.is_header())

@@ -32,7 +32,7 @@ bool is_still(int descriptor, const fs::path& file) {
          held.st_dev == there.st_dev;
 }
 
-FolderLock::FolderLock(const fs::path& folder) : file_(folder / ".raytube.lock") {
+FolderLock::FolderLock(const fs::path& folder, const std::string& name) : file_(folder / name) {
   while (!take()) continue;
   const std::string owner = std::to_string(getpid());
   // For those who are refused. A full disk may not take it, and then they are not told.

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace raytube {
 
-/// The right to write into a folder: a lock of the kernel on a hidden file there, .raytube.lock, which goes with the process,
-/// however that ends. The file is removed with the lock; one that a killed process has left means nothing. On a file system
-/// without locks nobody is refused.
+/// The right to write into a folder, or one of a name of its own to write something there: a lock of the kernel on a hidden file
+/// in it, which goes with the process, however that ends. The file is removed with the lock; one that a killed process has left
+/// means nothing. On a file system without locks nobody is refused.
 class FolderLock {
  public:
   /// Throws InputError if another one has it, or if the file cannot be made.
-  explicit FolderLock(const std::filesystem::path& folder);
+  explicit FolderLock(const std::filesystem::path& folder, const std::string& name = ".raytube.lock");
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -23,8 +23,6 @@ constexpr auto between_syncs = 1s;
 constexpr int sync_share = 100;  // of the time of one thread, that of bringing it to the disk is less than 1 / this
 constexpr std::size_t most_named = 3, longest_value = 40;
 
-std::string looks_text(std::size_t count) { return fmt::format("{} finished look{}", count, count == 1 ? "" : "s"); }
-
 // A long list from the entry on that is not the same.
 std::string shown(const std::string& value, std::size_t differs_at) {
   if (value.empty()) return "not given";
@@ -43,7 +41,12 @@ std::string told(const JournalDifference& item) {
   return fmt::format("{} = {} (now {})", name, shown(before, at), shown(now, at));
 }
 
-std::string told(const std::vector<JournalDifference>& items) {
+}  // namespace
+
+std::string looks_text(std::size_t count) { return fmt::format("{} look{}", count, count == 1 ? "" : "s"); }
+
+std::string differences_text(const JournalIdentity& before, const JournalIdentity& now) {
+  const std::vector<JournalDifference> items = differences(before, now);
   std::vector<std::string> sentences;
   for (const JournalDifference& item : items)
     if (sentences.size() < most_named) sentences.push_back(told(item));
@@ -51,30 +54,28 @@ std::string told(const std::vector<JournalDifference>& items) {
   return fmt::format("{}{}", joined(sentences, ", "), more);
 }
 
-}  // namespace
-
-LookJournal::LookJournal(const fs::path& folder, std::function<JournalIdentity()> identity,
+LookJournal::LookJournal(const fs::path& file, std::function<JournalIdentity()> identity,
                          std::function<void()> make_sure_of_folder)
-    : file_(file_in(folder)), identity_(std::move(identity)), make_sure_of_folder_(std::move(make_sure_of_folder)) {}
+    : file_(file), identity_(std::move(identity)), make_sure_of_folder_(std::move(make_sure_of_folder)) {}
 
-void LookJournal::refuse_leftover(const fs::path& folder) {
-  const fs::path file = file_in(folder);
+void LookJournal::refuse_leftover(const fs::path& file) {
   const std::unique_ptr<Journal> left = Journal::reopen(file);
   if (!left || left->records() == 0) return;
   throw InputError(
-      fmt::format("{} holds {} of a run that was stopped; go on with it by --resume, or delete the file to start afresh",
+      fmt::format("{} holds {} finished by a run that was stopped; go on with it by --resume, or delete the file to start afresh",
                   file.string(), looks_text(left->records())));
 }
 
-void LookJournal::resume() {
+bool LookJournal::resume() {
   journal_ = Journal::reopen(file_);
-  if (!journal_) return warn(fmt::format("nothing to resume in {}: the run starts afresh", file_.parent_path().string()));
-  if (const std::vector<JournalDifference> found = differences(journal_->identity(), identity_()); !found.empty())
+  if (!journal_) return false;
+  if (const std::string found = differences_text(journal_->identity(), identity_()); !found.empty())
     throw InputError(
-        fmt::format("--resume: {} was begun with {}; run with what it was begun with, or delete the file (and the {} in it) to "
+        fmt::format("{} was begun with {}; run with what it was begun with, or delete the file (and the finished {} in it) to "
                     "start afresh",
-                    file_.string(), told(found), looks_text(journal_->records())));
+                    file_.string(), found, looks_text(journal_->records())));
   resumed_ = journal_->records();
+  return true;
 }
 
 KeptLooks LookJournal::looks() {
@@ -164,6 +165,18 @@ std::string LookJournal::keep_all() {
   if (!journal_ || !journal_->is_there() || journal_->records() == 0) return {};
   return fmt::format("{} of {} looks are kept in {}; go on with --resume", journal_->records(),
                      std::max(looks_, journal_->records()), file_.string());
+}
+
+void LookJournal::complete() {
+  const std::lock_guard lock(mutex_);
+  make_sure_of_file();
+  journal_->add(waiting_);
+  journal_->sync();
+  if (journal_->records() != looks_)
+    throw std::runtime_error(
+        fmt::format("{}: holds {} of {}, as the disk did not take the others; free some space and run it again", file_.string(),
+                    journal_->records(), looks_text(looks_)));
+  waiting_.clear();
 }
 
 void LookJournal::remove() {

@@ -14,23 +14,30 @@
 
 namespace raytube {
 
-/// .raytube.journal in the folder of the results. It is begun when the computation has taken a second, so that short runs know
-/// nothing of it; from then on a look is there as soon as it is finished, and on the disk itself a second or so later. A disk
-/// that does not take it costs a warning: the run goes on.
+/// In which items a journal's identity differs from another one, in words; empty: in none.
+std::string differences_text(const JournalIdentity& before, const JournalIdentity& now);
+
+/// "1 look", "2 looks"
+std::string looks_text(std::size_t count);
+
+/// A file beside the results, by its usual name .raytube.journal. It is begun when the computation has taken a second, so that
+/// short runs know nothing of it; from then on a look is there as soon as it is finished, and on the disk itself a second or so
+/// later. A disk that does not take it costs a warning: the run goes on.
 class LookJournal {
  public:
   /// `identity` is asked once it is needed. `make_sure_of_folder` makes the folder again where it was removed, and throws if it
   /// belongs to another run by now; whoever calls it may come from any thread.
-  LookJournal(const std::filesystem::path& folder, std::function<JournalIdentity()> identity,
+  LookJournal(const std::filesystem::path& file, std::function<JournalIdentity()> identity,
               std::function<void()> make_sure_of_folder);
 
   static std::filesystem::path file_in(const std::filesystem::path& folder) { return folder / ".raytube.journal"; }
+  const std::filesystem::path& file() const { return file_; }
 
-  /// Throws InputError if finished looks lie in the folder: whoever forgot to resume shall not lose them.
-  static void refuse_leftover(const std::filesystem::path& folder);
+  /// Throws InputError if finished looks lie in the file: whoever forgot to resume shall not lose them.
+  static void refuse_leftover(const std::filesystem::path& file);
 
-  /// Takes up what an earlier run has left. Throws InputError if that was another one.
-  void resume();
+  /// Takes up what an earlier run has left; false if there is nothing. Throws InputError if that was another one.
+  bool resume();
 
   /// The finished looks as solve() takes them: those that are kept, and where new ones go. Refers to this object.
   KeptLooks looks();
@@ -41,6 +48,9 @@ class LookJournal {
   /// Writes what is left to be written; then what is kept, as a sentence, empty if nothing is. A file that was removed is made
   /// again, with its folder.
   std::string keep_all();
+
+  /// Writes all of them, for good. Throws std::runtime_error if the disk does not take them.
+  void complete();
 
   /// Looks taken up from an earlier run.
   std::size_t resumed() const { return resumed_; }

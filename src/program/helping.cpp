@@ -1,0 +1,51 @@
+#include "program/helping.h"
+
+#include <optional>
+
+#include "case/read_case.h"
+#include "core/threads.h"
+#include "jobs/solvable.h"
+#include "mesh/model/mesh_bytes.h"
+#include "ranks/ranks.h"
+#include "solve/random.h"
+#include "solve/solve.h"
+
+namespace raytube {
+
+namespace {
+
+std::filesystem::path case_of(const Request& request) {
+  const bool is_product = request.command == Command::profile || request.command == Command::isar;
+  return is_product ? request.result : request.case_file;
+}
+
+void help_with(const Request& request, const Case& c, const Target& target) {
+  if (request.command == Command::converge) return help_to_converge(request, c, target);
+  const SolvePlan plan = plan_of_case(target, c, request.threads, request.parts || request.random);
+  if (request.random) return help_with_random_tubes(plan, *request.random, request.ranks->team());
+  help_to_solve(plan, request.ranks->team());
+}
+
+}  // namespace
+
+WorkTeam* team_of(const Request& request) { return request.ranks ? &request.ranks->team() : nullptr; }
+
+void share_mesh(const Request& request, const TriangleMesh& mesh) {
+  if (!request.ranks) return;
+  std::string bytes = bytes_of_mesh(mesh);
+  request.ranks->broadcast(bytes);
+}
+
+// What the user has got wrong the leader finds before it shares the mesh.
+void help_command(const Request& request) {
+  std::string bytes;
+  request.ranks->broadcast(bytes);
+  const Case c = read_case(case_of(request), request.overrides);
+  std::optional<Target> target;
+  run_on_threads(request.threads, [&] { target.emplace(mesh_of_bytes(bytes), c.wedges); });
+  bytes = {};
+  help_with(request, c, *target);
+  request.ranks->end();
+}
+
+}  // namespace raytube

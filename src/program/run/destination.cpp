@@ -1,0 +1,69 @@
+#include "program/run/destination.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "core/error.h"
+#include "core/text.h"
+#include "output/files/unlisted_results.h"
+#include "output/netcdf/netcdf_file.h"
+#include "output/plots/polar_plot.h"
+#include "program/images.h"
+
+namespace raytube {
+
+namespace fs = std::filesystem;
+
+Destination destination_of(const Request& request, const Case& c) {
+  const fs::path& asked = request.output_folder;
+  if (asked.empty()) return {c.file.parent_path() / "out", ""};
+  if (std::error_code unreadable; fs::is_directory(asked, unreadable)) return {asked, ""};
+  if (lower_case(asked.extension().string()) == ".csv")
+    throw InputError(
+        fmt::format("-o {}: results are a folder of files, rcs.csv among them, or one netCDF file; write -o DIR or -o {}",
+                    asked.string(), fs::path(asked).replace_extension(".nc").string()));
+  if (!is_netcdf_name(asked)) return {asked, ""};
+  return {fs::absolute(asked).parent_path(), asked.filename().string()};
+}
+
+Case case_for(const Destination& destination, const Request& request, Case c) {
+  if (!destination.one_file()) return c;
+  if (request.random)
+    throw InputError(
+        fmt::format("-o {}: one netCDF file has no place for the spread of random tubes; give a folder, or leave out "
+                    "--launch random",
+                    request.output_folder.string()));
+  if (!c.image_looks.empty())
+    warn(fmt::format("{}: output.image_look has no effect with -o {}: give a folder for images", c.file.string(),
+                     request.output_folder.string()));
+  c.image_looks.clear();
+  c.plots = false;
+  c.netcdf = true;
+  return c;
+}
+
+ResultNames names_of_results(const Request& request, const Case& c, const Destination& destination) {
+  if (destination.one_file()) return {{}, {destination.file}};
+  ResultNames names = image_names(c);
+  if (c.plots) names.pictures.insert(names.pictures.end(), {"rcs.png", "rcs.svg"});
+  if (c.plots && has_full_circle(c.sweep)) names.pictures.insert(names.pictures.end(), {"rcs_polar.png", "rcs_polar.svg"});
+  names.tables.emplace_back("channels.csv");
+  if (request.parts) names.tables.emplace_back("parts.csv");
+  if (c.incoherent) names.tables.emplace_back("incoherent.csv");
+  if (request.random) names.tables.emplace_back("random.csv");
+  if (c.netcdf) names.tables.emplace_back("rcs.nc");
+  names.tables.insert(names.tables.end(), {"rcs.csv", "run.json"});
+  return names;
+}
+
+std::vector<std::string> names_of_earlier_results(const Destination& destination) {
+  if (destination.one_file()) return {};
+  const std::set<std::string> images = names_of_images(destination.folder);
+  std::vector<std::string> names(images.begin(), images.end());
+  names.insert(names.end(),
+               {"incoherent.csv", "parts.csv", "random.csv", "rcs.nc", "rcs.png", "rcs.svg", "rcs_polar.png", "rcs_polar.svg"});
+  return names;
+}
+
+}  // namespace raytube

@@ -1,0 +1,71 @@
+#include "program/run/prepared_run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "case/materials/materials.h"
+#include "case/resolved_case.h"
+#include "case/target.h"
+#include "core/instruction_set.h"
+#include "core/threads.h"
+#include "jobs/inputs.h"
+#include "jobs/material_report.h"
+#include "jobs/memory.h"
+#include "jobs/solvable.h"
+#include "output/files/sha256.h"
+#include "program/helping.h"
+#include "program/work/results.h"
+#include "solve/random.h"
+
+namespace raytube {
+
+namespace {
+
+void warn_of_mesh(const Case& c, const std::string& sentence) {
+  if (!sentence.empty()) warn(fmt::format("{}: {}", mesh_names(c), sentence));
+}
+
+// What of the materials is not seen as it is drawn.
+void warn_of_materials(const Case& c, const MeshReport& report, const Target& target, Manifest& manifest) {
+  const OverlapNote overlap = overlap_note(c, target);
+  for (const std::string& sentence : {duplicates_sentence(report), overlap.sentence}) warn_of_mesh(c, sentence);
+  if (overlap.pairs > 0)
+    manifest.mesh_notes.emplace_back("pairs of facets of different materials upon one another in one plane, one of which is seen",
+                                     static_cast<double>(overlap.pairs));
+}
+
+}  // namespace
+
+JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
+  JournalIdentity identity{{"version or build of raytube", manifest.program_version + ' ' + sha256_of_file("/proc/self/exe")},
+                           {"mesh in target.mesh", fmt::format("{}", fmt::join(manifest.mesh_sha256, " "))},
+                           {"list in look.looks_csv", manifest.looks_csv_sha256}};
+  for (const auto& [name, sha256] : manifest.table_csv_sha256) identity.emplace_back("table " + name, sha256);
+  if (!c.radar.pattern_csv.empty())
+    identity.emplace_back("pattern in radar.pattern_csv", sha256_of_file(c.file.parent_path() / c.radar.pattern_csv));
+  for (const auto& [key, value] : numerical_keys(c)) identity.emplace_back(key, value);
+  return identity;
+}
+
+PreparedRun prepared_run(const Request& request, const Case& read, const Case& c, const Stopwatch& total) {
+  LoadedMesh loaded = load_target(c);
+  share_mesh(request, loaded.mesh);
+  warn_of_mesh(c, free_forms_sentence(loaded.report));
+  PreparedRun run{c, loaded.report, described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report)), {}, {}};
+  Manifest& manifest = run.manifest;
+  manifest.time.read_s = total.seconds();
+  manifest.threads = request.threads > 0 ? request.threads : all_threads();
+  run_on_threads(manifest.threads, [&] { run.target = std::make_unique<const Target>(std::move(loaded.mesh), c.wedges); });
+  run.plan = std::make_unique<const SolvePlan>(plan_of_case(*run.target, c, manifest.threads, request.parts || request.random));
+  warn_of_materials(c, run.report, *run.target, manifest);
+  manifest.time.build_s = total.seconds() - manifest.time.read_s - run.plan->seconds;  // planning is part of solving
+  manifest.embree_instruction_set = name_of(allowed_instruction_set());
+  manifest.own_instruction_set = name_of(std::max(allowed_instruction_set(), InstructionSet::avx2));
+  check_memory(*run.plan, c, request.random ? &*request.random : nullptr);
+  if (request.random) check_random_tubes(*run.plan, *request.random);
+  return run;
+}
+
+}  // namespace raytube

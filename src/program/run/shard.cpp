@@ -1,0 +1,132 @@
+#include "program/run/shard.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cstdlib>
+
+#include "core/error.h"
+#include "output/files/folder_lock.h"
+#include "program/helping.h"
+#include "program/run/destination.h"
+#include "program/work/interrupt.h"
+#include "program/work/look_journal.h"
+#include "program/work/progress_bar.h"
+#include "ranks/ranks.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_shards = 1'000'000;
+
+std::optional<std::size_t> whole_number(std::string_view text) {
+  std::size_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && stop == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+std::size_t slurm_number(const char* variable) {
+  const char* const text = std::getenv(variable);
+  const std::optional<std::size_t> number = text ? whole_number(text) : std::nullopt;
+  if (!number)
+    throw InputError(
+        fmt::format("--shard slurm: {} is not set; only the tasks of a job array (sbatch --array=1-N) have it, "
+                    "elsewhere write --shard I/N",
+                    variable));
+  return *number;
+}
+
+// Tasks that were left out of an array are not counted, so that it must be whole.
+Shard shard_of_array() {
+  const std::size_t task = slurm_number("SLURM_ARRAY_TASK_ID"), first = slurm_number("SLURM_ARRAY_TASK_MIN"),
+                    last = slurm_number("SLURM_ARRAY_TASK_MAX"), count = slurm_number("SLURM_ARRAY_TASK_COUNT");
+  if (last - first + 1 != count)
+    throw InputError(
+        fmt::format("--shard slurm: the job array has {} tasks from {} to {}, with gaps; for shards that are run "
+                    "again write --shard $SLURM_ARRAY_TASK_ID/N, N of the whole array",
+                    count, first, last));
+  return {task - first, count};
+}
+
+// Computes it; the progress is of this shard alone.
+void compute(const Request& request, const PreparedRun& prepared, const Shard& shard, LookJournal& journal) {
+  const std::size_t looks = shard.size(prepared.plan->looks.computed.size());
+  ProgressBar bar(request.quiet, fmt::format("shard {}: {}", shard_text(shard), looks_text(looks)),
+                  looks > 0 ? static_cast<double>(journal.resumed()) / static_cast<double>(looks) : 1.0);
+  const auto progress = [&](double share) {
+    bar.show(share);
+    journal.write_now_and_then();
+    return !InterruptFlag::raised();
+  };
+  solve_shard(*prepared.plan, shard, progress, journal.looks(), team_of(request));
+  if (request.ranks) request.ranks->end();
+  journal.complete();
+}
+
+// Shards come and go in it, several at a time.
+void make_folder_of_shards(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(fmt::format("output folder {}: cannot be created ({}); choose another one with -o DIR", folder.string(),
+                                 error.message()));
+}
+
+JournalIdentity identity_of_shard(const Request& request, const PreparedRun& prepared, const Shard& shard) {
+  JournalIdentity identity = identity_of(prepared.c, prepared.manifest);
+  identity.emplace_back(shard_item, shard_text(shard));
+  identity.emplace_back(case_item, prepared.manifest.case_file);
+  identity.emplace_back(set_item, fmt::format("{}", fmt::join(request.overrides, "\n")));
+  return identity;
+}
+
+}  // namespace
+
+Shard shard_of_text(const std::string& text) {
+  if (text == "slurm") return shard_of_array();
+  const std::size_t slash = text.find('/');
+  if (slash != std::string::npos) {
+    const auto number = whole_number(std::string_view(text).substr(0, slash)),
+               count = whole_number(std::string_view(text).substr(slash + 1));
+    if (number && count && *number >= 1 && *number <= *count && *count <= most_shards) return {*number - 1, *count};
+  }
+  throw InputError(fmt::format("--shard {}: write I/N, I from 1 to N, such as 3/7, or slurm in a job array", text));
+}
+
+std::string shard_text(const Shard& shard) { return fmt::format("{}/{}", shard.index + 1, shard.count); }
+
+std::string shard_file_name(const Shard& shard) {
+  return fmt::format("shard_{}_of_{}{}", shard.index + 1, shard.count, shard_ending);
+}
+
+void run_shard(const Request& request, const Case& c, const Stopwatch& total) {
+  const Shard shard = shard_of_text(*request.shard);
+  const Destination destination = destination_of(request, c);
+  if (destination.one_file())
+    throw InputError(fmt::format("-o {}: a shard is a part of a result; give a folder, and -o FILE.nc to raytube merge",
+                                 request.output_folder.string()));
+  if (request.random) throw InputError("--shard: random tubes are drawn anew as a whole; leave out --shard or --launch random");
+  const PreparedRun prepared = prepared_run(request, c, c, total);
+  const fs::path folder = fs::absolute(destination.folder), file = folder / shard_file_name(shard);
+  const auto make_folder = [&] { make_folder_of_shards(folder); };
+  make_folder();
+  const FolderLock lock(folder, fmt::format(".{}.lock", shard_file_name(shard)));
+  LookJournal journal(
+      file, [&] { return identity_of_shard(request, prepared, shard); }, make_folder);
+  journal.resume();
+  const InterruptFlag interrupt_flag([&] { return std::optional("interrupted; " + journal.keep_all()); });
+  try {
+    compute(request, prepared, shard, journal);
+  } catch (const Interrupted&) {
+    throw Interrupted("interrupted; " + journal.keep_all());
+  }
+  if (!request.quiet)
+    fmt::print("shard {}    {} in {}; when all are there: raytube merge {}\n", shard_text(shard),
+               looks_text(shard.size(prepared.plan->looks.computed.size())), file.string(), folder.string());
+}
+
+}  // namespace raytube
