@@ -19,7 +19,7 @@
 #include "output/plots/convergence_plot.h"
 #include "output/tables/stored.h"
 #include "program/commands.h"
-#include "program/unusable_rows.h"
+#include "program/solve_warnings.h"
 #include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
 #include "program/work/results.h"

@@ -16,7 +16,6 @@
 #include "core/text.h"
 #include "core/threads.h"
 #include "jobs/inputs.h"
-#include "jobs/material_report.h"
 #include "jobs/memory.h"
 #include "jobs/result_warnings.h"
 #include "jobs/solvable.h"
@@ -34,7 +33,8 @@
 #include "output/words/summary.h"
 #include "program/commands.h"
 #include "program/images.h"
-#include "program/unusable_rows.h"
+#include "program/solve_warnings.h"
+#include "program/work/destination.h"
 #include "program/work/interrupt.h"
 #include "program/work/look_journal.h"
 #include "program/work/progress_bar.h"
@@ -101,19 +101,6 @@ std::uint64_t peak_rss_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-void warn_of_mesh(const Case& c, const std::string& sentence) {
-  if (!sentence.empty()) warn(fmt::format("{}: {}", mesh_names(c), sentence));
-}
-
-// What of the materials is not seen as it is drawn.
-void warn_of_materials(const Case& c, const MeshReport& report, const Target& target, Manifest& manifest) {
-  const OverlapNote overlap = overlap_note(c, target);
-  for (const std::string& sentence : {duplicates_sentence(report), overlap.sentence}) warn_of_mesh(c, sentence);
-  if (overlap.pairs > 0)
-    manifest.mesh_notes.emplace_back("pairs of facets of different materials upon one another in one plane, one of which is seen",
-                                     static_cast<double>(overlap.pairs));
-}
-
 // What every bit of a finished look depends on, beside the number of threads, on which none does.
 JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
   JournalIdentity identity{{"version or build of raytube", manifest.program_version + ' ' + sha256_of_file("/proc/self/exe")},
@@ -124,27 +111,6 @@ JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
     identity.emplace_back("pattern in radar.pattern_csv", sha256_of_file(c.file.parent_path() / c.radar.pattern_csv));
   for (const auto& [key, value] : numerical_keys(c)) identity.emplace_back(key, value);
   return identity;
-}
-
-// Where the results go: a folder, or one netCDF file alone in it.
-struct Destination {
-  fs::path folder;
-  std::string file;  // empty: all files
-
-  bool one_file() const { return !file.empty(); }
-  std::string text() const { return (one_file() ? folder / file : folder).string(); }
-};
-
-Destination destination_of(const Request& request, const Case& c) {
-  const fs::path& asked = request.output_folder;
-  if (asked.empty()) return {c.file.parent_path() / "out", ""};
-  if (std::error_code unreadable; fs::is_directory(asked, unreadable)) return {asked, ""};
-  if (lower_case(asked.extension().string()) == ".csv")
-    throw InputError(
-        fmt::format("-o {}: results are a folder of files, rcs.csv among them, or one netCDF file; write -o DIR or -o {}",
-                    asked.string(), fs::path(asked).replace_extension(".nc").string()));
-  if (!is_netcdf_name(asked)) return {asked, ""};
-  return {fs::absolute(asked).parent_path(), asked.filename().string()};
 }
 
 ResultNames names_of_results(const Request& request, const Case& c, const Destination& destination) {
@@ -203,7 +169,7 @@ class Run {
       const Solved solved = solve_with_progress(plan_, request_, journal_);
       journal_.keep_all();
       unusable = warn_of_unusable_rows(solved.result.statistics);
-      warn_of_lost_rays(solved.result.statistics);
+      warn_of_lost_rays(case_, solved.result.statistics);
       write(solved, total);
       if (!request_.quiet) print(solved);
     } catch (const Interrupted&) {
@@ -216,10 +182,6 @@ class Run {
   }
 
  private:
-  void warn_of_lost_rays(const Statistics& statistics) const {
-    if (statistics.lost_rays > 0) warn(lost_rays_sentence(statistics, case_.metres_per_unit, case_.unit));
-  }
-
   // Once more if somebody removes the folder meanwhile.
   void write(const Solved& solved, const Stopwatch& total) {
     try {
@@ -248,10 +210,7 @@ class Run {
 
   void complete_manifest(const Solved& solved) {
     const auto& [result, by_chance] = solved;
-    manifest_.warnings = warnings_of_result(warnings_, case_, plan_.target, report_, result.statistics);
-    manifest_.statistics = result.statistics;
-    manifest_.model_parts = result.model_parts;
-    for (ModelPart& part : manifest_.model_parts) part.rows.clear();
+    add_result(manifest_, result, warnings_of_result(warnings_, case_, plan_.target, report_, result.statistics));
     manifest_.looks_resumed = journal_.resumed();
     if (by_chance) manifest_.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
   }
@@ -346,13 +305,13 @@ Case case_for(const Destination& destination, const Request& request, Case c) {
 void run_command(const Request& request) {
   const Stopwatch total;
   const Case read = read_case(request.case_file, request.overrides);
-  const Destination destination = destination_of(request, read);
+  const Destination destination = destination_of(request.output_folder, read.file.parent_path() / "out", "rcs.csv");
   const Case c = case_for(destination, request, read);
   check_output(destination.folder, names_of_results(request, c, destination), input_files(c));
   if (!request.resume) LookJournal::refuse_leftover(destination.folder);
   if (request.random) refuse_random_tubes(c);
   LoadedMesh loaded = load_target(c);
-  warn_of_mesh(c, free_forms_sentence(loaded.report));
+  warn_of_free_forms(c, loaded.report);
   Manifest manifest = described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report));
   manifest.time.read_s = total.seconds();
   manifest.threads = request.threads > 0 ? request.threads : all_threads();

@@ -98,7 +98,7 @@ const Rooms may_include = {
     {"jobs", base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "imaging", "mesh",
                                           "output/files", "output/products", "output/tables", "output/words", "plan", "sbr",
                                           "sbr/launch", "solve", "solve/mechanisms"}},
-    {"program/work", {"core", "plan", "output/files", "solve"}},
+    {"program/work", {"core", "plan", "output/files", "output/netcdf", "solve"}},
     {"program", base + std::set<std::string>{"jobs",           "jobs/warnings",    "case",
                                              "case/data",      "case/materials",   "mesh",
                                              "output/charts",  "output/compare",   "output/statistics",
