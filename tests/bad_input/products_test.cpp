@@ -117,6 +117,18 @@ TEST_F(Products, ALookThatIsThereTwiceIsTold) {
   EXPECT_THAT(twice.complaint, HasSubstr("look 2 (theta 60, phi 0) has the directions of look 0; both are shown\n"));
 }
 
+// gnuplot leaves out a label for which there is no room.
+TEST_F(Products, PicturesNameWhatTheyShow) {
+  EXPECT_EQ(
+      raytube("profile case.toml -o a --quiet " + sweep + " --set 'look.phi_deg={start=-42.004,stop=-42.001,count=13}'").code, 0);
+  const std::string waterfall = text_of(scratch / "a/waterfall.svg"), label = "<text>φ (°)</text>";
+  EXPECT_NE(waterfall.find(label), waterfall.rfind(label)) << "one of the two panels lacks it";
+  EXPECT_THAT(text_of(scratch / "a/profile.svg"), AllOf(HasSubstr("<text>VV</text>"), HasSubstr("VH &lt; -")));
+  std::filesystem::copy_file(scratch / "kept/rcs.csv", scratch / "bare.csv");
+  EXPECT_EQ(raytube("profile bare.csv -o b --quiet").code, 0);
+  EXPECT_THAT(text_of(scratch / "b/profile.svg"), HasSubstr("<text>bare.csv</text>"));
+}
+
 TEST_F(Products, OneLookMakesAnImageByItself) {
   const std::string options = " --direct --quiet --size 2 2 ";
   EXPECT_EQ(raytube("isar case.toml -o a" + options + sweep + " --threads 1").code, 0);
