@@ -290,6 +290,19 @@ def main():
                                                          "physical optics itself: .33 dB rms for E in the plane to 60 degrees"), 3e9,
                     receivers, [sphere_mie(1.0, 3e9, math.radians(p))[::-1] for _, p in receivers], transmit=(90, 0))
 
+    # two_spheres: radii 0.2 and 0.1 m, 2.3 m apart, 10 GHz, theta 90, phi -4.4 ... 4.4; what a sphere returns has its phase at its middle
+    spheres = ((0.2, (-1.0, 0.6, 0.0)), (0.1, (0.9, -0.7, 0.0)))
+    v, t = icosphere(3)
+    write_ply("two_spheres/spheres.ply", [tuple(a * x + c for x, c in zip(p, middle)) for a, middle in spheres for p in v],
+              [tuple(i + len(v) * n for i in f) for n in range(2) for f in t])
+    looks = [(90, round(-4.4 + i * 0.22, 2)) for i in range(41)]
+    k = 2 * math.pi * 10e9 / C0
+    turned = lambda p, middle: cmath.exp(2j * k * (middle[0] * math.cos(math.radians(p)) + middle[1] * math.sin(math.radians(p))))
+    write_reference("two_spheres/reference.csv", head("sum of the exact series (Mie) of either sphere alone, without what goes from one to the other",
+                                                     "run case.toml --set frequency.ghz=10 --set tubes.max_bounces=1 --set surfaces.waves=true", "--tolerance-relative 0.004",
+                                                     "without the waves physical optics is 1 / 2 k a off where light ends, 1.2 and 2.4 %; with them .3 % is left"), 10e9, looks,
+                    [[sum(sphere_mie(a, 10e9)[::-1][q] * turned(p, middle) for a, middle in spheres) for q in range(2)] for _, p in looks])
+
     # cylinder: radius 90 mm, length 300 mm, 144 sides, 10 GHz, theta 0 ... 180
     v, t = cylinder(90.0, 300.0, 144)
     write_off("cylinder/cylinder.off", v, t)

@@ -26,10 +26,9 @@ int threads_of(int threads) { return threads > 0 ? threads : all_threads(); }
 
 std::vector<std::pair<std::string, std::string>> attributes(const Job& job, const SolvePlan& plan, const SweepResult& result) {
   Manifest manifest = described_inputs(job.asked, job.built->report, job.mesh_sha256);
-  manifest.warnings = warnings_of_result(warnings_of(job.asked, plan, job.built->outermost), job.asked, plan.target,
-                                         job.built->report, result.statistics);
-  manifest.statistics = result.statistics;
-  manifest.model_parts = result.model_parts;
+  add_result(manifest, result,
+             warnings_of_result(warnings_of(job.asked, plan, job.built->outermost), job.asked, plan.target, job.built->report,
+                                result.statistics));
   return attributes_of(manifest);
 }
 

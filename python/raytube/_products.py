@@ -29,8 +29,10 @@ class RangeProfiles(xr.Dataset):
     """Range profiles of one look (range_m, channel), or of many (look, range_m, channel). Made by `Result.range_profile` and
     `Result.waterfall`.
 
-    ``S`` is p(R) [m], complex; ``sigma_dbsm`` its level; ``error_dbsm`` and ``model_dbsm`` what numerical error and model uncertainty
-    come to if all of either were at one range.
+    ``S`` is p(R) [m], complex; ``sigma_dbsm`` its level; ``error_dbsm`` and ``model_dbsm`` (channel) what numerical error and model
+    uncertainty come to if all of either were at one range. ``range_m`` [m] counts from the origin of the mesh's coordinates along the line of
+    sight, away from the radar; of a bistatic look it is half of the additional path. ``attrs``: ``range_resolution_m`` (3 dB width of a
+    point), ``range_unambiguous_m`` (what is so much farther appears at the same range), ``window``.
     """
 
     __slots__ = ()
@@ -58,7 +60,9 @@ class IsarImage(xr.Dataset):
     """An image in the coordinates range_m, cross_range_m and, in space, height_m. Made by `Result.isar` and `Result.isar_3d`.
 
     ``S`` is I(x) [m], complex; ``sigma_dbsm`` its level; ``outline`` has the ends of the target's edges, in its own coordinates [m],
-    where the target is known.
+    where the target is known. ``attrs``: of each axis ``..._direction``, a unit vector in the coordinates of the target (a cell's place is the
+    sum of its coordinates times these), ``..._resolution_m`` and ``..._unambiguous_m``. Range is away from the radar in the middle of the
+    angles, height upwards as seen from there; with azimuth alone range and cross-range lie in the plane z = 0.
     """
 
     __slots__ = ()

@@ -235,11 +235,7 @@ class Result:
         Returns
         -------
         xarray.Dataset
-            ``S`` (range_m, channel): p [m], complex; ``sigma_dbsm``; ``error_dbsm`` and ``model_dbsm`` (channel): what numerical error
-            and model uncertainty come to if all of either were at one range. ``range_m`` [m] counts from the origin of the mesh's
-            coordinates along the line of sight, away from the radar; of a bistatic look it is half of the additional path.
-            ``attrs``: ``range_resolution_m`` (3 dB width of a point), ``range_unambiguous_m`` (what is so much farther appears at the
-            same range), ``window``. Its method ``plot(channels=("vv", "hh"), ax=None)`` draws it.
+            A `RangeProfiles` of the dimensions (range_m, channel), with a method ``plot``.
 
         Raises
         ------
@@ -269,8 +265,7 @@ class Result:
         Returns
         -------
         xarray.Dataset
-            As of `range_profile`, with the dimension ``look`` first, and ``theta_deg`` and ``phi_deg`` as its coordinates. Its method
-            ``plot`` draws a map of one channel over range and looks.
+            A `RangeProfiles` with the dimension ``look`` first, and ``theta_deg`` and ``phi_deg`` as its coordinates.
 
         Raises
         ------
@@ -301,11 +296,7 @@ class Result:
         Returns
         -------
         xarray.Dataset
-            ``S`` (range_m, cross_range_m, channel): I [m], complex; ``sigma_dbsm``; ``outline``: ends of the target's edges [m], where the
-            target is known. ``attrs``: ``range_direction`` and ``cross_range_direction``, unit vectors in the coordinates of the target (a
-            cell's place is the sum of its coordinates times these), and for both ``..._resolution_m`` and ``..._unambiguous_m``. Range
-            is away from the radar in the middle of the angles; with azimuth alone both lie in the plane z = 0. Its method
-            ``plot(channel=None, ax=None, target=None)`` draws it, the edges of the target over it.
+            An `IsarImage` of the dimensions (range_m, cross_range_m, channel), with a method ``plot``.
 
         Raises
         ------
@@ -339,8 +330,7 @@ class Result:
         Returns
         -------
         xarray.Dataset
-            As of `isar`, with the dimension ``height_m`` behind ``cross_range_m``: upwards as seen from the radar. Its method ``plot`` draws
-            the strongest cell along each line of sight.
+            An `IsarImage` with the dimension ``height_m`` behind ``cross_range_m``.
 
         Raises
         ------

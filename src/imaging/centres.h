@@ -10,15 +10,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/field.h"
-#include "scene/scattering_piece.h"
+#include "imaging/piece_clusters.h"
 
 namespace raytube {
-
-/// Axes of a look, from its radar: away from it, to its right, upwards; unit vectors.
-struct LookAxes {
-  dvec3 range, cross_range, height;
-};
 
 struct CentreOptions {
   std::size_t count = 50;   // at most

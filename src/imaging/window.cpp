@@ -1,5 +1,7 @@
 #include "imaging/window.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -101,6 +103,11 @@ std::optional<WindowKind> window_of_name(const std::string& name) {
 
 std::string name_of(const Window& window) {
   return std::ranges::find(names, window.kind, &std::pair<WindowKind, const char*>::first)->second;
+}
+
+std::string description_of(const Window& window) {
+  const bool chosen = window.kind == WindowKind::taylor || window.kind == WindowKind::kaiser;
+  return chosen ? fmt::format("{}, {:g} dB", name_of(window), window.sidelobe_db) : name_of(window);
 }
 
 std::vector<double> weights(const Window& window, std::size_t count) {

@@ -22,6 +22,9 @@ inline constexpr double least_sidelobe_db = 15.0, most_sidelobe_db = 100.0;
 std::optional<WindowKind> window_of_name(const std::string& name);
 std::string name_of(const Window& window);
 
+/// Its name, and how low its side lobes are where they are chosen: "taylor, 35 dB".
+std::string description_of(const Window& window);
+
 /// Weights of `count` samples in even steps, symmetric, the largest 1; of one sample 1.
 /// hann, hamming: Harris, Proc. IEEE 66 (1978), eqs. 27a, 30b, at the middles of the samples' steps. taylor: Taylor, IRE Trans.
 /// AP-3 (1955), eqs. 33, 41, with as many equal lobes as keep the weights falling to the ends. kaiser: Kaiser & Schafer, IEEE

@@ -1,5 +1,7 @@
 #include "jobs/result_warnings.h"
 
+#include <utility>
+
 #include "jobs/inputs.h"
 #include "jobs/material_report.h"
 #include "output/words/summary.h"
@@ -13,6 +15,13 @@ std::vector<std::string> warnings_of_result(std::vector<std::string> sentences, 
   for (const BeyondBound& part : statistics.beyond_bound) sentences.push_back(beyond_bound_sentence(part));
   if (statistics.lost_rays > 0) sentences.push_back(lost_rays_sentence(statistics, c.metres_per_unit, c.unit));
   return sentences;
+}
+
+void add_result(Manifest& manifest, const SweepResult& result, std::vector<std::string> warnings) {
+  manifest.warnings = std::move(warnings);
+  manifest.statistics = result.statistics;
+  manifest.model_parts = result.model_parts;
+  for (ModelPart& part : manifest.model_parts) part.rows.clear();
 }
 
 }  // namespace raytube

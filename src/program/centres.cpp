@@ -7,6 +7,7 @@
 #include "case/read_case.h"
 #include "jobs/centres_of_look.h"
 #include "output/products/centres_csv.h"
+#include "output/products/centres_netcdf.h"
 #include "output/tables/csv.h"
 #include "program/products.h"
 #include "program/work/interrupt.h"
@@ -15,7 +16,7 @@ namespace raytube {
 
 namespace {
 
-const ResultNames centre_names = {{}, {"centres.csv", "centres.ply", "by_part.csv"}};
+const ProductNames centre_names = {{{}, {"centres.csv", "centres.ply", "by_part.csv"}}, "centres.nc"};
 
 double relative_db(const ScatteringMatrix& s, const ScatteringMatrix& rest, int p) {
   return 20.0 * std::log10(std::abs(s.at(p, p) - rest.at(p, p)) / std::abs(s.at(p, p)));
@@ -39,21 +40,23 @@ std::string centres_text(const ScatteringCentres& found, const ScatteringMatrix&
 
 void centres_command(const Request& request) {
   const ProductRequest& asked = request.product;
-  const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
-    check_output(product_folder(request), centre_names, input_files(*unsolved.of_case));
-  });
+  const ProductSource source =
+      product_source(request, [&](const ProductSource& unsolved) { check_products(request, unsolved, centre_names); });
   const LookCentres centres = centres_of_look(*source.target, *source.of_case, {request.look, asked.centres, asked.resolution},
                                               request.threads, [](double) { return !InterruptFlag::raised(); });
   if (!request.quiet) fmt::print("{}", centres_text(centres.found, centres.s));
-  write_products(request, source, centre_names, [&](const std::filesystem::path& folder) {
-    const CentreLook look{centres.direction, centres.frequency, centres.side};
-    const auto part_of = [&mesh = source.target->mesh](std::uint32_t triangle) {
-      return mesh.part_names[mesh.triangle_part[triangle]];
-    };
+  const CentreLook look{centres.direction, centres.frequency, centres.side};
+  const auto part_of = [&mesh = source.target->mesh](std::uint32_t triangle) {
+    return mesh.part_names[mesh.triangle_part[triangle]];
+  };
+  const auto write_files = [&](const std::filesystem::path& folder) {
     write_centres_csv(folder / "centres.csv", centres.found, look, part_of);
     write_centres_ply(folder / "centres.ply", centres.found);
     write_by_part_csv(folder / "by_part.csv", centres.pieces, look, part_of);
-  });
+  };
+  write_products(request, source, centre_names, {write_files, [&](const std::filesystem::path& file) {
+                                                   write_centres_netcdf(file, source.result, centres.found, look, part_of);
+                                                 }});
 }
 
 }  // namespace raytube

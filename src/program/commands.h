@@ -5,10 +5,11 @@
 //     check, trace, compare, converge, convert, sources, profile, isar, centres, plot, statistics: the commands, each in a
 //                   file of its name
 //     report/       raytube report: a page of a result
-//     products      what profile and isar take: a result that is there, or a case that is solved first
+//     products      what profile, isar and centres take (a result, or a case that is solved first), and what they leave
+//     solve_warnings   what is said before and after a solve
 //     result_commands  command line of plot and statistics
-//     work          how a command brings its files into place (results), survives being stopped (interrupt, look_journal) and
-//                   tells how far it is (progress_bar)
+//     work          where files go (destination), how a command brings them into place (results), survives being stopped
+//                   (interrupt, look_journal) and tells how far it is (progress_bar)
 //
 // This file: what the user asked for, and the commands that answer.
 #pragma once

@@ -20,7 +20,7 @@
 #include "output/tables/stored.h"
 #include "program/commands.h"
 #include "program/helping.h"
-#include "program/unusable_rows.h"
+#include "program/solve_warnings.h"
 #include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
 #include "program/work/results.h"

@@ -13,6 +13,7 @@
 #include "jobs/imaged_target.h"
 #include "output/plots/isar_plot.h"
 #include "output/products/isar_csv.h"
+#include "output/products/isar_netcdf.h"
 #include "output/products/sweep_samples.h"
 #include "output/tables/csv.h"
 #include "output/vtk/isar_vti.h"
@@ -22,7 +23,7 @@ namespace raytube {
 
 namespace {
 
-const ResultNames isar_names = {{"isar.png", "isar_pauli.png"}, {"isar.csv", "isar.vti"}};
+const ProductNames isar_names = {{{"isar.png", "isar_pauli.png"}, {"isar.csv", "isar.vti"}}, "isar.nc"};
 
 IsarImage direct_image(const Request& request, const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
                        const IsarOptions& options) {
@@ -101,12 +102,15 @@ void isar_command(const Request& request) {
   AngleGrid grid;
   IsarOptions options{asked.window, {}, asked.pixels};
   const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
-    check_output(product_folder(request), with_result(request, isar_names), {{"the result", request.result}});
+    check_products(request, unsolved, isar_names);
     const SweepSamples samples = samples_of(unsolved.result, unsolved.name);
     require_several(samples, unsolved.name);
     grid = grid_of_looks(unsolved.result, unsolved.name);
+    const std::vector<ImageAxis> axes = image_axes(samples, grid, asked.window);
+    if (asked.size.size() > axes.size())
+      throw InputError("--size: an image over one angle is in a plane and has no height; leave out the third length");
     options.frame = image_frame(samples, grid, asked.window, unsolved.outermost(), asked.size, unsolved.name);
-    require_cells(image_axes(samples, grid, asked.window), options, unsolved.name);
+    require_cells(axes, options, unsolved.name);
   });
   const SweepSamples samples = samples_of(source.result, source.name);
   IsarImage image;
@@ -115,13 +119,16 @@ void isar_command(const Request& request) {
         asked.direct ? direct_image(request, source, samples, grid, options) : isar_image(samples, grid, options, source.name);
   });
   if (!request.quiet) fmt::print("{}", image_text(image, asked.window));
-  write_products(request, source, isar_names, [&](const std::filesystem::path& folder) {
+  const auto write_files = [&](const std::filesystem::path& folder) {
     write_isar_csv(folder / "isar.csv", image, asked.window);
     stop_if_interrupted();
     write_isar_vti(folder / "isar.vti", image);
     stop_if_interrupted();
     draw_isar(folder, source, image);
-  });
+  };
+  write_products(request, source, isar_names, {write_files, [&](const std::filesystem::path& file) {
+                                                 write_isar_netcdf(file, source.result, image, asked.window);
+                                               }});
 }
 
 }  // namespace raytube

@@ -61,7 +61,7 @@ constexpr const char* profile_examples =
     "Examples:\n"
     "  raytube profile out/rcs.csv\n"
     "  raytube profile case.toml -o profile --window hann\n"
-    "  raytube profile rcs.nc -o profile --window taylor --sidelobes 50";
+    "  raytube profile rcs.nc -o profile.nc --window taylor --sidelobes 50";
 
 constexpr const char* centres_examples =
     "Takes everything that scatters at the middle frequency to pieces, and finds the strongest places: amplitude of all "
@@ -132,7 +132,7 @@ void add_product_options(CLI::App& command, Request& request) {
       ->needs(direct)
       ->check(not_a_mechanism);
   add_set_option(command, request);
-  add_output_option(command, request, "Folder for the results; default <case folder>/out, or that of the result");
+  add_output_option(command, request, "Folder for the results, or FILE.nc; default <case folder>/out, or that of the result");
   add_machine_options(command, request);
   add_quiet_option(command, request, "summary");
 }
@@ -188,7 +188,7 @@ CLI::App* add_centres(CLI::App& app, Request& request) {
                    "Of their places [m]; default a sixtieth of the target, or two wavelengths")
       ->type_name("M")
       ->check(number_between(least_length, most_length));
-  add_output_option(*centres, request, "Folder for the results; default <case folder>/out");
+  add_output_option(*centres, request, "Folder for the results, or FILE.nc; default <case folder>/out");
   add_machine_options(*centres, request);
   add_quiet_option(*centres, request, "summary");
   return centres;

@@ -16,15 +16,19 @@
 #include "jobs/imaged_target.h"
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
+#include "jobs/result_warnings.h"
 #include "jobs/solvable.h"
+#include "jobs/warnings/warnings.h"
 #include "output/files/sha256.h"
 #include "output/netcdf/netcdf_file.h"
 #include "output/tables/stored.h"
 #include "program/helping.h"
-#include "program/unusable_rows.h"
+#include "program/solve_warnings.h"
+#include "program/work/destination.h"
 #include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
 #include "ranks/ranks.h"
+#include "scene/sampling.h"
 #include "solve/pieces.h"
 #include "solve/solve.h"
 
@@ -49,26 +53,49 @@ SweepResult solved(const Request& request, const SolvePlan& plan) {
   };
   SweepResult result = solve(plan, progress, {}, team_of(request));
   if (request.ranks) request.ranks->end();
-  warn_of_unusable_rows(result.statistics);
   return result;
+}
+
+// What run says before and after it, too.
+void solve_into(ProductSource& source, const Request& request, const SolvePlan& plan, const MeshReport& report,
+                Manifest& manifest) {
+  const Case& c = *source.of_case;
+  warn_of_materials(c, report, plan.target, manifest);
+  const std::vector<std::string> warnings = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
+  for (const std::string& sentence : warnings) warn(sentence);
+  check_memory(plan, c, nullptr);
+  const SweepResult result = naming_the_case(c, [&] { return solved(request, plan); });
+  source.unusable_rows = warn_of_unusable_rows(result.statistics);
+  warn_of_lost_rays(c, result.statistics);
+  source.result = stored(c.sweep, result);
+  add_result(manifest, result, warnings_of_result(warnings, c, plan.target, report, result.statistics));
+  source.result.attributes = attributes_of(manifest);
+}
+
+// Of a case that is not solved, so that nothing is known of a result.
+std::vector<std::pair<std::string, std::string>> attributes_without_result(const Manifest& manifest) {
+  auto attributes = attributes_of(manifest);
+  std::erase_if(attributes, [](const auto& each) {
+    return each.first == "counts" || each.first == "warnings" || each.first == "model_uncertainty";
+  });
+  return attributes;
 }
 
 ProductSource source_of_case(const Request& request, const SweepCheck& check) {
   const Case c = read_case(request.result, request.overrides);
   LoadedMesh loaded = load_target(c, request.product.direct);
   if (is_solved_first(request)) share_mesh(request, loaded.mesh);
+  warn_of_free_forms(c, loaded.report);
   const int threads = request.threads > 0 ? request.threads : all_threads();
   ProductSource source{.of_case = c, .name = c.file.string(), .title = c.title, .result = stored_sweep(c.sweep), .target = {}};
   Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
   run_on_threads(threads, [&] { source.target = std::make_unique<const Target>(std::move(loaded.mesh), c.wedges); });
   const SolvePlan plan = plan_of_case(*source.target, c, threads, false);
   check(source);
-  if (!is_solved_first(request)) return source;
-  check_memory(plan, c, nullptr);
-  const SweepResult result = naming_the_case(c, [&] { return solved(request, plan); });
-  source.result = stored(c.sweep, result);
-  manifest.statistics = result.statistics;
-  source.result.attributes = attributes_of(manifest);
+  if (is_solved_first(request))
+    solve_into(source, request, plan, loaded.report, manifest);
+  else
+    source.result.attributes = attributes_without_result(manifest);
   return source;
 }
 
@@ -115,7 +142,7 @@ std::string rcs_csv_sha256_of(const fs::path& file, const StoredResult& result) 
 }
 
 ProductSource stored_result(const fs::path& file) {
-  ProductSource source{.of_case = {}, .name = file.string(), .title = file.stem().string(), .result = {}, .target = {}};
+  ProductSource source{.of_case = {}, .name = file.string(), .title = file.filename().string(), .result = {}, .target = {}};
   source.result = is_netcdf_name(file) ? read_netcdf(file) : read_rcs_csv(file);
   for (const auto& [name, text] : source.result.attributes)
     if (name == "title") source.title = text;
@@ -134,6 +161,43 @@ void pieces_of_look(const Request& request, const ProductSource& source, std::si
   options.progress = [](double) { return !InterruptFlag::raised(); };
   const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
   naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, sink); });
+}
+
+Destination destination_of_products(const Request& request, const ProductNames& names) {
+  const fs::path folder = fs::absolute(request.result).parent_path();
+  return destination_of(request.output_folder, is_case(request.result) ? folder / "out" : folder,
+                        names.files.tables.front().c_str());
+}
+
+bool wants_netcdf(const ProductSource& source) { return source.of_case && source.of_case->netcdf; }
+
+ResultNames all_names(const Request& request, const ProductSource& source, const ProductNames& names) {
+  if (const Destination destination = destination_of_products(request, names); destination.one_file())
+    return {{}, {destination.file}};
+  ResultNames all = names.files;
+  if (wants_netcdf(source)) all.tables.push_back(names.netcdf);
+  if (is_solved_first(request)) all.tables.insert(all.tables.begin(), solved_result);
+  return all;
+}
+
+std::vector<InputFile> inputs_of(const Request& request, const ProductSource& source) {
+  if (source.of_case) return input_files(*source.of_case);
+  return {{"the result", request.result}};
+}
+
+void write_folder(const Request& request, const ProductSource& source, const ProductNames& names, const ProductWriter& write,
+                  const fs::path& folder) {
+  write.files(folder);
+  if (wants_netcdf(source)) write.netcdf(folder / names.netcdf);
+  if (is_solved_first(request)) write_netcdf(folder / solved_result, source.result);
+}
+
+void print_places(const ResultNames& names, const NewResults& results, const Destination& destination) {
+  if (destination.one_file()) return fmt::print("results            {}\n", destination.text());
+  std::vector<std::string> written = names.tables;
+  written.insert(written.end(), names.pictures.begin(), names.pictures.end());
+  std::erase_if(written, [&](const std::string& name) { return !results.has_placed(name); });
+  fmt::print("results            {}: {}\n", destination.text(), fmt::join(written, ", "));
 }
 
 }  // namespace
@@ -192,32 +256,27 @@ ProductSource product_source(const Request& request, const SweepCheck& check) {
   return source;
 }
 
-fs::path product_folder(const Request& request) {
-  if (!request.output_folder.empty()) return request.output_folder;
-  const fs::path folder = fs::absolute(request.result).parent_path();
-  return is_case(request.result) ? folder / "out" : folder;
+void check_products(const Request& request, const ProductSource& source, const ProductNames& names) {
+  check_output(destination_of_products(request, names).folder, all_names(request, source, names), inputs_of(request, source));
 }
 
-ResultNames with_result(const Request& request, ResultNames names) {
-  if (is_solved_first(request)) names.tables.insert(names.tables.begin(), solved_result);
-  return names;
-}
-
-void write_products(const Request& request, const ProductSource& source, const ResultNames& names,
-                    const std::function<void(const fs::path&)>& write) {
-  const OutputFolder folder(product_folder(request));
+void write_products(const Request& request, const ProductSource& source, const ProductNames& names, const ProductWriter& write) {
+  const Destination destination = destination_of_products(request, names);
+  const OutputFolder folder(destination.folder);
   AllOrNothing ending(folder);
   const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
   NewResults results(folder.path());
-  write(results.folder());
-  const ResultNames all = with_result(request, names);
-  if (is_solved_first(request)) write_netcdf(results.folder() / solved_result, source.result);
+  if (destination.one_file())
+    write.netcdf(results.folder() / destination.file);
+  else
+    write_folder(request, source, names, write, results.folder());
   stop_if_interrupted();
-  replace_results(results, folder.path(), all, {}, [&ending] { ending.complete(); });
-  std::vector<std::string> written = all.tables;
-  written.insert(written.end(), all.pictures.begin(), all.pictures.end());
-  std::erase_if(written, [&](const std::string& name) { return !results.has_placed(name); });
-  if (!request.quiet) fmt::print("results            {}: {}\n", folder.path().string(), fmt::join(written, ", "));
+  const ResultNames all = all_names(request, source, names);
+  const std::vector<std::string> leftovers =
+      destination.one_file() ? std::vector<std::string>{} : std::vector<std::string>{names.netcdf};
+  replace_results(results, folder.path(), all, leftovers, [&ending] { ending.complete(); });
+  if (!request.quiet) print_places(all, results, Destination{folder.path(), destination.file});
+  if (source.unusable_rows) throw unusable_rows_in(folder.path());
 }
 
 }  // namespace raytube

@@ -24,6 +24,7 @@ struct ProductSource {
   std::string name;               // for sentences: the file
   std::string title;              // for pictures
   StoredResult result;
+  bool unusable_rows = false;            // of a case: said already
   std::unique_ptr<const Target> target;  // of a case, and of a result beside whose run.json its meshes are as they were
 
   /// Points of the target as wide as all of it, in its own coordinates; none if it is not known.
@@ -50,14 +51,22 @@ void direct_pieces(const Request& request, const ProductSource& source, std::siz
 /// Throws InputError, as `check` does, of a case before it is solved.
 ProductSource product_source(const Request& request, const SweepCheck& check);
 
-/// These results, and of a case that is solved the result itself.
-ResultNames with_result(const Request& request, ResultNames names);
+/// What a command makes: files of a folder; or one netCDF file, which also stands in the folder of a case with output.netcdf.
+struct ProductNames {
+  ResultNames files;
+  std::string netcdf;
+};
 
-/// The folder of a command's results: the one asked for, else `out` beside a case, else that of the result.
-std::filesystem::path product_folder(const Request& request);
+/// Throws InputError if they cannot be placed where they are asked for, or would replace an input.
+void check_products(const Request& request, const ProductSource& source, const ProductNames& names);
 
-/// Brings into their place what `write` writes into a folder; and, of a case, the result itself as rcs.nc. Tells where they are.
-void write_products(const Request& request, const ProductSource& source, const ResultNames& names,
-                    const std::function<void(const std::filesystem::path&)>& write);
+struct ProductWriter {
+  std::function<void(const std::filesystem::path&)> files, netcdf;  // into a folder; to a file
+};
+
+/// Brings into their place what is written, of a case that was solved also the result as rcs.nc: into the folder asked for, else
+/// `out` beside a case, else that of the result. Tells where they are. Throws std::runtime_error in the end for a result with
+/// rows that must not be used.
+void write_products(const Request& request, const ProductSource& source, const ProductNames& names, const ProductWriter& write);
 
 }  // namespace raytube

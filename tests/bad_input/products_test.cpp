@@ -35,6 +35,34 @@ TEST_F(Products, OfAResultAndOfItsCaseAreTheSame) {
   EXPECT_THAT(text_of(scratch / "a/isar.vti"), HasSubstr("<ImageData WholeExtent="));
 }
 
+TEST_F(Products, OneNetcdfFileStandsAlone) {
+  EXPECT_EQ(raytube("profile case.toml -o one/p.nc " + sweep).code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("/one/p.nc\n"));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "one/rcs.nc"));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "one/profile.csv"));
+  EXPECT_EQ(raytube("profile case.toml -o one/again.NC --quiet --threads 1 " + sweep).code, 0);
+  EXPECT_TRUE(text_of(scratch / "one/p.nc") == text_of(scratch / "one/again.NC"));
+  EXPECT_EQ(raytube("isar case.toml -o both --quiet --direct --set output.netcdf=true " + sweep).code, 0);
+  EXPECT_EQ(raytube("isar case.toml -o one/i.nc --quiet --direct " + sweep).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "both/isar.csv"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "both/isar.nc"));
+  EXPECT_EQ(raytube("isar case.toml -o both --quiet --direct " + sweep).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "both/isar.nc")) << "of another image than isar.csv";
+  expect_refused("profile kept/rcs.csv -o p.csv", "profile.csv among them, or one netCDF file; write -o DIR or -o p.nc");
+  expect_refused("plot one/p.nc", "give a netCDF file that raytube run or raytube convert has written");
+  ASSERT_EQ(raytube("convert kept/rcs.csv rcs.nc").code, 0);
+  expect_refused("profile rcs.nc -o rcs.nc", "rcs.nc");
+}
+
+// Looks ten degrees apart are too wide for the lobes of a metre at 10 GHz.
+TEST_F(Products, TheyWarnAsARunDoes) {
+  const std::string wide = sweep + " --quiet --set 'look.phi_deg={start=-20,stop=20,count=5}'";
+  ASSERT_EQ(raytube("run case.toml -o run " + wide).code, 0);
+  const std::string said = text_of(scratch / "stderr.txt");
+  EXPECT_THAT(said, HasSubstr("sampling: steps of 10 deg in phi"));
+  EXPECT_EQ(raytube("profile case.toml -o run.nc " + wide).complaint, said);
+}
+
 TEST_F(Products, SweepsThatNothingCanBeMadeOfAreRefused) {
   expect_refused("profile case.toml --set edges.method=none", "has one frequency; a range profile needs a band");
   expect_refused("isar case.toml --set edges.method=none", "has one frequency; an image needs several frequencies and several");
@@ -80,6 +108,25 @@ TEST_F(Products, OptionsThatDoNotGoTogetherAreRefused) {
   expect_refused("isar case.toml --mechanisms edges", "--mechanisms requires --direct");
   expect_refused("isar case.toml --direct --mechanisms bounce_4", "needs bounce_1, bounce_2, bounce_3_on, edges, interaction");
   expect_refused("isar kept/rcs.csv --size 1e5 1e5", "an image of");
+  expect_refused("isar kept/rcs.csv --size 0.3 0.3 0.3", "--size: an image over one angle is in a plane and has no height");
+}
+
+TEST_F(Products, ALookThatIsThereTwiceIsTold) {
+  const Outcome twice = raytube("profile case.toml -o twice.nc --quiet " + sweep + " --set 'look.phi_deg=[0,1,0]'");
+  EXPECT_EQ(twice.code, 0);
+  EXPECT_THAT(twice.complaint, HasSubstr("look 2 (theta 60, phi 0) has the directions of look 0; both are shown\n"));
+}
+
+// gnuplot leaves out a label for which there is no room.
+TEST_F(Products, PicturesNameWhatTheyShow) {
+  EXPECT_EQ(
+      raytube("profile case.toml -o a --quiet " + sweep + " --set 'look.phi_deg={start=-42.004,stop=-42.001,count=13}'").code, 0);
+  const std::string waterfall = text_of(scratch / "a/waterfall.svg"), label = "<text>φ (°)</text>";
+  EXPECT_NE(waterfall.find(label), waterfall.rfind(label)) << "one of the two panels lacks it";
+  EXPECT_THAT(text_of(scratch / "a/profile.svg"), AllOf(HasSubstr("<text>VV</text>"), HasSubstr("VH &lt; -")));
+  std::filesystem::copy_file(scratch / "kept/rcs.csv", scratch / "bare.csv");
+  EXPECT_EQ(raytube("profile bare.csv -o b --quiet").code, 0);
+  EXPECT_THAT(text_of(scratch / "b/profile.svg"), HasSubstr("<text>bare.csv</text>"));
 }
 
 TEST_F(Products, OneLookMakesAnImageByItself) {

@@ -7,10 +7,13 @@ import re
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import raytube as rt
 from raytube import _core
 from raytube._result import Result
+
+from conftest import CASES
 
 C = 299792458.0
 FREQUENCIES = np.linspace(9e9, 11e9, 41)
@@ -98,6 +101,62 @@ def test_numbers_are_those_of_the_program(solved, program, tmp_path):
     rows = rows_of(tmp_path / "isar.csv")
     assert [float(row["im_vv"]) for row in rows] == pytest.approx(image.S.sel(channel="vv").values.imag.ravel(), rel=1e-8, abs=1e-15)
     assert [float(row["cross_range_m"]) for row in rows[: image.sizes["cross_range_m"]]] == pytest.approx(image.cross_range_m.values, rel=1e-8)
+
+
+def test_netcdf_files_hold_the_same(solved, program, tmp_path):
+    solved.save(tmp_path / "rcs.nc")
+    loaded = rt.load(tmp_path / "rcs.nc")
+    program("profile", tmp_path / "rcs.nc", "-o", tmp_path / "profile.nc", "--quiet")
+    program("isar", tmp_path / "rcs.nc", "-o", tmp_path / "isar.nc", "--size", "0.4", "0.5", "--quiet")
+    for name, made in (("profile", loaded.waterfall()), ("isar", loaded.isar((0.4, 0.5)))):
+        with xr.open_dataset(tmp_path / f"{name}.nc") as file:
+            for channel in ("vv", "vh", "hv", "hh"):
+                one, other = file.sel(receive=channel[0], transmit=channel[1]), made.sel(channel=channel)
+                assert np.array_equal(one.S_re + 1j * one.S_im, other.S), channel  # every bit
+                for level in set(other) - {"S", "outline"}:
+                    np.testing.assert_allclose(one[level], other[level], rtol=1e-13)  # two libraries' logarithms
+            for axis in set(made.coords) - {"channel"}:
+                assert np.array_equal(file[axis], made[axis]) and file[axis].attrs["units"] == made[axis].attrs["units"], axis
+            for key, value in made.attrs.items():
+                assert np.array_equal(file.attrs[key], value), key
+            assert file.attrs["geometry"] == "monostatic" and "4 pi |S|^2" in file.attrs["amplitude_convention"]
+
+
+def test_centres_in_netcdf_are_those_of_the_table(program, tmp_path):
+    program("centres", CASES / "trihedral/case.toml", "-o", tmp_path, "--quiet", "--set", "output.netcdf=true", "-n", "5")
+    rows = rows_of(tmp_path / "centres.csv")
+    with xr.open_dataset(tmp_path / "centres.nc") as file:
+        assert len(rows) == file.sizes["centre"] + 1
+        for row, i in zip(rows, range(file.sizes["centre"])):
+            centre = file.isel(centre=i)
+            assert float(row["re_hh"]) == centre.S_re.sel(receive="h", transmit="h") and float(row["x_m"]) == pytest.approx(float(centre.place.sel(xyz="x")), rel=1e-8)
+            assert row["mechanism"] == str(file.mechanism.values[int(centre.share.argmax())]) and row["part"] == str(centre.part.values)
+        assert float(rows[-1]["im_vv"]) == file.rest_im.sel(receive="v", transmit="v")
+
+
+def test_two_spheres_are_where_their_highlights_are(program, tmp_path):
+    """Each is seen at the point of its surface that faces the radar, with pi a^2."""
+    spheres = ((0.2, [-1.0, 0.6, 0.0]), (0.1, [0.9, -0.7, 0.0]))
+    case = CASES / "two_spheres/case.toml"
+    centres = rt.centres(case, look=20, resolution=0.15)
+    program("isar", case, "-o", tmp_path / "isar.nc", "--quiet")
+    image = xr.open_dataset(tmp_path / "isar.nc").sel(receive="h", transmit="h").sigma_dbsm
+    program("profile", case, "-o", tmp_path / "profile.nc", "--quiet", "--set", "look.phi_deg=0")
+    profile = xr.open_dataset(tmp_path / "profile.nc").isel(look=0).sel(receive="v", transmit="v").sigma_dbsm
+    for i, (radius, (x, y, z)) in enumerate(spheres):
+        level = 10 * np.log10(np.pi * radius**2)
+        found = centres.isel(centre=i)
+        assert found.place.values == pytest.approx([x + radius, y, z], abs=0.005)  # where four cubes of pieces meet
+        assert float(found.sigma_dbsm.sel(receive="v", transmit="v")) == pytest.approx(level, abs=0.2)  # the cube is no wider than the highlight
+        near = profile.sel(range_m=slice(-x - radius - 0.2, -x - radius + 0.2))
+        assert float(near.idxmax()) == pytest.approx(-x - radius, abs=0.012)  # half of a step
+        assert float(near.max()) == pytest.approx(level, abs=0.2)  # scalloping, side lobes
+        spot = image.sel(range_m=slice(-x - radius - 0.2, -x - radius + 0.2), cross_range_m=slice(y - 0.2, y + 0.2))
+        peak = spot.argmax(...)
+        assert float(spot.range_m[peak["range_m"]]) == pytest.approx(-x - radius, abs=0.013)
+        assert float(spot.cross_range_m[peak["cross_range_m"]]) == pytest.approx(y, abs=0.012)
+        assert float(spot.max()) == pytest.approx(level, abs=0.4)  # the highlight moves over the sphere as it turns
+    assert float(centres.sigma_dbsm.sel(receive="v", transmit="v")[2]) < -35  # from one sphere to the other, and side lobes
 
 
 def test_the_file_for_paraview_holds_the_image(solved, program, tmp_path):

@@ -100,7 +100,7 @@ const Rooms may_include = {
                                           "sbr/launch", "solve", "solve/mechanisms"}},
     {"ranks", {"core"}},
     {"mpi", {"core", "ranks"}},
-    {"program/work", {"core", "plan", "output/files", "solve"}},
+    {"program/work", {"core", "plan", "output/files", "output/netcdf", "solve"}},
     {"program", base + std::set<std::string>{"jobs",           "jobs/warnings",    "case",
                                              "case/data",      "case/materials",   "mesh",
                                              "output/charts",  "output/compare",   "output/statistics",

@@ -14,8 +14,7 @@ namespace {
 
 constexpr std::size_t most_dots_along = 600;  // about the pixels of a panel
 constexpr double most_panel_width = 560.0, most_panel_height = 560.0, least_panel_side = 160.0, usual_panel_height = 420.0;
-constexpr double panels_left = 90.0, panels_right = 120.0, panels_top = 90.0, gap_beside = 90.0, gap_below = 110.0,
-                 panels_bottom = 70.0;
+constexpr double least_panels_left = 90.0, panels_right = 120.0, panels_top = 90.0, gap_below = 110.0, panels_bottom = 70.0;
 
 // Blocks of values, each a dot.
 struct DotsAlong {
@@ -72,18 +71,28 @@ dvec2 panel_size(const LevelPanels& drawn, const DotsAlong& x, const DotsAlong& 
   return glm::max(pixels * dvec2(length_of(x), length_of(y)), dvec2(least_panel_side));
 }
 
+// Room for the ticks of the ordinate, a tenth of it apart at least, and its label.
+double room_on_the_left(const EvenAxis& dots) {
+  constexpr double label = 58.0, character = 9.0;
+  const double length = std::abs(dots.step) * static_cast<double>(dots.count);
+  const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(length / 5.0))), 0, 12);
+  const auto width = [&](double value) { return static_cast<double>(fmt::formatted_size("{:.{}f}", value, decimals)); };
+  return std::max(least_panels_left, label + character * std::max(width(dots.first), width(dots.last())));
+}
+
 // Where panels are on their canvas, in pixels from its lower left corner.
 struct PanelLayout {
   dvec2 size;  // of a panel
   std::size_t panels;
+  double left_of_each;
 
   std::size_t rows() const { return (panels + 1) / 2; }
-  double across() const { return panels_left + (panels > 1 ? 2.0 * size.x + gap_beside : size.x) + panels_right; }
+  double across() const { return left_of_each + (panels > 1 ? 2.0 * size.x + left_of_each : size.x) + panels_right; }
   double down() const {
     return panels_top + static_cast<double>(rows()) * size.y + static_cast<double>(rows() - 1) * gap_below + panels_bottom;
   }
   std::string margins(std::size_t number) const {
-    const double left = panels_left + (number % 2 == 1 ? size.x + gap_beside : 0.0),
+    const double left = left_of_each + (number % 2 == 1 ? size.x + left_of_each : 0.0),
                  top = down() - panels_top - static_cast<double>(number / 2) * (size.y + gap_below);
     return fmt::format(
         "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at "
@@ -117,7 +126,7 @@ std::string lines_plot(const LevelPanels& drawn) {
 
 std::string colors_panel_script(const std::string& file, const LevelPanels& axes, const std::string& colors) {
   const DotsAlong x = dots_along(axes.x.values), y = dots_along(axes.y.values);
-  const PanelLayout layout{panel_size(axes, x, y), 1};
+  const PanelLayout layout{panel_size(axes, x, y), 1, room_on_the_left(y.dots)};
   std::string script = gnuplot_preamble("pngcairo", fmt::format("{:.0f},{:.0f}", layout.across(), layout.down()), file);
   script += lines_data(axes.lines) + colors + "set title " + gnuplot_quoted_lines(axes.heading) + '\n';
   script += axes_text(axes, x, y) + layout.margins(0) + "plot $colors using 1:2:3:4:5 with rgbimage notitle" + lines_plot(axes);
@@ -126,7 +135,7 @@ std::string colors_panel_script(const std::string& file, const LevelPanels& axes
 
 std::string level_panels_script(const std::string& terminal, const std::string& file, const LevelPanels& drawn) {
   const DotsAlong x = dots_along(drawn.x.values), y = dots_along(drawn.y.values);
-  const PanelLayout layout{panel_size(drawn, x, y), drawn.panels.size()};
+  const PanelLayout layout{panel_size(drawn, x, y), drawn.panels.size(), room_on_the_left(y.dots)};
   const double top = top_of(drawn), bottom = top - drawn.range;
   std::string script =
       gnuplot_preamble(terminal, fmt::format("{:.0f},{:.0f}", layout.across(), layout.down()), file) + lines_data(drawn.lines);

@@ -7,6 +7,7 @@
 
 #include "core/decimal.h"
 #include "output/plots/curves.h"
+#include "output/plots/cut_panel.h"
 #include "output/plots/gnuplot.h"
 #include "output/plots/level_panels.h"
 #include "output/tables/csv.h"
@@ -46,6 +47,18 @@ std::string profile_data(std::span<const ScatteringMatrix> profile, const EvenAx
   return text + "EOD\n";
 }
 
+std::string curves(std::span<const ScatteringMatrix> profile, double bottom, double top) {
+  std::string text;
+  for (const int channel : {0, 1, 2, 3}) {
+    const bool shown = std::ranges::any_of(
+        profile, [&](const ScatteringMatrix& s) { return sigma_dbsm(s.at(channel / 2, channel % 2)) >= bottom; });
+    text += shown ? fmt::format(", \\\n  $profile using 1:{} with lines ls {} title '{}'", channel + 2, channel + 1,
+                                channel_titles[static_cast<std::size_t>(channel)])
+                  : channel_below(channel, true, {bottom, top, bottom});
+  }
+  return text;
+}
+
 // A level line where all of an uncertainty would be at one range, of the stronger co-polar channel.
 std::string floor_line(const ChannelErrors& errors, double bottom, const char* name, const char* color) {
   const double level = sigma_dbsm(std::max(errors[0][0], errors[1][1]));
@@ -68,11 +81,8 @@ std::string profile_script(const std::string& terminal, const std::string& file,
       "set xlabel 'range beyond the origin (m)'\nset ylabel 'σ (dBsm)'\nset xrange [{}:{}]\nset yrange [{}:{}]\nset bmargin 9\n"
       "set key at screen 0.5, screen 0.08 center center horizontal maxcols 3\n",
       profiles.range.first, profiles.range.last(), bottom, top);
-  script += "plot ";
-  for (const std::size_t channel : {0, 1, 2, 3})
-    script += fmt::format("{}$profile using 1:{} with lines ls {} title '{}'", channel == 0 ? "" : ", \\\n  ", channel + 2,
-                          channel + 1, channel_titles[channel]);
-  script += floor_line(profiles.model[look], bottom, "model uncertainty", "#808080") +
+  script += "plot NaN notitle" + curves(profile, bottom, top) +
+            floor_line(profiles.model[look], bottom, "model uncertainty", "#808080") +
             floor_line(profiles.error[look], bottom, "numerical error", "#b0b0b0");
   return script + "\nset output\n";
 }

@@ -26,7 +26,7 @@ void merge_command(const Request& request) {
   const ShardFiles shards(request.merged_folder);
   const Request run = merged_run(request, shards);
   const Case read = read_case(run.case_file, run.overrides);
-  const Destination destination = destination_of(run, read);
+  const Destination destination = destination_of(run.output_folder, {}, "rcs.csv");
   const Case c = case_for(destination, run, read);
   check_output(destination.folder, names_of_results(run, c, destination), input_files(c));
   LookJournal::refuse_leftover(LookJournal::file_in(destination.folder));

@@ -11,32 +11,14 @@
 #include "core/instruction_set.h"
 #include "core/threads.h"
 #include "jobs/inputs.h"
-#include "jobs/material_report.h"
 #include "jobs/memory.h"
 #include "jobs/solvable.h"
 #include "output/files/sha256.h"
 #include "program/helping.h"
-#include "program/work/results.h"
+#include "program/solve_warnings.h"
 #include "solve/random.h"
 
 namespace raytube {
-
-namespace {
-
-void warn_of_mesh(const Case& c, const std::string& sentence) {
-  if (!sentence.empty()) warn(fmt::format("{}: {}", mesh_names(c), sentence));
-}
-
-// What of the materials is not seen as it is drawn.
-void warn_of_materials(const Case& c, const MeshReport& report, const Target& target, Manifest& manifest) {
-  const OverlapNote overlap = overlap_note(c, target);
-  for (const std::string& sentence : {duplicates_sentence(report), overlap.sentence}) warn_of_mesh(c, sentence);
-  if (overlap.pairs > 0)
-    manifest.mesh_notes.emplace_back("pairs of facets of different materials upon one another in one plane, one of which is seen",
-                                     static_cast<double>(overlap.pairs));
-}
-
-}  // namespace
 
 JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
   JournalIdentity identity{{"version or build of raytube", manifest.program_version + ' ' + sha256_of_file("/proc/self/exe")},
@@ -52,7 +34,7 @@ JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
 PreparedRun prepared_run(const Request& request, const Case& read, const Case& c, const Stopwatch& total) {
   LoadedMesh loaded = load_target(c);
   share_mesh(request, loaded.mesh);
-  warn_of_mesh(c, free_forms_sentence(loaded.report));
+  warn_of_free_forms(c, loaded.report);
   PreparedRun run{c, loaded.report, described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report)), {}, {}};
   Manifest& manifest = run.manifest;
   manifest.time.read_s = total.seconds();

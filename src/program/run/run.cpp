@@ -27,7 +27,7 @@ void run_command(const Request& request) {
   const Stopwatch total;
   const Case read = read_case(request.case_file, request.overrides);
   if (request.shard) return run_shard(request, read, total);
-  const Destination destination = destination_of(request, read);
+  const Destination destination = destination_of(request.output_folder, read.file.parent_path() / "out", "rcs.csv");
   const Case c = case_for(destination, request, read);
   check_output(destination.folder, names_of_results(request, c, destination), input_files(c));
   if (!request.resume) LookJournal::refuse_leftover(LookJournal::file_in(destination.folder));

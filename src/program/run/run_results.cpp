@@ -19,7 +19,7 @@
 #include "output/words/summary.h"
 #include "program/helping.h"
 #include "program/images.h"
-#include "program/unusable_rows.h"
+#include "program/solve_warnings.h"
 #include "program/work/interrupt.h"
 #include "program/work/look_journal.h"
 #include "program/work/progress_bar.h"
@@ -112,7 +112,7 @@ class Run {
       if (request_.ranks) request_.ranks->end();
       journal_.keep_all();
       unusable = warn_of_unusable_rows(solved.result.statistics);
-      warn_of_lost_rays(solved.result.statistics);
+      warn_of_lost_rays(case_, solved.result.statistics);
       write(solved, total);
       if (!request_.quiet) print(solved);
     } catch (const Interrupted&) {
@@ -127,10 +127,6 @@ class Run {
  private:
   // Looks that need not be computed.
   std::size_t known() const { return merged_ ? merged_->count : journal_.resumed(); }
-
-  void warn_of_lost_rays(const Statistics& statistics) const {
-    if (statistics.lost_rays > 0) warn(lost_rays_sentence(statistics, case_.metres_per_unit, case_.unit));
-  }
 
   // Once more if somebody removes the folder meanwhile.
   void write(const Solved& solved, const Stopwatch& total) {
@@ -160,10 +156,7 @@ class Run {
 
   void complete_manifest(const Solved& solved) {
     const auto& [result, by_chance] = solved;
-    manifest_.warnings = warnings_of_result(warnings_, case_, plan_.target, report_, result.statistics);
-    manifest_.statistics = result.statistics;
-    manifest_.model_parts = result.model_parts;
-    for (ModelPart& part : manifest_.model_parts) part.rows.clear();
+    add_result(manifest_, result, warnings_of_result(warnings_, case_, plan_.target, report_, result.statistics));
     manifest_.looks_resumed = known();
     if (by_chance) manifest_.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
   }

@@ -1,8 +1,8 @@
 // A run from the computation on, into its folder.
 #pragma once
 
-#include "program/run/destination.h"
 #include "program/run/prepared_run.h"
+#include "program/run/result_names.h"
 #include "program/run/stopwatch.h"
 #include "scene/options.h"
 

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "output/files/folder_lock.h"
 #include "program/helping.h"
-#include "program/run/destination.h"
+#include "program/work/destination.h"
 #include "program/work/interrupt.h"
 #include "program/work/look_journal.h"
 #include "program/work/progress_bar.h"
@@ -105,7 +105,7 @@ std::string shard_file_name(const Shard& shard) {
 
 void run_shard(const Request& request, const Case& c, const Stopwatch& total) {
   const Shard shard = shard_of_text(*request.shard);
-  const Destination destination = destination_of(request, c);
+  const Destination destination = destination_of(request.output_folder, c.file.parent_path() / "out", "rcs.csv");
   if (destination.one_file())
     throw InputError(fmt::format("-o {}: a shard is a part of a result; give a folder, and -o FILE.nc to raytube merge",
                                  request.output_folder.string()));

@@ -1,31 +1,17 @@
-#include "program/run/destination.h"
+#include "program/run/result_names.h"
 
 #include <fmt/format.h>
 
 #include <set>
 
 #include "core/error.h"
-#include "core/text.h"
 #include "output/files/unlisted_results.h"
-#include "output/netcdf/netcdf_file.h"
 #include "output/plots/polar_plot.h"
 #include "program/images.h"
 
 namespace raytube {
 
 namespace fs = std::filesystem;
-
-Destination destination_of(const Request& request, const Case& c) {
-  const fs::path& asked = request.output_folder;
-  if (asked.empty()) return {c.file.parent_path() / "out", ""};
-  if (std::error_code unreadable; fs::is_directory(asked, unreadable)) return {asked, ""};
-  if (lower_case(asked.extension().string()) == ".csv")
-    throw InputError(
-        fmt::format("-o {}: results are a folder of files, rcs.csv among them, or one netCDF file; write -o DIR or -o {}",
-                    asked.string(), fs::path(asked).replace_extension(".nc").string()));
-  if (!is_netcdf_name(asked)) return {asked, ""};
-  return {fs::absolute(asked).parent_path(), asked.filename().string()};
-}
 
 Case case_for(const Destination& destination, const Request& request, Case c) {
   if (!destination.one_file()) return c;

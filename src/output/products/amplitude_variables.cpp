@@ -1,0 +1,24 @@
+#include "output/products/amplitude_variables.h"
+
+#include "output/tables/csv.h"
+
+namespace raytube {
+
+void write_amplitudes(NewNetcdf& out, std::vector<std::string> axes, const std::string& what, const std::string& coordinates,
+                      const std::vector<ScatteringMatrix>& s) {
+  axes.insert(axes.end(), {"receive", "transmit"});
+  const auto write = [&](const char* name, const char* units, const std::string& long_name, const std::vector<double>& values) {
+    const int variable = out.variable(name, axes, units, long_name);
+    out.attribute(variable, "coordinates", coordinates);
+    out.put(variable, values);
+  };
+  std::vector<double> levels;
+  levels.reserve(4 * s.size());
+  for (const ScatteringMatrix& each : s)
+    for (const int channel : {0, 1, 2, 3}) levels.push_back(sigma_dbsm(each.at(channel / 2, channel % 2)));
+  write("S_re", "m", "real part of the " + what, components(s, ComplexPart::real));
+  write("S_im", "m", "imaginary part of the " + what, components(s, ComplexPart::imaginary));
+  write("sigma_dbsm", "dBsm", "level of the " + what + ", 10 log10(4 pi |S|^2 / 1 m^2): a point of sigma reads sigma", levels);
+}
+
+}  // namespace raytube

@@ -1,0 +1,15 @@
+// Scattering centres as netCDF.
+#pragma once
+
+#include <filesystem>
+
+#include "output/netcdf/stored_result.h"
+#include "output/products/centres_csv.h"
+
+namespace raytube {
+
+/// What centres.csv has, in every digit, with what `result` says of the case. Throws as write_netcdf does.
+void write_centres_netcdf(const std::filesystem::path& file, const StoredResult& result, const ScatteringCentres& found,
+                          const CentreLook& look, const PartOfTriangle& part_of);
+
+}  // namespace raytube

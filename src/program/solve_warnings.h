@@ -1,0 +1,28 @@
+// What is to be said of the mesh before a case is solved, and of rows that came out.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "case/data/case.h"
+#include "output/files/manifest.h"
+#include "plan/target.h"
+
+namespace raytube {
+
+/// Warns of what of the mesh was left out as no surface.
+void warn_of_free_forms(const Case& c, const MeshReport& report);
+
+/// Warns of what of the materials is not seen as it is drawn, and notes it in the manifest.
+void warn_of_materials(const Case& c, const MeshReport& report, const Target& target, Manifest& manifest);
+
+void warn_of_lost_rays(const Case& c, const Statistics& statistics);
+
+/// Of rows that must not be used, beyond their bound or without a number: a warning for each mechanism that has such rows;
+/// whether there are any.
+bool warn_of_unusable_rows(const Statistics& statistics);
+
+/// What makes the program end with 1. To be thrown once the results are written: other rows of them are sound.
+std::runtime_error unusable_rows_in(const std::filesystem::path& folder);
+
+}  // namespace raytube
