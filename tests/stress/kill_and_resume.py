@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
 """Kills runs of a case at random moments, resumes them, and holds the results against those of a run that nobody touched.
 
-    tests/stress/kill_and_resume.py build/raytube cases/powercube/case.toml [--kills 100] [--seed 1] [--signal KILL] [-- RUN OPTIONS]
+    tests/stress/kill_and_resume.py build/raytube cases/powercube/case.toml [--kills 100] [--seed 1] [--signal KILL] [--ranks 3]
+                                    [-- RUN OPTIONS]
 
 A run is killed after a random time up to a little more than an untouched one takes, then resumed with another number of threads, perhaps
 killed again, until one comes to its end; then its tables must be the same, byte for byte, and run.json but for times and memory. This goes
 on until there were as many kills as wanted. Exit code 1 if anything differs. With --signal INT it also tells how long the program took
-to end.
+to end. With --ranks runs are jobs of up to so many processes by MPI, any one of which is killed; 77 where there is no MPI.
 """
 
 import argparse
 import json
+import os
 import pathlib
 import random
 import shutil
@@ -20,6 +22,7 @@ import sys
 import tempfile
 import time
 
+MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
 HIDDEN = (".raytube.journal", ".raytube.lock")
 
 
@@ -29,6 +32,7 @@ def arguments():
     parser.add_argument("case")
     parser.add_argument("--kills", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--signal", choices=["KILL", "INT", "TERM"], default="KILL")
     words = sys.argv[1:]
     end = words.index("--") if "--" in words else len(words)
@@ -58,7 +62,18 @@ class Killer:
 
     def start(self, folder, *more):
         command = [self.args.program, "run", self.args.case, "-o", str(folder), "--quiet", "--parts", *more, *self.args.options]
-        return subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+        if self.args.ranks > 1:
+            command = ["mpirun", "-n", str(self.random.randint(2, self.args.ranks)), *command]
+        return subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env={**os.environ, **MPI})
+
+    def kill(self, run):
+        """The run, or one of its ranks: these are children of mpirun."""
+        name = getattr(signal, "SIG" + self.args.signal)
+        if self.args.ranks == 1:
+            return run.send_signal(name)
+        ranks = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
+        if ranks:
+            os.kill(int(self.random.choice(ranks)), name)
 
     def untouched(self):
         begin = time.monotonic()
@@ -75,14 +90,14 @@ class Killer:
             run.wait(self.random.uniform(0.0, 1.1 * self.duration))
         except subprocess.TimeoutExpired:
             begin = time.monotonic()
-            run.send_signal(getattr(signal, "SIG" + self.args.signal))
+            self.kill(run)
             run.wait()
             self.longest_end = max(self.longest_end, time.monotonic() - begin)
         complaint = run.stderr.read()
         run.stderr.close()
         if run.returncode == 0:
             return False
-        if run.returncode != (-9 if self.args.signal == "KILL" else 130):
+        if self.args.ranks == 1 and run.returncode != (-9 if self.args.signal == "KILL" else 130):
             self.wrong.append(f"exit code {run.returncode}: {complaint}")
             return False
         return True
@@ -117,6 +132,8 @@ class Killer:
 
 def main():
     args = arguments()
+    if args.ranks > 1 and not (shutil.which("mpirun") and (pathlib.Path(args.program).parent / "raytube_mpi.so").exists()):
+        sys.exit(77)
     with tempfile.TemporaryDirectory(prefix="raytube-kill-") as scratch:
         killer = Killer(args, pathlib.Path(scratch))
         killer.untouched()
