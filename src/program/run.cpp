@@ -161,13 +161,14 @@ ResultNames names_of_results(const Request& request, const Case& c, const Destin
   return names;
 }
 
-// What a run with other wishes may have left. One file replaces nothing but itself.
+// What a run with other wishes may have left, and a page that tells of the results that are replaced. One file replaces nothing
+// but itself.
 std::vector<std::string> names_of_earlier_results(const Destination& destination) {
   if (destination.one_file()) return {};
   const std::set<std::string> images = names_of_images(destination.folder);
   std::vector<std::string> names(images.begin(), images.end());
-  names.insert(names.end(),
-               {"incoherent.csv", "parts.csv", "random.csv", "rcs.nc", "rcs.png", "rcs.svg", "rcs_polar.png", "rcs_polar.svg"});
+  names.insert(names.end(), {"incoherent.csv", "parts.csv", "random.csv", "rcs.nc", "rcs.png", "rcs.svg", "rcs_polar.png",
+                             "rcs_polar.svg", "report.html"});
   return names;
 }
 

@@ -1,6 +1,7 @@
 #include "output/report/sweep_json.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "imaging/sweep_grid.h"
 #include "output/report/blocks.h"
@@ -82,6 +83,17 @@ JsonValue parts_json(const StoredResult& result, const std::vector<std::uint32_t
   return parts;
 }
 
+// By transmit polarisation; null where there are none.
+JsonValue incoherent_json(const StoredResult& result, const std::vector<std::uint32_t>& rows) {
+  JsonValue json;
+  for (std::size_t transmit = 0; transmit < 2 && !result.incoherent_m2.empty(); ++transmit) {
+    std::vector<double> levels;
+    for (const std::uint32_t row : rows) levels.push_back(10.0 * std::log10(result.incoherent_m2[row][transmit]));
+    json.append(packed_levels(levels));
+  }
+  return json;
+}
+
 JsonValue looks_json(const StoredResult& result) {
   std::array<std::vector<double>, 4> angles;
   for (const StoredLook& look : result.looks) {
@@ -121,7 +133,8 @@ JsonValue sweep_json(const StoredResult& result) {
           {"sigma", levels_json(rows, result.sigma_dbsm)},
           {"error", levels_json(rows, result.err_db)},
           {"model", levels_json(rows, result.model_db)},
-          {"parts", parts_json(result, rows)}};
+          {"parts", parts_json(result, rows)},
+          {"incoherent", incoherent_json(result, rows)}};
 }
 
 JsonValue map_json(const StoredResult& result, const std::string& name) {
