@@ -6,6 +6,7 @@
 
 #include "case/read_case.h"
 #include "jobs/centres_of_look.h"
+#include "output/imaging/centres_plot.h"
 #include "output/products/centres_csv.h"
 #include "output/tables/csv.h"
 #include "program/products.h"
@@ -15,7 +16,7 @@ namespace raytube {
 
 namespace {
 
-const ResultNames centre_names = {{}, {"centres.csv", "centres.ply", "by_part.csv"}};
+const ResultNames centre_names = {{"centres.png", "centres.svg"}, {"centres.csv", "centres.ply", "by_part.csv"}};
 
 double relative_db(const ScatteringMatrix& s, const ScatteringMatrix& rest, int p) {
   return 20.0 * std::log10(std::abs(s.at(p, p) - rest.at(p, p)) / std::abs(s.at(p, p)));
@@ -33,6 +34,14 @@ std::string centres_text(const ScatteringCentres& found, const ScatteringMatrix&
   return text + fmt::format("look               VV {:.2f} dBsm, HH {:.2f} dBsm; all {} centres together {:+.2f} dB, {:+.2f} dB\n",
                             sigma_dbsm(s.vv()), sigma_dbsm(s.hh()), found.centres.size(), relative_db(s, found.rest, 0),
                             relative_db(s, found.rest, 1));
+}
+
+void draw_centres(const std::filesystem::path& folder, const ProductSource& source, const LookCentres& centres) {
+  const std::string look = fmt::format("scattering centres of θ = {:g}°, φ = {:g}° at {:g} GHz", centres.direction.theta / degree,
+                                       centres.direction.phi / degree, centres.frequency * 1e-9);
+  const std::string trouble =
+      plot_centres(folder, {source.title, look}, centres.found, axes_of_look(centres.direction), source.lines());
+  if (!trouble.empty()) warn("no picture of the centres: " + trouble);
 }
 
 }  // namespace
@@ -53,6 +62,8 @@ void centres_command(const Request& request) {
     write_centres_csv(folder / "centres.csv", centres.found, look, part_of);
     write_centres_ply(folder / "centres.ply", centres.found);
     write_by_part_csv(folder / "by_part.csv", centres.pieces, look, part_of);
+    stop_if_interrupted();
+    draw_centres(folder, source, centres);
   });
 }
 

@@ -1,4 +1,4 @@
-#include "output/plots/profile_plot.h"
+#include "output/imaging/profile_plot.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "core/decimal.h"
 #include "output/plots/curves.h"
 #include "output/plots/gnuplot.h"
-#include "output/plots/level_panels.h"
+#include "output/imaging/level_panels.h"
 #include "output/tables/csv.h"
 
 namespace raytube {
