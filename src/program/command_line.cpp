@@ -131,7 +131,7 @@ CLI::App* add_run(CLI::App& app, Request& request) {
   add_case_options(*run, request);
   add_output_option(*run, request, "Folder for the results, or FILE.nc; default <case folder>/out");
   add_machine_options(*run, request);
-  run->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
+  run->add_flag("--parts", request.parts, "Also write parts.csv, and parts.png: S split by bounce and edges");
   run->add_flag("--resume", request.resume, "Go on with the looks that a run stopped before has left in the folder");
   add_quiet_option(*run, request, "summary");
   add_random_options(*run, request);

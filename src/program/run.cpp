@@ -27,6 +27,7 @@
 #include "output/files/sha256.h"
 #include "output/files/unlisted_results.h"
 #include "output/netcdf/netcdf_file.h"
+#include "output/plots/parts_plot.h"
 #include "output/plots/plot.h"
 #include "output/plots/polar_plot.h"
 #include "output/tables/csv.h"
@@ -89,8 +90,10 @@ void write_tables(const fs::path& folder, const Case& c, const Solved& solved, b
   stop_if_interrupted();
 }
 
-void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result, std::span<const dvec3> outermost) {
-  const std::string trouble = plot_rcs(folder, c.title, c.sweep, result, outermost);
+void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result, std::span<const dvec3> outermost, bool parts) {
+  std::string trouble = plot_rcs(folder, c.title, c.sweep, result, outermost);
+  stop_if_interrupted();
+  if (trouble.empty() && parts) trouble = plot_parts(folder, c.title, c.sweep, result, outermost);
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
 }
@@ -152,6 +155,7 @@ ResultNames names_of_results(const Request& request, const Case& c, const Destin
   ResultNames names = image_names(c);
   if (c.plots) names.pictures.insert(names.pictures.end(), {"rcs.png", "rcs.svg"});
   if (c.plots && has_full_circle(c.sweep)) names.pictures.insert(names.pictures.end(), {"rcs_polar.png", "rcs_polar.svg"});
+  if (c.plots && request.parts) names.pictures.insert(names.pictures.end(), {"parts.png", "parts.svg"});
   names.tables.emplace_back("channels.csv");
   if (request.parts) names.tables.emplace_back("parts.csv");
   if (c.incoherent) names.tables.emplace_back("incoherent.csv");
@@ -167,8 +171,8 @@ std::vector<std::string> names_of_earlier_results(const Destination& destination
   if (destination.one_file()) return {};
   const std::set<std::string> images = names_of_images(destination.folder);
   std::vector<std::string> names(images.begin(), images.end());
-  names.insert(names.end(), {"incoherent.csv", "parts.csv", "random.csv", "rcs.nc", "rcs.png", "rcs.svg", "rcs_polar.png",
-                             "rcs_polar.svg", "report.html"});
+  names.insert(names.end(), {"incoherent.csv", "parts.csv", "parts.png", "parts.svg", "random.csv", "rcs.nc", "rcs.png",
+                             "rcs.svg", "rcs_polar.png", "rcs_polar.svg", "report.html"});
   return names;
 }
 
@@ -271,7 +275,7 @@ class Run {
     manifest_.peak_rss_bytes = peak_rss_bytes();
     manifest_.time.total_s = total.seconds() - drawing_s;
     write_manifest(folder / "run.json", manifest_);
-    if (case_.plots) draw_plots(folder, case_, solved.result, outermost_);
+    if (case_.plots) draw_plots(folder, case_, solved.result, outermost_, request_.parts);
   }
 
   void print(const Solved& solved) const {

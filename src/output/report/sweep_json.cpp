@@ -65,14 +65,6 @@ JsonValue levels_json(const std::vector<std::uint32_t>& rows, const std::vector<
   return channels_json(rows, [&](std::size_t row, std::size_t p, std::size_t q) { return levels[row][p][q]; });
 }
 
-std::string part_label(const std::string& name) {
-  if (name.starts_with("bounce")) return "bounce " + name.substr(6);
-  if (name == "edges_first_order") return "edges, order 1";
-  if (name == "edges_second_order") return "edges, orders 2 and 3";
-  if (name == "between") return "edge\u2013face interaction";
-  return name == "surface" ? "waves over curved surfaces" : name;
-}
-
 JsonValue parts_json(const StoredResult& result, const std::vector<std::uint32_t>& rows) {
   JsonValue parts{std::vector<JsonValue>{}};
   for (const StoredPart& part : result.parts)
