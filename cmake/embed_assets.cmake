@@ -1,6 +1,6 @@
 # Makes C++ of the files of src/output/report/assets/: cmake -DASSETS=FOLDER -DOUTPUT=FILE.cpp -P embed_assets.cmake
 # Scripts run in the order of this list; src/output/report/assets.h has its length.
-set(scripts data.js scales.js plot.js curves.js heat.js space.js words.js page.js)
+set(scripts data.js scales.js plot.js curves.js heat.js centres.js space.js words.js page.js)
 set(text "#include \"output/report/assets.h\"\n\nnamespace raytube {\n\n")
 function(append_asset file before after)
   file(READ ${ASSETS}/${file} content)
@@ -8,7 +8,7 @@ function(append_asset file before after)
 endfunction()
 append_asset(page.html "const std::string_view asset_page = " ";\n")
 append_asset(style.css "const std::string_view asset_style = " ";\n")
-string(APPEND text "const std::array<std::string_view, 8> asset_scripts = {\n")
+string(APPEND text "const std::array<std::string_view, 9> asset_scripts = {\n")
 foreach(script IN LISTS scripts)
   append_asset(${script} "" ",\n")
 endforeach()

@@ -37,11 +37,23 @@ std::vector<std::string> cells_between_blanks(const std::string& line) {
   return cells;
 }
 
+// A cell that begins with a double quote has its separators between quotes; the line may have lost its last quote.
+std::size_t end_of_cell(const std::string& line, std::size_t begin, char separator) {
+  const std::size_t first = line.find_first_not_of(" \t", begin);
+  bool quoted = false;
+  const bool may_be_quoted = first != std::string::npos && line[first] == '"';
+  for (std::size_t i = begin; i < line.size(); ++i) {
+    if (may_be_quoted && line[i] == '"') quoted = !quoted;
+    if (line[i] == separator && !quoted) return i;
+  }
+  return line.size();
+}
+
 std::vector<std::string> cells_of(const std::string& line, char separator) {
   if (separator == ' ') return cells_between_blanks(line);
   std::vector<std::string> cells;
   for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t end = std::min(line.find(separator, at), line.size());
+    const std::size_t end = end_of_cell(line, at, separator);
     cells.push_back(trimmed(line.substr(at, end - at)));
     at = end + 1;
   }

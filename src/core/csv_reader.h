@@ -11,7 +11,7 @@ namespace raytube {
 
 /// Reads a table row by row. Lines that begin with '#' and empty lines are passed over; the first line left names the columns.
 /// Columns are separated by commas, or else semicolons, or else blanks, as the header shows. A byte order mark, blanks and
-/// double quotes round a cell are dropped.
+/// double quotes round a cell are dropped; commas and semicolons between such quotes are the cell's own.
 class CsvReader {
  public:
   /// Throws InputError, which ends with `remedy`, if the file cannot be read; columns() is empty if it holds no line.

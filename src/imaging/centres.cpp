@@ -77,6 +77,11 @@ void describe(const std::vector<PieceCluster>& clusters, const dvec3& at, const 
 
 }  // namespace
 
+LookAxes axes_of_look(const Direction& to_radar) {
+  const SphericalBasis basis = spherical_basis(to_radar);
+  return {-basis.radial, basis.phi_hat, -basis.theta_hat};
+}
+
 std::size_t ScatteringCentre::mechanism() const {
   return static_cast<std::size_t>(std::ranges::max_element(shares) - shares.begin());
 }

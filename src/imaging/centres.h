@@ -14,6 +14,9 @@
 
 namespace raytube {
 
+/// `to_radar`: the direction of the look.
+LookAxes axes_of_look(const Direction& to_radar);
+
 struct CentreOptions {
   std::size_t count = 50;   // at most
   double side = 0.0;        // of the cube that is resolved: c / 2B, lambda / 2 dphi [m]

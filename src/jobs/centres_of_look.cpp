@@ -20,11 +20,6 @@ double usual_side(const Target& target, double wavelength) {
   return std::max(2.0 * target.mesh.radius / sides_to_a_target, wavelengths_to_a_side * wavelength);
 }
 
-LookAxes axes_of(const Direction& direction) {
-  const SphericalBasis basis = spherical_basis(direction);
-  return {-basis.radial, basis.phi_hat, -basis.theta_hat};
-}
-
 LookCentres found_centres(const Target& target, const Case& c, const CentresAsked& asked, int threads,
                           const std::function<bool(double)>& progress) {
   const std::size_t looks = c.sweep.looks.size();
@@ -47,7 +42,7 @@ LookCentres found_centres(const Target& target, const Case& c, const CentresAske
                       result.pieces.push_back(piece);
                       result.s += piece.s;
                     });
-  result.found = scattering_centres(result.pieces, axes_of(result.direction), {asked.count, result.side, length});
+  result.found = scattering_centres(result.pieces, axes_of_look(result.direction), {asked.count, result.side, length});
   return result;
 }
 

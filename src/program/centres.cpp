@@ -6,6 +6,7 @@
 
 #include "case/read_case.h"
 #include "jobs/centres_of_look.h"
+#include "output/imaging/centres_plot.h"
 #include "output/products/centres_csv.h"
 #include "output/products/centres_netcdf.h"
 #include "output/tables/csv.h"
@@ -16,7 +17,8 @@ namespace raytube {
 
 namespace {
 
-const ProductNames centre_names = {{{}, {"centres.csv", "centres.ply", "by_part.csv"}}, "centres.nc"};
+const ProductNames centre_names = {{{"centres.png", "centres.svg"}, {"centres.csv", "centres.ply", "by_part.csv"}},
+                                   "centres.nc"};
 
 double relative_db(const ScatteringMatrix& s, const ScatteringMatrix& rest, int p) {
   return 20.0 * std::log10(std::abs(s.at(p, p) - rest.at(p, p)) / std::abs(s.at(p, p)));
@@ -36,6 +38,14 @@ std::string centres_text(const ScatteringCentres& found, const ScatteringMatrix&
                             relative_db(s, found.rest, 1));
 }
 
+void draw_centres(const std::filesystem::path& folder, const ProductSource& source, const LookCentres& centres) {
+  const std::string look = fmt::format("scattering centres of θ = {:g}°, φ = {:g}° at {:g} GHz", centres.direction.theta / degree,
+                                       centres.direction.phi / degree, centres.frequency * 1e-9);
+  const std::string trouble =
+      plot_centres(folder, {source.title, look}, centres.found, axes_of_look(centres.direction), source.lines());
+  if (!trouble.empty()) warn("no picture of the centres: " + trouble);
+}
+
 }  // namespace
 
 void centres_command(const Request& request) {
@@ -53,6 +63,8 @@ void centres_command(const Request& request) {
     write_centres_csv(folder / "centres.csv", centres.found, look, part_of);
     write_centres_ply(folder / "centres.ply", centres.found);
     write_by_part_csv(folder / "by_part.csv", centres.pieces, look, part_of);
+    stop_if_interrupted();
+    draw_centres(folder, source, centres);
   };
   write_products(request, source, centre_names, {write_files, [&](const std::filesystem::path& file) {
                                                    write_centres_netcdf(file, source.result, centres.found, look, part_of);

@@ -137,7 +137,7 @@ CLI::App* add_run(CLI::App& app, Request& request) {
   add_case_options(*run, request);
   add_output_option(*run, request, "Folder for the results, or FILE.nc; default <case folder>/out");
   add_machine_options(*run, request);
-  run->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
+  run->add_flag("--parts", request.parts, "Also write parts.csv, and parts.png: S split by bounce and edges");
   run->add_flag("--resume", request.resume, "Go on with the looks that a run stopped before has left in the folder");
   run->add_option("--shard", request.shard,
                   "Compute part I of N of the looks alone, or go on with it, for raytube merge; slurm: the task of a job array")

@@ -11,7 +11,7 @@
 #include "imaging/range_profile.h"
 #include "jobs/centres_of_look.h"
 #include "jobs/imaged_target.h"
-#include "output/plots/isar_plot.h"
+#include "output/imaging/isar_plot.h"
 #include "output/products/isar_csv.h"
 #include "output/products/isar_netcdf.h"
 #include "output/products/sweep_samples.h"

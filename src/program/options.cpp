@@ -66,7 +66,7 @@ constexpr const char* profile_examples =
 constexpr const char* centres_examples =
     "Takes everything that scatters at the middle frequency to pieces, and finds the strongest places: amplitude of all "
     "channels, mechanism, "
-    "over which\nband and angles it persists. Writes centres.csv, centres.ply and by_part.csv.\n\n"
+    "over which\nband and angles it persists. Writes centres.csv, centres.png, centres.ply and by_part.csv.\n\n"
     "Examples:\n"
     "  raytube centres cases/trihedral/case.toml --look 20\n"
     "  raytube centres case.toml -n 20 --resolution 0.05 -o centres";

@@ -8,7 +8,7 @@
 #include "imaging/range_profile.h"
 #include "jobs/centres_of_look.h"
 #include "jobs/imaged_target.h"
-#include "output/plots/profile_plot.h"
+#include "output/imaging/profile_plot.h"
 #include "output/products/profile_csv.h"
 #include "output/products/profile_netcdf.h"
 #include "output/products/sweep_samples.h"

@@ -142,6 +142,8 @@ TEST_F(Products, CentresAreThoseOfOneLook) {
   EXPECT_EQ(raytube("centres case.toml -o a --quiet --set target.unit=m").code, 0);
   EXPECT_THAT(text_of(scratch / "a/centres.csv"), AllOf(HasSubstr("\n1,"), HasSubstr("\nrest,,,,,"), HasSubstr("bounce_1")));
   EXPECT_THAT(text_of(scratch / "a/centres.ply"), HasSubstr("element vertex "));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "a/centres.png"));
+  EXPECT_THAT(text_of(scratch / "a/centres.svg"), AllOf(HasSubstr("bounce 1"), HasSubstr("cross-range (m)"), HasSubstr(">1")));
   scratch.write("named.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng near\nf 1 2 3\ng far, side\nf 1 3 4\n");
   EXPECT_EQ(raytube("centres case.toml -o b --quiet --set target.unit=m --set target.mesh=named.obj").code, 0);
   EXPECT_THAT(text_of(scratch / "b/by_part.csv"),

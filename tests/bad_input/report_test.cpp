@@ -70,6 +70,47 @@ TEST_F(Report, SaysWhatItLacks) {
                     HasSubstr("are not in even steps"), HasSubstr("Range profiles: rcs.csv has one frequency")));
 }
 
+TEST_F(Report, HasTheCentresThatAreThere) {
+  EXPECT_EQ(raytube("report kept --quiet").code, 0);
+  EXPECT_THAT(page(), HasSubstr("Scattering centres: there is no centres.csv; raytube centres CASE.toml"));
+  ASSERT_EQ(raytube("centres case.toml -o kept --quiet --look 2 " + settings).code, 0);
+  EXPECT_EQ(raytube("report kept --quiet").code, 0);
+  EXPECT_THAT(page(),
+              AllOf(HasSubstr("\"look\":2,\"ghz\":10.0"), HasSubstr("\"mechanism\":[\"bounce_1\""), HasSubstr("\"doubt\":\"\"")));
+  scratch.write("large.off", "OFF\n3 1 0\n0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n");
+  ASSERT_EQ(raytube("centres case.toml -o kept --quiet --look 2 " + settings + " --set target.mesh=large.off").code, 0);
+  EXPECT_EQ(raytube("report kept --quiet").code, 0);
+  EXPECT_THAT(page(), HasSubstr("centres.csv may be of other settings"));
+  ASSERT_EQ(raytube("centres case.toml -o kept --quiet " + settings + " --set frequency.ghz=9").code, 0);
+  EXPECT_EQ(raytube("report kept --quiet").code, 0);
+  EXPECT_THAT(page(), HasSubstr("at 9 GHz, which the result does not have"));
+  scratch.write("kept/centres.csv", "centre,x_m\n");
+  expect_refused("report kept", "centres.csv: does not begin as raytube centres writes it; run raytube centres again");
+}
+
+TEST_F(Report, HasWhatRoughSurfacesScatter) {
+  EXPECT_EQ(raytube("report kept --quiet").code, 0);
+  EXPECT_THAT(page(), HasSubstr("\"incoherent\":null"));
+  scratch.write("rough.toml", "[target]\nmesh = \"mesh.off\"\nunit = \"mm\"\nmaterial = \"rock\"\n" + frequency + look +
+                                  "[materials.rock]\nkind = \"dielectric\"\neps_r = 4\nroughness_rms_mm = 1\n");
+  ASSERT_EQ(raytube("run rough.toml -o kept --quiet --set output.incoherent=true " + settings).code, 0);
+  EXPECT_EQ(raytube("report kept --quiet").code, 0);
+  EXPECT_THAT(page(), HasSubstr("\"incoherent\":[\""));
+  const std::string table = text_of(scratch / "kept/incoherent.csv");
+  scratch.write("kept/incoherent.csv", table.substr(0, table.rfind('\n', table.size() - 2) + 1));
+  expect_refused("report kept", "incoherent.csv: has 4 rows, the result beside it 5; run the case again, or delete the file");
+}
+
+// It would tell of results that are no longer there; what somebody has made of it is theirs.
+TEST_F(Report, GoesWithTheResultsThatItTellsOf) {
+  ASSERT_EQ(raytube("report kept --quiet").code, 0);
+  ASSERT_EQ(raytube("run case.toml -o kept --quiet " + settings).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "kept/report.html"));
+  scratch.write("kept/report.html", "mine");
+  ASSERT_EQ(raytube("run case.toml -o kept --quiet " + settings).code, 0);
+  EXPECT_EQ(page(), "mine");
+}
+
 TEST_F(Report, FoldersWithoutAResultAreRefused) {
   expect_refused("report nowhere", "nowhere: is not there; give the folder of a run");
   expect_refused("report .", "holds neither rcs.csv nor rcs.nc");
@@ -77,7 +118,8 @@ TEST_F(Report, FoldersWithoutAResultAreRefused) {
   expect_refused("report kept/channels.csv", "its columns are not those of rcs.csv");
   expect_refused("report kept --looks 5", "--looks 5: kept/rcs.csv has 5 look(s), counted from 0");
   expect_refused("report kept --looks 0,1,2,3", "--looks: a report shows 3 at most; leave out 1");
-  expect_refused("report kept -o nowhere.toml/", "");
+  expect_refused("report kept -o page.txt", "-o page.txt: a report is a page of HTML; name a file that ends in .html");
+  expect_refused("report kept -o nowhere.html/", "-o nowhere.html/: a report is a page of HTML");
   scratch.write("kept/run.json", "{ \"case\": ");
   expect_refused("report kept", "run.json: is no JSON as a run writes it");
 }

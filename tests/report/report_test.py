@@ -17,7 +17,7 @@ SWEEPS = {
     "haul_truck": ["--parts", "--set", "frequency.ghz={start=93,stop=95,count=9}", "--set", "look.phi_deg={start=29,stop=31,step=0.25}",
                    "--set", "output.image_look=4", "--set", "output.image_per_wavelength=2"],
 }
-SECTIONS = {"words", "curves", "map", "profile", "waterfall", "isar", "uncertainty", "settings", "mesh", "run"}
+SECTIONS = {"words", "curves", "map", "profile", "waterfall", "isar", "centres", "uncertainty", "settings", "mesh", "run"}
 # Of a picture on the page, the dots as one number, so that a change is seen.
 DOTS = """(selector => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
   let sum = 0; const text = document.querySelector(selector).toDataURL();
@@ -148,6 +148,9 @@ def main():
             for name, sweep in SWEEPS.items():
                 out = os.path.join(folder, name)
                 subprocess.run([program, "run", f"{cases}/{name}/case.toml", "-o", out, "--quiet", "--set", "output.plots=false", *sweep], check=True,
+                               stderr=subprocess.DEVNULL)
+                settings = [word for word in sweep if word != "--parts"]
+                subprocess.run([program, "centres", f"{cases}/{name}/case.toml", "-o", out, "--look", "4", "--quiet", *settings], check=True,
                                stderr=subprocess.DEVNULL)
                 subprocess.run([program, "report", out, "--quiet"], check=True)
                 found |= check_page(browser, name, os.path.join(out, "report.html"), pictures)

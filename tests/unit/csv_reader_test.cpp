@@ -32,6 +32,11 @@ TEST(CsvReader, CommentsQuotesAndAByteOrderMarkAreDropped) {
   EXPECT_THAT(second_row("a,b\n1,\n,\n"), ElementsAre("", ""));
 }
 
+TEST(CsvReader, SeparatorsBetweenQuotesAreOfTheirCell) {
+  EXPECT_THAT(second_row("a,b\n1,2\n3,\"far, side\"\n"), ElementsAre("3", "far, side"));
+  EXPECT_THAT(second_row("a;b\n1;2\n4\";5\n"), ElementsAre("4", "5"));  // a quote inside is none
+}
+
 TEST(CsvReader, MistakesHaveTheirPlace) {
   const Scratch scratch;
   CsvReader reader(scratch.write("t.csv", "# c\na,b\n1,x\n1,2,3\n"), "");

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "output/plots/parts_plot.h"
 #include "output/plots/plot.h"
 #include "output/plots/polar_plot.h"
 #include "output/tables/cuts.h"
@@ -321,6 +322,38 @@ TEST(Plot, AFullCircleHasAPolarPlotBeside) {
   EXPECT_THAT(text_of(scratch / "rcs_polar.svg"), HasSubstr("<svg"));
   EXPECT_THAT(text_of(scratch / "rcs.svg"), HasSubstr("<image"));  // the map
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch.folder()), {}), 4);
+}
+
+/// Two bounces, and edges 200 dB below; no waves.
+SweepResult by_mechanism(const Sweep& sweep) {
+  SweepResult result = constant(sweep, 2.0, 0.0);
+  const SweepResult one = constant(sweep, 1.0, 0.0), faint = constant(sweep, 1e-10, 0.0), nothing = constant(sweep, 0.0, 0.0);
+  result.bounces = {one.total, one.total};
+  for (const Part part : all_parts) result.parts[part] = part == Part::edges_first ? faint.total : nothing.total;
+  return result;
+}
+
+TEST(PartsPlot, ShowsWhatAddsAnythingOfTheCutThroughThePeak) {
+  const Sweep sweep = grid({80, 90}, {0, 1, 2}, {10});
+  SweepResult result = by_mechanism(sweep);
+  result.total[4].at(1, 1) = 3.0;
+  const std::string script = parts_plot_script("svg", "x.svg", "it's", sweep, result, {});
+  EXPECT_THAT(script, AllOf(HasSubstr("(cut through the peak)"), HasSubstr("set title 'VV; 10 GHz, θ = 90°'"),
+                            HasSubstr("set title 'HH; "), HasSubstr("title 'all together'"), HasSubstr("title 'bounce 2'"),
+                            HasSubstr("keyentry with lines lc rgb '#2e8b3d' lw 2 dt (8,5) title 'edges, order 1 < "),
+                            Not(HasSubstr("waves"))));
+}
+
+TEST(PartsPlot, RowsTooFarApartAreNotJoined) {
+  const std::vector<dvec3> metre_wide = {{-0.5, 0, 0}, {0.5, 0, 0}};
+  const Sweep few = grid({90}, {0, 30, 60}, {10});
+  EXPECT_THAT(parts_plot_script("svg", "x.svg", "t", few, by_mechanism(few), metre_wide),
+              AllOf(HasSubstr("$cut1 using 1:2 with points"), Not(HasSubstr("1:2 with lines "))));
+  std::vector<double> degrees;
+  for (int i = 0; i < 360; ++i) degrees.push_back(i);
+  const Sweep many = grid({90}, degrees, {10});
+  EXPECT_THAT(parts_plot_script("svg", "x.svg", "t", many, by_mechanism(many), metre_wide),
+              AllOf(HasSubstr("set key title 'median of sectors of 10°'"), HasSubstr("$sectors1 using 1:3 with lines")));
 }
 
 }  // namespace

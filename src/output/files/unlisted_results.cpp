@@ -60,8 +60,9 @@ std::set<std::string> results_of_run(const fs::path& folder, const JsonValue& re
     if (head_of(folder / table).starts_with("# Time factor exp(+j omega t); a wave travels as exp(-j k r).")) names.insert(table);
   const JsonValue* plots = output ? output->find("plots") : nullptr;
   if (plots && plots->boolean) names.insert({"rcs.png", "rcs.svg"});
-  if (plots && plots->boolean && head_of(folder / "rcs_polar.svg").find("Produced by GNUPLOT") != std::string::npos)
-    names.insert({"rcs_polar.png", "rcs_polar.svg"});
+  for (const std::string picture : {"rcs_polar", "parts"})
+    if (plots && plots->boolean && head_of(folder / (picture + ".svg")).find("Produced by GNUPLOT") != std::string::npos)
+      names.insert({picture + ".png", picture + ".svg"});
   const JsonValue* netcdf = output ? output->find("netcdf") : nullptr;
   if (netcdf && netcdf->boolean) names.insert("rcs.nc");
   if (output && output->find("image_look")) names.merge(names_of_images(folder));

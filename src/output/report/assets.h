@@ -7,6 +7,6 @@
 namespace raytube {
 
 extern const std::string_view asset_page, asset_style;
-extern const std::array<std::string_view, 8> asset_scripts;  // in the order in which they run
+extern const std::array<std::string_view, 9> asset_scripts;  // in the order in which they run
 
 }  // namespace raytube

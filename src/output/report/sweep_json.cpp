@@ -1,6 +1,7 @@
 #include "output/report/sweep_json.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "imaging/sweep_grid.h"
 #include "output/report/blocks.h"
@@ -64,14 +65,6 @@ JsonValue levels_json(const std::vector<std::uint32_t>& rows, const std::vector<
   return channels_json(rows, [&](std::size_t row, std::size_t p, std::size_t q) { return levels[row][p][q]; });
 }
 
-std::string part_label(const std::string& name) {
-  if (name.starts_with("bounce")) return "bounce " + name.substr(6);
-  if (name == "edges_first_order") return "edges, order 1";
-  if (name == "edges_second_order") return "edges, orders 2 and 3";
-  if (name == "between") return "edge\u2013face interaction";
-  return name == "surface" ? "waves over curved surfaces" : name;
-}
-
 JsonValue parts_json(const StoredResult& result, const std::vector<std::uint32_t>& rows) {
   JsonValue parts{std::vector<JsonValue>{}};
   for (const StoredPart& part : result.parts)
@@ -80,6 +73,17 @@ JsonValue parts_json(const StoredResult& result, const std::vector<std::uint32_t
                                               return sigma_dbsm(part.s[row].s[p][q]);
                                             })}});
   return parts;
+}
+
+// By transmit polarisation; null where there are none.
+JsonValue incoherent_json(const StoredResult& result, const std::vector<std::uint32_t>& rows) {
+  JsonValue json;
+  for (std::size_t transmit = 0; transmit < 2 && !result.incoherent_m2.empty(); ++transmit) {
+    std::vector<double> levels;
+    for (const std::uint32_t row : rows) levels.push_back(10.0 * std::log10(result.incoherent_m2[row][transmit]));
+    json.append(packed_levels(levels));
+  }
+  return json;
 }
 
 JsonValue looks_json(const StoredResult& result) {
@@ -121,7 +125,8 @@ JsonValue sweep_json(const StoredResult& result) {
           {"sigma", levels_json(rows, result.sigma_dbsm)},
           {"error", levels_json(rows, result.err_db)},
           {"model", levels_json(rows, result.model_db)},
-          {"parts", parts_json(result, rows)}};
+          {"parts", parts_json(result, rows)},
+          {"incoherent", incoherent_json(result, rows)}};
 }
 
 JsonValue map_json(const StoredResult& result, const std::string& name) {

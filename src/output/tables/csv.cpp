@@ -195,6 +195,14 @@ void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep,
   out.commit();
 }
 
+std::string part_label(const std::string& name) {
+  if (name.starts_with("bounce")) return "bounce " + name.substr(6);
+  if (name == "edges_first_order") return "edges, order 1";
+  if (name == "edges_second_order") return "edges, orders 2 and 3";
+  if (name == "between") return "edge\u2013face interaction";
+  return name == "surface" ? "waves over curved surfaces" : name;
+}
+
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit

@@ -62,4 +62,7 @@ void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep,
 /// hit. Then the parts of the model uncertainty [m]. Needs a result with parts.
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
 
+/// A mechanism in words, by the name of its columns in parts.csv.
+std::string part_label(const std::string& name);
+
 }  // namespace raytube

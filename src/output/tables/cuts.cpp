@@ -66,15 +66,6 @@ CutRows cut_rows(std::vector<std::size_t> group, Quantity axis, const RowCoordin
   return cut;
 }
 
-Cut curves_of(const CutRows& rows, Quantity quantity, const SweepResult& result) {
-  Cut cut{rows.fixed, rows.x, {}, rows.rows, quantity};
-  for (const std::size_t row : rows.rows) {
-    const ScatteringMatrix& s = result.total[row];
-    for (int channel = 0; channel < 4; ++channel) cut.sigma_dbsm[channel].push_back(sigma_dbsm(s.at(channel / 2, channel % 2)));
-  }
-  return cut;
-}
-
 bool holds(const std::vector<std::size_t>& rows, std::size_t row) { return std::ranges::find(rows, row) != rows.end(); }
 
 constexpr double rounding = 1e-9;  // [degrees, GHz]: far above what computing an angle leaves, far below any step
@@ -167,9 +158,17 @@ std::size_t peak_row(const SweepResult& result) {
   return static_cast<std::size_t>(std::ranges::max_element(result.total, {}, largest_amplitude) - result.total.begin());
 }
 
+Cut curves_of(const CutRows& rows, Quantity quantity, const std::vector<ScatteringMatrix>& s) {
+  Cut cut{rows.fixed, rows.x, {}, rows.rows, quantity};
+  for (const std::size_t row : rows.rows)
+    for (int channel = 0; channel < 4; ++channel)
+      cut.sigma_dbsm[channel].push_back(sigma_dbsm(s[row].at(channel / 2, channel % 2)));
+  return cut;
+}
+
 Cut cut_through(std::size_t row, Quantity quantity, const RowCoordinates& coordinates, const SweepResult& result) {
   for (auto& group : groups_along(quantity, coordinates.rows))
-    if (holds(group, row)) return curves_of(cut_rows(std::move(group), quantity, coordinates), quantity, result);
+    if (holds(group, row)) return curves_of(cut_rows(std::move(group), quantity, coordinates), quantity, result.total);
   return {};
 }
 
@@ -177,7 +176,7 @@ Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most
   const CutPlan plan = plan_cuts(coordinates_of_rows(sweep));
   Cuts chosen{plan.axis, {}, plan.cuts.size()};
   for (const std::size_t i : choice_with(plan.cuts, peak_row(result), most_cuts))
-    chosen.cuts.push_back(curves_of(plan.cuts[i], plan.quantity, result));
+    chosen.cuts.push_back(curves_of(plan.cuts[i], plan.quantity, result.total));
   return chosen;
 }
 

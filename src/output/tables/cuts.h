@@ -72,6 +72,9 @@ struct Cuts {
 /// The row of the largest amplitude in any channel, the first one of equals.
 std::size_t peak_row(const SweepResult& result);
 
+/// The curves of S in these rows.
+Cut curves_of(const CutRows& rows, RowCoordinates::Quantity quantity, const std::vector<ScatteringMatrix>& s);
+
 /// The curve over one quantity that holds this row.
 Cut cut_through(std::size_t row, RowCoordinates::Quantity quantity, const RowCoordinates& coordinates, const SweepResult& result);
 

@@ -7,12 +7,14 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "jobs/imaged_target.h"
 #include "output/products/sweep_samples.h"
 #include "output/report/imaging_json.h"
 #include "output/report/page.h"
 #include "output/report/sweep_json.h"
 #include "output/report/words_json.h"
+#include "program/report/report_centres.h"
 #include "program/report/report_scene.h"
 #include "program/work/interrupt.h"
 
@@ -26,7 +28,11 @@ constexpr const char* three_js = RAYTUBE_THREE_JS;
 
 std::filesystem::path report_file(const Request& request, const ReportSource& source) {
   if (request.report.file.empty()) return std::filesystem::absolute(source.file).parent_path() / report_name;
-  return std::filesystem::absolute(request.report.file);
+  const std::filesystem::path& file = request.report.file;
+  const std::string ending = lower_case(file.extension().string());
+  if (ending != ".html" && ending != ".htm")
+    throw InputError(fmt::format("-o {}: a report is a page of HTML; name a file that ends in .html", file.string()));
+  return std::filesystem::absolute(file);
 }
 
 // A view, or a note why there is none: sweeps that it cannot be made of are no fault.
@@ -81,6 +87,7 @@ JsonValue report_data(ReportSource& source, const std::vector<std::size_t>& look
   data["map"] = view_or_note(source, "Map", [&] { return map_json(product.result, product.name); });
   data["profiles"] = view_or_note(source, "Range profiles", [&] { return profiles_of(product); });
   data["isar"] = view_or_note(source, "Image of frequency and angle", [&] { return isar_of(product); });
+  data["centres"] = report_centres(source);
   data["scene"] = scene_json(report_scene(source, looks));
   data["record"] = record_json(source.run);
   data["notes"] = notes_json(source.notes);

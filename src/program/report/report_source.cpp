@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
-#include "output/tables/parts_csv.h"
+#include "output/tables/tables_beside.h"
 
 namespace raytube {
 
@@ -53,6 +53,12 @@ void read_parts(ReportSource& source) {
     source.notes.emplace_back("Curves by mechanism: the run kept its mechanisms together; raytube run --parts keeps them apart.");
 }
 
+void read_incoherent(ReportSource& source) {
+  const fs::path file = fs::absolute(source.file).parent_path() / "incoherent.csv";
+  StoredResult& result = source.product.result;
+  if (result.incoherent_m2.empty() && fs::exists(file)) result.incoherent_m2 = read_incoherent_csv(file, result);
+}
+
 }  // namespace
 
 ReportSource report_source(const Request& request) {
@@ -66,6 +72,7 @@ ReportSource report_source(const Request& request) {
   const std::optional<JsonValue> run = run_of(source.file);
   source.run = run ? *run : run_of_attributes(source.product.result);
   read_parts(source);
+  read_incoherent(source);
   return source;
 }
 

@@ -34,6 +34,7 @@ ResultNames names_of_results(const Request& request, const Case& c, const Destin
   ResultNames names = image_names(c);
   if (c.plots) names.pictures.insert(names.pictures.end(), {"rcs.png", "rcs.svg"});
   if (c.plots && has_full_circle(c.sweep)) names.pictures.insert(names.pictures.end(), {"rcs_polar.png", "rcs_polar.svg"});
+  if (c.plots && request.parts) names.pictures.insert(names.pictures.end(), {"parts.png", "parts.svg"});
   names.tables.emplace_back("channels.csv");
   if (request.parts) names.tables.emplace_back("parts.csv");
   if (c.incoherent) names.tables.emplace_back("incoherent.csv");
@@ -47,8 +48,8 @@ std::vector<std::string> names_of_earlier_results(const Destination& destination
   if (destination.one_file()) return {};
   const std::set<std::string> images = names_of_images(destination.folder);
   std::vector<std::string> names(images.begin(), images.end());
-  names.insert(names.end(),
-               {"incoherent.csv", "parts.csv", "random.csv", "rcs.nc", "rcs.png", "rcs.svg", "rcs_polar.png", "rcs_polar.svg"});
+  names.insert(names.end(), {"incoherent.csv", "parts.csv", "parts.png", "parts.svg", "random.csv", "rcs.nc", "rcs.png",
+                             "rcs.svg", "rcs_polar.png", "rcs_polar.svg", "report.html"});
   return names;
 }
 

@@ -17,7 +17,8 @@ Case case_for(const Destination& destination, const Request& request, Case c);
 
 ResultNames names_of_results(const Request& request, const Case& c, const Destination& destination);
 
-/// What a run with other wishes may have left. One file replaces nothing but itself.
+/// What a run with other wishes may have left, and a page that tells of the results that are replaced. One file replaces nothing
+/// but itself.
 std::vector<std::string> names_of_earlier_results(const Destination& destination);
 
 }  // namespace raytube

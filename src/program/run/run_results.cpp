@@ -13,6 +13,7 @@
 #include "output/files/files.h"
 #include "output/files/sha256.h"
 #include "output/netcdf/netcdf_file.h"
+#include "output/plots/parts_plot.h"
 #include "output/plots/plot.h"
 #include "output/tables/csv.h"
 #include "output/tables/stored.h"
@@ -66,8 +67,10 @@ void write_tables(const fs::path& folder, const Case& c, const Solved& solved, b
   stop_if_interrupted();
 }
 
-void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result, std::span<const dvec3> outermost) {
-  const std::string trouble = plot_rcs(folder, c.title, c.sweep, result, outermost);
+void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result, std::span<const dvec3> outermost, bool parts) {
+  std::string trouble = plot_rcs(folder, c.title, c.sweep, result, outermost);
+  stop_if_interrupted();
+  if (trouble.empty() && parts) trouble = plot_parts(folder, c.title, c.sweep, result, outermost);
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
 }
@@ -175,7 +178,7 @@ class Run {
     manifest_.peak_rss_bytes = peak_rss_bytes();
     manifest_.time.total_s = total.seconds() - drawing_s;
     write_manifest(folder / "run.json", manifest_);
-    if (case_.plots) draw_plots(folder, case_, solved.result, outermost_);
+    if (case_.plots) draw_plots(folder, case_, solved.result, outermost_, request_.parts);
   }
 
   void print(const Solved& solved) const {

@@ -18,6 +18,7 @@ class Rows {
     this.sigma = fourLevels(sweep.sigma);
     this.error = fourLevels(sweep.error);
     this.model = fourLevels(sweep.model);
+    this.incoherent = (sweep.incoherent || []).map(levelsOf);
     this.parts = sweep.parts.map((part) => ({ label: part.label, sigma: fourLevels(part.sigma) }));
   }
 
@@ -64,14 +65,16 @@ class CurveView {
     this.choices = swept.map((name) => ({ name, cuts: rows.cutsAlong(name) })).sort((a, b) => a.cuts.length - b.cuts.length);
     this.channels = [true, false, false, true];
     this.shown = [true, ...rows.parts.map(() => false)];
+    this.incoherent = [false, false];
     this.model = true;
     this.numerical = false;
     this.controls = make("div", { class: "controls" });
     const holder = make("div", { class: "plot" }), round = make("div", { class: "plot tall" });
+    const rough = rows.incoherent.length ? " What rough surfaces scatter incoherently, of V or H transmitted and both received together, has no phase: it adds to σ as power." : "";
     const left = rows.count < rows.total ? ` Of ${rows.total} rows ${rows.count} are here: the strongest and the weakest of every few neighbours.` : "";
     this.hint = make("p", { class: "note" });
     addSection("curves", "Curves", this.controls, holder, this.hint, make("p", { class: "note" },
-      "Drag a rectangle or turn the wheel to zoom (shift: across only), double click or Escape for all." + left));
+      "Drag a rectangle or turn the wheel to zoom (shift: across only), double click or Escape for all." + rough + left));
     this.plot = new CurvePlot(holder, { label: "σ over what is swept", yLabel: "σ (dBsm)", range: 80 });
     this.polarSection = addSection("polar", "Polar", this.polarControls = make("div", { class: "controls" }), round, make("p", { class: "note" },
       "The curve above, of the same channels and mechanisms: radius in decibels, azimuth 0 on the right, 90° on top."));
@@ -101,6 +104,7 @@ class CurveView {
     this.controls.append(group("channels", ...channels));
     const names = ["all together", ...rows.parts.map((part) => part.label)];
     if (rows.parts.length) this.controls.append(group("mechanisms", ...names.map((name, i) => toggle(name, this.shown[i], (on) => { this.shown[i] = on; this.update(true); }))));
+    if (rows.incoherent.length) this.controls.append(group("incoherent", ...["V", "H"].map((name, i) => toggle("of " + name, this.incoherent[i], (on) => { this.incoherent[i] = on; this.update(true); }, "--c" + (4 + i)))));
     this.controls.append(group("bands", toggle("model uncertainty", this.model, (on) => { this.model = on; this.update(true); }),
       toggle("numerical error", this.numerical, (on) => { this.numerical = on; this.update(true); })),
       rangeChoice(this.plot.range, (range) => { this.plot.range = range; this.update(false); }));
@@ -129,6 +133,9 @@ class CurveView {
     const xs = Float64Array.from(rows, (row) => this.rows.values[this.chosen.name][row]), series = [];
     this.channels.forEach((on, channel) => {
       if (on) this.shown.forEach((too, part) => { if (too) series.push(this.seriesOf(channel, part, xs, of)); });
+    });
+    this.rows.incoherent.forEach((levels, i) => {
+      if (this.incoherent[i]) series.push({ name: "incoherent of " + "VH"[i], xs, ys: of(levels), width: 1.6, points: this.coarse, colour: "--c" + (4 + i), dash: [3, 3] });
     });
     this.plot.setSeries(series, keepView);
     const round = (this.chosen.name === "phi" || this.chosen.name === "rx_phi") && xs[xs.length - 1] - xs[0] >= 45;
@@ -237,6 +244,7 @@ function buildPage() {
   document.getElementById("title").textContent = report.title;
   document.getElementById("lead").textContent = `${looks} look${looks > 1 ? "s" : ""}, ${sweep.bistatic ? "bistatic" : "monostatic"}, ` +
     (frequencies > 1 ? `${frequencies} frequencies from ${numberText(Math.min(...sweep.ghz), 7)} to ${numberText(Math.max(...sweep.ghz), 7)} GHz` : `${numberText(sweep.ghz[0], 7)} GHz`) + `. Made by raytube of ${report.file}.`;
+  const centres = unpackedCentres(report.centres);
   if (report.isar) report.isar.levels = fourLevels(report.isar.sigma);
   addWords(report);
   new CurveView(rows);
@@ -244,7 +252,8 @@ function buildPage() {
   addProfiles(report.profiles, rows, sweep);
   addIsar(report.isar, report.scene);
   addLookImages(report.scene, sweep);
-  addSpace(report.scene, sweep, report.isar);
+  addSpace(report.scene, sweep, report.isar, centres);
+  addCentres(centres, sweep);
   addUncertainty(report.record);
   addRecord(report.record);
   const redraw = () => redrawers.forEach((each) => each());

@@ -117,9 +117,9 @@ function letter(text, at, size) {
 }
 
 class SpaceView {
-  constructor(holder, barHolder, data, sweep, isar) {
-    Object.assign(this, { holder, barHolder, data, sweep, isar, channel: 0, look: 0, range: 40 });
-    this.on = { target: true, colours: data.looks.length > 0, lines: true, lit: true, tubes: false, image: false, isar: false, arrow: true };
+  constructor(holder, barHolder, data, sweep, isar, centres) {
+    Object.assign(this, { holder, barHolder, data, sweep, isar, centres, channel: 0, look: 0, range: 40 });
+    this.on = { target: true, colours: data.looks.length > 0, lines: true, lit: true, tubes: false, image: false, isar: false, centres: true, arrow: true };
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
     holder.append(this.renderer.domElement);
     this.scene = new THREE.Scene();
@@ -195,6 +195,8 @@ class SpaceView {
     if (look && this.on.tubes) this.addTubes(look);
     if (look && this.on.image && look.cells) this.addImage(look.cells);
     if (this.isar && this.on.isar) this.addIsar();
+    this.sprites = this.centres && this.on.centres ? centreSprites(this.centres, this.channel, this.range, this.radius) : null;
+    if (this.sprites) this.changing.add(this.sprites);
     if (this.on.arrow) this.addArrows(look);
     this.paintBar(look);
     this.render();
@@ -289,14 +291,19 @@ class SpaceView {
   }
 
   hover(event) {
-    if (this.orbit.last || !this.on.target) return showTip("");
-    const box = this.holder.getBoundingClientRect(), ray = new THREE.Raycaster();
-    ray.setFromCamera(new THREE.Vector2(2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height), this.camera);
-    const hit = ray.intersectObject(this.surface)[0];
-    if (!hit) return showTip("");
-    const look = this.looks[this.look], at = hit.point.toArray().map((x) => numberText(x, 4)).join(", ");
-    const level = look ? "\n" + channelNames[this.channel] + " of this facet  " + levelText(look.sigma[this.channel][Math.floor(hit.faceIndex)]) : "";
-    return showTip("(" + at + ") m" + level, event);
+    if (this.orbit.last) return showTip("");
+    const box = this.holder.getBoundingClientRect();
+    const at = new THREE.Vector2(2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height);
+    const centre = this.sprites ? centreUnder(this.sprites, this.camera, at, this.camera.aspect) : null;
+    return showTip(centre !== null ? centreWords(this.centres, centre) : this.on.target ? this.facetWords(at) : "", event);
+  }
+
+  facetWords(at) {
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(at, this.camera);
+    const hit = ray.intersectObject(this.surface)[0], look = this.looks[this.look];
+    if (!hit) return "";
+    return placeText(hit.point.toArray()) + (look ? "\n" + channelNames[this.channel] + " of this facet  " + levelText(look.sigma[this.channel][Math.floor(hit.faceIndex)]) : "");
   }
 }
 
@@ -305,7 +312,7 @@ function lookWords(sweep, i) {
   return "look " + i + ": " + angles(theta[i], phi[i]) + (sweep.bistatic ? " to " + angles(rx_theta[i], rx_phi[i]) : "");
 }
 
-function addSpace(data, sweep, isar) {
+function addSpace(data, sweep, isar, centres) {
   if (!data) return;
   const missing = typeof THREE === "undefined" ? "three.js was not installed where this report was made (Debian: libjs-three)."
     : hasWebGL() ? "" : "this browser has no WebGL.";
@@ -315,14 +322,14 @@ function addSpace(data, sweep, isar) {
   }
   const holder = make("div", { class: "plot tall space" }), bar = make("canvas");
   const controls = make("div", { class: "controls" });
-  addSection("space", "Target", controls, holder, make("p", { class: "note" }, spaceWords(data, sweep)));
-  const view = new SpaceView(holder, bar, data, sweep, isar);
+  addSection("space", "Target", controls, holder, make("p", { class: "note" }, spaceWords(data, sweep, centres)));
+  const view = new SpaceView(holder, bar, data, sweep, isar, centres);
   holder.append(make("div", { class: "scale" }, bar));
   const part = (name, text) => toggle(text, view.on[name], (on) => { view.on[name] = on; view.show(); });
   const first = data.looks[0];
-  if (first) {
+  if (first || centres) {
     if (data.looks.length > 1) controls.append(choice("look", data.looks.map((look) => lookWords(sweep, look.look)), 0, (i) => { view.look = i; view.show(); }));
-    view.channel = strongestChannel(view.looks[0].sigma);
+    view.channel = strongestChannel((first ? view.looks[0] : centres).sigma);
     controls.append(choice("channel", channelNames, view.channel, (i) => { view.channel = i; view.show(); }),
       rangeChoice(40, (range) => { view.range = range; view.show(); }));
   }
@@ -331,6 +338,7 @@ function addSpace(data, sweep, isar) {
   if (first && first.tubes.paths) parts.append(part("tubes", "tubes"));
   if (first && first.cells) parts.append(part("image", "image of the look"));
   if (isar) parts.append(part("isar", "image of frequency and angle"));
+  if (centres) parts.append(part("centres", "scattering centres"));
   parts.append(part("arrow", sweep.bistatic ? "arrows of transmitter and receiver" : "arrow of the radar"));
   controls.append(parts, make("button", { onclick: () => view.lookFromRadar() }, "from the radar"),
     make("button", { onclick: () => view.orbit.lookFrom(view.fromTheSide()) }, "from the side"));
@@ -338,11 +346,12 @@ function addSpace(data, sweep, isar) {
   redrawers.push(() => view.show());
 }
 
-function spaceWords(data, sweep) {
+function spaceWords(data, sweep, centres) {
   const coarse = data.shown < data.traced ? ` The ${data.traced} facets of the target are shown as ${data.shown}, each with the strongest that it stands for.` : "";
   const look = data.looks.length
     ? ` Colours: σ of what each facet alone sends back, of all bounces together, at ${numberText(data.looks[0].ghz, 6)} GHz; facets and edges add up with their phases.` + (data.looks.length === 1 ? " This is " + lookWords(sweep, data.looks[0].look) + "." : "")
     : "";
+  const points = centres ? " Scattering centres, of look " + centres.look + `, are dots, larger and brighter the stronger, coloured from their own peak down and seen through the target at ${numberText(centres.ghz, 6)} GHz. ${centres.doubt}` : "";
   return "Drag to turn, wheel to enlarge, drag with shift to move, double click for the first view." + look +
-    " Grey facets are below the levels shown; images laid over the target are coloured from their own peak down. The red arrow points from the radar to the target; tubes are grey before their first reflection, then orange, red, violet, blue." + coarse;
+    " Grey facets are below the levels shown; images laid over the target are coloured from their own peak down. The red arrow points from the radar to the target; tubes are grey before their first reflection, then orange, red, violet, blue." + points + coarse;
 }

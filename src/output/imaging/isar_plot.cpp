@@ -1,4 +1,4 @@
-#include "output/plots/isar_plot.h"
+#include "output/imaging/isar_plot.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "output/plots/curves.h"
 #include "output/plots/gnuplot.h"
-#include "output/plots/level_panels.h"
+#include "output/imaging/level_panels.h"
 #include "output/tables/csv.h"
 
 namespace raytube {
@@ -43,13 +43,6 @@ std::string heading(const std::string& title, const IsarImage& image) {
   for (std::size_t axis = 0; axis < image.axes.size(); ++axis)
     text += fmt::format("{}{:.3g} m", axis == 0 ? " " : " × ", image.axes[axis].resolution);
   return text;
-}
-
-std::vector<std::array<dvec2, 2>> projected(std::span<const std::array<dvec3, 2>> lines, const dvec3& across, const dvec3& up) {
-  std::vector<std::array<dvec2, 2>> result;
-  for (const auto& [begin, end] : lines)
-    result.push_back({dvec2(glm::dot(begin, across), glm::dot(begin, up)), dvec2(glm::dot(end, across), glm::dot(end, up))});
-  return result;
 }
 
 // Those that have anything in the range of the colours.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,12 @@ struct LevelPanels {
   std::vector<LevelPanel> panels;
   std::vector<std::array<dvec2, 2>> lines{};  // drawn over each
 };
+
+/// Lines in space on the plane of two axes.
+std::vector<std::array<dvec2, 2>> projected(std::span<const std::array<dvec3, 2>> lines, const dvec3& across, const dvec3& up);
+
+/// The data block $lines; empty without lines.
+std::string lines_data(const std::vector<std::array<dvec2, 2>>& lines);
 
 /// The gnuplot commands and data that draw `file`; what has more values than dots shows the strongest of each dot's.
 std::string level_panels_script(const std::string& terminal, const std::string& file, const LevelPanels& drawn);

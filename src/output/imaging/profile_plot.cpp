@@ -1,4 +1,4 @@
-#include "output/plots/profile_plot.h"
+#include "output/imaging/profile_plot.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "output/plots/curves.h"
 #include "output/plots/cut_panel.h"
 #include "output/plots/gnuplot.h"
-#include "output/plots/level_panels.h"
+#include "output/imaging/level_panels.h"
 #include "output/tables/csv.h"
 
 namespace raytube {

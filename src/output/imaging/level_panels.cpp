@@ -1,4 +1,4 @@
-#include "output/plots/level_panels.h"
+#include "output/imaging/level_panels.h"
 
 #include <fmt/format.h>
 
@@ -47,13 +47,6 @@ std::string dots_data(std::size_t number, const std::vector<double>& levels, con
       text += fmt::format("{:.1f} ", std::max(bottom, strongest(levels, x, y, column, row)));
     text += '\n';
   }
-  return text + "EOD\n";
-}
-
-std::string lines_data(const std::vector<std::array<dvec2, 2>>& lines) {
-  if (lines.empty()) return "";
-  std::string text = "$lines << EOD\n";
-  for (const auto& [begin, end] : lines) text += fmt::format("{:.6g} {:.6g}\n{:.6g} {:.6g}\n\n", begin.x, begin.y, end.x, end.y);
   return text + "EOD\n";
 }
 
@@ -123,6 +116,20 @@ std::string lines_plot(const LevelPanels& drawn) {
 }
 
 }  // namespace
+
+std::vector<std::array<dvec2, 2>> projected(std::span<const std::array<dvec3, 2>> lines, const dvec3& across, const dvec3& up) {
+  std::vector<std::array<dvec2, 2>> result;
+  for (const auto& [begin, end] : lines)
+    result.push_back({dvec2(glm::dot(begin, across), glm::dot(begin, up)), dvec2(glm::dot(end, across), glm::dot(end, up))});
+  return result;
+}
+
+std::string lines_data(const std::vector<std::array<dvec2, 2>>& lines) {
+  if (lines.empty()) return "";
+  std::string text = "$lines << EOD\n";
+  for (const auto& [begin, end] : lines) text += fmt::format("{:.6g} {:.6g}\n{:.6g} {:.6g}\n\n", begin.x, begin.y, end.x, end.y);
+  return text + "EOD\n";
+}
 
 std::string colors_panel_script(const std::string& file, const LevelPanels& axes, const std::string& colors) {
   const DotsAlong x = dots_along(axes.x.values), y = dots_along(axes.y.values);
