@@ -340,12 +340,6 @@ void tell_cost(CheckReport& report, const SolvePlan& plan) {
     tell_grid_cost(report, plan);
 }
 
-std::string seconds_text(double seconds) {
-  if (seconds < 120.0) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.3g} h", seconds / 3600.0);
-}
-
 void tell_memory(CheckReport& report, const SolvePlan& plan, const Case& c) {
   SolvePlan with_parts = plan;
   with_parts.keep_parts = true;
@@ -359,6 +353,12 @@ void tell_memory(CheckReport& report, const SolvePlan& plan, const Case& c) {
 }
 
 }  // namespace
+
+std::string seconds_text(double seconds) {
+  if (seconds < 120.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.3g} h", seconds / 3600.0);
+}
 
 void tell_case(CheckReport& report, const Case& c, const MeshReport& counts, const SolvePlan& plan) {
   const Target& target = plan.target;
@@ -376,7 +376,7 @@ void tell_case(CheckReport& report, const Case& c, const MeshReport& counts, con
   tell_memory(report, plan, c);
 }
 
-void tell_time(CheckReport& report, const SolvePlan& plan) {
+TimePrediction tell_time(CheckReport& report, const SolvePlan& plan) {
   const TimePrediction time = predict_time(plan, probe_seconds, probe_patience);
   report.data["time"] = {{"solve_s", time.solve_s},
                          {"look_s", time.look_s},
@@ -391,6 +391,7 @@ void tell_time(CheckReport& report, const SolvePlan& plan) {
   else
     report.print("\ntime\n  about {} on {}, about {} a look ({} tried)\n", seconds_text(time.solve_s), threads,
                  seconds_text(time.look_s), time.looks);
+  return time;
 }
 
 }  // namespace raytube

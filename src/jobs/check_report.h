@@ -10,6 +10,7 @@
 #include "core/json.h"
 #include "mesh/model/triangle_mesh.h"
 #include "plan/plan.h"
+#include "solve/probe.h"
 
 namespace raytube {
 
@@ -29,10 +30,13 @@ class CheckReport {
   std::function<void(const std::string&)> tell_;
 };
 
+/// "0.12 s", "17 min"
+std::string seconds_text(double seconds);
+
 /// The resolved case, mesh, wedges, curved surfaces, what is skipped, warnings, cost and memory. The plan is that of the case.
 void tell_case(CheckReport& report, const Case& c, const MeshReport& counts, const SolvePlan& plan);
 
 /// How long it will take, from looks that are timed for some seconds.
-void tell_time(CheckReport& report, const SolvePlan& plan);
+TimePrediction tell_time(CheckReport& report, const SolvePlan& plan);
 
 }  // namespace raytube

@@ -153,6 +153,11 @@ double memory_of_run(const SolvePlan& plan, const Case& c, const RandomOptions* 
   return need_of(plan, c, random).total();
 }
 
+double memory_of_helper(const SolvePlan& plan, const Case& c) {
+  const Need need = need_of(plan, c, nullptr);
+  return need.sums + need.others;
+}
+
 double memory_to_be_had() {
   const Held now = held_now();
   const double available = number_after("/proc/meminfo", "MemAvailable:") * 1024.0;

@@ -4,13 +4,16 @@
 #include <string>
 
 #include "case/data/case.h"
-#include "scene/random_result.h"
 #include "plan/plan.h"
+#include "scene/random_result.h"
 
 namespace raytube {
 
 /// Bytes that a run of this case is going to take at most, with what the program holds now.
 double memory_of_run(const SolvePlan& plan, const Case& c, const RandomOptions* random);
+
+/// The same of a process that computes looks for another one, which has the rows.
+double memory_of_helper(const SolvePlan& plan, const Case& c);
 
 /// Bytes the program may have in all: what it holds now and what is free, for it (control group, ulimit -v) and on the machine.
 double memory_to_be_had();

@@ -90,6 +90,7 @@ void MpiTeam::tell_failure(int code, const std::string& sentence) {
   ByteWriter writer;
   writer(code), writer(sentence);
   outbox_.send(failed_tag, writer.take());
+  outbox_.flush();
 }
 
 // What it throws is thrown where the leader looks for it.

@@ -17,8 +17,7 @@ namespace raytube {
 
 namespace {
 
-const ProductNames centre_names = {{{"centres.png", "centres.svg"}, {"centres.csv", "centres.ply", "by_part.csv"}},
-                                   "centres.nc"};
+const ProductNames centre_names = {{{"centres.png", "centres.svg"}, {"centres.csv", "centres.ply", "by_part.csv"}}, "centres.nc"};
 
 double relative_db(const ScatteringMatrix& s, const ScatteringMatrix& rest, int p) {
   return 20.0 * std::log10(std::abs(s.at(p, p) - rest.at(p, p)) / std::abs(s.at(p, p)));

@@ -8,6 +8,7 @@
 #include "core/threads.h"
 #include "jobs/check_report.h"
 #include "jobs/memory.h"
+#include "jobs/rank_forecast.h"
 #include "jobs/solvable.h"
 #include "program/commands.h"
 #include "program/wedge_list.h"
@@ -37,7 +38,8 @@ void check_command(const Request& request) {
   tell_case(report, c, loaded.report, plan);
   if (!request.wedge_list.empty()) write_wedges(request.wedge_list, plan);
   check_memory(plan, c, nullptr);  // as a run would
-  tell_time(report, plan);
+  const TimePrediction time = tell_time(report, plan);
+  if (request.planned_ranks > 0) tell_ranks(report, plan, c, time, request.planned_ranks);
 }
 
 }  // namespace raytube

@@ -47,6 +47,7 @@ constexpr const char* check_examples =
     "Examples:\n"
     "  raytube check case.toml --set target.unit=mm\n"
     "  raytube check case.toml --threads 8\n"
+    "  raytube check case.toml --ranks 64 --threads 4\n"
     "  raytube check case.toml --wedges wedges.csv\n"
     "  raytube check case.toml --wedges wedges.vtp";
 constexpr const char* trace_examples =
@@ -163,6 +164,9 @@ CLI::App* add_check(CLI::App& app, Request& request) {
   CLI::App* check = add_command(app, "check", "Report on a case without computing it", check_examples);
   add_case_options(*check, request);
   add_threads_option(*check, request);
+  check->add_option("--ranks", request.planned_ranks, "Also predict time and memory of a job of so many processes (mpirun -n N)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000));
   check->add_option("--wedges", request.wedge_list, "Also write a list of all wedges: a table, or lines for ParaView")
       ->type_name("FILE.csv|FILE.vtp");
   return check;

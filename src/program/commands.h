@@ -74,6 +74,7 @@ struct Request {
   std::filesystem::path output_folder;  // empty: <case folder>/out; compare: no files; run: perhaps one file, *.nc
   int threads = 0;                      // 0: all cores
   std::string instruction_set;          // empty: the widest one
+  int planned_ranks = 0;                // check: of a job by MPI; 0: none
   std::filesystem::path wedge_list;     // check: list of wedges; empty: none wanted
   bool parts = false;
   std::optional<RandomOptions> random;  // run: --launch random
