@@ -136,16 +136,15 @@ EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const 
   return all;
 }
 
-std::vector<ImageEdge> EdgeSets::pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice,
-                                        const WavesAtEdges& waves) const {
+std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const PieceRequest& request, const WavesAtEdges& waves) const {
   for (const Set& set : sets_)
     for (const SetPart& part : parts_of(set, waves)) {
-      const auto found = std::ranges::find(part.indices, frequency_index);
+      const auto found = std::ranges::find(part.indices, request.frequency_index);
       if (found == part.indices.end()) continue;
-      const PieceRequest request{static_cast<std::size_t>(found - part.indices.begin()), lattice};
+      const PieceRequest in_part{static_cast<std::size_t>(found - part.indices.begin()), request.lattice, request.by_path};
       const EdgeScene here = scene(set, part.over_curved);
-      if (screens_) return screened_fringe_pieces(here, *screens_, look, {part.frequencies, part.indices}, request, options(set));
-      return fringe_pieces(here, look, part.frequencies, request, options(set));
+      if (screens_) return screened_fringe_pieces(here, *screens_, look, {part.frequencies, part.indices}, in_part, options(set));
+      return fringe_pieces(here, look, part.frequencies, in_part, options(set));
     }
   return {};
 }

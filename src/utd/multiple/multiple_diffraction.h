@@ -60,6 +60,11 @@ class MultipleDiffraction {
   /// Has all strips over curved faces that are added from now on put there, as at the first frequency; null: nowhere.
   void keep_rays(std::vector<SurfaceRay>* rays) { rays_ = rays; }
 
+  /// Has all that is added from now on taken apart; with the directions of a monostatic look, and one frequency.
+  void keep_pieces(StripPieces* pieces) { bins_.pieces = pieces; }
+  /// What was, each piece at its place.
+  std::vector<ImageEdge> take_pieces();
+
   /// Nothing may be added after that.
   StripSums take();
 
