@@ -19,8 +19,8 @@ inline constexpr std::array scattering_mechanisms{"bounce_1", "bounce_2", "bounc
 /// Adds s to S of one monostatic look at one frequency.
 struct ScatteringPiece {
   // Where a point would be that has the same phase, and the same changes of it as frequency and direction change a little: of what
-  // is reflected on its way, or runs from edge to edge, half of the path, and between where it set out and where it is last. Of
-  // edge-face interaction the edge, and of waves over surfaces where these are [m].
+  // is reflected on its way, or runs from edges to other edges and faces, half of the path, and between where it set out and where
+  // it is last. What waves over curved surfaces start at wedges is at these [m].
   dvec3 place;
   ScatteringMatrix s;  // [m]
   ScatteringMechanism mechanism;

@@ -250,7 +250,7 @@ void EdgeSets::put(const Set& set, const InteractionGroup& group, const Interact
 }
 
 std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_t frequency_index,
-                                                    const InteractionLimits& limits) const {
+                                                    const InteractionLimits& limits, bool by_path) const {
   const auto frequencies = static_cast<double>(interacting_frequencies());
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction)
@@ -258,7 +258,7 @@ std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_
         if (set.indices[group.indices[i]] != frequency_index) continue;
         const double share = static_cast<double>(group.indices.size()) / frequencies;
         return raytube::interaction_pieces(interaction_scene(set, group), look, group.frequencies, i,
-                                           interaction_options(set, limits, share));
+                                           interaction_options(set, limits, share), by_path);
       }
   return {};
 }

@@ -78,7 +78,8 @@ class EdgeSets {
   double interaction_reach(const InteractionLimits& limits) const;
 
   /// Edge-face interaction of one look at one of the frequencies, by pieces of edges: see interaction_pieces().
-  std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits) const;
+  std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits,
+                                            bool by_path) const;
 
  private:
   struct Set {

@@ -138,11 +138,11 @@ void StripEdges::add(std::uint32_t index, const EdgeMeeting& meeting, std::span<
 }
 
 std::vector<ImageEdge> StripEdges::pieces(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit,
-                                          std::span<const LitInterval> parts) {
+                                          std::span<const LitInterval> parts, const PathPlace& place) {
   std::vector<ImageEdge> all;
   const Wedge& wedge = wedges_[index];
   if (!meeting.edge_face_only) {
-    StripPieces pieces{.towards = look_.scattered};
+    StripPieces pieces{place};
     multiple_.keep_pieces(&pieces);
     multiple_.add(index, meeting.incidence, lit);
     all = multiple_.take_pieces();
@@ -153,7 +153,9 @@ std::vector<ImageEdge> StripEdges::pieces(std::uint32_t index, const EdgeMeeting
     face.add_edge_face(wedge, meeting.incidence, std::span(&part, 1));
     std::vector<ScatteringMatrix> s(1);
     face.add_to(s);
-    all.push_back({point_on(wedge, part.begin), point_on(wedge, part.end), s[0]});
+    const dvec3 middle = point_on(wedge, (part.begin + part.end) / 2),
+                at = place.at(middle, middle, glm::dot(look_.scattered - look_.incident, middle));
+    all.push_back({at, at, s[0]});
   }
   return all;
 }

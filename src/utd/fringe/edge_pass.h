@@ -98,10 +98,12 @@ class StripEdges {
 
   void add(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit);
 
+  const dvec3& towards() const { return look_.scattered; }
+
   /// What an edge that is added alone adds at the only frequency, each wave at its place (strip_groups.h); `parts` are those of
   /// the lit ones on which the current of a plate's edge face has one place. Nothing may be added after that.
   std::vector<ImageEdge> pieces(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit,
-                                std::span<const LitInterval> parts);
+                                std::span<const LitInterval> parts, const PathPlace& place);
 
   /// The sum; nothing may be added after that.
   EdgeLookResult take();

@@ -70,8 +70,8 @@ class EdgePieces {
  private:
   void add_by_path(std::uint32_t index, std::span<const LitInterval> lit) {
     auto edges = make_(frequencies_);
-    std::ranges::copy(edges.pieces(index, *edges.meeting(index), lit, cut_at_cells(wedges_[index], lit, request_.lattice)),
-                      std::back_inserter(pieces_));
+    const std::vector<LitInterval> parts = cut_at_cells(wedges_[index], lit, request_.lattice);
+    std::ranges::copy(edges.pieces(index, *edges.meeting(index), lit, parts, {edges.towards()}), std::back_inserter(pieces_));
   }
 
   ScatteringMatrix scattering_of(std::uint32_t index, std::span<const LitInterval> lit, std::span<const double> frequencies,

@@ -68,6 +68,13 @@ void EdgeIllumination::at(double azimuth, std::vector<ScatteringMatrix>& density
   follow(rays, [&](const Footprint& on) { radiate(on, waves, density); });
 }
 
+void EdgeIllumination::take_apart(double azimuth, double weight, const PathPlace& place, std::vector<ImageEdge>& pieces) {
+  terms_ = edge_wave_terms(source_.edge->wedge->n, source_.incidence.source_angle, azimuth);
+  const Rays rays = diffracted_rays(azimuth);
+  const EdgeWaveIntegral waves = this->waves(rays.fan.direction);
+  follow(rays, [&](const Footprint& on) { take_apart(on, waves, weight, place, pieces); });
+}
+
 std::optional<PhaseRange> EdgeIllumination::survey(double azimuth) {
   std::optional<PhaseRange> range;
   const double k = std::ranges::max(wavenumbers_);
@@ -138,7 +145,7 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
   RayRow row{hit.from, hit.to, rays.path + hit.length, rays.path_rate + hit.growth};
   row.phase = glm::dot(look_.scattered, base) - start - row.path;
   row.phase_rate = glm::dot(look_.scattered, step) - in.cos_cone - row.path_rate;
-  Footprint on{row, in.sin_cone * in.sin_cone / std::abs(facing), {}};
+  Footprint on{row, base, step, in.sin_cone * in.sin_cone / std::abs(facing), {}};
   const dvec3 normal = facing > 0.0 ? -plane.normal : plane.normal;
   for (int c = 0; c < components; ++c) {
     const dvec3 current = 2.0 * glm::cross(normal, rays.magnetic[c]);
@@ -204,6 +211,41 @@ void EdgeIllumination::radiate_band(const Footprint& on, const EdgeWaveIntegral&
     density[f] += excited(on, waves.beside_corners(row, wavenumbers_[f]), wavenumbers_[f]);
   work_ +=
       work::ray_row * (static_cast<double>(amplitudes_->at.size()) + share_at_ends * static_cast<double>(wavenumbers_.size()));
+}
+
+// A wavelength after the other: what has the phases of its ends, and what is beside corners. What rules leave is at the middle.
+void EdgeIllumination::take_apart(const Footprint& on, const EdgeWaveIntegral& waves, double weight, const PathPlace& place,
+                                  std::vector<ImageEdge>& pieces) const {
+  const double k = wavenumbers_.front();
+  ScatteringMatrix rest = excited(on, waves.over(on.row, k), k);
+  const auto put = [&](double position, ScatteringMatrix s) {
+    const dvec3 at = place.at(source_.edge->origin + std::clamp(position, source_.from, source_.to) * source_.edge->tangent,
+                              on.base + position * on.step, on.row.phase + on.row.phase_rate * position);
+    pieces.push_back({at, at, s *= weight});
+  };
+  const auto count = static_cast<int>(std::ceil((on.row.to - on.row.from) * k / (2.0 * pi)));
+  for (int i = 0; i < count; ++i) {
+    RayRow part = on.row;
+    part.from = glm::mix(on.row.from, on.row.to, static_cast<double>(i) / count);
+    part.to = glm::mix(on.row.from, on.row.to, static_cast<double>(i + 1) / count);
+    const auto add = [&](double position, const WaveIntegrals& sums, bool with_phase) {
+      ScatteringMatrix s = excited(on, sums, k);
+      if (with_phase) s *= std::polar(1.0, k * (part.phase + part.phase_rate * position));
+      rest = rest - s;
+      put(position, s);
+    };
+    for (const RowStretch& stretch : waves.stretches(part, k)) {
+      if (k * std::abs(part.phase_rate) * stretch.half() < EdgeWaveIntegral::least_turn) {
+        add(stretch.middle(), waves.whole(part, stretch, k), true);
+        continue;
+      }
+      const EdgeWaveIntegral::Ends ends = waves.ends(part, stretch, k);
+      add(stretch.from, ends.from, true);
+      add(stretch.to, ends.to, true);
+    }
+    add((part.from + part.to) / 2, waves.beside_corners(part, k), false);
+  }
+  put((on.row.from + on.row.to) / 2, rest);
 }
 
 }  // namespace raytube

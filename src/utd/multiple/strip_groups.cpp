@@ -53,7 +53,7 @@ void StripGroups::take_apart(const StripLayout& strips, std::size_t wave, std::u
                                  ? point
                                  : strips.rows[here.parent].arriving + point - strips.panels.ranges()[here.parent].first;
   const auto bin = [&](std::size_t& known, const dvec3& first, const dvec3& last, double path) {
-    return known = known == none ? bins.at(bins.pieces->place(first, last, path)) : known;
+    return known = known == none ? bins.at(bins.pieces->place.at(first, last, path)) : known;
   };
   for (std::size_t i = 0; i < row.size; ++i) {
     const StripRow one{row.amplitude + i, row.arriving + i, row.kernel + (row.alike ? 0 : i), 1, row.alike};
@@ -63,7 +63,7 @@ void StripGroups::take_apart(const StripLayout& strips, std::size_t wave, std::u
                 end = start + strip.length_at(at) * here.wave.direction;
     std::size_t& starts = (here.parent == no_index ? starts_ : ends_)[before + i];
     if (std::abs(end_path - start_path) <= one_piece(bins.nodes().front())) {
-      append(StripPart::whole, bins.at(bins.pieces->place(first, 0.5 * (start + end), 0.5 * (start_path + end_path))), one);
+      append(StripPart::whole, bins.at(bins.pieces->place.at(first, 0.5 * (start + end), 0.5 * (start_path + end_path))), one);
     } else {
       append(StripPart::start, bin(starts, first, start, start_path), one);
       append(StripPart::end, bin(ends_[row.arriving + i], first, end, end_path), one);

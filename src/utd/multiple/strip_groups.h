@@ -4,21 +4,16 @@
 #include "math/path_bins.h"
 #include "scene/image.h"
 #include "utd/multiple/strip_layout.h"
+#include "utd/wedge/path_place.h"
 
 namespace raytube {
 
-/// What the strips of a look add to S, point by point of the first edges: each wave at the place that has its path and, as that
-/// is stationary along every edge on its way, its derivative with direction, too: half-way between where it meets the first edge
-/// and where it radiates, and half of the strips between them beyond. Looks are monostatic, of one frequency.
+/// What the strips of a look add to S, point by point of the first edges, each wave at the place of its path. Looks are back to
+/// where light comes from, perhaps over mirrors, and of one frequency.
 struct StripPieces {
-  dvec3 towards;                    // the radar
+  PathPlace place;
   std::vector<dvec3> places{};      // of single bins, one after the other [m]
   std::vector<ImageEdge> curved{};  // of strips over curved faces
-
-  dvec3 place(const dvec3& first, const dvec3& last, double path) const {
-    const dvec3 middle = 0.5 * (first + last);
-    return middle + (0.5 * path - glm::dot(towards, middle)) * towards;
-  }
 };
 
 /// By how much the paths of waves may differ that are one piece [m].

@@ -151,7 +151,7 @@ void add_pieces(const dvec3& first, const ArrivedPath& arrived, const StripStart
   for (std::size_t bin = 0; bin < paths.size(); ++bin) {
     const double way = path.end_path() != 0.0 ? (paths.middle(bin) - start.path) / path.end_path() : 0.0;
     const dvec3 last = glm::mix(path.start, path.end, std::clamp(way, 0.0, 1.0));
-    const dvec3 place = bins.pieces->place(first, last, paths.middle(bin));
+    const dvec3 place = bins.pieces->place.at(first, last, paths.middle(bin));
     bins.pieces->curved.push_back({place, place, paths.at(bin, 0)});
   }
 }
