@@ -36,8 +36,11 @@ class EdgeCurrentsOfLook : public Mechanism {
     if (sink.image == nullptr) return;
     const std::size_t index = sink.image->frequency_index;
     std::vector<ImageEdge>& pieces = sink.image->pieces;
-    std::ranges::copy(scene_.edges.pieces(look, {index, sink.image->lattice, sink.image->by_path}, waves),
-                      std::back_inserter(pieces));
+    std::vector<ImageEdge> edges = scene_.edges.pieces(look, {index, sink.image->lattice, sink.image->by_path}, waves);
+    if (pieces.empty())
+      pieces = std::move(edges);  // there may be many
+    else
+      std::ranges::copy(edges, std::back_inserter(pieces));
     std::ranges::copy(scene_.edges.arrival_pieces(look, index, sink.arrivals), std::back_inserter(pieces));
   }
 

@@ -42,7 +42,7 @@ void StripGroups::cut(const StripLayout& strips, std::size_t wave, std::uint32_t
   put(StripPart::end, end, points, row, bins);
 }
 
-// Point by point. What starts at the end of a strip has its place and its bin.
+// Point by point. What starts at the end of a strip has its place and its bin; a short strip has those of its start.
 void StripGroups::take_apart(const StripLayout& strips, std::size_t wave, std::uint32_t bundle, StripBins& bins) {
   const TreeWave& here = strips.tree.waves()[wave];
   if (strips.tree.runs_over_curved(here.wave)) return;
@@ -62,11 +62,14 @@ void StripGroups::take_apart(const StripLayout& strips, std::size_t wave, std::u
     const dvec3 first = strips.tree.waves()[0].line.at(at), start = here.line.at(at),
                 end = start + strip.length_at(at) * here.wave.direction;
     std::size_t& starts = (here.parent == no_index ? starts_ : ends_)[before + i];
+    std::size_t& ends = ends_[row.arriving + i];
+    const std::size_t at_start = bin(starts, first, start, start_path);
     if (std::abs(end_path - start_path) <= one_piece(bins.nodes().front())) {
-      append(StripPart::whole, bins.at(bins.pieces->place.at(first, 0.5 * (start + end), 0.5 * (start_path + end_path))), one);
+      ends = at_start;
+      append(StripPart::whole, at_start, one);
     } else {
-      append(StripPart::start, bin(starts, first, start, start_path), one);
-      append(StripPart::end, bin(ends_[row.arriving + i], first, end, end_path), one);
+      append(StripPart::start, at_start, one);
+      append(StripPart::end, bin(ends, first, end, end_path), one);
     }
   }
 }
