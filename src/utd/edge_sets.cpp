@@ -149,16 +149,19 @@ std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const PieceRequest& re
   return {};
 }
 
-std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, std::size_t frequency_index,
+std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, const PieceRequest& request,
                                                 std::span<const SurfaceArrival> arrivals) const {
   std::vector<ImageEdge> pieces;
   for (const Set& set : sets_) {
-    const auto found = std::ranges::find(set.indices, frequency_index);
+    const auto found = std::ranges::find(set.indices, request.frequency_index);
     if (found == set.indices.end()) continue;
     for (const SurfaceArrival& arrival : arrivals) {
       std::vector<ScatteringMatrix> s(set.frequencies.size());
       add_arrivals(scene(set, true), look_vectors(look), set.frequencies, options(set), {std::span(&arrival, 1), set.indices}, s);
-      pieces.push_back({arrival.position, arrival.position, s[found - set.indices.begin()]});
+      const dvec3 place = request.by_path
+                              ? PathPlace{look_vectors(look).scattered}.at(arrival.start, arrival.position, arrival.path)
+                              : arrival.position;
+      pieces.push_back({place, place, s[found - set.indices.begin()]});
     }
   }
   return pieces;

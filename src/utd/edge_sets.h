@@ -61,7 +61,7 @@ class EdgeSets {
   std::vector<ImageEdge> pieces(const Look& look, const PieceRequest& request, const WavesAtEdges& waves) const;
 
   /// What waves over curved surfaces start at the edges, at one of the frequencies, wave by wave.
-  std::vector<ImageEdge> arrival_pieces(const Look& look, std::size_t frequency_index,
+  std::vector<ImageEdge> arrival_pieces(const Look& look, const PieceRequest& request,
                                         std::span<const SurfaceArrival> arrivals) const;
 
   /// The strips over curved faces in one look, each at the first of the frequencies that it is computed for.
