@@ -213,39 +213,57 @@ void EdgeIllumination::radiate_band(const Footprint& on, const EdgeWaveIntegral&
       work::ray_row * (static_cast<double>(amplitudes_->at.size()) + share_at_ends * static_cast<double>(wavenumbers_.size()));
 }
 
-// A wavelength after the other: what has the phases of its ends, and what is beside corners. What rules leave is at the middle.
+struct EdgeIllumination::RowPieces {
+  const EdgeIllumination& of;
+  const Footprint& on;
+  const EdgeWaveIntegral& waves;
+  double weight, wavenumber;
+  const PathPlace& place;
+  std::vector<ImageEdge>& pieces;
+  ScatteringMatrix sum{};  // of those that were put
+
+  void put(double position, ScatteringMatrix s) {
+    const EdgeAxis& edge = *of.source_.edge;
+    const dvec3 first = edge.origin + std::clamp(position, of.source_.from, of.source_.to) * edge.tangent;
+    const dvec3 at = place.at(first, on.base + position * on.step, on.row.phase + on.row.phase_rate * position);
+    sum += s;
+    pieces.push_back({at, at, s *= weight});
+  }
+
+  // Of amplitudes without their phase.
+  void put_wave(double position, const WaveIntegrals& sums) {
+    ScatteringMatrix s = of.excited(on, sums, wavenumber);
+    put(position, s *= std::polar(1.0, wavenumber * (on.row.phase + on.row.phase_rate * position)));
+  }
+
+  // What has the phases of the ends of its stretches, and what is beside corners.
+  void put(const RayRow& part) {
+    for (const RowStretch& stretch : waves.stretches(part, wavenumber)) {
+      if (wavenumber * std::abs(part.phase_rate) * stretch.half() < EdgeWaveIntegral::least_turn) {
+        put_wave(stretch.middle(), waves.whole(part, stretch, wavenumber));
+        continue;
+      }
+      const EdgeWaveIntegral::Ends ends = waves.ends(part, stretch, wavenumber);
+      put_wave(stretch.from, ends.from);
+      put_wave(stretch.to, ends.to);
+    }
+    put((part.from + part.to) / 2, of.excited(on, waves.beside_corners(part, wavenumber), wavenumber));
+  }
+};
+
+// A wavelength after the other. What rules leave is at the middle.
 void EdgeIllumination::take_apart(const Footprint& on, const EdgeWaveIntegral& waves, double weight, const PathPlace& place,
                                   std::vector<ImageEdge>& pieces) const {
   const double k = wavenumbers_.front();
-  ScatteringMatrix rest = excited(on, waves.over(on.row, k), k);
-  const auto put = [&](double position, ScatteringMatrix s) {
-    const dvec3 at = place.at(source_.edge->origin + std::clamp(position, source_.from, source_.to) * source_.edge->tangent,
-                              on.base + position * on.step, on.row.phase + on.row.phase_rate * position);
-    pieces.push_back({at, at, s *= weight});
-  };
+  RowPieces row{*this, on, waves, weight, k, place, pieces};
   const auto count = static_cast<int>(std::ceil((on.row.to - on.row.from) * k / (2.0 * pi)));
   for (int i = 0; i < count; ++i) {
     RayRow part = on.row;
     part.from = glm::mix(on.row.from, on.row.to, static_cast<double>(i) / count);
     part.to = glm::mix(on.row.from, on.row.to, static_cast<double>(i + 1) / count);
-    const auto add = [&](double position, const WaveIntegrals& sums, bool with_phase) {
-      ScatteringMatrix s = excited(on, sums, k);
-      if (with_phase) s *= std::polar(1.0, k * (part.phase + part.phase_rate * position));
-      rest = rest - s;
-      put(position, s);
-    };
-    for (const RowStretch& stretch : waves.stretches(part, k)) {
-      if (k * std::abs(part.phase_rate) * stretch.half() < EdgeWaveIntegral::least_turn) {
-        add(stretch.middle(), waves.whole(part, stretch, k), true);
-        continue;
-      }
-      const EdgeWaveIntegral::Ends ends = waves.ends(part, stretch, k);
-      add(stretch.from, ends.from, true);
-      add(stretch.to, ends.to, true);
-    }
-    add((part.from + part.to) / 2, waves.beside_corners(part, k), false);
+    row.put(part);
   }
-  put((on.row.from + on.row.to) / 2, rest);
+  row.put((on.row.from + on.row.to) / 2, excited(on, waves.over(on.row, k), k) - row.sum);
 }
 
 }  // namespace raytube

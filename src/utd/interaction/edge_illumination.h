@@ -102,6 +102,7 @@ class EdgeIllumination {
   Footprint footprint(const Rays& rays, const FanHit& hit, const Patch& plane) const;
   void radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density);
   void radiate_band(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density);
+  struct RowPieces;
   void take_apart(const Footprint& on, const EdgeWaveIntegral& waves, double weight, const PathPlace& place,
                   std::vector<ImageEdge>& pieces) const;
   ScatteringMatrix excited(const Footprint& on, const WaveIntegrals& sums, double wavenumber) const;

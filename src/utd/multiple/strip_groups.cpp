@@ -42,35 +42,35 @@ void StripGroups::cut(const StripLayout& strips, std::size_t wave, std::uint32_t
   put(StripPart::end, end, points, row, bins);
 }
 
-// Point by point. What starts at the end of a strip has its place and its bin; a short strip has those of its start.
+// Point by point.
 void StripGroups::take_apart(const StripLayout& strips, std::size_t wave, std::uint32_t bundle, StripBins& bins) {
   const TreeWave& here = strips.tree.waves()[wave];
   if (strips.tree.runs_over_curved(here.wave)) return;
   const StripBundle& strip = strips.tree.bundles()[bundle];
   const StripRow& row = strips.rows[bundle];
-  const std::size_t point = strips.panels.ranges()[bundle].first,
-                    before = here.parent == no_index
-                                 ? point
-                                 : strips.rows[here.parent].arriving + point - strips.panels.ranges()[here.parent].first;
-  const auto bin = [&](std::size_t& known, const dvec3& first, const dvec3& last, double path) {
-    return known = known == none ? bins.at(bins.pieces->place.at(first, last, path)) : known;
-  };
+  const std::size_t point = strips.panels.ranges()[bundle].first;
+  std::size_t* const starts = here.parent == no_index
+                                  ? &starts_[point]
+                                  : &ends_[strips.rows[here.parent].arriving + point - strips.panels.ranges()[here.parent].first];
   for (std::size_t i = 0; i < row.size; ++i) {
+    const double at = strips.panels.points()[point + i].arc_length;
+    const dvec3 first = strips.tree.waves()[0].line.at(at), start = here.line.at(at);
     const StripRow one{row.amplitude + i, row.arriving + i, row.kernel + (row.alike ? 0 : i), 1, row.alike};
-    const double at = strips.panels.points()[point + i].arc_length, start_path = strip.start_path.at(at),
-                 end_path = strip.end_path.at(at);
-    const dvec3 first = strips.tree.waves()[0].line.at(at), start = here.line.at(at),
-                end = start + strip.length_at(at) * here.wave.direction;
-    std::size_t& starts = (here.parent == no_index ? starts_ : ends_)[before + i];
-    std::size_t& ends = ends_[row.arriving + i];
-    const std::size_t at_start = bin(starts, first, start, start_path);
-    if (std::abs(end_path - start_path) <= one_piece(bins.nodes().front())) {
-      ends = at_start;
-      append(StripPart::whole, at_start, one);
-    } else {
-      append(StripPart::start, at_start, one);
-      append(StripPart::end, bin(ends, first, end, end_path), one);
-    }
+    put_apart(one, {first, start, strip.start_path.at(at), starts[i]},
+              {first, start + strip.length_at(at) * here.wave.direction, strip.end_path.at(at), ends_[one.arriving]}, bins);
+  }
+}
+
+// What starts at the end of a strip has its place and its bin; a short strip has those of its start.
+void StripGroups::put_apart(const StripRow& one, const StripEnd& start, const StripEnd& end, StripBins& bins) {
+  const auto bin = [&](const StripEnd& at) {
+    return at.bin = at.bin == none ? bins.at(bins.pieces->place.at(at.first, at.last, at.path)) : at.bin;
+  };
+  if (std::abs(end.path - start.path) <= one_piece(bins.nodes().front())) {
+    append(StripPart::whole, end.bin = bin(start), one);
+  } else {
+    append(StripPart::start, bin(start), one);
+    append(StripPart::end, bin(end), one);
   }
 }
 

@@ -60,6 +60,13 @@ class StripGroups {
  private:
   void cut(const StripLayout& strips, std::size_t wave, std::uint32_t bundle, PathBins& bins);
   void take_apart(const StripLayout& strips, std::size_t wave, std::uint32_t bundle, StripBins& bins);
+  /// Where light meets the first edge and a strip starts or ends, its phase over k there, and the bin of what radiates from it.
+  struct StripEnd {
+    dvec3 first, last;
+    double path;
+    std::size_t& bin;
+  };
+  void put_apart(const StripRow& one, const StripEnd& start, const StripEnd& end, StripBins& bins);
   void put(StripPart part, const Linear& path, std::span<const PanelPoint> points, const StripRow& row, PathBins& bins);
   void append(StripPart part, std::size_t bin, const StripRow& row);
 
