@@ -74,12 +74,17 @@ std::array<std::size_t, 3> fine_counts(const EvenGrid& grid) {
   return fine;
 }
 
-Complex scaled(Complex value, double factor) { return value * factor; }
-ScatteringMatrix scaled(ScatteringMatrix value, double factor) { return value *= factor; }
+// sum += factor value. Complex numbers are pairs of doubles: four channels, as two vectors.
+template <class Value>
+void add_scaled(Value& sum, const Value& value, double factor) {
+  auto* const to = reinterpret_cast<double*>(&sum);
+  const auto* const from = reinterpret_cast<const double*>(&value);
+  for (std::size_t i = 0; i < sizeof(Value) / sizeof(double); ++i) to[i] += factor * from[i];
+}
 
 // Onto the points about its place on the fine grid.
 template <class Value>
-void spread(const Value& value, const dvec3& wave_vector, const EvenGrid& grid, const std::array<std::size_t, 3>& fine,
+void spread(const Value value, const dvec3& wave_vector, const EvenGrid& grid, const std::array<std::size_t, 3>& fine,
             std::vector<Value>& sums) {
   std::array<KernelRow, 3> rows;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -88,7 +93,7 @@ void spread(const Value& value, const dvec3& wave_vector, const EvenGrid& grid, 
     for (std::size_t b = 0; b < rows[1].count; ++b) {
       Value* const line = sums.data() + (rows[0].at[a] * fine[1] + rows[1].at[b]) * fine[2];
       const double weight = rows[0].weight[a] * rows[1].weight[b];
-      for (std::size_t c = 0; c < rows[2].count; ++c) line[rows[2].at[c]] += scaled(value, weight * rows[2].weight[c]);
+      for (std::size_t c = 0; c < rows[2].count; ++c) add_scaled(line[rows[2].at[c]], value, weight * rows[2].weight[c]);
     }
 }
 

@@ -29,11 +29,13 @@ std::int64_t PathBins::key(double path) const { return width_ > 0.0 ? static_cas
 
 std::size_t PathBins::find(double path) {
   const auto [entry, is_new] = index_.try_emplace(key(path), keys_.size());
-  if (is_new) {
-    keys_.push_back(entry->first);
-    values_.resize(values_.size() + at_.size());
-  }
-  return entry->second;
+  return is_new ? append(entry->first) : entry->second;
+}
+
+std::size_t PathBins::append(std::int64_t key) {
+  keys_.push_back(key);
+  values_.resize(values_.size() + at_.size());
+  return keys_.size() - 1;
 }
 
 void PathBins::move_to(std::span<ScatteringMatrix> sums) {
@@ -45,8 +47,7 @@ void PathBins::move_to(std::span<ScatteringMatrix> sums) {
 
 void PathBins::expand(std::size_t bin, std::span<ScatteringMatrix> sums) const {
   const std::span<const ScatteringMatrix> values = std::span(values_).subspan(bin * at_.size(), at_.size());
-  if (nodes_ != nullptr)
-    return add_interpolated(values, *nodes_, wavenumbers_, (static_cast<double>(keys_[bin]) + 0.5) * width_, sums);
+  if (nodes_ != nullptr) return add_interpolated(values, *nodes_, wavenumbers_, middle(bin), sums);
   for (std::size_t f = 0; f < sums.size(); ++f) sums[f] += values[f];
 }
 

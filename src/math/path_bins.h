@@ -15,6 +15,9 @@ namespace raytube {
 class PathBins {
  public:
   PathBins(Band& band, bool interpolate);
+  /// All wavenumbers are nodes, and paths in a bin differ by up to `width` [m].
+  PathBins(std::span<const double> wavenumbers, double width)
+      : wavenumbers_(wavenumbers), at_(wavenumbers), width_(width), spread_(width) {}
 
   /// Where amplitudes are wanted [rad/m].
   std::span<const double> nodes() const { return at_; }
@@ -26,6 +29,12 @@ class PathBins {
   /// share a bin.
   std::int64_t key(double path) const;
   std::size_t find(double path);
+  /// One more bin, that no path leads to, of waves of any path; only without interpolation.
+  std::size_t append() { return append(0); }
+
+  /// How many bins there are, and the path in the middle of one that a path led to.
+  std::size_t size() const { return keys_.size(); }
+  double middle(std::size_t bin) const { return (static_cast<double>(keys_[bin]) + 0.5) * width_; }
 
   /// What the waves of a bin, with their phases, sum to at a node.
   ScatteringMatrix& at(std::size_t bin, std::size_t node) { return values_[bin * at_.size() + node]; }
@@ -34,6 +43,7 @@ class PathBins {
   void move_to(std::span<ScatteringMatrix> sums);
 
  private:
+  std::size_t append(std::int64_t key);
   void expand(std::size_t bin, std::span<ScatteringMatrix> sums) const;
 
   std::span<const double> wavenumbers_, at_;  // at_: the nodes, or all wavenumbers

@@ -18,9 +18,9 @@ inline constexpr std::array scattering_mechanisms{"bounce_1", "bounce_2", "bounc
 
 /// Adds s to S of one monostatic look at one frequency.
 struct ScatteringPiece {
-  // Where a point would be that has the same phase, and the same changes of it as frequency and direction change a little: of what
-  // is reflected on its way half of the path, and between where it set out and where it is last. Of an edge where that stands,
-  // also if light reaches it by reflection [m].
+  // Where a point would be that has the same phase, and the same changes of it as frequency and direction change a little: of
+  // what is reflected on its way, or runs from edges to other edges and faces, or over curved surfaces, half of the path, and
+  // between where it set out and where it is last. What a wave over a surface starts at a wedge radiates from there [m].
   dvec3 place;
   ScatteringMatrix s;  // [m]
   ScatteringMechanism mechanism;

@@ -70,7 +70,7 @@ void BandSolver::solve_image(const Look& look, std::size_t frequency_index, cons
   const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
   image.cells = map.take_cells();
   image.triangles = map.take_triangles();
-  image.edges = edge_pieces(look, tubes, frequency_index, lattice).pieces;
+  image.edges = edge_pieces(look, tubes, {frequency_index, lattice}).pieces;
 }
 
 void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
@@ -79,16 +79,14 @@ void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, co
     sink({of.place, of.s, mechanism_of_bounce(of.bounce), of.triangle});
   });
   const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
-  const ImageRequest request = edge_pieces(look, tubes, 0, edges);
+  const ImageRequest request = edge_pieces(look, tubes, {0, edges, true});
   for (std::size_t i = 0; i < request.pieces.size(); ++i) {
     const ImageEdge& edge = request.pieces[i];
     sink({0.5 * (edge.begin + edge.end), edge.s, mechanism_of(request.mechanisms[i]), {}});
   }
 }
 
-ImageRequest BandSolver::edge_pieces(const Look& look, const TubeSums& tubes, std::size_t frequency_index,
-                                     const ImageLattice& lattice) const {
-  ImageRequest request{frequency_index, lattice};
+ImageRequest BandSolver::edge_pieces(const Look& look, const TubeSums& tubes, ImageRequest request) const {
   LookSink sink;
   sink.image = &request;
   run_mechanisms({look, tubes}, sink, {});

@@ -45,8 +45,7 @@ class BandSolver {
  private:
   std::vector<ChannelErrors> permitted_errors(const Look& look, const TubeSums& tubes) const;
   TubeSums trace_tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const;
-  ImageRequest edge_pieces(const Look& look, const TubeSums& tubes, std::size_t frequency_index,
-                           const ImageLattice& lattice) const;
+  ImageRequest edge_pieces(const Look& look, const TubeSums& tubes, ImageRequest request) const;
   LookResult rays(const Look& look, Progress& progress, double share) const;
   void run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const;
   void run(MechanismId id, const TracedLook& look, LookSink& sink) const;

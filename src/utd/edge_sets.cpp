@@ -136,30 +136,32 @@ EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const 
   return all;
 }
 
-std::vector<ImageEdge> EdgeSets::pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice,
-                                        const WavesAtEdges& waves) const {
+std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const PieceRequest& request, const WavesAtEdges& waves) const {
   for (const Set& set : sets_)
     for (const SetPart& part : parts_of(set, waves)) {
-      const auto found = std::ranges::find(part.indices, frequency_index);
+      const auto found = std::ranges::find(part.indices, request.frequency_index);
       if (found == part.indices.end()) continue;
-      const PieceRequest request{static_cast<std::size_t>(found - part.indices.begin()), lattice};
+      const PieceRequest in_part{static_cast<std::size_t>(found - part.indices.begin()), request.lattice, request.by_path};
       const EdgeScene here = scene(set, part.over_curved);
-      if (screens_) return screened_fringe_pieces(here, *screens_, look, {part.frequencies, part.indices}, request, options(set));
-      return fringe_pieces(here, look, part.frequencies, request, options(set));
+      if (screens_) return screened_fringe_pieces(here, *screens_, look, {part.frequencies, part.indices}, in_part, options(set));
+      return fringe_pieces(here, look, part.frequencies, in_part, options(set));
     }
   return {};
 }
 
-std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, std::size_t frequency_index,
+std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, const PieceRequest& request,
                                                 std::span<const SurfaceArrival> arrivals) const {
   std::vector<ImageEdge> pieces;
   for (const Set& set : sets_) {
-    const auto found = std::ranges::find(set.indices, frequency_index);
+    const auto found = std::ranges::find(set.indices, request.frequency_index);
     if (found == set.indices.end()) continue;
     for (const SurfaceArrival& arrival : arrivals) {
       std::vector<ScatteringMatrix> s(set.frequencies.size());
       add_arrivals(scene(set, true), look_vectors(look), set.frequencies, options(set), {std::span(&arrival, 1), set.indices}, s);
-      pieces.push_back({arrival.position, arrival.position, s[found - set.indices.begin()]});
+      const dvec3 place = request.by_path
+                              ? PathPlace{look_vectors(look).scattered}.at(arrival.start, arrival.position, arrival.path)
+                              : arrival.position;
+      pieces.push_back({place, place, s[found - set.indices.begin()]});
     }
   }
   return pieces;
@@ -251,7 +253,7 @@ void EdgeSets::put(const Set& set, const InteractionGroup& group, const Interact
 }
 
 std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_t frequency_index,
-                                                    const InteractionLimits& limits) const {
+                                                    const InteractionLimits& limits, bool by_path) const {
   const auto frequencies = static_cast<double>(interacting_frequencies());
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction)
@@ -259,7 +261,7 @@ std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_
         if (set.indices[group.indices[i]] != frequency_index) continue;
         const double share = static_cast<double>(group.indices.size()) / frequencies;
         return raytube::interaction_pieces(interaction_scene(set, group), look, group.frequencies, i,
-                                           interaction_options(set, limits, share));
+                                           interaction_options(set, limits, share), by_path);
       }
   return {};
 }

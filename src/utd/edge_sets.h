@@ -58,11 +58,10 @@ class EdgeSets {
   EdgeLookResult scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves) const;
 
   /// The fringe currents of one look at one of the frequencies, piece by piece: see fringe_pieces().
-  std::vector<ImageEdge> pieces(const Look& look, std::size_t frequency_index, const ImageLattice& lattice,
-                                const WavesAtEdges& waves) const;
+  std::vector<ImageEdge> pieces(const Look& look, const PieceRequest& request, const WavesAtEdges& waves) const;
 
   /// What waves over curved surfaces start at the edges, at one of the frequencies, wave by wave.
-  std::vector<ImageEdge> arrival_pieces(const Look& look, std::size_t frequency_index,
+  std::vector<ImageEdge> arrival_pieces(const Look& look, const PieceRequest& request,
                                         std::span<const SurfaceArrival> arrivals) const;
 
   /// The strips over curved faces in one look, each at the first of the frequencies that it is computed for.
@@ -79,7 +78,8 @@ class EdgeSets {
   double interaction_reach(const InteractionLimits& limits) const;
 
   /// Edge-face interaction of one look at one of the frequencies, by pieces of edges: see interaction_pieces().
-  std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits) const;
+  std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits,
+                                            bool by_path) const;
 
  private:
   struct Set {

@@ -41,8 +41,8 @@ CurrentMap::CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::
       frequency_index_(frequency_index),
       wavenumber_(wavenumber),
       sink_(std::move(sink)),
-      cells_(lattice.cells()),
-      triangles_(faces.mesh().triangles.size()) {}
+      cells_(sink_ ? 0 : lattice.cells()),
+      triangles_(sink_ ? 0 : faces.mesh().triangles.size()) {}
 
 void CurrentMap::keep(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
   cells_[lattice_.index(lattice_.at(at))] += s;
@@ -50,13 +50,11 @@ void CurrentMap::keep(const dvec2& at, std::uint32_t triangle, const ScatteringM
 }
 
 void CurrentMap::add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
-  keep(at, triangle, s);
-  if (sink_) sink_({place_on(triangle, at), s, bounce_, triangle});
+  sink_ ? sink_({place_on(triangle, at), s, bounce_, triangle}) : keep(at, triangle, s);
 }
 
 void CurrentMap::add(const TubeMiddle& middle, std::uint32_t triangle, const ScatteringMatrix& s) {
-  keep(middle.at, triangle, s);
-  if (sink_) sink_({place_of(middle), s, bounce_, triangle});
+  sink_ ? sink_({place_of(middle), s, bounce_, triangle}) : keep(middle.at, triangle, s);
 }
 
 void CurrentMap::add(const Footprint& footprint, const Bounds& tube, std::uint32_t triangle) {
@@ -73,12 +71,13 @@ void CurrentMap::add(const Footprint& footprint, const ConvexPolygon& outline, s
   for (const std::uint32_t triangle : triangles) {
     clipped_ = outline;
     if (triangles.size() > 1 && !clip_to(corners(footprint, triangle), outline)) continue;
-    add_far_field(triangles_[triangle], footprint, frequency_index_, wavenumber_,
-                  phase_integral(footprint, wavenumber_, clipped_));
+    if (!sink_)
+      add_far_field(triangles_[triangle], footprint, frequency_index_, wavenumber_,
+                    phase_integral(footprint, wavenumber_, clipped_));
     cut_up(clipped_, [&](const ConvexPolygon& part) {
+      if (sink_) return tell(footprint, part, triangle);
       add_far_field(cells_[lattice_.index(lattice_.at(middle(part)))], footprint, frequency_index_, wavenumber_,
                     phase_integral(footprint, wavenumber_, part));
-      if (sink_) tell(footprint, part, triangle);
     });
   }
 }
@@ -136,9 +135,10 @@ std::array<dvec2, 3> CurrentMap::corners(const Footprint& footprint, std::uint32
 
 // Fills clipped_; false if nothing is left.
 bool CurrentMap::clip_to(const std::array<dvec2, 3>& corners, const ConvexPolygon& outline) {
+  const auto& [a, b, c] = corners;
+  if (!Bounds{glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))}.overlaps(bounds(outline), 0.0)) return false;
   set_corners(triangle_, corners);
   clipped_ = outline;
-  if (!bounds(triangle_).overlaps(bounds(outline), 0.0)) return false;
   for (const Corner& corner : triangle_) {
     cut(clipped_, corner.edge, 0.0, inside_, outside_);
     std::swap(clipped_, inside_);

@@ -37,7 +37,7 @@ struct TubeMiddle {
 class CurrentMap {
  public:
   /// The lattice's coordinates are those of a LaunchGrid; `wavenumber` [rad/m] is that of `frequency_index` in the look.
-  /// `sink`, if there is one, takes each piece of a current as well.
+  /// `sink`, if there is one, takes each piece of a current instead of cells and triangles.
   CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber,
              CurrentSink sink = {});
 

@@ -34,10 +34,14 @@ class EdgeCurrentsOfLook : public Mechanism {
     sink.sums.run(MechanismId::edge_currents).work = found.work;
     put(std::move(found), sink.sums);
     if (sink.image == nullptr) return;
-    const std::size_t index = sink.image->frequency_index;
+    const PieceRequest request{sink.image->frequency_index, sink.image->lattice, sink.image->by_path};
     std::vector<ImageEdge>& pieces = sink.image->pieces;
-    std::ranges::copy(scene_.edges.pieces(look, index, sink.image->lattice, waves), std::back_inserter(pieces));
-    std::ranges::copy(scene_.edges.arrival_pieces(look, index, sink.arrivals), std::back_inserter(pieces));
+    std::vector<ImageEdge> edges = scene_.edges.pieces(look, request, waves);
+    if (pieces.empty())
+      pieces = std::move(edges);  // there may be many
+    else
+      std::ranges::copy(edges, std::back_inserter(pieces));
+    std::ranges::copy(scene_.edges.arrival_pieces(look, request, sink.arrivals), std::back_inserter(pieces));
   }
 
   void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {

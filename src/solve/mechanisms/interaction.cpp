@@ -50,7 +50,7 @@ class Interaction : public Mechanism {
     put(std::move(found), sink.sums);
     sink.sums.run(MechanismId::interaction).ran = frequencies_;
     if (sink.image == nullptr) return;
-    for (const ImageEdge& piece : scene_.edges.interaction_pieces(look, sink.image->frequency_index, limits))
+    for (const ImageEdge& piece : scene_.edges.interaction_pieces(look, sink.image->frequency_index, limits, sink.image->by_path))
       add_cut_up(piece, *sink.image);
   }
 

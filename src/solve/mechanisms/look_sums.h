@@ -46,6 +46,7 @@ struct LookSums {
 struct ImageRequest {
   std::size_t frequency_index;  // among those of the look
   const ImageLattice& lattice;  // in recentred coordinates
+  bool by_path = false;         // pieces stand where their paths have their place (scene/scattering_piece.h); of one frequency
   std::vector<ImageEdge> pieces{};
   std::vector<MechanismId> mechanisms{};  // of the pieces
 };

@@ -68,6 +68,7 @@ class WavesOverSurfaces : public Mechanism {
       if (wanted[f]) indices.push_back(f), frequencies.push_back(frequencies_[f]);
     const bool in_image = sink.image != nullptr && wanted[sink.image->frequency_index];
     StripPlaces places{};
+    if (in_image && sink.image->by_path) places.by_path = PathPlace{look_vectors(traced.look).scattered};
     if (in_image)
       places.wavenumber = static_cast<std::size_t>(std::ranges::find(indices, sink.image->frequency_index) - indices.begin());
     SurfaceWaveResult found =

@@ -209,6 +209,11 @@ std::array<dvec3, 2> CornerWaves::corners_of(std::uint32_t wedge) const {
   return {edges_[wedge]->ends[0].position, edges_[wedge]->ends[1].position};
 }
 
+dvec3 CornerWaves::place(std::uint32_t wedge, const dvec3& towards) const {
+  const auto& [first, last] = corners_of(wedge);
+  return 0.5 * (first + last - edges_[wedge]->length * towards);
+}
+
 void CornerWaves::add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
                       std::span<ScatteringMatrix> sum) const {
   for (const int from : {0, 1}) add_way(*edges_[wedge], from, share * edges_[wedge]->part, visits, frequencies, sum);

@@ -35,6 +35,8 @@ class CornerWaves {
   };
   /// Where edge `wedge` has its corners.
   std::array<dvec3, 2> corners_of(std::uint32_t wedge) const;
+  /// The place that both ways along it have for a radar in this direction (scene/scattering_piece.h).
+  dvec3 place(std::uint32_t wedge, const dvec3& towards) const;
 
   /// sum[f] += `share` times S [m] of the waves along `wedge`, both ways, at each frequency [Hz]; `visits` of corners_of().
   void add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,

@@ -115,7 +115,8 @@ EdgeLookResult FirstOrderEdges::take() {
 StripEdges::StripEdges(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies,
                        const FringeOptions& options)
     : wedges_(scene.wedges),
-      incident_(look.incident),
+      look_(look),
+      frequencies_(frequencies),
       multiple_(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order, options.transition,
                 options.continue_by_images),
       thickness_(look, frequencies) {
@@ -124,7 +125,7 @@ StripEdges::StripEdges(const EdgeScene& scene, const LookVectors& look, std::spa
 
 std::optional<EdgeMeeting> StripEdges::meeting(std::uint32_t index) const {
   if (!wedges_[index].radiates()) return std::nullopt;
-  const EdgeMeeting result(wedges_[index], incident_);
+  const EdgeMeeting result(wedges_[index], look_.incident);
   return result.incidence.weight == 1.0 ? std::optional(result) : std::nullopt;
 }
 
@@ -134,6 +135,29 @@ void StripEdges::add(std::uint32_t index, const EdgeMeeting& meeting, std::span<
   if (meeting.edge_face_only) return;
   ++result_.wedges_lit;
   multiple_.add(index, meeting.incidence, lit);
+}
+
+std::vector<ImageEdge> StripEdges::pieces(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit,
+                                          std::span<const LitInterval> parts, const PathPlace& place) {
+  std::vector<ImageEdge> all;
+  const Wedge& wedge = wedges_[index];
+  if (!meeting.edge_face_only) {
+    StripPieces pieces{place};
+    multiple_.keep_pieces(&pieces);
+    multiple_.add(index, meeting.incidence, lit);
+    all = multiple_.take_pieces();
+  }
+  for (const LitInterval& part : parts) {
+    if (wedge.thickness() == 0.0) break;
+    ThicknessPass face(look_, frequencies_);
+    face.add_edge_face(wedge, meeting.incidence, std::span(&part, 1));
+    std::vector<ScatteringMatrix> s(1);
+    face.add_to(s);
+    const dvec3 middle = point_on(wedge, (part.begin + part.end) / 2),
+                at = place.at(middle, middle, glm::dot(look_.scattered - look_.incident, middle));
+    all.push_back({at, at, s[0]});
+  }
+  return all;
 }
 
 EdgeLookResult StripEdges::take() {

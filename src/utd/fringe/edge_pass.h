@@ -27,6 +27,8 @@ Complex phase_integral(std::span<const EdgePhase> pieces, double wavenumber);
 /// sum += amplitude phase.
 void add_product(ScatteringMatrix& sum, const ScatteringMatrix& amplitude, Complex phase);
 
+inline dvec3 point_on(const Wedge& wedge, double fraction) { return wedge.start + fraction * (wedge.end - wedge.start); }
+
 /// [m]; `frequencies` must not be empty.
 double shortest_wavelength(std::span<const double> frequencies);
 
@@ -96,12 +98,20 @@ class StripEdges {
 
   void add(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit);
 
+  const dvec3& towards() const { return look_.scattered; }
+
+  /// What an edge that is added alone adds at the only frequency, each wave at its place (strip_groups.h); `parts` are those of
+  /// the lit ones on which the current of a plate's edge face has one place. Nothing may be added after that.
+  std::vector<ImageEdge> pieces(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit,
+                                std::span<const LitInterval> parts, const PathPlace& place);
+
   /// The sum; nothing may be added after that.
   EdgeLookResult take();
 
  private:
   std::span<const Wedge> wedges_;
-  dvec3 incident_;
+  const LookVectors& look_;
+  std::span<const double> frequencies_;
   MultipleDiffraction multiple_;
   ThicknessPass thickness_;
   EdgeLookResult result_;

@@ -15,13 +15,20 @@ std::vector<LitInterval> cut_at_cells(const Wedge& wedge, std::span<const LitInt
 }
 
 void add_wave_pieces(const EdgeScene& scene, std::uint32_t index, std::span<const LitInterval> lit, const LookVectors& look,
-                     double frequency, const ImageLattice& lattice, std::vector<ImageEdge>& pieces) {
+                     double frequency, const PieceRequest& request, std::vector<ImageEdge>& pieces) {
   const Wedge& wedge = scene.wedges[index];
-  for (const LitInterval& part : cut_at_cells(wedge, lit, lattice)) {
+  const auto of_share = [&](double share) {
     ScatteringMatrix s;
-    scene.corners->add(index, part.end - part.begin, look, std::span(&frequency, 1), std::span(&s, 1));
-    pieces.push_back({point_on(wedge, part.begin), point_on(wedge, part.end), s});
+    scene.corners->add(index, share, look, std::span(&frequency, 1), std::span(&s, 1));
+    return s;
+  };
+  if (request.by_path) {
+    const dvec3 place = scene.corners->place(index, look.scattered);
+    pieces.push_back({place, place, of_share(lit_share(lit))});
+    return;
   }
+  for (const LitInterval& part : cut_at_cells(wedge, lit, request.lattice))
+    pieces.push_back({point_on(wedge, part.begin), point_on(wedge, part.end), of_share(part.end - part.begin)});
 }
 
 std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const Look& look, std::span<const double> frequencies,
@@ -38,7 +45,7 @@ std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const Look& look, s
   });
   const auto incident = [&](const Wedge&) { return vectors.incident; };
   for_edges_between_corners(scene, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
-    add_wave_pieces(scene, index, lit, vectors, frequencies[request.frequency_index], request.lattice, found);
+    add_wave_pieces(scene, index, lit, vectors, frequencies[request.frequency_index], request, found);
   });
   return found;
 }

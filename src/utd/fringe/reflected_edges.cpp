@@ -51,4 +51,21 @@ EdgeLookResult reflected_fringe_scattering(const EdgeScene& scene, std::span<con
   return result;
 }
 
+std::vector<ImageEdge> reflected_fringe_pieces(const EdgeScene& scene, const ReflectedLook& look,
+                                               std::span<const double> frequencies, const FringeOptions& options,
+                                               PathPlace place) {
+  std::vector<ImageEdge> all;
+  place.path = look.path;
+  for (const LitWedge& edge : look.edges) {
+    StripEdges edges(scene, look.look, frequencies, options);
+    const auto meeting = edges.meeting(edge.wedge);
+    if (!meeting || edge.lit.empty()) continue;
+    for (ImageEdge& piece : edges.pieces(edge.wedge, *meeting, edge.lit, edge.lit, place)) {
+      piece.s *= std::polar(edge.weight, -wavenumber(frequencies.front()) * look.path);
+      all.push_back(piece);
+    }
+  }
+  return all;
+}
+
 }  // namespace raytube

@@ -4,10 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "scene/image.h"
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
 #include "utd/shadow/edge_visibility.h"
 #include "utd/wedge/edge_currents.h"
+#include "utd/wedge/path_place.h"
 
 namespace raytube {
 
@@ -31,5 +33,10 @@ struct ReflectedLook {
 /// tracer nor `receiver_shadow` is used. `frequencies` [Hz] must not be empty.
 EdgeLookResult reflected_fringe_scattering(const EdgeScene& scene, std::span<const ReflectedLook> looks,
                                            std::span<const double> frequencies, const FringeOptions& options);
+
+/// The same of one wave at one frequency, strip by strip; `place` is that of its light, but for its path.
+std::vector<ImageEdge> reflected_fringe_pieces(const EdgeScene& scene, const ReflectedLook& look,
+                                               std::span<const double> frequencies, const FringeOptions& options,
+                                               PathPlace place);
 
 }  // namespace raytube

@@ -190,8 +190,7 @@ class ScreenedLook {
     for (const auto& [screens, group] : waves_.groups()) {
       std::vector<ImageEdge> pieces;
       for (const LitParts& part : group)
-        add_wave_pieces(scene_, part.wedge, part.lit, vectors_, subset_.frequencies[request.frequency_index], request.lattice,
-                        pieces);
+        add_wave_pieces(scene_, part.wedge, part.lit, vectors_, subset_.frequencies[request.frequency_index], request, pieces);
       add_through(screens, std::move(pieces), request, all);
     }
     return all;

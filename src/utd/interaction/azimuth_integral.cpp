@@ -59,7 +59,11 @@ class Integrator {
       sample(rules()[rule], from, to);
       if (!result_.complete) return;
       if (!estimate(rules()[rule], to - from, tolerance) && !(halvings == most_halvings && rule + 1 == counts.size())) continue;
-      return accept();
+      accept();
+      if (density_.counted)
+        for (const GaussPoint& point : rules()[rule].points)
+          density_.counted(from + point.node * (to - from), (to - from) * point.weight);
+      return;
     }
     const double middle = (from + to) / 2;
     add(from, middle, tolerance / 2, halvings + 1);

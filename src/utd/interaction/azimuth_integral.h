@@ -24,7 +24,8 @@ struct AzimuthRange {
 struct AzimuthDensity {
   std::function<void(double azimuth, std::vector<ScatteringMatrix>& density)> at;  // sets `density`
   std::function<std::optional<PhaseRange>(double azimuth)> survey;                 // none where it vanishes
-  std::function<bool()> used_up{};  // whether no more work may be done; none: as much as it takes
+  std::function<bool()> used_up{};                               // whether no more work may be done; none: as much as it takes
+  std::function<void(double azimuth, double weight)> counted{};  // told of every point of the sum that is returned; may be none
 };
 
 struct AzimuthIntegral {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -86,6 +87,25 @@ class InteractionLook {
     return result;
   }
 
+  // Of the only frequency, each at the place of its path.
+  std::vector<ImageEdge> pieces_by_path(const InteractionOptions& options) {
+    InteractionResult result;
+    if (!find_light(options) || jobs_.empty()) return {};
+    find_places();
+    IlluminationSum sum = illuminate(options, {}, result);
+    work_ += sum.work;
+    if (result.unreached) return {};
+    std::vector<ImageEdge> pieces = std::move(sum.pieces);
+    if (options.order == 1) return pieces;
+    take_penumbra_apart(pieces);
+    for_each_fringe(options, 1, result, [&](const EdgeLookResult&, auto&&, const ReflectedLook& look, const ReflectedWave& wave) {
+      std::ranges::copy(
+          reflected_fringe_pieces(scene_.edges, look, frequencies_, fringe_options(options), place_of(wave.patches)),
+          std::back_inserter(pieces));
+    });
+    return pieces;
+  }
+
   std::vector<ImageEdge> pieces(const InteractionOptions& options, std::size_t frequency_index) {
     std::vector<ImageEdge> images;
     InteractionResult result;
@@ -96,7 +116,7 @@ class InteractionLook {
     for (std::size_t i = 0; i < jobs_.size(); ++i) images.push_back(image_of(*jobs_[i].piece, sum.of_jobs[i]));
     if (options.order == 1) return images;
     add_penumbra(frequency_index, images);
-    for_each_fringe(options, 1, result, [&](const EdgeLookResult& part, std::span<const LitEdgePiece> pieces) {
+    for_each_fringe(options, 1, result, [&](const EdgeLookResult& part, std::span<const LitEdgePiece> pieces, auto&&...) {
       images.push_back(image_of(pieces.front(), part.scattering[frequency_index] + part.higher[frequency_index]));
     });
     return images;
@@ -187,7 +207,7 @@ class InteractionLook {
 
   // All pairs of edge and face, or the strongest of them; what is left out is noted.
   IlluminationSum illuminate(const InteractionOptions& options, std::optional<std::size_t> jobs_at, InteractionResult& result) {
-    const IlluminationLook look{scene_.faces, look_, wavenumbers_, least(), jobs_at};
+    const IlluminationLook look{scene_.faces, look_, wavenumbers_, least(), places_, jobs_at};
     if (!is_limited()) return illuminate_all(look, jobs_, share_of(options.tolerance));
     const PairLimits limits{{std::ranges::max(wavenumbers_), look_.scattered}, options.tolerance, bound_share * most_work_};
     const PairChoice choice = choose_pairs(jobs_, scene_.faces.tree.mesh(), scene_.extents, scene_.faces.by_area, limits);
@@ -242,7 +262,7 @@ class InteractionLook {
   // Of waves reflected once: all at a time, or as long as there is work for them. Returns the sum of squares of what the others
   // may add [m^2].
   double add_fringe(const InteractionOptions& options, InteractionResult& result) {
-    const auto add = [&](const EdgeLookResult& sum, std::span<const LitEdgePiece>) {
+    const auto add = [&](const EdgeLookResult& sum, auto&&...) {
       for (std::size_t f = 0; f < frequencies_.size(); ++f) {
         result.scattering[f] += sum.scattering[f];
         result.scattering[f] += sum.higher[f];
@@ -254,11 +274,11 @@ class InteractionLook {
       if (wave.patches.size() == 1) looks.push_back(reflected_look(wave, look_, scene_.edges.wedges.data()));
     const EdgeLookResult sum = fringe(looks, options);
     work_ += sum.work;
-    add(sum, {});
+    add(sum);
     return 0.0;
   }
 
-  // Calls use(sum, pieces) for a few lit pieces at a time, in their order.
+  // Calls use(sum, pieces, look, wave) for a few lit pieces at a time, in their order.
   template <class Use>
   double for_each_fringe(const InteractionOptions& options, std::size_t at_a_time, InteractionResult& result, Use use) {
     double squares = 0.0, each = first_guess_of_fringe, begun = work_;
@@ -279,7 +299,7 @@ class InteractionLook {
                           lit.begin() + static_cast<std::ptrdiff_t>(first + count));
         const EdgeLookResult sum = fringe(std::span(&look, 1), options);
         work_ += sum.work;
-        use(sum, pieces);
+        use(sum, pieces, look, wave);
         done += count;
         each = (work_ - begun) / static_cast<double>(done);
       }
@@ -333,7 +353,40 @@ class InteractionLook {
   }
 
   EdgeLookResult fringe(std::span<const ReflectedLook> looks, const InteractionOptions& options) const {
-    return reflected_fringe_scattering(scene_.edges, looks, frequencies_, {reflected_order, false, options.transition, true});
+    return reflected_fringe_scattering(scene_.edges, looks, frequencies_, fringe_options(options));
+  }
+  static FringeOptions fringe_options(const InteractionOptions& options) {
+    return {reflected_order, false, options.transition, true};
+  }
+
+  PathPlace place_of(std::span<const std::uint32_t> mirrors) const {
+    PathPlace place{look_.scattered};
+    for (const std::uint32_t patch : mirrors) {
+      const Patch& plane = scene_.faces.tree.mesh().patches[patch];
+      place.add_mirror(plane.normal, plane.offset);
+    }
+    return place;
+  }
+
+  // In the order of the jobs.
+  void find_places() {
+    places_.assign(direct_.size(), place_of({}));
+    for (const ReflectedWave& wave : reflected_) places_.resize(places_.size() + wave.lit.size(), place_of(wave.patches));
+  }
+
+  void take_penumbra_apart(std::vector<ImageEdge>& pieces) const {
+    PenumbraFringe penumbra(scene_.edges.tracer, scene_.axes, shortest_axis_, look_, wavenumbers_);
+    for (std::size_t i = 0; i < jobs_.size(); ++i)
+      if (has_penumbra(jobs_[i])) {
+        const LitEdgePiece& piece = *jobs_[i].piece;
+        penumbra.take_apart(piece, places_[i], pieces);
+        std::vector<ScatteringMatrix> step(1);
+        penumbra.add_step(piece, beyond_smooth_light(piece, penumbra), step);
+        const dvec3 middle = piece.edge->origin + 0.5 * (piece.from + piece.to) * piece.edge->tangent,
+                    at = places_[i].at(middle, middle,
+                                       glm::dot(look_.scattered - piece.wave->direction, middle) - piece.wave->path);
+        pieces.push_back({at, at, step[0]});
+      }
   }
 
   const InteractionScene& scene_;
@@ -343,6 +396,7 @@ class InteractionLook {
   std::vector<LitEdgePiece> direct_;
   std::deque<ReflectedWave> reflected_;
   std::vector<IlluminationJob> jobs_;
+  std::vector<PathPlace> places_;  // of jobs; empty unless their pieces are asked for
   double most_work_, work_ = 0.0;
   double shortest_axis_;
   std::vector<double> wavenumbers_;
@@ -375,9 +429,10 @@ InteractionResult interaction_scattering(const InteractionScene& scene, const Lo
 }
 
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
-                                          std::size_t frequency_index, const InteractionOptions& options) {
+                                          std::size_t frequency_index, const InteractionOptions& options, bool by_path) {
   if (scene.axes.empty() || is_out_of_reach(scene, options)) return {};
-  return InteractionLook(scene, look, frequencies, options.work).pieces(options, frequency_index);
+  InteractionLook of(scene, look, frequencies, options.work);
+  return by_path ? of.pieces_by_path(options) : of.pieces(options, frequency_index);
 }
 
 }  // namespace raytube

@@ -96,8 +96,9 @@ InteractionResult interaction_scattering(const InteractionScene& scene, const Lo
 /// Share of the squares expected of all pairs that the work allowed reaches, before any of them is looked at.
 double reach_of(const InteractionScene& scene, const InteractionOptions& options);
 
-/// S of interaction_scattering() at `frequencies[frequency_index]`, divided among the lit pieces of edges these waves come from.
+/// S of interaction_scattering() at `frequencies[frequency_index]`, divided among the lit pieces of edges these waves come from;
+/// or, of one frequency, into what has one place (utd/wedge/path_place.h).
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
-                                          std::size_t frequency_index, const InteractionOptions& options);
+                                          std::size_t frequency_index, const InteractionOptions& options, bool by_path = false);
 
 }  // namespace raytube

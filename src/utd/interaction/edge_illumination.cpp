@@ -68,6 +68,13 @@ void EdgeIllumination::at(double azimuth, std::vector<ScatteringMatrix>& density
   follow(rays, [&](const Footprint& on) { radiate(on, waves, density); });
 }
 
+void EdgeIllumination::take_apart(double azimuth, double weight, const PathPlace& place, std::vector<ImageEdge>& pieces) {
+  terms_ = edge_wave_terms(source_.edge->wedge->n, source_.incidence.source_angle, azimuth);
+  const Rays rays = diffracted_rays(azimuth);
+  const EdgeWaveIntegral waves = this->waves(rays.fan.direction);
+  follow(rays, [&](const Footprint& on) { take_apart(on, waves, weight, place, pieces); });
+}
+
 std::optional<PhaseRange> EdgeIllumination::survey(double azimuth) {
   std::optional<PhaseRange> range;
   const double k = std::ranges::max(wavenumbers_);
@@ -138,7 +145,7 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
   RayRow row{hit.from, hit.to, rays.path + hit.length, rays.path_rate + hit.growth};
   row.phase = glm::dot(look_.scattered, base) - start - row.path;
   row.phase_rate = glm::dot(look_.scattered, step) - in.cos_cone - row.path_rate;
-  Footprint on{row, in.sin_cone * in.sin_cone / std::abs(facing), {}};
+  Footprint on{row, base, step, in.sin_cone * in.sin_cone / std::abs(facing), {}};
   const dvec3 normal = facing > 0.0 ? -plane.normal : plane.normal;
   for (int c = 0; c < components; ++c) {
     const dvec3 current = 2.0 * glm::cross(normal, rays.magnetic[c]);
@@ -204,6 +211,59 @@ void EdgeIllumination::radiate_band(const Footprint& on, const EdgeWaveIntegral&
     density[f] += excited(on, waves.beside_corners(row, wavenumbers_[f]), wavenumbers_[f]);
   work_ +=
       work::ray_row * (static_cast<double>(amplitudes_->at.size()) + share_at_ends * static_cast<double>(wavenumbers_.size()));
+}
+
+struct EdgeIllumination::RowPieces {
+  const EdgeIllumination& of;
+  const Footprint& on;
+  const EdgeWaveIntegral& waves;
+  double weight, wavenumber;
+  const PathPlace& place;
+  std::vector<ImageEdge>& pieces;
+  ScatteringMatrix sum{};  // of those that were put
+
+  void put(double position, ScatteringMatrix s) {
+    const EdgeAxis& edge = *of.source_.edge;
+    const dvec3 first = edge.origin + std::clamp(position, of.source_.from, of.source_.to) * edge.tangent;
+    const dvec3 at = place.at(first, on.base + position * on.step, on.row.phase + on.row.phase_rate * position);
+    sum += s;
+    pieces.push_back({at, at, s *= weight});
+  }
+
+  // Of amplitudes without their phase.
+  void put_wave(double position, const WaveIntegrals& sums) {
+    ScatteringMatrix s = of.excited(on, sums, wavenumber);
+    put(position, s *= std::polar(1.0, wavenumber * (on.row.phase + on.row.phase_rate * position)));
+  }
+
+  // What has the phases of the ends of its stretches, and what is beside corners.
+  void put(const RayRow& part) {
+    for (const RowStretch& stretch : waves.stretches(part, wavenumber)) {
+      if (wavenumber * std::abs(part.phase_rate) * stretch.half() < EdgeWaveIntegral::least_turn) {
+        put_wave(stretch.middle(), waves.whole(part, stretch, wavenumber));
+        continue;
+      }
+      const EdgeWaveIntegral::Ends ends = waves.ends(part, stretch, wavenumber);
+      put_wave(stretch.from, ends.from);
+      put_wave(stretch.to, ends.to);
+    }
+    put((part.from + part.to) / 2, of.excited(on, waves.beside_corners(part, wavenumber), wavenumber));
+  }
+};
+
+// A wavelength after the other. What rules leave is at the middle.
+void EdgeIllumination::take_apart(const Footprint& on, const EdgeWaveIntegral& waves, double weight, const PathPlace& place,
+                                  std::vector<ImageEdge>& pieces) const {
+  const double k = wavenumbers_.front();
+  RowPieces row{*this, on, waves, weight, k, place, pieces};
+  const auto count = static_cast<int>(std::ceil((on.row.to - on.row.from) * k / (2.0 * pi)));
+  for (int i = 0; i < count; ++i) {
+    RayRow part = on.row;
+    part.from = glm::mix(on.row.from, on.row.to, static_cast<double>(i) / count);
+    part.to = glm::mix(on.row.from, on.row.to, static_cast<double>(i + 1) / count);
+    row.put(part);
+  }
+  row.put((on.row.from + on.row.to) / 2, excited(on, waves.over(on.row, k), k) - row.sum);
 }
 
 }  // namespace raytube

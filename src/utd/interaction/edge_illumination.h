@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "math/node_waves.h"
+#include "scene/image.h"
 #include "utd/interaction/azimuth_integral.h"
 #include "utd/interaction/ray_fan.h"
 #include "utd/wedge/edge_currents.h"
 #include "utd/wedge/edge_wave_integral.h"
+#include "utd/wedge/path_place.h"
 
 namespace raytube {
 
@@ -63,6 +65,8 @@ class EdgeIllumination {
 
   /// Sets `density` to dS / d(azimuth) [m], per wavenumber; `azimuth` is phi of the diffracted rays, measured as phi' [rad].
   void at(double azimuth, std::vector<ScatteringMatrix>& density);
+  /// `weight` times the same at the only wavenumber, taken apart along the edge; appended to `pieces`.
+  void take_apart(double azimuth, double weight, const PathPlace& place, std::vector<ImageEdge>& pieces);
   /// Between which phases the density lies there; none if the rays meet nothing.
   std::optional<PhaseRange> survey(double azimuth);
 
@@ -82,6 +86,7 @@ class EdgeIllumination {
   /// Where they meet a face.
   struct Footprint {
     RayRow row;
+    dvec3 base, step;                                       // points on the face, by position
     double area;                                            // of the face per position, azimuth and length of the ray
     std::array<std::array<double, components>, 2> current;  // [receive]: p_hat . eta J per unit eta H along each direction
   };
@@ -97,6 +102,9 @@ class EdgeIllumination {
   Footprint footprint(const Rays& rays, const FanHit& hit, const Patch& plane) const;
   void radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density);
   void radiate_band(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density);
+  struct RowPieces;
+  void take_apart(const Footprint& on, const EdgeWaveIntegral& waves, double weight, const PathPlace& place,
+                  std::vector<ImageEdge>& pieces) const;
   ScatteringMatrix excited(const Footprint& on, const WaveIntegrals& sums, double wavenumber) const;
 
   const FaceTree& tree_;

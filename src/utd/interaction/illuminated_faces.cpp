@@ -111,8 +111,13 @@ IlluminatedFaces illuminated_faces(const ReceivingFaces& faces, const LookVector
   const double cutting = work::azimuth_cut * static_cast<double>(faces.corners.size() + cuts.size());
   if (wavenumbers.size() == 1) {
     EdgeIllumination illumination(faces, look, wavenumbers, source, limits.reflections);
-    AzimuthIntegral all = integrate_over_azimuth(density_of(illumination, limits.work), 1, cuts, limits.tolerance, limits.wanted);
-    return {std::move(all.value), all.error[0], cutting + illumination.work(), all.complete};
+    AzimuthDensity density = density_of(illumination, limits.work);
+    std::vector<ImageEdge> pieces;
+    EdgeIllumination apart(faces, look, wavenumbers, source, limits.reflections);
+    if (limits.place)
+      density.counted = [&](double azimuth, double weight) { apart.take_apart(azimuth, weight, *limits.place, pieces); };
+    AzimuthIntegral all = integrate_over_azimuth(density, 1, cuts, limits.tolerance, limits.wanted);
+    return {std::move(all.value), all.error[0], cutting + illumination.work(), std::move(pieces), all.complete};
   }
   BandIllumination illumination(faces, look, wavenumbers, source, limits);
   for (std::size_t i = 1; i < cuts.size() && illumination.complete(); ++i)

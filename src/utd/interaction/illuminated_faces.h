@@ -12,6 +12,7 @@ struct IlluminatedFaces {
   std::vector<ScatteringMatrix> scattering;  // per wavenumber [m]; phase reference: origin of the mesh's coordinates
   ChannelErrors error{};                     // estimated, of quadrature, at the worst of them [m]
   double work = 0.0;                         // counted (core/work.h)
+  std::vector<ImageEdge> pieces{};           // of the only wavenumber, each at the place of its path, if asked for
   bool complete = true;                      // false: the work was used up before the end, and `scattering` is none
 };
 
@@ -20,6 +21,7 @@ struct IlluminationLimits {
   double tolerance;                        // at which the integral over the azimuth stops, as far as it can tell [m]
   std::span<const AzimuthRange> wanted{};  // where there is anything to illuminate; empty: all round
   double work = std::numeric_limits<double>::infinity();  // that may be done, or little more
+  const PathPlace* place = nullptr;                       // of pieces; null: none are asked for
 };
 
 /// The integral of EdgeIllumination over all azimuths. Of many wavenumbers a few are computed if the paths of the rays differ by

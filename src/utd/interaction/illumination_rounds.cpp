@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/threads.h"
@@ -68,7 +69,8 @@ class Summer {
   IlluminatedFaces of_group(const Group& group) const {
     ReceivingFaces faces{look_.faces.tree, look_.faces.large, look_.faces.corners, group.patches};
     return illuminated_faces(faces, look_.look, look_.wavenumbers, *group.job->piece,
-                             {group.job->reflections, tolerance_, group.azimuths, group.work});
+                             {group.job->reflections, tolerance_, group.azimuths, group.work,
+                              look_.places.empty() ? nullptr : &look_.places[group.index]});
   }
 
   void add(const Group& group, const IlluminatedFaces& part) {
@@ -81,6 +83,7 @@ class Summer {
     }
     sum_.pairs += group.bounds.count;
     sum_.bound_squares += group.bounds.squares;
+    std::ranges::copy(part.pieces, std::back_inserter(sum_.pieces));
     if (look_.jobs_at) sum_.of_jobs[group.index] += part.scattering[*look_.jobs_at];
     for (std::size_t f = 0; f < sum_.scattering.size(); ++f) {
       const double size = largest(part.scattering[f]);

@@ -12,6 +12,7 @@ namespace raytube {
 struct IlluminationSum {
   std::vector<ScatteringMatrix> scattering;  // per wavenumber [m]
   std::vector<ScatteringMatrix> of_jobs;     // of each job at the wavenumber asked for [m]; empty: none is
+  std::vector<ImageEdge> pieces;             // each at the place of its path, if asked for
   ChannelErrors error{};                     // of quadrature [m]
   std::vector<double> squares;               // per wavenumber: sum over what was computed of the largest |S_pq|^2 [m^2]
   double bound_squares = 0.0;                // of the same pairs [m^2]
@@ -26,6 +27,7 @@ struct IlluminationLook {
   const LookVectors& look;
   std::span<const double> wavenumbers;
   double least_error;                    // of each channel, that the error begins with [m]
+  std::span<const PathPlace> places{};   // of each job; empty: no pieces are asked for
   std::optional<std::size_t> jobs_at{};  // the wavenumber at which the sum is also kept job by job; none: at none
 };
 

@@ -143,6 +143,7 @@ struct PenumbraFringe::RimPoint {
   double share;
   ArrivingWave wave;
   EdgeAmplitude amplitude;
+  dvec3 place;
 
   void add(const StraightEdge& source, double wavenumber, Complex weight, ScatteringMatrix& sum) const;
 };
@@ -153,7 +154,10 @@ struct PenumbraFringe::Panel {
   std::array<double, lanes> phases{};
   double half, rate = 0.0;
 
+  template <class Visit>
+  void visit_points(double wavenumber, Visit visit) const;
   void add(const StraightEdge& source, double wavenumber, ScatteringMatrix& sum) const;
+  void take_apart(const StraightEdge& source, double wavenumber, const PathPlace& place, std::vector<ImageEdge>& pieces) const;
   PathSpan paths() const;
 };
 
@@ -176,12 +180,25 @@ PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> a
   for (const EdgeAxis& axis : axes_) panel_work_.push_back(axis.length < shortest_axis_ ? 0.0 : work_of_panels(axis.length));
 }
 
+template <class Visit>
+void PenumbraFringe::visit_rims(const LitEdgePiece& source, Visit visit) const {
+  for (const EdgeAxis& rim : axes_)
+    if (rim.length >= shortest_axis_ && !share_a_face(*source.edge->wedge, *rim.wedge)) visit(rim);
+}
+
 void PenumbraFringe::add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums) {
   const Source from(source);
-  for (const EdgeAxis& rim : axes_) {
-    if (rim.length < shortest_axis_ || share_a_face(*source.edge->wedge, *rim.wedge)) continue;
-    add_rim(from, rim, sums);
-  }
+  visit_rims(source, [&](const EdgeAxis& rim) { add_rim(from, rim, sums); });
+}
+
+void PenumbraFringe::take_apart(const LitEdgePiece& source, const PathPlace& place, std::vector<ImageEdge>& pieces) const {
+  const Source from(source);
+  visit_rims(source, [&](const EdgeAxis& rim) {
+    const std::vector<double> ends = panels_of(from, rim);
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      if (const std::optional<Panel> panel = panel_on(from, rim, ends[i - 1], ends[i]))
+        panel->take_apart(from.edge, wavenumbers_.front(), place, pieces);
+  });
 }
 
 void PenumbraFringe::add_step(const LitEdgePiece& lit, double weight, std::vector<ScatteringMatrix>& sums) const {
@@ -302,8 +319,9 @@ std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& s
   const double phase = glm::dot(look_.scattered, place) - source.piece.wave->path - ray.path;
   ray.path = 0.0;
   const ArrivingWave wave(source.edge, ray, *source.piece.wave, look_);
-  return RimPoint{ray, phase, source.piece.weight * source.piece.edge->wedge->share, wave,
-                  edge_amplitude(*rim.wedge, incidence, wave.look)};
+  return RimPoint{
+      ray,  phase, source.piece.weight * source.piece.edge->wedge->share, wave, edge_amplitude(*rim.wedge, incidence, wave.look),
+      place};
 }
 
 void PenumbraFringe::RimPoint::add(const StraightEdge& source, double wavenumber, Complex weight, ScatteringMatrix& sum) const {
@@ -311,14 +329,29 @@ void PenumbraFringe::RimPoint::add(const StraightEdge& source, double wavenumber
   wave.add(diffracted_wave(source, ray, wavenumber), amplitude_at(amplitude, wavenumber, windowed), share * weight, sum);
 }
 
-void PenumbraFringe::Panel::add(const StraightEdge& source, double wavenumber, ScatteringMatrix& sum) const {
+template <class Visit>
+void PenumbraFringe::Panel::visit_points(double wavenumber, Visit visit) const {
   const FilonRule& rule = FilonRule::get();
   const Complexes weights = rule.weights(wavenumber * rate);
   for (std::size_t i = 0; i < lanes; ++i) {
     if (!points[i]) continue;
     const Complex weight(weights.re[i], weights.im[i]);
-    points[i]->add(source, wavenumber, half * weight * std::polar(1.0, wavenumber * (phases[i] - rate * rule.at[i])), sum);
+    visit(*points[i], half * weight * std::polar(1.0, wavenumber * (phases[i] - rate * rule.at[i])));
   }
+}
+
+void PenumbraFringe::Panel::add(const StraightEdge& source, double wavenumber, ScatteringMatrix& sum) const {
+  visit_points(wavenumber, [&](const RimPoint& point, const Complex& weight) { point.add(source, wavenumber, weight, sum); });
+}
+
+void PenumbraFringe::Panel::take_apart(const StraightEdge& source, double wavenumber, const PathPlace& place,
+                                       std::vector<ImageEdge>& pieces) const {
+  visit_points(wavenumber, [&](const RimPoint& point, const Complex& weight) {
+    const double from = std::clamp(point.ray.arc_length, source.begin, source.end);
+    const dvec3 at = place.at(source.origin + from * source.tangent(), point.place, point.phase);
+    pieces.push_back({at, at, {}});
+    point.add(source, wavenumber, weight, pieces.back().s);
+  });
 }
 
 // Of the rays and of the waves over the ends of the lit piece.

@@ -22,6 +22,9 @@ class PenumbraFringe {
   /// Adds S [m] of all rims that the waves of `source` reach, per wavenumber.
   void add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums);
 
+  /// The same at the only wavenumber, point by point of the rims; appended to `pieces`. Not counted.
+  void take_apart(const LitEdgePiece& source, const PathPlace& place, std::vector<ImageEdge>& pieces) const;
+
   /// Adds what such a current of the edge of `lit` itself is under its own wave, times `weight`: the wave over another edge
   /// completes reflected light that ends at the border of its beam.
   void add_step(const LitEdgePiece& lit, double weight, std::vector<ScatteringMatrix>& sums) const;
@@ -39,6 +42,8 @@ class PenumbraFringe {
   struct ArrivingWave;
   struct RimPoint;
   struct Panel;
+  template <class Visit>
+  void visit_rims(const LitEdgePiece& source, Visit visit) const;
   void add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums);
   std::size_t add_panel(const Source& source, const Panel& panel, std::vector<ScatteringMatrix>& sums);
   std::optional<Panel> panel_on(const Source& source, const EdgeAxis& rim, double from, double to) const;

@@ -50,6 +50,13 @@ StripSums MultipleDiffraction::take() {
   return std::move(sums_);
 }
 
+std::vector<ImageEdge> MultipleDiffraction::take_pieces() {
+  std::vector<ImageEdge> pieces = std::move(bins_.pieces->curved);
+  const std::vector<dvec3>& places = bins_.pieces->places;
+  for (std::size_t i = 0; i < places.size(); ++i) pieces.push_back({places[i], places[i], bins_.first.at(i, 0)});
+  return pieces;
+}
+
 void MultipleDiffraction::count(const StripPath& path, int order) {
   sums_.work += work_of(path) * static_cast<double>(bins_.nodes().size());
   if (rays_ != nullptr) add_rays(path, band_.wavenumbers().front(), order, *rays_);

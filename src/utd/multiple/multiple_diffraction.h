@@ -16,7 +16,8 @@
 //   strip_waves           one wave: where its strips end, which waves follow
 //   wave_tree             all waves and bundles that one wave on a lit edge starts
 //   edge_panels           the points on that edge at which strips are taken
-//   strip_groups          which strips are added up together, where many frequencies are found from a few (math/path_bins)
+//   strip_groups          which strips are added up together, where many frequencies are found from a few (math/path_bins), or
+//                         none of them, where each is to have its place
 //   strip_layout          what no frequency changes: faces, and where the numbers of each bundle are kept
 //   curved_strips         strips over curved faces, point by point: strip_walk along a geodesic, what they add in
 //                         curved_strip_radiation
@@ -59,6 +60,11 @@ class MultipleDiffraction {
 
   /// Has all strips over curved faces that are added from now on put there, as at the first frequency; null: nowhere.
   void keep_rays(std::vector<SurfaceRay>* rays) { rays_ = rays; }
+
+  /// Has all that is added from now on taken apart; with the directions of a monostatic look, and one frequency.
+  void keep_pieces(StripPieces* pieces) { bins_.pieces = pieces; }
+  /// What was, each piece at its place.
+  std::vector<ImageEdge> take_pieces();
 
   /// Nothing may be added after that.
   StripSums take();

@@ -2,15 +2,33 @@
 #pragma once
 
 #include "math/path_bins.h"
+#include "scene/image.h"
 #include "utd/multiple/strip_layout.h"
+#include "utd/wedge/path_place.h"
 
 namespace raytube {
 
-/// S of a look in bins of paths: that of first strips, and of all that follow from them.
+/// What the strips of a look add to S, point by point of the first edges, each wave at the place of its path. Looks are back to
+/// where light comes from, perhaps over mirrors, and of one frequency.
+struct StripPieces {
+  PathPlace place;
+  std::vector<dvec3> places{};      // of single bins, one after the other [m]
+  std::vector<ImageEdge> curved{};  // of strips over curved faces
+};
+
+/// By how much the paths of waves may differ that are one piece [m].
+inline double one_piece(double wavenumber) { return 0.125 * 2.0 * pi / wavenumber; }
+
+/// S of a look in bins of paths: that of first strips, and of all that follow from them. With pieces in bins of places, together.
 struct StripBins {
   PathBins first, higher;
+  StripPieces* pieces = nullptr;
 
-  PathBins& of(std::size_t wave) { return wave == 0 ? first : higher; }
+  PathBins& of(std::size_t wave) { return wave == 0 || pieces ? first : higher; }
+  std::size_t at(const dvec3& place) {
+    pieces->places.push_back(place);
+    return first.append();
+  }
   std::span<const double> nodes() const { return first.nodes(); }
 };
 
@@ -41,12 +59,22 @@ class StripGroups {
 
  private:
   void cut(const StripLayout& strips, std::size_t wave, std::uint32_t bundle, PathBins& bins);
+  void take_apart(const StripLayout& strips, std::size_t wave, std::uint32_t bundle, StripBins& bins);
+  /// Where light meets the first edge and a strip starts or ends, its phase over k there, and the bin of what radiates from it.
+  struct StripEnd {
+    dvec3 first, last;
+    double path;
+    std::size_t& bin;
+  };
+  void put_apart(const StripRow& one, const StripEnd& start, const StripEnd& end, StripBins& bins);
   void put(StripPart part, const Linear& path, std::span<const PanelPoint> points, const StripRow& row, PathBins& bins);
   void append(StripPart part, std::size_t bin, const StripRow& row);
 
   std::vector<StripRow> rows_;
   std::vector<StripGroup> groups_;
   std::vector<std::size_t> first_;  // group of each wave, and their number
+  // Of pieces: the bins of the starts of first strips, by point, and of the ends of all, where others start.
+  std::vector<std::size_t> starts_, ends_;
 };
 
 }  // namespace raytube

@@ -137,6 +137,25 @@ StripStart start_of(const IncidentFields& incident, Complex phase, double path) 
   return result;
 }
 
+// Where the first strips start of which this one comes.
+dvec3 first_point(const StripLayout& strips, std::size_t wave, const ArrivedPath& path) {
+  const EdgeLine &first = strips.tree.waves()[0].line, &here = strips.tree.waves()[wave].line;
+  return first.at(glm::dot(path.path.start - here.origin, here.step) / glm::dot(here.step, here.step));
+}
+
+// By their paths, as if those changed evenly along the strip, and all that starts at its end stood there.
+void add_pieces(const dvec3& first, const ArrivedPath& arrived, const StripStart& start, StripBins& bins) {
+  const StripPath& path = arrived.path;
+  PathBins paths(bins.nodes(), one_piece(bins.nodes().front()));
+  radiate(path, 0, start, paths, paths);
+  for (std::size_t bin = 0; bin < paths.size(); ++bin) {
+    const double way = path.end_path() != 0.0 ? (paths.middle(bin) - start.path) / path.end_path() : 0.0;
+    const dvec3 last = glm::mix(path.start, path.end, std::clamp(way, 0.0, 1.0));
+    const dvec3 place = bins.pieces->place.at(first, last, paths.middle(bin));
+    bins.pieces->curved.push_back({place, place, paths.at(bin, 0)});
+  }
+}
+
 }  // namespace
 
 void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, const LookVectors& look, const TreeShare& share,
@@ -175,7 +194,10 @@ void StripRadiation::add_curved(const StripLayout& strips, std::size_t wave, std
                                    {},
                                    {},
                                    each->start_path};
-      radiate(each->path, node, start, bins.of(wave), bins.higher);
+      if (bins.pieces)
+        add_pieces(first_point(strips, wave, *each), *each, start, bins);
+      else
+        radiate(each->path, node, start, bins.of(wave), bins.higher);
     }
 }
 

@@ -11,12 +11,17 @@ void StripSum::add_step(double step, double path, const dvec3& middle, std::span
     ScatteringMatrix both = amplitude_[f] + amplitude[f], rise = amplitude[f] - amplitude_[f];
     const ScatteringMatrix s = (both *= step * filon.even) + (rise *= step * filon.odd);
     bin.sum[f] += s;
-    if (places_ != nullptr && places_->wavenumber == f) places_->pieces.push_back({middle, middle, s});
+    if (places_ == nullptr || places_->wavenumber != f) continue;
+    const dvec3 place = places_->by_path ? places_->by_path->at(start_, middle, 0.5 * (path + path_)) : middle;
+    places_->pieces.push_back({place, place, s});
   }
 }
 
 void StripSum::add(bool first, double step, double path, const dvec3& position, std::span<const ScatteringMatrix> amplitude) {
-  if (!first) add_step(step, path, 0.5 * (position + position_), amplitude);
+  if (first)
+    start_ = position;
+  else
+    add_step(step, path, 0.5 * (position + position_), amplitude);
   path_ = path;
   position_ = position;
   amplitude_.assign(amplitude.begin(), amplitude.end());

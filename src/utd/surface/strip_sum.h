@@ -1,17 +1,20 @@
 // Integrals along strips of a surface.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "math/band_sum.h"
 #include "scene/image.h"
+#include "utd/wedge/path_place.h"
 
 namespace raytube {
 
-/// The steps of strips with S of one of the wavenumbers, each at its middle.
+/// The steps of strips with S of one of the wavenumbers, each at its middle, or at the place of the path there.
 struct StripPlaces {
   std::size_t wavenumber;  // index
+  std::optional<PathPlace> by_path{};
   std::vector<ImageEdge> pieces{};
 };
 
@@ -36,7 +39,7 @@ class StripSum {
   const double half_span_;
   StripPlaces* places_;
   double path_ = 0.0;  // of the last point
-  dvec3 position_{0.0};
+  dvec3 position_{0.0}, start_{0.0};
   std::vector<ScatteringMatrix> amplitude_;
 };
 

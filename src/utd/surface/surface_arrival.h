@@ -14,6 +14,8 @@ struct SurfaceArrival {
   int corner;
   bool back;  // on the side of the facet that its normal points away from
   dvec3 position, direction;
+  dvec3 start;  // where it began
+  double path;  // exponent / k of what radiates from its end, but for slow changes [m]
   /// Per frequency of the look and transmit polarisation: half the current along the strip, times its width [m] and the phase of
   /// what radiates from there.
   std::vector<std::array<Complex, 2>> magnetic;

@@ -139,19 +139,20 @@ class SurfaceLook {
     const double across = std::abs(glm::dot(width, q.binormal));
     ++result_.strips;
     const double path = glm::dot(look_.scattered - look_.incident, q.position);
-    arrive(start.triangle, corner, side, q, q.binormal, path, [&](double k) { return across * lit_share(frame, k).hard; });
+    arrive(start.triangle, corner, side, q, q, path, [&](double k) { return across * lit_share(frame, k).hard; });
   }
 
-  // A hard current reaches the end of the surface on that path: half(k) of it, times its width, for unit H along `binormal`.
+  // A hard current reaches the end of the surface on that path: half(k) of it, times its width, for unit H along the binormal of
+  // its start.
   template <class Half>
-  void arrive(std::uint32_t triangle, int corner, double side, const StripPoint& end, const dvec3& binormal, double path,
+  void arrive(std::uint32_t triangle, int corner, double side, const StripPoint& end, const StripPoint& start, double path,
               Half half) {
-    SurfaceArrival arrival{triangle, corner, side < 0.0, end.position, end.along, {}};
+    SurfaceArrival arrival{triangle, corner, side < 0.0, end.position, end.along, start.position, path, {}};
     const std::vector<Complex> currents = band_.everywhere(half);
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
       const Complex current = currents[f] * std::polar(1.0, wavenumbers_[f] * path);
       arrival.magnetic.push_back(
-          {current * glm::dot(look_.magnetic[0], binormal), current * glm::dot(look_.magnetic[1], binormal)});
+          {current * glm::dot(look_.magnetic[0], start.binormal), current * glm::dot(look_.magnetic[1], start.binormal)});
     }
     result_.arrivals.push_back(std::move(arrival));
   }
@@ -275,7 +276,7 @@ class SurfaceLook {
     while (goes_on && geodesic.next(piece)) goes_on = go_over(strip, piece, side);
     if (strip.since > 0.0) put_end(strip);
     if (!goes_on || geodesic.ended_at() < 0) return;
-    arrive(piece.from.triangle, geodesic.ended_at(), side, strip.end, strip.q.binormal, strip.path,
+    arrive(piece.from.triangle, geodesic.ended_at(), side, strip.end, strip.q, strip.path,
            [&](double k) { return 0.5 * strip.area * strip.way.currents(k).hard; });
   }
 
@@ -324,7 +325,7 @@ SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const Look
     std::vector<double> some;
     for (const std::size_t f : indices) some.push_back(frequencies[f]);
     const auto asked = places == nullptr ? indices.end() : std::ranges::find(indices, places->wavenumber);
-    StripPlaces here{static_cast<std::size_t>(asked - indices.begin())};
+    StripPlaces here{static_cast<std::size_t>(asked - indices.begin()), places ? places->by_path : std::nullopt};
     const bool pictured = asked != indices.end();
     put(SurfaceLook(target, look, some, pictured ? &here : nullptr, indices.front() == 0 ? rays : nullptr).take(), indices, all);
     if (pictured) std::ranges::copy(here.pieces, std::back_inserter(places->pieces));
