@@ -82,7 +82,12 @@ std::unique_ptr<Ranks> launched_ranks(const std::vector<fs::path>& folders) {
         fmt::format("was started as {} processes, and has no MPI ({} is not there); start one alone, or build with "
                     "-DRAYTUBE_MPI=ON",
                     launch.processes, plugin_name));
-  return started(function_of<Ranks*()>(library, "raytube_ranks_of_launch")());
+  std::unique_ptr<Ranks> ranks = started(function_of<Ranks*()>(library, "raytube_ranks_of_launch")());
+  if (ranks->count() == launch.processes) return ranks;
+  throw InputError(fmt::format(
+      "was started as {} processes, of which its MPI finds {}; start it by the mpirun of the MPI that this raytube was "
+      "built with",
+      launch.processes, ranks->count()));
 }
 
 std::unique_ptr<Ranks> ranks_of_communicator(int fortran_handle, const std::vector<fs::path>& folders) {

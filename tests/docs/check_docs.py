@@ -7,6 +7,7 @@
 - every page of docs/ is reached by links from docs/README.md;
 - the files in src/, docs/ and tests/ and the tests (`Suite.Name`) that pages name exist;
 - the program on the library's page is that of examples/library, and the page has every case key that the solver's sentences name;
+- the scripts on the page of clusters are those of examples/slurm;
 - README.md has at most 150 lines; no line outside tables and code is longer than 160 characters.
 """
 import re
@@ -136,6 +137,15 @@ def example_faults(root):
             yield f"docs/reference/library.md:1: its program is not {example.relative_to(root)}"
 
 
+def script_faults(root):
+    """The scripts of the page on clusters are those in examples/, which a test submits."""
+    page = root / "docs/guide/clusters.md"
+    shown = page.read_text(encoding="utf-8") if page.exists() else ""
+    for script in sorted((root / "examples/slurm").glob("*")):
+        if f"```bash\n{script.read_text(encoding='utf-8')}```\n" not in shown:
+            yield f"docs/guide/clusters.md:1: does not show {script.relative_to(root)} as it is"
+
+
 def key_faults(root):
     """Who has no case file finds on the library's page what to change when a sentence of the solver names a key."""
     page = root / "docs/reference/library.md"
@@ -158,6 +168,7 @@ def faults(root):
     if count > README_LINES:
         yield f"README.md:{count}: {count} lines; at most {README_LINES}"
     yield from example_faults(root)
+    yield from script_faults(root)
     yield from key_faults(root)
     for path in unreachable(root):
         yield f"{path.relative_to(root)}:1: not reached by links from docs/README.md"

@@ -9,11 +9,13 @@ from check_docs import anchors, faults  # noqa: E402
 
 SOUND = {
     "README.md": "# Name\n\n[docs](docs/README.md)\n",
-    "docs/README.md": "# Docs\n\n[page](guide/page.md#one-step-2--3), [library](reference/library.md) and `src/a.h`, `Suite.Name`, `Suite.Na…`, `Suite.*`\n",
+    "docs/README.md": "# Docs\n\n[page](guide/page.md#one-step-2--3), [library](reference/library.md), [clusters](guide/clusters.md) and `src/a.h`, `Suite.Name`, `Suite.Na…`, `Suite.*`\n",
     "docs/guide/page.md": "# Page\n\n## One step: `2` – 3\n\n1. item\n   [back](../README.md#docs)\n\nText.\n\n    [no link](in/code.md)\n",
     "src/a.h": "",
     "tests/a_test.cpp": "TEST(Suite, Name) {}\n",
     "examples/library/main.cpp": "// Comment.\nint main() {\n\n}\n",
+    "examples/slurm/a.sbatch": "#!/bin/bash\nrun\n",
+    "docs/guide/clusters.md": "# Clusters\n\n```bash\n#!/bin/bash\nrun\n```\n",
     "docs/reference/library.md": "# Library\n\n    int main() {\n\n    }\n",
 }
 FAULTS = {
@@ -24,6 +26,7 @@ FAULTS = {
     "characters": ("docs/guide/page.md", "word " * 40 + "\n"),
     "lines": ("README.md", "\n" * 150),
     "its program": ("examples/library/main.cpp", "int other;\n"),
+    "does not show": ("examples/slurm/a.sbatch", "other\n"),
     "names tubes.other_key": ("src/solve/b.cpp", 'throw InputError("tubes.other_key must be positive");\n'),
     "not reached": ("docs/guide/other.md", "# Other\n"),
 }

@@ -29,6 +29,7 @@ mkdir cases
 
 expect "run" raytube ru
 expect "check compare converge convert centres" raytube c
+expect "merge" raytube m
 expect "--version" raytube --v
 expect "cases case.toml" raytube run ca
 expect "case.toml" raytube run --quiet -o out case.
@@ -41,6 +42,8 @@ expect "" raytube run --set edges.order = ca        # a value
 expect "result.csv result.nc" raytube compare result.csv res
 expect "" raytube compare result.csv result.nc res
 expect "auto curves map polar" raytube plot result.csv --kind ""
+expect "cases" raytube merge ca                     # a folder of shards
+expect "case.toml" raytube merge cases case.
 expect "cases" raytube statistics result.csv -o ca
 expect "random" raytube run case.toml --launch r
 exit $faults

@@ -53,6 +53,13 @@ def check_files(root, with_python):
     assert not missing and not surplus, f"missing: {missing}; not to be there: {surplus}"
 
 
+def check_dependencies(package, root):
+    """A plugin of MPI is there if it was built, and installs no MPI."""
+    depends, suggests = (run("dpkg-deb", "-f", package, field) for field in ("Depends", "Suggests"))
+    assert "libembree" in depends and "mpi" not in depends, depends
+    assert (root / "usr/lib/raytube/raytube_mpi.so").exists() == ("openmpi-bin" in suggests), suggests
+
+
 def check_program(root, source, scratch):
     """The program runs from where it was unpacked, and as the one in the build does."""
     program, case = root / "usr/bin/raytube", root / "usr/share/doc/raytube/cases/plate/case.toml"
@@ -98,6 +105,7 @@ def main(build, source, scratch):
     root = scratch / "root"
     run("dpkg-deb", "-x", package, root)
     check_files(root, any((build / "python/raytube").glob("_core.*.so")))
+    check_dependencies(package, root)
     check_program(root, source, scratch)
     check_pages(root, root / "usr/bin/raytube")
     check_completions(root)

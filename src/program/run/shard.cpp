@@ -76,6 +76,17 @@ void make_folder_of_shards(const fs::path& folder) {
                                  error.message()));
 }
 
+// A task that is run again alone (sbatch --array=5) would take itself for the whole.
+void refuse_others(const fs::path& folder, const Shard& shard) {
+  const std::string own = fmt::format("_of_{}{}", shard.count, shard_ending);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == shard_ending && !entry.path().filename().string().ends_with(own))
+      throw InputError(
+          fmt::format("--shard {}: {} is of another number of shards; write --shard I/N with that N, or choose another "
+                      "folder with -o DIR",
+                      shard_text(shard), entry.path().string()));
+}
+
 JournalIdentity identity_of_shard(const Request& request, const PreparedRun& prepared, const Shard& shard) {
   JournalIdentity identity = identity_of(prepared.c, prepared.manifest);
   identity.emplace_back(shard_item, shard_text(shard));
@@ -114,6 +125,7 @@ void run_shard(const Request& request, const Case& c, const Stopwatch& total) {
   const fs::path folder = fs::absolute(destination.folder), file = folder / shard_file_name(shard);
   const auto make_folder = [&] { make_folder_of_shards(folder); };
   make_folder();
+  refuse_others(folder, shard);
   const FolderLock lock(folder, fmt::format(".{}.lock", shard_file_name(shard)));
   LookJournal journal(
       file, [&] { return identity_of_shard(request, prepared, shard); }, make_folder);

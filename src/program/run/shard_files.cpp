@@ -71,9 +71,9 @@ void ShardFiles::require_all() const {
     if (std::ranges::none_of(files_, [&](const File& file) { return file.shard.index == index; }))
       missing.push_back(missing.size() < most_listed ? fmt::format("{}/{}", index + 1, count) : "more");
   if (missing.empty()) return;
-  throw InputError(fmt::format("{}: {} of {} shards {} missing: {}; run each with raytube run {} --shard {}", folder_.string(),
-                               count - files_.size(), count, count - files_.size() == 1 ? "is" : "are", joined(missing, ", "),
-                               case_file().string(), missing.front()));
+  throw InputError(fmt::format("{}: {} of {} shards {} missing: {}; run each with raytube run {} --shard {} -o {}",
+                               folder_.string(), count - files_.size(), count, count - files_.size() == 1 ? "is" : "are",
+                               joined(missing, ", "), case_file().string(), missing.front(), folder_.string()));
 }
 
 fs::path ShardFiles::case_file() const { return value_of(files_.front().journal->identity(), case_item); }
