@@ -219,7 +219,8 @@ def centres(what: Any, *args: Any, look: int = 0, count: int = 50, resolution: f
     count : int
         So many at most.
     resolution : float, optional
-        Side of the cube that each is resolved to [m]; by default a sixtieth of the target, two wavelengths at least.
+        Side of the cube that each is resolved to [m]; by default that of the case's band, without one a sixtieth of the target; two
+        wavelengths at least.
     threads, progress
         As in `solve`.
 

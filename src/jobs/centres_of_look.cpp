@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "core/error.h"
 #include "imaging/direct.h"
@@ -13,11 +14,14 @@ namespace raytube {
 
 namespace {
 
-constexpr double sides_to_a_target = 60.0, wavelengths_to_a_side = 2.0;
+constexpr double sides_to_a_target = 60.0, fewest_sides = 8.0, wavelengths_to_a_side = 2.0;
 
-// No less than what narrow bands and angles resolve.
-double usual_side(const Target& target, double wavelength) {
-  return std::max(2.0 * target.mesh.radius / sides_to_a_target, wavelengths_to_a_side * wavelength);
+// What the case's own band resolves, which its rows are rebuilt over, if that tells parts of the target from each other. No less
+// than what narrow bands and angles resolve.
+double usual_side(const Target& target, std::span<const double> frequencies, double wavelength) {
+  const auto [lowest, highest] = std::ranges::minmax(frequencies);
+  const double size = 2.0 * target.mesh.radius, cell = 0.5 * speed_of_light / (highest - lowest);
+  return std::max(fewest_sides * cell < size ? cell : size / sides_to_a_target, wavelengths_to_a_side * wavelength);
 }
 
 LookCentres found_centres(const Target& target, const Case& c, const CentresAsked& asked, int threads,
@@ -34,7 +38,7 @@ LookCentres found_centres(const Target& target, const Case& c, const CentresAske
                      .frequency = frequencies[middle_index(frequencies.size())],
                      .side = asked.resolution};
   const double length = wavelength(result.frequency);
-  if (result.side == 0.0) result.side = usual_side(target, length);
+  if (result.side == 0.0) result.side = usual_side(target, frequencies, length);
   SolveOptions options{c.tubes, c.edges, c.surfaces, threads};
   options.progress = progress;
   scattering_pieces(target, c.sweep, asked.look, result.frequency, options, result.side / pieces_to_a_cell,

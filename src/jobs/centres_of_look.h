@@ -21,7 +21,7 @@ struct LookCentres {
 /// What is asked of them.
 struct CentresAsked {
   std::size_t look = 0, count = 50;
-  double resolution = 0.0;  // [m]; 0: a sixtieth of the target, or two wavelengths
+  double resolution = 0.0;  // [m]; 0: that of the case's band, c / 2B; without one a sixtieth of the target, or two wavelengths
 };
 
 /// Pieces to a resolution cell of even weights: over a band their phase turns by a quarter of a turn and less.
