@@ -53,15 +53,20 @@ completions for bash and zsh, and the documentation with its cases.")
 # Libraries that the program runs with are found by dpkg-shlibdeps. Plots are worth having and not needed. Who links the static library
 # needs the -dev packages below and a compiler; to recommend them would bring 270 packages of 1.1 GB to everybody who wants the program.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_SOURCE_DIR}/debian/shlibdeps.cmake)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, libjs-three")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libcgal-dev, libembree-dev, libfmt-dev, libglm-dev, libopenmesh-dev, libtbb-dev, \
 zlib1g-dev, libexpat1-dev, libzip-dev")
+if(TARGET raytube_mpi)
+  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", openmpi-bin")
+endif()
 if(TARGET raytube_python)
   # The module is of one version of Python, as its file name says.
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
       "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_minor}), python3-numpy, python3-xarray")
   string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-matplotlib")
+  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", python3-mpi4py")
   set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/debian/postinst;${CMAKE_CURRENT_SOURCE_DIR}/debian/prerm")
 endif()
 include(CPack)

@@ -22,7 +22,20 @@ namespace raytube::python {
 
 namespace {
 
-int threads_of(int threads) { return threads > 0 ? threads : all_threads(); }
+int threads_of(int threads, const Ranks* ranks = nullptr) {
+  if (threads > 0) return threads;
+  return ranks ? ranks->threads() : all_threads();
+}
+
+// Until all is computed, or the one that leads has given up: then throws why.
+void help(const SolvePlan& plan, Watch& watch, WorkTeam& team) {
+  try {
+    help_to_solve(plan, team, [&](double) { return watch.tell(0.0) && !team.is_given_up(); });
+  } catch (const Interrupted&) {
+    if (watch.stop) throw;
+    team.finish();
+  }
+}
 
 std::vector<std::pair<std::string, std::string>> attributes(const Job& job, const SolvePlan& plan, const SweepResult& result) {
   Manifest manifest = described_inputs(job.asked, job.built->report, job.mesh_sha256);
@@ -54,10 +67,14 @@ std::shared_ptr<const Job> Job::of_target(TargetSource& target, const CaseValue&
   return std::make_shared<const Job>(std::move(c), target.made_of().sha256, std::move(built));
 }
 
-StoredResult Job::solve(int threads, bool parts, Watch& watch) const {
-  const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), parts);
+std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ranks* ranks) const {
+  const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads, ranks), parts);
   check_memory(plan, asked, nullptr);
-  const SweepResult result = raytube::solve(plan, watch.progress());
+  if (ranks && !ranks->leads()) {
+    help(plan, watch, ranks->team());
+    return {};
+  }
+  const SweepResult result = raytube::solve(plan, watch.progress(), {}, ranks ? &ranks->team() : nullptr);
   StoredResult stored_result = stored(asked.sweep, result);
   stored_result.attributes = attributes(*this, plan, result);
   return stored_result;

@@ -5,9 +5,10 @@ from __future__ import annotations
 import difflib
 import os
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,11 +25,34 @@ if TYPE_CHECKING:
 _Progress = bool | Callable[[float], Any]
 
 
+class Communicator(Protocol):
+    """An intracommunicator of mpi4py."""
+
+    def py2f(self) -> int:
+        """Its handle in Fortran."""
+
+
+@overload
+def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
+          facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
+          edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
+          accuracy: Mapping[str, Any] | None = ..., title: str | None = ..., keep_parts: bool = ..., threads: int = ...,
+          progress: _Progress = ..., comm: None = ...) -> Result: ...
+
+
+@overload
+def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
+          facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
+          edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
+          accuracy: Mapping[str, Any] | None = ..., title: str | None = ..., keep_parts: bool = ..., threads: int = ...,
+          progress: _Progress = ..., comm: Communicator) -> Result | None: ...
+
+
 def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str | None = None, parts: Mapping[str, str] | None = None,
           facets: Mapping[str, Any] | None = None, materials: Mapping[str, Any] | None = None, tubes: Mapping[str, Any] | None = None,
           edges: Mapping[str, Any] | None = None, surfaces: Mapping[str, Any] | None = None, radar: Mapping[str, Any] | None = None,
           accuracy: Mapping[str, Any] | None = None, title: str | None = None, keep_parts: bool = False, threads: int = 0,
-          progress: _Progress = False) -> Result:
+          progress: _Progress = False, comm: Communicator | None = None) -> Result | None:
     """Computes the scattering amplitudes of a target.
 
     The same bits for any number of threads, and the same as those of ``raytube run`` for a case with these keys.
@@ -58,15 +82,22 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
         0: all cores.
     progress : bool or callable
         True: a progress bar, where tqdm is installed. A callable is given the finished share, 0 to 1, now and then.
+    comm : mpi4py.MPI.Intracomm, optional
+        Processes that share the looks: all ranks of this communicator of mpi4py call with the same arguments. `threads` are then those
+        of each rank, 0: its part of its machine's cores. `progress` is of rank 0.
 
     Returns
     -------
     Result
+        With `comm` on rank 0 only; None on the others.
 
     Raises
     ------
     InputError
-        For a key or a value that a case file would be refused for, and for want of memory: one sentence with the remedy.
+        For a key or a value that a case file would be refused for, and for want of memory: one sentence with the remedy. Also for a
+        `comm` that is none of mpi4py, or whose MPI this raytube cannot use.
+    RuntimeError
+        With `comm`: for what has befallen another rank, which the sentence names. It is an InputError where it was one there.
     KeyboardInterrupt
         At most half a second after Ctrl-C.
 
@@ -77,15 +108,26 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
 
     Notes
     -----
-    Other Python threads go on meanwhile, and may solve at the same time.
+    Other Python threads go on meanwhile, and may solve at the same time; with `comm` they must not, nor call MPI. There rank 0 alone
+    warns.
     """
     keywords = {"material": material, "parts": parts, "facets": facets, "materials": materials, "tubes": tubes, "edges": edges,
                 "surfaces": surfaces, "radar": radar, "accuracy": accuracy, "title": title}
-    return _solved(_job_of_target("solve", target, ghz, looks, keywords), keep_parts, threads, progress)
+    return _solved(lambda: _job_of_target("solve", target, ghz, looks, keywords), keep_parts, threads, progress, comm)
+
+
+@overload
+def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_parts: bool = ..., threads: int = ...,
+        progress: _Progress = ..., comm: None = ...) -> Result: ...
+
+
+@overload
+def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_parts: bool = ..., threads: int = ...,
+        progress: _Progress = ..., comm: Communicator) -> Result | None: ...
 
 
 def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None, *, keep_parts: bool = False, threads: int = 0,
-        progress: _Progress = False) -> Result:
+        progress: _Progress = False, comm: Communicator | None = None) -> Result | None:
     """Computes a case file, as ``raytube run`` does, but writes nothing: see `Result.save`.
 
     Parameters
@@ -94,19 +136,20 @@ def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None
         Case file (TOML).
     overrides : dict, optional
         Values in the place of the file's, by dotted key: ``{"tubes.max_bounces": 5, "look.phi_deg": [0, 1, 2]}``.
-    keep_parts, threads, progress
+    keep_parts, threads, progress, comm
         As in `solve`.
 
     Returns
     -------
     Result
+        With `comm` on rank 0 only; None on the others.
 
     Raises
     ------
-    InputError, KeyboardInterrupt
+    InputError, RuntimeError, KeyboardInterrupt
         As in `solve`.
     """
-    return _solved(_job_of_file("run", case, overrides), keep_parts, threads, progress)
+    return _solved(lambda: _job_of_file("run", case, overrides), keep_parts, threads, progress, comm)
 
 
 class _Told(dict[str, Any]):
@@ -364,11 +407,42 @@ def _threads(threads: Any) -> int:
     return _arguments.whole(threads, "threads")
 
 
-def _solved(job: Any, keep_parts: Any, threads: Any, progress: Any) -> Result:
-    with _Reported(progress) as report:
-        result = Result(_core.solve(job, _threads(threads), _arguments.flag(keep_parts, "keep_parts"), report), _core.outline(job))
+def _solved(make_job: Callable[[], Any], keep_parts: Any, threads: Any, progress: Any, comm: Any) -> Result | None:
+    ranks = None if comm is None else _ranks_of(comm)
+    with _telling(ranks):
+        job, count, parts = make_job(), _threads(threads), _arguments.flag(keep_parts, "keep_parts")
+        reported = _Reported(progress if ranks is None or ranks.leads else False)
+    with reported as report:
+        found = _core.solve(job, count, parts, report, ranks)
+    if found is None:
+        return None
+    result = Result(found, _core.outline(job))
     _warn(result.warnings, 4)
     return result
+
+
+def _ranks_of(comm: Any) -> _core.Ranks:
+    try:
+        from mpi4py import MPI
+    except ImportError:
+        raise InputError(f"comm: give an intracommunicator of mpi4py, which cannot be imported here (found {_arguments.kind_of(comm)})") from None
+    if not isinstance(comm, MPI.Intracomm) or comm == MPI.COMM_NULL:
+        raise InputError(f"comm: give an intracommunicator of mpi4py, for example MPI.COMM_WORLD (found {_arguments.kind_of(comm)})")
+    if MPI.Query_thread() < MPI.THREAD_SERIALIZED:
+        raise InputError("comm: MPI was started for programs of one thread; leave mpi4py.rc.thread_level at \"multiple\", or set it to "
+                         "\"serialized\", before mpi4py.MPI is imported")
+    return _core.ranks_of(comm.py2f(), os.path.dirname(_core.__file__))
+
+
+@contextmanager
+def _telling(ranks: _core.Ranks | None) -> Iterator[None]:
+    """What befalls this rank before it meets the others, these raise, too, and wait for nothing."""
+    try:
+        yield
+    except BaseException as error:
+        if ranks is not None:
+            ranks.give_up(str(error) or type(error).__name__, isinstance(error, InputError), isinstance(error, Exception))
+        raise
 
 
 def _warn(sentences: list[str], level: int = 3) -> None:

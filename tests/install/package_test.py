@@ -61,6 +61,12 @@ def check_program(root, source, scratch):
     assert str(source).encode() not in program.read_bytes(), "the program knows the folder it was built in"
 
 
+def check_depends(package):
+    """MPI is for those who have it."""
+    depends = run("dpkg-deb", "-f", package, "Depends")
+    assert "netcdf" in depends and not any(name in depends for name in ("openmpi", "mpich")), depends
+
+
 def check_pages(root, program):
     """Each command has a page with each of its options, and the pages are in order for man."""
     pages = sorted((root / "usr/share/man/man1").glob("*.gz"))
@@ -98,6 +104,7 @@ def main(build, source, scratch):
     root = scratch / "root"
     run("dpkg-deb", "-x", package, root)
     check_files(root, any((build / "python/raytube").glob("_core.*.so")))
+    check_depends(package)
     check_program(root, source, scratch)
     check_pages(root, root / "usr/bin/raytube")
     check_completions(root)
