@@ -45,11 +45,11 @@ struct Job {
 
   /// Of several ranks each calls it, `threads` 0: so many as it has there. Nothing but for the one that leads.
   std::optional<StoredResult> solve(int threads, bool parts, Watch& watch, Ranks* ranks) const;
+  std::optional<Study> converge(const std::vector<double>& densities, int threads, Watch& watch, Ranks* ranks) const;
   TextAndData check(int threads) const;
   LookImage image(std::size_t look, double per_wavelength, int threads, Watch& watch) const;
   LookCentres centres(const CentresAsked& which, int threads, Watch& watch) const;
   TubeTrace trace(std::size_t look, const dvec2& at) const;
-  Study converge(const std::vector<double>& densities, int threads, Watch& watch) const;
 };
 
 }  // namespace raytube::python

@@ -192,8 +192,7 @@ py::dict density_of(const DensityResult& result, const DensityErrors& errors, co
   return d;
 }
 
-py::tuple converge(const SharedJob& job, const std::vector<double>& densities, int threads, const py::object& progress) {
-  const Study study = interruptibly([=](Watch& watch) { return job->converge(densities, threads, watch); }, progress);
+py::tuple study_found(const Study& study, const SharedJob& job) {
   const Sweep& sweep = job->asked.sweep;
   const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(sweep.looks.size()),
                                        static_cast<py::ssize_t>(sweep.frequencies.size()), 2, 2};
@@ -210,6 +209,16 @@ py::tuple converge(const SharedJob& job, const std::vector<double>& densities, i
   }
   found["warnings"] = python_texts(study.warnings);
   return py::make_tuple(python_text(study.text), found);
+}
+
+// None on ranks that do not lead.
+py::object converge(const SharedJob& job, const std::vector<double>& densities, int threads, const py::object& progress,
+                    const SharedRanks& ranks) {
+  const auto work = [=](Watch& watch) {
+    return shared_by(ranks, [&] { return job->converge(densities, threads, watch, ranks.get()); });
+  };
+  const std::optional<Study> study = interruptibly(work, progress);
+  return study ? py::object(study_found(*study, job)) : py::none();
 }
 
 py::array_t<double> vertices_of(const TargetSource& target) {

@@ -335,8 +335,18 @@ class Convergence(_Told):
     be used. Its ``repr`` is the table that ``raytube converge`` prints."""
 
 
+@overload
+def converge(what: Any, *args: Any, densities: Any = ..., threads: int = ..., progress: _Progress = ..., comm: None = ...,
+             **keywords: Any) -> Convergence: ...
+
+
+@overload
+def converge(what: Any, *args: Any, densities: Any = ..., threads: int = ..., progress: _Progress = ..., comm: Communicator,
+             **keywords: Any) -> Convergence | None: ...
+
+
 def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), threads: int = 0, progress: _Progress = False,
-             **keywords: Any) -> Convergence:
+             comm: Communicator | None = None, **keywords: Any) -> Convergence | None:
     """Solves with finer and finer uniform tubes: how fast it converges, and to what.
 
     Parameters
@@ -347,25 +357,31 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
         As in `check`.
     densities : sequence of float
         Tubes per wavelength, three or more.
-    threads, progress
+    threads, progress, comm
         As in `solve`.
 
     Returns
     -------
     Convergence
-        A dict whose ``repr`` is the table.
+        A dict whose ``repr`` is the table. With `comm` on rank 0 only; None on the others.
 
     Raises
     ------
     InputError
         As `solve` does, and for fewer than three densities.
     """
-    finer = np.atleast_1d(_arguments.numbers(densities, "densities"))
-    if finer.ndim != 1 or not np.all(np.isfinite(finer) & (finer > 0.0)):
-        raise InputError("densities: give three or more positive numbers of tubes per wavelength, for example (4, 8, 16)")
-    job = _job("converge", what, args, keywords)
-    with _Reported(progress) as report:
-        text, data = _core.converge(job, finer.tolist(), _threads(threads), report)
+    ranks = _ranks_of(comm)
+    with _telling(ranks):
+        finer = np.atleast_1d(_arguments.numbers(densities, "densities"))
+        if finer.ndim != 1 or not np.all(np.isfinite(finer) & (finer > 0.0)):
+            raise InputError("densities: give three or more positive numbers of tubes per wavelength, for example (4, 8, 16)")
+        job, count = _job("converge", what, args, keywords), _threads(threads)
+        reported = _Reported(progress if _leads(ranks) else False)
+    with reported as report:
+        found = _core.converge(job, finer.tolist(), count, report, ranks)
+    if found is None:
+        return None
+    text, data = found
     _warn(data["warnings"])
     return Convergence(text, data)
 
@@ -408,10 +424,10 @@ def _threads(threads: Any) -> int:
 
 
 def _solved(make_job: Callable[[], Any], keep_parts: Any, threads: Any, progress: Any, comm: Any) -> Result | None:
-    ranks = None if comm is None else _ranks_of(comm)
+    ranks = _ranks_of(comm)
     with _telling(ranks):
         job, count, parts = make_job(), _threads(threads), _arguments.flag(keep_parts, "keep_parts")
-        reported = _Reported(progress if ranks is None or ranks.leads else False)
+        reported = _Reported(progress if _leads(ranks) else False)
     with reported as report:
         found = _core.solve(job, count, parts, report, ranks)
     if found is None:
@@ -421,7 +437,13 @@ def _solved(make_job: Callable[[], Any], keep_parts: Any, threads: Any, progress
     return result
 
 
-def _ranks_of(comm: Any) -> _core.Ranks:
+def _leads(ranks: _core.Ranks | None) -> bool:
+    return ranks is None or ranks.leads
+
+
+def _ranks_of(comm: Any) -> _core.Ranks | None:
+    if comm is None:
+        return None
     try:
         from mpi4py import MPI
     except ImportError:

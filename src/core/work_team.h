@@ -40,7 +40,7 @@ class WorkTeam {
   /// In place of finish(), of whoever gives up: from then on nothing is taken.
   virtual void leave() noexcept = 0;
 
-  /// Whether the leader has left it: what the others compute is of no use any more.
+  /// Whether one has left it, so that what the others compute is of no use any more. finish() throws why.
   virtual bool is_given_up() = 0;
 };
 

@@ -95,6 +95,7 @@ void MpiTeam::leave() noexcept {
 
 bool MpiTeam::is_given_up() {
   const std::lock_guard lock(mutex_);
+  if (leads()) return failure_ != nullptr;
   const auto now = std::chrono::steady_clock::now();
   if (now - asked_at_ < between_questions) return false;
   asked_at_ = now;

@@ -84,6 +84,20 @@ def test_ranks_write_the_bytes_of_one_process(ranks, mpirun, tmp_path):
     assert (tmp_path / "ranks.nc").read_bytes() == (tmp_path / "one.nc").read_bytes()
 
 
+def test_ranks_study_density(mpirun):
+    printed = mpirun(2, f"""
+        study = lambda **ranks: rt.converge({str(CASES / "convergence/case.toml")!r}, densities=(2, 4, 8), **ranks)
+        shared = study(comm=comm)
+        assert (shared is None) == (comm.rank > 0)
+        if comm.rank == 0:
+            same = [np.array_equal(a["S"], b["S"]) for a, b in zip(shared["densities"], study()["densities"], strict=True)]
+            print(same)
+        tell_all(failed(lambda: rt.converge(trihedral, densities=(2, 4) if comm.rank else (2, 4, 8), comm=comm)))
+    """).splitlines()
+    assert printed[0] == "[True, True, True]"
+    assert "InputError: rank 1 on " in printed[1] and printed[2].startswith("1 InputError: densities")
+
+
 def test_communicators_of_some_ranks(mpirun):
     printed = mpirun(3, """
         expected = rt.solve(plate, 10.0, looks).S.values
