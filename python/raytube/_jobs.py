@@ -5,15 +5,14 @@ from __future__ import annotations
 import difflib
 import os
 import warnings
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Protocol, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from raytube import _arguments, _core
+from raytube import _arguments, _core, _ranks
 from raytube._core import InputError
 from raytube._looks import Looks, monostatic
 from raytube._result import RaytubeWarning, Result
@@ -23,13 +22,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _Progress = bool | Callable[[float], Any]
-
-
-class Communicator(Protocol):
-    """An intracommunicator of mpi4py."""
-
-    def py2f(self) -> int:
-        """Its handle in Fortran."""
 
 
 @overload
@@ -45,14 +37,14 @@ def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str 
           facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
           edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
           accuracy: Mapping[str, Any] | None = ..., title: str | None = ..., keep_parts: bool = ..., threads: int = ...,
-          progress: _Progress = ..., comm: Communicator) -> Result | None: ...
+          progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
 
 
 def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str | None = None, parts: Mapping[str, str] | None = None,
           facets: Mapping[str, Any] | None = None, materials: Mapping[str, Any] | None = None, tubes: Mapping[str, Any] | None = None,
           edges: Mapping[str, Any] | None = None, surfaces: Mapping[str, Any] | None = None, radar: Mapping[str, Any] | None = None,
           accuracy: Mapping[str, Any] | None = None, title: str | None = None, keep_parts: bool = False, threads: int = 0,
-          progress: _Progress = False, comm: Communicator | None = None) -> Result | None:
+          progress: _Progress = False, comm: _ranks.Communicator | None = None) -> Result | None:
     """Computes the scattering amplitudes of a target.
 
     The same bits for any number of threads, and the same as those of ``raytube run`` for a case with these keys.
@@ -123,11 +115,11 @@ def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ...,
 
 @overload
 def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_parts: bool = ..., threads: int = ...,
-        progress: _Progress = ..., comm: Communicator) -> Result | None: ...
+        progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
 
 
 def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None, *, keep_parts: bool = False, threads: int = 0,
-        progress: _Progress = False, comm: Communicator | None = None) -> Result | None:
+        progress: _Progress = False, comm: _ranks.Communicator | None = None) -> Result | None:
     """Computes a case file, as ``raytube run`` does, but writes nothing: see `Result.save`.
 
     Parameters
@@ -341,12 +333,12 @@ def converge(what: Any, *args: Any, densities: Any = ..., threads: int = ..., pr
 
 
 @overload
-def converge(what: Any, *args: Any, densities: Any = ..., threads: int = ..., progress: _Progress = ..., comm: Communicator,
+def converge(what: Any, *args: Any, densities: Any = ..., threads: int = ..., progress: _Progress = ..., comm: _ranks.Communicator,
              **keywords: Any) -> Convergence | None: ...
 
 
 def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), threads: int = 0, progress: _Progress = False,
-             comm: Communicator | None = None, **keywords: Any) -> Convergence | None:
+             comm: _ranks.Communicator | None = None, **keywords: Any) -> Convergence | None:
     """Solves with finer and finer uniform tubes: how fast it converges, and to what.
 
     Parameters
@@ -370,13 +362,13 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     InputError
         As `solve` does, and for fewer than three densities.
     """
-    ranks = _ranks_of(comm)
-    with _telling(ranks):
+    ranks = _ranks.ranks_of(comm)
+    with _ranks.telling(ranks):
         finer = np.atleast_1d(_arguments.numbers(densities, "densities"))
         if finer.ndim != 1 or not np.all(np.isfinite(finer) & (finer > 0.0)):
             raise InputError("densities: give three or more positive numbers of tubes per wavelength, for example (4, 8, 16)")
         job, count = _job("converge", what, args, keywords), _threads(threads)
-        reported = _Reported(progress if _leads(ranks) else False)
+        reported = _Reported(progress if _ranks.leads(ranks) else False)
     with reported as report:
         found = _core.converge(job, finer.tolist(), count, report, ranks)
     if found is None:
@@ -424,10 +416,10 @@ def _threads(threads: Any) -> int:
 
 
 def _solved(make_job: Callable[[], Any], keep_parts: Any, threads: Any, progress: Any, comm: Any) -> Result | None:
-    ranks = _ranks_of(comm)
-    with _telling(ranks):
+    ranks = _ranks.ranks_of(comm)
+    with _ranks.telling(ranks):
         job, count, parts = make_job(), _threads(threads), _arguments.flag(keep_parts, "keep_parts")
-        reported = _Reported(progress if _leads(ranks) else False)
+        reported = _Reported(progress if _ranks.leads(ranks) else False)
     with reported as report:
         found = _core.solve(job, count, parts, report, ranks)
     if found is None:
@@ -435,36 +427,6 @@ def _solved(make_job: Callable[[], Any], keep_parts: Any, threads: Any, progress
     result = Result(found, _core.outline(job))
     _warn(result.warnings, 4)
     return result
-
-
-def _leads(ranks: _core.Ranks | None) -> bool:
-    return ranks is None or ranks.leads
-
-
-def _ranks_of(comm: Any) -> _core.Ranks | None:
-    if comm is None:
-        return None
-    try:
-        from mpi4py import MPI
-    except ImportError:
-        raise InputError(f"comm: give an intracommunicator of mpi4py, which cannot be imported here (found {_arguments.kind_of(comm)})") from None
-    if not isinstance(comm, MPI.Intracomm) or comm == MPI.COMM_NULL:
-        raise InputError(f"comm: give an intracommunicator of mpi4py, for example MPI.COMM_WORLD (found {_arguments.kind_of(comm)})")
-    if MPI.Query_thread() < MPI.THREAD_SERIALIZED:
-        raise InputError("comm: MPI was started for programs of one thread; leave mpi4py.rc.thread_level at \"multiple\", or set it to "
-                         "\"serialized\", before mpi4py.MPI is imported")
-    return _core.ranks_of(comm.py2f(), os.path.dirname(_core.__file__))
-
-
-@contextmanager
-def _telling(ranks: _core.Ranks | None) -> Iterator[None]:
-    """What befalls this rank before it meets the others, these raise, too, and wait for nothing."""
-    try:
-        yield
-    except BaseException as error:
-        if ranks is not None:
-            ranks.give_up(str(error) or type(error).__name__, isinstance(error, InputError), isinstance(error, Exception))
-        raise
 
 
 def _warn(sentences: list[str], level: int = 3) -> None:
