@@ -33,7 +33,7 @@ def cmake(*arguments, remedy="what it said stands above"):
 
 
 class BuildByCMake(build_ext):
-    """Builds raytube._core where setuptools wants it."""
+    """Builds raytube._core, and its plugin, where setuptools wants them."""
 
     def build_extension(self, extension):
         wanted = Path(self.get_ext_fullpath(extension.name)).resolve()
@@ -42,6 +42,9 @@ class BuildByCMake(build_ext):
             sys.exit(f"{built.parent} has no {wanted.name}: it was built for another Python than {sys.executable}; unset RAYTUBE_BUILD")
         wanted.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(built, wanted)
+        plugin = built.with_name("raytube_mpi.so")  # of builds where MPI is there; nothing needs it but comm=
+        if plugin.exists():
+            shutil.copy2(plugin, wanted.parent)
 
     def build_folder(self):
         build = ("--build", os.environ.get("RAYTUBE_BUILD") or Path(self.build_temp).resolve(), "--target", "raytube_python")

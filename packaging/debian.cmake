@@ -66,6 +66,7 @@ if(TARGET raytube_python)
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
       "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_minor}), python3-numpy, python3-xarray")
   string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-matplotlib")
+  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", python3-mpi4py")
   set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/debian/postinst;${CMAKE_CURRENT_SOURCE_DIR}/debian/prerm")
 endif()
 include(CPack)

@@ -91,7 +91,7 @@ def draw_examples(figures):
 
 
 def has_package():
-    return subprocess.run([sys.executable, "-c", "import raytube"], env=QUIET, stderr=subprocess.DEVNULL).returncode == 0
+    return subprocess.run([sys.executable, "-c", "import raytube, mpi4py, distributed"], env=QUIET, stderr=subprocess.DEVNULL).returncode == 0
 
 
 def write_pages(folder, *tags):

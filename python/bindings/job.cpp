@@ -22,7 +22,26 @@ namespace raytube::python {
 
 namespace {
 
-int threads_of(int threads) { return threads > 0 ? threads : all_threads(); }
+int threads_of(int threads, const Ranks* ranks = nullptr) {
+  if (threads > 0) return threads;
+  return ranks ? ranks->threads() : all_threads();
+}
+
+bool is_helper(const Ranks* ranks) { return ranks && !ranks->leads(); }
+
+// Whether to go on, as far as this process and those that share its work are concerned.
+bool go_on(Watch& watch, Ranks* ranks, double share) { return watch.tell(share) && !(ranks && ranks->team().is_given_up()); }
+
+// The value of `work`. Whom the others have stopped throws why.
+template <class Work>
+auto beside_others(const Watch& watch, Ranks* ranks, const Work& work) {
+  try {
+    return work();
+  } catch (const Interrupted&) {
+    if (ranks && !watch.stop) ranks->team().finish();
+    throw;
+  }
+}
 
 std::vector<std::pair<std::string, std::string>> attributes(const Job& job, const SolvePlan& plan, const SweepResult& result) {
   Manifest manifest = described_inputs(job.asked, job.built->report, job.mesh_sha256);
@@ -54,13 +73,17 @@ std::shared_ptr<const Job> Job::of_target(TargetSource& target, const CaseValue&
   return std::make_shared<const Job>(std::move(c), target.made_of().sha256, std::move(built));
 }
 
-StoredResult Job::solve(int threads, bool parts, Watch& watch) const {
-  const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), parts);
+std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ranks* ranks) const {
+  const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads, ranks), parts);
   check_memory(plan, asked, nullptr);
-  const SweepResult result = raytube::solve(plan, watch.progress());
-  StoredResult stored_result = stored(asked.sweep, result);
-  stored_result.attributes = attributes(*this, plan, result);
-  return stored_result;
+  const auto progress = [&](double share) { return go_on(watch, ranks, share); };
+  return beside_others(watch, ranks, [&]() -> std::optional<StoredResult> {
+    if (is_helper(ranks)) return help_to_solve(plan, ranks->team(), progress), std::nullopt;
+    const SweepResult result = raytube::solve(plan, progress, {}, ranks ? &ranks->team() : nullptr);
+    StoredResult stored_result = stored(asked.sweep, result);
+    stored_result.attributes = attributes(*this, plan, result);
+    return stored_result;
+  });
 }
 
 TextAndData Job::check(int threads) const {
@@ -93,24 +116,30 @@ TubeTrace Job::trace(std::size_t look, const dvec2& at) const {
                          [&] { return trace_tube(scene, sweep.looks[look], sweep.frequencies[highest], asked.tubes, at); });
 }
 
-Study Job::converge(const std::vector<double>& densities, int threads, Watch& watch) const {
+std::optional<Study> Job::converge(const std::vector<double>& densities, int threads, Watch& watch, Ranks* ranks) const {
   refuse_study_of_rays(asked);
   const std::vector<double> ordered = densities_from_coarse_to_fine(densities, "densities");
   check_study(asked, built->target, threads, ordered, "densities");
-  SolveOptions options = options_of_study(asked, threads);
+  SolveOptions options = options_of_study(asked, threads_of(threads, ranks));
   ConvergenceStudy study{asked.title, asked.sweep, {}, {}};
-  options.progress = [&](double share) { return watch.tell(finished_share(ordered, study.results.size(), share)); };
+  options.progress = [&](double share) { return go_on(watch, ranks, finished_share(ordered, study.results.size(), share)); };
+  options.team = ranks ? &ranks->team() : nullptr;
   std::vector<std::string> warnings;
   for (const double density : ordered) {
     options.tubes.per_wavelength = density;
-    SweepResult result = raytube::solve(built->target, asked.sweep, options);
-    const Statistics& s = result.statistics;
-    for (const BeyondBound& part : s.beyond_bound)
-      warnings.push_back(fmt::format("{} tubes per wavelength: {}", density, beyond_bound_sentence(part)));
-    study.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
+    const SolvePlan plan(built->target, asked.sweep, options);
+    beside_others(watch, ranks, [&] {
+      if (is_helper(ranks)) return help_to_solve(plan, *options.team, options.progress);
+      SweepResult result = raytube::solve(plan, options.progress, {}, options.team);
+      const Statistics& s = result.statistics;
+      for (const BeyondBound& part : s.beyond_bound)
+        warnings.push_back(fmt::format("{} tubes per wavelength: {}", density, beyond_bound_sentence(part)));
+      study.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
+    });
   }
+  if (is_helper(ranks)) return {};
   study.convergence = study_convergence(study.results);
-  return {convergence_text(study), std::move(study.results), std::move(study.convergence), std::move(warnings)};
+  return Study{convergence_text(study), std::move(study.results), std::move(study.convergence), std::move(warnings)};
 }
 
 }  // namespace raytube::python

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "jobs/centres_of_look.h"
 #include "output/compare/convergence_report.h"
 #include "output/netcdf/stored_result.h"
+#include "ranks/ranks.h"
 #include "sbr/replay.h"
 #include "scene/image.h"
 
@@ -41,12 +43,13 @@ struct Job {
   static std::shared_ptr<const Job> of_file(const std::filesystem::path& file, const std::vector<std::string>& overrides);
   static std::shared_ptr<const Job> of_target(TargetSource& target, const CaseValue& values, const LookNumbers* looks);
 
-  StoredResult solve(int threads, bool parts, Watch& watch) const;
+  /// Of several ranks each calls it, `threads` 0: so many as it has there. Nothing but for the one that leads.
+  std::optional<StoredResult> solve(int threads, bool parts, Watch& watch, Ranks* ranks) const;
+  std::optional<Study> converge(const std::vector<double>& densities, int threads, Watch& watch, Ranks* ranks) const;
   TextAndData check(int threads) const;
   LookImage image(std::size_t look, double per_wavelength, int threads, Watch& watch) const;
   LookCentres centres(const CentresAsked& which, int threads, Watch& watch) const;
   TubeTrace trace(std::size_t look, const dvec2& at) const;
-  Study converge(const std::vector<double>& densities, int threads, Watch& watch) const;
 };
 
 }  // namespace raytube::python

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "bindings/job.h"
+#include "bindings/ranks.h"
 #include "bindings/result.h"
 #include "bindings/target_state.h"
 #include "bindings/values.h"
@@ -111,8 +112,14 @@ SharedJob job_of_target(const SharedTarget& target, const py::dict& values, cons
   return interruptibly([=](Watch&) { return Job::of_target(*target, root, numbers.get()); });
 }
 
-std::shared_ptr<StoredResult> solve(const SharedJob& job, int threads, bool parts, const py::object& progress) {
-  return interruptibly([=](Watch& watch) { return std::make_shared<StoredResult>(job->solve(threads, parts, watch)); }, progress);
+// None on ranks that do not lead.
+std::shared_ptr<StoredResult> solve(const SharedJob& job, int threads, bool parts, const py::object& progress,
+                                    const SharedRanks& ranks) {
+  const auto work = [=](Watch& watch) {
+    auto found = shared_by(ranks, [&] { return job->solve(threads, parts, watch, ranks.get()); });
+    return found ? std::make_shared<StoredResult>(std::move(*found)) : nullptr;
+  };
+  return interruptibly(work, progress);
 }
 
 py::tuple check(const SharedJob& job, int threads) {
@@ -185,8 +192,7 @@ py::dict density_of(const DensityResult& result, const DensityErrors& errors, co
   return d;
 }
 
-py::tuple converge(const SharedJob& job, const std::vector<double>& densities, int threads, const py::object& progress) {
-  const Study study = interruptibly([=](Watch& watch) { return job->converge(densities, threads, watch); }, progress);
+py::tuple study_found(const Study& study, const SharedJob& job) {
   const Sweep& sweep = job->asked.sweep;
   const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(sweep.looks.size()),
                                        static_cast<py::ssize_t>(sweep.frequencies.size()), 2, 2};
@@ -203,6 +209,16 @@ py::tuple converge(const SharedJob& job, const std::vector<double>& densities, i
   }
   found["warnings"] = python_texts(study.warnings);
   return py::make_tuple(python_text(study.text), found);
+}
+
+// None on ranks that do not lead.
+py::object converge(const SharedJob& job, const std::vector<double>& densities, int threads, const py::object& progress,
+                    const SharedRanks& ranks) {
+  const auto work = [=](Watch& watch) {
+    return shared_by(ranks, [&] { return job->converge(densities, threads, watch, ranks.get()); });
+  };
+  const std::optional<Study> study = interruptibly(work, progress);
+  return study ? py::object(study_found(*study, job)) : py::none();
 }
 
 py::array_t<double> vertices_of(const TargetSource& target) {
@@ -222,6 +238,9 @@ void translate(std::exception_ptr pointer) {
     PyErr_SetObject(input_error, python_text(error.what()).ptr());
   } catch (const Interrupted&) {
     PyErr_SetNone(PyExc_KeyboardInterrupt);
+  } catch (const RankFailed& failure) {
+    constexpr int bad_input = 2;
+    PyErr_SetObject(failure.code() == bad_input ? input_error : PyExc_RuntimeError, python_text(failure.what()).ptr());
   }
 }
 
@@ -266,6 +285,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = RAYTUBE_VERSION;
   module.def("all_threads", &all_threads);
   bind_target_and_job(module);
+  bind_ranks(module);
   bind_stored(module);
   bind_products(module);
   bind_comparison(module);

@@ -7,12 +7,12 @@ import os
 import warnings
 from collections.abc import Callable, Mapping
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from raytube import _arguments, _core
+from raytube import _arguments, _core, _ranks
 from raytube._core import InputError
 from raytube._looks import Looks, monostatic
 from raytube._result import RaytubeWarning, Result
@@ -24,11 +24,27 @@ if TYPE_CHECKING:
 _Progress = bool | Callable[[float], Any]
 
 
+@overload
+def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
+          facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
+          edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
+          accuracy: Mapping[str, Any] | None = ..., title: str | None = ..., keep_parts: bool = ..., threads: int = ...,
+          progress: _Progress = ..., comm: None = ...) -> Result: ...
+
+
+@overload
+def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
+          facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
+          edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
+          accuracy: Mapping[str, Any] | None = ..., title: str | None = ..., keep_parts: bool = ..., threads: int = ...,
+          progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
+
+
 def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str | None = None, parts: Mapping[str, str] | None = None,
           facets: Mapping[str, Any] | None = None, materials: Mapping[str, Any] | None = None, tubes: Mapping[str, Any] | None = None,
           edges: Mapping[str, Any] | None = None, surfaces: Mapping[str, Any] | None = None, radar: Mapping[str, Any] | None = None,
           accuracy: Mapping[str, Any] | None = None, title: str | None = None, keep_parts: bool = False, threads: int = 0,
-          progress: _Progress = False) -> Result:
+          progress: _Progress = False, comm: _ranks.Communicator | None = None) -> Result | None:
     """Computes the scattering amplitudes of a target.
 
     The same bits for any number of threads, and the same as those of ``raytube run`` for a case with these keys.
@@ -58,15 +74,22 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
         0: all cores.
     progress : bool or callable
         True: a progress bar, where tqdm is installed. A callable is given the finished share, 0 to 1, now and then.
+    comm : mpi4py.MPI.Intracomm, optional
+        Processes that share the looks: all ranks of this communicator of mpi4py call with the same arguments. `threads` are then those
+        of each rank, 0: its part of its machine's cores. `progress` is of rank 0.
 
     Returns
     -------
     Result
+        With `comm` on rank 0 only; None on the others.
 
     Raises
     ------
     InputError
-        For a key or a value that a case file would be refused for, and for want of memory: one sentence with the remedy.
+        For a key or a value that a case file would be refused for, and for want of memory: one sentence with the remedy. Also for a
+        `comm` that is none of mpi4py, or whose MPI this raytube cannot use.
+    RuntimeError
+        With `comm`: for what has befallen another rank, which the sentence names. It is an InputError where it was one there.
     KeyboardInterrupt
         At most half a second after Ctrl-C.
 
@@ -77,15 +100,26 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
 
     Notes
     -----
-    Other Python threads go on meanwhile, and may solve at the same time.
+    Other Python threads go on meanwhile, and may solve at the same time; with `comm` they must not, nor call MPI. There rank 0 alone
+    warns.
     """
     keywords = {"material": material, "parts": parts, "facets": facets, "materials": materials, "tubes": tubes, "edges": edges,
                 "surfaces": surfaces, "radar": radar, "accuracy": accuracy, "title": title}
-    return _solved(_job_of_target("solve", target, ghz, looks, keywords), keep_parts, threads, progress)
+    return _solved(lambda: _job_of_target("solve", target, ghz, looks, keywords), keep_parts, threads, progress, comm)
+
+
+@overload
+def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_parts: bool = ..., threads: int = ...,
+        progress: _Progress = ..., comm: None = ...) -> Result: ...
+
+
+@overload
+def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_parts: bool = ..., threads: int = ...,
+        progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
 
 
 def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None, *, keep_parts: bool = False, threads: int = 0,
-        progress: _Progress = False) -> Result:
+        progress: _Progress = False, comm: _ranks.Communicator | None = None) -> Result | None:
     """Computes a case file, as ``raytube run`` does, but writes nothing: see `Result.save`.
 
     Parameters
@@ -94,19 +128,20 @@ def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None
         Case file (TOML).
     overrides : dict, optional
         Values in the place of the file's, by dotted key: ``{"tubes.max_bounces": 5, "look.phi_deg": [0, 1, 2]}``.
-    keep_parts, threads, progress
+    keep_parts, threads, progress, comm
         As in `solve`.
 
     Returns
     -------
     Result
+        With `comm` on rank 0 only; None on the others.
 
     Raises
     ------
-    InputError, KeyboardInterrupt
+    InputError, RuntimeError, KeyboardInterrupt
         As in `solve`.
     """
-    return _solved(_job_of_file("run", case, overrides), keep_parts, threads, progress)
+    return _solved(lambda: _job_of_file("run", case, overrides), keep_parts, threads, progress, comm)
 
 
 class _Told(dict[str, Any]):
@@ -293,8 +328,18 @@ class Convergence(_Told):
     be used. Its ``repr`` is the table that ``raytube converge`` prints."""
 
 
+@overload
+def converge(what: Any, *args: Any, densities: Any = ..., threads: int = ..., progress: _Progress = ..., comm: None = ...,
+             **keywords: Any) -> Convergence: ...
+
+
+@overload
+def converge(what: Any, *args: Any, densities: Any = ..., threads: int = ..., progress: _Progress = ..., comm: _ranks.Communicator,
+             **keywords: Any) -> Convergence | None: ...
+
+
 def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), threads: int = 0, progress: _Progress = False,
-             **keywords: Any) -> Convergence:
+             comm: _ranks.Communicator | None = None, **keywords: Any) -> Convergence | None:
     """Solves with finer and finer uniform tubes: how fast it converges, and to what.
 
     Parameters
@@ -305,25 +350,31 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
         As in `check`.
     densities : sequence of float
         Tubes per wavelength, three or more.
-    threads, progress
+    threads, progress, comm
         As in `solve`.
 
     Returns
     -------
     Convergence
-        A dict whose ``repr`` is the table.
+        A dict whose ``repr`` is the table. With `comm` on rank 0 only; None on the others.
 
     Raises
     ------
     InputError
         As `solve` does, and for fewer than three densities.
     """
-    finer = np.atleast_1d(_arguments.numbers(densities, "densities"))
-    if finer.ndim != 1 or not np.all(np.isfinite(finer) & (finer > 0.0)):
-        raise InputError("densities: give three or more positive numbers of tubes per wavelength, for example (4, 8, 16)")
-    job = _job("converge", what, args, keywords)
-    with _Reported(progress) as report:
-        text, data = _core.converge(job, finer.tolist(), _threads(threads), report)
+    ranks = _ranks.ranks_of(comm)
+    with _ranks.telling(ranks):
+        finer = np.atleast_1d(_arguments.numbers(densities, "densities"))
+        if finer.ndim != 1 or not np.all(np.isfinite(finer) & (finer > 0.0)):
+            raise InputError("densities: give three or more positive numbers of tubes per wavelength, for example (4, 8, 16)")
+        job, count = _job("converge", what, args, keywords), _threads(threads)
+        reported = _Reported(progress if _ranks.leads(ranks) else False)
+    with reported as report:
+        found = _core.converge(job, finer.tolist(), count, report, ranks)
+    if found is None:
+        return None
+    text, data = found
     _warn(data["warnings"])
     return Convergence(text, data)
 
@@ -365,9 +416,16 @@ def _threads(threads: Any) -> int:
     return _arguments.whole(threads, "threads")
 
 
-def _solved(job: Any, keep_parts: Any, threads: Any, progress: Any) -> Result:
-    with _Reported(progress) as report:
-        result = Result(_core.solve(job, _threads(threads), _arguments.flag(keep_parts, "keep_parts"), report), _core.outline(job))
+def _solved(make_job: Callable[[], Any], keep_parts: Any, threads: Any, progress: Any, comm: Any) -> Result | None:
+    ranks = _ranks.ranks_of(comm)
+    with _ranks.telling(ranks):
+        job, count, parts = make_job(), _threads(threads), _arguments.flag(keep_parts, "keep_parts")
+        reported = _Reported(progress if _ranks.leads(ranks) else False)
+    with reported as report:
+        found = _core.solve(job, count, parts, report, ranks)
+    if found is None:
+        return None
+    result = Result(found, _core.outline(job))
     _warn(result.warnings, 4)
     return result
 

@@ -39,6 +39,9 @@ class WorkTeam {
 
   /// In place of finish(), of whoever gives up: from then on nothing is taken.
   virtual void leave() noexcept = 0;
+
+  /// Whether one has left it, so that what the others compute is of no use any more. finish() throws why.
+  virtual bool is_given_up() = 0;
 };
 
 /// Between begin() and finish() of one process: leaves the team if it does not come to the latter.
@@ -76,6 +79,7 @@ class TeamOfOne final : public WorkTeam {
   void give(std::size_t /*item*/, std::string /*bytes*/) override {}
   void finish() override {}
   void leave() noexcept override {}
+  bool is_given_up() override { return false; }
 
  private:
   std::vector<bool> done_;

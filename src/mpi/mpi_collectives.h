@@ -6,10 +6,11 @@
 
 namespace raytube {
 
-/// Bytes of rank 0 to all others; they may be more than MPI counts in one go.
-void mpi_broadcast(int communicator, std::string& bytes);
+/// Bytes of one rank to all others; they may be more than MPI counts in one go.
+void mpi_broadcast(int communicator, std::string& bytes, int from = 0);
 
-/// Returns when all have come here. `look_out` is called now and then meanwhile, and may throw.
-void mpi_meet(int communicator, const std::function<void()>& look_out);
+/// Returns when all have come here: of the first rank that brings any bytes these; none if none does. `look_out` is called now
+/// and then meanwhile, and may throw.
+std::string mpi_first_of(int communicator, std::string bytes, const std::function<void()>& look_out);
 
 }  // namespace raytube

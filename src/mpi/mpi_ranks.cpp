@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <array>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <utility>
 #include <vector>
 
+#include "core/error.h"
 #include "mpi/mpi_calls.h"
 #include "mpi/mpi_collectives.h"
 #include "mpi/mpi_team.h"
@@ -47,6 +47,7 @@ class MpiRanks final : public Ranks {
   /// Of MPI_COMM_WORLD, which it initialises, or of a communicator of somebody who has.
   explicit MpiRanks(MPI_Comm parent, bool owns) : owns_(owns) {
     MPI_Comm_dup(parent, &all_);
+    MPI_Comm_set_errhandler(all_, MPI_ERRORS_ARE_FATAL);  // mpi4py has it return codes, which nobody here looks at
     MPI_Comm_rank(all_, &rank_);
     MPI_Comm_size(all_, &count_);
     threads_ = threads_of_each(all_);
@@ -64,26 +65,40 @@ class MpiRanks final : public Ranks {
 
   void fail(int code, const std::string& sentence) override {
     if (ended_) return;
+    std::array<char, 256> host{};
+    gethostname(host.data(), host.size() - 1);
+    const std::string told = "rank " + std::to_string(rank_) + " on " + host.data() + ": " + sentence;
+    if (!owns_) return team_->fail(code, told, [] {});
     if (rank_ != 0) {
-      std::array<char, 256> host{};
-      gethostname(host.data(), host.size() - 1);
-      const std::string told = "rank " + std::to_string(rank_) + " on " + host.data() + ": " + sentence;
-      team_->tell_failure(code, told);
-      if (!owns_) return;
-      std::this_thread::sleep_for(patience_of_failed);
+      await_leader(code, told);
       std::fprintf(stderr, "raytube: %s\n", told.c_str());
     }
-    if (owns_) MPI_Abort(all_, code);
+    MPI_Abort(all_, code);
   }
 
   void end() override {
-    if (std::exchange(ended_, true)) return;
+    if (ended_) return;
+    team_->meet();
+    ended_ = true;
     team_.reset();
     MPI_Comm_free(&all_);
     if (owns_) MPI_Finalize();
   }
 
  private:
+  // It ends the job once it has been told; returns if it has not.
+  void await_leader(int code, const std::string& told) {
+    const auto latest = std::chrono::steady_clock::now() + patience_of_failed;
+    struct Late {};
+    try {
+      team_->fail(code, told, [&] {
+        if (std::chrono::steady_clock::now() > latest) throw Late();
+      });
+      std::this_thread::sleep_until(latest);
+    } catch (const Late&) {
+    }
+  }
+
   bool owns_, ended_ = false;
   MPI_Comm all_ = MPI_COMM_NULL;
   int rank_ = 0, count_ = 1, threads_ = 1;
@@ -101,9 +116,11 @@ Ranks* raytube_ranks_of_launch() {
   return provided >= MPI_THREAD_SERIALIZED ? new MpiRanks(MPI_COMM_WORLD, true) : nullptr;
 }
 
-/// Those of the communicator with this Fortran handle, in a program that has started MPI.
+/// Those of the communicator with this Fortran handle, in a program that has started MPI. Throws InputError if it has not.
 Ranks* raytube_ranks_of_communicator(int communicator) {
-  int provided = 0;
+  int is_started = 0, provided = 0;
+  MPI_Initialized(&is_started);
+  if (is_started == 0) throw InputError("comm: mpi4py uses another MPI than this raytube; build one of them with the other's");
   MPI_Query_thread(&provided);
   return provided >= MPI_THREAD_SERIALIZED ? new MpiRanks(MPI_Comm_f2c(communicator), false) : nullptr;
 }

@@ -17,12 +17,22 @@ namespace {
 enum Tag : int { found_tag = 1, failed_tag = 2 };
 
 constexpr std::size_t largest_chunk = 64, chunks_to_a_rank = 8;
+constexpr std::size_t given_up = std::size_t{1} << 62;  // of the counter: beyond every list
+constexpr auto between_questions = std::chrono::milliseconds(100);
 
 int number_of(int (*what)(MPI_Comm, int*), int communicator) {
   const std::lock_guard lock(mpi_mutex);
   int number = 0;
   what(MPI_Comm_f2c(communicator), &number);
   return number;
+}
+
+RankFailed failure_of(const std::string& bytes) {
+  int code = 0;
+  std::string sentence;
+  ByteReader reader(bytes);
+  reader(code), reader(sentence);
+  return {code, sentence};
 }
 
 }  // namespace
@@ -36,6 +46,7 @@ MpiTeam::MpiTeam(int communicator)
 
 void MpiTeam::begin(const std::vector<bool>& done, Take take) {
   std::string known(done.begin(), done.end());
+  meet();
   if (leads()) counter_.reset();
   mpi_broadcast(communicator_, known);
   items_ = done.size();
@@ -69,42 +80,59 @@ void MpiTeam::give(std::size_t item, std::string bytes) {
 
 void MpiTeam::finish() {
   outbox_.flush();
-  const auto look_out = [this] {
-    const std::lock_guard lock(mutex_);
-    require_all_well();
-  };
-  while (leads() && !has_all()) {
-    look_out();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  mpi_meet(communicator_, look_out);
-  leave();
-}
-
-void MpiTeam::leave() noexcept {
+  while (leads() && !has_all()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  meet();
   inbox_.reset();
   take_ = {};
 }
 
-void MpiTeam::tell_failure(int code, const std::string& sentence) {
+// Messages are received until all have met: those who send them wait for it.
+void MpiTeam::leave() noexcept {
+  if (leads()) counter_.add(given_up);
+  const std::lock_guard lock(taking_);
+  take_ = {};
+}
+
+bool MpiTeam::is_given_up() {
+  const std::lock_guard lock(mutex_);
+  if (leads()) return failure_ != nullptr;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - asked_at_ < between_questions) return false;
+  asked_at_ = now;
+  return counter_.add(0) >= given_up;
+}
+
+void MpiTeam::meet() {
+  if (has_failed_) return;
+  const std::string told = mpi_first_of(communicator_, {}, [] {});
+  if (told.empty()) return;
+  has_failed_ = true;
+  throw failure_of(told);
+}
+
+void MpiTeam::fail(int code, const std::string& sentence, const std::function<void()>& look_out) {
+  if (std::exchange(has_failed_, true)) return;
   ByteWriter writer;
   writer(code), writer(sentence);
-  outbox_.send(failed_tag, writer.take());
+  std::string told = writer.take();
+  if (!leads()) outbox_.send(failed_tag, told);
   outbox_.flush();
+  {
+    const std::lock_guard lock(mutex_);
+    if (!heard_.empty()) told = heard_;
+  }
+  mpi_first_of(communicator_, std::move(told), look_out);
 }
 
 // What it throws is thrown where the leader looks for it.
 void MpiTeam::take_message(int tag, const std::string& bytes) {
   try {
     if (tag == found_tag) return take_found(bytes);
-    int code = 0;
-    std::string sentence;
-    ByteReader reader(bytes);
-    reader(code), reader(sentence);
-    throw RankFailed(code, sentence);
+    throw failure_of(bytes);
   } catch (...) {
     const std::lock_guard lock(mutex_);
     if (!failure_) failure_ = std::current_exception();
+    if (tag == failed_tag && heard_.empty()) heard_ = bytes;
   }
 }
 
@@ -113,7 +141,10 @@ void MpiTeam::take_found(const std::string& bytes) {
   std::string found;
   ByteReader reader(bytes);
   reader(item), reader(found);
-  take_(item, std::move(found));
+  {
+    const std::lock_guard lock(taking_);
+    if (take_) take_(item, std::move(found));
+  }
   const std::lock_guard lock(mutex_);
   --missing_;
 }
@@ -124,6 +155,7 @@ void MpiTeam::require_all_well() {
 
 bool MpiTeam::has_all() {
   const std::lock_guard lock(mutex_);
+  require_all_well();
   return missing_ == 0;
 }
 

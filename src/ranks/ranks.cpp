@@ -49,8 +49,8 @@ void* plugin(const std::vector<fs::path>& folders) {
       // MPI loads plugins of its own, which look for it among what is there for all.
       if (void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL)) return library;
       throw InputError(
-          fmt::format("MPI cannot be loaded ({}); install it as it was when this raytube was built, or start raytube "
-                      "without mpirun",
+          fmt::format("MPI cannot be loaded ({}); install it as it was when this raytube was built, or do "
+                      "without it",
                       dlerror()));
     }
   return nullptr;
@@ -92,7 +92,8 @@ std::unique_ptr<Ranks> launched_ranks(const std::vector<fs::path>& folders) {
 
 std::unique_ptr<Ranks> ranks_of_communicator(int fortran_handle, const std::vector<fs::path>& folders) {
   void* const library = plugin(folders);
-  if (!library) throw InputError(fmt::format("comm: this raytube has no MPI ({} is not there)", plugin_name));
+  if (!library)
+    throw InputError(fmt::format("comm: this raytube has no MPI ({} is not there); build it with -DRAYTUBE_MPI=ON", plugin_name));
   return started(function_of<Ranks*(int)>(library, "raytube_ranks_of_communicator")(fortran_handle));
 }
 

@@ -35,11 +35,13 @@ class Ranks {
   /// They share work as often as they like, one list of items after the other.
   virtual WorkTeam& team() = 0;
 
-  /// Of one that cannot go on: ends all of them with this exit code. The leader has told the user why; of any other one it tells
-  /// this sentence. After end() each ends alone, and this does nothing.
+  /// Of one that cannot go on. Of a job that was launched as such: ends all of them with this exit code. The leader has told the
+  /// user why; of any other one it tells this sentence. Of a communicator: the others throw it as RankFailed where they wait for
+  /// this one; returns when all have. After end(), and on those who have thrown that, it does nothing.
   virtual void fail(int code, const std::string& sentence) = 0;
 
-  /// To be called by all when they share nothing any more; again, it does nothing.
+  /// To be called by all when they share nothing any more, on a communicator also after fail(); again, it does nothing. Throws
+  /// what has befallen another one.
   virtual void end() = 0;
 };
 

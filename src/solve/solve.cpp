@@ -106,9 +106,9 @@ void solve_shard(const SolvePlan& plan, const Shard& shard, const std::function<
   });
 }
 
-void help_to_solve(const SolvePlan& plan, WorkTeam& team) {
+void help_to_solve(const SolvePlan& plan, WorkTeam& team, const std::function<bool(double)>& callback) {
   const LookSolver solver(plan);
-  Progress progress({});
+  Progress progress(callback);
   run_on_threads(plan.threads, [&] {
     TeamMember member(team, std::vector<bool>(plan.looks.computed.size()), {});
     compute_looks(plan, solver, team, progress, 0.0,

@@ -42,8 +42,9 @@ struct Shard {
 void solve_shard(const SolvePlan& plan, const Shard& shard, const std::function<bool(double)>& progress, const KeptLooks& kept,
                  WorkTeam* team = nullptr);
 
-/// Computes looks for the process that leads the team and solves the same plan.
-void help_to_solve(const SolvePlan& plan, WorkTeam& team);
+/// Computes looks for the process that leads the team and solves the same plan. `progress` is called now and then, and returns
+/// false to stop, as above.
+void help_to_solve(const SolvePlan& plan, WorkTeam& team, const std::function<bool(double)>& progress = {});
 
 /// Plans and solves. Throws InputError as SolvePlan does, Interrupted as above.
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options = {});

@@ -21,6 +21,7 @@ plate = raytube.Target([[0, 0, 0], [.3, 0, 0], [.3, .3, 0], [0, .3, 0]], [[0, 1,
 result = raytube.solve(plate, ghz=10.0, looks=raytube.monostatic(theta_deg=0, phi_deg=0))
 assert result.S.shape == (1, 1, 2, 2)
 assert (Path(raytube.__file__).parent / "py.typed").exists()
+assert (Path(raytube.__file__).parent / "raytube_mpi.so").exists() == (sys.argv[1] == "mpi")
 print(raytube.__version__, version("raytube"), Path(raytube.__file__).parent.parent)
 """
 
@@ -49,7 +50,8 @@ def main(build, source, scratch):
     pip("install", "--no-deps", "--target", scratch / "package", source, build=build)  # a --target has none of the dependencies
     check_no_trace(source)
     wanted = re.search(r"^project\(raytube VERSION (\S+)", (source / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
-    said = run(sys.executable, "-c", USE, PYTHONPATH=str(scratch / "package")).split()
+    mpi = "mpi" if (build / "raytube_mpi.so").exists() else "no mpi"
+    said = run(sys.executable, "-c", USE, mpi, PYTHONPATH=str(scratch / "package")).split()
     assert said == [wanted, wanted, str(scratch / "package")], said
     return 0
 
