@@ -1,6 +1,7 @@
 #include "bindings/job.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -11,8 +12,11 @@
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
 #include "jobs/result_warnings.h"
+#include "jobs/shared_work.h"
 #include "jobs/solvable.h"
 #include "jobs/warnings/warnings.h"
+#include "mesh/model/mesh_bytes.h"
+#include "output/files/sha256.h"
 #include "output/tables/stored.h"
 #include "output/words/summary.h"
 #include "solve/image.h"
@@ -25,6 +29,16 @@ namespace {
 int threads_of(int threads, const Ranks* ranks = nullptr) {
   if (threads > 0) return threads;
   return ranks ? ranks->threads() : all_threads();
+}
+
+// All ranks were asked for the same, of the same target.
+void require_same(Ranks& ranks, const Job& job, const std::string& densities) {
+  const TriangleMesh& mesh = job.built->target.mesh;
+  const std::string same_mesh = fmt::format("{} triangles {}", mesh.triangles.size(), sha256_of(bytes_of_mesh(mesh)));
+  const JournalIdentity own = shared_work(job.asked, {{"densities", densities}, {"mesh", same_mesh}});
+  std::string leaders = text_of_work(own);
+  ranks.broadcast(leaders);
+  require_same_work(work_of_text(leaders), own);
 }
 
 bool is_helper(const Ranks* ranks) { return ranks && !ranks->leads(); }
@@ -74,6 +88,7 @@ std::shared_ptr<const Job> Job::of_target(TargetSource& target, const CaseValue&
 }
 
 std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ranks* ranks) const {
+  if (ranks) require_same(*ranks, *this, {});
   const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads, ranks), parts);
   check_memory(plan, asked, nullptr);
   const auto progress = [&](double share) { return go_on(watch, ranks, share); };
@@ -117,6 +132,7 @@ TubeTrace Job::trace(std::size_t look, const dvec2& at) const {
 }
 
 std::optional<Study> Job::converge(const std::vector<double>& densities, int threads, Watch& watch, Ranks* ranks) const {
+  if (ranks) require_same(*ranks, *this, fmt::format("{}", fmt::join(densities, " ")));
   refuse_study_of_rays(asked);
   const std::vector<double> ordered = densities_from_coarse_to_fine(densities, "densities");
   check_study(asked, built->target, threads, ordered, "densities");

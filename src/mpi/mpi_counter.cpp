@@ -23,7 +23,9 @@ MpiCounter::MpiCounter(int communicator) : window_(new Window) {
   MPI_Win_lock_all(MPI_MODE_NOCHECK, window_->window);
 }
 
-MpiCounter::~MpiCounter() {
+MpiCounter::~MpiCounter() = default;
+
+void MpiCounter::free() {
   const std::lock_guard lock(mpi_mutex);
   MPI_Win_unlock_all(window_->window);
   MPI_Win_free(&window_->window);

@@ -6,11 +6,13 @@
 
 namespace raytube {
 
-/// Made and destroyed by all ranks together.
+/// Made and freed by all ranks together. One that is destroyed without is left to the end of the process, as after an error.
 class MpiCounter {
  public:
   explicit MpiCounter(int communicator);
   ~MpiCounter();
+
+  void free();
 
   /// While nobody adds to it: of rank 0.
   void reset();

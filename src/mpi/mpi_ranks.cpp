@@ -19,6 +19,7 @@ namespace raytube {
 
 namespace {
 
+constexpr std::size_t longest_sentence = 800;                  // no message of this length waits to be received
 constexpr auto patience_of_failed = std::chrono::seconds(60);  // with a leader that should end the job
 
 cpu_set_t allowed_processors() {
@@ -60,14 +61,17 @@ class MpiRanks final : public Ranks {
   int rank() const override { return rank_; }
   int count() const override { return count_; }
   int threads() const override { return threads_; }
-  void broadcast(std::string& bytes) override { mpi_broadcast(MPI_Comm_c2f(all_), bytes); }
+  void broadcast(std::string& bytes) override {
+    team_->meet();
+    mpi_broadcast(MPI_Comm_c2f(all_), bytes);
+  }
   WorkTeam& team() override { return *team_; }
 
   void fail(int code, const std::string& sentence) override {
     if (ended_) return;
     std::array<char, 256> host{};
     gethostname(host.data(), host.size() - 1);
-    const std::string told = "rank " + std::to_string(rank_) + " on " + host.data() + ": " + sentence;
+    const std::string told = "rank " + std::to_string(rank_) + " on " + host.data() + ": " + sentence.substr(0, longest_sentence);
     if (!owns_) return team_->fail(code, told, [] {});
     if (rank_ != 0) {
       await_leader(code, told);
@@ -80,6 +84,7 @@ class MpiRanks final : public Ranks {
     if (ended_) return;
     team_->meet();
     ended_ = true;
+    team_->free();
     team_.reset();
     MPI_Comm_free(&all_);
     if (owns_) MPI_Finalize();

@@ -3,6 +3,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <thread>
 
 #include "core/bytes.h"
@@ -49,6 +50,7 @@ void MpiTeam::begin(const std::vector<bool>& done, Take take) {
   meet();
   if (leads()) counter_.reset();
   mpi_broadcast(communicator_, known);
+  if (known.size() != done.size()) throw std::runtime_error("was given another number of looks than rank 0");
   items_ = done.size();
   todo_.clear();
   for (std::size_t item = 0; item < items_; ++item)

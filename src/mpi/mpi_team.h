@@ -35,6 +35,9 @@ class MpiTeam final : public WorkTeam {
   void leave() noexcept override;
   bool is_given_up() override;
 
+  /// In the end, of all ranks together: what they share beyond their own memory.
+  void free() { counter_.free(); }
+
   /// Returns when all have come here. Throws what has befallen any of them as RankFailed, once.
   void meet();
 

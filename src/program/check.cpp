@@ -38,8 +38,9 @@ void check_command(const Request& request) {
   tell_case(report, c, loaded.report, plan);
   if (!request.wedge_list.empty()) write_wedges(request.wedge_list, plan);
   check_memory(plan, c, nullptr);  // as a run would
+  const RankMemory memory = memory_of_ranks(plan, c);
   const TimePrediction time = tell_time(report, plan);
-  if (request.planned_ranks > 0) tell_ranks(report, plan, c, time, request.planned_ranks);
+  if (request.planned_ranks > 0) tell_ranks(report, plan, memory, time, request.planned_ranks);
 }
 
 }  // namespace raytube

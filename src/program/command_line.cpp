@@ -164,7 +164,9 @@ CLI::App* add_check(CLI::App& app, Request& request) {
   CLI::App* check = add_command(app, "check", "Report on a case without computing it", check_examples);
   add_case_options(*check, request);
   add_threads_option(*check, request);
-  check->add_option("--ranks", request.planned_ranks, "Also predict time and memory of a job of so many processes (mpirun -n N)")
+  check
+      ->add_option("--ranks", request.planned_ranks,
+                   "Also predict time and memory of a job of so many processes (mpirun -n N), each of --threads threads")
       ->type_name("N")
       ->check(CLI::Range(1, 1000000));
   check->add_option("--wedges", request.wedge_list, "Also write a list of all wedges: a table, or lines for ParaView")

@@ -161,7 +161,7 @@ void converge_command(const Request& request) {
   check_output(destination, names_of_convergence_results(c.plots), input_files(c));
   std::optional<Target> built;
   LoadedMesh loaded = load_target(c);
-  share_mesh(request, loaded.mesh);
+  share_work(request, c, loaded.mesh);
   run_on_threads(request.threads, [&] { built.emplace(std::move(loaded.mesh), c.wedges); });
   const Target& target = *built;
   if (!c.image_looks.empty())

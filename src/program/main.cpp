@@ -46,11 +46,12 @@ void require_shareable(Command command) {
   throw InputError("this command does not share its work among processes; start one alone, without mpirun");
 }
 
-// Those of a job that do not lead it do not talk, and end with it.
+// Those of a job that do not lead it do not talk, and end with it: who interrupts the job interrupts rank 0, which has looks to
+// keep and a sentence to say.
 void be_quiet() {
   [[maybe_unused]] const bool is_closed = std::freopen("/dev/null", "w", stdout) != nullptr;
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
 }
 
 void execute(const Request& request) {

@@ -185,7 +185,7 @@ CLI::App* add_centres(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, 1000));
   centres
       ->add_option("--resolution", request.product.resolution,
-                   "Of their places [m]; default a sixtieth of the target, or two wavelengths")
+                   "Of their places [m]; default what the case's band resolves, or a sixtieth of the target")
       ->type_name("M")
       ->check(number_between(least_length, most_length));
   add_output_option(*centres, request, "Folder for the results, or FILE.nc; default <case folder>/out");

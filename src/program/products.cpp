@@ -84,7 +84,7 @@ std::vector<std::pair<std::string, std::string>> attributes_without_result(const
 ProductSource source_of_case(const Request& request, const SweepCheck& check) {
   const Case c = read_case(request.result, request.overrides);
   LoadedMesh loaded = load_target(c, request.product.direct);
-  if (is_solved_first(request)) share_mesh(request, loaded.mesh);
+  if (is_solved_first(request)) share_work(request, c, loaded.mesh);
   warn_of_free_forms(c, loaded.report);
   const int threads = request.threads > 0 ? request.threads : all_threads();
   ProductSource source{.of_case = c, .name = c.file.string(), .title = c.title, .result = stored_sweep(c.sweep), .target = {}};

@@ -34,7 +34,9 @@ struct Launch {
   bool connected = true;
 };
 
+// RAYTUBE_MPI=off: a process of a job that is to be one alone, as where each has a case of its own.
 Launch launch_of_this() {
+  if (const char* const wish = std::getenv("RAYTUBE_MPI"); wish && std::string_view(wish) == "off") return {};
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (is_set(variable)) return {number_in(variable), true};
   if (const int tasks = number_in("SLURM_STEP_NUM_TASKS"); tasks > 1 && is_set("SLURM_PROCID"))

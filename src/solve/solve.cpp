@@ -87,7 +87,7 @@ void solve_shard(const SolvePlan& plan, const Shard& shard, const std::function<
                  WorkTeam* team) {
   const std::size_t looks = plan.looks.computed.size(), own = shard.size(looks);
   if (kept.begin) kept.begin(own);
-  if (own == 0) return;
+  if (own == 0 && !team) return;
   const LookSolver solver(plan);
   Progress progress(callback);
   const double share = 1.0 / static_cast<double>(own);

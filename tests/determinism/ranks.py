@@ -52,6 +52,18 @@ class Bench:
         return self.hashes(out)
 
 
+def faults_of_launch(bench):
+    """Ranks that were given different cases are refused; a shard without looks comes to its end."""
+    mixed = ["mpirun", "-n", "1", bench.program, "run", bench.case, "-o", bench.folder / "mixed", ":", "-n", "1", bench.program, "run",
+             bench.case, "-o", bench.folder / "mixed", "--set", "frequency.ghz=9.125"]
+    done = subprocess.run(mixed, env=ALONE, capture_output=True, text=True, timeout=60)
+    if done.returncode != 2 or "was given frequency.ghz = 9.125 where rank 0 has" not in done.stderr:
+        yield f"ranks of two cases: exit code {done.returncode}: {done.stderr}"
+    bench.run(["mpirun", "-n", "2"], "empty", "--shard", "100000/100000")
+    if not (bench.folder / "empty" / "shard_100000_of_100000.looks").exists():
+        yield "an empty shard"
+
+
 def differences(bench, with_mpi, quick):
     for count in (1, 7):
         if bench.shards(count) != bench.wanted:
@@ -74,6 +86,7 @@ def main():
         with tempfile.TemporaryDirectory(prefix="raytube-ranks-") as scratch:
             bench = Bench(args.program, args.cases / name / "case.toml", settings, pathlib.Path(scratch))
             found = list(differences(bench, with_mpi, args.quick))
+            found += faults_of_launch(bench) if with_mpi and name == "plate" else []
             print(f"{name}: rcs.csv {bench.wanted[0][:16]}, differs: {', '.join(found) or 'none'}")
             wrong += found
     sys.exit(1 if wrong else 0 if with_mpi else 77)

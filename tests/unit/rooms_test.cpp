@@ -96,7 +96,7 @@ const Rooms may_include = {
     {"output/statistics", {"core", "scene", "output/files", "output/tables", "output/plots", "output/charts"}},
     {"jobs/warnings",
      base + std::set<std::string>{"case/data", "mesh/soundness", "output/words", "plan", "solve", "solve/mechanisms"}},
-    {"jobs", base + std::set<std::string>{"jobs/warnings", "case", "case/data", "case/materials", "imaging", "mesh",
+    {"jobs", base + std::set<std::string>{"jobs/warnings", "ranks", "case", "case/data", "case/materials", "imaging", "mesh",
                                           "output/files", "output/products", "output/tables", "output/words", "plan", "sbr",
                                           "sbr/launch", "solve", "solve/mechanisms"}},
     {"ranks", {"core"}},

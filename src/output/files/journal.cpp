@@ -118,6 +118,8 @@ std::unique_ptr<Journal> Journal::reopen(const fs::path& path) {
   if (file < 0 && errno == ENOENT) return nullptr;
   if (file < 0 && errno == ELOOP)
     throw InputError(fmt::format("{}: is a link, and is not followed; delete it to start afresh", path.string()));
+  if (file < 0 && errno == EACCES)
+    throw InputError(fmt::format("{}: may not be read and written by you; ask its owner for the right to", path.string()));
   if (file < 0)
     throw InputError(fmt::format("{}: cannot be read ({}); delete it to start afresh", path.string(), std::strerror(errno)));
   std::unique_ptr<Journal> journal(new Journal(file, path));

@@ -34,4 +34,12 @@ std::string sha256_of_file(const std::filesystem::path& path) {
   return hexadecimal(sum.data(), size);
 }
 
+std::string sha256_of(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> sum;
+  unsigned int size = 0;
+  if (EVP_Digest(bytes.data(), bytes.size(), sum.data(), &size, EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("SHA-256 cannot be had from OpenSSL");
+  return hexadecimal(sum.data(), size);
+}
+
 }  // namespace raytube

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/error.h"
 #include "output/report/centres_json.h"
 #include "output/tables/csv.h"
 
@@ -49,7 +50,13 @@ JsonValue report_centres(ReportSource& source) {
     source.notes.push_back(fmt::format("Scattering centres: there is no centres.csv; {}.", how_to));
     return {};
   }
-  const StoredCentres found = read_centres_csv(file);
+  StoredCentres found;
+  try {
+    found = read_centres_csv(file);
+  } catch (const InputError& error) {
+    source.notes.push_back(fmt::format("Scattering centres: {}.", error.what()));
+    return {};
+  }
   const std::optional<LookAndFrequency> row = row_of(found, result);
   if (row) {
     JsonValue json = centres_json(found, row->look);

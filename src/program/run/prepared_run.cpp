@@ -6,12 +6,12 @@
 #include <algorithm>
 
 #include "case/materials/materials.h"
-#include "case/resolved_case.h"
 #include "case/target.h"
 #include "core/instruction_set.h"
 #include "core/threads.h"
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
+#include "jobs/shared_work.h"
 #include "jobs/solvable.h"
 #include "output/files/sha256.h"
 #include "program/helping.h"
@@ -22,18 +22,14 @@ namespace raytube {
 
 JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
   JournalIdentity identity{{"version or build of raytube", manifest.program_version + ' ' + sha256_of_file("/proc/self/exe")},
-                           {"mesh in target.mesh", fmt::format("{}", fmt::join(manifest.mesh_sha256, " "))},
-                           {"list in look.looks_csv", manifest.looks_csv_sha256}};
-  for (const auto& [name, sha256] : manifest.table_csv_sha256) identity.emplace_back("table " + name, sha256);
-  if (!c.radar.pattern_csv.empty())
-    identity.emplace_back("pattern in radar.pattern_csv", sha256_of_file(c.file.parent_path() / c.radar.pattern_csv));
-  for (const auto& [key, value] : numerical_keys(c)) identity.emplace_back(key, value);
+                           {"mesh in target.mesh", fmt::format("{}", fmt::join(manifest.mesh_sha256, " "))}};
+  std::ranges::copy(identity_of_case(c, manifest), std::back_inserter(identity));
   return identity;
 }
 
 PreparedRun prepared_run(const Request& request, const Case& read, const Case& c, const Stopwatch& total) {
   LoadedMesh loaded = load_target(c);
-  share_mesh(request, loaded.mesh);
+  share_work(request, c, loaded.mesh);
   warn_of_free_forms(c, loaded.report);
   PreparedRun run{c, loaded.report, described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report)), {}, {}};
   Manifest& manifest = run.manifest;

@@ -13,6 +13,7 @@
 #include "program/work/interrupt.h"
 #include "program/work/look_journal.h"
 #include "program/work/progress_bar.h"
+#include "program/work/results.h"
 #include "ranks/ranks.h"
 
 namespace raytube {
@@ -87,6 +88,31 @@ void refuse_others(const fs::path& folder, const Shard& shard) {
                       shard_text(shard), entry.path().string()));
 }
 
+// A disk that takes no more takes nothing now either.
+std::string kept_sentence(LookJournal& journal) {
+  try {
+    return journal.keep_all();
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+std::string interrupted_sentence(LookJournal& journal) {
+  const std::string kept = kept_sentence(journal);
+  return kept.empty() ? Interrupted().what() : "interrupted; " + kept;
+}
+
+void compute_and_keep(const Request& request, const PreparedRun& prepared, const Shard& shard, LookJournal& journal) {
+  try {
+    compute(request, prepared, shard, journal);
+  } catch (const Interrupted&) {
+    throw Interrupted(interrupted_sentence(journal));
+  } catch (const std::exception&) {
+    if (const std::string kept = kept_sentence(journal); !kept.empty()) warn(kept);
+    throw;
+  }
+}
+
 JournalIdentity identity_of_shard(const Request& request, const PreparedRun& prepared, const Shard& shard) {
   JournalIdentity identity = identity_of(prepared.c, prepared.manifest);
   identity.emplace_back(shard_item, shard_text(shard));
@@ -128,14 +154,10 @@ void run_shard(const Request& request, const Case& c, const Stopwatch& total) {
   refuse_others(folder, shard);
   const FolderLock lock(folder, fmt::format(".{}.lock", shard_file_name(shard)));
   LookJournal journal(
-      file, [&] { return identity_of_shard(request, prepared, shard); }, make_folder);
+      file, [&] { return identity_of_shard(request, prepared, shard); }, make_folder, true);
   journal.resume();
-  const InterruptFlag interrupt_flag([&] { return std::optional("interrupted; " + journal.keep_all()); });
-  try {
-    compute(request, prepared, shard, journal);
-  } catch (const Interrupted&) {
-    throw Interrupted("interrupted; " + journal.keep_all());
-  }
+  const InterruptFlag interrupt_flag([&] { return std::optional(interrupted_sentence(journal)); });
+  compute_and_keep(request, prepared, shard, journal);
   if (!request.quiet)
     fmt::print("shard {}    {} in {}; when all are there: raytube merge {}\n", shard_text(shard),
                looks_text(shard.size(prepared.plan->looks.computed.size())), file.string(), folder.string());

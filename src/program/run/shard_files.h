@@ -37,7 +37,7 @@ class ShardFiles {
   void require_all() const;
 
   std::filesystem::path folder_;
-  std::vector<File> files_;  // by their index, once all are there
+  std::vector<File> files_;
 };
 
 }  // namespace raytube

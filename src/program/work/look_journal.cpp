@@ -55,8 +55,8 @@ std::string differences_text(const JournalIdentity& before, const JournalIdentit
 }
 
 LookJournal::LookJournal(const fs::path& file, std::function<JournalIdentity()> identity,
-                         std::function<void()> make_sure_of_folder)
-    : file_(file), identity_(std::move(identity)), make_sure_of_folder_(std::move(make_sure_of_folder)) {}
+                         std::function<void()> make_sure_of_folder, bool is_result)
+    : file_(file), is_result_(is_result), identity_(std::move(identity)), make_sure_of_folder_(std::move(make_sure_of_folder)) {}
 
 void LookJournal::refuse_leftover(const fs::path& file) {
   const std::unique_ptr<Journal> left = Journal::reopen(file);
@@ -92,6 +92,7 @@ void LookJournal::begin(std::size_t looks) {
 
 void LookJournal::keep(std::size_t index, std::string bytes) {
   std::unique_lock lock(mutex_);
+  if (given_up_ && is_result_) throw std::runtime_error(fmt::format("{}: the disk takes no more looks", file_.string()));
   if (given_up_) return;
   waiting_bytes_ += bytes.size();
   waiting_.push_back({index, std::move(bytes)});
@@ -156,6 +157,7 @@ void LookJournal::sync(std::unique_lock<std::mutex>& lock) {
 
 void LookJournal::give_up(const std::exception& error) {
   given_up_ = true;
+  if (is_result_) throw std::runtime_error(error.what());
   warn(fmt::format("finished looks are no longer kept in case the run is stopped: {}", error.what()));
 }
 
@@ -163,8 +165,8 @@ std::string LookJournal::keep_all() {
   const std::lock_guard lock(mutex_);
   if (journal_ && !given_up_) write();
   if (!journal_ || !journal_->is_there() || journal_->records() == 0) return {};
-  return fmt::format("{} of {} looks are kept in {}; go on with --resume", journal_->records(),
-                     std::max(looks_, journal_->records()), file_.string());
+  return fmt::format("{} of {} looks are kept in {}; {}", journal_->records(), std::max(looks_, journal_->records()),
+                     file_.string(), is_result_ ? "the same command goes on from there" : "go on with --resume");
 }
 
 void LookJournal::complete() {

@@ -27,8 +27,10 @@ class LookJournal {
  public:
   /// `identity` is asked once it is needed. `make_sure_of_folder` makes the folder again where it was removed, and throws if it
   /// belongs to another run by now; whoever calls it may come from any thread.
+  ///
+  /// `is_result`: the file is all that there will be, so that what the disk does not take ends the work.
   LookJournal(const std::filesystem::path& file, std::function<JournalIdentity()> identity,
-              std::function<void()> make_sure_of_folder);
+              std::function<void()> make_sure_of_folder, bool is_result = false);
 
   static std::filesystem::path file_in(const std::filesystem::path& folder) { return folder / ".raytube.journal"; }
   const std::filesystem::path& file() const { return file_; }
@@ -69,6 +71,7 @@ class LookJournal {
   void give_up(const std::exception& error);
 
   std::filesystem::path file_;
+  bool is_result_;
   std::function<JournalIdentity()> identity_;
   std::function<void()> make_sure_of_folder_;
   std::unique_ptr<Journal> journal_;

@@ -72,7 +72,7 @@ struct EdgeVisibility::Probe {
 double EdgeVisibility::Probe::search(double lit_end, double dark_end, std::uint32_t blocker_there) const {
   while (std::abs(dark_end - lit_end) > clip_tolerance) {
     const double middle = (lit_end + dark_end) / 2;
-    bool dark = blocker_around(middle, blocker_there) != no_index;
+    bool dark = blocker_there != no_index && blocker_around(middle, blocker_there) != no_index;
     if (!dark && std::abs(dark_end - lit_end) > single_blocker) {
       const std::uint32_t other = blocker(middle);
       dark = other != no_index;

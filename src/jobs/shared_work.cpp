@@ -1,0 +1,73 @@
+#include "jobs/shared_work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/resolved_case.h"
+#include "core/bytes.h"
+#include "core/error.h"
+#include "jobs/inputs.h"
+#include "output/files/sha256.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr std::size_t longest_value = 60;
+
+std::string looks_text(const Sweep& sweep) {
+  ByteWriter writer;
+  for (const Look& look : sweep.looks) writer(look);
+  writer(sweep.frequencies);
+  return fmt::format("{} {}", sweep.looks.size(), sha256_of(writer.take()));
+}
+
+std::string shown(const std::string& value) {
+  return value.size() > longest_value ? value.substr(0, longest_value) + "..." : value.empty() ? "nothing" : value;
+}
+
+}  // namespace
+
+JournalIdentity identity_of_case(const Case& c, const Manifest& manifest) {
+  JournalIdentity identity{{"list in look.looks_csv", manifest.looks_csv_sha256}};
+  for (const auto& [name, sha256] : manifest.table_csv_sha256) identity.emplace_back("table " + name, sha256);
+  if (!c.radar.pattern_csv.empty())
+    identity.emplace_back("pattern in radar.pattern_csv", sha256_of_file(c.file.parent_path() / c.radar.pattern_csv));
+  for (const auto& [key, value] : numerical_keys(c)) identity.emplace_back(key, value);
+  return identity;
+}
+
+JournalIdentity shared_work(const Case& c, const JournalIdentity& asked) {
+  JournalIdentity work = asked;
+  work.emplace_back("looks and frequencies", looks_text(c.sweep));
+  std::ranges::copy(identity_of_case(c, described_inputs(c, {}, {})), std::back_inserter(work));
+  return work;
+}
+
+void require_same_work(const JournalIdentity& of_leader, const JournalIdentity& own) {
+  const std::vector<JournalDifference> found = differences(of_leader, own);
+  if (found.empty()) return;
+  const auto& [name, leader, here] = found.back();  // keys of the case stand last, and say most
+  throw InputError(fmt::format("was given {} = {} where rank 0 has {}: ranks share one case; for a case each set RAYTUBE_MPI=off",
+                               name, shown(here), shown(leader)));
+}
+
+std::string text_of_work(const JournalIdentity& work) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : work) words.push_back(name), words.push_back(value);
+  ByteWriter writer;
+  writer(words);
+  return writer.take();
+}
+
+JournalIdentity work_of_text(std::string_view text) {
+  std::vector<std::string> words;
+  ByteReader reader(text);
+  reader(words);
+  JournalIdentity work;
+  for (std::size_t i = 0; i + 1 < words.size(); i += 2) work.emplace_back(words[i], words[i + 1]);
+  return work;
+}
+
+}  // namespace raytube

@@ -1,0 +1,25 @@
+// Whether the ranks of a job were given the same work.
+#pragma once
+
+#include "case/data/case.h"
+#include "output/files/journal.h"
+#include "output/files/manifest.h"
+#include "ranks/ranks.h"
+
+namespace raytube {
+
+/// What every bit of a look depends on beside the program and the mesh: the keys of the case, and the tables that it names, as
+/// `manifest` has them.
+JournalIdentity identity_of_case(const Case& c, const Manifest& manifest);
+
+/// The same of a case whose looks may have come from elsewhere than its file, and of what the command was asked for beside it.
+JournalIdentity shared_work(const Case& c, const JournalIdentity& asked);
+
+/// Throws InputError if a rank was given other work than rank 0.
+void require_same_work(const JournalIdentity& of_leader, const JournalIdentity& own);
+
+/// An identity as one text, and back.
+std::string text_of_work(const JournalIdentity& work);
+JournalIdentity work_of_text(std::string_view text);
+
+}  // namespace raytube
