@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "case/target.h"
+#include "core/bytes.h"
 #include "core/threads.h"
 #include "jobs/check_report.h"
 #include "jobs/density_study.h"
@@ -15,7 +16,6 @@
 #include "jobs/shared_work.h"
 #include "jobs/solvable.h"
 #include "jobs/warnings/warnings.h"
-#include "mesh/model/mesh_bytes.h"
 #include "output/files/sha256.h"
 #include "output/tables/stored.h"
 #include "output/words/summary.h"
@@ -34,7 +34,9 @@ int threads_of(int threads, const Ranks* ranks = nullptr) {
 // All ranks were asked for the same, of the same target.
 void require_same(Ranks& ranks, const Job& job, const std::string& densities) {
   const TriangleMesh& mesh = job.built->target.mesh;
-  const std::string same_mesh = fmt::format("{} triangles {}", mesh.triangles.size(), sha256_of(bytes_of_mesh(mesh)));
+  ByteWriter bytes;
+  bytes(mesh.vertices), bytes(mesh.triangles), bytes(mesh.center);
+  const std::string same_mesh = fmt::format("{} triangles {}", mesh.triangles.size(), sha256_of(bytes.take()));
   const JournalIdentity own = shared_work(job.asked, {{"densities", densities}, {"mesh", same_mesh}});
   std::string leaders = text_of_work(own);
   ranks.broadcast(leaders);

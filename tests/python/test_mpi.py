@@ -95,7 +95,7 @@ def test_ranks_study_density(mpirun):
         tell_all(failed(lambda: rt.converge(trihedral, densities=(2, 4) if comm.rank else (2, 4, 8), comm=comm)))
     """).splitlines()
     assert printed[0] == "[True, True, True]"
-    assert "InputError: rank 1 on " in printed[1] and printed[2].startswith("1 InputError: densities")
+    assert "InputError: rank 1 on " in printed[1] and printed[2].startswith("1 InputError: was given densities = 2 4 where")
 
 
 def test_communicators_of_some_ranks(mpirun):
