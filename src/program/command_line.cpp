@@ -320,7 +320,7 @@ void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
     throw InputError(
-        fmt::format("unknown command \"{}\"; write run, merge, check, trace, converge, sources, compare, convert, profile, isar, "
+        fmt::format("unknown command \"{}\"; write run, check, trace, converge, sources, compare, convert, profile, isar, "
                     "centres, plot, "
                     "statistics or report (see raytube --help)",
                     word));

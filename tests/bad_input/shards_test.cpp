@@ -67,7 +67,9 @@ TEST_F(Shards, OneIsThereTwice) {
 }
 
 TEST_F(Shards, OneIsOfAnotherNumber) {
-  ASSERT_EQ(shard_of(sweep, "1/4").code, 0);
+  EXPECT_EQ(shard_of(sweep, "1/4").code, 2);
+  ASSERT_EQ(raytube("run " + sweep + "-o elsewhere --shard 1/4").code, 0);
+  fs::copy(scratch / "elsewhere/shard_1_of_4.looks", file(1, 4));
   expect_no_merge("merge those of one number alone");
 }
 
