@@ -54,11 +54,12 @@ JsonValue edges_json(std::vector<ImageEdge> edges) {
 JsonValue cells_json(const LookImage& image) {
   const ImageLattice& lattice = image.lattice;
   if (image.cells.empty()) return {};
+  const dvec2 corner = lattice.corner + lattice.shift_of_perspective();  // laid over the target without perspective
   BlockLevels levels(Blocks(lattice.rows, lattice.rows), Blocks(lattice.columns, lattice.columns));
   for (std::size_t i = 0; i < image.cells.size(); ++i) levels.add(i / lattice.columns, i % lattice.columns, image.cells[i]);
   return {{"u", vector_json(lattice.u_hat)},
           {"v", vector_json(lattice.v_hat)},
-          {"corner", std::vector<double>{lattice.corner.x, lattice.corner.y}},
+          {"corner", std::vector<double>{corner.x, corner.y}},
           {"cell", std::vector<double>{lattice.cell.x, lattice.cell.y}},
           {"columns", lattice.columns},
           {"rows", lattice.rows},
