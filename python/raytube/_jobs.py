@@ -312,7 +312,7 @@ def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, 
     -------
     dict
         ``bounces``: a list of dicts with ``point_m``, ``normal``, ``direction_out``, ``path_m``, ``triangle``, ``field_v`` and ``field_h``
-        (complex vectors reflected for unit incident V and H); ``end``: why the tube ended.
+        (complex vectors reflected for unit incident V and H) of what surfaces reflect; ``end``: why the tube ended.
 
     Raises
     ------

@@ -66,7 +66,7 @@ JsonValue cells_json(const LookImage& image) {
           {"sigma", levels.json()}};
 }
 
-// Segments with the number of reflections before each.
+// Segments with the number of surfaces met before each.
 JsonValue tubes_json(const TubePaths& tubes) {
   std::vector<dvec3> ends;
   std::vector<std::uint32_t> bounces;
@@ -75,7 +75,7 @@ JsonValue tubes_json(const TubePaths& tubes) {
       ends.insert(ends.end(), {path.points[i - 1].position, path.points[i].position});
       bounces.push_back(static_cast<std::uint32_t>(path.points[i - 1].bounce));
     }
-  return {{"ends", packed_points(ends)}, {"bounces", packed_indices(bounces)}, {"paths", tubes.paths.size()}};
+  return {{"ends", packed_points(ends)}, {"bounces", packed_indices(bounces)}, {"paths", tubes.met_target()}};
 }
 
 JsonValue look_json(const SceneLook& look, const ShownMesh& mesh) {
