@@ -213,7 +213,8 @@ def image(what: Any, *args: Any, look: int = 0, per_wavelength: float = 10.0, th
     -------
     xarray.Dataset
         ``S`` [m], complex, and ``sigma_dbsm`` (v, u, receive, transmit), with the coordinates ``u`` along phi-hat and ``v`` along minus
-        theta-hat (both turned if ``tubes.up`` is set) [m], counted from the origin of the mesh's coordinates. The cells add up to the S of the look. At the middle frequency
+        theta-hat (both turned if ``tubes.up`` is set) [m], counted from the origin of the mesh's coordinates; from a finite distance in the
+        antenna's perspective, drawn to scale at the middle of the target. The cells add up to the S of the look. At the middle frequency
         of the list, which is in ``attrs["frequency_hz"]``.
 
     Raises
@@ -311,7 +312,7 @@ def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, 
     -------
     dict
         ``bounces``: a list of dicts with ``point_m``, ``normal``, ``direction_out``, ``path_m``, ``triangle``, ``field_v`` and ``field_h``
-        (complex vectors reflected for unit incident V and H); ``end``: why the tube ended.
+        (complex vectors reflected for unit incident V and H) of what surfaces reflect; ``end``: why the tube ended.
 
     Raises
     ------

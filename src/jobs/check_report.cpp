@@ -317,8 +317,9 @@ void tell_clipped_cost(CheckReport& report, const SolvePlan& plan) {
 
 void tell_rays(CheckReport& report, const SolvePlan& plan) {
   report.print("\nrays instead of currents (edges.method \"utd\")\n");
-  report.print("  transmitter and receiver {:.6g} m from the origin; amplitudes are apparent ones at that range\n",
-               plan.ray_range);
+  if (plan.ray_range > 0.0)
+    report.print("  transmitter and receiver {:.6g} m from the origin; amplitudes are apparent ones at that range\n",
+                 plan.ray_range);
   report.print("  looks computed: {}; {} planar patches as mirrors, {} wedges\n", plan.looks.computed.size(),
                plan.target.mesh.patches.size(), plan.target.wedges.size());
 }

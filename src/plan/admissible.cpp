@@ -46,8 +46,8 @@ void check_near(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions&
     throw InputError("either every look has antennas at a finite distance, or none");
   if (tubes.mode == TubeMode::adaptive && !tubes.clip)
     throw InputError("antennas at a finite distance need tubes that are clipped or uniform");
-  if (edges.method == EdgeMethod::utd)
-    throw InputError("antennas at a finite distance cannot be combined with edges.method \"utd\", which has a range of its own");
+  if (edges.utd_range > 0.0)
+    throw InputError("antennas at a finite distance have a range of their own; remove edges.utd_range_m or [radar]");
 }
 
 void check_with_materials(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions& edges) {

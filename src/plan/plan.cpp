@@ -18,7 +18,7 @@ namespace {
 constexpr double most_rise = 1.0 / 32.0;
 
 double ray_range_of(const SolvePlan& plan) {
-  if (!plan.rays()) return 0.0;
+  if (!plan.rays() || !all_far(plan.sweep)) return 0.0;
   const double highest = std::ranges::max(plan.sweep.frequencies);
   const double range = plan.edges.utd_range > 0.0 ? plan.edges.utd_range : default_ray_range(plan.target.mesh, highest);
   check_ray_range(plan.target.mesh, range);

@@ -43,7 +43,7 @@ struct SolvePlan {
   int threads;              // 0: all cores
   bool keep_parts;          // the result keeps its mechanisms apart
 
-  double ray_range = 0.0;       // of transmitter and receiver where rays stand for currents [m], else 0
+  double ray_range = 0.0;       // of transmitter and receiver where rays stand for currents, without [radar] [m]; else 0
   std::vector<BandPlan> bands;  // every frequency is in one
   std::shared_ptr<const SmoothSurfaces> known_surfaces{};  // of the mesh, from which others are found with less work; may be null
   std::vector<WedgeSet> wedge_sets;                        // of all frequencies

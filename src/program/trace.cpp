@@ -43,7 +43,7 @@ double incidence_deg(const dvec3& direction_in, const dvec3& normal) {
   return std::acos(std::clamp(std::abs(glm::dot(direction_in, normal)), 0.0, 1.0)) / degree;
 }
 
-void print_bounce(std::size_t number, const TubeBounce& bounce, const dvec3& direction_in, const dvec3& mesh_center) {
+void print_bounce(int number, const TubeBounce& bounce, const dvec3& direction_in, const dvec3& mesh_center) {
   fmt::print("bounce {}: triangle {}, patch {}\n", number, bounce.triangle, bounce.patch);
   fmt::print("  point          {} m\n", vector_text(bounce.point + mesh_center));
   fmt::print("  normal         {}\n", vector_text(bounce.normal));
@@ -52,7 +52,32 @@ void print_bounce(std::size_t number, const TubeBounce& bounce, const dvec3& dir
   fmt::print("  path           {:.12g} m\n", bounce.path);
   fmt::print("  field of V     {}\n", field_text(bounce.field[0]));
   fmt::print("  field of H     {}\n", field_text(bounce.field[1]));
-  if (bounce.goes_on) fmt::print("  goes on        behind the surface, too; followed here is what it reflects\n");
+}
+
+// Of the way on behind what the tube has met as the `met`-th surface.
+void print_parting(const std::vector<TubeTrace>& ways, std::size_t way, int met) {
+  const auto parts_here = [&](const TubeTrace& t) { return t.parting.way == way && t.parting.met == met; };
+  const auto behind = std::ranges::find_if(ways.begin() + 1, ways.end(), parts_here);
+  fmt::print("  goes on        behind the surface, too: {}\n",
+             behind == ways.end() ? fmt::format("not followed, as a way beyond {}", TubeReplay::most_ways)
+                                  : fmt::format("way {}", behind - ways.begin() + 1));
+}
+
+void print_way(const std::vector<TubeTrace>& ways, std::size_t way, const dvec3& mesh_center) {
+  const TubeTrace& trace = ways[way];
+  if (way > 0) {
+    fmt::print("way {}: behind bounce {} of way {}\n", way + 1, trace.parting.met, trace.parting.way + 1);
+    fmt::print("  field of V     {}\n", field_text(trace.parting.field[0]));
+    fmt::print("  field of H     {}\n", field_text(trace.parting.field[1]));
+  }
+  int met = trace.parting.met;
+  dvec3 direction = trace.direction;
+  for (const TubeBounce& bounce : trace.bounces) {
+    print_bounce(++met, bounce, direction, mesh_center);
+    if (bounce.goes_on) print_parting(ways, way, met);
+    direction = bounce.direction_out;
+  }
+  fmt::print("end: {}\n", trace.end);
 }
 
 void print_look(std::size_t index, const Look& look) {
@@ -78,16 +103,14 @@ void trace_at(const Request& request, const Case& c, const Look& look, const Tri
   const double frequency = c.sweep.frequencies[highest];
   const std::vector<Material> materials = at_frequency(c.sweep.materials, highest);
   const ReplayScene scene{tracer, materials, c.sweep.radar};
-  const TubeTrace trace = naming_the_case(c, [&] { return trace_tube(scene, look, frequency, c.tubes, {request.u, request.v}); });
+  const std::vector<TubeTrace> ways = naming_the_case(c, [&] {
+    return TubeReplay(scene, look, frequency, c.tubes).follow({request.u, request.v});
+  });
+  const TubeTrace& trace = ways.front();
   print_look(request.look, look);
   if (!materials.empty()) fmt::print("fields at {} GHz, the highest frequency of the case\n", number_text(frequency / 1e9));
   fmt::print("tube: column {}, row {}, centre u {:.9g} m, v {:.9g} m\n", trace.column, trace.row, trace.center.x, trace.center.y);
-  dvec3 direction = trace.direction;
-  for (std::size_t i = 0; i < trace.bounces.size(); ++i) {
-    print_bounce(i + 1, trace.bounces[i], direction, mesh.center);
-    direction = trace.bounces[i].direction_out;
-  }
-  fmt::print("end: {}\n", trace.end);
+  for (std::size_t way = 0; way < ways.size(); ++way) print_way(ways, way, mesh.center);
 }
 
 // --- all tubes of a look ---

@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "core/threads.h"
-#include "sbr/beams/spherical_look.h"
 #include "sbr/curved/curved_cells.h"
 #include "sbr/curved/curved_tubes.h"
+#include "sbr/curved/near_facets.h"
 #include "sbr/flat/polygon_tubes.h"
 #include "sbr/flat/tile_tracer.h"
 
@@ -64,17 +64,6 @@ bool cells_are_cheaper(const TubeLook& look) {
   const double wavelength = 2.0 * pi / std::ranges::max(look.wavenumbers()),
                good_cell = wavelength / cells_per_wavelength * look.tolerance / error_of_cells;
   return cells_per_face * flat > static_cast<double>(look.grid.cells()) * look.grid.du * look.grid.dv / (good_cell * good_cell);
-}
-
-TubeSums light_curved_facets(const TubeLook& look, std::uint32_t begin, std::uint32_t end) {
-  TubeSums sums;
-  sums.at(0, look.wavenumbers().size());
-  for (std::uint32_t t = begin; t < end; ++t) {
-    if (look.smooth->region(t) == no_index) continue;
-    if (look.spherical->add(sums, look.smooth->facet(t))) ++sums.hits[0];
-  }
-  sums.tubes = sums.hits[0];
-  return sums;
 }
 
 // No tubes: facet by facet.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/random.h"
+#include "sbr/beams/spherical_look.h"
 #include "sbr/beams/truncated_tubes.h"
 #include "sbr/visible/line_of_sight.h"
 
@@ -32,6 +33,19 @@ struct Scene {
   std::optional<LineOfSightSheets> sheets;
   double to_mesh_origin;  // [m], moves the phase reference there from the centre of the mesh
   double area_of_tube;
+  const SphericalLook* spherical = nullptr;  // antennas at a finite distance; null: plane waves
+};
+
+// What SphericalLook refers to.
+struct Antennas {
+  Antennas(const Scene& scene, const Look& look, const Radar& radar)
+      : pair(look, radar, scene.tracer.mesh().center),
+        spherical(pair, incident_beam(scene.rectangle, scene.transmit, dvec2(0.0)), scene.wavenumbers, no_quadrature) {}
+  Antennas(const Antennas&) = delete;
+
+  static constexpr double no_quadrature = 1.0;  // of its tolerance nothing depends
+  AntennaPair pair;
+  SphericalLook spherical;
 };
 
 class Block {
@@ -48,6 +62,7 @@ class Block {
     const LaunchGrid& r = scene_.rectangle;
     const dvec2 at{r.u_begin + random.x * r.columns * r.du, r.v_begin + random.y * r.rows * r.dv};
     samples_.push_back({at, BeamTree::root});
+    if (scene_.spherical) return rays_.push_back(tube_ray(beams_.beam(BeamTree::root), at, nullptr, no_index));
     rays_.push_back({r.plane_origin + at.x * r.u_hat + at.y * r.v_hat, r.direction});
   }
 
@@ -87,14 +102,25 @@ class Block {
       const std::uint32_t patch = scene_.tracer.mesh().triangle_patch[hits_[i].triangle];
       const dvec3 point = rays_[i].origin + hits_[i].distance * rays_[i].direction;
       samples_[i].beam = beams_.child(samples_[i].beam, patch, samples_[i].at);
-      rays_[i] = {point, beams_.beam(samples_[i].beam).direction, patch};
-      add(beams_.footprint(samples_[i].beam), samples_[i].at);
+      rays_[i] = reflected_ray(samples_[i], point, patch);
+      add(samples_[i]);
       if (line_of_sight_) line_of_sight_->add(static_cast<std::uint32_t>(i), samples_[i].beam, point, patch);
     }
     if (line_of_sight_)
       sums_.rays += line_of_sight_->through_sheets(
           beams_, [&](std::uint32_t i, std::uint32_t node) { add(beams_.footprint(node), samples_[i].at); });
     send_on(alive);
+  }
+
+  Ray reflected_ray(const Sample& sample, const dvec3& point, std::uint32_t patch) const {
+    const Beam& beam = beams_.beam(sample.beam);
+    if (!scene_.spherical) return {point, beam.direction, patch};
+    return tube_ray(beam, sample.at, &beams_.patch(sample.beam), patch);
+  }
+
+  void add(const Sample& sample) {
+    if (!scene_.spherical) return add(beams_.footprint(sample.beam), sample.at);
+    add(scene_.spherical->footprint(beams_.beam(sample.beam), beams_.patch(sample.beam), sample.at), sample.at);
   }
 
   // Ends the tubes of which nothing was reflected and adds those that go on behind a sheet.
@@ -158,7 +184,7 @@ Scene scene_of(const Tracer& tracer, const Look& look, std::span<const double> f
                std::uint64_t samples, std::span<const Material> materials) {
   const TriangleMesh& mesh = tracer.mesh();
   Scene scene{tracer,
-              launch_grid(mesh, look.transmit, wavelength(std::ranges::max(frequencies)), 1.0, tubes.up),
+              grid_of_look(mesh, look, wavelength(std::ranges::max(frequencies)), 1.0, tubes.up),
               spherical_basis(look.transmit),
               spherical_basis(look.receive),
               {},
@@ -168,7 +194,7 @@ Scene scene_of(const Tracer& tracer, const Look& look, std::span<const double> f
               0.0};
   if (std::ranges::any_of(materials, &Material::transmits)) scene.sheets.emplace(mesh, materials, scene.receive);
   for (const double frequency : frequencies) scene.wavenumbers.push_back(wavenumber(frequency));
-  scene.to_mesh_origin = glm::dot(scene.receive.radial + scene.transmit.radial, mesh.center);
+  if (look.far()) scene.to_mesh_origin = glm::dot(scene.receive.radial + scene.transmit.radial, mesh.center);
   const LaunchGrid& r = scene.rectangle;
   scene.area_of_tube = static_cast<double>(r.cells()) * r.du * r.dv / static_cast<double>(samples);
   return scene;
@@ -185,11 +211,13 @@ RandomSums& RandomSums::operator+=(const RandomSums& other) {
 }
 
 RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& tubes,
-                        const RandomLaunch& launch, std::span<const Material> materials) {
+                        const RandomLaunch& launch, std::span<const Material> materials, const Radar& radar) {
   RandomSums none;
   none.scattering.resize(frequencies.size());
-  const Scene scene = scene_of(tracer, look, frequencies, tubes, launch.samples, materials);
+  Scene scene = scene_of(tracer, look, frequencies, tubes, launch.samples, materials);
   if (scene.rectangle.cells() == 0) return none;  // no projected area
+  std::optional<Antennas> antennas;
+  if (!look.far()) scene.spherical = &antennas.emplace(scene, look, radar).spherical;
   using Indices = tbb::blocked_range<std::uint64_t>;
   // Divided and joined at the same indices whichever thread works: their number never shows in the sum.
   return tbb::parallel_deterministic_reduce(

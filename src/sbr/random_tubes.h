@@ -31,8 +31,10 @@ struct RandomSums {
 /// Traces tubes from points drawn uniformly over the launch rectangle, each for the area of the rectangle / samples. Each adds,
 /// at every bounce, the physical-optics integrand where it lands times that area, for all frequencies [Hz] and both transmit
 /// polarisations: an unbiased estimate of the area integral with a standard error that falls as 1 / sqrt(samples). Of
-/// `tubes`, `max_bounces` and `up` count; facets are flat. The result does not depend on the number of threads.
+/// `tubes`, `max_bounces` and `up` count; facets are flat. The result does not depend on the number of threads. `radar`: of
+/// looks from a finite distance, whose rays run from the antenna through the points of the rectangle.
 RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const double> frequencies, const TubeOptions& tubes,
-                        const RandomLaunch& launch, std::span<const Material> materials = {});
+                        const RandomLaunch& launch, std::span<const Material> materials = {},
+                        const Radar& radar = isotropic_radar);
 
 }  // namespace raytube

@@ -36,6 +36,12 @@ std::string words_of(TubeEnd end) {
   return {};
 }
 
+// What goes on behind a sheet.
+struct PassingWave {
+  Beam beam;
+  Spectrum spectrum;
+};
+
 // The wave of a tube from surface to surface.
 class ReplayedWave {
  public:
@@ -69,6 +75,14 @@ class ReplayedWave {
         triangle, patch, point, normal, leaving.direction, leaving.path, {ComplexVector{leaving.field[0]}, {leaving.field[1]}}};
   }
 
+  /// Behind the surface that was met last, if the tube goes on there.
+  const PassingWave& passing() const { return passing_; }
+  void go_on(PassingWave passing) {
+    beam_ = passing.beam;
+    spectrum_ = std::move(passing.spectrum);
+    beam_.spectrum = &spectrum_;
+  }
+
   bool is_lit() const { return !beam_.spectrum || amplitude(spectrum_) > least_amplitude; }
 
  private:
@@ -78,10 +92,11 @@ class ReplayedWave {
   bool scatter(const Patch& plane) {
     const bool spectral = beam_.spectrum || plane.material != no_index;
     LeavingWaves waves = spectral ? leaving_waves(surfaces_, beam_, false, plane, receive_) : LeavingWaves{};
+    passing_ = {beam_, std::move(waves.transmitted)};
     beam_ = footprint(beam_, plane, receive_).outgoing;
     spectrum_ = std::move(waves.reflected);
     if (spectral) beam_.spectrum = &spectrum_;
-    return amplitude(waves.transmitted) > least_amplitude;
+    return amplitude(passing_.spectrum) > least_amplitude;
   }
 
   std::array<ComplexVector, 2> field() const {
@@ -95,8 +110,74 @@ class ReplayedWave {
   double to_origin_;
   Beam beam_;
   Spectrum spectrum_;  // the beam's
+  PassingWave passing_;
   std::optional<AntennaPair> antennas_;
   std::optional<SphericalLook> spherical_;
+};
+
+// One tube by its ways, each traced to its end before the next.
+class WaysOfTube {
+ public:
+  WaysOfTube(const Tracer& tracer, ReplayedWave& wave, int max_bounces, std::size_t most)
+      : tracer_(tracer), wave_(wave), max_bounces_(max_bounces), most_(most) {}
+
+  std::vector<TubeTrace> follow(TubeTrace launched, const Ray& ray) {
+    ways_.push_back(std::move(launched));
+    rays_.push_back(ray);
+    follow(0);
+    for (std::size_t way = 1; way < ways_.size(); ++way) {
+      wave_.go_on(std::move(waves_[way - 1]));
+      follow(way);
+    }
+    return std::move(ways_);
+  }
+
+ private:
+  void follow(std::size_t way) {
+    Ray ray = rays_[way];
+    while (true) {
+      Hit hit;
+      tracer_.closest_hits({&ray, 1}, {&hit, 1});
+      if (!hit) return end(way, TubeEnd::left_the_scene, 0.0);
+      const TriangleMesh& mesh = tracer_.mesh();
+      if (wave_.from_behind(mesh.triangle_patch[hit.triangle]) && mesh.closed(hit.triangle))
+        return end(way, TubeEnd::lost, hit.distance);
+      if (met(way) == max_bounces_) return end(way, TubeEnd::truncated, hit.distance);
+      const TubeBounce bounce = wave_.reflect(hit.triangle, ray.origin + hit.distance * ray.direction);
+      ways_[way].bounces.push_back(bounce);
+      if (bounce.goes_on && ways_.size() < most_) part(way, ray.direction);
+      ray = {bounce.point, bounce.direction_out, bounce.patch};
+      if (!wave_.is_lit()) return end(way, bounce.goes_on ? TubeEnd::transmitted : TubeEnd::absorbed, 0.0);
+    }
+  }
+
+  int met(std::size_t way) const { return ways_[way].parting.met + static_cast<int>(ways_[way].bounces.size()); }
+
+  void end(std::size_t way, TubeEnd how, double leg) {
+    TubeTrace& trace = ways_[way];
+    trace.ended = how;
+    trace.end = words_of(how);
+    trace.last_leg = leg;
+  }
+
+  // Behind the surface that the way has met last.
+  void part(std::size_t way, const dvec3& direction) {
+    const TubeTrace& from = ways_[way];
+    const TubeBounce& sheet = from.bounces.back();
+    TubeTrace behind{from.column, from.row, from.center, sheet.point, direction};
+    behind.parting = {way, met(way), wave_.passing().spectrum.front().field};
+    rays_.push_back({sheet.point, direction, sheet.patch});
+    waves_.push_back(wave_.passing());
+    ways_.push_back(std::move(behind));
+  }
+
+  const Tracer& tracer_;
+  ReplayedWave& wave_;
+  int max_bounces_;
+  std::size_t most_;
+  std::vector<TubeTrace> ways_;
+  std::vector<Ray> rays_;           // of each way
+  std::vector<PassingWave> waves_;  // of each but the first
 };
 
 }  // namespace
@@ -113,43 +194,25 @@ dvec2 TubeReplay::to_mesh_origin() const {
   return -launch_coordinates(incident_beam(grid_, {}, dvec2(0.0)), -scene_.tracer.mesh().center);
 }
 
-TubeTrace TubeReplay::follow(const dvec2& at) const {
+std::vector<TubeTrace> TubeReplay::follow(const dvec2& at, std::size_t most) const {
   const dvec2 low = to_mesh_origin() + dvec2(grid_.u_begin, grid_.v_begin);
   const dvec2 extent{grid_.columns * grid_.du, grid_.rows * grid_.dv}, inside = at - low;
   if (inside.x < 0.0 || inside.y < 0.0 || inside.x > extent.x || inside.y > extent.y) refuse_outside(at, low, low + extent);
   return follow(std::min(static_cast<std::uint32_t>(inside.x / grid_.du), grid_.columns - 1),
-                std::min(static_cast<std::uint32_t>(inside.y / grid_.dv), grid_.rows - 1));
+                std::min(static_cast<std::uint32_t>(inside.y / grid_.dv), grid_.rows - 1), most);
 }
 
-TubeTrace TubeReplay::follow(std::uint32_t column, std::uint32_t row) const {
+std::vector<TubeTrace> TubeReplay::follow(std::uint32_t column, std::uint32_t row, std::size_t most) const {
   const dvec2 middle{grid_.u_center(column), grid_.v_center(row)};
   ReplayedWave wave(grid_, look_, scene_, {&wavenumber_, 1}, middle);
-  Ray ray = grid_.ray(column, row);
-  TubeTrace trace{column, row, to_mesh_origin() + middle, ray.origin, ray.direction};
-  const auto ends = [&trace](TubeEnd how, double leg) {
-    trace.ended = how;
-    trace.end = words_of(how);
-    trace.last_leg = leg;
-    return trace;
-  };
-  while (true) {
-    Hit hit;
-    scene_.tracer.closest_hits({&ray, 1}, {&hit, 1});
-    if (!hit) return ends(TubeEnd::left_the_scene, 0.0);
-    const TriangleMesh& mesh = scene_.tracer.mesh();
-    if (wave.from_behind(mesh.triangle_patch[hit.triangle]) && mesh.closed(hit.triangle))
-      return ends(TubeEnd::lost, hit.distance);
-    if (static_cast<int>(trace.bounces.size()) == max_bounces_) return ends(TubeEnd::truncated, hit.distance);
-    const TubeBounce bounce = wave.reflect(hit.triangle, ray.origin + hit.distance * ray.direction);
-    ray = {bounce.point, bounce.direction_out, bounce.patch};
-    trace.bounces.push_back(bounce);
-    if (!wave.is_lit()) return ends(bounce.goes_on ? TubeEnd::transmitted : TubeEnd::absorbed, 0.0);
-  }
+  const Ray ray = grid_.ray(column, row);
+  return WaysOfTube(scene_.tracer, wave, max_bounces_, most)
+      .follow({column, row, to_mesh_origin() + middle, ray.origin, ray.direction}, ray);
 }
 
 TubeTrace trace_tube(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options,
                      const dvec2& at) {
-  return TubeReplay(scene, look, frequency_hz, options).follow(at);
+  return TubeReplay(scene, look, frequency_hz, options).follow(at, 1).front();
 }
 
 }  // namespace raytube

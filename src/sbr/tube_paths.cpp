@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace raytube {
 
@@ -34,9 +35,9 @@ std::uint32_t stride_for(const LaunchGrid& grid, std::uint64_t most) {
 }
 
 // Perfect conductors reflect everything; what antennas at a finite distance make of the field is not the tube's doing.
-double power_share(const TubeBounce& bounce, bool far) {
+double power_share(const std::array<ComplexVector, 2>& field, bool far) {
   if (!far) return 1.0;
-  const double v = norm(bounce.field[0]), h = norm(bounce.field[1]);
+  const double v = norm(field[0]), h = norm(field[1]);
   return 0.5 * (v * v + h * h);
 }
 
@@ -58,16 +59,32 @@ void add_end(TubePath& path, const TubeTrace& trace, const TriangleMesh& mesh) {
   path.points.push_back(point);
 }
 
-TubePath path_of(const TubeTrace& trace, const TriangleMesh& mesh, double area, bool far) {
-  TubePath path{trace.column, trace.row, area, trace.ended, {{trace.start + mesh.center}}};
+// `start` without its position.
+TubePath path_of(const TubeTrace& trace, const TriangleMesh& mesh, double area, bool far, TubePathPoint start) {
+  start.position = trace.start + mesh.center;
+  TubePath path{trace.column, trace.row, area, trace.ended, {start}};
   for (const TubeBounce& bounce : trace.bounces) {
     const TubePathPoint& last = path.points.back();
     const dvec3 position = bounce.point + mesh.center;
     path.points.push_back({position, last.bounce + 1, last.path_length + glm::distance(last.position, position),
-                           power_share(bounce, far), bounce.triangle});
+                           power_share(bounce.field, far), bounce.triangle});
   }
   add_end(path, trace, mesh);
   return path;
+}
+
+std::vector<TubePath> paths_of(const std::vector<TubeTrace>& ways, const TriangleMesh& mesh, double area, bool far) {
+  std::vector<TubePath> paths;
+  for (const TubeTrace& way : ways) {
+    const auto& [from, met, field] = way.parting;
+    TubePathPoint start{};
+    if (met > 0) {
+      const auto sheet = static_cast<std::size_t>(met - ways[from].parting.met);
+      start = {{}, met, paths[from].points[sheet].path_length, power_share(field, far)};
+    }
+    paths.push_back(path_of(way, mesh, area, far, start));
+  }
+  return paths;
 }
 
 bool meets_nothing(const TubeTrace& trace) { return trace.bounces.empty() && trace.ended == TubeEnd::left_the_scene; }
@@ -79,14 +96,16 @@ TubePaths tube_paths(const ReplayScene& scene, const Look& look, double frequenc
   const TubeReplay replay(scene, look, frequency_hz, options);
   const LaunchGrid& grid = replay.grid();
   const Blocks blocks{grid, stride_for(grid, most)};
-  std::vector<TubePath> all(blocks.count());
+  std::vector<std::vector<TubePath>> found(blocks.count());
   tbb::parallel_for(std::uint64_t{0}, blocks.count(), [&](std::uint64_t i) {
     const auto [column, columns] = blocks.span(i % blocks.across(), grid.columns);
     const auto [row, rows] = blocks.span(i / blocks.across(), grid.rows);
-    const TubeTrace trace = replay.follow(column + columns / 2, row + rows / 2);
-    if (!meets_nothing(trace)) all[i] = path_of(trace, scene.tracer.mesh(), columns * grid.du * (rows * grid.dv), look.far());
+    const std::vector<TubeTrace> ways = replay.follow(column + columns / 2, row + rows / 2);
+    if (meets_nothing(ways.front())) return;
+    found[i] = paths_of(ways, scene.tracer.mesh(), columns * grid.du * (rows * grid.dv), look.far());
   });
-  std::erase_if(all, [](const TubePath& path) { return path.points.empty(); });
+  std::vector<TubePath> all;
+  for (std::vector<TubePath>& paths : found) std::ranges::move(paths, std::back_inserter(all));
   return {grid.columns, grid.rows, blocks.stride, blocks.count(), std::move(all)};
 }
 

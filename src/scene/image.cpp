@@ -31,6 +31,10 @@ std::vector<double> ImageLattice::crossings(const dvec3& begin, const dvec3& end
   std::vector<double> shares{0.0, 1.0};
   add_crossings(a.x, b.x, corner.x, cell.x, columns, shares);
   add_crossings(a.y, b.y, corner.y, cell.y, rows, shares);
+  if (curvature != 0.0) {
+    const double near_begin = widening(begin - middle_of_target), near_end = widening(end - middle_of_target);
+    for (double& share : shares) share = share * near_begin / (share * near_begin + (1.0 - share) * near_end);
+  }
   std::ranges::sort(shares);
   return shares;
 }

@@ -112,7 +112,8 @@ struct Statistics {
   std::uint64_t surface_strips = 0;       // sum over looks: strips across shadow boundaries of curved surfaces
   std::uint64_t illuminating_pieces = 0;  // sum over looks: pieces of edges that light other surfaces, once for each wave on them
   std::uint64_t windowed_rows = 0;        // rows touched by the forward-grazing window of the fringe currents
-  double ray_range = 0.0;                 // [m]: edges.method utd, amplitudes are apparent ones at this range; else 0
+  bool paths = false;                     // edges.method utd: tubes are paths of rays
+  double ray_range = 0.0;                 // [m]: of these without [radar], amplitudes are apparent ones at this range; else 0
   std::vector<Skipped> skipped;           // what was left out, and why
   std::vector<MechanismUse> mechanisms;   // beside the tubes, in the order in which they run
   std::vector<BeyondBound> beyond_bound;  // none in a sound solve

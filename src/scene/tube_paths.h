@@ -1,6 +1,7 @@
 // The ways that the tubes of a look take, and the facets that they meet: plain data, for pictures.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -17,23 +18,26 @@ enum class TubeEnd {
   transmitted,     // the same, but lets something through
 };
 
-/// A point of the launch plane, of a surface that reflects the tube, or where the tube ends.
+/// A point of the launch plane, of a sheet that the tube has passed, of a surface that reflects it, or where it ends.
 struct TubePathPoint {
   dvec3 position;              // in the mesh's own coordinates [m]
-  int bounce = 0;              // reflections so far, with that of the point
+  int bounce = 0;              // surfaces met so far, with that of the point
   double path_length = 0.0;    // from the launch plane [m]
   double power = 1.0;          // of what was launched, the share that leaves the point: mean of both polarisations
   std::int64_t triangle = -1;  // of the mesh as traced, that reflects here; -1: none does
 };
 
-/// From the launch plane over every bounce to where the tube ends; if it left the scene, on a sphere about the target.
+/// From the launch plane over every bounce to where the tube ends; if it left the scene, on a sphere about the target. What goes
+/// on behind a sheet is a path of its own, which begins there.
 struct TubePath {
   std::uint32_t column = 0, row = 0;      // its cell of the launch grid
   double area = 0.0;                      // of the cells for which it stands [m^2]
   TubeEnd end = TubeEnd::left_the_scene;  // why it ends
   std::vector<TubePathPoint> points{};    // in order, two or more
 
-  /// Reflections in all.
+  /// As launched, from the launch plane.
+  bool launched() const { return points.front().bounce == 0; }
+  /// Surfaces met in all.
   int bounces() const { return points.back().bounce; }
   /// From the launch plane to the end [m].
   double length() const { return points.back().path_length; }
@@ -46,7 +50,10 @@ struct TubePaths {
   std::uint32_t columns = 0, rows = 0;  // of the launch grid
   std::uint32_t stride = 1;             // one tube of every block of so many columns and rows was followed
   std::uint64_t followed = 0;           // with those that met nothing
-  std::vector<TubePath> paths{};        // of those that met the target, row by row
+  std::vector<TubePath> paths{};        // of those that met the target, row by row, each before its ways on behind sheets
+
+  /// How many of the paths are tubes as launched.
+  std::size_t met_target() const { return static_cast<std::size_t>(std::ranges::count_if(paths, &TubePath::launched)); }
 };
 
 /// How many of the tubes followed met each facet.

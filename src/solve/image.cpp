@@ -8,7 +8,6 @@
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/threads.h"
-#include "plan/admissible.h"
 #include "plan/phase_reference.h"
 #include "sbr/beams/current_map.h"
 #include "solve/look_solver.h"
@@ -27,9 +26,17 @@ double densest_image(const LaunchGrid& grid, double wavelength) {
   return 2.0 * rest / (u + v + std::sqrt((u + v) * (u + v) + 4.0 * u * v * rest));
 }
 
+// A launch grid has 10^6 cells along its longer side at most.
+double most_per_wavelength(const SolvePlan& plan, const Look& look, double wavelength) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  return look.far() ? most_across * wavelength / (2.0 * mesh.radius)
+                    : 1e-6 * most_across * densest_grid(mesh, look, wavelength, plan.tubes.up);
+}
+
 // Coordinates of the solver count from the centre of the mesh.
 ImageLattice recentred(ImageLattice lattice, const TriangleMesh& mesh) {
   lattice.corner -= lattice.project(mesh.center);
+  lattice.middle_of_target = dvec3(0.0);
   return lattice;
 }
 
@@ -66,21 +73,20 @@ std::size_t image_frequency(const Sweep& sweep) { return sweep.frequencies.size(
 
 ImageLattice image_cells(const SolvePlan& plan, std::size_t look, double per_wavelength) {
   const Sweep& sweep = plan.sweep;
-  if (!all_far(sweep))
-    throw InputError("output.image_look: images from a finite distance are not in this version; remove [radar]");
   const double length = wavelength(sweep.frequencies.at(image_frequency(sweep)));
-  const double across = 2.0 * plan.target.mesh.radius;
-  const bool too_many = across * per_wavelength / length > most_across;
-  const LaunchGrid cells = launch_grid(plan.target.mesh, sweep.looks.at(look).transmit, length,
-                                       too_many ? most_across * length / across : per_wavelength, plan.tubes.up);
+  const double most = most_per_wavelength(plan, sweep.looks.at(look), length);
+  const bool too_many = per_wavelength > most;
+  const LaunchGrid cells =
+      grid_of_look(plan.target.mesh, sweep.looks[look], length, std::min(per_wavelength, most), plan.tubes.up);
   if (cells.cells() == 0)
     throw InputError(fmt::format(
         "output.image_look: look {} sees no area of the target, so there is nothing to divide; choose another", look));
   if (too_many || static_cast<double>(cells.cells()) > most_cells)
-    throw InputError(fmt::format(
-        "output.image_per_wavelength: {:.6g} cells per wavelength are more than {:.0f} in look {}; {} would fit", per_wavelength,
-        most_cells, look, rounded_down_text(std::min(densest_image(cells, length), most_across * length / across))));
+    throw InputError(
+        fmt::format("output.image_per_wavelength: {:.6g} cells per wavelength are more than {:.0f} in look {}; {} would fit",
+                    per_wavelength, most_cells, look, rounded_down_text(std::min(densest_image(cells, length), most))));
   ImageLattice lattice = image_lattice(cells);
+  lattice.middle_of_target = plan.target.mesh.center;
   lattice.corner += lattice.project(plan.target.mesh.center);
   return lattice;
 }

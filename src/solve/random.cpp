@@ -6,7 +6,6 @@
 
 #include "core/bytes.h"
 #include "core/threads.h"
-#include "plan/admissible.h"
 #include "plan/phase_reference.h"
 #include "sbr/random_tubes.h"
 #include "solve/solve.h"
@@ -56,7 +55,7 @@ RandomSums drawn_one(const SolvePlan& plan, const RandomOptions& random, std::si
   const std::size_t looks = plan.sweep.looks.size();
   const std::uint64_t stream = std::uint64_t{i / looks} << 32 | i % looks;
   return random_tubes(plan.target.tracer, plan.sweep.looks[i % looks], plan.sweep.frequencies, plan.tubes,
-                      {random.samples, random.seed, stream}, plan.sweep.materials);
+                      {random.samples, random.seed, stream}, plan.sweep.materials, plan.sweep.radar);
 }
 
 std::vector<RandomSums> draw(const SolvePlan& plan, const RandomOptions& random, const std::function<bool(double)>& callback,
@@ -136,7 +135,6 @@ Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, cons
 }  // namespace
 
 void check_random_tubes(const SolvePlan& plan, const RandomOptions& random) {
-  if (!all_far(plan.sweep)) throw InputError("random tubes are parts of a plane wave; remove [radar]");
   if (plan.rays()) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
   if (!plan.keep_parts) throw InputError("random tubes take the place of tubes alone: the plan must keep parts");
   if (random.samples < 1) throw InputError("random tubes: a look needs at least 1");

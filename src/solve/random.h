@@ -6,8 +6,8 @@
 
 namespace raytube {
 
-/// Throws InputError, naming the remedy, for what random tubes cannot do: antennas at a finite distance, rays in the place of
-/// currents, too few of them.
+/// Throws InputError, naming the remedy, for what random tubes cannot do: rays in the place of currents, too few of
+/// them.
 void check_random_tubes(const SolvePlan& plan, const RandomOptions& random);
 
 /// Solves the plan, which keeps parts, then repeats it with random tubes (sbr/random_tubes.h) in the place of the solver's.

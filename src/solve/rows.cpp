@@ -235,6 +235,7 @@ SweepResult RowCollector::finish() {
   std::ranges::copy_if(beyond_bound_, std::back_inserter(all.beyond_bound),
                        [](const BeyondBound& each) { return each.rows > 0; });
   all.wedges = plan_.target.wedges.size();
+  all.paths = plan_.rays();
   all.ray_range = plan_.ray_range;
   if (plan_.fringe()) count_thin_plate_edges();
   return std::move(result_);

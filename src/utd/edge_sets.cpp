@@ -136,7 +136,8 @@ EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const 
   return all;
 }
 
-std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const PieceRequest& request, const WavesAtEdges& waves) const {
+std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const Radar& radar, const PieceRequest& request,
+                                        const WavesAtEdges& waves) const {
   for (const Set& set : sets_)
     for (const SetPart& part : parts_of(set, waves)) {
       const auto found = std::ranges::find(part.indices, request.frequency_index);
@@ -144,7 +145,9 @@ std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const PieceRequest& re
       const PieceRequest in_part{static_cast<std::size_t>(found - part.indices.begin()), request.lattice, request.by_path};
       const EdgeScene here = scene(set, part.over_curved);
       if (screens_) return screened_fringe_pieces(here, *screens_, look, {part.frequencies, part.indices}, in_part, options(set));
-      return fringe_pieces(here, look, part.frequencies, in_part, options(set));
+      if (look.far()) return fringe_pieces(here, look, part.frequencies, in_part, options(set));
+      const AntennaPair antennas(look, radar, setup_.tracer.mesh().center);
+      return fringe_pieces_near(here, antennas, part.frequencies, in_part, options(set));
     }
   return {};
 }

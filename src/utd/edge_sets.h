@@ -58,7 +58,8 @@ class EdgeSets {
   EdgeLookResult scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves) const;
 
   /// The fringe currents of one look at one of the frequencies, piece by piece: see fringe_pieces().
-  std::vector<ImageEdge> pieces(const Look& look, const PieceRequest& request, const WavesAtEdges& waves) const;
+  std::vector<ImageEdge> pieces(const Look& look, const Radar& radar, const PieceRequest& request,
+                                const WavesAtEdges& waves) const;
 
   /// What waves over curved surfaces start at the edges, at one of the frequencies, wave by wave.
   std::vector<ImageEdge> arrival_pieces(const Look& look, const PieceRequest& request,

@@ -21,11 +21,22 @@ TEST_F(AntennasProgram, ResultsTellTheirRangeAndWhatTheyAre) {
   EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("antennas     3 m from the mesh's origin"));
 }
 
+TEST_F(AntennasProgram, ImagesSayThatTheyArePerspectives) {
+  EXPECT_EQ(raytube(std::string("run ") + at_3_m + "--set output.image_look=0").code, 0);
+  EXPECT_THAT(text_of(scratch / "out/image.csv"), HasSubstr("# Perspective from "));
+  EXPECT_EQ(raytube("run case.toml --set output.plots=false --set output.image_look=0").code, 0);
+  EXPECT_THAT(text_of(scratch / "out/image.csv"), ::testing::Not(HasSubstr("# Perspective from ")));
+}
+
+TEST_F(AntennasProgram, RandomTubesSetOutFromTheAntenna) {
+  EXPECT_EQ(raytube(std::string("run ") + at_3_m + "--launch random --samples 200 --repeat 2").code, 0);
+  EXPECT_THAT(text_of(scratch / "out/rcs.csv"), HasSubstr("S is the apparent amplitude"));
+}
+
 TEST_F(AntennasProgram, RefusesWhatItDoesNotKnow) {
   const std::string run = std::string("run ") + at_3_m;
-  expect_refused(run + "--set output.image_look=0", "images from a finite distance are not in this version; remove [radar]");
-  expect_refused(run + "--launch random --samples 10 --repeat 2", "random tubes are parts of a plane wave; remove [radar]");
-  expect_refused(run + "--set edges.method=utd", "give edges.utd_range_m instead");
+  expect_refused(run + "--set output.image_look=0 --set output.image_per_wavelength=1e9", " would fit");
+  expect_refused(run + "--set edges.method=utd --set edges.utd_range_m=3", "remove one of the two");
   expect_refused(run + "--set 'radar.aim_m=[0,0,9]' --set look.theta_deg=0", "radar.aim_m lies at an antenna, or behind one");
   expect_refused("run case.toml --set radar.range_m=1e300", "radar.range_m must be at most 1e+12");
   for (const char* command : {"run ", "check ", "trace --look 0 --u 0 --v 0 "})

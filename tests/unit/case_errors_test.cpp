@@ -112,7 +112,7 @@ TEST(CaseErrors, Antennas) {
   EXPECT_THAT(of("range_m = 3\npattern_csv = \"none.csv\""), HasSubstr("radar.pattern_csv must name a readable CSV file"));
   EXPECT_THAT(of("range_m = 3\naim_m = [1, 2]"), HasSubstr("radar.aim_m must be a list of three numbers"));
   EXPECT_THAT(of("range_m = 3\n[tubes]\nclip = false"), HasSubstr("remove tubes.clip = false"));
-  EXPECT_THAT(of("range_m = 3\n[edges]\nmethod = \"utd\""), HasSubstr("give edges.utd_range_m instead"));
+  EXPECT_THAT(of("range_m = 3\n[edges]\nmethod = \"utd\"\nutd_range_m = 3"), HasSubstr("remove one of the two"));
   EXPECT_THAT(complaint(target + frequency + "[radar]\nposition_m = [0, 0, 0]"), HasSubstr("must not be the origin"));
 }
 

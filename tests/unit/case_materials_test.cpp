@@ -386,7 +386,7 @@ TEST(CaseMaterials, OtherConflictsAreBlamedOnTheCommandLine) {
   blamed("[accuracy]\ntolerance_db = 1\n", "tubes.clip=false", "accuracy.tolerance_db needs adaptive tubes");
   blamed("[edges]\nmethod = \"utd\"\nutd_range_m = 9\n", "edges.method=none", "edges.utd_range_m needs edges.method");
   blamed("[output]\nimage_look = 0\n", "edges.method=utd", "output.image_look needs currents");
-  blamed("[radar]\nrange_m = 1000\n", "edges.method=utd", "[radar] does not apply to edges.method");
+  blamed("[edges]\nmethod = \"utd\"\nutd_range_m = 9\n", "radar.range_m=9", "remove one of the two");
   blamed("[radar]\nrange_m = 1000\n", "tubes.clip=false", "[radar] needs exact polygons");
   blamed("", "look.looks_csv=looks.csv", "look.looks_csv takes the place of");
   blamed("", "radar.position_m=[0,0,9]", "[look] cannot be combined with radar.position_m");

@@ -3,6 +3,7 @@
 
 #include "output/plots/image_window.h"
 #include "output/tables/image_csv.h"
+#include "output/tables/read_image_csv.h"
 #include "output/vtk/image_vtu.h"
 #include "run.h"
 #include "scratch.h"
@@ -42,6 +43,21 @@ TEST(ImageCsv, RowsGoUpAndColumnsToTheRight) {
   EXPECT_EQ(table.text(5, "sigma_vh_dbsm"), "-inf");
   EXPECT_NEAR(table.number(5, "phase_hh_rad"), pi, 5e-5);  // four decimals
   EXPECT_THAT(text_of(scratch / "image.csv"), HasSubstr("# 3 columns of 0.1 m along u = (1, 0, 0), 2 rows of 0.2 m"));
+}
+
+// A report lays the image over its target without perspective: where the middle is seen it fits.
+TEST(ImageCsv, PerspectivesSayWhereTheyAreToScale) {
+  const Scratch scratch;
+  LookImage image = image_of(3, 2);
+  image.lattice.curvature = 1.0 / 3.0, image.lattice.middle_of_target = {0.25, -0.5, 1.0};
+  write_image_csv(scratch / "image.csv", sweep, image);
+  const ImageLattice read = read_image_csv(scratch / "image.csv", 10).lattice;
+  EXPECT_DOUBLE_EQ(read.curvature, 1.0 / 3.0);
+  EXPECT_EQ(read.middle_of_target, image.lattice.middle_of_target);
+  EXPECT_EQ(read.project({0.0, 0.0, 0.0}), dvec2(0.0));
+  const dvec2 middle = read.project(read.middle_of_target);  // the origin is 1 m farther than it: 3 m are seen as 4
+  EXPECT_NEAR(middle.x, 0.25 * 3.0 / 4.0, 1e-15);
+  EXPECT_NEAR(read.shift_of_perspective().x, 0.25 / 4.0, 1e-15);
 }
 
 TEST(ImageVtu, HoldsTrianglesThenEdges) {

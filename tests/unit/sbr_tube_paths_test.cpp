@@ -85,7 +85,7 @@ TEST(TubePaths, AreThoseOfSingleTubes) {
   const Look look{into_dihedral, into_dihedral};
   const TubeReplay replay({tracer}, look, frequency, dihedral.options);
   for (const TubePath& path : dihedral.paths(into_dihedral, 100).paths) {
-    const TubeTrace cell = replay.follow(path.column, path.row);
+    const TubeTrace cell = replay.follow(path.column, path.row).front();
     const TubeTrace tube = trace_tube({tracer}, look, frequency, dihedral.options, cell.center);
     EXPECT_EQ(tube.column, path.column);
     EXPECT_EQ(tube.row, path.row);
@@ -131,10 +131,11 @@ TEST(TubePaths, HitsAreTheBouncesOfAllPaths) {
   EXPECT_GT(bounces, 2 * static_cast<int>(tubes.paths.size()));
 }
 
-// A film of half the impedance of space reflects -1/2 of the field at normal incidence: -eta / (2 R + eta).
+// A film of half the impedance of space reflects -1/2 of the field at normal incidence: -eta / (2 R + eta). 1/2 goes on.
+const Material half_film{"film", MaterialKind::thin_sheet, 0.0, {}, 0.5 * 376.730313668};
+
 TEST(TubePaths, KeepWhatSurfacesReflectOfThePower) {
-  const Material film{"film", MaterialKind::thin_sheet, 0.0, {}, 0.5 * 376.730313668};
-  for (const TubePath& path : plate_of(film).paths(from_above, 100).paths) {
+  for (const TubePath& path : plate_of(half_film).paths(from_above, 100).paths) {
     EXPECT_NEAR(path.points[1].power, 0.25, 1e-9);  // the digits of eta
     EXPECT_NEAR(path.power(), 0.25 * path.area, 1e-9 * path.area);
   }
@@ -144,6 +145,32 @@ TEST(TubePaths, KeepWhatSurfacesReflectOfThePower) {
     EXPECT_EQ(path.points.size(), 2u);
     EXPECT_EQ(path.power(), 0.0);
   }
+}
+
+// What the first film lets through goes to and fro between both, and on behind each of them.
+TEST(TubePaths, GoOnBothWaysAtSheets) {
+  Scene films =
+      of(shapes::joined(shapes::plate(1.0), shapes::transformed(shapes::plate(1.0), glm::dmat3(1.0), 1.0, {0, 0, -0.5})));
+  for (Patch& patch : films.mesh.patches) patch.material = 0;
+  films.materials = {half_film};
+  films.options.max_bounces = 3;
+  const TubePaths tubes = films.paths(from_above, 100);
+  ASSERT_EQ(tubes.met_target(), 100u);
+  ASSERT_EQ(tubes.paths.size(), 400u);
+  const TubePath* const of_one = &tubes.paths[0];
+  const std::array shares{0.25, 1.0 / 64.0, 1.0 / 16.0, 1.0 / 64.0};  // R; T R R, cut; T T; T R T
+  const std::array<int, 4> first{0, 1, 2, 3}, last{1, 3, 2, 3};
+  for (std::size_t way = 0; way < 4; ++way) {
+    EXPECT_EQ(of_one[way].column, of_one[0].column);
+    EXPECT_EQ(of_one[way].points.front().bounce, first[way]);
+    EXPECT_EQ(of_one[way].bounces(), last[way]);
+    EXPECT_NEAR(of_one[way].power(), shares[way] * of_one[way].area, 1e-9 * of_one[way].area);
+    EXPECT_EQ(of_one[way].end, way == 1 ? TubeEnd::truncated : TubeEnd::left_the_scene);
+  }
+  EXPECT_NEAR(of_one[2].points.front().path_length, of_one[0].points[1].path_length + 0.5, rounding);
+  const FacetHits hits = facet_hits(tubes, films.mesh.triangles.size());
+  ASSERT_EQ(hits.at_bounce.size(), 3u);
+  for (const auto& at_bounce : hits.at_bounce) EXPECT_EQ(std::reduce(at_bounce.begin(), at_bounce.end()), 100u);
 }
 
 TEST(TubePaths, AtAFiniteDistanceSpread) {

@@ -187,11 +187,10 @@ TEST(FiniteRange, EdgesAreThoseOfUniformRays) {
   const double length = wavelength(frequency), range = 60 * length;
   Scene currents(shapes::plate(20 * length), EdgeMethod::fringe), rays(shapes::plate(20 * length), EdgeMethod::utd);
   currents.options.edges.order = 1;
-  rays.options.edges.utd_range = range;
   for (double theta = 25.0; theta <= 65.0; theta += 10.0) {
     const Direction direction{theta * degree, 0.0};
     const ScatteringMatrix s = currents.total(frequency, near_look(direction, range)),
-                           expected = rays.total(frequency, {direction, direction});
+                           expected = rays.total(frequency, near_look(direction, range));
     EXPECT_LT(level_difference(s.hh(), expected.hh()), 0.15) << theta;
     EXPECT_LT(level_difference(s.vv(), expected.vv()), 0.5) << theta;
     EXPECT_LT(std::abs(std::arg(s.hh() / expected.hh())), 0.03) << theta;

@@ -137,6 +137,65 @@ TEST(RayFields, BistaticLooksAreReciprocal) {
     }
 }
 
+// --- antennas at a finite distance ---
+
+Sweep between(const Direction& transmit, const Direction& receive, double transmit_range, double receive_range) {
+  return {{frequency}, {{transmit, receive, transmit_range, receive_range}}, true};
+}
+
+// One behind the other above a mirror: |S| = product of the ranges / way, and a Gaussian beam that looks beside it counts twice.
+TEST(RayFields, AntennasReadAMirrorFromWhereTheyStand) {
+  PolygonSoup soup = shapes::plate(3);
+  const double height = 0.3, near = 12, far = 17, off = 4 * degree;
+  for (dvec3& point : soup.points) point.z = height;
+  Sweep sweep = between({0, 0}, {0, 0}, near, far);
+  const Complex image = -std::polar(near * far / (near + far - 2 * height), 2 * k * height);
+  expect_near(solve_soup(soup, sweep, options(EdgeMethod::utd)).bounces[0][0].vv(), image, 1e-10, "V");
+  sweep.radar.pattern.azimuth_beamwidth = sweep.radar.pattern.elevation_beamwidth = 2 * off;
+  sweep.radar.aim = {near * std::tan(off), 0, 0};
+  const double beside = std::atan(near * std::tan(off) / far);  // of the farther one
+  const auto level = [&](double angle) { return std::exp(-std::numbers::ln2 / 2 * std::pow(angle / off, 2)); };
+  const Complex weighed = image * level(off) * level(beside);
+  expect_near(solve_soup(soup, sweep, options(EdgeMethod::utd)).bounces[0][0].hh(), weighed, 1e-10, "beside the beam");
+}
+
+// At a corner all orders of the faces are one wave, which comes straight back: as from the same range without [radar].
+TEST(RayFields, AntennasReadCornersAsRaysOfTheirRangeDo) {
+  for (const double phi : {20.0, 45.0, 73.0}) {
+    const Direction d{90 * degree, phi * degree};
+    const ScatteringMatrix s =
+        solve_soup(shapes::dihedral(3, 3), between(d, d, 40, 40), options(EdgeMethod::utd)).bounces.at(1)[0];
+    expect_near(s.vv(), 20, 1e-10, "V");
+    expect_near(s.hh(), -20, 1e-10, "H");
+  }
+}
+
+// Fields turned with the rays differ from those of the line to the origin by the square of the angle, (1.5 / 3e3)^2, of a sum of
+// 1 m to 10 m; distances enter the phases of both alike.
+TEST(RayFields, FarAntennasAreThoseOfTheRange) {
+  const Direction from{40 * degree, 20 * degree}, to{65 * degree, 170 * degree};
+  const double range = 3e3;
+  for (const PolygonSoup& soup : {shapes::cube(2), shapes::dihedral(3, 3), shapes::plate(3)}) {
+    const ScatteringMatrix near = solve_soup(soup, between(from, to, range, range), options(EdgeMethod::utd)).total[0],
+                           expected = solve_soup(soup, bistatic(from, to), at_range(range)).total[0];
+    EXPECT_LE(frobenius_norm(near - expected), 1e-3 * frobenius_norm(expected));
+  }
+}
+
+TEST(RayFields, AntennasAreReciprocal) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> theta(0.05, pi - 0.05), phi(-pi, pi), range(9.0, 30.0);
+  for (const PolygonSoup& soup : {shapes::cube(2), shapes::dihedral(3, 3)})
+    for (int i = 0; i < 20; ++i) {
+      const Direction a{theta(random), phi(random)}, b{theta(random), phi(random)};
+      const double to_a = range(random), to_b = range(random);
+      const ScatteringMatrix there = solve_soup(soup, between(a, b, to_a, to_b), options(EdgeMethod::utd)).total[0],
+                             back = solve_soup(soup, between(b, a, to_b, to_a), options(EdgeMethod::utd)).total[0];
+      for (const int p : {0, 1})
+        for (const int q : {0, 1}) expect_near(there.at(p, q), back.at(q, p), 1e-9, "reciprocity");
+    }
+}
+
 TEST(RayFields, TargetBeyondTheRangeIsRefused) {
   EXPECT_THROW(solve_soup(shapes::plate(3), monostatic({{0, 0}}, frequency), at_range(2.0)), InputError);
   EXPECT_THROW(solve_soup(shapes::plate(3), monostatic({{0, 0}}, frequency), at_range(-1.0)), InputError);

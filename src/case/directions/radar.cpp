@@ -109,9 +109,9 @@ void read_radar(const CaseValue& root, Case& c) {
   }
   if (c.tubes.mode == TubeMode::adaptive && !c.tubes.clip)
     reject(*section, {find(root, "tubes", "clip")}, "[radar] needs exact polygons or a uniform grid; remove tubes.clip = false");
-  if (c.edges.method == EdgeMethod::utd)
-    reject(*section, {find(root, "edges", "method")},
-           "[radar] does not apply to edges.method = \"utd\"; give edges.utd_range_m instead");
+  if (c.edges.utd_range > 0.0)
+    reject(*section, {find(root, "edges", "utd_range_m")},
+           "[radar] has the places of the antennas, edges.utd_range_m a range for them; remove one of the two");
 }
 
 }  // namespace raytube

@@ -133,10 +133,14 @@ std::string direction_text(const Direction& d) {
   return fmt::format("θ {:.6g}°, φ {:.6g}°", decimal_degrees(d.theta), decimal_degrees(d.phi));
 }
 
+std::string place_text(const Direction& direction, double range) {
+  return direction_text(direction) + (std::isinf(range) ? "" : fmt::format(", {:.6g} m", range));
+}
+
 std::string heading(const std::string& title, const Sweep& sweep, const LookImage& image) {
   const Look& look = sweep.looks[image.look];
-  std::string text = fmt::format("{}\nlook {}: {}", title, image.look, direction_text(look.transmit));
-  if (sweep.bistatic) text += " to " + direction_text(look.receive);
+  std::string text = fmt::format("{}\nlook {}: {}", title, image.look, place_text(look.transmit, look.transmit_range));
+  if (sweep.bistatic) text += " to " + place_text(look.receive, look.receive_range);
   return text + fmt::format("; {:.6g} GHz; cells of {:.3g} × {:.3g} mm", image.frequency / 1e9, 1e3 * image.lattice.cell.x,
                             1e3 * image.lattice.cell.y);
 }
@@ -160,11 +164,12 @@ std::string plot_command(const fs::path& data, const ImageLattice& lattice, cons
 }
 
 std::string panels(const Layout& layout, const fs::path& data, const ImageLattice& lattice, const Dots& dots) {
+  const std::string where = lattice.curvature == 0.0 ? "" : " at the middle of the target";
   std::string text;
   for (int channel = 0; channel < 4; ++channel) {
     text += layout.panel(channel);
     text += fmt::format("set title '{}' offset 0,-0.5\nset xlabel '{}'\nset ylabel '{}'\n", channel_titles[channel],
-                        channel / 2 == 1 ? "u (m)" : "", channel % 2 == 0 ? "v (m)" : "");
+                        channel / 2 == 1 ? "u (m)" + where : "", channel % 2 == 0 ? "v (m)" + where : "");
     if (dots.peaks[channel] < dots.bottom())
       text += fmt::format("set label 1 'all below {:.0f} dBsm' at graph 0.5, graph 0.5 center front textcolor rgb '#909090'\n",
                           dots.bottom());

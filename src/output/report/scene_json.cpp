@@ -54,18 +54,19 @@ JsonValue edges_json(std::vector<ImageEdge> edges) {
 JsonValue cells_json(const LookImage& image) {
   const ImageLattice& lattice = image.lattice;
   if (image.cells.empty()) return {};
+  const dvec2 corner = lattice.corner + lattice.shift_of_perspective();  // laid over the target without perspective
   BlockLevels levels(Blocks(lattice.rows, lattice.rows), Blocks(lattice.columns, lattice.columns));
   for (std::size_t i = 0; i < image.cells.size(); ++i) levels.add(i / lattice.columns, i % lattice.columns, image.cells[i]);
   return {{"u", vector_json(lattice.u_hat)},
           {"v", vector_json(lattice.v_hat)},
-          {"corner", std::vector<double>{lattice.corner.x, lattice.corner.y}},
+          {"corner", std::vector<double>{corner.x, corner.y}},
           {"cell", std::vector<double>{lattice.cell.x, lattice.cell.y}},
           {"columns", lattice.columns},
           {"rows", lattice.rows},
           {"sigma", levels.json()}};
 }
 
-// Segments with the number of reflections before each.
+// Segments with the number of surfaces met before each.
 JsonValue tubes_json(const TubePaths& tubes) {
   std::vector<dvec3> ends;
   std::vector<std::uint32_t> bounces;
@@ -74,7 +75,7 @@ JsonValue tubes_json(const TubePaths& tubes) {
       ends.insert(ends.end(), {path.points[i - 1].position, path.points[i].position});
       bounces.push_back(static_cast<std::uint32_t>(path.points[i - 1].bounce));
     }
-  return {{"ends", packed_points(ends)}, {"bounces", packed_indices(bounces)}, {"paths", tubes.paths.size()}};
+  return {{"ends", packed_points(ends)}, {"bounces", packed_indices(bounces)}, {"paths", tubes.met_target()}};
 }
 
 JsonValue look_json(const SceneLook& look, const ShownMesh& mesh) {

@@ -32,6 +32,14 @@ std::string look_note(const Sweep& sweep, const LookImage& image) {
                      number_text(image.lattice.cell.y), vector_text(image.lattice.v_hat));
 }
 
+std::string perspective_note(const ImageLattice& lattice) {
+  if (lattice.curvature == 0.0) return {};
+  return fmt::format(
+      "# Perspective from {} m before the middle of the target, {} m: u and v are drawn to scale there, and\n"
+      "# count from where the origin of the mesh's coordinates is seen.\n",
+      number_text(1.0 / lattice.curvature), vector_text(lattice.middle_of_target));
+}
+
 std::string image_columns() {
   std::string names = "row,col,u_m,v_m";
   for (const char* channel : channel_names) names += fmt::format(",re_{0},im_{0}", channel);
@@ -58,7 +66,7 @@ std::string row_text(const glm::uvec2& at, const dvec2& middle, const Scattering
 
 void write_image_csv(const std::filesystem::path& file, const Sweep& sweep, const LookImage& image) {
   OutputFile out(file);
-  out.write(image_conventions + look_note(sweep, image) + image_columns());
+  out.write(image_conventions + look_note(sweep, image) + perspective_note(image.lattice) + image_columns());
   for (std::uint32_t row = 0; row < image.lattice.rows; ++row)
     for (std::uint32_t column = 0; column < image.lattice.columns; ++column) {
       const glm::uvec2 at(column, row);

@@ -22,11 +22,22 @@ bool take_lattice(const std::string& line, ImageLattice& lattice) {
                      &lattice.columns, &lattice.cell.x, &u.x, &u.y, &u.z, &lattice.rows, &lattice.cell.y, &v.x, &v.y, &v.z) == 10;
 }
 
+// The comment line of a look from a finite distance.
+void take_perspective(const std::string& line, ImageLattice& lattice) {
+  dvec3& at = lattice.middle_of_target;
+  double distance = 0.0;
+  if (std::sscanf(line.c_str(), "# Perspective from %lf m before the middle of the target, (%lf, %lf, %lf)", &distance, &at.x,
+                  &at.y, &at.z) == 4)
+    lattice.curvature = 1.0 / distance;
+}
+
 ImageLattice lattice_of(const std::filesystem::path& file) {
   std::ifstream in(file);
   ImageLattice lattice;
-  for (std::string line; std::getline(in, line) && line.starts_with('#');)
-    if (take_lattice(line, lattice)) return lattice;
+  bool known = false;
+  for (std::string line; std::getline(in, line) && line.starts_with('#'); take_perspective(line, lattice))
+    if (take_lattice(line, lattice)) known = true;
+  if (known) return lattice;
   throw InputError(fmt::format("{}: does not say its columns and rows; {}", file.string(), image_remedy));
 }
 

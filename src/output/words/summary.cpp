@@ -160,10 +160,11 @@ std::string truncated_lines(const SweepResult& result, const RunFacts& facts) {
 
 std::string work_lines(const SweepResult& result, const RunFacts& facts) {
   const Statistics& s = result.statistics;
-  const bool paths = s.ray_range > 0.0;
+  const bool paths = s.paths;
   std::string text = line("rays", fmt::format("{} in {} {}, {:.2f} s on {} thread{}", s.rays, s.tubes, paths ? "paths" : "tubes",
                                               s.solve_s, facts.threads, facts.threads == 1 ? "" : "s"));
-  if (paths) text += line("range", fmt::format("{:.6g} m: amplitudes are apparent ones (edges.method \"utd\")", s.ray_range));
+  if (s.ray_range > 0.0)
+    text += line("range", fmt::format("{:.6g} m: amplitudes are apparent ones (edges.method \"utd\")", s.ray_range));
   if (facts.looks_resumed)
     text += line("resumed", fmt::format("{} looks were computed before, and are not in that time", facts.looks_resumed));
   text += line("lost rays", fmt::format("{}", s.lost_rays));
@@ -233,7 +234,7 @@ std::string summary_text(const SweepResult& result, const RunFacts& facts) {
   for (const Skipped& skipped : result.statistics.skipped)
     text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, skipped.why));
   text += line("peak sigma", fmt::format("{:.2f} dBsm", peak_sigma_dbsm(result)));
-  if (result.statistics.ray_range == 0.0 && !facts.random) text += error_lines(result, facts);
+  if (!result.statistics.paths && !facts.random) text += error_lines(result, facts);
   text += model_lines(result);
   text += beyond_bound_lines(result.statistics);
   if (facts.warnings) text += line("warnings", fmt::format("{}, above and in run.json", facts.warnings));

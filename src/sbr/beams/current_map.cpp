@@ -31,7 +31,13 @@ TubeMiddle middle_of(const Footprint& footprint, const dvec2& at) {
 }  // namespace
 
 ImageLattice image_lattice(const LaunchGrid& grid) {
-  return {grid.u_hat, grid.v_hat, {grid.u_begin, grid.v_begin}, {grid.du, grid.dv}, grid.columns, grid.rows};
+  return {grid.u_hat, grid.v_hat, {grid.u_begin, grid.v_begin}, {grid.du, grid.dv}, grid.columns, grid.rows, grid.curvature};
+}
+
+void CurrentInParts::add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
+  map_.add(at, triangle, s);
+  rest_ = rest_ - s;
+  if (const double size = largest_amplitude(s); size > most_) most_ = size, strongest_ = at, triangle_ = triangle;
 }
 
 CurrentMap::CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber,
@@ -70,7 +76,7 @@ void CurrentMap::add(const Footprint& footprint, const ConvexPolygon& outline, s
   const std::span<const std::uint32_t> triangles = faces_.triangles(face);
   for (const std::uint32_t triangle : triangles) {
     clipped_ = outline;
-    if (triangles.size() > 1 && !clip_to(corners(footprint, triangle), outline)) continue;
+    if (triangles.size() > 1 && !clip_to(corners(footprint.outgoing, triangle), outline)) continue;
     if (!sink_)
       add_far_field(triangles_[triangle], footprint, frequency_index_, wavenumber_,
                     phase_integral(footprint, wavenumber_, clipped_));
@@ -120,16 +126,16 @@ dvec3 CurrentMap::place_on(std::uint32_t triangle, const dvec2& at) const {
   return facing == 0.0 ? across : across + glm::dot(normal, mesh.vertices[a] - across) / facing * towards;
 }
 
-std::uint32_t CurrentMap::triangle_under(const Footprint& footprint, std::uint32_t face, const dvec2& at) const {
+std::uint32_t CurrentMap::triangle_under(const Beam& beam, std::uint32_t face, const dvec2& at) const {
   return *std::ranges::max_element(faces_.triangles(face), {},
-                                   [&](std::uint32_t triangle) { return depth_inside(corners(footprint, triangle), at); });
+                                   [&](std::uint32_t triangle) { return depth_inside(corners(beam, triangle), at); });
 }
 
 // In launch coordinates.
-std::array<dvec2, 3> CurrentMap::corners(const Footprint& footprint, std::uint32_t triangle) const {
+std::array<dvec2, 3> CurrentMap::corners(const Beam& beam, std::uint32_t triangle) const {
   std::array<dvec2, 3> projected;
   for (int c = 0; c < 3; ++c)
-    projected[c] = launch_coordinates(footprint.outgoing, faces_.mesh().vertices[faces_.mesh().triangles[triangle][c]]);
+    projected[c] = launch_coordinates(beam, faces_.mesh().vertices[faces_.mesh().triangles[triangle][c]]);
   return projected;
 }
 

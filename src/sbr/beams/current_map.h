@@ -57,8 +57,12 @@ class CurrentMap {
   /// The same of one that may have been reflected before.
   void add(const TubeMiddle& middle, std::uint32_t triangle, const ScatteringMatrix& s);
 
+  /// A tube of a spherical wave that meets this part of a face, with its far field; radiated(part) is that of a part of it.
+  template <class Radiated>
+  void add(const Beam& beam, const ConvexPolygon& outline, std::uint32_t face, const ScatteringMatrix& whole, Radiated radiated);
+
   /// The triangle of a face that the ray of these launch coordinates meets.
-  std::uint32_t triangle_under(const Footprint& footprint, std::uint32_t face, const dvec2& at) const;
+  std::uint32_t triangle_under(const Beam& beam, std::uint32_t face, const dvec2& at) const;
 
   /// Calls visit(part) for what the lines of the lattice leave of a polygon or a box.
   template <class Visit>
@@ -79,7 +83,7 @@ class CurrentMap {
   }
   template <class Visit>
   void slice(const ConvexPolygon& polygon, int axis, Slices& slices, Visit visit);
-  std::array<dvec2, 3> corners(const Footprint& footprint, std::uint32_t triangle) const;
+  std::array<dvec2, 3> corners(const Beam& beam, std::uint32_t triangle) const;
   void keep(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
   void tell(const Footprint& footprint, const ConvexPolygon& part, std::uint32_t triangle);
   void tell_slice(const Footprint& footprint, const ConvexPolygon& slice, std::uint32_t triangle);
@@ -98,8 +102,41 @@ class CurrentMap {
   Slices rows_, columns_;
 };
 
+/// Puts a current on a map part by part. Quadrature over the parts differs from that over the whole by its error: the strongest
+/// part takes that.
+class CurrentInParts {
+ public:
+  /// `at`, `triangle`: where it is if it has no parts.
+  CurrentInParts(CurrentMap& map, const ScatteringMatrix& whole, const dvec2& at, std::uint32_t triangle)
+      : map_(map), rest_(whole), strongest_(at), triangle_(triangle) {}
+
+  void add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
+  /// After the last part.
+  void finish() { map_.add(strongest_, triangle_, rest_); }
+
+ private:
+  CurrentMap& map_;
+  ScatteringMatrix rest_;
+  double most_ = -1.0;
+  dvec2 strongest_;
+  std::uint32_t triangle_;
+};
+
 /// The cells of a launch grid.
 ImageLattice image_lattice(const LaunchGrid& grid);
+
+template <class Radiated>
+void CurrentMap::add(const Beam& beam, const ConvexPolygon& outline, std::uint32_t face, const ScatteringMatrix& whole,
+                     Radiated radiated) {
+  const std::span<const std::uint32_t> triangles = faces_.triangles(face);
+  CurrentInParts parts(*this, whole, middle(outline), triangles.front());
+  for (const std::uint32_t triangle : triangles) {
+    clipped_ = outline;
+    if (triangles.size() > 1 && !clip_to(corners(beam, triangle), outline)) continue;
+    cut_up(clipped_, [&](const ConvexPolygon& part) { parts.add(middle(part), triangle, radiated(part)); });
+  }
+  parts.finish();
+}
 
 template <class Visit>
 void CurrentMap::cut_up(const ConvexPolygon& polygon, Visit visit) {

@@ -42,6 +42,13 @@ SphericalLook::SphericalLook(const AntennaPair& antennas, const Beam& incident, 
       highest_(std::ranges::max(wavenumbers)),
       most_bend_(bend_tolerance(relative_tolerance)) {}
 
+SphericalLook SphericalLook::at_frequency(std::size_t index) const {
+  SphericalLook one = *this;
+  one.wavenumbers_ = wavenumbers_.subspan(index, 1);
+  one.highest_ = wavenumbers_[index];
+  return one;
+}
+
 // Folded back the point is one in the transmitter's own wave; each perfect conductor turns the mirrored field over.
 AntennaRay SphericalLook::wave(const Beam& beam, const dvec3& r) const {
   AntennaRay ray = antennas_.transmit.ray_to(vector_of(incident_, components(beam, r - beam.base)));
@@ -103,12 +110,17 @@ void SphericalLook::add(TubeSums& sums, int bounce, const Beam& outgoing, const 
   const Affine depth = depth_of(outgoing, plane);
   const auto at = [&](const dvec3& r) { return current(outgoing, plane, r); };
   const auto corner = [&](std::size_t i) { return at(point_at(outgoing, polygon[i].at, depth(polygon[i].at))); };
-  const Sums to = sums_of(sums, bounce);
+  add_fan(sums_of(sums, bounce), polygon.size(), corner, at);
+}
+
+// A convex polygon, triangle by triangle.
+template <class Corner, class At>
+void SphericalLook::add_fan(const Sums& sums, std::size_t corners, Corner corner, At at) const {
   const Current first = corner(0);
   Current before = corner(1);
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
+  for (std::size_t i = 2; i < corners; ++i) {
     const Current next = corner(i);
-    add(to, Triangle{first, before, next}, at);
+    add(sums, Triangle{first, before, next}, at);
     before = next;
   }
 }
@@ -119,6 +131,12 @@ bool SphericalLook::add(TubeSums& sums, const BentFacet& facet) const {
   if (std::ranges::all_of(corners, [](const Current& c) { return inner(c.weight, c.weight) == 0.0; })) return false;
   add(sums_of(sums, 0), corners, at);
   return true;
+}
+
+void SphericalLook::add(TubeSums& sums, const BentFacet& facet, std::span<const dvec3> corners) const {
+  const auto at = [&](const dvec3& r) { return current(facet, r); };
+  add_fan(
+      sums_of(sums, 0), corners.size(), [&](std::size_t i) { return at(corners[i]); }, at);
 }
 
 // Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border

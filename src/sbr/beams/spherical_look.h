@@ -24,6 +24,9 @@ class SphericalLook {
   SphericalLook(const AntennaPair& antennas, const Beam& incident, std::span<const double> wavenumbers,
                 double relative_tolerance);
 
+  /// The same look at one of its wavenumbers.
+  SphericalLook at_frequency(std::size_t index) const;
+
   /// The wave of a beam at a point.
   AntennaRay wave(const Beam& beam, const dvec3& r) const;
 
@@ -38,6 +41,9 @@ class SphericalLook {
   /// Adds S of the currents of the first bounce on the part of a curved surface over a facet, lit by the transmitter itself
   /// wherever it faces it, as on a convex body. False, and nothing is added, if none of the facet's corners is lit.
   bool add(TubeSums& sums, const BentFacet& facet) const;
+
+  /// The same of what is over a polygon of the facet's plane.
+  void add(TubeSums& sums, const BentFacet& facet, std::span<const dvec3> corners) const;
 
  private:
   struct Current {
@@ -56,6 +62,8 @@ class SphericalLook {
 
   Current current(const Beam& outgoing, const Patch& plane, const dvec3& r) const;
   Current current(const BentFacet& facet, const dvec3& r) const;
+  template <class Corner, class At>
+  void add_fan(const Sums& sums, std::size_t corners, Corner corner, At at) const;
   template <class At>
   void add(const Sums& sums, const Triangle& triangle, At at) const;
   double bend_of(const Triangle& corners, const Triangle& middles) const;

@@ -274,21 +274,15 @@ class CellTrace {
     if (look_.map) add_to_map(piece, shape, part[look_.map->frequency_index()], triangle_at);
   }
 
-  // Quadrature over the cells of the map differs from that over the whole by its error: the strongest cell takes that.
   template <class Shape, class TriangleAt>
   void add_to_map(const CurvedPiece& piece, const Shape& shape, const ScatteringMatrix& whole, TriangleAt triangle_at) {
-    ScatteringMatrix rest = whole;
     look_.map->set_bounce(0);
-    double most = -1.0;
-    dvec2 strongest(0.0);
+    CurrentInParts parts(*look_.map, whole, middle(shape), triangle_at(middle(shape)));
     look_.map->cut_up(shape, [&](const Shape& cell) {
       const dvec2 at = middle(cell);
-      const ScatteringMatrix s = curved_far_field(map_light_, piece, cell).front();
-      look_.map->add(at, triangle_at(at), s);
-      rest = rest - s;
-      if (const double size = largest_amplitude(s); size > most) most = size, strongest = at;
+      parts.add(at, triangle_at(at), curved_far_field(map_light_, piece, cell).front());
     });
-    look_.map->add(strongest, triangle_at(strongest), rest);
+    parts.finish();
   }
 
   // A piece that lies off the surface by some phase is wrong by as large a share of its far field. Twice: sides are only looked

@@ -207,7 +207,10 @@ void CellTubes::add_incoherent() {
 }
 
 void CellTubes::add_to_map(const Tube& tube, std::uint32_t triangle) {
-  map_->add(beams_.footprint(tube.beam), cell_bounds(grid_, tube.column, tube.row), triangle);
+  const Bounds cell = cell_bounds(grid_, tube.column, tube.row);
+  if (!spherical_) return map_->add(beams_.footprint(tube.beam), cell, triangle);
+  const dvec2 at = grid_.ray_coordinates(tube.column, tube.row);
+  map_->add(spherical_->footprint(beams_.beam(tube.beam), beams_.patch(tube.beam), at), cell, triangle);
 }
 
 // Current and phase gradient of a spherical wave are those where the ray met the surface: from the middle of its cells none may

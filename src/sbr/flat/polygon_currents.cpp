@@ -19,7 +19,7 @@ void PolygonCurrents::add(TubeSums& to, std::uint32_t node, const VisiblePart& p
                           int bounce, CurrentMap* map) {
   std::vector<ScatteringMatrix>& sums = to.at(bounce, look_.wavenumbers().size());
   ++to.hits[static_cast<std::size_t>(bounce)];
-  if (look_.spherical) return look_.spherical->add(to, bounce, beams_.beam(node), beams_.patch(node), part.outline);
+  if (look_.spherical) return add_spherical(to, node, part, bounce, map);
   const auto radiate = [&](const Footprint& footprint, const VisiblePart& of, std::span<const CellBlock> under) {
     if (look_.clip) phase_integrals(footprint, band_, of.outline, integrals_);
     for (std::size_t f = 0; f < sums.size(); ++f) {
@@ -38,6 +38,23 @@ void PolygonCurrents::add(TubeSums& to, std::uint32_t node, const VisiblePart& p
   add_to_estimates(to, beams_.footprint(node), part.outline, blocks);
 }
 
+void PolygonCurrents::add_spherical(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce,
+                                    CurrentMap* map) const {
+  const Beam& beam = beams_.beam(node);
+  const Patch& plane = beams_.patch(node);
+  if (!map) return look_.spherical->add(to, bounce, beam, plane, part.outline);
+  const std::size_t f = map->frequency_index();
+  const auto sum = [&] { return to.at(bounce, look_.wavenumbers().size())[f]; };
+  const ScatteringMatrix before = sum();
+  look_.spherical->add(to, bounce, beam, plane, part.outline);
+  const SphericalLook at_frequency = look_.spherical->at_frequency(f);
+  map->add(beam, part.outline, part.face, sum() - before, [&](const ConvexPolygon& of) {
+    TubeSums alone;
+    at_frequency.add(alone, 0, beam, plane, of);
+    return alone.bounces[0][0];
+  });
+}
+
 void PolygonCurrents::add_to_estimates(TubeSums& to, const Footprint& footprint, const ConvexPolygon& outline,
                                        std::span<const CellBlock> blocks) const {
   if (!look_.clip) count_staircase(to, footprint, outline);
@@ -53,7 +70,7 @@ void PolygonCurrents::add_to_map(CurrentMap& map, const Footprint& footprint, co
     for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
       for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
         map.add(footprint, cell_bounds(look_.grid, column, row),
-                map.triangle_under(footprint, part.face, look_.grid.ray_coordinates(column, row)));
+                map.triangle_under(footprint.outgoing, part.face, look_.grid.ray_coordinates(column, row)));
 }
 
 // Cells stand for the polygon but for their stairs along its sides: each step is off by up to half a cell, h / sqrt(12) in the

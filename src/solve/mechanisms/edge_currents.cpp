@@ -36,7 +36,7 @@ class EdgeCurrentsOfLook : public Mechanism {
     if (sink.image == nullptr) return;
     const PieceRequest request{sink.image->frequency_index, sink.image->lattice, sink.image->by_path};
     std::vector<ImageEdge>& pieces = sink.image->pieces;
-    std::vector<ImageEdge> edges = scene_.edges.pieces(look, request, waves);
+    std::vector<ImageEdge> edges = scene_.edges.pieces(look, scene_.plan.sweep.radar, request, waves);
     if (pieces.empty())
       pieces = std::move(edges);  // there may be many
     else

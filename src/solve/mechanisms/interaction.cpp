@@ -50,8 +50,11 @@ class Interaction : public Mechanism {
     put(std::move(found), sink.sums);
     sink.sums.run(MechanismId::interaction).ran = frequencies_;
     if (sink.image == nullptr) return;
-    for (const ImageEdge& piece : scene_.edges.interaction_pieces(look, sink.image->frequency_index, limits, sink.image->by_path))
+    const std::size_t f = sink.image->frequency_index;
+    for (ImageEdge& piece : scene_.edges.interaction_pieces(look, f, limits, sink.image->by_path)) {
+      if (!look.far()) piece.s *= factor_of_antennas(look, f);
       add_cut_up(piece, *sink.image);
+    }
   }
 
  private:
@@ -71,9 +74,13 @@ class Interaction : public Mechanism {
     sums.skipped.fringe_beyond_budget = found.skipped.fringe_pieces;
   }
 
+  Complex factor_of_antennas(const Look& look, std::size_t f) const {
+    return from_plane_waves(scene_.plan.target.mesh, look, scene_.plan.sweep.radar, scene_.band.frequencies[f]);
+  }
+
   void refer_to_antennas(const Look& look, InteractionResult& found) const {
     for (std::size_t f = 0; f < found.scattering.size(); ++f) {
-      const Complex factor = from_plane_waves(scene_.plan.target.mesh, look, scene_.plan.sweep.radar, scene_.band.frequencies[f]);
+      const Complex factor = factor_of_antennas(look, f);
       found.scattering[f] *= factor;
       for (std::array<double, 2>& errors : found.error[f])
         for (double& error : errors) error *= std::abs(factor);

@@ -6,6 +6,7 @@
 #include "scene/sweep.h"
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
+#include "utd/fringe/fringe_pieces.h"
 
 namespace raytube {
 
@@ -15,5 +16,10 @@ namespace raytube {
 /// up to k x^2 / (2 range). `frequencies` [Hz] must not be empty.
 EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair& antennas, std::span<const double> frequencies,
                                       const FringeOptions& options);
+
+/// The same piece by piece of the lit edges within a cell of the lattice, as fringe_pieces() has them; not by path.
+std::vector<ImageEdge> fringe_pieces_near(const EdgeScene& scene, const AntennaPair& antennas,
+                                          std::span<const double> frequencies, const PieceRequest& request,
+                                          const FringeOptions& options);
 
 }  // namespace raytube

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <ranges>
 
 #include "core/error.h"
 #include "scene/material.h"
@@ -36,18 +38,23 @@ bool on_half_turn(double angle) { return std::abs(angle - pi) < on_boundary; }
 
 }  // namespace
 
-// One look: what arrives, times range^2 e^{2jk range}.
+// One look: what arrives, times both ranges and e^{jk (their sum)}.
 class RayFields::Sum {
  public:
   Sum(const RayFields& scene, const Look& look, std::span<const double> frequencies) : scene_(scene), frequencies_(frequencies) {
     const SphericalBasis transmit = spherical_basis(look.transmit), receive = spherical_basis(look.receive);
     const dvec3 center = scene.tracer_.mesh().center;
-    transmitter_ = scene.range_ * transmit.radial - center;
-    receiver_ = scene.range_ * receive.radial - center;
-    monostatic_ = transmit.radial == receive.radial;
+    transmit_range_ = look.far() ? scene.range_ : look.transmit_range;
+    receive_range_ = look.far() ? scene.range_ : look.receive_range;
+    transmitter_ = transmit_range_ * transmit.radial - center;
+    receiver_ = receive_range_ * receive.radial - center;
+    monostatic_ = transmit.radial == receive.radial && transmit_range_ == receive_range_;
     moments_ = {transmit.theta_hat, transmit.phi_hat};
     receive_ = {receive.theta_hat, receive.phi_hat};
-    to_center_ = -glm::dot(transmit.radial + receive.radial, center);
+    if (look.far())
+      to_center_ = -glm::dot(transmit.radial + receive.radial, center);
+    else
+      antennas_.emplace(look, scene.radar_, center);
     result_.edges.resize(frequencies.size());
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
   }
@@ -64,25 +71,40 @@ class RayFields::Sum {
   }
 
  private:
-  RaySource source(int polarisation) const { return {Spreading::point, transmitter_, {}, {moments_[polarisation], dvec3(0.0)}}; }
+  RaySource source(const dvec3& moment) const { return {Spreading::point, transmitter_, {}, {moment, dvec3(0.0)}}; }
+
+  // What an antenna has towards a point, without spreading.
+  static std::array<dvec3, 2> fields_towards(const Antenna& antenna, const dvec3& point) {
+    std::array<dvec3, 2> fields = antenna.ray_to(point).field;
+    for (dvec3& field : fields) field *= glm::distance(point, antenna.position()) / antenna.range();
+    return fields;
+  }
+  std::array<dvec3, 2> moments_towards(const dvec3& point) const {
+    return antennas_ ? fields_towards(antennas_->transmit, point) : moments_;
+  }
+  std::array<dvec3, 2> receive_from(const dvec3& point) const {
+    return antennas_ ? fields_towards(antennas_->receive, point) : receive_;
+  }
 
   Complex reference(double k) const { return std::polar(1.0, k * to_center_); }
 
   void add_edge(const Wedge& wedge) {
     const StraightEdge edge = straight_edge(wedge);
-    if (!has_edge_ray(edge, source(0), receiver_)) return;
-    EdgeRay ray = edge_ray(edge, source(0), receiver_);
+    if (!has_edge_ray(edge, source(moments_[0]), receiver_)) return;
+    EdgeRay ray = edge_ray(edge, source(moments_[0]), receiver_);
     const double weight = weight_of(edge, ray);
-    if (weight == 0.0 || !is_clear(wedge, nearest_point(edge, ray))) return;
+    const dvec3 nearest = nearest_point(edge, ray);
+    if (weight == 0.0 || !is_clear(wedge, nearest)) return;
     note_boundaries(wedge, edge, ray);
     ++result_.edge_rays;
-    ray.path -= 2 * scene_.range_;
-    ray.spread *= weight * scene_.range_ * scene_.range_;
+    ray.path -= transmit_range_ + receive_range_;
+    ray.spread *= weight * transmit_range_ * receive_range_;
+    const std::array<dvec3, 2> moments = moments_towards(nearest), received = receive_from(nearest);
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
       for (const int transmit : {0, 1}) {
-        const ComplexVector field = diffracted_field(edge, ray, source(transmit).moment, wavenumbers_[f]);
+        const ComplexVector field = diffracted_field(edge, ray, source(moments[transmit]).moment, wavenumbers_[f]);
         for (const int receive : {0, 1})
-          result_.edges[f].at(receive, transmit) += reference(wavenumbers_[f]) * dot(field, receive_[receive]);
+          result_.edges[f].at(receive, transmit) += reference(wavenumbers_[f]) * dot(field, received[receive]);
       }
   }
 
@@ -100,7 +122,7 @@ class RayFields::Sum {
 
   // Whose shadow or reflection boundary is in this ray.
   void note_boundaries(const Wedge& wedge, const StraightEdge& edge, const EdgeRay& ray) {
-    const double room = on_boundary * scene_.range_;
+    const double room = on_boundary * transmit_range_;
     if (ray.arc_length < edge.begin - room || ray.arc_length > edge.end + room) return;
     if (on_half_turn(std::abs(ray.observation_angle - ray.source_angle))) ++edges_in_direct_ray_;
     const double sum = ray.observation_angle + ray.source_angle;
@@ -110,19 +132,31 @@ class RayFields::Sum {
 
   // The direct ray less itself.
   void add_shadow() {
-    if (monostatic_) return;
+    if (monostatic_ || !target_may_stand_between()) return;
     if (edges_in_direct_ray_ == 0 && !blocks_between(scene_.tracer_, transmitter_, receiver_)) return;
-    add_ray(0, glm::length(receiver_ - transmitter_), transmitter_, moments_, -std::ldexp(1.0, -edges_in_direct_ray_));
+    add_ray(0, glm::length(receiver_ - transmitter_), transmitter_, moments_towards(receiver_),
+            -std::ldexp(1.0, -edges_in_direct_ray_));
+  }
+
+  // An antenna at a finite distance has all of the target in front, and nothing of it beside or behind.
+  bool target_may_stand_between() const {
+    if (!antennas_) return true;
+    const dvec3 way = receiver_ - transmitter_;
+    return glm::dot(way, antennas_->transmit.radial()) < 0.0 && glm::dot(way, antennas_->receive.radial()) > 0.0;
   }
 
   void add_mirrors(const MirrorPath& path) {
     dvec3 image = transmitter_;
-    std::array<dvec3, 2> moments = moments_;
     for (const std::uint32_t patch : path.patches) {
       const Patch& plane = scene_.tracer_.mesh().patches[patch];
       image -= 2.0 * (glm::dot(plane.normal, image) - plane.offset) * plane.normal;
-      for (dvec3& moment : moments) moment = reflected_field_pec(moment, plane.normal);
     }
+    dvec3 leaving = receiver_ - image;
+    for (const std::uint32_t patch : path.patches | std::views::reverse)
+      leaving = reflected_direction(leaving, scene_.tracer_.mesh().patches[patch].normal);
+    std::array<dvec3, 2> moments = moments_towards(transmitter_ + leaving);
+    for (const std::uint32_t patch : path.patches)
+      for (dvec3& moment : moments) moment = reflected_field_pec(moment, scene_.tracer_.mesh().patches[patch].normal);
     const std::size_t bounce = path.patches.size() - 1;
     const auto edges = bounce == 0 ? std::ranges::count(boundary_patches_, path.patches[0]) : 0;
     if (result_.paths.size() <= bounce) result_.paths.resize(bounce + 1);
@@ -133,13 +167,15 @@ class RayFields::Sum {
   void add_ray(std::size_t bounce, double length, const dvec3& from, const std::array<dvec3, 2>& moments, double weight) {
     if (result_.bounces.size() <= bounce) result_.bounces.resize(bounce + 1, std::vector<ScatteringMatrix>(frequencies_.size()));
     const dvec3 direction = (receiver_ - from) / length;
-    const double spread = weight * scene_.range_ * scene_.range_ / length;
+    const double spread = weight * transmit_range_ * receive_range_ / length;
+    const std::array<dvec3, 2> received = receive_from(from);
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const Complex phase = std::polar(spread, -wavenumbers_[f] * (length - 2 * scene_.range_)) * reference(wavenumbers_[f]);
+      const Complex phase =
+          std::polar(spread, -wavenumbers_[f] * (length - (transmit_range_ + receive_range_))) * reference(wavenumbers_[f]);
       for (const int transmit : {0, 1}) {
         const dvec3 field = moments[transmit] - glm::dot(moments[transmit], direction) * direction;
         for (const int receive : {0, 1})
-          result_.bounces[bounce][f].at(receive, transmit) += phase * glm::dot(field, receive_[receive]);
+          result_.bounces[bounce][f].at(receive, transmit) += phase * glm::dot(field, received[receive]);
       }
     }
   }
@@ -147,7 +183,9 @@ class RayFields::Sum {
   const RayFields& scene_;
   std::span<const double> frequencies_;
   std::vector<double> wavenumbers_;
+  double transmit_range_, receive_range_;
   dvec3 transmitter_, receiver_;
+  std::optional<AntennaPair> antennas_;     // at a finite distance
   std::array<dvec3, 2> moments_, receive_;  // V, H
   bool monostatic_ = false;
   double to_center_ = 0.0;
@@ -156,8 +194,8 @@ class RayFields::Sum {
   RayLookResult result_;
 };
 
-RayFields::RayFields(const Tracer& tracer, std::span<const Wedge> wedges, double range, int most_bounces)
-    : tracer_(tracer), wedges_(wedges), mirrors_(tracer), range_(range), most_bounces_(most_bounces) {}
+RayFields::RayFields(const Tracer& tracer, std::span<const Wedge> wedges, double range, const Radar& radar, int most_bounces)
+    : tracer_(tracer), wedges_(wedges), mirrors_(tracer), range_(range), radar_(radar), most_bounces_(most_bounces) {}
 
 RayLookResult RayFields::look(const Look& look, std::span<const double> frequencies) const {
   return Sum(*this, look, frequencies).run();

@@ -25,7 +25,9 @@ struct RayLookResult {
 };
 
 /// Transmitter and receiver stand `range` [m] from the origin of the mesh's own coordinates, outside the target. With E_i(0) the
-/// incident field at the origin, E_s = S E_i(0) e^{-jk range} / range, S in [m]. E_s is the sum of
+/// incident field at the origin, E_s = S E_i(0) e^{-jk range} / range, S in [m]. Antennas at a finite distance (scene/antenna.h)
+/// stand where they are; each ray leaves and arrives with the fields that they have in its direction, over an edge in that of the
+/// edge's nearest point. E_s is the sum of
 ///   the reflected paths of up to `most_bounces` mirrors (image sources);
 ///   the direct ray taken away where the target stands in it;
 ///   one ray over every convex wedge that has a line of sight to both at the point of the edge nearest to the diffraction point.
@@ -33,8 +35,8 @@ struct RayLookResult {
 /// edge whose rays run exactly along one of its faces has the mean of what it has from both sides: half, nothing at a half plane.
 class RayFields {
  public:
-  /// Keeps references to all but the numbers.
-  RayFields(const Tracer& tracer, std::span<const Wedge> wedges, double range, int most_bounces);
+  /// Keeps references to all but the numbers. `range` of looks from afar, `radar` of others.
+  RayFields(const Tracer& tracer, std::span<const Wedge> wedges, double range, const Radar& radar, int most_bounces);
 
   RayLookResult look(const Look& look, std::span<const double> frequencies) const;
 
@@ -45,6 +47,7 @@ class RayFields {
   std::span<const Wedge> wedges_;
   MirrorPaths mirrors_;
   double range_;
+  const Radar& radar_;
   int most_bounces_;
 };
 
