@@ -321,7 +321,7 @@ void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
   if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
     throw InputError(
         fmt::format("unknown command \"{}\"; write run, check, trace, converge, sources, compare, convert, profile, isar, "
-                    "centres, plot, "
+                    "centres, merge, plot, "
                     "statistics or report (see raytube --help)",
                     word));
 }
