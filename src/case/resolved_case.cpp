@@ -157,6 +157,8 @@ JsonValue resolved_case(const Case& c) {
   json["frequency"] = frequency_json(c.sweep);
   if (c.radar.positions.empty()) put_looks(c, json);
   if (!c.sweep.looks.front().far()) json["radar"] = radar_json(c);
+  if (c.ground)
+    json["ground"] = {{"height_m", c.ground->height}, {"material", c.ground->perfect() ? "pec" : c.ground->material->name}};
   json["tubes"] = tubes_json(c.tubes);
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip)
     json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}, {"model_share", c.tubes.model_share}};

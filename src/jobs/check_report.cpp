@@ -90,6 +90,10 @@ void tell_request(CheckReport& report, const Case& c) {
   tell_range_profile(report, c.sweep.frequencies);
   report.print("looks        {}\n", looks_text(c));
   tell_antennas(report, c);
+  if (c.ground)
+    report.print(
+        "ground       at z = {} m, {}\n", c.ground->height,
+        c.ground->perfect() ? "perfect conductor: target and mirror image together" : c.ground->material->name + ": four paths");
   if (c.edges.method == EdgeMethod::utd)
     report.print("tubes        none: rays instead (edges.method \"utd\"), at most {} reflections\n", c.tubes.max_bounces);
   else

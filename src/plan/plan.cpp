@@ -216,6 +216,11 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+SolvePlan::SolvePlan(const Target& on, std::shared_ptr<const Sweep> asked, const SolveOptions& options)
+    : SolvePlan(on, *asked, options) {
+  kept_sweep = std::move(asked);
+}
+
 double BandPlan::shortest_wavelength() const { return wavelength(std::ranges::max(frequencies)); }
 
 double SolvePlan::shortest_wavelength() const { return wavelength(std::ranges::max(sweep.frequencies)); }

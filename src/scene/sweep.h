@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "scene/antenna.h"
@@ -29,6 +30,15 @@ struct AntennaPair {
       : transmit({look.transmit, look.transmit_range}, -mesh_center, radar.aim - mesh_center, radar.pattern),
         receive({look.receive, look.receive_range}, -mesh_center, radar.aim - mesh_center, radar.pattern) {}
   Antenna transmit, receive;  // equal for a monostatic look
+};
+
+/// The half space below a plane across z.
+struct Ground {
+  double height = 0.0;                 // z of the plane in the mesh's own coordinates [m]
+  std::optional<Material> material{};  // of the surface; none: a perfect conductor
+
+  /// It is one.
+  bool perfect() const { return !material.has_value(); }
 };
 
 /// Every look at every frequency. Rows of the result: looks vary slowest, frequency fastest.

@@ -21,8 +21,8 @@
 
 namespace raytube {
 
-/// The look section as the user gave it [deg]: the name of a look list, relative to the case's folder, or a list of numbers, which
-/// stands in the sweep alone, or the values of each angle.
+/// The look section as the user gave it [deg]: the name of a look list, relative to the case's folder, or a list of numbers,
+/// which stands in the sweep alone, or the values of each angle.
 struct LookChoice {
   std::string looks_csv;
   bool given_as_numbers = false;
@@ -95,6 +95,7 @@ struct Case {
   Sweep sweep;
   LookChoice looks;
   RadarChoice radar;
+  std::optional<Ground> ground;  // below the target; none: free space
   TubeOptions tubes;
   EdgeOptions edges;
   std::vector<WrittenKey> edge_keys;  // of [edges] that are written

@@ -14,7 +14,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 44> known_keys = {"title",
+constexpr std::array<std::string_view, 46> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -53,6 +53,8 @@ constexpr std::array<std::string_view, 44> known_keys = {"title",
                                                          "radar.aim_m",
                                                          "radar.beamwidth_deg",
                                                          "radar.pattern_csv",
+                                                         "ground.height_m",
+                                                         "ground.material",
                                                          "output.plots",
                                                          "output.netcdf",
                                                          "output.incoherent",
