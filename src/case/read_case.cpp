@@ -241,6 +241,11 @@ void read_output(const CaseValue& root, Case& c) {
       reject(*incoherent, {root.find("ground")},
              "output.incoherent: what rough surfaces scatter without phase is not known over ground; remove [ground]");
   }
+  if (const CaseValue* power = find(root, "output", "power_dbm")) {
+    c.power = read_flag(*power, "output.power_dbm");
+    if (c.power && !c.radar.link)
+      reject(*power, "output.power_dbm needs radar.transmit_power_dbm and radar.gain_dbi; add them, or remove it");
+  }
   if (const CaseValue* looks = find(root, "output", "image_look")) read_image_looks(root, *looks, c);
   if (const CaseValue* density = find(root, "output", "image_per_wavelength"))
     c.image_per_wavelength = read_density(*density, "output.image_per_wavelength");

@@ -64,6 +64,8 @@ void tell_antennas(CheckReport& report, const Case& c) {
   if (radar.positions.empty())
     report.print("antennas     {} m from the mesh's origin, the receiver {} m; S is the apparent amplitude\n", radar.range_m,
                  radar.receive_range_m);
+  if (!radar.turntable_deg.empty())
+    report.print("             they stand, the target turns: {} deg\n", values_text(radar.turntable_deg));
   const std::string beam = radar.beamwidth_deg.empty() ? "" : fmt::format("beams of {} deg", values_text(radar.beamwidth_deg));
   if (!beam.empty() || !radar.pattern_csv.empty())
     report.print("             {}{}{}\n", beam, beam.empty() || radar.pattern_csv.empty() ? "" : ", ", radar.pattern_csv);

@@ -64,6 +64,7 @@ void write_tables(const fs::path& folder, const Case& c, const Solved& solved, b
   stop_if_interrupted();
   if (parts) write_parts_csv(folder / "parts.csv", c.sweep, result);
   if (c.incoherent) write_incoherent_csv(folder / "incoherent.csv", c.sweep, result);
+  if (c.power) write_power_csv(folder / "power.csv", c.sweep, *c.radar.link, result);
   if (by_chance) write_random_csv(folder / "random.csv", c.sweep, *by_chance);
   stop_if_interrupted();
 }
