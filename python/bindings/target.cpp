@@ -35,6 +35,7 @@ double metres_of_unit(const std::string& unit) {
 // All that the mesh made ready depends on.
 std::string dependencies(const Case& c) {
   std::string text = fmt::format("{} {}", c.wedges.min_wedge_angle, c.wedges.thin_plates);
+  if (c.ground) text += fmt::format(" over {} {}", c.ground->height, c.ground->perfect());
   if (c.sweep.materials.empty() && c.assignment.parts.empty() && c.assignment.facets.empty()) return text;
   for (const auto& [key, value] : numerical_keys(c))
     if (key.starts_with("target.") || key.starts_with("materials.") || key.starts_with("frequency.")) text += key + '=' + value;
@@ -70,6 +71,7 @@ std::shared_ptr<const BuiltTarget> TargetSource::built_for(const Case& c) {
   PolygonSoup soup = polygons;
   if (meshes.size() == 1 && !sha256.empty() && !c.assignment.parts.empty()) add_name(soup, meshes.front());  // as a case does
   assign_materials(soup, c);
+  add_mirror_image(soup, c);
   LoadedMesh loaded = build_mesh(std::move(soup), c.metres_per_unit, name, c.sweep.materials);
   auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges));
   if (built_.size() == most_built) built_.erase(built_.begin());

@@ -28,23 +28,24 @@ _Progress = bool | Callable[[float], Any]
 def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
           facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
           edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
-          accuracy: Mapping[str, Any] | None = ..., title: str | None = ..., keep_parts: bool = ..., threads: int = ...,
-          progress: _Progress = ..., comm: None = ...) -> Result: ...
+          ground: Mapping[str, Any] | None = ..., accuracy: Mapping[str, Any] | None = ..., title: str | None = ...,
+          keep_parts: bool = ..., threads: int = ..., progress: _Progress = ..., comm: None = ...) -> Result: ...
 
 
 @overload
 def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
           facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
           edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
-          accuracy: Mapping[str, Any] | None = ..., title: str | None = ..., keep_parts: bool = ..., threads: int = ...,
-          progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
+          ground: Mapping[str, Any] | None = ..., accuracy: Mapping[str, Any] | None = ..., title: str | None = ...,
+          keep_parts: bool = ..., threads: int = ..., progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
 
 
 def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str | None = None, parts: Mapping[str, str] | None = None,
           facets: Mapping[str, Any] | None = None, materials: Mapping[str, Any] | None = None, tubes: Mapping[str, Any] | None = None,
           edges: Mapping[str, Any] | None = None, surfaces: Mapping[str, Any] | None = None, radar: Mapping[str, Any] | None = None,
-          accuracy: Mapping[str, Any] | None = None, title: str | None = None, keep_parts: bool = False, threads: int = 0,
-          progress: _Progress = False, comm: _ranks.Communicator | None = None) -> Result | None:
+          ground: Mapping[str, Any] | None = None, accuracy: Mapping[str, Any] | None = None, title: str | None = None,
+          keep_parts: bool = False, threads: int = 0, progress: _Progress = False,
+          comm: _ranks.Communicator | None = None) -> Result | None:
     """Computes the scattering amplitudes of a target.
 
     The same bits for any number of threads, and the same as those of ``raytube run`` for a case with these keys.
@@ -63,7 +64,7 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
         Materials of parts of the mesh, by their names (``Target.parts``).
     facets : dict, optional
         Materials of single facets, counted from 0: ``{"glass": [0, [10, 20]]}``.
-    materials, tubes, edges, surfaces, radar, accuracy : dict, optional
+    materials, tubes, edges, surfaces, radar, ground, accuracy : dict, optional
         Sections of a case file, with its keys: ``edges={"order": 2}``, ``materials={"coat": {"kind": "coated", "eps_r": [4, 0.1],
         "thickness_mm": 2}}``.
     title : str, optional
@@ -104,7 +105,7 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
     warns.
     """
     keywords = {"material": material, "parts": parts, "facets": facets, "materials": materials, "tubes": tubes, "edges": edges,
-                "surfaces": surfaces, "radar": radar, "accuracy": accuracy, "title": title}
+                "surfaces": surfaces, "radar": radar, "ground": ground, "accuracy": accuracy, "title": title}
     return _solved(lambda: _job_of_target("solve", target, ghz, looks, keywords), keep_parts, threads, progress, comm)
 
 
@@ -438,7 +439,7 @@ def _warn(sentences: list[str], level: int = 3) -> None:
 
 # Sections of a case that are keywords; those of [target] first.
 _OF_TARGET = ("material", "parts", "facets")
-_SECTIONS = ("materials", "tubes", "edges", "surfaces", "radar", "accuracy")
+_SECTIONS = ("materials", "tubes", "edges", "surfaces", "radar", "ground", "accuracy")
 _KEYWORDS = (*_OF_TARGET, *_SECTIONS, "title")
 
 

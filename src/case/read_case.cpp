@@ -9,6 +9,7 @@
 #include "case/data/names.h"
 #include "case/directions/looks.h"
 #include "case/directions/radar.h"
+#include "case/ground.h"
 #include "case/materials/materials.h"
 #include "case/text/document.h"
 #include "case/text/keys.h"
@@ -215,6 +216,8 @@ void read_image_looks(const CaseValue& root, const CaseValue& value, Case& c) {
   if (c.edges.materials != MaterialEdgeMethod::none)
     reject(value, {find(root, "edges", "materials")},
            "output.image_look: the heuristic of edges.materials is not available in images; write edges.materials = \"none\"");
+  if (c.ground)
+    reject(value, {root.find("ground")}, "output.image_look: images over ground are not in this version; remove [ground]");
   if (c.edges.method == EdgeMethod::utd)
     reject(value, {find(root, "edges", "method")},
            "output.image_look needs currents, but edges.method is \"utd\"; write \"fringe\" or \"none\" there");
@@ -234,6 +237,14 @@ void read_output(const CaseValue& root, Case& c) {
     if (c.incoherent && !any_rough(c.sweep.materials))
       reject(*incoherent,
              "output.incoherent: no surface is rough; give roughness_rms_mm to a material of the target, or remove it");
+    if (c.incoherent && c.ground)
+      reject(*incoherent, {root.find("ground")},
+             "output.incoherent: what rough surfaces scatter without phase is not known over ground; remove [ground]");
+  }
+  if (const CaseValue* power = find(root, "output", "power_dbm")) {
+    c.power = read_flag(*power, "output.power_dbm");
+    if (c.power && !c.radar.link)
+      reject(*power, "output.power_dbm needs radar.transmit_power_dbm and radar.gain_dbi; add them, or remove it");
   }
   if (const CaseValue* looks = find(root, "output", "image_look")) read_image_looks(root, *looks, c);
   if (const CaseValue* density = find(root, "output", "image_per_wavelength"))
@@ -259,6 +270,7 @@ Case resolved(const CaseValue& root, const std::filesystem::path& file, const Lo
   read_edges(root, c);
   read_surfaces(root, c);
   read_radar(root, c);
+  read_ground(root, c);
   read_output(root, c);
   const CaseValue* title = root.find("title");
   c.title = title ? read_text(*title, "title") : name_of_mesh(c.mesh_files.front());

@@ -1,5 +1,7 @@
 #include "case/resolved_case.h"
 
+#include <algorithm>
+
 #include "case/data/names.h"
 #include "core/decimal.h"
 #include "core/json.h"
@@ -62,20 +64,25 @@ JsonValue radar_json(const Case& c) {
   if (!radar.positions.empty()) json["position_m"] = vectors_json(radar.positions);
   if (!radar.receive_positions.empty()) json["receive_position_m"] = vectors_json(radar.receive_positions);
   json["aim_m"] = vector_json(c.sweep.radar.aim);
+  if (c.sweep.radar.receive_aim) json["receive_aim_m"] = vector_json(*c.sweep.radar.receive_aim);
+  if (!radar.turntable_deg.empty()) json["turntable_deg"] = one_or_list(radar.turntable_deg);
+  if (radar.link) json["transmit_power_dbm"] = radar.link->transmit_power_dbm, json["gain_dbi"] = radar.link->gain_dbi;
   if (!radar.beamwidth_deg.empty()) json["beamwidth_deg"] = one_or_list(radar.beamwidth_deg);
   if (!radar.pattern_csv.empty()) json["pattern_csv"] = radar.pattern_csv;
   return json;
 }
 
-// Columns, as a look list has them.
-JsonValue look_list_json(const Sweep& sweep) {
+// Columns, as a look list has them, before a turntable turns.
+JsonValue look_list_json(const Case& c) {
   JsonValue json;
-  for (const Look& look : sweep.looks) {
+  const std::size_t turns = std::max<std::size_t>(c.radar.turntable_deg.size(), 1);
+  for (std::size_t i = 0; i < c.sweep.looks.size(); i += turns) {
+    const Look& look = c.sweep.looks[i];
     json["theta_deg"].append(decimal_degrees(look.transmit.theta));
-    json["phi_deg"].append(decimal_degrees(look.transmit.phi));
-    if (!sweep.bistatic) continue;
+    json["phi_deg"].append(decimal_degrees(look.transmit.phi + look.turn));
+    if (!c.sweep.bistatic) continue;
     json["rx_theta_deg"].append(decimal_degrees(look.receive.theta));
-    json["rx_phi_deg"].append(decimal_degrees(look.receive.phi));
+    json["rx_phi_deg"].append(decimal_degrees(look.receive.phi + look.turn));
   }
   return json;
 }
@@ -83,7 +90,7 @@ JsonValue look_list_json(const Sweep& sweep) {
 void put_looks(const Case& c, JsonValue& json) {
   const LookChoice& looks = c.looks;
   if (looks.given_as_numbers)
-    json["look"] = {{"list", look_list_json(c.sweep)}};
+    json["look"] = {{"list", look_list_json(c)}};
   else if (!looks.looks_csv.empty())
     json["look"] = {{"looks_csv", looks.looks_csv}};
   else
@@ -157,6 +164,8 @@ JsonValue resolved_case(const Case& c) {
   json["frequency"] = frequency_json(c.sweep);
   if (c.radar.positions.empty()) put_looks(c, json);
   if (!c.sweep.looks.front().far()) json["radar"] = radar_json(c);
+  if (c.ground)
+    json["ground"] = {{"height_m", c.ground->height}, {"material", c.ground->perfect() ? "pec" : c.ground->material->name}};
   json["tubes"] = tubes_json(c.tubes);
   if (c.tubes.mode == TubeMode::adaptive && c.tubes.clip)
     json["accuracy"] = {{"tolerance_db", c.tubes.tolerance_db}, {"model_share", c.tubes.model_share}};
@@ -164,6 +173,7 @@ JsonValue resolved_case(const Case& c) {
   json["surfaces"] = {{"waves", use_json(c.surfaces.waves)}};
   json["output"] = {{"plots", c.plots}, {"netcdf", c.netcdf}};
   if (c.incoherent) json["output"]["incoherent"] = true;
+  if (c.power) json["output"]["power_dbm"] = true;
   if (!c.image_looks.empty()) {
     json["output"]["image_look"] = c.image_looks;
     json["output"]["image_per_wavelength"] = c.image_per_wavelength;

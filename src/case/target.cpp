@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "case/text/keys.h"
@@ -88,6 +90,26 @@ void check_last_facet(const Case& c, std::size_t polygons) {
   }
 }
 
+double ground_in_units(const Case& c) { return c.ground->height / c.metres_per_unit; }
+
+constexpr double rounding_of_files = 1e-6;  // of the target's height: single precision, and some
+
+// What touches the ground but for the rounding of files lies on it, so that it is one with its mirror image.
+void stand_on_ground(PolygonSoup& soup, const Case& c) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const std::vector<std::uint32_t>& polygon : soup.polygons)
+    for (const std::uint32_t corner : polygon)
+      low = std::min(low, soup.points[corner].z), high = std::max(high, soup.points[corner].z);
+  const double ground = ground_in_units(c), close = rounding_of_files * std::max(high - low, std::abs(ground));
+  if (low < ground - close)
+    throw InputError(
+        fmt::format("{}: the target reaches down to z = {:.6g} m, below the ground at {:.6g} m; lower "
+                    "ground.height_m, or cut the mesh there",
+                    c.file.string(), low * c.metres_per_unit, c.ground->height));
+  for (dvec3& point : soup.points)
+    if (std::abs(point.z - ground) <= close) point.z = ground;
+}
+
 // Names take memory, and are of use to parts alone.
 PolygonSoup read_named(const Case& c, std::size_t file, bool named) {
   PolygonSoup soup = read_polygon_soup(c.mesh_files[file], c.metres_per_unit);
@@ -118,10 +140,22 @@ void assign_materials(PolygonSoup& soup, const Case& c) {
   if (numbers.empty()) soup.materials.clear();
 }
 
+void add_mirror_image(PolygonSoup& soup, const Case& c) {
+  if (!c.ground) return;
+  stand_on_ground(soup, c);
+  if (!c.ground->perfect()) return;
+  PolygonSoup image = soup;
+  for (dvec3& point : image.points) point.z = 2.0 * ground_in_units(c) - point.z;
+  for (std::vector<std::uint32_t>& polygon : image.polygons) std::ranges::reverse(polygon);
+  image.free_forms = 0, image.further_files.clear();
+  add_polygons(image, soup);
+}
+
 LoadedMesh load_target(const Case& c, bool named) {
   PolygonSoup whole = read_named(c, 0, named);
   for (std::size_t i = 1; i < c.meshes.size(); ++i) add_polygons(read_named(c, i, named), whole);
   assign_materials(whole, c);
+  add_mirror_image(whole, c);
   if (named) number_parts(whole);
   return build_mesh(std::move(whole), c.metres_per_unit, mesh_names(c), c.sweep.materials);
 }

@@ -13,8 +13,12 @@ std::string mesh_names(const Case& c);
 /// a part or a facet that is not there, and for a polygon that goes by names of different materials.
 void assign_materials(PolygonSoup& soup, const Case& c);
 
-/// Reads the files, assigns the materials and builds the mesh. With `named`, triangles keep their parts' names, that of their file
-/// among them where there are several. Throws InputError.
+/// Below the target of a case over perfect ground its mirror image, as a part of it; of others nothing. Throws InputError for a
+/// target that reaches below the ground of the case.
+void add_mirror_image(PolygonSoup& soup, const Case& c);
+
+/// Reads the files, assigns the materials and builds the mesh. With `named`, triangles keep their parts' names, that of their
+/// file among them where there are several. Throws InputError.
 LoadedMesh load_target(const Case& c, bool named = false);
 
 }  // namespace raytube

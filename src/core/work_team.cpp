@@ -9,6 +9,8 @@
 
 #include "core/threads.h"
 
+#include "core/threads.h"
+
 namespace raytube {
 
 void compute_items(WorkTeam& team, std::size_t items, int threads, const std::function<void(std::size_t)>& compute) {

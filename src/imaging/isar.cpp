@@ -13,8 +13,17 @@ namespace raytube {
 
 namespace {
 
+// Away from the scan, towards the origin; then along it.
+std::vector<dvec3> axis_directions(const AntennaScan& scan, bool plane) {
+  dvec3 away = -scan.middle + glm::dot(scan.middle, scan.fast) * scan.fast;
+  if (!plane) return {glm::normalize(away), scan.fast};
+  away += glm::dot(scan.middle, scan.slow) * scan.slow;
+  return {glm::normalize(away), scan.fast, scan.slow};
+}
+
 // Orthonormal: away from the radar, along rising azimuth, upwards; two or three of them.
 std::vector<dvec3> axis_directions(const AngleGrid& grid) {
+  if (grid.scan) return axis_directions(*grid.scan, grid.theta_deg.count > 1);
   const SphericalBasis middle = spherical_basis({grid.theta_deg.middle() * degree, grid.phi_deg.middle() * degree});
   const bool azimuth = grid.phi_deg.count > 1, elevation = grid.theta_deg.count > 1;
   if (azimuth && elevation) return {-middle.radial, middle.phi_hat, -middle.theta_hat};
@@ -36,7 +45,8 @@ ImageSamples weighted_samples(const SweepSamples& samples, const AngleGrid& grid
   for (std::size_t i = 0; i < grid.looks.size(); ++i) {
     const SweepLook& look = samples.looks[grid.looks[i]];
     const std::size_t t = i / grid.phi_deg.count;
-    const double sine = std::sin(grid.theta_deg.at(t) * degree), of_angle = of_theta[t] * of_phi[i % grid.phi_deg.count];
+    const double sine = grid.scan ? 1.0 : std::sin(grid.theta_deg.at(t) * degree),
+                 of_angle = of_theta[t] * of_phi[i % grid.phi_deg.count];
     for (std::size_t f = 0; f < samples.frequency.count; ++f) {
       const double k = samples.wavenumber_at(f);
       // k dk dangle in the plane, k^2 sin theta dk dtheta dphi in space.
@@ -125,9 +135,26 @@ IsarImage empty_image(const std::vector<ImageAxis>& axes, const IsarOptions& opt
   return image;
 }
 
+// Steps along the scan are those of the middle frequency at the origin.
+std::vector<ImageAxis> scan_axes(const SweepSamples& samples, const AngleGrid& grid, const Window& window) {
+  const std::vector<dvec3> directions = axis_directions(grid);
+  const double k = wavenumber(samples.frequency.middle()), dk = wavenumber(std::abs(samples.frequency.step)),
+               range = glm::length(grid.scan->middle);
+  const double nearer = std::abs(glm::dot(grid.scan->middle, directions[0])) / range;
+  std::vector<ImageAxis> axes{
+      image_axis(directions[0], 2.0 * dk * nearer, samples.frequency.count, window, extent_along(samples, directions[0]))};
+  for (std::size_t axis = 1; axis < directions.size(); ++axis) {
+    const EvenAxis& places = axis == 1 ? grid.phi_deg : grid.theta_deg;
+    axes.push_back(image_axis(directions[axis], 2.0 * k * places.step / range, places.count, window,
+                              extent_along(samples, directions[axis])));
+  }
+  return axes;
+}
+
 }  // namespace
 
 std::vector<ImageAxis> image_axes(const SweepSamples& samples, const AngleGrid& grid, const Window& window) {
+  if (grid.scan) return scan_axes(samples, grid, window);
   const std::vector<dvec3> directions = axis_directions(grid);
   const double k = wavenumber(samples.frequency.middle()), dk = wavenumber(std::abs(samples.frequency.step));
   const dvec3 middle = direction_of(grid.theta_deg.middle(), grid.phi_deg.middle());
@@ -165,8 +192,22 @@ void require_several(const SweepSamples& samples, const std::string& what) {
                   what, samples.frequency.count < 2 ? "frequency" : "look"));
 }
 
+namespace {
+
+// The origin must not lie on the line or in the plane of the scan.
+void require_sight(const AntennaScan& scan, const std::string& what) {
+  constexpr double least = 1e-2;
+  const double along_fast = glm::dot(scan.middle, scan.fast), along_slow = glm::dot(scan.middle, scan.slow);
+  const double square = glm::dot(scan.middle, scan.middle), away = square - along_fast * along_fast - along_slow * along_slow;
+  if (!(away > least * least * square))
+    throw InputError(what + ": the scan runs towards the origin, so that it shows no cross-range; move it past the target");
+}
+
+}  // namespace
+
 void require_aperture(const SweepSamples& samples, const AngleGrid& grid, const std::string& what) {
   require_several(samples, what);
+  if (grid.scan) return require_sight(*grid.scan, what);
   constexpr double least_sine = 1e-2;
   const double sine = std::sin(grid.theta_deg.middle() * degree);
   if (grid.phi_deg.count > 1 && sine < least_sine)

@@ -37,7 +37,7 @@ struct ImageAxis {
 
 /// The axes of a sweep over frequency and angles: away from the radar in the middle of the angles, along rising azimuth, and,
 /// with azimuth and elevation both, upwards, seen from there. With azimuth alone the first two lie in the plane z = 0, whatever
-/// theta: what is above it is displaced.
+/// theta: what is above it is displaced. Of a scan: away from it, along its lines, and from line to line.
 std::vector<ImageAxis> image_axes(const SweepSamples& samples, const AngleGrid& grid, const Window& window);
 
 /// I over an even grid about a point. `s`: the last axis runs fastest.

@@ -65,6 +65,27 @@ double SweepLook::phase_length(const dvec3& r) const {
   return nearer(transmit, transmit_range) + nearer(receive, receive_range);
 }
 
+std::optional<AngleGrid> scan_grid(const std::vector<dvec3>& places) {
+  if (places.size() < 3) return {};
+  const dvec3 step = places[1] - places[0];
+  const double near = even_tolerance * glm::length(step);
+  std::size_t count = 2;
+  while (count < places.size() && glm::distance(places[count] - places[count - 1], step) <= near) ++count;
+  const std::size_t lines = places.size() / count;
+  const dvec3 next = lines > 1 ? places[count] - places[0] : dvec3(0.0);
+  if (lines * count != places.size() || std::abs(glm::dot(next, step)) > near * glm::length(next)) return {};
+  AngleGrid grid{{0.0, glm::length(next), lines}, {0.0, glm::length(step), count}, {}, AntennaScan{}};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const dvec3 even = static_cast<double>(i / count) * next + static_cast<double>(i % count) * step;
+    if (glm::distance(places[i], places[0] + even) > near) return {};
+    grid.looks.push_back(i);
+  }
+  grid.scan->middle = 0.5 * (places.front() + places.back());
+  grid.scan->fast = glm::normalize(step);
+  if (lines > 1) grid.scan->slow = glm::normalize(next);
+  return grid;
+}
+
 AngleGrid angle_grid(const std::vector<std::array<double, 2>>& theta_phi_deg, const std::string& what) {
   std::map<std::array<double, 2>, std::size_t> known;
   std::vector<double> theta, phi;
@@ -79,7 +100,7 @@ AngleGrid angle_grid(const std::vector<std::array<double, 2>>& theta_phi_deg, co
     throw InputError(
         fmt::format("{}s in phi go round to where they began, {:g} degrees; end the sweep one step before", what, phi.back()));
   phi = unwound(std::move(phi));
-  AngleGrid grid{even_axis(theta, what + "s in theta", "degrees"), even_axis(phi, what + "s in phi", "degrees"), {}};
+  AngleGrid grid{even_axis(theta, what + "s in theta", "degrees"), even_axis(phi, what + "s in phi", "degrees"), {}, {}};
   for (const double t : theta)
     for (const double p : phi) {
       const auto found = known.find({t, known.contains({t, p}) ? p : p - 360.0});

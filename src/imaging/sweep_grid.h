@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,11 +50,21 @@ struct SweepSamples {
   double wavenumber_at(std::size_t f) const { return wavenumber(frequency.at(f)); }
 };
 
+/// Places of an antenna in even steps on a straight line, or in a plane along two of them at right angles.
+struct AntennaScan {
+  dvec3 middle;      // [m]
+  dvec3 slow, fast;  // unit; of a line `fast` alone
+};
+
 /// Looks of a sweep as a grid of two angles, theta slowest, as they are listed.
 struct AngleGrid {
   EvenAxis theta_deg, phi_deg;
-  std::vector<std::size_t> looks;  // [theta][phi]: their numbers in the sweep
+  std::vector<std::size_t> looks;     // [theta][phi]: their numbers in the sweep
+  std::optional<AntennaScan> scan{};  // instead of angles; theta_deg and phi_deg are then the places along slow and fast [m]
 };
+
+/// Of an antenna that is moved along a line, or line by line over a plane, as its places are listed; none for other places.
+std::optional<AngleGrid> scan_grid(const std::vector<dvec3>& places);
 
 /// Of looks given by their angles [degrees]. Throws InputError that begins with `what`: for a look that is missing or there
 /// twice, and as even_axis does.

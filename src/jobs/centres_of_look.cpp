@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "imaging/direct.h"
+#include "jobs/over_ground.h"
 #include "jobs/solvable.h"
 #include "solve/pieces.h"
 
@@ -54,6 +55,7 @@ LookCentres found_centres(const Target& target, const Case& c, const CentresAske
 
 LookCentres centres_of_look(const Target& target, const Case& c, const CentresAsked& asked, int threads,
                             const std::function<bool(double)>& progress) {
+  refuse_ground(c, "scattering centres");
   return naming_the_case(c, [&] { return found_centres(target, c, asked, threads, progress); });
 }
 

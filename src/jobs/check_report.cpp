@@ -64,6 +64,8 @@ void tell_antennas(CheckReport& report, const Case& c) {
   if (radar.positions.empty())
     report.print("antennas     {} m from the mesh's origin, the receiver {} m; S is the apparent amplitude\n", radar.range_m,
                  radar.receive_range_m);
+  if (!radar.turntable_deg.empty())
+    report.print("             they stand, the target turns: {} deg\n", values_text(radar.turntable_deg));
   const std::string beam = radar.beamwidth_deg.empty() ? "" : fmt::format("beams of {} deg", values_text(radar.beamwidth_deg));
   if (!beam.empty() || !radar.pattern_csv.empty())
     report.print("             {}{}{}\n", beam, beam.empty() || radar.pattern_csv.empty() ? "" : ", ", radar.pattern_csv);
@@ -90,6 +92,10 @@ void tell_request(CheckReport& report, const Case& c) {
   tell_range_profile(report, c.sweep.frequencies);
   report.print("looks        {}\n", looks_text(c));
   tell_antennas(report, c);
+  if (c.ground)
+    report.print(
+        "ground       at z = {} m, {}\n", c.ground->height,
+        c.ground->perfect() ? "perfect conductor: target and mirror image together" : c.ground->material->name + ": four paths");
   if (c.edges.method == EdgeMethod::utd)
     report.print("tubes        none: rays instead (edges.method \"utd\"), at most {} reflections\n", c.tubes.max_bounces);
   else

@@ -30,6 +30,7 @@ struct Span {
 std::pair<double, const char*> step_of(const SweepSamples& samples, const AngleGrid& grid, std::size_t axis) {
   if (axis == 0) return {std::abs(samples.frequency.step) * 1e-6, "MHz"};
   const bool azimuth = axis == 1 && grid.phi_deg.count > 1;
+  if (grid.scan) return {azimuth ? grid.phi_deg.step : grid.theta_deg.step, "m"};
   return {std::abs(azimuth ? grid.phi_deg.step : grid.theta_deg.step), "degrees"};
 }
 

@@ -139,10 +139,12 @@ std::vector<BandPlan> bands_of(const SolvePlan& plan, std::shared_ptr<const Smoo
   return bands;
 }
 
-// A radar on a circle about the origin is at the same point again where its directions repeat.
+// A radar on a circle about the origin is at the same point again where its directions repeat, and aimed at the same one unless
+// a turntable turns it away.
 LookPlan near_looks(const Sweep& sweep) {
   const bool circle = std::ranges::all_of(sweep.looks, [&](const Look& look) {
-    return look.transmit_range == sweep.looks[0].transmit_range && look.receive_range == sweep.looks[0].receive_range;
+    return look.turn == sweep.looks[0].turn && look.transmit_range == sweep.looks[0].transmit_range &&
+           look.receive_range == sweep.looks[0].receive_range;
   });
   return circle ? plan_looks(sweep.looks, {false, false, false}) : plan_all(sweep.looks.size());
 }
@@ -214,6 +216,11 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
   skipped_wedges = skipped_wedges_of(*this);
   std::erase_if(skipped_wedges, [](const Skipped& item) { return item.count == 0; });
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+SolvePlan::SolvePlan(const Target& on, std::shared_ptr<const Sweep> asked, const SolveOptions& options)
+    : SolvePlan(on, *asked, options) {
+  kept_sweep = std::move(asked);
 }
 
 double BandPlan::shortest_wavelength() const { return wavelength(std::ranges::max(frequencies)); }

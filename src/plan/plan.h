@@ -34,6 +34,8 @@ struct SolvePlan {
   SolvePlan(const Target& target, const Sweep& sweep, const SolveOptions& options);
   SolvePlan(const Target& target, Sweep&& sweep, const SolveOptions& options) = delete;
   SolvePlan(Target&& target, const Sweep& sweep, const SolveOptions& options) = delete;
+  /// Of a sweep that the plan keeps itself.
+  SolvePlan(const Target& target, std::shared_ptr<const Sweep> sweep, const SolveOptions& options);
 
   const Target& target;     // as given
   const Sweep& sweep;       // as given
@@ -49,9 +51,10 @@ struct SolvePlan {
   std::vector<WedgeSet> wedge_sets;                        // of all frequencies
   LookPlan looks;                                          // which are computed, and which follow from these
   SkipCounts skips;                                        // known beforehand
-  std::vector<Skipped> skipped_wedges;  // that carry no fringe current, and why; of thin plates and details at the lowest
-                                        // frequency
-  double seconds = 0.0;                 // that planning took
+  std::vector<Skipped> skipped_wedges;        // that carry no fringe current, and why; of thin plates and details at the lowest
+                                              // frequency
+  double seconds = 0.0;                       // that planning took
+  std::shared_ptr<const Sweep> kept_sweep{};  // `sweep`, where the plan keeps it; else null
 
   /// Rays of geometrical optics and diffraction stand for currents.
   bool rays() const { return edges.method == EdgeMethod::utd; }

@@ -106,6 +106,8 @@ void isar_command(const Request& request) {
     const SweepSamples samples = samples_of(unsolved.result, unsolved.name);
     require_several(samples, unsolved.name);
     grid = grid_of_looks(unsolved.result, unsolved.name);
+    if (grid.scan && asked.direct)
+      throw InputError(unsolved.name + ": --direct takes angles in even steps, not places of a scan; leave it out");
     const std::vector<ImageAxis> axes = image_axes(samples, grid, asked.window);
     if (asked.size.size() > axes.size())
       throw InputError("--size: an image over one angle is in a plane and has no height; leave out the third length");

@@ -9,6 +9,7 @@
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/threads.h"
+#include "jobs/over_ground.h"
 #include "jobs/solvable.h"
 #include "output/vtk/facet_hits_vtu.h"
 #include "output/vtk/surface_rays_vtp.h"
@@ -211,6 +212,7 @@ void trace_command(const Request& request) {
   const Look& look = chosen_look(c, request.look);
   if (!std::isfinite(request.u) || !std::isfinite(request.v)) throw InputError("--u and --v must be finite numbers of metres");
   check_files(request);
+  refuse_ground(c, "tubes of a look");
   LoadedMesh loaded = load_target(c);
   naming_the_case(c, [&] { check_antennas(loaded.mesh, c.sweep); });
   if (request.tube) trace_at(request, c, look, loaded.mesh);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/field.h"
@@ -31,8 +32,24 @@ struct AntennaPattern {
 
 /// What the antennas of a radar have in common.
 struct Radar {
-  AntennaPattern pattern{};  // of transmitter and receiver alike
-  dvec3 aim{0.0};            // the point on their axes, in the mesh's own coordinates [m]
+  AntennaPattern pattern{};            // of transmitter and receiver alike
+  dvec3 aim{0.0};                      // the point on their axes, in the mesh's own coordinates [m]
+  std::optional<dvec3> receive_aim{};  // on that of the receiver; none: `aim`
+};
+
+/// A radar in absolute terms. Its antennas have the same gain.
+struct LinkBudget {
+  double transmit_power_dbm = 0.0;
+  double gain_dbi = 0.0;  // on the axis
+
+  /// Of antennas at these ranges and the apparent amplitude `s` [m], into a matched load: P_t G^2 wavelength^2 sigma /
+  /// ((4 pi)^3 R_t^2 R_r^2), sigma = 4 pi |s|^2 (bistatic radar equation: Skolnik 2008, Radar Handbook, section 23.2). The
+  /// pattern off the axis and what distances differ over the target are in `s`, whose unit fields and ranges are those at the
+  /// origin.
+  double received_dbm(double transmit_range, double receive_range, double frequency, Complex s) const {
+    const double spread = wavelength(frequency) / (4.0 * pi * transmit_range) / receive_range;
+    return transmit_power_dbm + 2.0 * gain_dbi + 20.0 * std::log10(std::hypot(s.real(), s.imag())) + 20.0 * std::log10(spread);
+  }
 };
 
 /// The least turn that carries the direction `from` into `to`, applied to a vector across `from`.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "scene/antenna.h"
@@ -17,18 +18,38 @@ struct Look {
   Direction receive;                                                // towards the receiver
   double transmit_range = std::numeric_limits<double>::infinity();  // of the transmitter [m]
   double receive_range = std::numeric_limits<double>::infinity();   // of the receiver [m]
+  /// By which a turntable has turned the target about z, from +x towards +y, under antennas that stand [rad]. Directions count
+  /// from the target and know of it; what the antennas are aimed at does not.
+  double turn = 0.0;
 
   /// Both are at infinity.
   bool far() const { return std::isinf(transmit_range); }
 };
 
+/// A point that stands while a turntable turns, in the coordinates that turn with it.
+inline dvec3 seen_from_turntable(const dvec3& point, double turn) {
+  const double c = std::cos(turn), s = std::sin(turn);
+  return {c * point.x + s * point.y, c * point.y - s * point.x, point.z};
+}
+
 /// Transmitter and receiver of a look from a finite distance, in recentred coordinates. Keeps references to the pattern.
 struct AntennaPair {
   /// `mesh_center` in the mesh's own coordinates [m].
   AntennaPair(const Look& look, const Radar& radar, const dvec3& mesh_center)
-      : transmit({look.transmit, look.transmit_range}, -mesh_center, radar.aim - mesh_center, radar.pattern),
-        receive({look.receive, look.receive_range}, -mesh_center, radar.aim - mesh_center, radar.pattern) {}
+      : transmit({look.transmit, look.transmit_range}, -mesh_center, seen_from_turntable(radar.aim, look.turn) - mesh_center,
+                 radar.pattern),
+        receive({look.receive, look.receive_range}, -mesh_center,
+                seen_from_turntable(radar.receive_aim.value_or(radar.aim), look.turn) - mesh_center, radar.pattern) {}
   Antenna transmit, receive;  // equal for a monostatic look
+};
+
+/// The half space below a plane across z.
+struct Ground {
+  double height = 0.0;                 // z of the plane in the mesh's own coordinates [m]
+  std::optional<Material> material{};  // of the surface; none: a perfect conductor
+
+  /// It is one.
+  bool perfect() const { return !material.has_value(); }
 };
 
 /// Every look at every frequency. Rows of the result: looks vary slowest, frequency fastest.

@@ -33,6 +33,17 @@ TEST_F(AntennasProgram, RandomTubesSetOutFromTheAntenna) {
   EXPECT_THAT(text_of(scratch / "out/rcs.csv"), HasSubstr("S is the apparent amplitude"));
 }
 
+TEST_F(AntennasProgram, ReceivedPowerHasATableOfItsOwn) {
+  const std::string radar = "--set radar.transmit_power_dbm=30 --set radar.gain_dbi=20 ";
+  EXPECT_EQ(raytube(std::string("run ") + at_3_m + radar).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out/power.csv"));
+  EXPECT_EQ(raytube(std::string("run ") + at_3_m + radar + "--set output.power_dbm=true").code, 0);
+  EXPECT_THAT(text_of(scratch / "out/power.csv"),
+              HasSubstr("rx_phi_deg,range_m,rx_range_m,power_vv_dbm,power_vh_dbm,power_hv_dbm,power_hh_dbm\n"));
+  EXPECT_EQ(raytube(std::string("run ") + at_3_m).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out/power.csv"));
+}
+
 TEST_F(AntennasProgram, RefusesWhatItDoesNotKnow) {
   const std::string run = std::string("run ") + at_3_m;
   expect_refused(run + "--set output.image_look=0 --set output.image_per_wavelength=1e9", " would fit");

@@ -87,6 +87,27 @@ TEST(CaseRead, AntennasAtPlacesStandInPlaceOfLooks) {
   EXPECT_EQ(c.sweep.looks[1].receive_range, 4.0);
 }
 
+// Positions that were turned by hand, the other way round.
+TEST(CaseRead, ATurntableIsAListOfPositions) {
+  const std::string radar = target + frequency + "[radar]\naim_m = [0.1, 0.2, 0]\nreceive_aim_m = [0, 0.1, 0]\n";
+  const Case turned = read_text(radar + "position_m = [3, 0, 1]\nreceive_position_m = [0, 4, 0]\nturntable_deg = [0, 90, -30]\n");
+  const double c = std::sqrt(0.75), s = 0.5;
+  const std::vector<dvec3> transmit = {{3, 0, 1}, {0, -3, 1}, {3 * c, 3 * s, 1}},
+                           receive = {{0, 4, 0}, {4, 0, 0}, {-4 * s, 4 * c, 0}},
+                           aims = {{0.1, 0.2, 0}, {0.2, -0.1, 0}, {0.1 * c - 0.2 * s, 0.1 * s + 0.2 * c, 0}};
+  ASSERT_EQ(turned.sweep.looks.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const AntennaPair antennas(turned.sweep.looks[i], turned.sweep.radar, dvec3(0.0));
+    EXPECT_LT(glm::distance(antennas.transmit.position(), transmit[i]), 1e-14);
+    EXPECT_LT(glm::distance(antennas.receive.position(), receive[i]), 1e-14);
+    EXPECT_LT(glm::distance(antennas.transmit.axis(), glm::normalize(aims[i] - transmit[i])), 1e-14);
+  }
+  EXPECT_THAT(resolved_case_json(turned), HasSubstr("\"turntable_deg\": ["));
+  const Case circle = read_text(smallest, {"radar.range_m=2", "radar.turntable_deg={start=0,stop=350,step=10}"});
+  EXPECT_EQ(circle.sweep.looks.size(), 36u);
+  EXPECT_NEAR(circle.sweep.looks[35].transmit.phi, -350 * degree, 1e-12);
+}
+
 TEST(CaseRead, TransitionTiersAndTheirEcho) {
   for (const auto& [name, tier] : {std::pair{"exact", TransitionTier::exact},
                                    {"as-printed", TransitionTier::as_printed},

@@ -247,6 +247,48 @@ TEST(FiniteRange, PatternWeighsTheTarget) {
   EXPECT_LT(std::abs(scene.total(10e9, look, radar).vv() - expected), 1e-3 * std::abs(expected));
 }
 
+// Antennas that stand, aimed beside the axis, at a plate that is turned by hand.
+TEST(FiniteRange, ATurntableTurnsTheTargetUnderAntennasThatStand) {
+  Radar radar;
+  radar.pattern.azimuth_beamwidth = 8 * degree, radar.pattern.elevation_beamwidth = 11 * degree;
+  radar.aim = {0.05, 0.02, 0.0}, radar.receive_aim = {-0.02, 0.06, 0.01};
+  const Look standing = near_look({20 * degree, 10 * degree}, {35 * degree, -30 * degree}, 0.9, 1.2);
+  const double turn = 25 * degree;
+  Look seen = standing;
+  seen.transmit.phi -= turn, seen.receive.phi -= turn, seen.turn = turn;
+  Scene turned(shapes::plate(0.15, turn)), plate(shapes::plate(0.15));
+  turned.options.tubes.tolerance_db = plate.options.tubes.tolerance_db = 1e-5;
+  const ScatteringMatrix by_hand = turned.total(10e9, standing, radar), s = plate.total(10e9, seen, radar);
+  EXPECT_LT(frobenius_norm(s - by_hand), 1e-5 * frobenius_norm(by_hand));
+  seen.turn = 0.0;  // were the aims to turn with the target
+  EXPECT_GT(frobenius_norm(plate.total(10e9, seen, radar) - by_hand), 0.05 * frobenius_norm(by_hand));
+}
+
+// Aimed 0.4 m beside a plate of 1 cm: the beam falls by its own law, on that side alone.
+TEST(FiniteRange, TheReceiverMayBeAimedElsewhere) {
+  const Scene scene(shapes::plate(0.01));
+  Radar radar;
+  radar.pattern.azimuth_beamwidth = radar.pattern.elevation_beamwidth = 10 * degree;
+  const Look look = near_look({10 * degree, 0.0}, {10 * degree, pi}, 4.0, 5.0);
+  const ScatteringMatrix on_axis = scene.total(10e9, look, radar);
+  radar.receive_aim = dvec3(0.0, 0.4, 0.0);
+  const ScatteringMatrix off_axis = scene.total(10e9, look, radar);
+  const double expected = radar.pattern.amplitude(std::atan(0.4 / 5.0), 0.0);
+  EXPECT_NEAR(std::abs(off_axis.vv() / on_axis.vv()), expected, 1e-3);
+}
+
+// The radar equation of a sphere of 1 m, its sigma that of geometrical optics; at 1000 m its image is 0.009 dB too near.
+TEST(FiniteRange, ASphereReturnsThePowerOfTheRadarEquation) {
+  const Scene scene(shapes::icosphere(4));
+  const double frequency = 100.0 * speed_of_light / (2 * pi), range = 1e3, watts = 2e3, gain = 1e3;
+  const Look look = near_look({1.1, 2.0}, range);
+  const double received =
+      LinkBudget{10 * std::log10(watts * 1e3), 30.0}.received_dbm(range, range, frequency, scene.total(frequency, look).vv());
+  const double length = wavelength(frequency);
+  const double expected = watts * gain * gain * length * length * pi / (std::pow(4 * pi, 3) * std::pow(range, 4));
+  EXPECT_NEAR(received, 10 * std::log10(expected * 1e3), 0.06);
+}
+
 TEST(FiniteRange, MonostaticIsReciprocalAndThreadsDoNotShow) {
   Scene scene(shapes::dihedral(0.15, 0.15), EdgeMethod::fringe);
   const Look look = near_look({70 * degree, 20 * degree}, 0.5);

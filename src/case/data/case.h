@@ -21,8 +21,8 @@
 
 namespace raytube {
 
-/// The look section as the user gave it [deg]: the name of a look list, relative to the case's folder, or a list of numbers, which
-/// stands in the sweep alone, or the values of each angle.
+/// The look section as the user gave it [deg]: the name of a look list, relative to the case's folder, or a list of numbers,
+/// which stands in the sweep alone, or the values of each angle.
 struct LookChoice {
   std::string looks_csv;
   bool given_as_numbers = false;
@@ -34,8 +34,10 @@ struct LookChoice {
 struct RadarChoice {
   double range_m = 0.0, receive_range_m = 0.0;
   std::vector<dvec3> positions, receive_positions;  // [m]
+  std::vector<double> turntable_deg;                // empty: there is none
   std::vector<double> beamwidth_deg;                // azimuth, elevation
   std::string pattern_csv;                          // relative to the case's folder
+  std::optional<LinkBudget> link;                   // transmit power and gain
 };
 
 /// A medium as the user gave it: by name, by a table or by numbers.
@@ -95,6 +97,7 @@ struct Case {
   Sweep sweep;
   LookChoice looks;
   RadarChoice radar;
+  std::optional<Ground> ground;  // below the target; none: free space
   TubeOptions tubes;
   EdgeOptions edges;
   std::vector<WrittenKey> edge_keys;  // of [edges] that are written
@@ -103,6 +106,7 @@ struct Case {
   bool plots = true;
   bool netcdf = false;                   // the results are written as rcs.nc, too
   bool incoherent = false;               // what rough surfaces scatter incoherently is written, too
+  bool power = false;                    // received power is written, too; radar.link is there
   std::vector<std::size_t> image_looks;  // of which images are made
   double image_per_wavelength = 10.0;
   std::vector<std::string> warnings;  // sentences about what was likely meant otherwise

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "case/directions/pattern_csv.h"
 #include "case/directions/row_limit.h"
@@ -68,6 +69,42 @@ void set_ranges(const CaseValue& section, Case& c) {
   }
 }
 
+// The receiver must have its aim in front, on the side of the origin.
+void read_receive_aim(const CaseValue& value, Case& c) {
+  if (!c.sweep.bistatic)
+    reject(value, "radar.receive_aim_m needs a receiver of its own; add [receive] or radar.receive_position_m, or remove it");
+  const dvec3 aim = read_vector(value, "radar.receive_aim_m");
+  for (const Look& look : c.sweep.looks)
+    if (!(glm::dot(aim, spherical_basis(look.receive).radial) < look.receive_range))
+      reject(value, "radar.receive_aim_m lies at a receiver, or behind one; give a point on the side of the target");
+  c.sweep.radar.receive_aim = aim;
+}
+
+// Every look at every angle of the table, which turns fastest. Antennas go the other way round, as the target sees them.
+void put_on_turntable(const CaseValue& value, Case& c) {
+  c.radar.turntable_deg = read_values(value, "radar.turntable_deg", c.warnings);
+  for (const double angle : c.radar.turntable_deg)
+    if (const std::string sentence = unresolved_angle("radar.turntable_deg", angle); !sentence.empty()) reject(value, sentence);
+  const std::vector<Look> standing = std::move(c.sweep.looks);
+  check_rows(value, static_cast<double>(standing.size()) * static_cast<double>(c.radar.turntable_deg.size()),
+             c.sweep.frequencies.size());
+  c.sweep.looks.clear();
+  for (const Look& look : standing)
+    for (const double angle : c.radar.turntable_deg) {
+      Look& turned = c.sweep.looks.emplace_back(look);
+      turned.turn = angle * degree;
+      turned.transmit.phi -= turned.turn, turned.receive.phi -= turned.turn;
+    }
+}
+
+void read_link(const CaseValue& section, Case& c) {
+  const CaseValue *power = section.find("transmit_power_dbm"), *gain = section.find("gain_dbi");
+  if (!power && !gain) return;
+  if (!power || !gain)
+    reject(power ? *power : *gain, "radar.transmit_power_dbm and radar.gain_dbi go together; give both, or remove one");
+  c.radar.link = LinkBudget{read_number(*power, "radar.transmit_power_dbm"), read_number(*gain, "radar.gain_dbi")};
+}
+
 }  // namespace
 
 bool has_positions(const CaseValue& root) { return find(root, "radar", "position_m") != nullptr; }
@@ -102,6 +139,9 @@ void read_radar(const CaseValue& root, Case& c) {
     reject(*receive, "radar.receive_position_m needs radar.position_m; with angles add [receive] instead");
   if (!has_positions(root)) set_ranges(*section, c);
   if (const CaseValue* aim = section->find("aim_m")) c.sweep.radar.aim = read_vector(*aim, "radar.aim_m");
+  if (const CaseValue* aim = section->find("receive_aim_m")) read_receive_aim(*aim, c);
+  if (const CaseValue* turntable = section->find("turntable_deg")) put_on_turntable(*turntable, c);
+  read_link(*section, c);
   if (const CaseValue* width = section->find("beamwidth_deg")) read_beamwidth(*width, c);
   if (const CaseValue* pattern = section->find("pattern_csv")) {
     c.radar.pattern_csv = read_file_name(*pattern, "radar.pattern_csv", "antenna pattern");

@@ -149,6 +149,12 @@ MaterialKind kind_of(const MaterialChoice& choice) {
   return choice.layers.empty() ? MaterialKind::thin_sheet : MaterialKind::sheet;
 }
 
+bool is_ground(const Case& c, std::string_view name) {
+  return c.ground && c.ground->material && c.ground->material->name == name;
+}
+
+}  // namespace
+
 Material material_of(const MaterialChoice& choice, const Case& c, const std::string& asked_at) {
   Material material;
   material.name = choice.name;
@@ -163,8 +169,6 @@ Material material_of(const MaterialChoice& choice, const Case& c, const std::str
   }
   return material;
 }
-
-}  // namespace
 
 void read_materials(const CaseValue& root, Case& c) {
   const CaseValue* section = root.find("materials");
@@ -183,7 +187,7 @@ void read_materials(const CaseValue& root, Case& c) {
 std::vector<std::string> unused_materials(const Case& c) {
   std::vector<std::string> names;
   for (const MaterialChoice& material : c.materials)
-    if (!is_used(c.assignment, material.name)) names.push_back(material.name);
+    if (!is_used(c.assignment, material.name) && !is_ground(c, material.name)) names.push_back(material.name);
   return names;
 }
 
@@ -192,8 +196,8 @@ std::vector<std::pair<std::string, std::filesystem::path>> medium_tables(const C
   for (const MaterialChoice& material : c.materials)
     for (const LayerChoice& layer : material.layers) {
       const std::pair table{layer.medium.table_csv, c.file.parent_path() / layer.medium.table_csv};
-      if (!table.first.empty() && is_used(c.assignment, material.name) && std::ranges::find(tables, table) == tables.end())
-        tables.push_back(table);
+      const bool used = is_used(c.assignment, material.name) || is_ground(c, material.name);
+      if (!table.first.empty() && used && std::ranges::find(tables, table) == tables.end()) tables.push_back(table);
     }
   return tables;
 }

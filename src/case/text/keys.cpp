@@ -14,7 +14,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 44> known_keys = {"title",
+constexpr std::array<std::string_view, 51> known_keys = {"title",
                                                          "target.mesh",
                                                          "target.unit",
                                                          "target.material",
@@ -51,11 +51,18 @@ constexpr std::array<std::string_view, 44> known_keys = {"title",
                                                          "radar.position_m",
                                                          "radar.receive_position_m",
                                                          "radar.aim_m",
+                                                         "radar.receive_aim_m",
+                                                         "radar.turntable_deg",
+                                                         "radar.transmit_power_dbm",
+                                                         "radar.gain_dbi",
                                                          "radar.beamwidth_deg",
                                                          "radar.pattern_csv",
+                                                         "ground.height_m",
+                                                         "ground.material",
                                                          "output.plots",
                                                          "output.netcdf",
                                                          "output.incoherent",
+                                                         "output.power_dbm",
                                                          "output.image_look",
                                                          "output.image_per_wavelength"};
 

@@ -44,6 +44,17 @@ void require_finite(const std::vector<ScatteringMatrix>& s, const std::string& n
   }
 }
 
+// An antenna on a circle about the origin is swept over angles.
+std::optional<AngleGrid> scan_of_looks(const StoredResult& result) {
+  const auto range = &StoredLook::range_m;
+  if (result.looks.front().far() ||
+      std::ranges::adjacent_find(result.looks, std::ranges::not_equal_to{}, range) == result.looks.end())
+    return {};
+  std::vector<dvec3> places;
+  for (const StoredLook& look : result.looks) places.push_back(look.range_m * direction_of(look.theta_deg, look.phi_deg));
+  return scan_grid(places);
+}
+
 }  // namespace
 
 std::vector<ChannelErrors> errors_in_metres(const StoredResult& result) {
@@ -73,6 +84,7 @@ AngleGrid grid_of_looks(const StoredResult& result, const std::string& name) {
       throw InputError(fmt::format("{}: its looks are bistatic; images need monostatic ones, without [receive]", name));
     angles.push_back({look.theta_deg, look.phi_deg});
   }
+  if (std::optional<AngleGrid> scan = scan_of_looks(result)) return *std::move(scan);
   return angle_grid(angles, name + ": look");
 }
 

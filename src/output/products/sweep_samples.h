@@ -16,8 +16,8 @@ SweepSamples samples_of(const StoredResult& result, const std::string& name);
 std::vector<ChannelErrors> errors_in_metres(const StoredResult& result);
 std::vector<ChannelErrors> model_in_metres(const StoredResult& result);
 
-/// Its looks by the angles to the transmitter. Throws InputError that begins with `name` for bistatic looks, and as angle_grid
-/// does.
+/// Its looks by the angles to the transmitter, or the places of one that is moved along a line or over a plane. Throws InputError
+/// that begins with `name` for bistatic looks, and as angle_grid does.
 AngleGrid grid_of_looks(const StoredResult& result, const std::string& name);
 
 }  // namespace raytube

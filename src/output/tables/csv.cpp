@@ -195,6 +195,25 @@ void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep,
   out.commit();
 }
 
+void write_power_csv(const std::filesystem::path& file, const Sweep& sweep, const LinkBudget& link, const SweepResult& result) {
+  OutputFile out(file);
+  out.write(
+      fmt::format("# Received power by the radar equation: {} dBm transmitted, antennas of {} dBi on their axes, matched "
+                  "loads. vh is receive V, transmit H.\n",
+                  number_text(link.transmit_power_dbm), number_text(link.gain_dbi)));
+  std::string header = std::string(key_columns) + ",range_m,rx_range_m";
+  for (const char* channel : channel_names) header += fmt::format(",power_{}_dbm", channel);
+  out.write(header + '\n');
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+    std::string line = key_text(frequency, look) + ',' + number_text(look.transmit_range) + ',' + number_text(look.receive_range);
+    const double hertz = sweep.frequencies[row % sweep.frequencies.size()];
+    for (const Complex s : channels(result.total[row]))
+      line += ',' + number_text(link.received_dbm(look.transmit_range, look.receive_range, hertz, s));
+    out.write(line + '\n');
+  });
+  out.commit();
+}
+
 std::string part_label(const std::string& name) {
   if (name.starts_with("bounce")) return "bounce " + name.substr(6);
   if (name == "edges_first_order") return "edges, order 1";

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/threads.h"
+#include "jobs/over_ground.h"
 #include "jobs/solvable.h"
 #include "output/tables/read_image_csv.h"
 #include "output/vtk/read_image_vtu.h"
@@ -131,6 +132,7 @@ bool same_sweep(const Case& c, const StoredResult& result) {
 
 Case case_of(const ReportSource& source) {
   Case c = case_of_run(source.run);
+  refuse_ground(c, "images");
   if (!same_sweep(c, source.product.result))
     throw InputError(fmt::format("{}: asks for other looks than {} has; run it again", c.file.string(), source.file.string()));
   return c;

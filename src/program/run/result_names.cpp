@@ -23,6 +23,9 @@ Case case_for(const Destination& destination, const Request& request, Case c) {
   if (!c.image_looks.empty())
     warn(fmt::format("{}: output.image_look has no effect with -o {}: give a folder for images", c.file.string(),
                      request.output_folder.string()));
+  if (c.power)
+    warn(fmt::format("{}: output.power_dbm has no effect with -o {}: give a folder for power.csv", c.file.string(),
+                     request.output_folder.string()));
   c.image_looks.clear();
   c.plots = false;
   c.netcdf = true;
@@ -38,6 +41,7 @@ ResultNames names_of_results(const Request& request, const Case& c, const Destin
   names.tables.emplace_back("channels.csv");
   if (request.parts) names.tables.emplace_back("parts.csv");
   if (c.incoherent) names.tables.emplace_back("incoherent.csv");
+  if (c.power) names.tables.emplace_back("power.csv");
   if (request.random) names.tables.emplace_back("random.csv");
   if (c.netcdf) names.tables.emplace_back("rcs.nc");
   names.tables.insert(names.tables.end(), {"rcs.csv", "run.json"});
@@ -48,8 +52,8 @@ std::vector<std::string> names_of_earlier_results(const Destination& destination
   if (destination.one_file()) return {};
   const std::set<std::string> images = names_of_images(destination.folder);
   std::vector<std::string> names(images.begin(), images.end());
-  names.insert(names.end(), {"incoherent.csv", "parts.csv", "parts.png", "parts.svg", "random.csv", "rcs.nc", "rcs.png",
-                             "rcs.svg", "rcs_polar.png", "rcs_polar.svg", "report.html"});
+  names.insert(names.end(), {"incoherent.csv", "parts.csv", "parts.png", "parts.svg", "power.csv", "random.csv", "rcs.nc",
+                             "rcs.png", "rcs.svg", "rcs_polar.png", "rcs_polar.svg", "report.html"});
   return names;
 }
 
