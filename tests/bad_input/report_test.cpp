@@ -85,7 +85,8 @@ TEST_F(Report, HasTheCentresThatAreThere) {
   EXPECT_EQ(raytube("report kept --quiet").code, 0);
   EXPECT_THAT(page(), HasSubstr("at 9 GHz, which the result does not have"));
   scratch.write("kept/centres.csv", "centre,x_m\n");
-  expect_refused("report kept", "centres.csv: does not begin as raytube centres writes it; run raytube centres again");
+  EXPECT_EQ(raytube("report kept --quiet").code, 0);
+  EXPECT_THAT(page(), HasSubstr("centres.csv: does not begin as raytube centres writes it; run raytube centres again"));
 }
 
 TEST_F(Report, HasWhatRoughSurfacesScatter) {
