@@ -71,7 +71,8 @@ TubeSums light_curved_facets(const TubeLook& look, std::uint32_t begin, std::uin
   sums.at(0, look.wavenumbers().size());
   for (std::uint32_t t = begin; t < end; ++t) {
     if (look.smooth->region(t) == no_index) continue;
-    if (look.spherical->add(sums, look.smooth->facet(t))) ++sums.hits[0];
+    const TriangleMesh& mesh = look.tracer.mesh();
+    if (look.spherical->add(sums, look.smooth->facet(t), mesh.patches[mesh.triangle_patch[t]].material)) ++sums.hits[0];
   }
   sums.tubes = sums.hits[0];
   return sums;

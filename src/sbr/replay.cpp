@@ -48,7 +48,7 @@ class ReplayedWave {
         beam_(incident_beam(grid, spherical_basis(look.transmit), at)) {
     if (look.far()) return;
     antennas_.emplace(look, scene.radar, mesh_.center);
-    spherical_.emplace(*antennas_, beam_, std::span<const double>(&any_wavenumber, 1), 1.0);
+    spherical_.emplace(*antennas_, beam_, surfaces_, 1.0);
   }
 
   bool from_behind(std::uint32_t patch) const { return facing(beam_, mesh_.patches[patch]) > 0.0; }
@@ -61,18 +61,38 @@ class ReplayedWave {
     if (!spherical_) {
       const double path = beam_.path + glm::dot(beam_.direction, point) + to_origin_;
       const bool goes_on = scatter(plane);
-      return {triangle, patch, point, normal, beam_.direction, path, field(), goes_on};
+      return {triangle, patch, point, normal, beam_.direction, path, field(), power(field()), goes_on};
     }
-    beam_ = reflected_spherical(beam_, plane);
+    const bool goes_on = scatter_spherical(plane, point);
     const AntennaRay leaving = spherical_->wave(beam_, point);
-    return {
-        triangle, patch, point, normal, leaving.direction, leaving.path, {ComplexVector{leaving.field[0]}, {leaving.field[1]}}};
+    const Fields whole{ComplexVector{leaving.field[0]}, {leaving.field[1]}}, left = beam_.met ? field() : whole;
+    return {triangle, patch, point, normal, leaving.direction, leaving.path, left, beam_.met ? power(left) / power(whole) : 1.0,
+            goes_on};
   }
 
-  bool is_lit() const { return !beam_.spectrum || amplitude(spectrum_) > least_amplitude; }
+  bool is_lit() const { return (!beam_.spectrum && !beam_.met) || amplitude(spectrum_) > least_amplitude; }
 
  private:
-  static constexpr double any_wavenumber = 1.0;
+  using Fields = std::array<ComplexVector, 2>;
+
+  // Mean of both waves.
+  static double power(const Fields& field) {
+    const double v = norm(field[0]), h = norm(field[1]);
+    return 0.5 * (v * v + h * h);
+  }
+
+  // The same of a spherical wave at a point.
+  bool scatter_spherical(const Patch& plane, const dvec3& point) {
+    const Beam arriving = beam_;
+    beam_ = reflected_spherical(arriving, plane);
+    if (!arriving.met && plane.material == no_index) return false;
+    met_ = with_surface(arriving, {plane.normal, plane.material}, false);
+    beam_.met = &met_;
+    AntennaRay ray = spherical_->wave_at_first(beam_, point);
+    LeavingWaves waves = leaving_waves(surfaces_, met_, ray, receive_);
+    spectrum_ = std::move(waves.reflected);
+    return amplitude(waves.transmitted) > least_amplitude;
+  }
 
   // The reflected beam; true if another one goes on behind the plane.
   bool scatter(const Patch& plane) {
@@ -84,8 +104,8 @@ class ReplayedWave {
     return amplitude(waves.transmitted) > least_amplitude;
   }
 
-  std::array<ComplexVector, 2> field() const {
-    if (beam_.spectrum) return spectrum_.front().field;
+  Fields field() const {
+    if (beam_.spectrum || beam_.met) return spectrum_.front().field;
     return {ComplexVector{beam_.field[0]}, {beam_.field[1]}};
   }
 
@@ -95,6 +115,7 @@ class ReplayedWave {
   double to_origin_;
   Beam beam_;
   Spectrum spectrum_;  // the beam's
+  SurfacesMet met_;    // the beam's
   std::optional<AntennaPair> antennas_;
   std::optional<SphericalLook> spherical_;
 };
@@ -103,8 +124,6 @@ class ReplayedWave {
 
 TubeReplay::TubeReplay(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options)
     : scene_(scene), look_(look), wavenumber_(wavenumber(frequency_hz)), max_bounces_(options.max_bounces) {
-  if (!look.far() && !scene.materials.empty())
-    throw InputError("trace: antennas at a finite distance require perfect conductors; remove [radar] or the materials");
   grid_ = grid_of_look(scene.tracer.mesh(), look, wavelength(frequency_hz), first_density(options), options.up);
   if (grid_.cells() == 0) throw InputError("trace: the target has no projected area in this look; choose another --look");
 }

@@ -28,25 +28,26 @@ struct TubeBounce {
   dvec3 direction_out;                 // of the reflected tube, unit
   double path;                         // phase path, less that of the wave at the origin of the mesh's coordinates [m]
   std::array<ComplexVector, 2> field;  // reflected field of unit incident V and H
+  double power;                        // of what was launched, the share that is reflected: mean of both polarisations
   bool goes_on = false;                // behind the surface, too: of that nothing is replayed
 };
 
 /// A tube from the launch grid to its end.
 struct TubeTrace {
-  std::uint32_t column, row;  // the tube's cell in the launch grid
-  dvec2 center;               // launch coordinates of the cell's middle, counted from the mesh's own origin [m]
-  dvec3 start;                // of its ray, on the launch plane, in recentred coordinates [m]
-  dvec3 direction;            // as launched
-  std::vector<TubeBounce> bounces{};  // in order
+  std::uint32_t column, row;                // the tube's cell in the launch grid
+  dvec2 center;                             // launch coordinates of the cell's middle, counted from the mesh's own origin [m]
+  dvec3 start;                              // of its ray, on the launch plane, in recentred coordinates [m]
+  dvec3 direction;                          // as launched
+  std::vector<TubeBounce> bounces{};        // in order
   TubeEnd ended = TubeEnd::left_the_scene;  // why
-  std::string end{};      // the same in words
-  double last_leg = 0.0;  // from the last bounce to where the tube was truncated or lost [m]
+  std::string end{};                        // the same in words
+  double last_leg = 0.0;                    // from the last bounce to where the tube was truncated or lost [m]
 };
 
 /// Replays tubes of one look, one by one. Keeps references to the scene.
 class TubeReplay {
  public:
-  /// The launch grid is that with which a run begins. Throws InputError for materials at a finite distance.
+  /// The launch grid is that with which a run begins.
   TubeReplay(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options);
 
   /// The launch grid of the look.

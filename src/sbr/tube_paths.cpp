@@ -33,13 +33,6 @@ std::uint32_t stride_for(const LaunchGrid& grid, std::uint64_t most) {
   return stride;
 }
 
-// Perfect conductors reflect everything; what antennas at a finite distance make of the field is not the tube's doing.
-double power_share(const TubeBounce& bounce, bool far) {
-  if (!far) return 1.0;
-  const double v = norm(bounce.field[0]), h = norm(bounce.field[1]);
-  return 0.5 * (v * v + h * h);
-}
-
 double way_out(const dvec3& point, const dvec3& direction, double radius) {
   const double along = glm::dot(point, direction);
   return -along + std::sqrt(along * along + radius * radius - glm::dot(point, point));
@@ -58,13 +51,13 @@ void add_end(TubePath& path, const TubeTrace& trace, const TriangleMesh& mesh) {
   path.points.push_back(point);
 }
 
-TubePath path_of(const TubeTrace& trace, const TriangleMesh& mesh, double area, bool far) {
+TubePath path_of(const TubeTrace& trace, const TriangleMesh& mesh, double area) {
   TubePath path{trace.column, trace.row, area, trace.ended, {{trace.start + mesh.center}}};
   for (const TubeBounce& bounce : trace.bounces) {
     const TubePathPoint& last = path.points.back();
     const dvec3 position = bounce.point + mesh.center;
-    path.points.push_back({position, last.bounce + 1, last.path_length + glm::distance(last.position, position),
-                           power_share(bounce, far), bounce.triangle});
+    path.points.push_back(
+        {position, last.bounce + 1, last.path_length + glm::distance(last.position, position), bounce.power, bounce.triangle});
   }
   add_end(path, trace, mesh);
   return path;
@@ -84,7 +77,7 @@ TubePaths tube_paths(const ReplayScene& scene, const Look& look, double frequenc
     const auto [column, columns] = blocks.span(i % blocks.across(), grid.columns);
     const auto [row, rows] = blocks.span(i / blocks.across(), grid.rows);
     const TubeTrace trace = replay.follow(column + columns / 2, row + rows / 2);
-    if (!meets_nothing(trace)) all[i] = path_of(trace, scene.tracer.mesh(), columns * grid.du * (rows * grid.dv), look.far());
+    if (!meets_nothing(trace)) all[i] = path_of(trace, scene.tracer.mesh(), columns * grid.du * (rows * grid.dv));
   });
   std::erase_if(all, [](const TubePath& path) { return path.points.empty(); });
   return {grid.columns, grid.rows, blocks.stride, blocks.count(), std::move(all)};

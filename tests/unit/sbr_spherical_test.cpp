@@ -58,7 +58,7 @@ struct Scene {
   AntennaPair antennas{look, radar, dvec3(0.1, 0.0, -0.2)};
   Beam incident = launched();
   std::vector<double> wavenumbers{20.0};
-  SphericalLook spherical{antennas, incident, wavenumbers, 0.01};
+  SphericalLook spherical{antennas, incident, {{}, wavenumbers}, 0.01};
   Patch first{glm::normalize(dvec3(0.3, -0.2, 1.0)), 0.35}, second{glm::normalize(dvec3(1.0, 0.4, -0.3)), 0.5};
 
   Beam launched() const {

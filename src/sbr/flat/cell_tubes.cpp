@@ -202,8 +202,12 @@ void CellTubes::integrate(int bounce) {
 
 void CellTubes::add_incoherent() {
   if (!beams_.spectral() || !beams_.surfaces().any_rough()) return;
-  for (const Tube& tube : tubes_)
-    if (const Spectrum* spectrum = beams_.beam(tube.beam).spectrum) sums_.add_incoherent(*spectrum, grid_.du * grid_.dv);
+  const double cell = grid_.du * grid_.dv;
+  for (const auto& [column, row, node] : tubes_) {
+    const Beam& beam = beams_.beam(node);
+    if (beam.spectrum) sums_.add_incoherent(*beam.spectrum, cell);
+    if (beam.met) spherical_->add_incoherent(sums_, beam, beams_.patch(node), grid_.ray_coordinates(column, row), cell);
+  }
 }
 
 void CellTubes::add_to_map(const Tube& tube, std::uint32_t triangle) {
@@ -217,7 +221,9 @@ void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) {
     const dvec2 size{(cells.column_end - cells.column_begin) * grid_.du, (cells.row_end - cells.row_begin) * grid_.dv};
     const dvec2 low{grid_.u_begin + cells.column_begin * grid_.du, grid_.v_begin + cells.row_begin * grid_.dv};
     const dvec2 center = low + 0.5 * size;
-    if (spherical_)
+    if (beams_.beam(node).met)
+      spherical_->add(sums, beams_.beam(node), beams_.patch(node), {ray_at, center, size});
+    else if (spherical_)
       far_fields_.add(spherical_->footprint(beams_.beam(node), beams_.patch(node), ray_at), center, size);
     else
       far_fields_.add(beams_.footprint(node), center, size);

@@ -19,7 +19,7 @@ void PolygonCurrents::add(TubeSums& to, std::uint32_t node, const VisiblePart& p
                           int bounce, CurrentMap* map) {
   std::vector<ScatteringMatrix>& sums = to.at(bounce, look_.wavenumbers().size());
   ++to.hits[static_cast<std::size_t>(bounce)];
-  if (look_.spherical) return look_.spherical->add(to, bounce, beams_.beam(node), beams_.patch(node), part.outline);
+  if (look_.spherical) return add_spherical(to, node, part.outline, bounce);
   const auto radiate = [&](const Footprint& footprint, const VisiblePart& of, std::span<const CellBlock> under) {
     if (look_.clip) phase_integrals(footprint, band_, of.outline, integrals_);
     for (std::size_t f = 0; f < sums.size(); ++f) {
@@ -36,6 +36,15 @@ void PolygonCurrents::add(TubeSums& to, std::uint32_t node, const VisiblePart& p
     }
   }
   add_to_estimates(to, beams_.footprint(node), part.outline, blocks);
+}
+
+void PolygonCurrents::add_spherical(TubeSums& to, std::uint32_t node, const ConvexPolygon& outline, int bounce) {
+  const auto add_part = [&](std::uint32_t of, const ConvexPolygon& region) {
+    look_.spherical->add(to, bounce, beams_.beam(of), beams_.patch(of), region);
+  };
+  add_part(node, outline);
+  if (!line_of_sight_) return;
+  for (const ScreenedPart& screened : line_of_sight_->through_sheets(node, outline)) add_part(screened.node, screened.outline);
 }
 
 void PolygonCurrents::add_to_estimates(TubeSums& to, const Footprint& footprint, const ConvexPolygon& outline,
