@@ -159,6 +159,20 @@ TEST(TubePaths, AtAFiniteDistanceSpread) {
   }
 }
 
+// What is left of the mean of two polarisations across the ray, by the ray's own angle.
+TEST(TubePaths, AtAFiniteDistanceKeepWhatIsReflectedAtTheirAngle) {
+  Material glass{"glass", MaterialKind::half_space, 0.0, {}};
+  glass.layers = {{{{{4.0, -0.2}}, 0.0}}};
+  const Scene plate = plate_of(glass);
+  const Tracer tracer(plate.mesh);
+  const Look look{from_above, from_above, 1.5, 1.5};
+  for (const TubePath& path : tube_paths({tracer, plate.materials}, look, frequency, plate.options, 100).paths) {
+    const double cosine = 1.5 / glm::length(path.points[1].position - dvec3(0.0, 0.0, 1.5));
+    const SurfaceResponse at = half_space_response({{4.0, -0.2}}, cosine);
+    EXPECT_NEAR(path.points[1].power, 0.5 * (std::norm(at.reflected.te) + std::norm(at.reflected.tm)), rounding);
+  }
+}
+
 TEST(TubePaths, AreTheSameForAnyNumberOfThreads) {
   const Scene trihedral = of(shapes::trihedral(1.0));
   std::vector<TubePaths> found;
