@@ -52,8 +52,8 @@ void check_near(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions&
 
 void check_with_materials(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions& edges) {
   if (sweep.materials.empty()) return;
-  if (!all_far(sweep))
-    throw InputError("antennas at a finite distance require perfect conductors; remove [radar] or the materials");
+  if (!all_far(sweep) && edges.materials != MaterialEdgeMethod::none)
+    throw InputError("edges.materials \"luebbers\" is a heuristic for plane waves; write \"none\", or remove [radar]");
   if (edges.method == EdgeMethod::utd)
     throw InputError("edges.method \"utd\" requires perfect conductors; write \"fringe\" or \"none\", or remove the materials");
   const bool sheets = std::ranges::any_of(sweep.materials, &Material::transmits);

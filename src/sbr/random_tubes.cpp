@@ -40,7 +40,8 @@ struct Scene {
 struct Antennas {
   Antennas(const Scene& scene, const Look& look, const Radar& radar)
       : pair(look, radar, scene.tracer.mesh().center),
-        spherical(pair, incident_beam(scene.rectangle, scene.transmit, dvec2(0.0)), scene.wavenumbers, no_quadrature) {}
+        spherical(pair, incident_beam(scene.rectangle, scene.transmit, dvec2(0.0)), {scene.materials, scene.wavenumbers},
+                  no_quadrature) {}
   Antennas(const Antennas&) = delete;
 
   static constexpr double no_quadrature = 1.0;  // of its tolerance nothing depends
@@ -102,17 +103,18 @@ class Block {
       const std::uint32_t patch = scene_.tracer.mesh().triangle_patch[hits_[i].triangle];
       const dvec3 point = rays_[i].origin + hits_[i].distance * rays_[i].direction;
       samples_[i].beam = beams_.child(samples_[i].beam, patch, samples_[i].at);
-      rays_[i] = reflected_ray(samples_[i], point, patch);
+      rays_[i] = leaving_ray(samples_[i], point, patch);
       add(samples_[i]);
       if (line_of_sight_) line_of_sight_->add(static_cast<std::uint32_t>(i), samples_[i].beam, point, patch);
     }
     if (line_of_sight_)
-      sums_.rays += line_of_sight_->through_sheets(
-          beams_, [&](std::uint32_t i, std::uint32_t node) { add(beams_.footprint(node), samples_[i].at); });
+      sums_.rays += line_of_sight_->through_sheets(beams_, [&](std::uint32_t i, std::uint32_t node) {
+        add({samples_[i].at, node});
+      });
     send_on(alive);
   }
 
-  Ray reflected_ray(const Sample& sample, const dvec3& point, std::uint32_t patch) const {
+  Ray leaving_ray(const Sample& sample, const dvec3& point, std::uint32_t patch) const {
     const Beam& beam = beams_.beam(sample.beam);
     if (!scene_.spherical) return {point, beam.direction, patch};
     return tube_ray(beam, sample.at, &beams_.patch(sample.beam), patch);
@@ -120,7 +122,7 @@ class Block {
 
   void add(const Sample& sample) {
     if (!scene_.spherical) return add(beams_.footprint(sample.beam), sample.at);
-    add(scene_.spherical->footprint(beams_.beam(sample.beam), beams_.patch(sample.beam), sample.at), sample.at);
+    add(scene_.spherical->footprint(beams_.beam(sample.beam), beams_.patch(sample.beam), sample.at, spectrum_), sample.at);
   }
 
   // Ends the tubes of which nothing was reflected and adds those that go on behind a sheet.
@@ -130,7 +132,7 @@ class Block {
       const std::uint32_t through = beams_.through(samples_[i].beam);
       if (through == no_index) continue;
       samples_.push_back({samples_[i].at, through});
-      rays_.push_back({rays_[i].origin, beams_.beam(through).direction, rays_[i].source_patch});
+      rays_.push_back(leaving_ray(samples_.back(), rays_[i].origin, rays_[i].source_patch));
     }
     std::size_t lit = 0;
     for (std::size_t i = 0; i < samples_.size(); ++i)
@@ -177,6 +179,7 @@ class Block {
   std::vector<Sample> samples_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
+  Spectrum spectrum_;  // of one footprint
   RandomSums sums_;
 };
 
@@ -192,7 +195,6 @@ Scene scene_of(const Tracer& tracer, const Look& look, std::span<const double> f
               {},
               0.0,
               0.0};
-  if (std::ranges::any_of(materials, &Material::transmits)) scene.sheets.emplace(mesh, materials, scene.receive);
   for (const double frequency : frequencies) scene.wavenumbers.push_back(wavenumber(frequency));
   if (look.far()) scene.to_mesh_origin = glm::dot(scene.receive.radial + scene.transmit.radial, mesh.center);
   const LaunchGrid& r = scene.rectangle;
@@ -218,6 +220,8 @@ RandomSums random_tubes(const Tracer& tracer, const Look& look, std::span<const 
   if (scene.rectangle.cells() == 0) return none;  // no projected area
   std::optional<Antennas> antennas;
   if (!look.far()) scene.spherical = &antennas.emplace(scene, look, radar).spherical;
+  if (std::ranges::any_of(materials, &Material::transmits))
+    scene.sheets.emplace(tracer.mesh(), materials, scene.receive, antennas ? &antennas->pair.receive : nullptr);
   using Indices = tbb::blocked_range<std::uint64_t>;
   // Divided and joined at the same indices whichever thread works: their number never shows in the sum.
   return tbb::parallel_deterministic_reduce(

@@ -40,6 +40,8 @@ std::string words_of(TubeEnd end) {
 struct PassingWave {
   Beam beam;
   Spectrum spectrum;
+  SurfacesMet met;     // of a spherical wave
+  double power = 0.0;  // the share of what was launched
 };
 
 // The wave of a tube from surface to surface.
@@ -54,7 +56,7 @@ class ReplayedWave {
         beam_(incident_beam(grid, spherical_basis(look.transmit), at)) {
     if (look.far()) return;
     antennas_.emplace(look, scene.radar, mesh_.center);
-    spherical_.emplace(*antennas_, beam_, std::span<const double>(&any_wavenumber, 1), 1.0);
+    spherical_.emplace(*antennas_, beam_, surfaces_, 1.0);
   }
 
   bool from_behind(std::uint32_t patch) const { return facing(beam_, mesh_.patches[patch]) > 0.0; }
@@ -67,40 +69,84 @@ class ReplayedWave {
     if (!spherical_) {
       const double path = beam_.path + glm::dot(beam_.direction, point) + to_origin_;
       const bool goes_on = scatter(plane);
-      return {triangle, patch, point, normal, beam_.direction, path, field(), goes_on};
+      return {triangle, patch, point, normal, beam_.direction, path, field(), power(field()), goes_on};
     }
-    beam_ = reflected_spherical(beam_, plane);
+    const Fields whole = unobstructed(point);
+    const bool goes_on = scatter_spherical(plane, point, power(whole));
     const AntennaRay leaving = spherical_->wave(beam_, point);
-    return {
-        triangle, patch, point, normal, leaving.direction, leaving.path, {ComplexVector{leaving.field[0]}, {leaving.field[1]}}};
+    return {triangle,
+            patch,
+            point,
+            normal,
+            leaving.direction,
+            leaving.path,
+            beam_.met ? field() : unobstructed(point),
+            beam_.met ? power(field()) / power(whole) : 1.0,
+            goes_on};
   }
 
   /// Behind the surface that was met last, if the tube goes on there.
   const PassingWave& passing() const { return passing_; }
   void go_on(PassingWave passing) {
     beam_ = passing.beam;
-    spectrum_ = std::move(passing.spectrum);
-    beam_.spectrum = &spectrum_;
+    hold(std::move(passing.spectrum), std::move(passing.met));
   }
 
-  bool is_lit() const { return !beam_.spectrum || amplitude(spectrum_) > least_amplitude; }
+  bool is_lit() const { return (!beam_.spectrum && !beam_.met) || amplitude(spectrum_) > least_amplitude; }
 
  private:
-  static constexpr double any_wavenumber = 1.0;
+  using Fields = std::array<ComplexVector, 2>;
+
+  // Mean of both waves.
+  static double power(const Fields& field) {
+    const double v = norm(field[0]), h = norm(field[1]);
+    return 0.5 * (v * v + h * h);
+  }
+
+  // Of conductors alone, at a point.
+  Fields unobstructed(const dvec3& point) const {
+    const AntennaRay wave = spherical_->wave(beam_, point);
+    return {ComplexVector{wave.field[0]}, {wave.field[1]}};
+  }
+
+  // Keeps what the beam refers to.
+  void hold(Spectrum spectrum, SurfacesMet met) {
+    spectrum_ = std::move(spectrum), met_ = std::move(met);
+    if (spherical_)
+      beam_.met = &met_;
+    else
+      beam_.spectrum = &spectrum_;
+  }
 
   // The reflected beam; true if another one goes on behind the plane.
   bool scatter(const Patch& plane) {
     const bool spectral = beam_.spectrum || plane.material != no_index;
     LeavingWaves waves = spectral ? leaving_waves(surfaces_, beam_, false, plane, receive_) : LeavingWaves{};
-    passing_ = {beam_, std::move(waves.transmitted)};
+    passing_ = {beam_, std::move(waves.transmitted), {}};
+    passing_.power = passing_.spectrum.empty() ? 0.0 : power(passing_.spectrum.front().field);
     beam_ = footprint(beam_, plane, receive_).outgoing;
-    spectrum_ = std::move(waves.reflected);
-    if (spectral) beam_.spectrum = &spectrum_;
+    if (spectral) hold(std::move(waves.reflected), {});
     return amplitude(passing_.spectrum) > least_amplitude;
   }
 
-  std::array<ComplexVector, 2> field() const {
-    if (beam_.spectrum) return spectrum_.front().field;
+  // The same of a spherical wave at a point, where a conductor would reflect so much.
+  bool scatter_spherical(const Patch& plane, const dvec3& point, double whole) {
+    const Beam arriving = beam_;
+    beam_ = reflected_spherical(arriving, plane);
+    if (!arriving.met && plane.material == no_index) return false;
+    SurfacesMet met = with_surface(arriving, {plane.normal, plane.material}, false);
+    beam_.met = &met;
+    AntennaRay ray = spherical_->wave_at_first(beam_, point);
+    LeavingWaves waves = leaving_waves(surfaces_, met, ray, receive_);
+    passing_ = {arriving, std::move(waves.transmitted), met};
+    passing_.met.surfaces.back().goes_on = true;
+    passing_.power = passing_.spectrum.empty() ? 0.0 : power(passing_.spectrum.front().field) / whole;
+    hold(std::move(waves.reflected), std::move(met));
+    return amplitude(passing_.spectrum) > least_amplitude;
+  }
+
+  Fields field() const {
+    if (beam_.spectrum || beam_.met) return spectrum_.front().field;
     return {ComplexVector{beam_.field[0]}, {beam_.field[1]}};
   }
 
@@ -110,6 +156,7 @@ class ReplayedWave {
   double to_origin_;
   Beam beam_;
   Spectrum spectrum_;  // the beam's
+  SurfacesMet met_;    // the beam's
   PassingWave passing_;
   std::optional<AntennaPair> antennas_;
   std::optional<SphericalLook> spherical_;
@@ -165,7 +212,7 @@ class WaysOfTube {
     const TubeTrace& from = ways_[way];
     const TubeBounce& sheet = from.bounces.back();
     TubeTrace behind{from.column, from.row, from.center, sheet.point, direction};
-    behind.parting = {way, met(way), wave_.passing().spectrum.front().field};
+    behind.parting = {way, met(way), wave_.passing().spectrum.front().field, wave_.passing().power};
     rays_.push_back({sheet.point, direction, sheet.patch});
     waves_.push_back(wave_.passing());
     ways_.push_back(std::move(behind));
@@ -184,8 +231,6 @@ class WaysOfTube {
 
 TubeReplay::TubeReplay(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options)
     : scene_(scene), look_(look), wavenumber_(wavenumber(frequency_hz)), max_bounces_(options.max_bounces) {
-  if (!look.far() && !scene.materials.empty())
-    throw InputError("trace: antennas at a finite distance require perfect conductors; remove [radar] or the materials");
   grid_ = grid_of_look(scene.tracer.mesh(), look, wavelength(frequency_hz), first_density(options), options.up);
   if (grid_.cells() == 0) throw InputError("trace: the target has no projected area in this look; choose another --look");
 }

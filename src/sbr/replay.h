@@ -28,6 +28,7 @@ struct TubeBounce {
   dvec3 direction_out;                 // of the reflected tube, unit
   double path;                         // phase path, less that of the wave at the origin of the mesh's coordinates [m]
   std::array<ComplexVector, 2> field;  // reflected field of unit incident V and H
+  double power;                        // of what was launched, the share that is reflected: mean of both polarisations
   bool goes_on = false;                // behind the surface, too
 };
 
@@ -36,6 +37,7 @@ struct TubeParting {
   std::size_t way = 0;                   // which it parts from, among those of the same tube
   int met = 0;                           // surfaces so far, the sheet as the last one; 0: it is the tube as launched
   std::array<ComplexVector, 2> field{};  // behind the sheet, of unit incident V and H
+  double power = 1.0;                    // as TubeBounce::power
 };
 
 /// A tube from the launch grid to its end, or from a sheet that lets a part of it through.
@@ -54,7 +56,7 @@ struct TubeTrace {
 /// Replays tubes of one look, one by one. Keeps references to the scene.
 class TubeReplay {
  public:
-  /// The launch grid is that with which a run begins. Throws InputError for materials at a finite distance.
+  /// The launch grid is that with which a run begins.
   TubeReplay(const ReplayScene& scene, const Look& look, double frequency_hz, const TubeOptions& options);
 
   /// The launch grid of the look.

@@ -87,7 +87,8 @@ class LookTracer {
         work_(work) {
     for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
     if (!look.far()) antennas_.emplace(look, scene.radar, mesh().center);
-    if (std::ranges::any_of(scene.materials, &Material::transmits)) sheets_.emplace(mesh(), scene.materials, receive_);
+    if (std::ranges::any_of(scene.materials, &Material::transmits))
+      sheets_.emplace(mesh(), scene.materials, receive_, antennas_ ? &antennas_->receive : nullptr);
   }
 
   // What is traced by itself.
@@ -176,14 +177,14 @@ class LookTracer {
   std::vector<TubeSums> sums_of(const LookPart& part, const std::vector<std::size_t>& blocks, const LaunchGrid& grid,
                                 double share, CurrentMap* map) const {
     if (grid.cells() == 0) work_.progress.add(share);
-    std::optional<SphericalLook> spherical;
-    if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), wavenumbers_, tolerance_);
     std::vector<TubeSums> all(blocks.size());
     const std::size_t count = grid.cells() > 0 ? wavenumbers_.size() : 0,
                       together = sheets_ && !map ? most_frequencies_with_sheets : wavenumbers_.size();
     for (std::size_t first = 0; first < count; first += together) {
       SpectralSurfaces surfaces{scene_.materials, wavenumbers_, first};
       surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
+      std::optional<SphericalLook> spherical;
+      if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), surfaces, tolerance_);
       const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
       const TubeLook look = tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map);
       std::vector<TubeSums> some = trace_blocks(part.kind, part.division, look, blocks, work_.progress, part_of_share);

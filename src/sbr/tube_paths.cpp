@@ -34,13 +34,6 @@ std::uint32_t stride_for(const LaunchGrid& grid, std::uint64_t most) {
   return stride;
 }
 
-// Perfect conductors reflect everything; what antennas at a finite distance make of the field is not the tube's doing.
-double power_share(const std::array<ComplexVector, 2>& field, bool far) {
-  if (!far) return 1.0;
-  const double v = norm(field[0]), h = norm(field[1]);
-  return 0.5 * (v * v + h * h);
-}
-
 double way_out(const dvec3& point, const dvec3& direction, double radius) {
   const double along = glm::dot(point, direction);
   return -along + std::sqrt(along * along + radius * radius - glm::dot(point, point));
@@ -60,29 +53,29 @@ void add_end(TubePath& path, const TubeTrace& trace, const TriangleMesh& mesh) {
 }
 
 // `start` without its position.
-TubePath path_of(const TubeTrace& trace, const TriangleMesh& mesh, double area, bool far, TubePathPoint start) {
+TubePath path_of(const TubeTrace& trace, const TriangleMesh& mesh, double area, TubePathPoint start) {
   start.position = trace.start + mesh.center;
   TubePath path{trace.column, trace.row, area, trace.ended, {start}};
   for (const TubeBounce& bounce : trace.bounces) {
     const TubePathPoint& last = path.points.back();
     const dvec3 position = bounce.point + mesh.center;
-    path.points.push_back({position, last.bounce + 1, last.path_length + glm::distance(last.position, position),
-                           power_share(bounce.field, far), bounce.triangle});
+    path.points.push_back(
+        {position, last.bounce + 1, last.path_length + glm::distance(last.position, position), bounce.power, bounce.triangle});
   }
   add_end(path, trace, mesh);
   return path;
 }
 
-std::vector<TubePath> paths_of(const std::vector<TubeTrace>& ways, const TriangleMesh& mesh, double area, bool far) {
+std::vector<TubePath> paths_of(const std::vector<TubeTrace>& ways, const TriangleMesh& mesh, double area) {
   std::vector<TubePath> paths;
   for (const TubeTrace& way : ways) {
-    const auto& [from, met, field] = way.parting;
+    const auto& [from, met, field, power] = way.parting;
     TubePathPoint start{};
     if (met > 0) {
       const auto sheet = static_cast<std::size_t>(met - ways[from].parting.met);
-      start = {{}, met, paths[from].points[sheet].path_length, power_share(field, far)};
+      start = {{}, met, paths[from].points[sheet].path_length, power};
     }
-    paths.push_back(path_of(way, mesh, area, far, start));
+    paths.push_back(path_of(way, mesh, area, start));
   }
   return paths;
 }
@@ -101,8 +94,7 @@ TubePaths tube_paths(const ReplayScene& scene, const Look& look, double frequenc
     const auto [column, columns] = blocks.span(i % blocks.across(), grid.columns);
     const auto [row, rows] = blocks.span(i / blocks.across(), grid.rows);
     const std::vector<TubeTrace> ways = replay.follow(column + columns / 2, row + rows / 2);
-    if (meets_nothing(ways.front())) return;
-    found[i] = paths_of(ways, scene.tracer.mesh(), columns * grid.du * (rows * grid.dv), look.far());
+    if (!meets_nothing(ways.front())) found[i] = paths_of(ways, scene.tracer.mesh(), columns * grid.du * (rows * grid.dv));
   });
   std::vector<TubePath> all;
   for (std::vector<TubePath>& paths : found) std::ranges::move(paths, std::back_inserter(all));

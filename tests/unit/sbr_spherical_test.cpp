@@ -58,7 +58,7 @@ struct Scene {
   AntennaPair antennas{look, radar, dvec3(0.1, 0.0, -0.2)};
   Beam incident = launched();
   std::vector<double> wavenumbers{20.0};
-  SphericalLook spherical{antennas, incident, wavenumbers, 0.01};
+  SphericalLook spherical{antennas, incident, {{}, wavenumbers}, 0.01};
   Patch first{glm::normalize(dvec3(0.3, -0.2, 1.0)), 0.35}, second{glm::normalize(dvec3(1.0, 0.4, -0.3)), 0.5};
 
   Beam launched() const {
@@ -126,9 +126,10 @@ TEST(SphericalLook, FootprintIsTheLinearPartOfItsSurroundings) {
   const Beam beam = reflected_spherical(scene.incident, scene.first);
   const dvec2 at{0.1, -0.15};
   constexpr double h = 1e-4, tolerance = 1e-7;
-  const auto phase = [&](const dvec2& uv) { return scene.spherical.footprint(beam, scene.first, uv).phase; };
+  Spectrum none;
+  const auto phase = [&](const dvec2& uv) { return scene.spherical.footprint(beam, scene.first, uv, none).phase; };
   const auto point = [&](const dvec2& uv) { return point_at(beam, uv, depth_of(beam, scene.first)(uv)); };
-  const Footprint f = scene.spherical.footprint(beam, scene.first, at);
+  const Footprint f = scene.spherical.footprint(beam, scene.first, at, none);
   EXPECT_NEAR(f.phase_u, (phase(at + dvec2(h, 0)) - phase(at - dvec2(h, 0))) / (2 * h), tolerance);
   EXPECT_NEAR(f.phase_v, (phase(at + dvec2(0, h)) - phase(at - dvec2(0, h))) / (2 * h), tolerance);
   const dvec3 u = (point(at + dvec2(h, 0)) - point(at - dvec2(h, 0))) / (2 * h),

@@ -147,13 +147,18 @@ TEST(TubePaths, KeepWhatSurfacesReflectOfThePower) {
   }
 }
 
-// What the first film lets through goes to and fro between both, and on behind each of them.
-TEST(TubePaths, GoOnBothWaysAtSheets) {
+Scene two_films() {
   Scene films =
       of(shapes::joined(shapes::plate(1.0), shapes::transformed(shapes::plate(1.0), glm::dmat3(1.0), 1.0, {0, 0, -0.5})));
   for (Patch& patch : films.mesh.patches) patch.material = 0;
   films.materials = {half_film};
   films.options.max_bounces = 3;
+  return films;
+}
+
+// What the first film lets through goes to and fro between both, and on behind each of them.
+TEST(TubePaths, GoOnBothWaysAtSheets) {
+  const Scene films = two_films();
   const TubePaths tubes = films.paths(from_above, 100);
   ASSERT_EQ(tubes.met_target(), 100u);
   ASSERT_EQ(tubes.paths.size(), 400u);
@@ -184,6 +189,51 @@ TEST(TubePaths, AtAFiniteDistanceSpread) {
     EXPECT_NEAR(glm::length(glm::cross(hit - start, start - dvec3(0, 0, 5))), 0.0, rounding);  // on a line from the antenna
     EXPECT_EQ(path.points[1].power, 1.0);
   }
+}
+
+// What is left of the mean of two polarisations across the ray, by the ray's own angle.
+TEST(TubePaths, AtAFiniteDistanceKeepWhatIsReflectedAtTheirAngle) {
+  Material glass{"glass", MaterialKind::half_space, 0.0, {}};
+  glass.layers = {{{{{4.0, -0.2}}, 0.0}}};
+  const Scene plate = plate_of(glass);
+  const Tracer tracer(plate.mesh);
+  const Look look{from_above, from_above, 1.5, 1.5};
+  for (const TubePath& path : tube_paths({tracer, plate.materials}, look, frequency, plate.options, 100).paths) {
+    const double cosine = 1.5 / glm::length(path.points[1].position - dvec3(0.0, 0.0, 1.5));
+    const SurfaceResponse at = half_space_response({{4.0, -0.2}}, cosine);
+    EXPECT_NEAR(path.points[1].power, 0.5 * (std::norm(at.reflected.te) + std::norm(at.reflected.tm)), rounding);
+  }
+}
+
+// The ways of a plane wave, each surface at the ray's own angle: R of a film is -1 / (1 + c) in TE and -c / (1 + c) in TM if R =
+// eta / 2, T = 1 + R. From 3 m the rays pass both films at one angle; the shares of two polarisations multiply each by itself.
+TEST(TubePaths, AtAFiniteDistanceGoOnBothWaysAtSheets) {
+  const Scene films = two_films();
+  const Tracer tracer(films.mesh);
+  const TubePaths tubes =
+      tube_paths({tracer, films.materials}, {from_above, from_above, 3.0, 3.0}, frequency, films.options, 100);
+  ASSERT_EQ(tubes.met_target(), 100u);
+  std::size_t whole = 0;
+  for (std::size_t i = 0; i + 4 <= tubes.paths.size(); ++i) {
+    const TubePath* const way = &tubes.paths[i];
+    if (way[3].column != way[0].column || way[3].row != way[0].row || way[0].points.front().bounce != 0) continue;
+    ++whole;
+    const dvec3 first = way[0].points[1].position, from = dvec3(0.0, 0.0, 3.0), d = glm::normalize(first - from);
+    const SurfaceResponse at = response(half_film, 0, wavenumber(frequency), -d.z, false);
+    const auto share = [&](int transmitted, int reflected) {
+      const auto of = [&](Complex t, Complex r) {
+        return std::pow(std::norm(t), transmitted) * std::pow(std::norm(r), reflected);
+      };
+      return 0.5 * (of(at.transmitted.te, at.reflected.te) + of(at.transmitted.tm, at.reflected.tm));
+    };
+    EXPECT_NEAR(way[0].power(), share(0, 1) * way[0].area, 1e-9 * way[0].area);
+    EXPECT_NEAR(way[1].points.front().power, share(1, 0), 1e-9);
+    EXPECT_NEAR(way[1].points[1].power, share(1, 1), 1e-9);
+    EXPECT_NEAR(way[2].power(), share(2, 0) * way[2].area, 1e-9 * way[2].area);
+    EXPECT_NEAR(way[3].power(), share(2, 1) * way[3].area, 1e-9 * way[3].area);
+    EXPECT_NEAR(glm::length(glm::cross(way[2].points.front().position - from, d)), 0.0, rounding);  // straight on
+  }
+  EXPECT_GT(whole, 50u);
 }
 
 TEST(TubePaths, AreTheSameForAnyNumberOfThreads) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "material_scene.h"
 #include "run.h"
 #include "shapes.h"
 #include "solve/image.h"
@@ -16,7 +17,8 @@ constexpr double frequency = 10e9;
 const double lambda = wavelength(frequency);
 
 struct Scene {
-  Scene(PolygonSoup soup, EdgeMethod method) : loaded(build_mesh(std::move(soup), 1.0)), target(loaded.mesh) {
+  Scene(PolygonSoup soup, EdgeMethod method, const std::vector<Material>& materials = {})
+      : loaded(build_mesh(std::move(soup), 1.0, "test", materials)), target(loaded.mesh) {
     options = testing::options(method);
     options.tubes = {};
     options.tubes.max_bounces = 3;
@@ -95,6 +97,86 @@ TEST(FiniteRangeImage, AddsUpForAnySweep) {
   expect_sums(scene, sweep, "cube, bistatic");
 }
 
+struct OfMaterials {
+  const char* name;
+  PolygonSoup soup;  // with materials
+  std::vector<Direction> from;
+};
+
+// Glass, of two permittivities from the second frequency on; a coat; a window.
+std::vector<Material> materials_at(std::size_t frequencies) {
+  std::vector<Material> all{material_scene::half_space({4.0, -0.02}),
+                            material_scene::layered(MaterialKind::coated, {{{{3.0, -0.2}}, 3.1e-3}}),
+                            material_scene::layered(MaterialKind::sheet, {{{{4.0, -0.1}}, 3e-3}})};
+  for (Material& material : all)
+    for (std::size_t f = 1; f < frequencies; ++f) {
+      std::vector<Layer> layers = material.layers.front();
+      layers.front().medium.permittivity += 2.0 * static_cast<double>(f);
+      material.layers.push_back(std::move(layers));
+    }
+  return all;
+}
+
+PolygonSoup made_of(PolygonSoup soup, std::uint32_t first, std::uint32_t others) {
+  soup.materials.assign(soup.polygons.size(), others);
+  soup.materials.front() = first;
+  return soup;
+}
+
+PolygonSoup half_behind_a_window() {
+  PolygonSoup soup = made_of(shapes::plate(5 * lambda), no_index, no_index);
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  for (const dvec2& at : {dvec2(0.0, -0.09), {0.09, -0.09}, {0.09, 0.09}, {0.0, 0.09}})
+    soup.points.emplace_back(at.x, at.y, 0.03);
+  soup.polygons.push_back({first, first + 1, first + 2, first + 3});
+  soup.materials.push_back(2);
+  return soup;
+}
+
+std::vector<OfMaterials> targets_of_materials() {
+  return {
+      {"glass plate", made_of(shapes::plate(5 * lambda, 0.3), 0, 0), {{0.03, 0.3}, {0.3, 1.9}}},
+      {"glass and coat", made_of(shapes::dihedral(5 * lambda, 5 * lambda), 0, 1), {{88 * degree, 43 * degree}, {pi / 2, 0.4}}},
+      {"plate and window", half_behind_a_window(), {{0.05, 0.3}, {0.2, 1.9}}}};
+}
+
+TEST(FiniteRangeImage, OfMaterialsAddsUp) {
+  std::vector<OfMaterials> targets = targets_of_materials();
+  targets.push_back({"coated sphere", made_of(shapes::icosphere(3, 3 * lambda), 1, 1), {aside}});
+  for (const std::vector<double>& frequencies : {std::vector{frequency}, {0.9 * frequency, frequency, 1.1 * frequency}})
+    for (const TubeMode mode : {TubeMode::adaptive, TubeMode::uniform})
+      for (const auto& [name, soup, from] : targets) {
+        const std::vector<Material> materials = materials_at(frequencies.size());
+        Scene scene(soup, EdgeMethod::none, materials);
+        scene.options.tubes.mode = mode;
+        Sweep sweep{frequencies, {}, false, {}, materials};
+        for (const Direction& d : from) sweep.looks.push_back(near_look(d, d, scene.range(0.3), scene.range(0.3)));
+        expect_sums(scene, sweep, name);
+      }
+}
+
+// Of several frequencies the middle one alone, whose coefficients differ from the first one's, but for the quadrature of the
+// highest. that.
+TEST(FiniteRangeImage, OfMaterialsIsOfItsFrequency) {
+  const std::vector<double> frequencies{0.999 * frequency, frequency, 1.001 * frequency};
+  const std::vector<Material> materials = materials_at(3);
+  for (const auto& [name, soup, from] : targets_of_materials()) {
+    const Scene scene(soup, EdgeMethod::none, materials);
+    const Look look = near_look(from.front(), from.front(), scene.range(0.3), scene.range(0.3));
+    const LookImage image = image_of_look(scene.target, {frequencies, {look}, false, {}, materials}, scene.options, 0, 7.3),
+                    alone = image_of_look(scene.target, {{frequency}, {look}, false, {}, at_frequency(materials, 1)},
+                                          scene.options, 0, 7.3);
+    double largest = 0.0, difference = 0.0;
+    ASSERT_EQ(image.cells.size(), alone.cells.size());
+    for (std::size_t i = 0; i < image.cells.size(); ++i) {
+      largest = std::max(largest, frobenius_norm(alone.cells[i]));
+      difference = std::max(difference, frobenius_norm(image.cells[i] - alone.cells[i]));
+    }
+    measured(name, difference / largest, "of the largest cell");
+    EXPECT_LT(difference, 1e-3 * largest) << name;
+  }
+}
+
 // The rectangle holds what the antenna sees and no more; a point is in the cell that `raytube trace` finds there.
 TEST(FiniteRangeImage, IsSeenInPerspective) {
   const PolygonSoup soup = shapes::transformed(shapes::cube(0.2), glm::dmat3(1.0), 1.0, {0.3, -0.2, 0.1});
@@ -161,6 +243,25 @@ TEST(FiniteRangeRandom, TubesAreUnbiased) {
           EXPECT_GT(error, 0.0);
           EXPECT_LT(error, 0.02 * std::abs(truth)) << name;
           EXPECT_LE(std::abs(result.mean.total[row].at(c, c) - truth), 4.0 * error)
+              << name << ' ' << far_fields << ' ' << row << c;
+        }
+    }
+}
+
+TEST(FiniteRangeRandom, TubesOfMaterialsAreUnbiased) {
+  const std::vector<Material> materials = materials_at(1);
+  for (const auto& [name, soup, from] : targets_of_materials())
+    for (const double far_fields : {1.0, 0.3}) {
+      Scene scene(soup, EdgeMethod::none, materials);
+      scene.options.tubes.tolerance_db = 0.01;
+      Sweep sweep{{frequency}, {}, false, {}, materials};
+      for (const Direction& d : from) sweep.looks.push_back(near_look(d, d, scene.range(far_fields), scene.range(far_fields)));
+      const RandomResult result = solve_with_random_tubes(scene.target, sweep, scene.options, {2000, 5, 100});
+      for (std::size_t row = 0; row < sweep.rows(); ++row)
+        for (const int c : {0, 1}) {
+          const double error = result.mean.error[row][c][c];
+          EXPECT_GT(error, 0.0);
+          EXPECT_LE(std::abs(result.mean.total[row].at(c, c) - result.deterministic.total[row].at(c, c)), 4.0 * error)
               << name << ' ' << far_fields << ' ' << row << c;
         }
     }

@@ -6,19 +6,18 @@
 
 #include "core/error.h"
 #include "mesh/load.h"
+#include "point_waves.h"
 #include "run.h"
 #include "shapes.h"
 #include "solve/solve.h"
 
 namespace raytube {
+
+using namespace point_waves;
+
 namespace {
 
 const Direction oblique{20 * degree, 0.4};
-
-Look near_look(const Direction& transmit, const Direction& receive, double transmit_range, double receive_range) {
-  return {transmit, receive, transmit_range, receive_range};
-}
-Look near_look(const Direction& direction, double range) { return near_look(direction, direction, range, range); }
 
 struct Scene {
   explicit Scene(PolygonSoup soup, EdgeMethod method = EdgeMethod::none)
@@ -38,25 +37,6 @@ struct Scene {
   Target target;
 };
 
-// E of an antenna at a point, by its definition alone: unit at the origin, falling as 1/r, V and H turned with the ray.
-struct PointWave {
-  dvec3 direction;
-  std::array<dvec3, 2> field;
-  double path;
-};
-PointWave wave_at(const Direction& direction, double range, const dvec3& r) {
-  const SphericalBasis basis = spherical_basis(direction);
-  const dvec3 way = r - range * basis.radial;
-  const double distance = glm::length(way);
-  PointWave wave{way / distance, {basis.theta_hat, basis.phi_hat}, distance - range};
-  const dvec3 from = -basis.radial, axis = glm::cross(from, wave.direction);
-  for (dvec3& e : wave.field)  // Rodrigues' rotation from the axis to the ray
-    e = range / distance *
-        (glm::dot(from, wave.direction) * e + glm::cross(axis, e) +
-         axis * (glm::dot(axis, e) / (1.0 + glm::dot(from, wave.direction))));
-  return wave;
-}
-
 // Near-field PO of a plate in z = 0 by the midpoint rule, received by reaction.
 ScatteringMatrix plate_by_quadrature(double a, const Look& look, double k, int steps) {
   ScatteringMatrix sum;
@@ -73,8 +53,6 @@ ScatteringMatrix plate_by_quadrature(double a, const Look& look, double k, int s
     }
   return sum;
 }
-
-double level_difference(Complex a, Complex b) { return std::abs(20.0 * std::log10(std::abs(a) / std::abs(b))); }
 
 // 5 wavelengths wide, so that 400 steps are 80 a wavelength: the midpoint rule is off by (k h)^2 / 24 = 3e-4, less where phases
 // turn. Asked of the solver: 0.02 dB within 30 dB of the peak, which for these looks is 0.64 m at long range.

@@ -72,7 +72,7 @@ Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, double 
                narrowest = std::max(0.0, 1.0 + beam.curvature * (middle - radius));
   prism.low = glm::min(box.low * widest, box.low * narrowest);
   prism.high = glm::max(box.high * widest, box.high * narrowest);
-  const bool ends = beam.curvature * farthest < 1.0;
+  const bool ends = std::isfinite(farthest) && beam.curvature * farthest < 1.0;
   prism.farthest = ends ? farthest * widening_at(beam, farthest) : std::numeric_limits<double>::infinity();
   return prism;
 }

@@ -21,6 +21,8 @@
 
 namespace raytube {
 
+struct SurfacesMet;
+
 /// Tubes that have met the same planar patches in the same order travel as one wave.
 ///
 /// Plane wave: direction d, phase e^{-jk (d.r + path)}, fields of both transmit polarisations. The tube of launch coordinates (u,
@@ -43,6 +45,7 @@ struct Beam {
   double launch_depth = 0.0;  // [m] spherical wave: where its tubes begin if they leave no surface
   // What takes the place of `field` once the wave has met other than perfect conductors.
   const Spectrum* spectrum = nullptr;
+  const SurfacesMet* met = nullptr;  // the same of a spherical wave, whose fields are those of each point
 
   bool spherical() const { return curvature != 0.0; }
 };

@@ -9,6 +9,8 @@ void BeamTree::restart(const Beam& incident) {
   first_ = first_of_bounce_ = 0;
   spectra_.clear();
   earlier_spectra_.clear();
+  met_.clear();
+  earlier_met_.clear();
   spectral_ = false;
   nodes_.push_back({{incident, {}}});
   if (slots_.empty()) slots_.resize(64);
@@ -21,6 +23,8 @@ void BeamTree::next_bounce() {
   first_of_bounce_ = end();
   earlier_spectra_.swap(spectra_);
   spectra_.clear();
+  earlier_met_.swap(met_);
+  met_.clear();
   std::ranges::fill(slots_, Slot{});
 }
 
@@ -42,7 +46,8 @@ std::uint32_t BeamTree::add_child(std::uint32_t parent, std::uint32_t patch, con
                                                : raytube::footprint(anchored(beam, anchor), plane, receive_);
   Node node{footprint, patch};
   node.from_behind = from_behind, node.reflected = is_reflected(parent);
-  if (plane.material != no_index || beam.spectrum) scatter(parent, node);
+  if (plane.material != no_index || beam.spectrum || beam.met)
+    beam.spherical() ? scatter_spherical(parent, node) : scatter(parent, node);
   nodes_.push_back(node);
   return end() - 1;
 }
@@ -55,21 +60,45 @@ void BeamTree::scatter(std::uint32_t parent, Node& node) {
   if (raytube::amplitude(waves.transmitted) > least_amplitude) add_through(parent, node, std::move(waves.transmitted));
 }
 
+// What the wave is at a point is found there; here only what it has met, and the most that is left of it.
+void BeamTree::scatter_spherical(std::uint32_t parent, Node& node) {
+  Beam passing = beam(parent);
+  const Patch& plane = mesh_.patches[node.patch];
+  const auto [reflected, transmitted] = strongest(surfaces_, passing, plane, mesh_.radius);
+  SurfacesMet met = with_surface(passing, {plane.normal, plane.material}, node.reflected);
+  node.amplitude = amplitude(parent) * reflected;
+  node.footprint.outgoing.met = keep(met);
+  if (amplitude(parent) * transmitted <= least_amplitude) return;
+  met.surfaces.back().goes_on = true;
+  passing.met = keep(std::move(met));
+  add_through(node, passing, amplitude(parent) * transmitted);
+}
+
 const Spectrum* BeamTree::keep(Spectrum spectrum) {
   spectral_ = true;
   return &spectra_.emplace_back(std::move(spectrum));
 }
 
+const SurfacesMet* BeamTree::keep(SurfacesMet met) {
+  spectral_ = true;
+  return &met_.emplace_back(std::move(met));
+}
+
 // The arriving wave as it was but for its fields, described from where it meets the surface.
 void BeamTree::add_through(std::uint32_t parent, Node& node, Spectrum transmitted) {
   const Beam& leaving = node.footprint.outgoing;
-  Node through{{beam(parent), {}}, node.patch};
-  through.reflected = node.reflected, through.goes_on = true;
-  Beam& passing = through.footprint.outgoing;
+  Beam passing = beam(parent);
   passing.anchor = leaving.anchor, passing.base = leaving.base;
   passing.along_u = leaving.along_u, passing.along_v = leaving.along_v;
-  through.amplitude = raytube::amplitude(transmitted);
+  const double amplitude = raytube::amplitude(transmitted);
   passing.spectrum = keep(std::move(transmitted));
+  add_through(node, passing, amplitude);
+}
+
+void BeamTree::add_through(Node& node, const Beam& passing, double amplitude) {
+  Node through{{passing, {}}, node.patch};
+  through.reflected = node.reflected, through.goes_on = true;
+  through.amplitude = amplitude;
   node.through = end();
   nodes_.push_back(through);
 }
@@ -91,17 +120,34 @@ std::uint32_t BeamTree::through_screen(std::uint32_t node, std::uint32_t sheet) 
 std::uint32_t BeamTree::add_screened(std::uint32_t node, std::uint32_t sheet) {
   Node screened{at(node).footprint, at(node).patch};
   screened.unscreened = node;
+  if (beam(node).spherical())
+    screened.footprint.outgoing.met = keep(screened_surfaces(at(node), sheet));
+  else
+    screened.footprint.outgoing.spectrum = keep(screened_spectrum(at(node), sheet));
+  nodes_.push_back(screened);
+  return end() - 1;
+}
+
+Spectrum BeamTree::screened_spectrum(const Node& node, std::uint32_t sheet) {
   const std::vector<ChannelWeights>& through = through_sheet(sheet);
   Spectrum spectrum(through.size());
   for (std::size_t f = 0; f < spectrum.size(); ++f) {
-    const ChannelWeights behind = through[f], before = screened_weights(at(node), f);
+    const ChannelWeights behind = through[f], before = screened_weights(node, f);
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q)
         spectrum[f].weight[p][q] = behind[p][0] * before[0][q] + behind[p][1] * before[1][q] - before[p][q];
   }
-  screened.footprint.outgoing.spectrum = keep(std::move(spectrum));
-  nodes_.push_back(screened);
-  return end() - 1;
+  return spectrum;
+}
+
+// Of a perfect conductor the wave that leaves says which one came.
+SurfacesMet BeamTree::screened_surfaces(const Node& node, std::uint32_t sheet) const {
+  const Beam& leaving = node.footprint.outgoing;
+  const Patch &plane = mesh_.patches[node.patch], &screen = mesh_.patches[sheet];
+  SurfacesMet met =
+      leaving.met ? *leaving.met : with_surface(reflected_spherical(leaving, plane), {plane.normal}, node.reflected);
+  met.screens.push_back({screen.normal, screen.material});
+  return met;
 }
 
 const std::vector<ChannelWeights>& BeamTree::through_sheet(std::uint32_t sheet) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sbr/beams/footprint.h"
+#include "sbr/beams/surfaces_met.h"
 
 namespace raytube {
 
@@ -75,6 +76,7 @@ class BeamTree {
   const Node& at(std::uint32_t node) const { return nodes_[node - first_]; }
   std::uint32_t end() const { return first_ + static_cast<std::uint32_t>(nodes_.size()); }
   const Spectrum* keep(Spectrum spectrum);
+  const SurfacesMet* keep(SurfacesMet met);
   std::uint32_t find_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
   std::uint32_t add_child(std::uint32_t parent, std::uint32_t patch, const dvec2& anchor);
   std::uint32_t add_screened(std::uint32_t node, std::uint32_t sheet);
@@ -82,7 +84,11 @@ class BeamTree {
   ChannelWeights screened_weights(const Node& node, std::size_t frequency_index) const;
   bool is_reflected(std::uint32_t node) const;
   void scatter(std::uint32_t parent, Node& node);
+  void scatter_spherical(std::uint32_t parent, Node& node);
   void add_through(std::uint32_t parent, Node& node, Spectrum transmitted);
+  void add_through(Node& node, const Beam& passing, double amplitude);
+  SurfacesMet screened_surfaces(const Node& node, std::uint32_t sheet) const;
+  Spectrum screened_spectrum(const Node& node, std::uint32_t sheet);
   Slot& slot(std::uint32_t parent, std::uint32_t patch);
   void widen();
 
@@ -92,6 +98,7 @@ class BeamTree {
   std::vector<Node> nodes_;  // from number first_ on
   std::uint32_t first_ = 0, first_of_bounce_ = 0;
   std::deque<Spectrum> spectra_, earlier_spectra_;                       // beams hold pointers to them
+  std::deque<SurfacesMet> met_, earlier_met_;                            // and to these
   std::map<std::uint32_t, std::vector<ChannelWeights>> through_sheets_;  // [patch][frequency]
   bool spectral_ = false;
   std::vector<Slot> slots_;  // hash table with linear probing; a power of two of them, at most half in use

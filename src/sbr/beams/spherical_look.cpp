@@ -34,17 +34,19 @@ double inner(const Weight& a, const Weight& b) {
 
 }  // namespace
 
-SphericalLook::SphericalLook(const AntennaPair& antennas, const Beam& incident, std::span<const double> wavenumbers,
+SphericalLook::SphericalLook(const AntennaPair& antennas, const Beam& incident, const SpectralSurfaces& surfaces,
                              double relative_tolerance)
     : antennas_(antennas),
       incident_(incident),
-      wavenumbers_(wavenumbers),
-      highest_(std::ranges::max(wavenumbers)),
+      surfaces_(surfaces),
+      wavenumbers_(surfaces.wavenumbers),
+      highest_(std::ranges::max(wavenumbers_)),
       most_bend_(bend_tolerance(relative_tolerance)) {}
 
 SphericalLook SphericalLook::at_frequency(std::size_t index) const {
   SphericalLook one = *this;
-  one.wavenumbers_ = wavenumbers_.subspan(index, 1);
+  one.surfaces_.first_frequency_index += index;
+  one.surfaces_.wavenumbers = one.wavenumbers_ = wavenumbers_.subspan(index, 1);
   one.highest_ = wavenumbers_[index];
   return one;
 }
@@ -57,6 +59,11 @@ AntennaRay SphericalLook::wave(const Beam& beam, const dvec3& r) const {
   ray.direction = mirrored(ray.direction);
   for (dvec3& field : ray.field) field = (odd ? -1.0 : 1.0) * mirrored(field);
   return ray;
+}
+
+AntennaRay SphericalLook::wave_at_first(const Beam& beam, const dvec3& r) const {
+  const Beam& first = beam.met->arriving;
+  return wave(first, first.base + vector_of(first, components(beam, r - beam.base)));
 }
 
 SphericalLook::Current SphericalLook::current(const Beam& outgoing, const Patch& plane, const dvec3& r) const {
@@ -84,77 +91,134 @@ SphericalLook::Current SphericalLook::current(const BentFacet& facet, const dvec
   return c;
 }
 
+namespace {
+
+struct PlanePoint {
+  Affine depth;  // of the plane
+  dvec2 at;
+  double t, w;  // depth and widening there
+  dvec3 r;
+
+  PlanePoint(const Beam& outgoing, const Patch& plane, const dvec2& a_at)
+      : depth(depth_of(outgoing, plane)), at(a_at), t(depth(at)), w(widening_at(outgoing, t)), r(point_at(outgoing, at, t)) {}
+};
+
 // A plane in the launch coordinates of a beam: r - base = w (at, depth), and the widening w changes along it, too.
-Footprint SphericalLook::footprint(const Beam& outgoing, const Patch& plane, const dvec2& at) const {
-  const Affine depth = depth_of(outgoing, plane);
-  const double t = depth(at), w = widening_at(outgoing, t);
-  const dvec3 r = point_at(outgoing, at, t), run = outgoing.curvature * w * (r - outgoing.base);
-  const Current c = current(outgoing, plane, r);
-  const dvec3 along_u = w * (outgoing.u_hat + depth.u * outgoing.direction) + depth.u * run,
-              along_v = w * (outgoing.v_hat + depth.v * outgoing.direction) + depth.v * run;
-  Footprint f{outgoing, c.weight, glm::length(glm::cross(along_u, along_v)), -c.path, 0.0, 0.0};
-  f.outgoing.anchor = at;
+template <class Current>
+Footprint linear_part(const Beam& outgoing, const PlanePoint& p, const Current& c) {
+  const dvec3 run = outgoing.curvature * p.w * (p.r - outgoing.base);
+  const dvec3 along_u = p.w * (outgoing.u_hat + p.depth.u * outgoing.direction) + p.depth.u * run,
+              along_v = p.w * (outgoing.v_hat + p.depth.v * outgoing.direction) + p.depth.v * run;
+  Footprint f{outgoing, {}, glm::length(glm::cross(along_u, along_v)), -c.path, 0.0, 0.0};
+  f.outgoing.anchor = p.at;
   f.phase_u = glm::dot(c.change, along_u);
   f.phase_v = glm::dot(c.change, along_v);
   return f;
 }
 
+}  // namespace
+
+Footprint SphericalLook::footprint(const Beam& outgoing, const Patch& plane, const dvec2& at, Spectrum& spectrum) const {
+  const PlanePoint p(outgoing, plane, at);
+  if (!outgoing.met) {
+    const Current c = current(outgoing, plane, p.r);
+    Footprint f = linear_part(outgoing, p, c);
+    f.weight = c.weight;
+    return f;
+  }
+  const SpectralCurrent c = spectral_current(outgoing, p.r);
+  Footprint f = linear_part(outgoing, p, c);
+  spectrum.clear();
+  for (const ChannelWeights& weight : c.received->weight) spectrum.push_back({.field = {}, .weight = weight});
+  f.outgoing.spectrum = &spectrum;
+  return f;
+}
+
+void SphericalLook::add_incoherent(TubeSums& sums, const Beam& outgoing, const Patch& plane, const dvec2& at, double area) const {
+  if (!outgoing.met || !surfaces_.any_rough()) return;
+  const PlanePoint p(outgoing, plane, at);
+  const SpectralCurrent c = spectral_current(outgoing, p.r);
+  const double on_surface = area * linear_part(outgoing, p, c).area;
+  sums.incoherent.resize(wavenumbers_.size());
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+    for (std::size_t q = 0; q < 2; ++q) sums.incoherent[f][q] += on_surface * c.received->incoherent[f][q];
+}
+
 SphericalLook::Sums SphericalLook::sums_of(TubeSums& sums, int bounce) const {
   std::vector<ScatteringMatrix>& scattering = sums.at(bounce, wavenumbers_.size());
   sums.quadrature.resize(wavenumbers_.size());
-  return {scattering, sums.quadrature};
+  if (surfaces_.any_rough()) sums.incoherent.resize(wavenumbers_.size());
+  return {scattering, sums.quadrature, sums.incoherent};
 }
 
-void SphericalLook::add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane,
-                        const ConvexPolygon& polygon) const {
+template <class At>
+void SphericalLook::add_polygon(const Sums& to, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon,
+                                At at) const {
   const Affine depth = depth_of(outgoing, plane);
-  const auto at = [&](const dvec3& r) { return current(outgoing, plane, r); };
   const auto corner = [&](std::size_t i) { return at(point_at(outgoing, polygon[i].at, depth(polygon[i].at))); };
-  add_fan(sums_of(sums, bounce), polygon.size(), corner, at);
+  add_fan(to, polygon.size(), corner, at);
 }
 
 // A convex polygon, triangle by triangle.
 template <class Corner, class At>
-void SphericalLook::add_fan(const Sums& sums, std::size_t corners, Corner corner, At at) const {
-  const Current first = corner(0);
-  Current before = corner(1);
+void SphericalLook::add_fan(const Sums& to, std::size_t corners, Corner corner, At at) const {
+  const auto first = corner(0);
+  auto before = corner(1);
   for (std::size_t i = 2; i < corners; ++i) {
-    const Current next = corner(i);
-    add(sums, Triangle{first, before, next}, at);
+    const auto next = corner(i);
+    add(to, std::array{first, before, next}, at);
     before = next;
   }
 }
 
-bool SphericalLook::add(TubeSums& sums, const BentFacet& facet) const {
-  const auto at = [&](const dvec3& r) { return current(facet, r); };
-  const Triangle corners{at(facet.corners()[0]), at(facet.corners()[1]), at(facet.corners()[2])};
-  if (std::ranges::all_of(corners, [](const Current& c) { return inner(c.weight, c.weight) == 0.0; })) return false;
-  add(sums_of(sums, 0), corners, at);
-  return true;
+void SphericalLook::add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane,
+                        const ConvexPolygon& polygon) const {
+  const Sums to = sums_of(sums, bounce);
+  if (outgoing.met)
+    add_polygon(to, outgoing, plane, polygon, [&](const dvec3& r) { return spectral_current(outgoing, r); });
+  else
+    add_polygon(to, outgoing, plane, polygon, [&](const dvec3& r) { return current(outgoing, plane, r); });
 }
 
-void SphericalLook::add(TubeSums& sums, const BentFacet& facet, std::span<const dvec3> corners) const {
-  const auto at = [&](const dvec3& r) { return current(facet, r); };
-  add_fan(
-      sums_of(sums, 0), corners.size(), [&](std::size_t i) { return at(corners[i]); }, at);
+// visit(at), at(r) being the current over a point of the facet.
+template <class Visit>
+auto SphericalLook::with_current(const BentFacet& facet, std::uint32_t material, Visit visit) const {
+  if (material == no_index) return visit([&](const dvec3& r) { return current(facet, r); });
+  return visit([&](const dvec3& r) { return spectral_current(facet, material, r); });
+}
+
+bool SphericalLook::add(TubeSums& sums, const BentFacet& facet, std::uint32_t material) const {
+  return with_current(facet, material, [&](const auto& at) {
+    const std::array corners{at(facet.corners()[0]), at(facet.corners()[1]), at(facet.corners()[2])};
+    if (std::ranges::none_of(corners, [](const auto& c) { return c.lit(); })) return false;
+    add(sums_of(sums, 0), corners, at);
+    return true;
+  });
+}
+
+void SphericalLook::add(TubeSums& sums, const BentFacet& facet, std::uint32_t material, std::span<const dvec3> corners) const {
+  with_current(facet, material, [&](const auto& at) {
+    add_fan(
+        sums_of(sums, 0), corners.size(), [&](std::size_t i) { return at(corners[i]); }, at);
+  });
 }
 
 // Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border
 // of light is never smooth.
-template <class At>
-void SphericalLook::add(const Sums& sums, const Triangle& triangle, At at) const {
+template <class C, class At>
+void SphericalLook::add(const Sums& sums, const Corners<C>& triangle, At at) const {
   const auto& [a, b, c] = triangle;
-  const auto middle = [&](const Current& p, const Current& q) { return at(0.5 * (p.point + q.point)); };
-  const Triangle middles{middle(a, b), middle(b, c), middle(c, a)};
+  const auto middle = [&](const C& p, const C& q) { return at(0.5 * (p.point + q.point)); };
+  const Corners<C> middles{middle(a, b), middle(b, c), middle(c, a)};
   const std::array<double, 3> sides{glm::distance(a.point, b.point), glm::distance(b.point, c.point),
                                     glm::distance(c.point, a.point)};
   const auto i = static_cast<std::size_t>(std::ranges::max_element(sides) - sides.begin());
   const double bend = bend_of(triangle, middles);
   if (bend <= most_bend_) return add_smooth(sums, triangle, middles, quadrature_error(most_bend_));
   if (highest_ * sides[i] < shortest) return add_smooth(sums, triangle, middles, std::min(bend, 1.0) / 3.0);
-  const Current &start = triangle[i], &end = triangle[(i + 1) % 3], &tip = triangle[(i + 2) % 3];
-  add(sums, Triangle{start, middles[i], tip}, at);
-  add(sums, Triangle{middles[i], end, tip}, at);
+  const C &start = triangle[i], &end = triangle[(i + 1) % 3], &tip = triangle[(i + 2) % 3];
+  add(sums, Corners<C>{start, middles[i], tip}, at);
+  add(sums, Corners<C>{middles[i], end, tip}, at);
 }
 
 // The largest distance of a side's middle from the mean of its ends, over the largest amplitude at the corners.

@@ -1,12 +1,14 @@
 // A look from antennas at a finite distance: currents of spherical waves on planes, and what the receiver makes of them.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "mesh/smooth/smooth.h"
 #include "sbr/beams/beam.h"
 #include "sbr/beams/footprint.h"
+#include "sbr/beams/surfaces_met.h"
 #include "sbr/beams/tube_sums.h"
 #include "scene/sweep.h"
 
@@ -16,34 +18,41 @@ namespace raytube {
 /// a beam is the transmitter's at the point that the mirrors fold back. A current J is received as it would be transmitted to:
 ///   S_pq = -(jk / 4 pi) integral of E_p . eta J_q e^{-jk (path_t + path_r)} dA,
 /// E_p the receiving antenna's field (Antenna), which is the far field's S where both antennas are far away (Lorentz
-/// reciprocity). Valid where the antennas are wavelengths away. Phase reference: the antennas'.
+/// reciprocity). Valid where the antennas are wavelengths away. Phase reference: the antennas'. Once the wave has met other than
+/// perfect conductors it is taken as plane at every point (surfaces_met), and magnetic currents count as well.
 class SphericalLook {
  public:
   /// `incident` is the beam as launched. `relative_tolerance`: error that polygons and facets may have in all, as a share of what
-  /// they radiate. Keeps references to `antennas` and `wavenumbers`.
-  SphericalLook(const AntennaPair& antennas, const Beam& incident, std::span<const double> wavenumbers,
-                double relative_tolerance);
+  /// they radiate. Keeps references to `antennas` and what `surfaces` refers to.
+  SphericalLook(const AntennaPair& antennas, const Beam& incident, const SpectralSurfaces& surfaces, double relative_tolerance);
 
   /// The same look at one of its wavenumbers.
   SphericalLook at_frequency(std::size_t index) const;
 
-  /// The wave of a beam at a point.
+  /// The wave of a beam at a point, as if all that it has met were perfect conductors.
   AntennaRay wave(const Beam& beam, const dvec3& r) const;
+  /// The wave that came to the first of the surfaces that a beam has met, on its way to a point, folded back.
+  AntennaRay wave_at_first(const Beam& beam, const dvec3& r) const;
 
   /// What the tubes about the launch coordinates `at` do on the plane that `outgoing` leaves, as a plane wave's: phases linear,
-  /// the rest constant. For cells small against the wavelength times the distance.
-  Footprint footprint(const Beam& outgoing, const Patch& plane, const dvec2& at) const;
+  /// the rest constant. For cells small against the wavelength times the distance. Where `outgoing` has met other than perfect
+  /// conductors the footprint's beam refers to `spectrum`, which has its weights.
+  Footprint footprint(const Beam& outgoing, const Patch& plane, const dvec2& at, Spectrum& spectrum) const;
+
+  /// Adds what roughness scatters from so much of the launch plane about `at`, if `outgoing` has met anything rough.
+  void add_incoherent(TubeSums& sums, const Beam& outgoing, const Patch& plane, const dvec2& at, double area) const;
 
   /// Adds S of the currents of bounce `bounce` on a polygon of launch coordinates on the plane that `outgoing` leaves, at every
   /// wavenumber, and what quadrature may have left.
   void add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon) const;
 
-  /// Adds S of the currents of the first bounce on the part of a curved surface over a facet, lit by the transmitter itself
-  /// wherever it faces it, as on a convex body. False, and nothing is added, if none of the facet's corners is lit.
-  bool add(TubeSums& sums, const BentFacet& facet) const;
+  /// Adds S of the currents of the first bounce on the part of a curved surface over a facet of this material, lit by the
+  /// transmitter itself wherever it faces it, as on a convex body. False, and nothing is added, if none of the facet's corners is
+  /// lit.
+  bool add(TubeSums& sums, const BentFacet& facet, std::uint32_t material) const;
 
   /// The same of what is over a polygon of the facet's plane.
-  void add(TubeSums& sums, const BentFacet& facet, std::span<const dvec3> corners) const;
+  void add(TubeSums& sums, const BentFacet& facet, std::uint32_t material, std::span<const dvec3> corners) const;
 
  private:
   struct Current {
@@ -51,26 +60,50 @@ class SphericalLook {
     double path;                                  // both ways [m]
     dvec3 change;                                 // - gradient of the path, right along the plane; not for facets
     std::array<std::array<double, 2>, 2> weight;  // E_p . eta J_q, per area there
+
+    bool lit() const { return weight != std::array<std::array<double, 2>, 2>{}; }
+  };
+  // The same on other than perfect conductors, complex and different at every frequency; null: nothing is lit.
+  struct SpectralCurrent {
+    dvec3 point;
+    double path;
+    dvec3 change;
+    std::shared_ptr<const ReceivedCurrents> received;
+
+    bool lit() const { return received != nullptr; }
   };
   struct Sums {
     std::vector<ScatteringMatrix>& scattering;  // of each wavenumber
     std::vector<ErrorSum>& errors;
+    std::vector<std::array<double, 2>>& incoherent;  // empty: nothing is rough
   };
   Sums sums_of(TubeSums& sums, int bounce) const;
   // Corners; side i runs from corner i to the next one.
-  using Triangle = std::array<Current, 3>;
+  template <class C>
+  using Corners = std::array<C, 3>;
+  using Triangle = Corners<Current>;
+  using SpectralTriangle = Corners<SpectralCurrent>;
 
   Current current(const Beam& outgoing, const Patch& plane, const dvec3& r) const;
   Current current(const BentFacet& facet, const dvec3& r) const;
+  SpectralCurrent spectral_current(const Beam& outgoing, const dvec3& r) const;
+  SpectralCurrent spectral_current(const BentFacet& facet, std::uint32_t material, const dvec3& r) const;
+  template <class At>
+  void add_polygon(const Sums& sums, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon, At at) const;
   template <class Corner, class At>
   void add_fan(const Sums& sums, std::size_t corners, Corner corner, At at) const;
-  template <class At>
-  void add(const Sums& sums, const Triangle& triangle, At at) const;
+  template <class Visit>
+  auto with_current(const BentFacet& facet, std::uint32_t material, Visit visit) const;
+  template <class C, class At>
+  void add(const Sums& sums, const Corners<C>& triangle, At at) const;
   double bend_of(const Triangle& corners, const Triangle& middles) const;
+  double bend_of(const SpectralTriangle& corners, const SpectralTriangle& middles) const;
   void add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles, double left) const;
+  void add_smooth(const Sums& sums, const SpectralTriangle& corners, const SpectralTriangle& middles, double left) const;
 
   const AntennaPair& antennas_;
   Beam incident_;
+  SpectralSurfaces surfaces_;
   std::span<const double> wavenumbers_;
   double highest_, most_bend_;
 };

@@ -20,7 +20,8 @@ Patch plane_of(const BentFacet& facet) {
 }
 
 // Cut up where the antenna sees the facet's plane.
-void add_to_map(const TubeLook& look, const BentFacet& facet, std::uint32_t triangle, const ScatteringMatrix& whole) {
+void add_to_map(const TubeLook& look, const BentFacet& facet, std::uint32_t material, std::uint32_t triangle,
+                const ScatteringMatrix& whole) {
   const Beam beam = incident_beam(look.grid, look.transmit, dvec2(0.0));
   std::array<dvec2, 3> corners;
   std::ranges::transform(facet.corners(), corners.begin(), [&](const dvec3& r) { return launch_coordinates(beam, r); });
@@ -36,19 +37,21 @@ void add_to_map(const TubeLook& look, const BentFacet& facet, std::uint32_t tria
     points.clear();
     for (const Corner& corner : part) points.push_back(point_at(beam, corner.at, depth(corner.at)));
     TubeSums alone;
-    at_frequency.add(alone, facet, points);
+    at_frequency.add(alone, facet, material, points);
     parts.add(middle(part), triangle, alone.bounces[0][0]);
   });
   parts.finish();
 }
 
 void light(const TubeLook& look, std::uint32_t triangle, TubeSums& sums) {
+  const TriangleMesh& mesh = look.tracer.mesh();
   const BentFacet facet = look.smooth->facet(triangle);
+  const std::uint32_t material = mesh.patches[mesh.triangle_patch[triangle]].material;
   const std::size_t f = look.map ? look.map->frequency_index() : 0;
   const ScatteringMatrix before = sums.bounces[0][f];
-  if (!look.spherical->add(sums, facet)) return;
+  if (!look.spherical->add(sums, facet, material)) return;
   ++sums.hits[0];
-  if (look.map) add_to_map(look, facet, triangle, sums.bounces[0][f] - before);
+  if (look.map) add_to_map(look, facet, material, triangle, sums.bounces[0][f] - before);
 }
 
 }  // namespace

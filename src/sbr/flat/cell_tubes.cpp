@@ -202,28 +202,43 @@ void CellTubes::integrate(int bounce) {
 
 void CellTubes::add_incoherent() {
   if (!beams_.spectral() || !beams_.surfaces().any_rough()) return;
-  for (const Tube& tube : tubes_)
-    if (const Spectrum* spectrum = beams_.beam(tube.beam).spectrum) sums_.add_incoherent(*spectrum, grid_.du * grid_.dv);
+  const double cell = grid_.du * grid_.dv;
+  for (const auto& [column, row, node] : tubes_) {
+    const Beam& beam = beams_.beam(node);
+    if (beam.spectrum) sums_.add_incoherent(*beam.spectrum, cell);
+    if (beam.met) spherical_->add_incoherent(sums_, beam, beams_.patch(node), grid_.ray_coordinates(column, row), cell);
+  }
 }
 
 void CellTubes::add_to_map(const Tube& tube, std::uint32_t triangle) {
   const Bounds cell = cell_bounds(grid_, tube.column, tube.row);
   if (!spherical_) return map_->add(beams_.footprint(tube.beam), cell, triangle);
   const dvec2 at = grid_.ray_coordinates(tube.column, tube.row);
-  map_->add(spherical_->footprint(beams_.beam(tube.beam), beams_.patch(tube.beam), at), cell, triangle);
+  Spectrum spectrum;
+  map_->add(spherical_->footprint(beams_.beam(tube.beam), beams_.patch(tube.beam), at, spectrum), cell, triangle);
 }
 
 // Current and phase gradient of a spherical wave are those where the ray met the surface: from the middle of its cells none may
 // lead there, at grazing not even to the plane.
 void CellTubes::integrate_runs(std::vector<ScatteringMatrix>& sums) {
+  Spectrum spectrum;
   for (const auto& [node, cells, ray_at] : runs_) {
     const dvec2 size{(cells.column_end - cells.column_begin) * grid_.du, (cells.row_end - cells.row_begin) * grid_.dv};
     const dvec2 low{grid_.u_begin + cells.column_begin * grid_.du, grid_.v_begin + cells.row_begin * grid_.dv};
     const dvec2 center = low + 0.5 * size;
-    if (spherical_)
-      far_fields_.add(spherical_->footprint(beams_.beam(node), beams_.patch(node), ray_at), center, size);
-    else
+    if (!spherical_) {
       far_fields_.add(beams_.footprint(node), center, size);
+      continue;
+    }
+    const Footprint footprint = spherical_->footprint(beams_.beam(node), beams_.patch(node), ray_at, spectrum);
+    if (!footprint.outgoing.spectrum) {
+      far_fields_.add(footprint, center, size);
+      continue;
+    }
+    for (std::size_t f = 0; f < sums.size(); ++f) {
+      const double k = beams_.surfaces().wavenumbers[f];
+      add_far_field(sums[f], footprint, f, k, phase_integral(footprint, k, center, size.x, size.y));
+    }
   }
   far_fields_.add_up(sums);
 }

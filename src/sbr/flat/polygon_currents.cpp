@@ -38,8 +38,15 @@ void PolygonCurrents::add(TubeSums& to, std::uint32_t node, const VisiblePart& p
   add_to_estimates(to, beams_.footprint(node), part.outline, blocks);
 }
 
-void PolygonCurrents::add_spherical(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce,
-                                    CurrentMap* map) const {
+void PolygonCurrents::add_spherical(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map) {
+  add_spherical_part(to, node, part, bounce, map);
+  if (!line_of_sight_) return;
+  for (ScreenedPart& screened : line_of_sight_->through_sheets(node, part.outline))
+    add_spherical_part(to, screened.node, {part.face, std::move(screened.outline)}, bounce, map);
+}
+
+void PolygonCurrents::add_spherical_part(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce,
+                                         CurrentMap* map) const {
   const Beam& beam = beams_.beam(node);
   const Patch& plane = beams_.patch(node);
   if (!map) return look_.spherical->add(to, bounce, beam, plane, part.outline);

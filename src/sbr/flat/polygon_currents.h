@@ -29,7 +29,8 @@ class PolygonCurrents {
            CurrentMap* map);
 
  private:
-  void add_spherical(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map) const;
+  void add_spherical(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map);
+  void add_spherical_part(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map) const;
   void add_to_estimates(TubeSums& to, const Footprint& footprint, const ConvexPolygon& outline,
                         std::span<const CellBlock> blocks) const;
   void add_to_map(CurrentMap& map, const Footprint& footprint, const VisiblePart& part, std::span<const CellBlock> blocks) const;

@@ -144,7 +144,8 @@ struct FaceTrace {
     visible_.from_surface(beam, source_patch, outline, in_middle, parts);
     for (const VisiblePart& part : parts) {
       const std::uint32_t patch = look_.faces.faces()[part.face].patch;
-      const auto [reflected, transmitted] = look_.surfaces.strongest(look_.faces.mesh().patches[patch], beam.direction);
+      const dvec3 direction = tube_ray(beam, middle(part.outline), nullptr, no_index).direction;
+      const auto [reflected, transmitted] = look_.surfaces.strongest(look_.faces.mesh().patches[patch], direction);
       sums_.truncated[Truncation::bounces].add(area(part.outline), amplitude * reflected);
       if (amplitude * transmitted > least_amplitude) add_truncated(beam, patch, part.outline, {}, amplitude * transmitted);
     }

@@ -11,17 +11,31 @@ namespace raytube {
 /// Where the sheets of a target are across the lines of sight of a receiver.
 class LineOfSightSheets {
  public:
-  LineOfSightSheets(const TriangleMesh& mesh, std::span<const Material> materials, const SphericalBasis& receive);
+  /// `antenna`: a receiver at a finite distance; else null.
+  LineOfSightSheets(const TriangleMesh& mesh, std::span<const Material> materials, const SphericalBasis& receive,
+                    const Antenna* antenna = nullptr);
 
   const SphericalBasis& receive() const { return receive_; }
-  /// The components of a point along theta_hat and phi_hat [m].
-  dvec2 across(const dvec3& r) const { return {glm::dot(receive_.theta_hat, r), glm::dot(receive_.phi_hat, r)}; }
+  /// The components of a point along theta_hat and phi_hat [m], or its launch coordinates in converging().
+  dvec2 across(const dvec3& r) const {
+    if (is_near()) return launch_coordinates(converging_, r);
+    return {glm::dot(receive_.theta_hat, r), glm::dot(receive_.phi_hat, r)};
+  }
+  /// Whether lines of sight meet at a finite distance.
+  bool is_near() const { return converging_.spherical(); }
+  /// The wave that runs together in such a receiver, of a curvature below zero.
+  const Beam& converging() const { return converging_; }
+  /// Unit, from a point to the receiver.
+  dvec3 towards_receiver(const dvec3& r) const;
   /// False if none can stand between the receiver and what lies in this box, no nearer to the receiver than this.
   bool may_cover(const Bounds& box, double farthest) const { return farthest < nearest_ && box.overlaps(box_, 0.0); }
-  bool may_cover(const dvec3& r) const { return may_cover({across(r), across(r)}, glm::dot(receive_.radial, r)); }
+  bool may_cover(const dvec3& r) const { return may_cover({across(r), across(r)}, depth(r)); }
 
  private:
+  double depth(const dvec3& r) const;
+
   SphericalBasis receive_;
+  Beam converging_;
   Bounds box_;
   double nearest_;  // to the receiver, along the line of sight
 };
@@ -45,6 +59,7 @@ class PolygonLineOfSight {
   std::vector<ScreenedPart> through_sheets(std::uint32_t node, const ConvexPolygon& outline);
 
  private:
+  void follow_to_receiver(std::uint32_t node, const ConvexPolygon& outline);
   void follow(std::uint32_t node, std::uint32_t patch, const dvec3& base, const ConvexPolygon& region);
   void follow_from_middle(std::uint32_t node, const Beam& leaving, const ConvexPolygon& outline);
 
@@ -68,7 +83,7 @@ class RayLineOfSight {
 
   /// A tube's currents at a point on a patch.
   void add(std::uint32_t tube, std::uint32_t node, const dvec3& point, std::uint32_t patch) {
-    if (sheets_.may_cover(point)) lines_.push_back({tube, node, {point, sheets_.receive().radial, patch}});
+    if (sheets_.may_cover(point)) lines_.push_back({tube, node, {point, sheets_.towards_receiver(point), patch}});
   }
 
   /// Calls visit(tube, node) for every sheet on the way of every line added, and forgets them. Counts rays.

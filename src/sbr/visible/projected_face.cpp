@@ -35,7 +35,8 @@ bool FaceProjector::project(const BeamView& view, std::uint32_t face, ProjectedF
   return !is_sliver(f.outline);
 }
 
-// A spherical wave meets nothing nearer than the surface it leaves: what lies behind its source is cut off in between.
+// A spherical wave meets nothing nearer than the surface it leaves: what lies behind its source is cut off in between. All of the
+// target lies before the receiver in which lines of sight meet.
 void FaceProjector::project_corners(const BeamView& view, std::uint32_t face) {
   const Beam& beam = view.beam;
   const std::span<const dvec3> corners = tree_.points(face);
@@ -44,7 +45,8 @@ void FaceProjector::project_corners(const BeamView& view, std::uint32_t face) {
     for (const dvec3& corner : corners) corners_.push_back(launch_coordinates(beam, corner));
     return;
   }
-  const double nearest = view.source ? 0.5 * widening_at(beam, range(*view.region, view.source_depth).low) : 0.0;
+  const double nearest =
+      view.source && beam.curvature > 0.0 ? 0.5 * widening_at(beam, range(*view.region, view.source_depth).low) : 0.0;
   dvec3 before = corners.back();
   double w_before = widening(beam, before) - nearest;
   for (const dvec3& r : corners) {
