@@ -7,10 +7,6 @@
 
 #include "core/threads.h"
 
-#include "core/threads.h"
-
-#include "core/threads.h"
-
 namespace raytube {
 
 void compute_items(WorkTeam& team, std::size_t items, int threads, const std::function<void(std::size_t)>& compute) {

@@ -22,6 +22,7 @@ class WorkTeam {
   WorkTeam(const WorkTeam&) = delete;
   WorkTeam& operator=(const WorkTeam&) = delete;
 
+  /// True for the process that collects.
   virtual bool leads() const = 0;
 
   /// Items that are `done`, in the leader's list, are computed by nobody; the lists of others have its length alone. `take`: of
@@ -47,6 +48,7 @@ class WorkTeam {
 /// Between begin() and finish() of one process: leaves the team if it does not come to the latter.
 class TeamMember {
  public:
+  /// WorkTeam::begin.
   TeamMember(WorkTeam& team, const std::vector<bool>& done, WorkTeam::Take take) : team_(team) {
     team_.begin(done, std::move(take));
   }
@@ -56,6 +58,7 @@ class TeamMember {
   TeamMember(const TeamMember&) = delete;
   TeamMember& operator=(const TeamMember&) = delete;
 
+  /// WorkTeam::finish.
   void finish() {
     team_.finish();
     finished_ = true;
@@ -69,6 +72,7 @@ class TeamMember {
 /// A process alone.
 class TeamOfOne final : public WorkTeam {
  public:
+  /// Always.
   bool leads() const override { return true; }
   void begin(const std::vector<bool>& done, Take /*take*/) override { done_ = done, next_ = 0; }
   std::size_t next() override {

@@ -50,7 +50,7 @@ struct TubeTrace {
   TubeEnd ended = TubeEnd::left_the_scene;  // why
   std::string end{};                        // the same in words
   double last_leg = 0.0;                    // from the last bounce to where the tube was truncated or lost [m]
-  TubeParting parting{};
+  TubeParting parting{};                    // from which tube, and where
 };
 
 /// Replays tubes of one look, one by one. Keeps references to the scene.

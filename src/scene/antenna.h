@@ -39,8 +39,8 @@ struct Radar {
 
 /// A radar in absolute terms. Its antennas have the same gain.
 struct LinkBudget {
-  double transmit_power_dbm = 0.0;
-  double gain_dbi = 0.0;  // on the axis
+  double transmit_power_dbm = 0.0;  // into the transmitter's antenna
+  double gain_dbi = 0.0;            // on the axis
 
   /// Of antennas at these ranges and the apparent amplitude `s` [m], into a matched load: P_t G^2 wavelength^2 sigma /
   /// ((4 pi)^3 R_t^2 R_r^2), sigma = 4 pi |s|^2 (bistatic radar equation: Skolnik 2008, Radar Handbook, section 23.2). The

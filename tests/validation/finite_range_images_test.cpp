@@ -155,8 +155,7 @@ TEST(FiniteRangeImage, OfMaterialsAddsUp) {
       }
 }
 
-// Of several frequencies the middle one alone, whose coefficients differ from the first one's, but for the quadrature of the
-// highest. that.
+// Of several frequencies the middle one alone, whose coefficients are not the first one's.
 TEST(FiniteRangeImage, OfMaterialsIsOfItsFrequency) {
   const std::vector<double> frequencies{0.999 * frequency, frequency, 1.001 * frequency};
   const std::vector<Material> materials = materials_at(3);
