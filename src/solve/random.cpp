@@ -6,6 +6,7 @@
 
 #include "core/bytes.h"
 #include "core/threads.h"
+#include "core/work_sharing.h"
 #include "plan/phase_reference.h"
 #include "sbr/random_tubes.h"
 #include "solve/solve.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/threads.h"
+#include "core/work_sharing.h"
 #include "solve/look_solver.h"
 #include "solve/rows.h"
 

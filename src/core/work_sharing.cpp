@@ -1,4 +1,4 @@
-#include "core/work_team.h"
+#include "core/work_sharing.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
