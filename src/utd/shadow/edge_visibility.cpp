@@ -64,7 +64,7 @@ struct EdgeVisibility::Probe {
   }
 
   double search(double lit_end, double dark_end, std::uint32_t blocker_there) const;
-  double transition(double lit_end, double dark_end) const;
+  double transition(double lit_end, double dark_end, std::uint32_t hidden_by) const;
 };
 
 /// Where the shadow that `blocker` throws on the dark end stops: by search while the interval is wide enough to hold other
@@ -72,7 +72,7 @@ struct EdgeVisibility::Probe {
 double EdgeVisibility::Probe::search(double lit_end, double dark_end, std::uint32_t blocker_there) const {
   while (std::abs(dark_end - lit_end) > clip_tolerance) {
     const double middle = (lit_end + dark_end) / 2;
-    bool dark = blocker_there != no_index && blocker_around(middle, blocker_there) != no_index;
+    bool dark = blocker_around(middle, blocker_there) != no_index;
     if (!dark && std::abs(dark_end - lit_end) > single_blocker) {
       const std::uint32_t other = blocker(middle);
       dark = other != no_index;
@@ -84,11 +84,12 @@ double EdgeVisibility::Probe::search(double lit_end, double dark_end, std::uint3
 }
 
 /// Where the shadow on the dark end stops: from one triangle's shadow to the next, until a ray beyond is free. Searched if that
-/// leads nowhere.
-double EdgeVisibility::Probe::transition(double lit_end, double dark_end) const {
+/// leads nowhere. A triangle that hides the end by its corners, seen nearly edge on, may be met by no ray.
+double EdgeVisibility::Probe::transition(double lit_end, double dark_end, std::uint32_t hidden_by) const {
   const double side = std::copysign(1.0, dark_end - lit_end);
   std::uint32_t blocker_there = blocker(dark_end);
-  for (int step = 0; step < most_steps && blocker_there != no_index; ++step) {
+  if (blocker_there == no_index) blocker_there = hidden_by;
+  for (int step = 0; step < most_steps; ++step) {
     const TriangleShadow shade = shadow(blocker_there, outwards_double);
     const double end = shade.end_towards(lit_end, dark_end), room = side * (end - lit_end);
     if (!shade.hides(dark_end) || !(room > clip_tolerance)) break;
@@ -134,15 +135,17 @@ void choose_points(int regular, std::span<const double> crossed, std::vector<dou
   pass(1.0);
 }
 
-/// Walks along the wedge and notes where light changes to shadow and back; transition(lit, dark) is where between two points.
+/// Walks along the wedge and notes where light changes to shadow and back; transition(lit, dark) is where between two points, by
+/// their index.
 template <class Transition>
-void scan(std::span<const double> points, const std::vector<bool>& is_lit, Transition transition, std::vector<LitInterval>& lit) {
+void scan(std::span<const std::uint32_t> hidden_by, Transition transition, std::vector<LitInterval>& lit) {
   double begin = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (is_lit[i - 1] && !is_lit[i]) lit.push_back({begin, transition(points[i - 1], points[i])});
-    if (is_lit[i] && !is_lit[i - 1]) begin = transition(points[i], points[i - 1]);
+  const auto is_lit = [&](std::size_t i) { return hidden_by[i] == no_index; };
+  for (std::size_t i = 1; i < hidden_by.size(); ++i) {
+    if (is_lit(i - 1) && !is_lit(i)) lit.push_back({begin, transition(i - 1, i)});
+    if (is_lit(i) && !is_lit(i - 1)) begin = transition(i, i - 1);
   }
-  if (is_lit.back()) lit.push_back({begin, 1.0});
+  if (hidden_by.back() == no_index) lit.push_back({begin, 1.0});
 }
 
 /// At a corner that another face touches single precision does not know on which side of that face the outermost test point lies:
@@ -171,15 +174,17 @@ void EdgeVisibility::find(std::uint32_t index, const dvec3& away, std::vector<Li
   const Probe probe{wedges_[index], tracer_, view_, away * (lift * tracer_.mesh().radius) + near_side,
                     tracer_.mesh().radius * outwards(wedges_[index])};
   test_points(probe);
-  scan(
-      points_, is_lit_, [&](double lit_end, double dark_end) { return probe.transition(lit_end, dark_end); }, lit);
+  const auto transition = [&](std::size_t lit_point, std::size_t dark_point) {
+    return probe.transition(points_[lit_point], points_[dark_point], hidden_by_[dark_point]);
+  };
+  scan(hidden_by_, transition, lit);
   follow_neighbours_at_ends(lit);
 }
 
 // Most edges are either hidden, by few triangles, or free: one point after the other while these are hidden, then all at once. On
 // a body without shadows, all at once.
 void EdgeVisibility::test_points(const Probe& probe) {
-  is_lit_.assign(points_.size(), false);
+  hidden_by_.assign(points_.size(), no_index);
   waiting_.resize(points_.size());
   std::iota(waiting_.begin(), waiting_.end(), 0u);
   drop_hidden(probe, last_blocker_);
@@ -188,6 +193,7 @@ void EdgeVisibility::test_points(const Probe& probe) {
     std::uint32_t blocker = no_index;
     tracer_.any_blockers({&middle, 1}, probe.own_patches, {&blocker, 1});
     if (blocker == no_index) break;
+    hidden_by_[waiting_[waiting_.size() / 2]] = blocker;
     waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_.size() / 2));
     drop_hidden(probe, last_blocker_ = blocker);
   }
@@ -196,7 +202,7 @@ void EdgeVisibility::test_points(const Probe& probe) {
   found_.resize(rays_.size());
   tracer_.any_blockers(rays_, probe.own_patches, found_);
   for (std::size_t i = 0; i < found_.size(); ++i) {
-    is_lit_[waiting_[i]] = found_[i] == no_index;
+    hidden_by_[waiting_[i]] = found_[i];
     if (found_[i] != no_index) last_blocker_ = found_[i];
   }
 }
@@ -206,7 +212,11 @@ void EdgeVisibility::drop_hidden(const Probe& probe, std::uint32_t blocker) {
       std::ranges::find(probe.own_patches, tracer_.mesh().triangle_patch[blocker]) != probe.own_patches.end())
     return;
   const TriangleShadow shadow = probe.shadow(blocker, outwards_single);
-  std::erase_if(waiting_, [&](std::uint32_t point) { return shadow.hides(points_[point]); });
+  std::erase_if(waiting_, [&](std::uint32_t point) {
+    if (!shadow.hides(points_[point])) return false;
+    hidden_by_[point] = blocker;
+    return true;
+  });
 }
 
 }  // namespace raytube
