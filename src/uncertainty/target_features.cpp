@@ -70,7 +70,8 @@ void add_corner(EdgeFeatures& features, std::span<const Wedge> wedges, std::span
 
 // The share of a face's edge currents that is missing if none are computed.
 double strength_of(const WedgeFace& face, const EdgeCurrents& currents) {
-  return face.material == no_index ? 1.0 : currents.material_strengths[face.material];
+  if (face.material == no_index) return 1.0;
+  return currents.material_strengths.empty() ? 0.0 : currents.material_strengths[face.material];
 }
 
 double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {

@@ -1,0 +1,202 @@
+"""What a case may have, each with a check of its own that holds whatever else the case has."""
+
+import math
+from dataclasses import dataclass, field
+from typing import Callable
+
+from scene import BASE, WAVELENGTH
+from solver import CHANNELS, complex_of, difference, table
+
+FAR = 1e4 * 2 * 1.0**2 / WAVELENGTH  # [m] 10^4 far-field distances of a target within half a metre of the origin
+HUNDREDTH_DB = 0.01 * math.log(10) / 20
+EXACT = 1e-9  # rounding, of sums of phases of up to 10^2 rad
+
+NEAR = {"radar.range_m": 3.0}
+VACUUM = {"eps_r": 1.0}
+METAL = {"eps_r": [-1e20, 1e20]}
+
+
+def part(panel, name=None, **keys):
+    """One panel of a material of its own."""
+    return {f"target.parts.{panel}": name or panel, **{f"materials.{name or panel}.{key}": v for key, v in keys.items()}}
+
+
+def off(settings, *prefixes):
+    return {key: v for key, v in settings.items() if not key.startswith(prefixes)}
+
+
+@dataclass
+class Feature:
+    """`settings` of the case; `check(solver, settings)` says what is wrong, or nothing."""
+    name: str
+    settings: dict
+    check: Callable
+    keys: tuple = ()  # those that two such features would both set
+    options: tuple = field(default=())
+
+
+def same(what, solver, one, other, tolerance):
+    apart = difference(solver.s(one), solver.s(other))
+    return None if apart <= tolerance else f"{what}: {apart:.2g} of the peak apart, {tolerance:.2g} allowed"
+
+
+def far_limit(solver, settings):
+    far = {**settings, "radar.range_m": FAR}
+    if "receive.theta_deg" in settings:
+        far["radar.receive_range_m"] = FAR
+    infinite = off(settings, "radar.", "output.power")
+    if "radar.turntable_deg" in settings:
+        infinite["look.phi_deg"] = [p - t for p in settings["look.phi_deg"] for t in settings["radar.turntable_deg"]]
+        if "receive.theta_deg" in settings:
+            return None  # every pair of directions is turned together: its own check has it
+    return same("far limit", solver, far, infinite, HUNDREDTH_DB)
+
+
+def back_again(solver, settings):
+    """A receiver at the transmitter is a monostatic radar."""
+    beside = {**settings, "receive.theta_deg": settings["look.theta_deg"][:1], "receive.phi_deg": settings["look.phi_deg"][:1],
+              "look.theta_deg": settings["look.theta_deg"][:1]}
+    if "radar.receive_range_m" in beside:
+        beside["radar.receive_range_m"] = beside["radar.range_m"]
+    one = {**off(beside, "receive.", "radar.receive"), "look.phi_deg": beside["look.phi_deg"]}
+    rows = [[solver.s(case)[0][i] for i in (0, 3)] for case in (beside, one)]
+    apart = difference(rows[:1], rows[1:])
+    return None if apart <= EXACT else f"receiver at the transmitter: {apart:.2g} of the peak from a monostatic radar"
+
+
+def turned(solver, settings):
+    table_deg = settings["radar.turntable_deg"]
+    plain = off(settings, "radar.turntable")
+    rows = solver.s(settings)
+    for i, angle in enumerate(table_deg):
+        there = {**plain, "look.phi_deg": [p - angle for p in plain["look.phi_deg"]]}
+        if "receive.phi_deg" in plain:
+            there["receive.phi_deg"] = [p - angle for p in plain["receive.phi_deg"]]
+        apart = difference(rows[i::len(table_deg)], solver.s(there))
+        if apart > 1e-6:
+            return f"the target turned by {angle}: {apart:.2g} of the peak from antennas turned back"
+    return None
+
+
+def power(solver, settings):
+    out = solver.run(settings)
+    gain = 10**(settings["radar.gain_dbi"] / 10)
+    for row, level in zip(table(out / "rcs.csv"), table(out / "power.csv"), strict=True):
+        ranges = [float(row.get("range_m", settings["radar.range_m"])), float(row.get("rx_range_m", settings["radar.range_m"]))]
+        for name, s in zip(CHANNELS, complex_of(row, CHANNELS)):
+            watts = 1e-3 * 10**(settings["radar.transmit_power_dbm"] / 10) * gain**2 * WAVELENGTH**2 * abs(s)**2 / (
+                (4 * math.pi)**2 * ranges[0]**2 * ranges[1]**2)
+            told = float(level[f"power_{name}_dbm"])
+            if watts > 0 and abs(10 * math.log10(1e3 * watts) - told) > 0.01:
+                return f"power of {name}: {told} dBm, by the radar equation {10 * math.log10(1e3 * watts):.3f}"
+    return None
+
+
+def dark_horizon(solver, settings):
+    """E along a conducting ground vanishes there: a wave of H from the horizon does not exist above it."""
+    grazing = {**settings, "look.theta_deg": [90.0]}
+    rows = solver.s(grazing)
+    largest = max(abs(s) for row in rows for s in row)
+    hidden = max(abs(row[i]) for row in rows for i in (1, 3))
+    return None if hidden <= EXACT * largest else f"H from the horizon: {hidden / largest:.2g} of V"
+
+
+def no_ground(solver, settings):
+    vacuum = {**settings, "materials.earth.eps_r": 1.0}
+    return same("a ground of vacuum", solver, vacuum, off(settings, "ground.", "materials.earth"), EXACT)
+
+
+def becomes(name, other):
+    """The check that the material, set as `other` says, is as good as the wall's other one."""
+    def check(solver, settings):
+        plain = off(settings, f"materials.{name}.")
+        mirror = {**plain, f"materials.{name}.kind": "pec", f"materials.{name}.roughness_rms_mm": 1e-9}
+        return same(f"{name} as a conductor", solver, {**plain, **{f"materials.{name}.{k}": v for k, v in other.items()}}, mirror, 1e-5)
+    return check
+
+
+def black(solver, settings):
+    plain = off(settings, "materials.foam.")
+    vacuum = {**plain, "materials.foam.kind": "dielectric", **{"materials.foam." + k: v for k, v in VACUUM.items()}}
+    return same("an absorber and a half-space of vacuum", solver, settings, vacuum, EXACT)
+
+
+def nothing_there(keys):
+    def check(solver, settings):
+        plain = off(settings, "materials.window.", "target.parts.window")
+        there = {**plain, "target.parts.window": "window", "materials.window.kind": "sheet", **keys}
+        gone = {**plain, "target.mesh": [m for m in settings["target.mesh"] if m != "window.obj"]}
+        return same("a sheet of vacuum", solver, there, gone, 1e-6)
+    return check
+
+
+def smooth(solver, settings):
+    flat = {**settings, "materials.rock.roughness_rms_mm": 1e-9}
+    return same("no roughness", solver, flat, off(settings, "materials.rock.roughness", "output.incoherent"), EXACT)
+
+
+def convex_as_well(solver, settings):
+    # Curved facets of one convex body are the same by default; with others about they reflect, or are counted as facets.
+    alone = settings["target.mesh"] == ["ball.obj"] and "ground.height_m" not in settings
+    return same("curved by default", solver, settings, off(settings, "tubes.curved"), EXACT if alone else 0.1)
+
+
+def fine_grid(solver, settings):
+    # 0.5 dB of the peak: the staircase of 30 tubes a wavelength along the corner's edges.
+    return same("adaptive tubes", solver, settings, off(settings, "tubes.mode", "tubes.per_wavelength"), 0.06)
+
+
+def first_order_below(solver, settings):
+    lower = {**settings, "edges.order": 3}
+    return same("order 3", solver, settings, lower, 0.3)
+
+
+def no_edges(solver, settings):
+    parts = table(solver.run(settings, "--parts") / "parts.csv")
+    other = [name for name in parts[0] if name.startswith("re_") and not name.split("_")[2].startswith("bounce")
+             and any(float(row[name]) != 0.0 for row in parts)]
+    return f"edges.method none has {other}" if other else None
+
+
+def ran(key):
+    """That the mechanism is not left out."""
+    def check(solver, settings):
+        return solver.without(settings, key) or None
+    return check
+
+
+def rays(solver, settings):
+    # Rays and currents agree where the corner reflects back: one or two dB.
+    currents = {**off(settings, "edges.method"), "edges.method": "none"}
+    return same("currents", solver, settings, currents, 1.0)
+
+
+SHEET = {"target.mesh": [*BASE["target.mesh"], "window.obj"], "target.parts.window": "window"}
+PHYSICS = [
+    Feature("range", NEAR, far_limit),
+    Feature("pattern", {**NEAR, "radar.beamwidth_deg": 20.0}, far_limit),
+    Feature("turntable", {**NEAR, "radar.turntable_deg": [0.0, 7.0]}, turned),
+    Feature("power", {**NEAR, "radar.transmit_power_dbm": 10.0, "radar.gain_dbi": 20.0, "output.power_dbm": True}, power),
+    Feature("bistatic", {"receive.theta_deg": [58.0], "receive.phi_deg": [17.0]}, back_again),
+    Feature("ground, metal", {"ground.height_m": 0.0}, dark_horizon, ("ground",)),
+    Feature("ground, medium", {"ground.height_m": 0.0, "ground.material": "earth", "materials.earth.kind": "dielectric",
+                               "materials.earth.eps_r": [5.0, 0.3]}, no_ground, ("ground",)),
+    Feature("absorber", part("foam", kind="absorber"), black),
+    Feature("dielectric", part("glass", kind="dielectric", eps_r=[4.0, 0.1]), becomes("glass", {"kind": "dielectric", **METAL})),
+    Feature("coated", part("coat", kind="coated", thickness_mm=3.0, eps_r=[4.0, 0.1]),
+            becomes("coat", {"kind": "coated", "thickness_mm": 1e-7, **VACUUM})),
+    Feature("rough", part("rock", kind="dielectric", eps_r=[6.0, 0.2], roughness_rms_mm=4.0) | {"output.incoherent": True}, smooth),
+    Feature("sheet", {**SHEET, "materials.window.kind": "sheet", "materials.window.thickness_mm": 4.0,
+                      "materials.window.eps_r": [3.0, 0.05]},
+            nothing_there({"materials.window.thickness_mm": 4.0, "materials.window.eps_r": 1.0}), ("window",)),
+    Feature("resistive sheet", {**SHEET, "materials.window.kind": "sheet", "materials.window.resistance_ohm": 300.0},
+            nothing_there({"materials.window.resistance_ohm": 1e15}), ("window",)),
+    Feature("curved", {"target.mesh": ["ball.obj"], "tubes.curved": "always"}, convex_as_well),
+    Feature("uniform", {"tubes.mode": "uniform", "tubes.per_wavelength": 30}, fine_grid),
+    Feature("edges, none", {"edges.method": "none"}, no_edges, ("edges",)),
+    Feature("edges, order 1", {"edges.order": 1}, first_order_below, ("edges",)),
+    Feature("edges, utd", {"edges.method": "utd"}, rays, ("edges",)),
+    Feature("edges, luebbers", {**part("coat", kind="coated", thickness_mm=3.0, eps_r=[4.0, 0.1]), "edges.materials": "luebbers"}, ran("edges.materials"), ("edges",)),
+    Feature("between", {"edges.between": True}, ran("edges.between")),
+    Feature("waves", {"target.mesh": ["ball.obj"], "surfaces.waves": True}, ran("surfaces.waves")),
+]
