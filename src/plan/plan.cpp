@@ -35,7 +35,7 @@ class BandPlanner {
  public:
   BandPlanner(const SolvePlan& plan, std::shared_ptr<const SmoothSurfaces>& known)
       : plan_(plan), mesh_(plan.target.mesh), known_(known) {
-    convex_only_ = plan.tubes.curved == CurvedSurfaces::convex || !all_far(plan.sweep);
+    convex_only_ = plan.tubes.curved == CurvedSurfaces::convex;
     if (!bends_facets(plan)) return;
     if (convex_only_ && !may_be_convex()) {
       find_bodies_apart();
@@ -61,10 +61,10 @@ class BandPlanner {
   }
 
   // By default convex bodies bend their facets, alone or as bodies of a set that stand apart. What these reflect onto others
-  // knows no antennas at a finite distance and no sheets.
+  // knows no sheets.
   void find_bodies_apart() {
     const bool sheets = std::ranges::any_of(plan_.sweep.materials, &Material::transmits);
-    if (sheets || !all_far(plan_.sweep) || mesh_.components.size() == 1) return;
+    if (sheets || mesh_.components.size() == 1) return;
     if (auto surfaces = bodies_apart(mesh_, plan_.target.options.min_wedge_angle))
       known_ = bodies_apart_ = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
   }

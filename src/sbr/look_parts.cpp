@@ -68,8 +68,11 @@ bool cells_are_cheaper(const TubeLook& look) {
 
 // No tubes: facet by facet.
 Tiles near_facet_tiles(const TubeLook& look) {
-  return tiles_of_range(static_cast<std::uint32_t>(look.tracer.mesh().triangles.size()), faces_per_tile,
-                        [&look](std::uint32_t begin, std::uint32_t end) { return light_curved_facets(look, begin, end); });
+  if (look.convexity.no_reflection)
+    return tiles_of_range(static_cast<std::uint32_t>(look.tracer.mesh().triangles.size()), faces_per_tile,
+                          [&look](std::uint32_t begin, std::uint32_t end) { return light_convex_facets(look, begin, end); });
+  return tiles_of_range(static_cast<std::uint32_t>(look.faces.faces().size()), faces_per_tile,
+                        [&look](std::uint32_t begin, std::uint32_t end) { return light_visible_facets(look, begin, end); });
 }
 
 Tiles tiles_of(PartKind kind, bool polygons, const TubeLook& look) {

@@ -17,7 +17,7 @@ enum class PartKind {
   uniform,        // everything, by the grid's cells
   flat,           // flat faces and what they reflect: by polygons, or by cells where these are cheaper
   curved,         // currents that a plane wave excites on curved surfaces
-  curved_near,    // currents that an antenna at a finite distance excites on curved surfaces of a convex body
+  curved_near,    // currents that an antenna at a finite distance excites on curved surfaces
   curved_bounces  // what curved surfaces reflect
 };
 

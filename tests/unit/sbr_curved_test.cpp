@@ -95,9 +95,9 @@ TEST(CurvedBeam, ManyFrequenciesAreThoseOfEachByItself) {
   Band band(many);
   const dvec2 at(0.8, -0.5), size(0.1, 0.1);
   const CurvedBeam launched = launched_beam(grid, basis, at);
-  const CurvedFootprint first = curved_footprint(launched, sphere_piece(grid, at).surface(), basis);
+  const CurvedFootprint first = curved_footprint(launched, sphere_piece(grid, at).surface(), Reception{basis});
   const dvec3 hit = first.outgoing.base + 2.0 * first.outgoing.direction;
-  const CurvedFootprint second = curved_footprint(first.outgoing, {hit, -first.outgoing.direction, glm::dmat3(0.0)}, basis);
+  const CurvedFootprint second = curved_footprint(first.outgoing, {hit, -first.outgoing.direction, glm::dmat3(0.0)}, Reception{basis});
   std::vector<ScatteringMatrix> sums(many.size());
   add_far_fields(sums, second, band, size);
   for (std::size_t f = 0; f < many.size(); ++f) {
@@ -162,12 +162,12 @@ TEST(CurvedBeam, ConcaveMirrorFocusesAtHalfItsRadius) {
   const SphericalBasis basis = spherical_basis({0.0, 0.0});
   const CurvedBeam incident = launched_beam(grid, basis, dvec2(0.0));
   const LocalSurface bowl{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, glm::dmat3(1.0 / radius)};
-  const CurvedBeam up = curved_footprint(incident, bowl, basis).outgoing;
+  const CurvedBeam up = curved_footprint(incident, bowl, Reception{basis}).outgoing;
   const auto plane_at = [](double height) { return LocalSurface{{0.0, 0.0, height}, {0.0, 0.0, -1.0}, glm::dmat3(0.0)}; };
-  const CurvedFootprint focus = curved_footprint(up, plane_at(0.5 * radius), basis);
+  const CurvedFootprint focus = curved_footprint(up, plane_at(0.5 * radius), Reception{basis});
   EXPECT_LE(glm::length(focus.outgoing.along_u) + glm::length(focus.outgoing.along_v), 1e-12);
-  EXPECT_EQ(curved_footprint(up, plane_at(0.4 * radius), basis).outgoing.caustics, 0);
-  const CurvedFootprint beyond = curved_footprint(up, plane_at(radius), basis);
+  EXPECT_EQ(curved_footprint(up, plane_at(0.4 * radius), Reception{basis}).outgoing.caustics, 0);
+  const CurvedFootprint beyond = curved_footprint(up, plane_at(radius), Reception{basis});
   EXPECT_EQ(beyond.outgoing.caustics, 2);
   EXPECT_LE(glm::length(beyond.outgoing.along_u + incident.along_u), 1e-12);
 }
@@ -180,7 +180,7 @@ TEST(CurvedBeam, DerivativesAreThoseOfNeighbouringRays) {
   const dvec3 n = glm::normalize(dvec3(0.3, 0.1, 1.0)), a = glm::normalize(glm::cross(n, dvec3(0.0, 1.0, 0.0))),
               b = glm::cross(n, a);
   const LocalSurface cap{{0.0, 0.0, 0.0}, n, -glm::outerProduct(a, a) / 2.0 - glm::outerProduct(b, b) / 5.0};
-  const CurvedBeam out = curved_footprint(launched_beam(grid, basis, dvec2(0.0)), cap, basis).outgoing;
+  const CurvedBeam out = curved_footprint(launched_beam(grid, basis, dvec2(0.0)), cap, Reception{basis}).outgoing;
   constexpr double step = 1e-4;
   for (const bool along_u : {true, false}) {
     const dvec3 across = step * (along_u ? grid.u_hat : grid.v_hat);

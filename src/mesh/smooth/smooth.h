@@ -48,6 +48,9 @@ class BentFacet {
   /// b of a side [m].
   const dvec3& bend(int side) const { return b_[static_cast<std::size_t>(side)]; }
 
+  /// The same seen from its other side.
+  BentFacet turned() const { return {{x_[0], x_[2], x_[1]}, {b_[2], b_[1], b_[0]}}; }
+
   /// Over a point of the facet's plane.
   SurfacePoint over(const dvec3& r) const;
 

@@ -26,6 +26,8 @@ class SphericalLook {
   /// they radiate. Keeps references to `antennas` and what `surfaces` refers to.
   SphericalLook(const AntennaPair& antennas, const Beam& incident, const SpectralSurfaces& surfaces, double relative_tolerance);
 
+  const AntennaPair& antennas() const { return antennas_; }
+
   /// The same look at one of its wavenumbers.
   SphericalLook at_frequency(std::size_t index) const;
 
@@ -47,7 +49,7 @@ class SphericalLook {
   void add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon) const;
 
   /// Adds S of the currents of the first bounce on the part of a curved surface over a facet of this material, lit by the
-  /// transmitter itself wherever it faces it, as on a convex body. False, and nothing is added, if none of the facet's corners is
+  /// transmitter itself wherever it faces it. False, and nothing is added, if none of the facet's corners is
   /// lit.
   bool add(TubeSums& sums, const BentFacet& facet, std::uint32_t material) const;
 

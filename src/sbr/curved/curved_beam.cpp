@@ -19,6 +19,31 @@ CurvedBeam launched_beam(const LaunchGrid& grid, const SphericalBasis& transmit,
   return beam;
 }
 
+CurvedBeam launched_beam(const LaunchGrid& grid, const Antenna& transmit, const dvec2& at) {
+  const dvec3 across = at.x * grid.u_hat + at.y * grid.v_hat, way = grid.direction + grid.curvature * across;
+  const double length = glm::length(way), narrowing = grid.narrowing();
+  CurvedBeam beam;
+  beam.base = grid.plane_origin + narrowing * across;
+  beam.direction = way / length;
+  beam.along_u = narrowing * grid.u_hat, beam.along_v = narrowing * grid.v_hat;
+  const auto turn = [&](const dvec3& axis) {
+    return grid.curvature / length * (axis - glm::dot(axis, beam.direction) * beam.direction);
+  };
+  beam.bend_u = turn(grid.u_hat), beam.bend_v = turn(grid.v_hat);
+  const AntennaRay ray = transmit.ray_to(beam.base);
+  beam.path = ray.path - glm::dot(beam.direction, beam.base);
+  const double root = std::sqrt(std::abs(glm::dot(glm::cross(beam.along_u, beam.along_v), beam.direction)));
+  beam.field = {root * ray.field[0], root * ray.field[1]};
+  return beam;
+}
+
+Reception reception_at(const Antenna& receive, const dvec3& point) {
+  const AntennaRay ray = receive.ray_to(point);
+  return {{-ray.direction, ray.field[0], ray.field[1]},
+          glm::dot(ray.direction, point) - ray.path,
+          1.0 / glm::distance(receive.position(), point)};
+}
+
 namespace {
 
 double triple(const dvec3& a, const dvec3& b, const dvec3& c) { return glm::dot(glm::cross(a, b), c); }
@@ -39,7 +64,7 @@ dvec3 reflected_bend(const dvec3& d, const dvec3& bend, const dvec3& n, const dv
 
 }  // namespace
 
-CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive) {
+CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const Reception& receive) {
   const dvec3 &d = beam.direction, &n = surface.normal;
   const double distance = glm::dot(surface.point - beam.base, d), facing = glm::dot(d, n);
   const dvec3 across_u = beam.along_u + distance * beam.bend_u, across_v = beam.along_v + distance * beam.bend_v;
@@ -51,7 +76,7 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
   constexpr std::array<Complex, 4> quarter_turns{Complex(1, 0), Complex(0, 1), Complex(-1, 0), Complex(0, -1)};
   // Amplitude 1 / sqrt(cross-section), surface per launch area cross-section / |facing|.
   f.strength = quarter_turns[f.outgoing.caustics % 4] * (std::sqrt(std::abs(triple(across_u, across_v, d))) / -facing);
-  const std::array<dvec3, 2> receive_axes{receive.theta_hat, receive.phi_hat};
+  const std::array<dvec3, 2> receive_axes{receive.basis.theta_hat, receive.basis.phi_hat};
   for (int q = 0; q < 2; ++q) {
     const dvec3 current = surface_current_pec(d, beam.field[q], n);
     for (int p = 0; p < 2; ++p) f.weight[p][q] = f.strength * glm::dot(receive_axes[p], current);
@@ -59,13 +84,16 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
   }
 
   // Exponent / k = s.r - L, L the optical path: its gradient is direction.dr (theorem of Malus and Dupin), so the second
-  // derivatives are (s - d).r_uv - d_v.r_u. Of r_uv only the part along the ray counts here: exact for a plane wave.
-  const dvec3 change = receive.radial - d;
-  f.phase = glm::dot(change, surface.point) - beam.path;
+  // derivatives are (s - d).r_uv - d_v.r_u. Of r_uv only the part along the ray counts here: exact for a plane wave. A receiver
+  // at a finite distance turns s by minus the step across it over that distance.
+  const dvec3& s = receive.basis.radial;
+  const dvec3 change = s - d;
+  f.phase = glm::dot(change, surface.point) - beam.path + receive.beyond;
   f.slope = {glm::dot(change, along_u), glm::dot(change, along_v)};
   const double per_height = glm::dot(change, d) / facing;
   const auto second = [&](const dvec3& a, const dvec3& b, double bend) {
-    return per_height * glm::dot(a, surface.curvature * b) - bend;
+    const double turned = receive.curvature * (glm::dot(a, b) - glm::dot(s, a) * glm::dot(s, b));
+    return per_height * glm::dot(a, surface.curvature * b) - bend - turned;
   };
   const double mixed = second(along_u, along_v, 0.5 * (glm::dot(beam.bend_u, along_v) + glm::dot(beam.bend_v, along_u)));
   f.curvature = {second(along_u, along_u, glm::dot(beam.bend_u, along_u)), mixed, mixed,
@@ -80,14 +108,17 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
   return f;
 }
 
-CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive,
+CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const Reception& receive,
                                  const SpectralSurfaces& surfaces, const Patch& patch) {
   CurvedFootprint f = curved_footprint(beam, surface, receive);
   if (patch.material == no_index && beam.spectrum.empty()) return f;
   const bool from_behind = glm::dot(patch.normal, beam.direction) > 0.0;
   const Spectrum arriving = beam.spectrum.empty() ? plain_spectrum(beam.field, surfaces.wavenumbers.size()) : beam.spectrum;
   f.outgoing.spectrum =
-      leaving_waves(surfaces, {beam.direction, surface.normal, patch.material, from_behind}, arriving, receive).reflected;
+      leaving_waves(surfaces, {beam.direction, surface.normal, patch.material, from_behind}, arriving, receive.basis).reflected;
+  if (receive.curvature != 0.0)
+    for (SpectralWave& wave : f.outgoing.spectrum)
+      for (double& incoherent : wave.incoherent) incoherent *= glm::dot(receive.basis.theta_hat, receive.basis.theta_hat);
   return f;
 }
 

@@ -4,6 +4,7 @@
 #include "math/chebyshev.h"
 #include "mesh/smooth/smooth.h"
 #include "sbr/beams/footprint.h"
+#include "scene/antenna.h"
 
 namespace raytube {
 
@@ -23,6 +24,19 @@ struct CurvedBeam {
 
 /// The tube about the launch point `at`, as launched.
 CurvedBeam launched_beam(const LaunchGrid& grid, const SphericalBasis& transmit, const dvec2& at);
+/// The same from an antenna at a finite distance, the grid's own. Its field is that of unit cross-section: the antenna's, times
+/// the root of the tube's.
+CurvedBeam launched_beam(const LaunchGrid& grid, const Antenna& transmit, const dvec2& at);
+
+/// The receiver as a point of a surface sees it.
+struct Reception {
+  SphericalBasis basis;    // radial towards it, unit; theta_hat and phi_hat the fields that V and H would send to the point
+  double beyond = 0.0;     // what the exponent / k has there beyond basis.radial . r [m]
+  double curvature = 0.0;  // 1 / distance; 0: at infinity [1/m]
+};
+
+/// Of an antenna at a finite distance.
+Reception reception_at(const Antenna& receive, const dvec3& point);
 
 /// The currents of a tube on a surface: a quadratic phase over the launch coordinates counted from the tube's middle.
 struct CurvedFootprint {
@@ -36,11 +50,11 @@ struct CurvedFootprint {
 };
 
 /// Where a tube meets a perfect conductor that its middle ray meets at `surface.point`.
-CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive);
+CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const Reception& receive);
 
 /// Where a tube meets a surface of any opaque material, that of `patch`; with the spectrum of the wave that leaves unless nothing
 /// but perfect conductors has been met.
-CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const SphericalBasis& receive,
+CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const Reception& receive,
                                  const SpectralSurfaces& surfaces, const Patch& patch);
 
 /// Adds S of the footprint's currents over a launch rectangle of this size [m] about the tube's middle, at wavenumber `k`

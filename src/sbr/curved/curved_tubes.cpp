@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sbr/beams/current_map.h"
+#include "sbr/beams/spherical_look.h"
 #include "sbr/beams/truncated_tubes.h"
 #include "sbr/curved/curved_beam.h"
 #include "scene/material.h"
@@ -32,7 +33,8 @@ class CurvedTubes {
     tubes_.clear(), rays_.clear();
     for (const glm::uvec2& cell : cells) {
       const dvec2 at(look_.grid.u_center(cell.x), look_.grid.v_center(cell.y));
-      tubes_.push_back({cell, launched_beam(look_.grid, look_.transmit, at)});
+      tubes_.push_back({cell, look_.spherical ? launched_beam(look_.grid, look_.spherical->antennas().transmit, at)
+                                              : launched_beam(look_.grid, look_.transmit, at)});
       rays_.push_back(look_.grid.ray(cell.x, cell.y));
     }
     find_hits();
@@ -94,8 +96,8 @@ class CurvedTubes {
         continue;
       }
       Tube tube = tubes_[i];
-      tube.footprint =
-          curved_footprint(tube.beam, surface(tube.beam, hit.triangle), look_.receive, look_.surfaces, mesh.patches[patch]);
+      const LocalSurface met = surface(tube.beam, hit.triangle);
+      tube.footprint = curved_footprint(tube.beam, met, reception(met.point), look_.surfaces, mesh.patches[patch]);
       if (!take(tube, hit)) continue;
       if (is_too_wide(tube.footprint)) {
         truncate(Truncation::width);
@@ -107,6 +109,10 @@ class CurvedTubes {
     }
     tubes_.resize(kept);
     rays_.resize(kept);
+  }
+
+  Reception reception(const dvec3& point) const {
+    return look_.spherical ? reception_at(look_.spherical->antennas().receive, point) : Reception{look_.receive};
   }
 
   // The curved surface unless it would send the tube into the facet; else the facet's plane.

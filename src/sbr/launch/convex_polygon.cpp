@@ -85,6 +85,16 @@ void set_corners(ConvexPolygon& polygon, std::span<const dvec2> corners) {
     polygon[i].edge = left_of(polygon[i].at, polygon[i + 1 < polygon.size() ? i + 1 : 0].at);
 }
 
+ConvexPolygon intersection(ConvexPolygon polygon, const ConvexPolygon& other) {
+  ConvexPolygon inside, outside;
+  for (const Corner& corner : other) {
+    if (polygon.empty()) break;
+    cut(polygon, corner.edge, 0.0, inside, outside);
+    std::swap(polygon, inside);
+  }
+  return polygon;
+}
+
 void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive, ConvexPolygon& negative) {
   positive.clear();
   negative.clear();

@@ -73,6 +73,9 @@ AffineMap inverse(const AffineMap& map);
 /// `there` maps the polygon's plane, `back` is its inverse.
 ConvexPolygon image(const ConvexPolygon& polygon, const AffineMap& there, const AffineMap& back);
 
+/// What two polygons have in common; empty if nothing.
+ConvexPolygon intersection(ConvexPolygon polygon, const ConvexPolygon& other);
+
 /// Cuts along f = 0, which is no distance as a rule. A corner with |f| <= tolerance lies on the cut and belongs to both parts; a
 /// part without a corner beyond that is left empty. The two parts share the new corners, so their areas add up.
 void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive, ConvexPolygon& negative);
