@@ -85,6 +85,8 @@ done
 for name in launch hits; do cp "$work/double_slit/case/$name.png" docs/figures/double_slit_$name.png; done
 cp "$work/double_slit/study/sources.png" docs/figures/double_slit_error.png
 cp "$work/open_box/case/sources.png" docs/figures/open_box.png
+cases/papers/run --only slits -o "$work/papers" "$program"
+cp "$work/papers/slits_published.png" docs/figures/papers.png
 # theta along the plate's cut is signed: phi = 180 counts negative.
 paste -d, "$work/plate.csv" "$work/plate_reference.csv" >"$work/plate_both.csv"
 for name in dihedral dihedral_off; do
