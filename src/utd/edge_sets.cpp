@@ -203,7 +203,7 @@ InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGr
 InteractionOptions EdgeSets::interaction_options(const Set& set, const InteractionLimits& limits, double share) const {
   const bool few = set.parts.axes.size() * set.parts.patches.size() <= few_pairs;
   const double work = few ? std::numeric_limits<double>::infinity() : limits.work * share;
-  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work, limits.least_reach};
+  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work, limits.least_reach, limits.antennas};
 }
 
 std::size_t EdgeSets::interacting_frequencies() const {

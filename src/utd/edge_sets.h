@@ -36,9 +36,10 @@ struct WavesAtEdges {
 
 /// What edge-face interaction of one look may leave and take.
 struct InteractionLimits {
-  double tolerance;          // of its quadrature [m]
-  double work;               // counted (core/work.h); bodies of few parts are computed whole
-  double least_reach = 0.0;  // InteractionOptions::least_reach
+  double tolerance;                        // of its quadrature [m]
+  double work;                             // counted (core/work.h); bodies of few parts are computed whole
+  double least_reach = 0.0;                // InteractionOptions::least_reach
+  const NearAntennas* antennas = nullptr;  // the same
 };
 
 /// Frequencies at which the same plates are thin share a set of edges; no set depends on the others.

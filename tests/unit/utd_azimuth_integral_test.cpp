@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "utd/interaction/azimuth_integral.h"
+#include "utd/fan/azimuth_integral.h"
 
 namespace raytube {
 namespace {

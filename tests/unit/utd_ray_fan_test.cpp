@@ -4,7 +4,7 @@
 #include <random>
 
 #include "mesh_shapes.h"
-#include "utd/interaction/ray_fan.h"
+#include "utd/fan/ray_fan.h"
 
 namespace raytube {
 namespace {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/work.h"
 #include "plan/phase_reference.h"
 #include "sbr/beams/tolerances.h"
+#include "utd/fringe/near_pieces.h"
 #include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/interaction_groups.h"
 #include "utd/interaction/reflected_light.h"
@@ -14,6 +16,10 @@
 namespace raytube {
 
 namespace {
+
+// Of the waves of an antenna, k a^2 / R, below which they are taken as plane all over the target [rad]: as much of what edges
+// send on is lost at most (measured: docs/theory/finite_range.md).
+constexpr double least_bend = 1e-3;
 
 // Within a cell each, with a share of S by length.
 void add_cut_up(const ImageEdge& piece, ImageRequest& image) {
@@ -43,21 +49,30 @@ class Interaction : public Mechanism {
   }
 
   void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
+    const std::optional<AntennaPair> pair = near_pair(traced.look);
+    if (!pair) return solve(traced, nullptr, sink);
+    const NearAntennas antennas{ImageAntenna(pair->transmit), &pair->receive};
+    solve(traced, &antennas, sink);
+  }
+
+ private:
+  void solve(const TracedLook& traced, const NearAntennas* antennas, LookSink& sink) const {
     const Look& look = traced.look;
-    const InteractionLimits limits = interaction_limits(scene_.plan, traced.tubes, edge_work(sink.sums));
+    InteractionLimits limits = interaction_limits(scene_.plan, traced.tubes, edge_work(sink.sums));
+    limits.antennas = antennas;
     InteractionResult found = scene_.edges.interaction(look, limits);
-    if (!look.far()) refer_to_antennas(look, found);
+    const bool refer = !look.far() && antennas == nullptr;
+    if (refer) refer_to_antennas(look, found);
     put(std::move(found), sink.sums);
     sink.sums.run(MechanismId::interaction).ran = frequencies_;
     if (sink.image == nullptr) return;
     const std::size_t f = sink.image->frequency_index;
     for (ImageEdge& piece : scene_.edges.interaction_pieces(look, f, limits, sink.image->by_path)) {
-      if (!look.far()) piece.s *= factor_of_antennas(look, f);
+      if (refer) piece.s *= factor_of_antennas(look, f);
       add_cut_up(piece, *sink.image);
     }
   }
 
- private:
   static double edge_work(const LookSums& others) { return others.run(MechanismId::edge_currents).work; }
 
   static void put(InteractionResult found, LookSums& sums) {
@@ -72,6 +87,17 @@ class Interaction : public Mechanism {
     sums.skipped.pairs_beyond_budget = found.skipped.pairs;
     sums.skipped.reflections_beyond_budget = found.skipped.reflected_pairs;
     sums.skipped.fringe_beyond_budget = found.skipped.fringe_pieces;
+  }
+
+  // Antennas near enough for their waves not to be plane all over the target.
+  std::optional<AntennaPair> near_pair(const Look& look) const {
+    if (look.far()) return std::nullopt;
+    const TriangleMesh& mesh = scene_.plan.target.mesh;
+    const AntennaPair pair(look, scene_.plan.sweep.radar, mesh.center);
+    const double k = wavenumber(std::ranges::max(scene_.band.frequencies));
+    const auto plane = [&](const Antenna& antenna) { return bend_over_target(antenna, k, mesh.radius) < least_bend; };
+    if (plane(pair.transmit) && plane(pair.receive)) return std::nullopt;
+    return pair;
   }
 
   Complex factor_of_antennas(const Look& look, std::size_t f) const {

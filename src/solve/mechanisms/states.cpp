@@ -14,19 +14,6 @@ namespace {
 
 std::size_t conducting(const BandPlan& band) { return band.wave_surfaces ? band.wave_surfaces->conducting_facets() : 0; }
 
-// k a^2 / R [rad], both ways together the phase by which a spherical wave is late where a target reaches a from the origin.
-constexpr double most_phase = 0.5;
-
-// Whether the waves of every look are plane enough all over the target for what knows no others.
-bool waves_are_plane(const SolvePlan& plan) {
-  const TriangleMesh& mesh = plan.target.mesh;
-  const double reach = glm::length(mesh.center) + mesh.radius;
-  const double phase = 2.0 * pi / plan.shortest_wavelength() * reach * reach;
-  return std::ranges::all_of(plan.sweep.looks, [&](const Look& look) {
-    return look.far() || phase < most_phase * std::min(look.transmit_range, look.receive_range);
-  });
-}
-
 // What takes no part for its size.
 std::vector<Skipped> skipped_for_size(const TooSmall& small, std::uint64_t frequencies) {
   return {
@@ -87,7 +74,6 @@ MechanismState interaction_state(const SolvePlan& plan) {
   if (MechanismState edges = edge_currents_state(plan); !edges.on) return without(edges.why_not);
   if (plan.no_reflection()) return without(nothing_in_front);
   if (!plan.sweep.materials.empty()) return misses("not all of the target is a perfect conductor");
-  if (!waves_are_plane(plan)) return misses("antennas are too close for plane waves");
   if (plan.edges.interaction_budget == 0.0) return misses("edges.between_budget is 0");
   const std::vector<double>& frequencies = plan.sweep.frequencies;
   const TooSmall small = too_small_to_interact(plan.target.mesh, plan.target.wedges, std::ranges::min(frequencies));

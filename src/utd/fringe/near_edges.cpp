@@ -6,93 +6,19 @@
 
 #include "core/work.h"
 #include "utd/fringe/corner_pass.h"
+#include "utd/fringe/near_pieces.h"
 
 namespace raytube {
 
 namespace {
 
-/// A piece of an edge [begin, end] in the waves of two antennas, both plane along it.
-struct NearPiece {
-  double begin, end;  // fractions of the edge
-  LookVectors look;   // fields with their amplitudes
-  double path;        // added to the phase that the plane waves of `look` have [m]
-};
-
-/// Both ways from antenna to antenna over a point, less the ranges.
-double path_over(const AntennaPair& antennas, const dvec3& point) {
-  return antennas.transmit.ray_to(point).path + antennas.receive.ray_to(point).path;
-}
-
-/// A phase over the target that counts as none [rad].
-constexpr double least_phase = 0.01;
-
-/// The waves of antennas where they meet an edge. What edges send on is not continuous where it runs exactly along another one.
-/// Rays that are parallel over the whole target are therefore taken so: the limit of a long range is the far field.
-class NearLook {
- public:
-  NearLook(const AntennaPair& antennas, double wavenumber, double radius)
-      : antennas_(antennas),
-        parallel_in_(is_parallel(antennas.transmit, wavenumber, radius)),
-        parallel_out_(is_parallel(antennas.receive, wavenumber, radius)) {}
-
-  LookVectors at(const dvec3& point) const {
-    const AntennaRay in = antennas_.transmit.ray_to(point), out = antennas_.receive.ray_to(point);
-    LookVectors look{in.direction, -out.direction, in.field, {}, out.field};
-    if (parallel_in_) look.incident = -antennas_.transmit.radial();
-    if (parallel_out_) look.scattered = antennas_.receive.radial();
-    for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(look.incident, in.field[q]);
-    return look;
-  }
-
- private:
-  static bool is_parallel(const Antenna& antenna, double wavenumber, double radius) {
-    const double reach = glm::length(antenna.reference()) + radius;
-    return wavenumber * reach * reach < least_phase * antenna.range();
-  }
-
-  const AntennaPair& antennas_;
-  bool parallel_in_, parallel_out_;
-};
-
-/// What is left of phase off the linear one at the ends of a piece [rad], and the turn of the directions along it [rad].
-constexpr double most_bend = 0.1, most_turn = 0.02;
-
-/// Cuts edges into pieces along which the waves of both antennas are plane.
-class PieceCutter {
- public:
-  PieceCutter(const AntennaPair& antennas, double wavenumber, double radius)
-      : antennas_(antennas), near_(antennas, wavenumber, radius), wavenumber_(wavenumber) {}
-
-  /// Halves the part [begin, end] of an edge until its pieces are short enough.
-  void cut(const Wedge& wedge, double begin, double end, std::vector<NearPiece>& pieces) const {
-    const auto point = [&](double fraction) { return glm::mix(wedge.start, wedge.end, fraction); };
-    const double middle = 0.5 * (begin + end);
-    const dvec3 at = point(middle);
-    const double path = path_over(antennas_, at),
-                 bend = 0.5 * (path_over(antennas_, point(begin)) + path_over(antennas_, point(end))) - path;
-    const double half = 0.5 * (end - begin) * wedge.length();
-    const double nearest =
-        std::min(glm::distance(antennas_.transmit.position(), at), glm::distance(antennas_.receive.position(), at));
-    if (wavenumber_ * std::abs(bend) > most_bend || half > most_turn * nearest) {
-      cut(wedge, begin, middle, pieces);
-      return cut(wedge, middle, end, pieces);
-    }
-    const LookVectors look = near_.at(at);
-    // The mean of a phase that bends as a parabola is a third of what its ends have.
-    pieces.push_back({begin, end, look, path + bend / 3.0 + glm::dot(look.scattered - look.incident, at)});
-  }
-
- private:
-  const AntennaPair& antennas_;
-  NearLook near_;
-  double wavenumber_;
-};
+NearAntennas antennas_of(const AntennaPair& pair) { return {ImageAntenna(pair.transmit), &pair.receive}; }
 
 /// The lit pieces of edges in one look from a finite distance.
 class NearEdges {
  public:
   NearEdges(const AntennaPair& antennas, std::span<const double> frequencies, double radius)
-      : frequencies_(frequencies), cutter_(antennas, wavenumber(std::ranges::max(frequencies)), radius) {}
+      : frequencies_(frequencies), cutter_(antennas_of(antennas), wavenumber(std::ranges::max(frequencies)), radius) {}
 
   /// Calls visit(piece, edges, meeting, lit) for those of wedge `index`, `edges` made by `make`, that of at_order().
   template <class Make, class Visit>
@@ -172,7 +98,7 @@ class NearSum {
 template <class Add>
 void for_corner_waves_near(const EdgeScene& scene, const AntennaPair& antennas, std::span<const double> frequencies,
                            LitEdges& light, Add add) {
-  const NearLook near(antennas, wavenumber(std::ranges::max(frequencies)), scene.tracer.mesh().radius);
+  const NearLook near(antennas_of(antennas), wavenumber(std::ranges::max(frequencies)), scene.tracer.mesh().radius);
   const auto incident = [&](const Wedge& wedge) { return near.at(0.5 * (wedge.start + wedge.end)).incident; };
   const auto visit = [&](const dvec3& corner) {
     return CornerWaves::Visit{near.at(corner), -antennas.transmit.ray_to(corner).path, -antennas.receive.ray_to(corner).path};

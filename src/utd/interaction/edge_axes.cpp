@@ -66,6 +66,19 @@ double incidence_weight(const Wedge& wedge, const WedgeIncidence& incidence) {
   return incidence.weight * share * share * (3 - 2 * share);
 }
 
+LitInterval along_wedge(const LitEdgePiece& piece) {
+  const EdgeAxis& axis = *piece.edge;
+  const double from = piece.from / axis.length, to = piece.to / axis.length;
+  return axis.reversed() ? LitInterval{1.0 - to, 1.0 - from} : LitInterval{from, to};
+}
+
+std::vector<NearPiece> near_parts(const LitEdgePiece& piece, std::span<const double> wavenumbers, double radius) {
+  const LitInterval lit = along_wedge(piece);
+  std::vector<NearPiece> parts;
+  PieceCutter(*piece.wave->antennas, std::ranges::max(wavenumbers), radius).cut(*piece.edge->wedge, lit.begin, lit.end, parts);
+  return parts;
+}
+
 std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges) {
   const ConcaveEnds ends = concave_ends(wedges);
   std::vector<EdgeAxis> axes;

@@ -4,13 +4,21 @@
 #include <vector>
 
 #include "mesh/model/face_tree.h"
+#include "utd/fringe/near_pieces.h"
 #include "utd/interaction/edge_illumination.h"
+#include "utd/shadow/edge_visibility.h"
 
 namespace raytube {
 
 /// Weight of a wave on a wedge, 0 to 1: that of its incidence, 0 along the edge (sine below 1e-4). At the edge of a thin plate
 /// the weight goes smoothly from 0 in the plate's plane, where the edge's waves change their sign, to 1 at a degree from it.
 double incidence_weight(const Wedge& wedge, const WedgeIncidence& incidence);
+
+/// The lit part of a piece as a part of its wedge.
+LitInterval along_wedge(const LitEdgePiece& piece);
+
+/// The parts of a piece along which the waves of its antennas, at a finite distance, are plane on a target of this radius.
+std::vector<NearPiece> near_parts(const LitEdgePiece& piece, std::span<const double> wavenumbers, double radius);
 
 /// Axes of the radiating wedges in front of whose faces there is anything of the mesh, in the order of the wedges; none on a
 /// convex body. They point into `wedges`.

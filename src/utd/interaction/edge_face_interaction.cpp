@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/work.h"
+#include "utd/fringe/near_pieces.h"
 #include "utd/fringe/reflected_edges.h"
 #include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/pair_probe.h"
@@ -33,20 +34,19 @@ constexpr double first_guess_of_fringe = 4 * work::strip_tree;  // of one edge
 // Of its bound that an unknown contribution has, root mean square, and that it has at least (measured: docs).
 constexpr double typical_share = 0.1, least_share = 0.01;
 
-LitInterval along_wedge(const LitEdgePiece& piece) {
-  const EdgeAxis& axis = *piece.edge;
-  const double from = piece.from / axis.length, to = piece.to / axis.length;
-  return axis.reversed() ? LitInterval{1.0 - to, 1.0 - from} : LitInterval{from, to};
+LookVectors look_of(const PlaneWave& wave, const LookVectors& look) {
+  LookVectors result = look;
+  result.incident = wave.direction;
+  result.electric = wave.electric;
+  for (int q = 0; q < 2; ++q) result.magnetic[q] = glm::cross(wave.direction, wave.electric[q]);
+  return result;
 }
 
-ReflectedLook reflected_look(const ReflectedWave& wave, const LookVectors& look, const Wedge* first_wedge) {
-  ReflectedLook result{look, wave.wave.path, {}};
-  result.look.incident = wave.wave.direction;
-  result.look.electric = wave.wave.electric;
-  for (int q = 0; q < 2; ++q) result.look.magnetic[q] = glm::cross(wave.wave.direction, wave.wave.electric[q]);
-  for (const LitEdgePiece& piece : wave.lit)
-    result.edges.push_back({static_cast<std::uint32_t>(piece.edge->wedge - first_wedge), {along_wedge(piece)}, piece.weight});
-  return result;
+LookVectors look_from(const NearAntennas& antennas, const dvec3& point) {
+  const AntennaRay in = antennas.transmit.ray_to(point), out = antennas.receive->ray_to(point);
+  LookVectors look{in.direction, -out.direction, in.field, {}, out.field};
+  for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(in.direction, in.field[q]);
+  return look;
 }
 
 InteractionResult unreached(double work) {
@@ -60,14 +60,15 @@ InteractionResult unreached(double work) {
 class InteractionLook {
  public:
   InteractionLook(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
-                  double most_work = std::numeric_limits<double>::infinity())
+                  const InteractionOptions& options)
       : scene_(scene),
-        look_(look_vectors(look)),
+        look_(options.antennas ? look_from(*options.antennas, dvec3(0.0)) : look_vectors(look)),
         incident_{look_.incident, look_.electric, 0.0},
         frequencies_(frequencies),
-        most_work_(most_work),
+        most_work_(options.work),
         shortest_axis_(scene.shortest_axis) {
     for (const double frequency : frequencies_) wavenumbers_.push_back(wavenumber(frequency));
+    if (options.antennas) incident_.antennas = *options.antennas;
   }
   InteractionLook(const InteractionLook&) = delete;
 
@@ -98,10 +99,11 @@ class InteractionLook {
     std::vector<ImageEdge> pieces = std::move(sum.pieces);
     if (options.order == 1) return pieces;
     take_penumbra_apart(pieces);
-    for_each_fringe(options, 1, result, [&](const EdgeLookResult&, auto&&, const ReflectedLook& look, const ReflectedWave& wave) {
-      std::ranges::copy(
-          reflected_fringe_pieces(scene_.edges, look, frequencies_, fringe_options(options), place_of(wave.patches)),
-          std::back_inserter(pieces));
+    for_each_fringe(options, 1, result, [&](const EdgeLookResult&, auto&&, const auto& looks, const ReflectedWave& wave) {
+      for (const ReflectedLook& look : looks)
+        std::ranges::copy(
+            reflected_fringe_pieces(scene_.edges, look, frequencies_, fringe_options(options), place_of(wave.patches)),
+            std::back_inserter(pieces));
     });
     return pieces;
   }
@@ -154,7 +156,9 @@ class InteractionLook {
   // Of the longest edges, where there are more than may be looked at.
   void find_direct_light() {
     keep_longest_axes(light_share * most_work_ / work::edge_light);
-    LitEdges edges(scene_.edges.wedges, scene_.edges.tracer, look_, shortest_wavelength(), false);
+    const Viewpoint transmitter =
+        incident_.antennas ? Viewpoint::at(incident_.antennas->transmit.position()) : Viewpoint(-look_.incident);
+    LitEdges edges(scene_.edges.wedges, scene_.edges.tracer, transmitter, std::nullopt, shortest_wavelength());
     for (const EdgeAxis& axis : scene_.axes)
       if (axis.length >= shortest_axis_) add_direct_light(axis, edges);
   }
@@ -175,7 +179,8 @@ class InteractionLook {
   }
 
   void add_direct_light(const EdgeAxis& axis, LitEdges& edges) {
-    const WedgeIncidence incidence = incidence_on(*axis.wedge, look_.incident);
+    const dvec3 middle = axis.origin + 0.5 * axis.length * axis.tangent;
+    const WedgeIncidence incidence = incidence_on(*axis.wedge, incident_.about(middle).direction);
     const double weight = incidence_weight(*axis.wedge, incidence);
     if (weight == 0.0 || !edges.find(static_cast<std::uint32_t>(axis.wedge - scene_.edges.wedges.data()), incidence)) return;
     for (const LitInterval& lit : edges.lit()) {
@@ -271,35 +276,51 @@ class InteractionLook {
     if (is_limited()) return for_each_fringe(options, edges_at_a_time, result, add);
     std::vector<ReflectedLook> looks;
     for (const ReflectedWave& wave : reflected_)
-      if (wave.patches.size() == 1) looks.push_back(reflected_look(wave, look_, scene_.edges.wedges.data()));
+      if (wave.patches.size() == 1) add_looks(wave, wave.lit, looks);
     const EdgeLookResult sum = fringe(looks, options);
     work_ += sum.work;
     add(sum);
     return 0.0;
   }
 
-  // Calls use(sum, pieces, look, wave) for a few lit pieces at a time, in their order.
+  std::uint32_t index_of(const LitEdgePiece& piece) const {
+    return static_cast<std::uint32_t>(piece.edge->wedge - scene_.edges.wedges.data());
+  }
+
+  // The looks in which a wave lights its edges: one, or of antennas at a finite distance one for every piece along which their
+  // waves are plane.
+  void add_looks(const ReflectedWave& wave, std::span<const LitEdgePiece> pieces, std::vector<ReflectedLook>& looks) const {
+    if (!wave.wave.antennas) {
+      looks.push_back({look_of(wave.wave, look_), wave.wave.path, {}});
+      for (const LitEdgePiece& piece : pieces)
+        looks.back().edges.push_back({index_of(piece), {along_wedge(piece)}, piece.weight});
+      return;
+    }
+    for (const LitEdgePiece& piece : pieces)
+      for (const NearPiece& part : near_parts(piece, wavenumbers_, scene_.edges.tracer.mesh().radius))
+        looks.push_back({part.look, part.path, {{index_of(piece), {{part.begin, part.end}}, piece.weight}}});
+  }
+
+  // Calls use(sum, pieces, looks, wave) for a few lit pieces at a time, in their order.
   template <class Use>
   double for_each_fringe(const InteractionOptions& options, std::size_t at_a_time, InteractionResult& result, Use use) {
     double squares = 0.0, each = first_guess_of_fringe, begun = work_;
     std::size_t done = 0;
     for (const ReflectedWave& wave : reflected_) {
       if (wave.patches.size() != 1) continue;
-      ReflectedLook look = reflected_look(wave, look_, scene_.edges.wedges.data());
-      const std::vector<LitWedge> lit = std::exchange(look.edges, {});
-      for (std::size_t first = 0; first < lit.size(); first += at_a_time) {
-        const std::size_t count = std::min(at_a_time, lit.size() - first);
+      for (std::size_t first = 0; first < wave.lit.size(); first += at_a_time) {
+        const std::size_t count = std::min(at_a_time, wave.lit.size() - first);
         const std::span<const LitEdgePiece> pieces = std::span(wave.lit).subspan(first, count);
         if (work_ + each * static_cast<double>(count) > most_work_) {
           result.skipped.fringe_pieces += count;
           for (const LitEdgePiece& piece : pieces) squares += std::pow(typical_share * fringe_bound(piece), 2);
           continue;
         }
-        look.edges.assign(lit.begin() + static_cast<std::ptrdiff_t>(first),
-                          lit.begin() + static_cast<std::ptrdiff_t>(first + count));
-        const EdgeLookResult sum = fringe(std::span(&look, 1), options);
+        std::vector<ReflectedLook> looks;
+        add_looks(wave, pieces, looks);
+        const EdgeLookResult sum = fringe(looks, options);
         work_ += sum.work;
-        use(sum, pieces, look, wave);
+        use(sum, pieces, looks, wave);
         done += count;
         each = (work_ - begun) / static_cast<double>(done);
       }
@@ -425,13 +446,13 @@ InteractionResult interaction_scattering(const InteractionScene& scene, const Lo
                                          const InteractionOptions& options) {
   if (scene.axes.empty()) return {};
   if (is_out_of_reach(scene, options)) return unreached(0.0);
-  return InteractionLook(scene, look, frequencies, options.work).solve(options);
+  return InteractionLook(scene, look, frequencies, options).solve(options);
 }
 
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                           std::size_t frequency_index, const InteractionOptions& options, bool by_path) {
   if (scene.axes.empty() || is_out_of_reach(scene, options)) return {};
-  InteractionLook of(scene, look, frequencies, options.work);
+  InteractionLook of(scene, look, frequencies, options);
   return by_path ? of.pieces_by_path(options) : of.pieces(options, frequency_index);
 }
 

@@ -12,6 +12,7 @@
 //   reflected_light.h    which parts of them a wave lights after reflections (direct light: utd/shadow)
 //   ray_fan.h            rays of one azimuth, side by side along z: the faces they meet, exactly
 //   edge_illumination.h  dS / d(phi) of one lit piece: the integral along z over each face is closed (utd/wedge)
+//   near_illumination.h, near_row.h   the same from and to antennas at a finite distance, by quadrature
 //   azimuth_cuts.h, azimuth_integral.h, illuminated_faces.h   the integral over phi
 //   interaction_groups.h which edges and faces are large enough, at each frequency
 //   pair_bound.h         what an edge and a face can give at most
@@ -79,6 +80,7 @@ struct InteractionOptions {
   // Of the sum of squares that is expected of all pairs: nothing is computed where the work allowed reaches less. A part of a sum
   // whose terms are out of phase is no better than none.
   double least_reach = 0.0;
+  const NearAntennas* antennas = nullptr;  // at a finite distance, where S is as of these; none: plane waves
 };
 
 /// Reflections of a path from the transmitter over an edge to the last face it illuminates, before and after the edge together.
@@ -89,7 +91,7 @@ inline constexpr int most_reflections = 2;
 /// reach. Not symmetric in a monostatic look.
 /// Where the work allowed is not enough for all, the strongest pairs of an edge and a face come first, by their bounds, and those
 /// that together stay below the tolerance not at all. What is computed depends on counted steps alone.
-/// Plane waves only; `frequencies` [Hz] must not be empty.
+/// `frequencies` [Hz] must not be empty.
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options);
 

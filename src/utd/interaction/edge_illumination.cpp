@@ -16,6 +16,33 @@ constexpr double share_at_ends = 0.5;  // of the work on a row: beside the ends 
 
 }  // namespace
 
+PlaneWave PlaneWave::about(const dvec3& point) const {
+  if (!antennas) return *this;
+  const AntennaRay ray = antennas->transmit.ray_to(point);
+  return {ray.direction, ray.field, ray.path - glm::dot(ray.direction, point), antennas};
+}
+
+// A surface on which the edge ends goes on with its waves as their mirror. An open fan has one on either side, or none.
+bool ends_at_surface(const LitEdgePiece& piece, int end, const dvec3& direction) {
+  const EdgeAxis& edge = *piece.edge;
+  if (end == 0 ? piece.from > 0.0 : piece.to < edge.length) return false;
+  return std::ranges::any_of(edge.abutting_faces[end], [&](int face) {
+    return edge.wedge->n != 2.0 || glm::dot(direction, edge.wedge->faces[face].normal) > 0.0;
+  });
+}
+
+// An end at a surface is the middle of the piece and its mirror image.
+std::array<double, 2> corners_of(const LitEdgePiece& piece, const dvec3& direction) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const bool first = !ends_at_surface(piece, 0, direction), last = !ends_at_surface(piece, 1, direction);
+  return {first  ? piece.from
+          : last ? 2 * piece.from - piece.to
+                 : -none,
+          last    ? piece.to
+          : first ? 2 * piece.to - piece.from
+                  : none};
+}
+
 EdgeIllumination::EdgeIllumination(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
                                    const LitEdgePiece& source, int reflections)
     : tree_(faces.tree),
@@ -37,8 +64,8 @@ EdgeIllumination::EdgeIllumination(const ReceivingFaces& faces, const LookVector
 // Calls visit(footprint) wherever the rays arrive.
 template <class Visit>
 void EdgeIllumination::follow(Rays rays, Visit visit) {
-  if (!ends_at_surface(0, rays.fan.direction)) rays.fan.from -= margin(-1.0);
-  if (!ends_at_surface(1, rays.fan.direction)) rays.fan.to += margin(1.0);
+  if (!ends_at_surface(source_, 0, rays.fan.direction)) rays.fan.from -= margin(-1.0);
+  if (!ends_at_surface(source_, 1, rays.fan.direction)) rays.fan.to += margin(1.0);
   const Wedge& wedge = *source_.edge->wedge;
   follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch}, reflections_, visit);
 }
@@ -107,31 +134,9 @@ EdgeIllumination::Rays EdgeIllumination::diffracted_rays(double azimuth) const {
   return {{source_.edge->origin, t, direction, source_.from, source_.to}, 0.0, 0.0, magnetic};
 }
 
-// A surface on which the edge ends goes on with its waves as their mirror. An open fan has one on either side, or none.
-bool EdgeIllumination::ends_at_surface(int end, const dvec3& direction) const {
-  const EdgeAxis& edge = *source_.edge;
-  if (end == 0 ? source_.from > 0.0 : source_.to < edge.length) return false;
-  return std::ranges::any_of(edge.abutting_faces[end], [&](int face) {
-    return edge.wedge->n != 2.0 || glm::dot(direction, edge.wedge->faces[face].normal) > 0.0;
-  });
-}
-
-// An end at a surface is the middle of the piece and its mirror image.
 EdgeWaveIntegral EdgeIllumination::waves(const dvec3& direction) const {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const double from = source_.from, to = source_.to;
-  const bool first = !ends_at_surface(0, direction), last = !ends_at_surface(1, direction);
-  return {terms_,
-          source_.incidence.cos_cone,
-          source_.incidence.sin_cone,
-          from,
-          to,
-          {first  ? from
-           : last ? 2 * from - to
-                  : -none,
-           last    ? to
-           : first ? 2 * to - from
-                   : none}};
+  return {terms_,     source_.incidence.cos_cone,    source_.incidence.sin_cone, source_.from,
+          source_.to, corners_of(source_, direction)};
 }
 
 // The tube between neighbouring positions and azimuths is rho sin(beta0) wide, rho the distance from the edge's line; reflections

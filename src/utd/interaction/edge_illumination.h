@@ -2,14 +2,16 @@
 // Derived in docs/theory/interaction.md; notation: edge_face_interaction.h.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "math/node_waves.h"
 #include "scene/image.h"
-#include "utd/interaction/azimuth_integral.h"
-#include "utd/interaction/ray_fan.h"
+#include "utd/fan/azimuth_integral.h"
+#include "utd/fan/ray_fan.h"
 #include "utd/wedge/edge_currents.h"
 #include "utd/wedge/edge_wave_integral.h"
+#include "utd/wedge/image_antenna.h"
 #include "utd/wedge/path_place.h"
 
 namespace raytube {
@@ -19,6 +21,11 @@ struct PlaneWave {
   dvec3 direction;
   std::array<dvec3, 2> electric;
   double path = 0.0;  // [m]
+  // At a finite distance; what stands above is then the wave at the centre of the mesh.
+  std::optional<NearAntennas> antennas{};
+
+  /// As it is about this point.
+  PlaneWave about(const dvec3& point) const;
 };
 
 /// A wedge with a coordinate of its own: the position along the tangent of its first face, from `origin` on, 0 to `length` [m].
@@ -43,6 +50,11 @@ struct LitEdgePiece {
   double weight = 1.0;      // of the wave
   double light = 1.0;       // share in it that a border of reflected light leaves, smooth across that border
 };
+
+/// Whether a piece ends at a surface that goes on with its waves towards this side of the edge, as their mirror; 0 its beginning.
+bool ends_at_surface(const LitEdgePiece& piece, int end, const dvec3& direction);
+/// Positions of the ends over which its waves go on; infinite where there are none.
+std::array<double, 2> corners_of(const LitEdgePiece& piece, const dvec3& direction);
 
 /// The faces that edges may illuminate. What is referred to must outlive it.
 struct ReceivingFaces {
@@ -94,7 +106,6 @@ class EdgeIllumination {
   double margin(double way) const;
   Rays diffracted_rays(double azimuth) const;
   EdgeWaveIntegral waves(const dvec3& direction) const;
-  bool ends_at_surface(int end, const dvec3& direction) const;
   template <class Visit>
   void follow(Rays rays, Visit visit);
   template <class Visit>

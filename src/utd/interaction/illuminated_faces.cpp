@@ -5,6 +5,7 @@
 #include "core/work.h"
 #include "math/node_waves.h"
 #include "utd/interaction/azimuth_cuts.h"
+#include "utd/interaction/near_illumination.h"
 
 namespace raytube {
 
@@ -15,7 +16,8 @@ constexpr double wider = 1.25;
 // Waves over an end of the edge turn by no more than that against the rays beside it [rad] (utd/wedge/edge_wave_integral.h).
 constexpr double turn_at_ends = 9.0;
 
-AzimuthDensity density_of(EdgeIllumination& illumination, double most_work) {
+template <class Illumination>
+AzimuthDensity density_of(Illumination& illumination, double most_work) {
   return {[&](double azimuth, std::vector<ScatteringMatrix>& density) { illumination.at(azimuth, density); },
           [&](double azimuth) { return illumination.survey(azimuth); },
           [&illumination, most_work] { return illumination.work() > most_work; }};
@@ -27,7 +29,8 @@ bool reaches(std::span<const AzimuthRange> wanted, double from, double to) {
 }
 
 // Paths of the rays at some azimuths; none if they meet nothing.
-std::optional<PathSpan> paths(EdgeIllumination& illumination, const AzimuthRange& panel, double wavenumber) {
+template <class Illumination>
+std::optional<PathSpan> paths(Illumination& illumination, const AzimuthRange& panel, double wavenumber) {
   std::optional<PathSpan> all;
   for (const double share : {0.03, 0.5, 0.97})
     if (const auto here = illumination.survey(panel.from + share * (panel.to - panel.from))) {
@@ -46,6 +49,7 @@ ChannelErrors worst_of(const std::vector<ChannelErrors>& errors) {
 }
 
 // Of many wavenumbers: panel by panel, each with as few as the paths in it ask for.
+template <class Illumination>
 class BandIllumination {
  public:
   BandIllumination(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
@@ -69,7 +73,7 @@ class BandIllumination {
       for (std::size_t f = 0; f < sum.value.size(); ++f) result_.scattering[f] += sum.value[f];
       return;
     }
-    EdgeIllumination few(faces_, look_, nodes->at, source_, limits_.reflections);
+    Illumination few(faces_, look_, nodes->at, source_, limits_.reflections);
     const AzimuthIntegral sum = integral(few, nodes->at.size(), panel, share);
     add_interpolated(sum.value, *nodes, band_.wavenumbers(), span->middle(), result_.scattering);
     few_work_ += few.work();
@@ -82,7 +86,7 @@ class BandIllumination {
   }
 
  private:
-  AzimuthIntegral integral(EdgeIllumination& illumination, std::size_t count, const AzimuthRange& panel, double share) {
+  AzimuthIntegral integral(Illumination& illumination, std::size_t count, const AzimuthRange& panel, double share) {
     const double left = limits_.work - all_.work() - few_work_;
     const AzimuthDensity density = density_of(illumination, &illumination == &all_ ? limits_.work - few_work_ : left);
     AzimuthIntegral sum = integrate_over_azimuth(density, count, {panel.from, panel.to}, limits_.tolerance * share);
@@ -98,33 +102,45 @@ class BandIllumination {
   const LitEdgePiece& source_;
   const IlluminationLimits& limits_;
   Band band_;
-  EdgeIllumination all_;
+  Illumination all_;
   double few_work_ = 0.0;
   IlluminatedFaces result_;
 };
+
+template <class Illumination>
+IlluminatedFaces over_band(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
+                           const LitEdgePiece& source, const IlluminationLimits& limits, const std::vector<double>& cuts) {
+  BandIllumination<Illumination> illumination(faces, look, wavenumbers, source, limits);
+  for (std::size_t i = 1; i < cuts.size() && illumination.complete(); ++i)
+    if (reaches(limits.wanted, cuts[i - 1], cuts[i]))
+      illumination.add({cuts[i - 1], cuts[i]}, (cuts[i] - cuts[i - 1]) / (cuts.back() - cuts.front()));
+  return illumination.take();
+}
+
+template <class Illumination>
+IlluminatedFaces at_one(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
+                        const LitEdgePiece& source, const IlluminationLimits& limits, const std::vector<double>& cuts) {
+  Illumination illumination(faces, look, wavenumbers, source, limits.reflections);
+  AzimuthDensity density = density_of(illumination, limits.work);
+  std::vector<ImageEdge> pieces;
+  EdgeIllumination apart(faces, look, wavenumbers, source, limits.reflections);
+  if (limits.place)
+    density.counted = [&](double azimuth, double weight) { apart.take_apart(azimuth, weight, *limits.place, pieces); };
+  AzimuthIntegral all = integrate_over_azimuth(density, 1, cuts, limits.tolerance, limits.wanted);
+  return {std::move(all.value), all.error[0], illumination.work(), std::move(pieces), all.complete};
+}
 
 }  // namespace
 
 IlluminatedFaces illuminated_faces(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
                                    const LitEdgePiece& source, const IlluminationLimits& limits) {
   const std::vector<double> cuts = azimuth_cuts(faces.tree.mesh(), faces.corners, source, limits.wanted);
-  const double cutting = work::azimuth_cut * static_cast<double>(faces.corners.size() + cuts.size());
-  if (wavenumbers.size() == 1) {
-    EdgeIllumination illumination(faces, look, wavenumbers, source, limits.reflections);
-    AzimuthDensity density = density_of(illumination, limits.work);
-    std::vector<ImageEdge> pieces;
-    EdgeIllumination apart(faces, look, wavenumbers, source, limits.reflections);
-    if (limits.place)
-      density.counted = [&](double azimuth, double weight) { apart.take_apart(azimuth, weight, *limits.place, pieces); };
-    AzimuthIntegral all = integrate_over_azimuth(density, 1, cuts, limits.tolerance, limits.wanted);
-    return {std::move(all.value), all.error[0], cutting + illumination.work(), std::move(pieces), all.complete};
-  }
-  BandIllumination illumination(faces, look, wavenumbers, source, limits);
-  for (std::size_t i = 1; i < cuts.size() && illumination.complete(); ++i)
-    if (reaches(limits.wanted, cuts[i - 1], cuts[i]))
-      illumination.add({cuts[i - 1], cuts[i]}, (cuts[i] - cuts[i - 1]) / (cuts.back() - cuts.front()));
-  IlluminatedFaces result = illumination.take();
-  result.work += cutting;
+  const bool one = wavenumbers.size() == 1, near = source.wave->antennas.has_value();
+  const auto solve = near  ? one ? at_one<NearIllumination> : over_band<NearIllumination>
+                      : one ? at_one<EdgeIllumination>
+                           : over_band<EdgeIllumination>;
+  IlluminatedFaces result = solve(faces, look, wavenumbers, source, limits, cuts);
+  result.work += work::azimuth_cut * static_cast<double>(faces.corners.size() + cuts.size());
   return result;
 }
 

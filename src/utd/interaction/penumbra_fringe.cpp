@@ -65,7 +65,10 @@ std::vector<double> joined(std::vector<double>& ends, double length, double wave
   return result;
 }
 
-RaySource plane_source(const PlaneWave& wave) { return {Spreading::plane, {}, wave.direction, {}}; }
+RaySource source_of(const PlaneWave& wave) {
+  if (wave.antennas) return {Spreading::point, wave.antennas->transmit.position(), {}, {}};
+  return {Spreading::plane, {}, wave.direction, {}};
+}
 
 // Where the boundaries of the wave of an edge cut a rim that they do not contain: it jumps there [m]. A place too many costs
 // little, but none may come and go with rounding.
@@ -84,11 +87,13 @@ void add_boundaries(const StraightEdge& edge, double source_angle, const EdgeAxi
 
 // Where the rays come from an end of the lit piece: on Keller's cone about that end, a square z^2 + 2 half z + constant = 0.
 // Corner factors bend there. A cone opened to a plane is one root, counted twice, unless the rim lies in it.
-void add_ends_of_light(const StraightEdge& edge, double cos_cone, const EdgeAxis& rim, std::vector<double>& ends) {
+void add_ends_of_light(const StraightEdge& edge, const RaySource& source, const EdgeAxis& rim, std::vector<double>& ends) {
   constexpr double none = 1e-12;
   const dvec3 tangent = edge.tangent();
-  const double along = glm::dot(tangent, rim.tangent), cone2 = cos_cone * cos_cone, square = along * along - cone2;
+  const double along = glm::dot(tangent, rim.tangent);
   for (const double end : {edge.begin, edge.end}) {
+    const double cos_cone = glm::dot(arrival(source, edge.origin + end * tangent).direction, tangent),
+                 cone2 = cos_cone * cos_cone, square = along * along - cone2;
     const dvec3 offset = rim.origin - edge.origin - end * tangent;
     const double start = glm::dot(offset, tangent), half = start * along - cone2 * glm::dot(offset, rim.tangent),
                  constant = start * start - cone2 * glm::dot(offset, offset), root2 = half * half - square * constant;
@@ -118,7 +123,7 @@ struct PenumbraFringe::ArrivingWave {
   LookVectors look;
   std::array<std::array<double, 2>, 2> incident;  // [transmit][soft, hard]: -b0'_hat . E_i, -phi'_hat . E_i
 
-  ArrivingWave(const StraightEdge& edge, const EdgeRay& ray, const PlaneWave& wave, const LookVectors& of_target)
+  ArrivingWave(const StraightEdge& edge, const EdgeRay& ray, const std::array<dvec3, 2>& electric, const LookVectors& of_target)
       : look(of_target) {
     const dvec3 phi_source = -glm::cross(edge.tangent(), ray.arriving) / ray.sin_cone;
     const dvec3 phi = glm::cross(edge.tangent(), ray.leaving) / ray.sin_cone;
@@ -126,7 +131,7 @@ struct PenumbraFringe::ArrivingWave {
     look.incident = ray.leaving;
     look.electric = {glm::cross(ray.leaving, phi), phi};
     for (int c = 0; c < 2; ++c) look.magnetic[c] = glm::cross(ray.leaving, look.electric[c]);
-    for (int q = 0; q < 2; ++q) incident[q] = {-glm::dot(cone_source, wave.electric[q]), -glm::dot(phi_source, wave.electric[q])};
+    for (int q = 0; q < 2; ++q) incident[q] = {-glm::dot(cone_source, electric[q]), -glm::dot(phi_source, electric[q])};
   }
 
   void add(const DiffractedWave& wave, const ScatteringMatrix& amplitude, Complex phase, ScatteringMatrix& sum) const {
@@ -135,6 +140,13 @@ struct PenumbraFringe::ArrivingWave {
         sum.at(p, q) +=
             phase * (amplitude.at(p, 0) * wave.soft * incident[q][0] + amplitude.at(p, 1) * wave.hard * incident[q][1]);
   }
+};
+
+/// The whole way over a ray: the field where it meets the edge, spreading counted in, and what radiates from its end.
+struct PenumbraFringe::Way {
+  LookVectors look;
+  std::array<dvec3, 2> electric;
+  double phase;  // over k [m]
 };
 
 struct PenumbraFringe::RimPoint {
@@ -165,7 +177,7 @@ struct PenumbraFringe::Source {
   const LitEdgePiece& piece;
   StraightEdge edge;
   RaySource wave;
-  explicit Source(const LitEdgePiece& lit) : piece(lit), edge(lit_edge(lit)), wave(plane_source(*lit.wave)) {}
+  explicit Source(const LitEdgePiece& lit) : piece(lit), edge(lit_edge(lit)), wave(source_of(*lit.wave)) {}
 };
 
 PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> axes, double shortest_axis,
@@ -203,18 +215,30 @@ void PenumbraFringe::take_apart(const LitEdgePiece& source, const PathPlace& pla
 
 void PenumbraFringe::add_step(const LitEdgePiece& lit, double weight, std::vector<ScatteringMatrix>& sums) const {
   if (weight == 0.0) return;
+  if (!lit.wave->antennas) {
+    LookVectors look = look_;
+    look.incident = lit.wave->direction;
+    look.electric = lit.wave->electric;
+    for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(look.incident, look.electric[q]);
+    return add_step({lit, look, lit.from, lit.to, lit.wave->path}, weight, sums);
+  }
+  for (const NearPiece& part : near_parts(lit, wavenumbers_, tracer_.mesh().radius)) {
+    const double begin = part.begin * lit.edge->length, end = part.end * lit.edge->length;
+    const bool reversed = lit.edge->reversed();
+    const double from = reversed ? lit.edge->length - end : begin, to = reversed ? lit.edge->length - begin : end;
+    add_step({lit, part.look, from, to, part.path}, weight, sums);
+  }
+}
+
+void PenumbraFringe::add_step(const PlainPiece& piece, double weight, std::vector<ScatteringMatrix>& sums) const {
+  const auto& [lit, look, from, to, wave_path] = piece;
   const Wedge& wedge = *lit.edge->wedge;
-  LookVectors look = look_;
-  look.incident = lit.wave->direction;
-  look.electric = lit.wave->electric;
-  for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(look.incident, look.electric[q]);
   const WedgeIncidence incidence = incidence_on(wedge, look.incident);
   if (incidence.weight != 1.0) return;  // nor has it strips then, which this would complete
   const EdgeAmplitude amplitude = edge_amplitude(wedge, incidence, look);
-  const dvec3 difference = look.scattered - look.incident,
-              middle = lit.edge->origin + (lit.from + lit.to) / 2 * lit.edge->tangent;
-  const double length = lit.to - lit.from, half_span = length / 2 * glm::dot(difference, lit.edge->tangent);
-  const double path = glm::dot(difference, middle) - lit.wave->path;
+  const dvec3 difference = look.scattered - look.incident, middle = lit.edge->origin + (from + to) / 2 * lit.edge->tangent;
+  const double length = to - from, half_span = length / 2 * glm::dot(difference, lit.edge->tangent);
+  const double path = glm::dot(difference, middle) - wave_path;
   bool windowed = false;
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     const double k = wavenumbers_[f];
@@ -229,7 +253,7 @@ bool PenumbraFringe::ends_along(const LitEdgePiece& lit, const LitEdgePiece& sou
   if (share_a_face(*source.edge->wedge, *lit.edge->wedge) || !has_edge_ray(from.edge, from.wave, middle)) return false;
   const EdgeRay ray = edge_ray(from.edge, from.wave, middle);
   return boundary_at(from.edge.n, ray.source_angle, ray.observation_angle) &&
-         glm::length(ray.leaving - lit.wave->direction) < 2 * undecided;
+         glm::length(ray.leaving - lit.wave->about(middle).direction) < 2 * undecided;
 }
 
 double PenumbraFringe::work_of(const LitEdgePiece& source) const {
@@ -261,7 +285,7 @@ const ChebyshevNodes* PenumbraFringe::nodes_of(double half_span) {
 std::vector<double> PenumbraFringe::panels_of(const Source& source, const EdgeAxis& rim) const {
   std::vector<double> ends = growing_panels(rim.length, first_panel * shortest_wavelength_);
   add_boundaries(source.edge, source.piece.incidence.source_angle, rim, ends);
-  add_ends_of_light(source.edge, glm::dot(source.wave.direction, source.edge.tangent()), rim, ends);
+  add_ends_of_light(source.edge, source.wave, rim, ends);
   return joined(ends, rim.length, shortest_wavelength_);
 }
 
@@ -316,12 +340,27 @@ std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& s
   WedgeIncidence incidence = incidence_on(*rim.wedge, ray.leaving);
   incidence.weight = incidence_weight(*rim.wedge, incidence);
   if (incidence.weight == 0.0 || !is_clear(source, ray, *rim.wedge, place)) return std::nullopt;
-  const double phase = glm::dot(look_.scattered, place) - source.piece.wave->path - ray.path;
+  const Way way = way_over(source, ray, place);
   ray.path = 0.0;
-  const ArrivingWave wave(source.edge, ray, *source.piece.wave, look_);
-  return RimPoint{
-      ray,  phase, source.piece.weight * source.piece.edge->wedge->share, wave, edge_amplitude(*rim.wedge, incidence, wave.look),
-      place};
+  const ArrivingWave wave(source.edge, ray, way.electric, way.look);
+  return RimPoint{ray,
+                  way.phase,
+                  source.piece.weight * source.piece.edge->wedge->share,
+                  wave,
+                  edge_amplitude(*rim.wedge, incidence, wave.look),
+                  place};
+}
+
+// Of a point source the wave is over that of a unit source, which falls as 1 / (s' + s).
+PenumbraFringe::Way PenumbraFringe::way_over(const Source& source, const EdgeRay& ray, const dvec3& place) const {
+  const PlaneWave& wave = *source.piece.wave;
+  if (!wave.antennas) return {look_, wave.electric, glm::dot(look_.scattered, place) - wave.path - ray.path};
+  const AntennaRay in = wave.antennas->transmit.ray_to(ray.point), out = wave.antennas->receive->ray_to(place);
+  Way way{look_, in.field, -(in.path + glm::distance(place, ray.point) + out.path)};
+  way.look.scattered = -out.direction;
+  way.look.receive = out.field;
+  for (dvec3& field : way.electric) field *= glm::distance(ray.point, source.wave.position);
+  return way;
 }
 
 void PenumbraFringe::RimPoint::add(const StraightEdge& source, double wavenumber, Complex weight, ScatteringMatrix& sum) const {

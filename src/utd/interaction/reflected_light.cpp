@@ -16,9 +16,23 @@ constexpr double shortest = 1e-3;       // [wavelengths] pieces of an edge that 
 constexpr double grazing = 1e-9;        // cosine between wave and normal of a mirror
 constexpr double along_surface = 1e-7;  // sine below which light runs along a surface
 
-bool reflects(const Patch& plane, bool closed, const dvec3& direction) {
-  const double facing = glm::dot(plane.normal, direction);
+// The component along a plane's normal of light that arrives at it, with its sign; of unit light from afar.
+double facing_of(const PlaneWave& wave, const Patch& plane) {
+  if (!wave.antennas) return glm::dot(plane.normal, wave.direction);
+  const dvec3 antenna = wave.antennas->transmit.position();
+  return (plane.offset - glm::dot(plane.normal, antenna)) / glm::length(antenna);
+}
+
+bool reflects(const Patch& plane, bool closed, const PlaneWave& wave) {
+  const double facing = facing_of(wave, plane);
   return std::abs(facing) > grazing && !(closed && facing > 0.0);
+}
+
+dvec3 middle_of(const EdgeAxis& axis) { return axis.origin + 0.5 * axis.length * axis.tangent; }
+
+RayFan beyond(const RayFan& fan, const FanHit& hit, const Patch& mirror) {
+  if (fan.divergence == 0.0) return reflected(fan, hit, mirror.normal);
+  return reflected_image(fan, hit, mirror.normal, mirror.offset);
 }
 
 }  // namespace
@@ -27,6 +41,7 @@ PlaneWave reflected(const PlaneWave& wave, const Patch& plane) {
   const double facing = glm::dot(wave.direction, plane.normal);
   PlaneWave result{glm::reflect(wave.direction, plane.normal), {}, wave.path + 2 * facing * plane.offset};
   for (int q = 0; q < 2; ++q) result.electric[q] = 2 * glm::dot(plane.normal, wave.electric[q]) * plane.normal - wave.electric[q];
+  if (wave.antennas) result.antennas = {wave.antennas->transmit.reflected(plane.normal, plane.offset), wave.antennas->receive};
   return result;
 }
 
@@ -95,7 +110,7 @@ std::deque<ReflectedWave> ReflectedLight::waves(int most, double most_work) {
           continue;
         }
         const bool again = !before.patches.empty() && before.patches.back() == mirror.patch;
-        if (again || !reflects(plane, mirror.closed, before.wave.direction)) continue;
+        if (again || !reflects(plane, mirror.closed, before.wave)) continue;
         ReflectedWave wave{reflected(before.wave, plane), before.patches, {}};
         wave.patches.push_back(mirror.patch);
         next.push_back(wave);
@@ -113,7 +128,7 @@ void ReflectedLight::find_lit(ReflectedWave& wave) {
     const Wedge& wedge = *axis.wedge;
     if (axis.length < shortest_axis_) continue;
     if (wedge.faces[0].patch == wave.patches.back() || wedge.faces[1].patch == wave.patches.back()) continue;
-    const WedgeIncidence incidence = incidence_on(wedge, wave.wave.direction);
+    const WedgeIncidence incidence = incidence_on(wedge, wave.wave.about(middle_of(axis)).direction);
     const double weight = incidence_weight(wedge, incidence);
     if (weight == 0.0) continue;
     const double aside = border_share * axis.length;
@@ -175,10 +190,14 @@ void ReflectedLight::snap_to_ends(const EdgeAxis& axis) {
 RayFan ReflectedLight::fan_beside(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) const {
   const Wedge& wedge = *axis.wedge;
   const dvec3 over = wedge.faces[0].into_face - wedge.faces[1].into_face;
-  const dvec3 across = glm::normalize(glm::cross(axis.tangent, wave.wave.direction));
+  const dvec3 across = glm::normalize(glm::cross(axis.tangent, wave.wave.about(middle_of(axis)).direction));
   dvec3 side = wedge.n == 2.0 ? wedge.faces[0].into_face : glm::normalize(over);
   if (std::abs(glm::dot(side, across)) < along_surface) side = across;
-  return {axis.origin + sideways * side, axis.tangent, -wave.wave.direction, 0.0, axis.length};
+  const dvec3 base = axis.origin + sideways * side;
+  if (!wave.wave.antennas) return {base, axis.tangent, -wave.wave.direction, 0.0, axis.length};
+  const dvec3 way = wave.wave.antennas->transmit.position() - base;
+  const double distance = glm::length(way);
+  return {base, axis.tangent, way / distance, 0.0, axis.length, -1.0 / distance};
 }
 
 void ReflectedLight::find_pieces(const ReflectedWave& wave, const EdgeAxis& axis, double sideways) {
@@ -205,8 +224,7 @@ void ReflectedLight::trace_back(const RayFan& fan, const IgnoredPatches& ignored
   tracer_.trace(fan, ignored, hits);
   for (const FanHit& hit : hits)
     if (tree_.faces()[hit.face].patch == mirror)
-      trace_back(reflected(fan, hit, tree_.mesh().patches[mirror].normal), {mirror, no_index, no_index},
-                 mirrors.first(mirrors.size() - 1));
+      trace_back(beyond(fan, hit, tree_.mesh().patches[mirror]), {mirror, no_index, no_index}, mirrors.first(mirrors.size() - 1));
 }
 
 // The pieces between what is met; neighbours are one.

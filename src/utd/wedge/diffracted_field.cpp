@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "math/erfc_ray.h"
+#include "utd/wedge/detour.h"
 #include "utd/wedge/edge_wave.h"
 
 namespace raytube {
@@ -83,13 +84,6 @@ Unfolded unfold(const StraightEdge& edge, const RaySource& wave, const Cylindric
   if (wave.spreading == Spreading::point) return unfold_point(source, observer);
   if (wave.spreading == Spreading::line) return unfold_line(source, observer);
   return unfold_plane(edge, wave, source, observer);
-}
-
-// sqrt(rho^2 + (u + step)^2) less its linear part in the step, which leaves out what the two halves of a ray over an edge have
-// with opposite signs: no difference of long ways is taken.
-double excess(double rho, double u, double step) {
-  const double length = std::hypot(rho, u), stepped = std::hypot(rho, u + step), sum = length + stepped;
-  return step * step * std::max(0.0, 1 - u / length * (2 * u + step) / sum) / sum;
 }
 
 double detour(const RaySource& wave, const Cylindrical& source, const Cylindrical& observer, double arc_length, double end) {

@@ -1,4 +1,4 @@
-#include "utd/interaction/ray_fan.h"
+#include "utd/fan/ray_fan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,49 @@ namespace {
 constexpr std::size_t few_faces = 24;
 constexpr double parallel = 1e-9;        // sine between rays and a plane below which they never meet
 constexpr double same_position = 1e-12;  // in radii of the target
+constexpr double beside_point = 1e-3;    // of the way to the point the rays come from: nothing that near to it counts
+
+// How much farther apart rays are for every metre along them from `base`, as a vector that components are taken of.
+dvec3 growth_of(const RayFan& fan) {
+  const dvec3 upright = fan.direction - glm::dot(fan.direction, fan.step) / glm::dot(fan.step, fan.step) * fan.step;
+  return fan.divergence / glm::dot(upright, fan.direction) * upright;
+}
 
 }  // namespace
+
+struct RayFanTracer::FanPlane {
+  dvec3 normal, across;  // of a point of it, the component along `across` times `scale` is its position
+  double scale;
+  dvec3 growth;
+
+  explicit FanPlane(const RayFan& fan)
+      : normal(glm::cross(fan.step, fan.direction)),
+        across(fan.step - glm::dot(fan.step, fan.direction) * fan.direction),
+        scale(1.0 / glm::dot(across, across)),
+        growth(fan.divergence == 0.0 ? dvec3(0.0) : growth_of(fan)) {}
+};
+
+double facing_of(const RayFan& fan, const Patch& plane) {
+  const double facing = glm::dot(plane.normal, fan.direction);
+  if (fan.divergence == 0.0) return facing;
+  return facing + fan.divergence * (plane.offset - glm::dot(plane.normal, fan.base));
+}
 
 RayFan reflected(const RayFan& fan, const FanHit& hit, const dvec3& normal) {
   const dvec3& d = fan.direction;
   return {fan.base + hit.length * d, fan.step + hit.growth * d, glm::reflect(d, normal), hit.from, hit.to};
+}
+
+RayFan reflected_image(const RayFan& fan, const FanHit& hit, const dvec3& normal, double offset) {
+  const dvec3 base = fan.base - 2.0 * (glm::dot(normal, fan.base) - offset) * normal;
+  return {base,
+          glm::reflect(fan.step, normal),
+          glm::reflect(fan.direction, normal),
+          hit.from,
+          hit.to,
+          fan.divergence,
+          hit.length,
+          hit.growth};
 }
 
 void RayFanTracer::trace(const RayFan& fan, const IgnoredPatches& ignored_patches, std::vector<FanHit>& hits) {
@@ -28,14 +65,14 @@ void RayFanTracer::trace(const RayFan& fan, const IgnoredPatches& ignored_patche
   gather(fan, ignored_patches);
   work_ += work::fan + work::face_in_fan * static_cast<double>(near_.size());
   if (crossed_.empty()) return;
-  cut();
+  cut(fan);
   work_ += work::order_in_fan * static_cast<double>(cuts_.size() * crossed_.size());
   const double least = same_position * tree_.mesh().radius;
   for (std::size_t i = 1; i < cuts_.size(); ++i) {
     if (cuts_[i] - cuts_[i - 1] <= least) continue;
     const double middle = (cuts_[i - 1] + cuts_[i]) / 2;
     go_on_to(middle);
-    const FanHit* first = first_at(middle);
+    const FanHit* first = first_at(fan, middle);
     if (!first) continue;
     if (!hits.empty() && hits.back().face == first->face && cuts_[i - 1] - hits.back().to <= least)
       hits.back().to = cuts_[i];
@@ -51,36 +88,46 @@ void RayFanTracer::gather(const RayFan& fan, const IgnoredPatches& ignored_patch
   if (tree_.faces().size() <= few_faces) {
     for (std::uint32_t face = 0; face < tree_.faces().size(); ++face) near_.push_back(face);
   } else {
-    const dvec3 u = glm::normalize(fan.step - glm::dot(fan.step, fan.direction) * fan.direction);
-    const dvec3 v = glm::cross(fan.direction, u);
-    const double rate = glm::dot(fan.step, u);
-    tree_.collect({fan.base, u, v, fan.direction, {rate * fan.from, 0.0}, {rate * fan.to, 0.0}}, near_);
+    collect_near(fan);
   }
+  const FanPlane plane(fan);
   for (const std::uint32_t face : near_) {
     const Face& polygon = tree_.faces()[face];
     if (std::ranges::find(ignored_patches, polygon.patch) != ignored_patches.end()) continue;
-    const double facing = glm::dot(mesh.patches[polygon.patch].normal, fan.direction);
+    const double facing = facing_of(fan, mesh.patches[polygon.patch]);
     if (std::abs(facing) < parallel || (facing > 0.0 && mesh.closed(polygon.triangle))) continue;
-    intersect(fan, face);
+    intersect(fan, plane, face, facing);
   }
 }
 
+void RayFanTracer::collect_near(const RayFan& fan) {
+  const dvec3 u = glm::normalize(fan.step - glm::dot(fan.step, fan.direction) * fan.direction);
+  const dvec3 v = glm::cross(fan.direction, u);
+  const double rate = glm::dot(fan.step, u);
+  double from = fan.from, to = fan.to;
+  if (fan.divergence != 0.0) {
+    const double farthest = glm::length(fan.base) + tree_.mesh().radius;
+    const double wider = std::max(0.0, 1.0 + fan.divergence * farthest);
+    from = std::min(from, from * wider);
+    to = std::max(to, to * wider);
+  }
+  tree_.collect({fan.base, u, v, fan.direction, {rate * from, 0.0}, {rate * to, 0.0}}, near_);
+}
+
 // Where the fan's plane cuts a convex polygon: a segment, in positions and distances.
-void RayFanTracer::intersect(const RayFan& fan, std::uint32_t face) {
+void RayFanTracer::intersect(const RayFan& fan, const FanPlane& in, std::uint32_t face, double facing) {
   const TriangleMesh& mesh = tree_.mesh();
   const std::span<const std::uint32_t> corners = tree_.corners(face);
-  const dvec3 normal = glm::cross(fan.step, fan.direction);
-  const dvec3 across = fan.step - glm::dot(fan.step, fan.direction) * fan.direction;
-  const double scale = 1.0 / glm::dot(across, across);
   double from = std::numeric_limits<double>::infinity(), to = -from;
   dvec3 before = mesh.vertices[corners.back()] - fan.base;
-  double height_before = glm::dot(normal, before);
+  double height_before = glm::dot(in.normal, before);
   for (const std::uint32_t corner : corners) {
     const dvec3 here = mesh.vertices[corner] - fan.base;
-    const double height = glm::dot(normal, here);
+    const double height = glm::dot(in.normal, here);
     if ((height >= 0.0) != (height_before >= 0.0)) {
       const dvec3 point = before + height_before / (height_before - height) * (here - before);
-      const double position = scale * glm::dot(across, point);
+      double position = in.scale * glm::dot(in.across, point);
+      if (fan.divergence != 0.0) position /= std::max(beside_point, 1.0 + glm::dot(in.growth, point));
       from = std::min(from, position);
       to = std::max(to, position);
     }
@@ -91,17 +138,16 @@ void RayFanTracer::intersect(const RayFan& fan, std::uint32_t face) {
   to = std::min(to, fan.to);
   if (!(from < to)) return;
   const Patch& plane = mesh.patches[tree_.faces()[face].patch];
-  const double facing = glm::dot(plane.normal, fan.direction);
   crossed_.push_back(
       {face, from, to, (plane.offset - glm::dot(plane.normal, fan.base)) / facing, -glm::dot(plane.normal, fan.step) / facing});
 }
 
 // Between neighbouring cuts the order of the faces is the same, and all lie on one side of the start.
-void RayFanTracer::cut() {
+void RayFanTracer::cut(const RayFan& fan) {
   cuts_.clear();
   for (const FanHit& face : crossed_) {
     cuts_.insert(cuts_.end(), {face.from, face.to});
-    const double start = -face.length / face.growth;
+    const double start = -(face.length - fan.begin) / (face.growth - fan.growth);
     if (start > face.from && start < face.to) cuts_.push_back(start);
   }
   std::ranges::sort(cuts_);
@@ -116,10 +162,10 @@ void RayFanTracer::go_on_to(double position) {
   std::erase_if(covering_, [&](const FanHit* face) { return face->to < position; });
 }
 
-const FanHit* RayFanTracer::first_at(double position) const {
+const FanHit* RayFanTracer::first_at(const RayFan& fan, double position) const {
   const FanHit* first = nullptr;
-  double nearest = std::numeric_limits<double>::infinity();
-  const double start = same_position * tree_.mesh().radius;
+  double nearest = fan.divergence > 0.0 ? 1.0 / fan.divergence : std::numeric_limits<double>::infinity();
+  const double start = fan.begin + fan.growth * position + same_position * tree_.mesh().radius;
   for (const FanHit* face : covering_) {
     const double distance = face->length + face->growth * position;
     if (distance <= start || distance > nearest || (distance == nearest && face > first)) continue;

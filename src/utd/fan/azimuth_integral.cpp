@@ -1,4 +1,4 @@
-#include "utd/interaction/azimuth_integral.h"
+#include "utd/fan/azimuth_integral.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,222 @@
+#include "utd/interaction/near_row.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/work.h"
+#include "math/erfc_ray.h"
+#include "math/filon.h"
+#include "utd/wedge/detour.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double at_edge = 0.05;   // electrical distance from the edge below which waves on a face no longer change
+constexpr double octaves = 8.0;    // a rule takes in distances from the edge up to this ratio: waves change with their root
+constexpr double most_bend = 1.0;  // of the phase within a rule, off a linear one [rad]
+constexpr int most_halvings = 24;
+constexpr double faded = 3.0;  // sqrt(k detour) past an end of the edge at which its waves have been let fade to nothing
+
+double fading(double detour) {
+  const double u = detour / (faded * faded), rest = std::max(1.0 - u * u * u * u, 0.0);
+  return rest * rest;
+}
+
+}  // namespace
+
+AntennaAtEdge::AntennaAtEdge(const EdgeAxis& edge, const dvec3& antenna)
+    : distance(glm::length(glm::cross(antenna - edge.origin, edge.tangent))),
+      along(glm::dot(antenna - edge.origin, edge.tangent)) {}
+
+/// Where one rule applies; `side` is 1 beside a corner, inside it, -1 beyond it, 0 where the rays count by themselves.
+struct NearRowIntegral::Stretch {
+  double from, to;
+  double corner = 0.0, side = 0.0;
+  double half() const { return (to - from) / 2; }
+  double middle() const { return (from + to) / 2; }
+};
+
+/// At the points of a rule; phases / k but for the linear part, `rate` over half the stretch [m].
+struct NearRowIntegral::Samples {
+  std::array<NearRay, lanes> rays;
+  Reals detour;  // [m]
+  Reals left;
+  double half, side, middle, rate;
+
+  double bend() const {
+    double low = left[0], high = left[0];
+    for (std::size_t i = 1; i < lanes; ++i) low = std::min(low, left[i]), high = std::max(high, left[i]);
+    return high - low;
+  }
+};
+
+/// Values and slopes of waves, and what all are multiplied with.
+struct NearRowIntegral::Waves {
+  struct Sum {
+    Complexes value{}, outwards{}, around{};
+  };
+  Sum incident, reflected;
+};
+
+// The way from the antenna, s', is as the spread of the tube of rays has it: (s' + s) / s' wide at s, with the field s' / (s' +
+// s) of that at the edge, so that neither stands in the integrand (Kouyoumjian & Pathak 1974: L = s s' / (s + s') sin^2(beta0)).
+NearRay NearRowIntegral::ray(const NearRow& row, double position) const {
+  const dvec3 at_edge = source_.edge->origin + position * source_.edge->tangent;
+  const NearAntennas& antennas = *source_.wave->antennas;
+  const AntennaRay in = antennas.transmit.ray_to(at_edge);
+  const double before = antenna_.path_to(position), depth = row.hit.length + row.hit.growth * position;
+  NearRay ray;
+  ray.sin_cone = antenna_.distance / before;
+  ray.cos_cone = (position - antenna_.along) / before;
+  ray.path = std::max(0.0, depth / (1.0 - row.fan.divergence * depth) * before * row.fan.divergence);
+  ray.spread = before / (before + ray.path);
+  ray.parameter = ray.path * ray.spread;
+  const dvec3 direction = ray.sin_cone * row.across + ray.cos_cone * row.fan.step;
+  const AntennaRay out = antennas.receive->ray_to(row.fan.base + position * row.fan.step + ray.path * direction);
+  ray.area = ray.sin_cone * ray.sin_cone / std::abs(glm::dot(row.normal, direction));
+  ray.phase = -(in.path + ray.path + out.path);
+  const dvec3 turning = -glm::cross(source_.edge->tangent, in.direction) / ray.sin_cone, up = glm::cross(in.direction, turning);
+  for (int q = 0; q < 2; ++q) ray.arriving[q] = {glm::dot(up, in.field[q]), glm::dot(turning, in.field[q])};
+  const std::array<dvec3, 4> magnetic{-row.turning, ray.sin_cone * row.fan.step - ray.cos_cone * row.across, row.across,
+                                      row.turning};
+  for (int c = 0; c < 4; ++c)
+    for (int p = 0; p < 2; ++p) ray.current[p][c] = 2.0 * glm::dot(out.field[p], glm::cross(row.normal, magnetic[c]));
+  return ray;
+}
+
+void NearRowIntegral::add(const NearRow& row, const std::array<double, 2>& corners, std::vector<ScatteringMatrix>& density) {
+  const double from = std::max(row.hit.from, source_.from), to = std::min(row.hit.to, source_.to);
+  if (from < to) add_in_parts(row, {from, to}, 0, density);
+  add_beside(row, corners[0], 1.0, density);
+  add_beside(row, corners[1], -1.0, density);
+}
+
+// As EdgeWaveIntegral has it, by the ray at the corner: the detour of rays that spread is no shorter than that of parallel ones.
+void NearRowIntegral::add_beside(const NearRow& row, double corner, double inwards, std::vector<ScatteringMatrix>& density) {
+  if (!std::isfinite(corner)) return;
+  const double k = std::ranges::min(wavenumbers_), cosine = antenna_.cos_cone(corner), sine = antenna_.sin_cone(corner);
+  const double longest = std::max(ray(row, row.hit.from).path, ray(row, row.hit.to).path);
+  const double path = ray(row, std::clamp(corner, row.hit.from, row.hit.to)).path;
+  for (const double side : {-1.0, 1.0}) {
+    const double way = side * inwards, far = EdgeWaveIntegral::reach(longest, k, way * cosine, sine);
+    const double near = std::min(EdgeWaveIntegral::reach(path, k, way * cosine, sine), far);
+    const std::array<double, 4> parts{0.0, near / 2, near, far};
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      const double start = corner + way * parts[i - 1], end = corner + way * parts[i];
+      const double low = std::max(row.hit.from, std::min(start, end)), high = std::min(row.hit.to, std::max(start, end));
+      if (low < high) add_in_parts(row, {low, high, corner, side}, 0, density);
+    }
+  }
+}
+
+// Where distances from the edge reach too far for one rule; not inside the stretch if they do not.
+double NearRowIntegral::where_to_split(const NearRow& row, const Stretch& stretch) const {
+  const double unit = at_edge / std::ranges::max(wavenumbers_);
+  const double near = std::max(ray(row, stretch.from).path, unit), far = std::max(ray(row, stretch.to).path, unit);
+  if (std::max(near / far, far / near) <= octaves) return stretch.to;
+  const double share = (std::sqrt(near * far) - near) / (far - near);
+  return stretch.from + share * (stretch.to - stretch.from);
+}
+
+void NearRowIntegral::add_in_parts(const NearRow& row, const Stretch& stretch, int halvings,
+                                   std::vector<ScatteringMatrix>& density) {
+  double split = halvings < most_halvings && stretch.side == 0.0 ? where_to_split(row, stretch) : stretch.to;
+  if (!(split > stretch.from && split < stretch.to)) {
+    const Samples samples = sampled(row, stretch);
+    work_ += work::near_ray_row + work::near_ray_frequency * static_cast<double>(wavenumbers_.size());
+    if (halvings >= most_halvings || samples.bend() * std::ranges::max(wavenumbers_) < most_bend) {
+      for (std::size_t f = 0; f < wavenumbers_.size(); ++f) density[f] += excited(row, samples, wavenumbers_[f]);
+      return;
+    }
+    split = stretch.middle();
+  }
+  add_in_parts(row, {stretch.from, split, stretch.corner, stretch.side}, halvings + 1, density);
+  add_in_parts(row, {split, stretch.to, stretch.corner, stretch.side}, halvings + 1, density);
+}
+
+double NearRowIntegral::detour(const NearRay& ray, double position, double corner) const {
+  const double step = corner - position, before = excess(antenna_.distance, position - antenna_.along, step);
+  if (ray.path == 0.0) return before + std::abs(step);
+  return before + excess(ray.path * ray.sin_cone, -ray.path * ray.cos_cone, step);
+}
+
+NearRowIntegral::Samples NearRowIntegral::sampled(const NearRow& row, const Stretch& stretch) const {
+  const FilonRule& rule = FilonRule::get();
+  Samples samples;
+  samples.half = stretch.half();
+  samples.side = stretch.side;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double position = stretch.middle() + stretch.half() * rule.at[i];
+    samples.rays[i] = ray(row, position);
+    samples.detour[i] = stretch.side == 0.0 ? 0.0 : detour(samples.rays[i], position, stretch.corner);
+  }
+  const double first = samples.rays[0].phase, last = samples.rays[lanes - 1].phase;
+  samples.rate = (last - first) / (rule.at[lanes - 1] - rule.at[0]);
+  samples.middle = (first + last) / 2;
+  for (std::size_t i = 0; i < lanes; ++i) samples.left[i] = samples.rays[i].phase - samples.middle - samples.rate * rule.at[i];
+  return samples;
+}
+
+// Slopes as in EdgeWaveIntegral, d(root L)/d(rho) among them.
+NearRowIntegral::Waves NearRowIntegral::waves(const NearRow& row, const Samples& samples, double wavenumber) const {
+  const double constant = std::sqrt(2 / pi);
+  Waves waves;
+  const auto add = [&](const EdgeWaveTerm& term, Waves::Sum& sum) {
+    Reals x;
+    std::array<double, lanes> root;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      root[i] = samples.rays[i].sin_cone * std::sqrt(wavenumber * samples.rays[i].parameter);
+      x[i] = term.rate * root[i];
+    }
+    const Complexes w = scaled_erfc(x);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double d = wavenumber * samples.detour[i], own = d > 0.0 ? x[i] * x[i] / (x[i] * x[i] + d) : 1.0;
+      const double part = samples.side == 0.0 ? 1.0 : fading(d) * own, slope_part = samples.side == 0.0 ? 1.0 : part * own;
+      const Complex slope(-2 * x[i] * w.im[i] - constant, 2 * x[i] * w.re[i] - constant);
+      const Complex along = slope_part * term.strength * x[i] / 2 * samples.rays[i].spread * slope;
+      const Complex around = slope_part * (term.strength * term.rate_slope * root[i] * slope + term.strength_slope * w[i]);
+      sum.value.set(i, sum.value[i] + part * term.strength * w[i]);
+      sum.outwards.set(i, sum.outwards[i] + along);
+      sum.around.set(i, sum.around[i] + around);
+    }
+  };
+  for (int i = 0; i < row.terms->each; ++i) {
+    add(row.terms->incident[i], waves.incident);
+    add(row.terms->reflected[i], waves.reflected);
+  }
+  return waves;
+}
+
+// EdgeIllumination::excited, ray by ray.
+ScatteringMatrix NearRowIntegral::excited(const NearRow& row, const Samples& samples, double wavenumber) const {
+  const Complexes rule = FilonRule::get().weights(wavenumber * samples.rate);
+  const Waves waves = this->waves(row, samples, wavenumber);
+  Reals root;
+  for (std::size_t i = 0; i < lanes; ++i) root[i] = std::sqrt(wavenumber * samples.detour[i]);
+  const Complexes step = scaled_erfc(root);
+  const double weight = source_.weight * source_.edge->wedge->share * samples.half;
+  ScatteringMatrix sum;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const NearRay& ray = samples.rays[i];
+    Complex factor = weight * rule[i] * std::polar(1.0, wavenumber * (samples.middle + samples.left[i]));
+    if (samples.side != 0.0) factor *= -samples.side / 2 * std::polar(1.0, -wavenumber * samples.detour[i]) * step[i];
+    const Complex of_ray = factor * Complex(0.0, ray.area * wavenumber / (4 * pi)) * ray.path;
+    const Complex of_slope = factor * ray.area / (4 * pi * ray.sin_cone * ray.sin_cone);
+    const auto soft = [&](const Complexes& a, const Complexes& b) { return a[i] - b[i]; };
+    const auto hard = [&](const Complexes& a, const Complexes& b) { return a[i] + b[i]; };
+    const Waves::Sum &in = waves.incident, &back = waves.reflected;
+    for (int p = 0; p < 2; ++p) {
+      const auto& [soft_current, hard_current, outwards, around] = ray.current[p];
+      const Complex of_soft = of_ray * soft_current * soft(in.value, back.value) +
+                              of_slope * (around * soft(in.outwards, back.outwards) - outwards * soft(in.around, back.around));
+      const Complex of_hard =
+          of_ray * hard_current * hard(in.value, back.value) +
+          of_slope * ray.cos_cone * (outwards * hard(in.outwards, back.outwards) + around * hard(in.around, back.around));
+      for (int q = 0; q < 2; ++q) sum.at(p, q) += ray.arriving[q][0] * of_soft + ray.arriving[q][1] * of_hard;
+    }
+  }
+  return sum;
+}
+
+}  // namespace raytube
