@@ -20,10 +20,13 @@ constexpr double most_phase = 0.5;
 // Whether the waves of every look are plane enough all over the target for what knows no others.
 bool waves_are_plane(const SolvePlan& plan) {
   const TriangleMesh& mesh = plan.target.mesh;
-  const double reach = glm::length(mesh.center) + mesh.radius;
-  const double phase = 2.0 * pi / plan.shortest_wavelength() * reach * reach;
+  const double k = 2.0 * pi / plan.shortest_wavelength();
+  const auto is_plane = [&](const AntennaPosition& antenna) {
+    const double reach = glm::length(mesh.center - antenna.reference()) + mesh.radius;
+    return k * reach * reach < most_phase * antenna.range;
+  };
   return std::ranges::all_of(plan.sweep.looks, [&](const Look& look) {
-    return look.far() || phase < most_phase * std::min(look.transmit_range, look.receive_range);
+    return look.far() || (is_plane(look.transmitter()) && is_plane(look.receiver()));
   });
 }
 
