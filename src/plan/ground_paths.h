@@ -36,7 +36,7 @@ using GroundReflection = std::array<std::array<Complex, 2>, 2>;
 
 /// Of one path at one frequency.
 struct PathFactors {
-  GroundReflection transmit, receive;
+  GroundReflection transmit, receive;  // on the way in and out
 
   /// What S along the path [m] adds to S over ground.
   ScatteringMatrix operator()(const ScatteringMatrix& s) const;
@@ -53,8 +53,11 @@ class GroundReflections {
   /// Of a sweep and that along its paths, which it refers to. `middle`: of the target, in the mesh's own coordinates.
   GroundReflections(const Ground& ground, const Sweep& asked, const Sweep& paths, const dvec3& middle);
 
-  const GroundPath& path(std::size_t look) const { return of_look_[look % of_look_.size()]; }  // of a look along paths
-  std::size_t asked_look(std::size_t look) const { return look / of_look_.size(); }            // from that along paths
+  /// Of a look along paths.
+  const GroundPath& path(std::size_t look) const { return of_look_[look % of_look_.size()]; }
+  /// The look asked for, from one along paths.
+  std::size_t asked_look(std::size_t look) const { return look / of_look_.size(); }
+  /// How many there are.
   std::size_t paths_of_a_look() const { return of_look_.size(); }
 
   PathFactors factors(std::size_t look, std::size_t frequency_index) const;  // of a look along a path

@@ -16,6 +16,7 @@
 #include "output/vtk/tube_paths_vtp.h"
 #include "output/words/tubes_text.h"
 #include "plan/admissible.h"
+#include "plan/ground_paths.h"
 #include "program/commands.h"
 #include "program/work/results.h"
 #include "sbr/replay.h"
@@ -102,7 +103,8 @@ std::size_t highest_of(const Sweep& sweep) {
 void print_lighting(const Look& look, std::size_t which, std::size_t of) {
   if (of == 1) return;
   if (which == 0) return fmt::print("lit straight:\n");
-  fmt::print("lit by the ground, as from {}:\n", direction_text(look.transmit));
+  fmt::print("lit by the ground, as from theta {:.9g} deg, phi {:.9g} deg:\n", look.transmit.theta / degree,
+             look.transmit.phi / degree);
 }
 
 void print_tube(const std::vector<TubeTrace>& ways, const dvec3& mesh_center) {
