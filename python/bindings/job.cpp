@@ -12,7 +12,6 @@
 #include "jobs/density_study.h"
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
-#include "jobs/over_ground.h"
 #include "jobs/result_warnings.h"
 #include "jobs/shared_work.h"
 #include "jobs/solvable.h"
@@ -97,7 +96,7 @@ std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ra
   const auto progress = [&](double share) { return go_on(watch, ranks, share); };
   return beside_others(watch, ranks, [&]() -> std::optional<StoredResult> {
     if (is_helper(ranks)) return help_to_solve(plan, ranks->team(), progress), std::nullopt;
-    const SweepResult result = result_of_case(asked, raytube::solve(plan, progress, {}, ranks ? &ranks->team() : nullptr), parts);
+    const SweepResult result = raytube::solve(plan, progress, {}, ranks ? &ranks->team() : nullptr);
     StoredResult stored_result = stored(asked.sweep, result);
     stored_result.attributes = attributes(*this, plan, result);
     return stored_result;
@@ -116,7 +115,6 @@ TextAndData Job::check(int threads) const {
 
 LookImage Job::image(std::size_t look, double per_wavelength, int threads, Watch& watch) const {
   check_look(asked, look);
-  refuse_ground(asked, "images");
   const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), false);
   return naming_the_case(asked, [&] { return image_of_look(plan, look, per_wavelength, watch.progress()); });
 }
@@ -128,7 +126,6 @@ LookCentres Job::centres(const CentresAsked& which, int threads, Watch& watch) c
 TubeTrace Job::trace(std::size_t look, const dvec2& at) const {
   const Sweep& sweep = asked.sweep;
   check_look(asked, look);
-  refuse_ground(asked, "tubes of a look");
   const auto highest = static_cast<std::size_t>(std::ranges::max_element(sweep.frequencies) - sweep.frequencies.begin());
   const std::vector<Material> materials = at_frequency(sweep.materials, highest);
   const ReplayScene scene{built->target.tracer, materials, sweep.radar};
@@ -148,10 +145,10 @@ std::optional<Study> Job::converge(const std::vector<double>& densities, int thr
   std::vector<std::string> warnings;
   for (const double density : ordered) {
     options.tubes.per_wavelength = density;
-    const SolvePlan plan = planned(built->target, asked, options);
+    const SolvePlan plan(built->target, asked.sweep, options, asked.ground);
     beside_others(watch, ranks, [&] {
       if (is_helper(ranks)) return help_to_solve(plan, *options.team, options.progress);
-      SweepResult result = result_of_case(asked, raytube::solve(plan, options.progress, {}, options.team), false);
+      SweepResult result = raytube::solve(plan, options.progress, {}, options.team);
       const Statistics& s = result.statistics;
       for (const BeyondBound& part : s.beyond_bound)
         warnings.push_back(fmt::format("{} tubes per wavelength: {}", density, beyond_bound_sentence(part)));

@@ -32,26 +32,33 @@ std::optional<Material> read_material(const CaseValue& value, const CaseValue& r
 }
 
 // On the horizon the reflected wave takes all away, but over a perfect conductor.
-void check_above(const CaseValue& section, const Case& c) {
-  for (std::size_t i = 0; i < c.sweep.looks.size(); ++i)
-    for (const Direction& end : {c.sweep.looks[i].transmit, c.sweep.looks[i].receive}) {
-      const double height = spherical_basis(end).radial.z;
-      if (height < 0.0)
-        reject(section, fmt::format("look {} has theta = {:.6g} degrees, from below the ground; leave out angles above 90", i,
-                                    end.theta / degree));
-      if (height == 0.0 && !c.ground->perfect())
-        reject(section, fmt::format("look {} has theta = 90 degrees, where nothing is left of waves over a medium; leave out the "
-                                    "horizon, or write ground.material = \"pec\"",
-                                    i));
-    }
+void check_far_look(const CaseValue& section, const Case& c, std::size_t look) {
+  for (const Direction& end : {c.sweep.looks[look].transmit, c.sweep.looks[look].receive}) {
+    const double height = spherical_basis(end).radial.z;
+    if (height < 0.0)
+      reject(section, fmt::format("look {} has theta = {:.6g} degrees, from below the ground; leave out angles above 90", look,
+                                  end.theta / degree));
+    if (height == 0.0 && !c.ground->perfect())
+      reject(section, fmt::format("look {} has theta = 90 degrees, where nothing is left of waves over a medium; leave out the "
+                                  "horizon, or write ground.material = \"pec\"",
+                                  look));
+  }
 }
 
-void check_goes_with_ground(const CaseValue& section, const CaseValue& root, const Case& c) {
-  if (const CaseValue* radar = root.find("radar"))
-    reject(section, {radar}, "[ground] needs antennas at infinity in this version; remove [radar]");
-  if (c.edges.method == EdgeMethod::utd)
-    reject(section, {find(root, "edges", "method")},
-           "[ground] needs currents, but edges.method is \"utd\"; write \"fringe\" or \"none\" there");
+void check_antennas_above(const CaseValue& section, const Case& c, std::size_t look) {
+  for (const AntennaPosition& antenna : {c.sweep.looks[look].transmitter(), c.sweep.looks[look].receiver()}) {
+    const double z = antenna.point().z;
+    if (z < c.ground->height || (z == c.ground->height && !c.ground->perfect()))
+      reject(section,
+             fmt::format("look {} has an antenna at z = {:.6g} m, not above the ground at {:.6g} m; move it up, or lower "
+                         "ground.height_m",
+                         look, z, c.ground->height));
+  }
+}
+
+void check_above(const CaseValue& section, const Case& c) {
+  for (std::size_t look = 0; look < c.sweep.looks.size(); ++look)
+    c.sweep.looks[look].far() ? check_far_look(section, c, look) : check_antennas_above(section, c, look);
 }
 
 }  // namespace
@@ -59,7 +66,6 @@ void check_goes_with_ground(const CaseValue& section, const CaseValue& root, con
 void read_ground(const CaseValue& root, Case& c) {
   const CaseValue* section = root.find("ground");
   if (!section) return;
-  check_goes_with_ground(*section, root, c);
   c.ground.emplace();
   if (const CaseValue* height = section->find("height_m")) {
     c.ground->height = read_number(*height, "ground.height_m");

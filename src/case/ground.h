@@ -6,8 +6,8 @@
 
 namespace raytube {
 
-/// Fills c.ground; materials, looks and edges must be known already. Throws InputError for a ground that cannot be, and for what
-/// does not go with one.
+/// Fills c.ground; materials, looks and the radar must be known already. Throws InputError for a ground that cannot be, and for
+/// looks from below it.
 void read_ground(const CaseValue& root, Case& c);
 
 }  // namespace raytube

@@ -216,8 +216,6 @@ void read_image_looks(const CaseValue& root, const CaseValue& value, Case& c) {
   if (c.edges.materials != MaterialEdgeMethod::none)
     reject(value, {find(root, "edges", "materials")},
            "output.image_look: the heuristic of edges.materials is not available in images; write edges.materials = \"none\"");
-  if (c.ground)
-    reject(value, {root.find("ground")}, "output.image_look: images over ground are not in this version; remove [ground]");
   if (c.edges.method == EdgeMethod::utd)
     reject(value, {find(root, "edges", "method")},
            "output.image_look needs currents, but edges.method is \"utd\"; write \"fringe\" or \"none\" there");
@@ -239,7 +237,9 @@ void read_output(const CaseValue& root, Case& c) {
              "output.incoherent: no surface is rough; give roughness_rms_mm to a material of the target, or remove it");
     if (c.incoherent && c.ground)
       reject(*incoherent, {root.find("ground")},
-             "output.incoherent: what rough surfaces scatter without phase is not known over ground; remove [ground]");
+             "output.incoherent: what a rough surface scatters on the ways over the ground is alike in phase (enhanced "
+             "backscattering), so "
+             "that powers do not add up; remove [ground]");
   }
   if (const CaseValue* power = find(root, "output", "power_dbm")) {
     c.power = read_flag(*power, "output.power_dbm");

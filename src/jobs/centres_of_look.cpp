@@ -7,7 +7,6 @@
 
 #include "core/error.h"
 #include "imaging/direct.h"
-#include "jobs/over_ground.h"
 #include "jobs/solvable.h"
 #include "solve/pieces.h"
 
@@ -42,11 +41,13 @@ LookCentres found_centres(const Target& target, const Case& c, const CentresAske
   if (result.side == 0.0) result.side = usual_side(target, frequencies, length);
   SolveOptions options{c.tubes, c.edges, c.surfaces, threads};
   options.progress = progress;
-  scattering_pieces(target, c.sweep, asked.look, result.frequency, options, result.side / pieces_to_a_cell,
-                    [&](const ScatteringPiece& piece) {
-                      result.pieces.push_back(piece);
-                      result.s += piece.s;
-                    });
+  scattering_pieces(
+      target, c.sweep, asked.look, result.frequency, options, result.side / pieces_to_a_cell,
+      [&](const ScatteringPiece& piece) {
+        result.pieces.push_back(piece);
+        result.s += piece.s;
+      },
+      c.ground);
   result.found = scattering_centres(result.pieces, axes_of_look(result.direction), {asked.count, result.side, length});
   return result;
 }
@@ -55,7 +56,6 @@ LookCentres found_centres(const Target& target, const Case& c, const CentresAske
 
 LookCentres centres_of_look(const Target& target, const Case& c, const CentresAsked& asked, int threads,
                             const std::function<bool(double)>& progress) {
-  refuse_ground(c, "scattering centres");
   return naming_the_case(c, [&] { return found_centres(target, c, asked, threads, progress); });
 }
 

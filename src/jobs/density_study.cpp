@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "core/threads.h"
 #include "jobs/memory.h"
-#include "jobs/over_ground.h"
 #include "plan/admissible.h"
 
 namespace raytube {
@@ -55,7 +54,7 @@ void check_study(const Case& c, const Target& target, int threads, const std::ve
   check_finest(densities.back(), asked, c, target.mesh);
   SolveOptions finest = options_of_study(c, threads);
   finest.tubes.per_wavelength = densities.back();
-  const SolvePlan plan = planned(target, c, finest);
+  const SolvePlan plan(target, c.sweep, finest, c.ground);
   const double kept = static_cast<double>(densities.size() * c.sweep.rows() * sizeof(ScatteringMatrix));
   Case study = c;
   study.image_looks.clear();

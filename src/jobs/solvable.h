@@ -11,6 +11,9 @@ namespace raytube {
 /// but for want of memory. Refers to `target` and to the case.
 SolvePlan plan_of_case(const Target& target, const Case& c, int threads, bool keep_parts);
 
+/// The case with this look alone, at one of its frequencies.
+Case case_of_look(const Case& c, std::size_t look, std::size_t frequency_index);
+
 /// Does what it is told; what the solver says knows no files, so an InputError gets the case file.
 template <class Action>
 auto naming_the_case(const Case& c, const Action& action) {

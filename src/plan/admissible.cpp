@@ -15,9 +15,14 @@ namespace raytube {
 namespace {
 
 // All of the target in front, as seen from the antenna towards the target and towards the origin, for which V and H are given.
-void check_place(const TriangleMesh& mesh, const Antenna& antenna) {
+void check_place(const TriangleMesh& mesh, const Antenna& antenna, bool image) {
   const bool past_origin = std::ranges::any_of(
       mesh.vertices, [&](const dvec3& vertex) { return glm::dot(vertex - antenna.position(), antenna.radial()) >= 0.0; });
+  if (image && (past_origin || !stands_in_front(mesh, antenna.position())))
+    throw InputError(
+        fmt::format("an antenna {:.6g} m from the mesh's origin sees the target by way of the ground farther than 45 degrees off "
+                    "the line to the middle of its mirror image; move it away (radar.range_m, radar.position_m)",
+                    antenna.range()));
   if (past_origin || !stands_in_front(mesh, antenna.position()))
     throw InputError(fmt::format(
         "an antenna {:.6g} m from the mesh's origin stands beside the target, or too near to it, to have all of it and "
@@ -90,8 +95,9 @@ void check_antennas(const TriangleMesh& mesh, const Sweep& sweep) {
   for (const Look& look : sweep.looks) {
     if (look.far()) continue;
     const AntennaPair antennas(look, sweep.radar, mesh.center);
-    for (const Antenna* antenna : {&antennas.transmit, &antennas.receive}) {
-      check_place(mesh, *antenna);
+    for (const auto& [antenna, image] : {std::pair(&antennas.transmit, look.transmit_mirror.has_value()),
+                                         std::pair(&antennas.receive, look.receive_mirror.has_value())}) {
+      check_place(mesh, *antenna, image);
       check_pattern(mesh, *antenna, sweep.radar.pattern);
     }
   }

@@ -140,7 +140,7 @@ std::vector<BandPlan> bands_of(const SolvePlan& plan, std::shared_ptr<const Smoo
 }
 
 // A radar on a circle about the origin is at the same point again where its directions repeat, and aimed at the same one unless
-// a turntable turns it away.
+// a turntable turns it away. The mirror image of one stands elsewhere.
 LookPlan near_looks(const Sweep& sweep) {
   const bool circle = std::ranges::all_of(sweep.looks, [&](const Look& look) {
     return look.turn == sweep.looks[0].turn && look.transmit_range == sweep.looks[0].transmit_range &&
@@ -156,6 +156,8 @@ LookPlan looks_of(const SolvePlan& plan) {
   const auto sees_curved = [](const BandPlan& band) { return band.smooth != nullptr; };
   const auto cut_exactly = [](const BandPlan& band) { return !band.smooth || band.convexity.no_reflection; };
   if (!plan.tubes.skip) return plan_all(sweep.looks.size());
+  const auto is_image = [](const Look& look) { return look.transmit_mirror || look.receive_mirror; };
+  if (std::ranges::any_of(sweep.looks, is_image)) return plan_all(sweep.looks.size());
   if (!all_far(sweep)) return near_looks(sweep);
   const bool exact = plan.tubes.refines() && std::ranges::all_of(plan.bands, cut_exactly);
   if (!exact || plan.rays()) return plan_looks(sweep.looks, {false, false, false});
@@ -191,20 +193,29 @@ void check_all(const SolvePlan& plan) {
   if (!plan.rays()) check_density(plan.target.mesh, plan.sweep, plan.tubes);
 }
 
+std::shared_ptr<const Sweep> paths_of(const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground) {
+  if (!ground) return {};
+  return std::make_shared<const Sweep>(sweep_of_paths(sweep, *ground, options.edges.method == EdgeMethod::utd));
+}
+
 WedgeSource wedge_source(const Target& target) {
   return {target.mesh, target.wedges, target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
 }
 
 }  // namespace
 
-SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& options)
+SolvePlan::SolvePlan(const Target& on, const Sweep& given, const SolveOptions& options, const std::optional<Ground>& over)
     : target(on),
-      sweep(asked),
+      asked(given),
+      ground(over),
+      along_paths(paths_of(given, options, over)),
+      sweep(along_paths ? *along_paths : given),
       tubes(options.tubes),
       edges(options.edges),
       surfaces(options.surfaces),
       threads(options.threads),
-      keep_parts(options.keep_parts) {
+      keep_parts(options.keep_parts || ground),
+      tell_parts(options.keep_parts) {
   check_all(*this);
   const auto start = std::chrono::steady_clock::now();
   ray_range = ray_range_of(*this);
@@ -216,11 +227,6 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& asked, const SolveOptions& o
   skipped_wedges = skipped_wedges_of(*this);
   std::erase_if(skipped_wedges, [](const Skipped& item) { return item.count == 0; });
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-SolvePlan::SolvePlan(const Target& on, std::shared_ptr<const Sweep> asked, const SolveOptions& options)
-    : SolvePlan(on, *asked, options) {
-  kept_sweep = std::move(asked);
 }
 
 double BandPlan::shortest_wavelength() const { return wavelength(std::ranges::max(frequencies)); }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mesh/features/wedge_sets.h"
 #include "mesh/smooth/smooth.h"
+#include "plan/ground_paths.h"
 #include "plan/target.h"
 #include "scene/look_plan.h"
 #include "scene/options.h"
@@ -27,23 +29,27 @@ struct BandPlan {
   double shortest_wavelength() const;
 };
 
-/// Looks and frequencies of a solve, and what all of its mechanisms share. Refers to `target` and `sweep`, which must outlive it.
+/// Looks and frequencies of a solve, and what all of its mechanisms share. Refers to the target and the sweep asked for, which
+/// must outlive it.
 struct SolvePlan {
   /// Throws InputError, naming the remedy, for whatever cannot be solved: an empty or non-physical sweep, options out of range or
-  /// that do not go together, antennas that do not have all of the target in front, grids too dense.
-  SolvePlan(const Target& target, const Sweep& sweep, const SolveOptions& options);
-  SolvePlan(const Target& target, Sweep&& sweep, const SolveOptions& options) = delete;
-  SolvePlan(Target&& target, const Sweep& sweep, const SolveOptions& options) = delete;
-  /// Of a sweep that the plan keeps itself.
-  SolvePlan(const Target& target, std::shared_ptr<const Sweep> sweep, const SolveOptions& options);
+  /// that do not go together, antennas that do not have all of the target in front, grids too dense. Over `ground` below the
+  /// target the looks along its paths are solved, and added up; of a perfect one the target has its mirror image with it.
+  SolvePlan(const Target& target, const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {});
+  SolvePlan(const Target& target, Sweep&& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {}) = delete;
+  SolvePlan(Target&& target, const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {}) = delete;
 
-  const Target& target;     // as given
-  const Sweep& sweep;       // as given
-  TubeOptions tubes;        // as asked, checked
-  EdgeOptions edges;        // as asked, checked
-  SurfaceOptions surfaces;  // as asked, checked
-  int threads;              // 0: all cores
-  bool keep_parts;          // the result keeps its mechanisms apart
+  const Target& target;                        // as given
+  const Sweep& asked;                          // as given
+  std::optional<Ground> ground;                // as given
+  std::shared_ptr<const Sweep> along_paths{};  // over ground: `sweep`; else null
+  const Sweep& sweep;                          // that is computed
+  TubeOptions tubes;                           // as asked, checked
+  EdgeOptions edges;                           // as asked, checked
+  SurfaceOptions surfaces;                     // as asked, checked
+  int threads;                                 // 0: all cores
+  bool keep_parts;                             // mechanisms are kept apart; over ground always, to add them up
+  bool tell_parts;                             // the result keeps them apart
 
   double ray_range = 0.0;       // of transmitter and receiver where rays stand for currents, without [radar] [m]; else 0
   std::vector<BandPlan> bands;  // every frequency is in one
@@ -51,15 +57,17 @@ struct SolvePlan {
   std::vector<WedgeSet> wedge_sets;                        // of all frequencies
   LookPlan looks;                                          // which are computed, and which follow from these
   SkipCounts skips;                                        // known beforehand
-  std::vector<Skipped> skipped_wedges;        // that carry no fringe current, and why; of thin plates and details at the lowest
-                                              // frequency
-  double seconds = 0.0;                       // that planning took
-  std::shared_ptr<const Sweep> kept_sweep{};  // `sweep`, where the plan keeps it; else null
+  std::vector<Skipped> skipped_wedges;  // that carry no fringe current, and why; of thin plates and details at the lowest
+                                        // frequency
+  double seconds = 0.0;                 // that planning took
 
   /// Rays of geometrical optics and diffraction stand for currents.
   bool rays() const { return edges.method == EdgeMethod::utd; }
   /// Edges between perfect conductors are asked for their fringe currents.
   bool fringe() const { return edges.method == EdgeMethod::fringe; }
+
+  /// What adds up the paths, over ground.
+  GroundReflections reflections() const { return {*ground, asked, sweep, target.mesh.center}; }
 
   double shortest_wavelength() const;  // [m]
   /// At every frequency nothing that a surface reflects meets another one.

@@ -13,7 +13,6 @@
 #include "core/text.h"
 #include "core/threads.h"
 #include "jobs/density_study.h"
-#include "jobs/over_ground.h"
 #include "output/compare/convergence_report.h"
 #include "output/compare/density_results.h"
 #include "output/netcdf/netcdf_file.h"
@@ -78,8 +77,7 @@ class DensityStudy {
       bar_.show(finished_share(densities_, study_.results.size(), share));
       return !InterruptFlag::raised();
     };
-    SweepResult result =
-        result_of_case(case_, solve(planned(target_, case_, options_), options_.progress, {}, options_.team), false);
+    SweepResult result = solve(SolvePlan(target_, case_.sweep, options_, case_.ground), options_.progress, {}, options_.team);
     if (warn_of_unusable_rows(result.statistics)) unusable_ = true;
     const Statistics& s = result.statistics;
     study_.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
@@ -150,7 +148,7 @@ void help_to_converge(const Request& request, const Case& c, const Target& targe
   SolveOptions options = options_of_study(c, request.threads);
   for (const double density : parsed_densities(request.densities)) {
     options.tubes.per_wavelength = density;
-    help_to_solve(planned(target, c, options), request.ranks->team());
+    help_to_solve(SolvePlan(target, c.sweep, options, c.ground), request.ranks->team());
   }
 }
 

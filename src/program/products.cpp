@@ -16,7 +16,6 @@
 #include "jobs/imaged_target.h"
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
-#include "jobs/over_ground.h"
 #include "jobs/result_warnings.h"
 #include "jobs/solvable.h"
 #include "jobs/warnings/warnings.h"
@@ -65,7 +64,7 @@ void solve_into(ProductSource& source, const Request& request, const SolvePlan& 
   const std::vector<std::string> warnings = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
   for (const std::string& sentence : warnings) warn(sentence);
   check_memory(plan, c, nullptr);
-  const SweepResult result = naming_the_case(c, [&] { return result_of_case(c, solved(request, plan), false); });
+  const SweepResult result = naming_the_case(c, [&] { return solved(request, plan); });
   source.unusable_rows = warn_of_unusable_rows(result.statistics);
   warn_of_lost_rays(c, result.statistics);
   source.result = stored(c.sweep, result);
@@ -158,11 +157,10 @@ ProductSource stored_result(const fs::path& file) {
 // All that scatters in one look of the case, at the frequency in the middle of its list.
 void pieces_of_look(const Request& request, const ProductSource& source, std::size_t look, double cell, const PieceSink& sink) {
   const Case& c = *source.of_case;
-  refuse_ground(c, "pieces of a look");
   SolveOptions options{c.tubes, c.edges, c.surfaces, request.threads};
   options.progress = [](double) { return !InterruptFlag::raised(); };
   const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
-  naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, sink); });
+  naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, sink, c.ground); });
 }
 
 Destination destination_of_products(const Request& request, const ProductNames& names) {

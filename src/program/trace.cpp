@@ -3,19 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "case/read_case.h"
 #include "case/target.h"
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/threads.h"
-#include "jobs/over_ground.h"
 #include "jobs/solvable.h"
 #include "output/vtk/facet_hits_vtu.h"
 #include "output/vtk/surface_rays_vtp.h"
 #include "output/vtk/tube_paths_vtp.h"
 #include "output/words/tubes_text.h"
 #include "plan/admissible.h"
+#include "plan/ground_paths.h"
 #include "program/commands.h"
 #include "program/work/results.h"
 #include "sbr/replay.h"
@@ -98,20 +99,38 @@ std::size_t highest_of(const Sweep& sweep) {
   return static_cast<std::size_t>(std::ranges::max_element(sweep.frequencies) - sweep.frequencies.begin());
 }
 
+// Over a medium tubes come straight, or by way of the ground, with a launch grid of their own.
+void print_lighting(const Look& look, std::size_t which, std::size_t of) {
+  if (of == 1) return;
+  if (which == 0) return fmt::print("lit straight:\n");
+  fmt::print("lit by the ground, as from theta {:.9g} deg, phi {:.9g} deg:\n", look.transmit.theta / degree,
+             look.transmit.phi / degree);
+}
+
+void print_tube(const std::vector<TubeTrace>& ways, const dvec3& mesh_center) {
+  const TubeTrace& trace = ways.front();
+  fmt::print("tube: column {}, row {}, centre u {:.9g} m, v {:.9g} m\n", trace.column, trace.row, trace.center.x, trace.center.y);
+  for (std::size_t way = 0; way < ways.size(); ++way) print_way(ways, way, mesh_center);
+}
+
 void trace_at(const Request& request, const Case& c, const Look& look, const TriangleMesh& mesh) {
   const Tracer tracer(mesh);
   const std::size_t highest = highest_of(c.sweep);
   const double frequency = c.sweep.frequencies[highest];
   const std::vector<Material> materials = at_frequency(c.sweep.materials, highest);
   const ReplayScene scene{tracer, materials, c.sweep.radar};
-  const std::vector<TubeTrace> ways = naming_the_case(c, [&] {
-    return TubeReplay(scene, look, frequency, c.tubes).follow({request.u, request.v});
-  });
-  const TubeTrace& trace = ways.front();
+  const std::vector<Look> lighting = lighting_looks(look, c.ground);
+  std::vector<std::vector<TubeTrace>> tubes;
+  for (const Look& from : lighting)
+    tubes.push_back(naming_the_case(c, [&] {
+      return TubeReplay(scene, from, frequency, c.tubes).follow({request.u, request.v});
+    }));
   print_look(request.look, look);
   if (!materials.empty()) fmt::print("fields at {} GHz, the highest frequency of the case\n", number_text(frequency / 1e9));
-  fmt::print("tube: column {}, row {}, centre u {:.9g} m, v {:.9g} m\n", trace.column, trace.row, trace.center.x, trace.center.y);
-  for (std::size_t way = 0; way < ways.size(); ++way) print_way(ways, way, mesh.center);
+  for (std::size_t i = 0; i < tubes.size(); ++i) {
+    print_lighting(lighting[i], i, lighting.size());
+    print_tube(tubes[i], mesh.center);
+  }
 }
 
 // --- all tubes of a look ---
@@ -159,10 +178,16 @@ void write_hits(const std::filesystem::path& file, const TriangleMesh& mesh, con
 }
 
 void trace_all(const Request& request, const Case& c, const Look& look, const TriangleMesh& mesh) {
-  const TubePaths tubes = all_tubes(request, c, look, mesh);
-  const FacetHits hits = facet_hits(tubes, mesh.triangles.size());
   if (!request.tube) print_look(request.look, look);
-  fmt::print("{}", tubes_text(tubes, hits));
+  const std::vector<Look> lighting = lighting_looks(look, c.ground);
+  TubePaths tubes;
+  for (std::size_t i = 0; i < lighting.size(); ++i) {
+    TubePaths here = all_tubes(request, c, lighting[i], mesh);
+    print_lighting(lighting[i], i, lighting.size());
+    fmt::print("{}", tubes_text(here, facet_hits(here, mesh.triangles.size())));
+    i == 0 ? void(tubes = std::move(here)) : add_lit_by_ground(tubes, std::move(here));
+  }
+  const FacetHits hits = facet_hits(tubes, mesh.triangles.size());
   if (!request.tube_paths_vtp.empty()) write_paths(request.tube_paths_vtp, tubes);
   if (!request.facet_hits_vtu.empty()) write_hits(request.facet_hits_vtu, mesh, hits);
 }
@@ -173,20 +198,18 @@ std::filesystem::path folder_of_rays(const std::filesystem::path& file) {
   return folder_of_named_file("--surface-rays", file, surface_rays_head);
 }
 
-// The look alone, at the highest frequency: nothing is computed for others.
-std::vector<SurfaceRay> surface_rays_of(const Case& c, const Look& look, TriangleMesh mesh) {
-  Case one = c;
-  const std::size_t highest = highest_of(c.sweep);
-  one.sweep.materials = at_frequency(c.sweep.materials, highest);
-  one.sweep.frequencies = {c.sweep.frequencies[highest]};
-  one.sweep.looks = {look};
-  one.image_looks.clear();
+// The look alone, at the highest frequency: nothing is computed for others. Over ground those of all of its paths.
+std::vector<SurfaceRay> surface_rays_of(const Case& c, std::size_t look, TriangleMesh mesh) {
+  const Case one = case_of_look(c, look, highest_of(c.sweep));
   const Target target(std::move(mesh), c.wedges);
   const SolvePlan plan = plan_of_case(target, one, all_threads(), false);
   if (const MechanismState waves = entry_of(MechanismId::surface_waves).state(plan); !waves.on)
     throw InputError(fmt::format("--surface-rays: {} has no waves over curved surfaces: {}; leave out the option, or change that",
                                  c.file.string(), waves.why_not));
-  return LookSolver(plan).surface_rays(look);
+  const LookSolver solver(plan);
+  std::vector<SurfaceRay> rays;
+  for (const Look& path : plan.sweep.looks) std::ranges::move(solver.surface_rays(path), std::back_inserter(rays));
+  return rays;
 }
 
 void write_rays(const std::filesystem::path& file, std::span<const SurfaceRay> rays, double frequency) {
@@ -212,13 +235,13 @@ void trace_command(const Request& request) {
   const Look& look = chosen_look(c, request.look);
   if (!std::isfinite(request.u) || !std::isfinite(request.v)) throw InputError("--u and --v must be finite numbers of metres");
   check_files(request);
-  refuse_ground(c, "tubes of a look");
   LoadedMesh loaded = load_target(c);
-  naming_the_case(c, [&] { check_antennas(loaded.mesh, c.sweep); });
+  const Sweep along = c.ground ? sweep_of_paths(c.sweep, *c.ground, false) : c.sweep;
+  naming_the_case(c, [&] { check_antennas(loaded.mesh, along); });
   if (request.tube) trace_at(request, c, look, loaded.mesh);
   if (request.all_tubes) trace_all(request, c, look, loaded.mesh);
   if (request.surface_rays_vtp.empty()) return;
-  const std::vector<SurfaceRay> rays = surface_rays_of(c, look, std::move(loaded.mesh));
+  const std::vector<SurfaceRay> rays = surface_rays_of(c, request.look, std::move(loaded.mesh));
   if (!request.tube && !request.all_tubes) print_look(request.look, look);
   write_rays(request.surface_rays_vtp, rays, c.sweep.frequencies[highest_of(c.sweep)]);
 }

@@ -23,14 +23,24 @@ double AntennaPattern::amplitude(double azimuth_angle, double elevation_angle) c
   return std::exp(-2.0 * std::numbers::ln2 * (a * a + e * e)) * std::pow(10.0, level / 20.0);
 }
 
-Antenna::Antenna(const AntennaPosition& position, const dvec3& reference, const dvec3& aim, const AntennaPattern& pattern)
-    : reference_(reference),
+namespace {
+
+dvec3 image(const dvec3& point, const dvec3& origin, const std::optional<double>& mirror) {
+  return mirror ? dvec3(point.x, point.y, 2.0 * (origin.z + *mirror) - point.z) : point;
+}
+
+}  // namespace
+
+// Of the triad of a mirrored direction radial and phi_hat are mirrored, theta_hat is turned round, too: what is up for an antenna
+// is down for its image.
+Antenna::Antenna(const AntennaPosition& position, const dvec3& origin, const dvec3& aim, const AntennaPattern& pattern)
+    : reference_(image(origin, origin, position.mirror)),
       basis_(spherical_basis(position.direction)),
       range_(position.range),
       // Towards `aim`, with both sides divided by the range.
-      axis_(glm::normalize((aim - reference) / range_ - basis_.radial)),
+      axis_(glm::normalize((image(aim, origin, position.mirror) - reference_) / range_ - basis_.radial)),
       azimuth_hat_(carried(basis_.phi_hat, -basis_.radial, axis_)),
-      elevation_hat_(carried(-basis_.theta_hat, -basis_.radial, axis_)),
+      elevation_hat_(carried(position.mirror ? basis_.theta_hat : -basis_.theta_hat, -basis_.radial, axis_)),
       pattern_(pattern) {}
 
 dvec2 Antenna::off_axis(const dvec3& direction) const {

@@ -57,10 +57,17 @@ inline dvec3 carried(const dvec3& vector, const dvec3& from, const dvec3& to) {
   return vector - glm::dot(vector, to) / (1.0 + glm::dot(from, to)) * (from + to);
 }
 
-/// The position of an antenna.
+/// The position of an antenna. That of the mirror image of one in a plane across z counts from the image of the origin, as the
+/// antenna's own from the origin.
 struct AntennaPosition {
-  Direction direction;  // from the origin of the mesh's own coordinates to the antenna
-  double range;         // [m]
+  Direction direction;             // from the origin of the mesh's own coordinates to the antenna
+  double range;                    // [m]
+  std::optional<double> mirror{};  // z of the plane, in the mesh's own coordinates [m]; none: it is no image
+
+  /// What direction and range count from, in the mesh's own coordinates.
+  dvec3 reference() const { return {0.0, 0.0, mirror ? 2.0 * *mirror : 0.0}; }
+  /// In the mesh's own coordinates.
+  dvec3 point() const { return reference() + range * spherical_basis(direction).radial; }
 };
 
 /// A spherical wave as a point meets it.
@@ -75,9 +82,10 @@ struct AntennaRay {
 /// IEEE Trans. AP-21, 116), and all amplitudes fall as 1/distance. Valid beyond some wavelengths from the antenna.
 class Antenna {
  public:
-  /// `reference` is the origin of the mesh's own coordinates and `aim` the point on the axis, both in the coordinates that points
-  /// are given in. Keeps a reference to `pattern`.
-  Antenna(const AntennaPosition& position, const dvec3& reference, const dvec3& aim, const AntennaPattern& pattern);
+  /// `origin` is that of the mesh's own coordinates and `aim` the point on the axis, of a mirror image that of the antenna
+  /// itself, both in the coordinates that points are given in. An image has V and H as theta_hat and phi_hat of its own
+  /// direction, of phase zero at the image of the origin. Keeps a reference to `pattern`.
+  Antenna(const AntennaPosition& position, const dvec3& origin, const dvec3& aim, const AntennaPattern& pattern);
 
   /// No digits are lost at long range.
   AntennaRay ray_to(const dvec3& point) const;
@@ -85,7 +93,7 @@ class Antenna {
   /// Where it stands.
   dvec3 position() const { return reference_ + range_ * basis_.radial; }
   const dvec3& radial() const { return basis_.radial; }  // unit, from the reference to the antenna
-  /// The origin of the mesh's own coordinates.
+  /// The origin of the mesh's own coordinates, or its image.
   const dvec3& reference() const { return reference_; }
   /// Unit, from the antenna to the aim.
   const dvec3& axis() const { return axis_; }

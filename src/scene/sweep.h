@@ -21,9 +21,13 @@ struct Look {
   /// By which a turntable has turned the target about z, from +x towards +y, under antennas that stand [rad]. Directions count
   /// from the target and know of it; what the antennas are aimed at does not.
   double turn = 0.0;
+  /// Of an antenna that is the mirror image of one in a plane across z, the z of that [m]: AntennaPosition.
+  std::optional<double> transmit_mirror{}, receive_mirror{};
 
   /// Both are at infinity.
   bool far() const { return std::isinf(transmit_range); }
+  AntennaPosition transmitter() const { return {transmit, transmit_range, transmit_mirror}; }  // where it stands
+  AntennaPosition receiver() const { return {receive, receive_range, receive_mirror}; }        // where it stands
 };
 
 /// A point that stands while a turntable turns, in the coordinates that turn with it.
@@ -36,9 +40,8 @@ inline dvec3 seen_from_turntable(const dvec3& point, double turn) {
 struct AntennaPair {
   /// `mesh_center` in the mesh's own coordinates [m].
   AntennaPair(const Look& look, const Radar& radar, const dvec3& mesh_center)
-      : transmit({look.transmit, look.transmit_range}, -mesh_center, seen_from_turntable(radar.aim, look.turn) - mesh_center,
-                 radar.pattern),
-        receive({look.receive, look.receive_range}, -mesh_center,
+      : transmit(look.transmitter(), -mesh_center, seen_from_turntable(radar.aim, look.turn) - mesh_center, radar.pattern),
+        receive(look.receiver(), -mesh_center,
                 seen_from_turntable(radar.receive_aim.value_or(radar.aim), look.turn) - mesh_center, radar.pattern) {}
   Antenna transmit, receive;  // equal for a monostatic look
 };

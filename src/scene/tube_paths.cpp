@@ -1,6 +1,7 @@
 #include "scene/tube_paths.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace raytube {
 
@@ -9,6 +10,13 @@ std::vector<std::uint32_t> FacetHits::at_any_bounce() const {
   for (std::size_t bounce = 1; bounce < at_bounce.size(); ++bounce)
     std::ranges::transform(sums, at_bounce[bounce], sums.begin(), std::plus{});
   return sums;
+}
+
+void add_lit_by_ground(TubePaths& straight, TubePaths by_ground) {
+  for (TubePath& path : by_ground.paths) {
+    path.lit_by_ground = true;
+    straight.paths.push_back(std::move(path));
+  }
 }
 
 FacetHits facet_hits(const TubePaths& tubes, std::size_t triangles) {

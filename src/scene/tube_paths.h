@@ -34,6 +34,7 @@ struct TubePath {
   double area = 0.0;                      // of the cells for which it stands [m^2]
   TubeEnd end = TubeEnd::left_the_scene;  // why it ends
   std::vector<TubePathPoint> points{};    // in order, two or more
+  bool lit_by_ground = false;             // the wave that it is of was reflected by the ground
 
   /// As launched, from the launch plane.
   bool launched() const { return points.front().bounce == 0; }
@@ -55,6 +56,9 @@ struct TubePaths {
   /// How many of the paths are tubes as launched.
   std::size_t met_target() const { return static_cast<std::size_t>(std::ranges::count_if(paths, &TubePath::launched)); }
 };
+
+/// Puts the tubes of the wave that the ground reflects beside those of the straight one.
+void add_lit_by_ground(TubePaths& straight, TubePaths by_ground);
 
 /// How many of the tubes followed met each facet.
 struct FacetHits {

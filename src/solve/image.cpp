@@ -27,10 +27,9 @@ double densest_image(const LaunchGrid& grid, double wavelength) {
 }
 
 // A launch grid has 10^6 cells along its longer side at most.
-double most_per_wavelength(const SolvePlan& plan, const Look& look, double wavelength) {
-  const TriangleMesh& mesh = plan.target.mesh;
+double most_per_wavelength(const TriangleMesh& mesh, const Look& look, double wavelength, const std::optional<dvec3>& up) {
   return look.far() ? most_across * wavelength / (2.0 * mesh.radius)
-                    : 1e-6 * most_across * densest_grid(mesh, look, wavelength, plan.tubes.up);
+                    : 1e-6 * most_across * densest_grid(mesh, look, wavelength, up);
 }
 
 // Coordinates of the solver count from the centre of the mesh.
@@ -40,31 +39,125 @@ ImageLattice recentred(ImageLattice lattice, const TriangleMesh& mesh) {
   return lattice;
 }
 
-// To the phase reference and the coordinates of the mesh, with the symmetry of a monostatic look.
-void finish(LookImage& image, const SolvePlan& plan) {
-  const TriangleMesh& mesh = plan.target.mesh;
-  const Complex factor = to_mesh_origin(mesh, plan.sweep.looks[image.look], image.frequency);
-  for (ImageEdge& piece : image.edges) {
-    piece.begin += mesh.center;
-    piece.end += mesh.center;
-    if (!plan.sweep.bistatic) make_reciprocal(std::span(&piece.s, 1));
-    piece.s *= factor;
-  }
-  for (std::vector<ScatteringMatrix>* parts : {&image.cells, &image.triangles}) {
-    if (!plan.sweep.bistatic) make_reciprocal(*parts);
-    for (ScatteringMatrix& s : *parts) s *= factor;
-  }
+void make_image_reciprocal(LookImage& image) {
+  for (ImageEdge& piece : image.edges) make_reciprocal(std::span(&piece.s, 1));
+  make_reciprocal(image.cells), make_reciprocal(image.triangles);
 }
 
-LookImage image_of(const SolvePlan& plan, std::size_t index, const ImageLattice& cells, Progress& progress) {
+// To the phase reference and the coordinates of the mesh.
+void refer_to_origin(LookImage& image, const SolvePlan& plan) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  const Complex factor = to_mesh_origin(mesh, plan.sweep.looks[image.look], image.frequency);
+  for (ImageEdge& piece : image.edges) piece.begin += mesh.center, piece.end += mesh.center, piece.s *= factor;
+  for (std::vector<ScatteringMatrix>* parts : {&image.cells, &image.triangles})
+    for (ScatteringMatrix& s : *parts) s *= factor;
+}
+
+// Of a look that is computed, in cells of the lattice, which is recentred.
+LookImage computed_image(const LookSolver& solver, const SolvePlan& plan, std::size_t look, const ImageLattice& lattice,
+                         Progress& progress) {
   const std::size_t frequency_index = image_frequency(plan.sweep);
-  const ImageLattice lattice = recentred(cells, plan.target.mesh);
-  LookImage image{index, plan.sweep.frequencies[frequency_index], cells, {}, {}, {}};
-  LookSolver(plan).solve_image(index, frequency_index, lattice, progress, image);
+  LookImage image{look, plan.sweep.frequencies[frequency_index], lattice, {}, {}, {}};
+  solver.solve_image(look, frequency_index, lattice, progress, image);
   for (const ImageEdge& piece : image.edges)
     image.cells[lattice.index(lattice.at(lattice.project(0.5 * (piece.begin + piece.end))))] += piece.s;
-  finish(image, plan);
+  if (!plan.sweep.bistatic) make_image_reciprocal(image);
+  refer_to_origin(image, plan);
   return image;
+}
+
+// --- over ground ---
+
+// Cells of looks that the ground lights, and where they are seen: at their mirror images, in those of the straight look.
+class CellsByGround {
+ public:
+  /// `seen`: recentred.
+  CellsByGround(const SolvePlan& plan, const Look& look, const ImageLattice& seen)
+      : seen_(seen), plane_(plan.ground->height - plan.target.mesh.center.z) {
+    const LaunchGrid grid = grid_of_look(plan.target.mesh, look, plan.target.mesh.radius, 1.0, plan.tubes.up);
+    lattice = image_lattice(grid);
+    const dvec2 line = lattice.project(mirrored(point_of(seen, seen.corner))), low = lattice.corner;
+    const dvec2 high = low + dvec2(grid.columns, grid.rows) * lattice.cell;
+    lattice.cell = seen.cell;
+    lattice.corner = line + glm::floor((low - line) / seen.cell) * seen.cell;
+    const dvec2 cells = glm::max(glm::ceil((high - lattice.corner) / seen.cell), dvec2(1.0));
+    lattice.columns = static_cast<std::uint32_t>(cells.x), lattice.rows = static_cast<std::uint32_t>(cells.y);
+  }
+
+  std::size_t seen_in(std::uint32_t column, std::uint32_t row) const {
+    return seen_.index(seen_.at(seen_.project(mirrored(point_of(lattice, lattice.middle({column, row}))))));
+  }
+
+  ImageLattice lattice;  // recentred; its lines are those of the mirrored one where both are seen from afar
+
+ private:
+  // At the depth of the middle of the target.
+  static dvec3 point_of(const ImageLattice& lattice, const dvec2& at) { return at.x * lattice.u_hat + at.y * lattice.v_hat; }
+  dvec3 mirrored(const dvec3& point) const { return {point.x, point.y, 2.0 * plane_ - point.z}; }
+
+  const ImageLattice& seen_;
+  double plane_;
+};
+
+void add_cells(const LookImage& path, const PathFactors& factors, LookImage& image) {
+  for (std::size_t i = 0; i < path.cells.size(); ++i) image.cells[i] += factors(path.cells[i]);
+}
+
+void add_cells(const LookImage& path, const PathFactors& factors, const CellsByGround& cells, LookImage& image) {
+  for (std::uint32_t row = 0; row < path.lattice.rows; ++row)
+    for (std::uint32_t column = 0; column < path.lattice.columns; ++column)
+      image.cells[cells.seen_in(column, row)] += factors(path.cells[path.lattice.index({column, row})]);
+}
+
+// The share of one path.
+void add_path(const LookSolver& solver, const SolvePlan& plan, std::size_t path, const ImageLattice& seen, Progress& progress,
+              LookImage& image) {
+  const GroundReflections reflections = plan.reflections();
+  const PathFactors factors = reflections.factors(path, image_frequency(plan.sweep));
+  std::optional<CellsByGround> by_ground;
+  if (reflections.path(path).lit_by_ground) by_ground.emplace(plan, plan.sweep.looks[path], seen);
+  const LookImage part = computed_image(solver, plan, path, by_ground ? by_ground->lattice : seen, progress);
+  by_ground ? add_cells(part, factors, *by_ground, image) : add_cells(part, factors, image);
+  for (std::size_t i = 0; i < part.triangles.size(); ++i) image.triangles[i] += factors(part.triangles[i]);
+  for (const ImageEdge& piece : part.edges) image.edges.push_back({piece.begin, piece.end, factors(piece.s)});
+}
+
+LookImage image_over_ground(const SolvePlan& plan, std::size_t look, const ImageLattice& seen,
+                            const std::function<bool(double)>& callback) {
+  const std::size_t paths = plan.reflections().paths_of_a_look();
+  LookImage image{look, plan.sweep.frequencies[image_frequency(plan.sweep)], seen, {}, {}, {}};
+  image.cells.resize(seen.cells()), image.triangles.resize(plan.target.mesh.triangles.size());
+  const LookSolver solver(plan);
+  for (std::size_t path = 0; path < paths; ++path) {
+    const auto told = [&](double done) { return callback((static_cast<double>(path) + done) / static_cast<double>(paths)); };
+    Progress progress(callback ? told : std::function<bool(double)>());
+    add_path(solver, plan, look * paths + path, seen, progress, image);
+  }
+  if (!plan.asked.bistatic) make_image_reciprocal(image);
+  return image;
+}
+
+LookImage image_of(const SolvePlan& plan, std::size_t look, const ImageLattice& cells,
+                   const std::function<bool(double)>& callback) {
+  const ImageLattice lattice = recentred(cells, plan.target.mesh);
+  Progress progress(callback);
+  LookImage image = plan.ground ? image_over_ground(plan, look, lattice, callback)
+                                : computed_image(LookSolver(plan), plan, look, lattice, progress);
+  image.lattice = cells;
+  return image;
+}
+
+// The outline of what is seen over a medium: the target and, below it, its mirror image, as over a conductor.
+TriangleMesh with_mirror_image(const SolvePlan& plan, const Look& look) {
+  TriangleMesh mesh;
+  mesh.vertices = plan.target.mesh.vertices, mesh.center = plan.target.mesh.center, mesh.radius = plan.target.mesh.radius;
+  const double plane = plan.ground->height - mesh.center.z;
+  for (const dvec3& vertex : plan.target.mesh.vertices) mesh.vertices.push_back({vertex.x, vertex.y, 2.0 * plane - vertex.z});
+  if (!look.far() && !stands_in_front(mesh, look.transmitter().point() - mesh.center))
+    throw InputError(
+        "output.image_look: the antenna sees the mirror image of the target farther than 45 degrees beside the target; move it "
+        "away, or leave out output.image_look");
+  return mesh;
 }
 
 }  // namespace
@@ -72,12 +165,14 @@ LookImage image_of(const SolvePlan& plan, std::size_t index, const ImageLattice&
 std::size_t image_frequency(const Sweep& sweep) { return sweep.frequencies.size() / 2; }
 
 ImageLattice image_cells(const SolvePlan& plan, std::size_t look, double per_wavelength) {
-  const Sweep& sweep = plan.sweep;
+  const Sweep& sweep = plan.asked;
+  std::optional<TriangleMesh> both;
+  if (plan.ground && !plan.ground->perfect()) both = with_mirror_image(plan, sweep.looks.at(look));
+  const TriangleMesh& mesh = both ? *both : plan.target.mesh;
   const double length = wavelength(sweep.frequencies.at(image_frequency(sweep)));
-  const double most = most_per_wavelength(plan, sweep.looks.at(look), length);
+  const double most = most_per_wavelength(mesh, sweep.looks.at(look), length, plan.tubes.up);
   const bool too_many = per_wavelength > most;
-  const LaunchGrid cells =
-      grid_of_look(plan.target.mesh, sweep.looks[look], length, std::min(per_wavelength, most), plan.tubes.up);
+  const LaunchGrid cells = grid_of_look(mesh, sweep.looks[look], length, std::min(per_wavelength, most), plan.tubes.up);
   if (cells.cells() == 0)
     throw InputError(fmt::format(
         "output.image_look: look {} sees no area of the target, so there is nothing to divide; choose another", look));
@@ -86,8 +181,8 @@ ImageLattice image_cells(const SolvePlan& plan, std::size_t look, double per_wav
         fmt::format("output.image_per_wavelength: {:.6g} cells per wavelength are more than {:.0f} in look {}; {} would fit",
                     per_wavelength, most_cells, look, rounded_down_text(std::min(densest_image(cells, length), most))));
   ImageLattice lattice = image_lattice(cells);
-  lattice.middle_of_target = plan.target.mesh.center;
-  lattice.corner += lattice.project(plan.target.mesh.center);
+  lattice.middle_of_target = mesh.center;
+  lattice.corner += lattice.project(mesh.center);
   return lattice;
 }
 
@@ -99,9 +194,8 @@ LookImage image_of_look(const SolvePlan& plan, std::size_t look, double per_wave
     throw InputError(
         "output.image_look: the heuristic of edges.materials is not available in images; write edges.materials = \"none\"");
   const ImageLattice cells = image_cells(plan, look, per_wavelength);
-  Progress progress(callback);
   LookImage image;
-  run_on_threads(plan.threads, [&] { image = image_of(plan, look, cells, progress); });
+  run_on_threads(plan.threads, [&] { image = image_of(plan, look, cells, callback); });
   return image;
 }
 

@@ -75,15 +75,16 @@ void BandSolver::solve_image(const Look& look, std::size_t frequency_index, cons
 }
 
 void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
-                              const PieceSink& sink) const {
-  CurrentMap map(scene_.plan.target.faces, currents, 0, wavenumber(scene_.band.frequencies.front()), [&](const CurrentPiece& of) {
-    sink({of.place, of.s, mechanism_of_bounce(of.bounce), of.triangle});
-  });
+                              const PieceSink& sink, const std::optional<double>& mirror) const {
+  const CurrentSink take = [&](const CurrentPiece& of) { sink({of.place, of.s, mechanism_of_bounce(of.bounce), of.triangle}); };
+  CurrentMap map(scene_.plan.target.faces, currents, 0, wavenumber(scene_.band.frequencies.front()), take, mirror);
   const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
-  const ImageRequest request = edge_pieces(look, tubes, {0, edges, true});
+  const ImageRequest request = edge_pieces(look, tubes, {0, edges, !mirror});
   for (std::size_t i = 0; i < request.pieces.size(); ++i) {
     const ImageEdge& edge = request.pieces[i];
-    sink({0.5 * (edge.begin + edge.end), edge.s, mechanism_of(request.mechanisms[i]), {}});
+    dvec3 place = 0.5 * (edge.begin + edge.end);
+    if (mirror) place.z = *mirror;
+    sink({place, edge.s, mechanism_of(request.mechanisms[i]), {}});
   }
 }
 
@@ -181,9 +182,9 @@ void LookSolver::solve_image(std::size_t index, std::size_t frequency_index, con
   }
 }
 
-void LookSolver::solve_pieces(const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
-                              const PieceSink& sink) const {
-  bands_.front()->solve_pieces(plan_.sweep.looks.front(), currents, edges, progress, sink);
+void LookSolver::solve_pieces(std::size_t index, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
+                              const PieceSink& sink, const std::optional<double>& mirror) const {
+  bands_.front()->solve_pieces(plan_.sweep.looks[index], currents, edges, progress, sink, mirror);
 }
 
 std::vector<SurfaceRay> LookSolver::surface_rays(const Look& look) const {

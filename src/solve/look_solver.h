@@ -36,9 +36,10 @@ class BandSolver {
   void solve_image(const Look& look, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
                    LookImage& image) const;
   /// Everything that adds to S at the band's only frequency: currents in pieces within a cell of one lattice, all others in
-  /// pieces within a cell of the other one. Recentred coordinates.
+  /// pieces within a cell of the other one. Recentred coordinates; `mirror`: of the plane across z in which the receiver is seen
+  /// mirrored, if it is the mirror image of the transmitter: then currents alone have the places of their paths.
   void solve_pieces(const Look& look, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
-                    const PieceSink& sink) const;
+                    const PieceSink& sink, const std::optional<double>& mirror) const;
   std::vector<SurfaceRay> surface_rays(const Look& look) const;
   std::vector<double> edge_lengths() const;
 
@@ -73,8 +74,9 @@ class LookSolver {
   void solve_image(std::size_t index, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
                    LookImage& image) const;
 
-  /// Of a plan with one look and one frequency: BandSolver::solve_pieces.
-  void solve_pieces(const ImageLattice& currents, const ImageLattice& edges, Progress& progress, const PieceSink& sink) const;
+  /// Of look `index` of a plan with one frequency: BandSolver::solve_pieces.
+  void solve_pieces(std::size_t index, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
+                    const PieceSink& sink, const std::optional<double>& mirror) const;
 
   /// How long all edges that may add to S are together, per frequency [m].
   std::vector<double> edge_lengths() const;

@@ -48,8 +48,7 @@ const Look& widest_look(const TriangleMesh& mesh, const Sweep& sweep, const Tube
                             (corner & 4 ? bounds.high : bounds.low).z});
   const auto area = [&](const Look& look) {
     const LaunchGrid grid = launch_grid(box, look.transmit, mesh.radius, 1000.0, tubes.up);
-    const double range = look.far() ? look.transmit_range
-                                    : glm::distance(look.transmit_range * spherical_basis(look.transmit).radial, mesh.center);
+    const double range = look.far() ? look.transmit_range : glm::distance(look.transmitter().point(), mesh.center);
     const double nearest = std::max(0.05, 1.0 - mesh.radius / range);
     return static_cast<double>(grid.cells()) * grid.du * grid.dv / (nearest * nearest);
   };

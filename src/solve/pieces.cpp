@@ -20,10 +20,14 @@ namespace {
 constexpr double edge_pieces_to_a_wavelength = 16.0;
 
 // Throws InputError for looks whose pieces have no one place, or do not tell of other frequencies.
-void check_pieces(const Sweep& sweep, const SolveOptions& options) {
+void check_pieces(const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground) {
   if (sweep.bistatic) throw InputError("the pieces of bistatic looks have no one place; remove [receive], or compute the sweep");
   if (!sweep.looks.front().far())
     throw InputError("the pieces seen from a finite distance have no one place; remove [radar], or compute the sweep");
+  if (ground && !ground->perfect())
+    throw InputError(
+        "what a medium reflects changes with angle and frequency, so that one look does not tell of others; write "
+        "ground.material = \"pec\", or compute the sweep");
   if (!sweep.materials.empty())
     throw InputError("materials change with frequency, so that one does not tell of others; compute the sweep");
   if (options.edges.method == EdgeMethod::utd)
@@ -49,26 +53,56 @@ ImageLattice divided(ImageLattice lattice, double to_a_metre) {
   return lattice;
 }
 
+// Pieces of one path, the only one without ground.
+class PathPieces {
+ public:
+  PathPieces(const SolvePlan& plan, std::size_t path)
+      : center_(plan.target.mesh.center),
+        factor_(to_mesh_origin(plan.target.mesh, plan.sweep.looks[path], plan.sweep.frequencies.front())) {
+    if (!plan.ground) return;
+    const GroundReflections reflections = plan.reflections();
+    factors_ = reflections.factors(path, 0);
+    if (reflections.path(path).seen_by_ground) mirror_ = plan.ground->height - center_.z;
+  }
+
+  /// In recentred coordinates.
+  const std::optional<double>& mirror() const { return mirror_; }
+
+  ScatteringPiece finished(ScatteringPiece piece) const {
+    piece.place += center_;
+    if (factors_) piece.s = (*factors_)(piece.s);
+    make_reciprocal(std::span(&piece.s, 1));
+    piece.s *= factor_;
+    return piece;
+  }
+
+ private:
+  dvec3 center_;
+  Complex factor_;
+  std::optional<PathFactors> factors_;
+  std::optional<double> mirror_;
+};
+
 }  // namespace
 
 void scattering_pieces(const Target& target, const Sweep& sweep, std::size_t look, double frequency, const SolveOptions& options,
-                       double cell, const PieceSink& sink) {
-  check_pieces(sweep, options);
+                       double cell, const PieceSink& sink, const std::optional<Ground>& ground) {
+  check_pieces(sweep, options, ground);
   Sweep one = sweep;
   one.frequencies = {frequency}, one.looks = {sweep.looks[look]};
-  const SolvePlan plan(target, one, options);
+  const SolvePlan plan(target, one, options, ground);
   ImageLattice lattice = lattice_of_pieces(plan, wavelength(frequency), cell);
   lattice.corner -= lattice.project(target.mesh.center);
   const ImageLattice fine = divided(lattice, edge_pieces_to_a_wavelength / wavelength(frequency));
-  const Complex factor = to_mesh_origin(target.mesh, one.looks.front(), frequency);
-  const PieceSink finished = [&](ScatteringPiece piece) {
-    piece.place += target.mesh.center;
-    make_reciprocal(std::span(&piece.s, 1));
-    piece.s *= factor;
-    sink(piece);
-  };
-  Progress progress(options.progress);
-  run_on_threads(plan.threads, [&] { LookSolver(plan).solve_pieces(lattice, fine, progress, finished); });
+  const LookSolver solver(plan);
+  for (std::size_t path = 0; path < plan.sweep.looks.size(); ++path) {
+    const PathPieces pieces(plan, path);
+    Progress progress(options.progress);
+    run_on_threads(plan.threads, [&] {
+      solver.solve_pieces(
+          path, lattice, fine, progress, [&](const ScatteringPiece& piece) { sink(pieces.finished(piece)); }, pieces.mirror());
+    });
+  }
 }
 
 }  // namespace raytube

@@ -10,6 +10,7 @@
 #include "plan/phase_reference.h"
 #include "sbr/random_tubes.h"
 #include "solve/solve.h"
+#include "solve/sum_of_paths.h"
 
 namespace raytube {
 
@@ -77,14 +78,13 @@ std::vector<RandomSums> draw(const SolvePlan& plan, const RandomOptions& random,
 }
 
 // Rows of one run; monostatic ones are made reciprocal as solve() does.
-Rows rows_of_run(const Sweep& sweep, const Rows& fixed, const RandomSums* looks) {
-  Rows rows = fixed;
-  for (std::size_t i = 0; i < sweep.looks.size(); ++i)
-    for (std::size_t f = 0; f < sweep.frequencies.size(); ++f) {
-      ScatteringMatrix tubes = looks[i].scattering[f];
-      if (!sweep.bistatic) make_reciprocal(std::span(&tubes, 1));
-      rows[sweep.row(i, f)] += tubes;
-    }
+Rows rows_of_run(const SolvePlan& plan, const Rows& fixed, const RandomSums* looks) {
+  Rows tubes, rows = fixed;
+  for (std::size_t i = 0; i < plan.sweep.looks.size(); ++i)
+    tubes.insert(tubes.end(), looks[i].scattering.begin(), looks[i].scattering.end());
+  tubes = sum_of_paths(plan, std::move(tubes));
+  if (!plan.asked.bistatic) make_reciprocal(tubes);
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[row] += tubes[row];
   return rows;
 }
 
@@ -137,7 +137,7 @@ Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, cons
 
 void check_random_tubes(const SolvePlan& plan, const RandomOptions& random) {
   if (plan.rays()) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
-  if (!plan.keep_parts) throw InputError("random tubes take the place of tubes alone: the plan must keep parts");
+  if (!plan.tell_parts) throw InputError("random tubes take the place of tubes alone: the plan must keep parts");
   if (random.samples < 1) throw InputError("random tubes: a look needs at least 1");
   if (random.runs < 2) throw InputError("random tubes: a spread needs at least 2 runs");
 }
@@ -154,14 +154,14 @@ RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions&
   run_on_threads(plan.threads, [&] { drawn = draw(plan, random, callback, team ? *team : alone); });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
-  const Sweep& sweep = plan.sweep;
+  const std::size_t looks = plan.sweep.looks.size(), rows = plan.asked.rows();
   const Rows fixed = fixed_part(result.deterministic);
   std::vector<Rows> runs;
   for (std::size_t run = 0; run < static_cast<std::size_t>(random.runs); ++run)
-    runs.push_back(rows_of_run(sweep, fixed, &drawn[run * sweep.looks.size()]));
-  result.mean.total.resize(sweep.rows()), result.mean.error.resize(sweep.rows()), result.spread.resize(sweep.rows());
+    runs.push_back(rows_of_run(plan, fixed, &drawn[run * looks]));
+  result.mean.total.resize(rows), result.mean.error.resize(rows), result.spread.resize(rows);
   result.mean.model = result.deterministic.model, result.mean.model_parts = result.deterministic.model_parts;
-  for (std::size_t row = 0; row < sweep.rows(); ++row)
+  for (std::size_t row = 0; row < rows; ++row)
     for (const int channel : {0, 1, 2, 3}) describe(result, runs, row, channel / 2, channel % 2);
   result.mean.statistics = statistics_of(plan, result.deterministic.statistics, drawn, random);
   result.mean.statistics.solve_s = result.deterministic.statistics.solve_s + elapsed.count();

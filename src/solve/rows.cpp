@@ -25,9 +25,6 @@ const std::vector<BeyondBound> bounded_parts{
     {"waves over curved surfaces (surfaces.waves)"}, {"the first bounce"},   {"later bounces"}};
 constexpr std::size_t first_bounce = all_parts.size(), later_bounces = first_bounce + 1;  // behind those of Part
 
-// Mean over the two co-polar channels [m^2].
-double co_polar_square(const ChannelErrors& errors) { return 0.5 * (errors[0][0] * errors[0][0] + errors[1][1] * errors[1][1]); }
-
 ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) { return matrix *= factor; }
 
 void add_errors(const std::vector<ChannelErrors>& errors, std::size_t frequency_index, ChannelErrors& sum) {

@@ -10,6 +10,7 @@
 #include "core/work_sharing.h"
 #include "solve/look_solver.h"
 #include "solve/rows.h"
+#include "solve/sum_of_paths.h"
 
 namespace raytube {
 
@@ -79,7 +80,7 @@ SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& call
     });
     leader.finish();
   });
-  SweepResult result = rows.finish();
+  SweepResult result = plan.ground ? sum_of_paths(plan, rows.finish()) : rows.finish();
   result.statistics.solve_s = plan.seconds + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

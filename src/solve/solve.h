@@ -21,10 +21,10 @@
 
 namespace raytube {
 
-/// S of every row of the plan's sweep. The same bytes for any number of threads and processes. `progress` is called now and then
-/// with the finished share (0 to 1) and returns false to stop; `kept` takes finished looks and gives them back to a later solve
-/// of the same plan. With a `team` it computes looks beside the other processes of it, which help_to_solve() the same plan; of
-/// the one that leads. Throws Interrupted when `progress` says stop.
+/// S of every row of the sweep asked for. The same bytes for any number of threads and processes. `progress` is called now and
+/// then with the finished share (0 to 1) and returns false to stop; `kept` takes finished looks and gives them back to a later
+/// solve of the same plan. With a `team` it computes looks beside the other processes of it, which help_to_solve() the same plan;
+/// of the one that leads. Throws Interrupted when `progress` says stop.
 SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& progress = {}, const KeptLooks& kept = {},
                   WorkTeam* team = nullptr);
 

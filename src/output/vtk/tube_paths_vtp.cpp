@@ -1,5 +1,6 @@
 #include "output/vtk/tube_paths_vtp.h"
 
+#include <algorithm>
 #include <ranges>
 
 #include "core/decimal.h"
@@ -40,6 +41,8 @@ void write_cell_data(OutputFile& out, const TubePaths& tubes) {
   write_array(out, "UInt8", "end", tubes.paths, [](const TubePath& path) { return static_cast<int>(path.end); });
   write_array(out, "UInt8", "truncated", tubes.paths,
               [](const TubePath& path) { return path.end == TubeEnd::truncated ? 1 : 0; });
+  if (std::ranges::any_of(tubes.paths, &TubePath::lit_by_ground))
+    write_array(out, "UInt8", "lit_by_ground", tubes.paths, [](const TubePath& path) { return path.lit_by_ground ? 1 : 0; });
 }
 
 }  // namespace

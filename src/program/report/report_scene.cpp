@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "core/threads.h"
-#include "jobs/over_ground.h"
 #include "jobs/solvable.h"
 #include "output/tables/read_image_csv.h"
 #include "output/vtk/read_image_vtu.h"
@@ -102,21 +101,15 @@ double seconds_a_look(const ReportSource& source) {
   return solve ? solve->number / static_cast<double>(source.product.result.looks.size()) : 0.0;
 }
 
-// The case with this look alone, at the frequency of images.
-Case case_of_look(const Case& c, std::size_t look) {
-  Case one = c;
-  const std::size_t middle = image_frequency(c.sweep);
-  one.sweep.materials = at_frequency(c.sweep.materials, middle);
-  one.sweep.frequencies = {c.sweep.frequencies[middle]};
-  one.sweep.looks = {c.sweep.looks.at(look)};
-  one.image_looks.clear();
-  return one;
-}
-
 TubePaths shown_tubes(const Target& target, const Case& one) {
-  const std::vector<Material> materials = at_frequency(one.sweep.materials, 0);
-  return tube_paths({target.tracer, materials, one.sweep.radar}, one.sweep.looks.front(), one.sweep.frequencies.front(),
-                    one.tubes, most_shown_tubes);
+  const std::vector<Look> lighting = lighting_looks(one.sweep.looks.front(), one.ground);
+  const auto of = [&](const Look& look) {
+    return tube_paths({target.tracer, one.sweep.materials, one.sweep.radar}, look, one.sweep.frequencies.front(), one.tubes,
+                      most_shown_tubes);
+  };
+  TubePaths tubes = of(lighting.front());
+  if (lighting.size() > 1) add_lit_by_ground(tubes, of(lighting.back()));
+  return tubes;
 }
 
 // As fine as a page shows it.
@@ -132,7 +125,6 @@ bool same_sweep(const Case& c, const StoredResult& result) {
 
 Case case_of(const ReportSource& source) {
   Case c = case_of_run(source.run);
-  refuse_ground(c, "images");
   if (!same_sweep(c, source.product.result))
     throw InputError(fmt::format("{}: asks for other looks than {} has; run it again", c.file.string(), source.file.string()));
   return c;
@@ -140,7 +132,7 @@ Case case_of(const ReportSource& source) {
 
 void add_made(const ReportSource& source, const Case& c, std::size_t look, ReportScene& scene) {
   const Target& target = *source.product.target;
-  const Case one = case_of_look(c, look);
+  const Case one = case_of_look(c, look, image_frequency(c.sweep));
   naming_the_case(c, [&] {
     SceneLook made{shown_image(target, one), shown_tubes(target, one)};
     made.image.look = look;
@@ -164,7 +156,8 @@ void add_tubes_of_kept(ReportSource& source, ReportScene& scene) {
   if (!source.product.target) return;
   try {
     const Case c = case_of(source);
-    for (SceneLook& look : scene.looks) look.tubes = shown_tubes(*source.product.target, case_of_look(c, look.image.look));
+    for (SceneLook& look : scene.looks)
+      look.tubes = shown_tubes(*source.product.target, case_of_look(c, look.image.look, image_frequency(c.sweep)));
   } catch (const InputError& error) {
     source.notes.push_back(fmt::format("Tubes: {}.", error.what()));
   }

@@ -11,7 +11,6 @@
 #include "core/threads.h"
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
-#include "jobs/over_ground.h"
 #include "jobs/shared_work.h"
 #include "jobs/solvable.h"
 #include "output/files/sha256.h"
@@ -29,7 +28,6 @@ JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
 }
 
 PreparedRun prepared_run(const Request& request, const Case& read, const Case& c, const Stopwatch& total) {
-  if (request.random) refuse_ground(c, "random tubes");
   LoadedMesh loaded = load_target(c);
   share_work(request, c, loaded.mesh);
   warn_of_free_forms(c, loaded.report);

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "core/text.h"
-#include "jobs/over_ground.h"
 #include "jobs/result_warnings.h"
 #include "jobs/warnings/warnings.h"
 #include "output/compare/random_report.h"
@@ -42,15 +41,15 @@ struct Solved {
   std::optional<RandomResult> by_chance = {};
 };
 
-Solved solve_with_progress(const SolvePlan& plan, const Case& c, const Request& request, LookJournal& journal,
-                           const KeptLooks& kept, std::size_t known) {
+Solved solve_with_progress(const SolvePlan& plan, const Request& request, LookJournal& journal, const KeptLooks& kept,
+                           std::size_t known) {
   ProgressBar bar(request.quiet, work_text(plan), static_cast<double>(known) / static_cast<double>(plan.looks.computed.size()));
   const auto progress = [&](double share) {
     bar.show(share);
     journal.write_now_and_then();
     return !InterruptFlag::raised();
   };
-  if (!request.random) return {result_of_case(c, solve(plan, progress, kept, team_of(request)), request.parts)};
+  if (!request.random) return {solve(plan, progress, kept, team_of(request))};
   RandomResult random = solve_with_random_tubes(plan, *request.random, progress, team_of(request));
   return {random.mean, std::move(random)};
 }
@@ -113,8 +112,7 @@ class Run {
     for (const std::string& sentence : warnings_) warn(sentence);
     bool unusable = false;
     try {
-      const Solved solved =
-          solve_with_progress(plan_, case_, request_, journal_, merged_ ? merged_->looks : journal_.looks(), known());
+      const Solved solved = solve_with_progress(plan_, request_, journal_, merged_ ? merged_->looks : journal_.looks(), known());
       if (request_.ranks) request_.ranks->end();
       journal_.keep_all();
       unusable = warn_of_unusable_rows(solved.result.statistics);

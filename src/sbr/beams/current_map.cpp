@@ -41,12 +41,13 @@ void CurrentInParts::add(const dvec2& at, std::uint32_t triangle, const Scatteri
 }
 
 CurrentMap::CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber,
-                       CurrentSink sink)
+                       CurrentSink sink, const std::optional<double>& mirror)
     : faces_(faces),
       lattice_(lattice),
       frequency_index_(frequency_index),
       wavenumber_(wavenumber),
       sink_(std::move(sink)),
+      mirror_(mirror),
       cells_(sink_ ? 0 : lattice.cells()),
       triangles_(sink_ ? 0 : faces.mesh().triangles.size()) {}
 
@@ -111,9 +112,14 @@ void CurrentMap::tell_slice(const Footprint& footprint, const ConvexPolygon& sli
   sink_({place_of(middle_of(footprint, middle(slice))), s, bounce_, triangle});
 }
 
+// The mirror makes r of r - 2 (r_z - z) z_hat, and the path longer by 2 z cos(theta).
 dvec3 CurrentMap::place_of(const TubeMiddle& middle) const {
-  const dvec2 across = 0.5 * (middle.at + lattice_.project(middle.point));
-  return 0.5 * middle.path * glm::cross(lattice_.u_hat, lattice_.v_hat) + across.x * lattice_.u_hat + across.y * lattice_.v_hat;
+  const dvec3 towards = glm::cross(lattice_.u_hat, lattice_.v_hat);
+  const double path = middle.path + (mirror_ ? 2.0 * *mirror_ * towards.z : 0.0);
+  dvec3 last = middle.point;
+  if (mirror_) last.z = 2.0 * *mirror_ - last.z;
+  const dvec2 across = 0.5 * (middle.at + lattice_.project(last));
+  return 0.5 * path * towards + across.x * lattice_.u_hat + across.y * lattice_.v_hat;
 }
 
 // On its plane, seen from the radar.
@@ -123,7 +129,9 @@ dvec3 CurrentMap::place_on(std::uint32_t triangle, const dvec2& at) const {
   const dvec3 normal = glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]),
               towards = glm::cross(lattice_.u_hat, lattice_.v_hat), across = at.x * lattice_.u_hat + at.y * lattice_.v_hat;
   const double facing = glm::dot(normal, towards);
-  return facing == 0.0 ? across : across + glm::dot(normal, mesh.vertices[a] - across) / facing * towards;
+  dvec3 place = facing == 0.0 ? across : across + glm::dot(normal, mesh.vertices[a] - across) / facing * towards;
+  if (mirror_) place.z = *mirror_;
+  return place;
 }
 
 std::uint32_t CurrentMap::triangle_under(const Beam& beam, std::uint32_t face, const dvec2& at) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,9 +38,10 @@ struct TubeMiddle {
 class CurrentMap {
  public:
   /// The lattice's coordinates are those of a LaunchGrid; `wavenumber` [rad/m] is that of `frequency_index` in the look.
-  /// `sink`, if there is one, takes each piece of a current instead of cells and triangles.
+  /// `sink`, if there is one, takes each piece of a current instead of cells and triangles. `mirror`: z of a plane in which the
+  /// receiver is the mirror image of the transmitter; the places of pieces are then as that sees them by way of the mirror.
   CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber,
-             CurrentSink sink = {});
+             CurrentSink sink = {}, const std::optional<double>& mirror = {});
 
   std::size_t frequency_index() const { return frequency_index_; }
   const double& wavenumber() const { return wavenumber_; }
@@ -96,6 +98,7 @@ class CurrentMap {
   std::size_t frequency_index_;
   double wavenumber_;
   CurrentSink sink_;
+  std::optional<double> mirror_;
   int bounce_ = 0;
   std::vector<ScatteringMatrix> cells_, triangles_;
   ConvexPolygon triangle_, clipped_, inside_, outside_;

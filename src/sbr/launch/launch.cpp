@@ -71,7 +71,7 @@ LaunchGrid axes_of(const Direction& transmit, const std::optional<dvec3>& up, co
 
 std::optional<dvec3> antenna_of(const TriangleMesh& mesh, const Look& look) {
   if (look.far()) return {};
-  return look.transmit_range * spherical_basis(look.transmit).radial - mesh.center;
+  return look.transmitter().point() - mesh.center;
 }
 
 double densest(const Extent& extent, double wavelength) {

@@ -46,9 +46,9 @@ class RayFields::Sum {
     const dvec3 center = scene.tracer_.mesh().center;
     transmit_range_ = look.far() ? scene.range_ : look.transmit_range;
     receive_range_ = look.far() ? scene.range_ : look.receive_range;
-    transmitter_ = transmit_range_ * transmit.radial - center;
-    receiver_ = receive_range_ * receive.radial - center;
-    monostatic_ = transmit.radial == receive.radial && transmit_range_ == receive_range_;
+    transmitter_ = look.transmitter().reference() + transmit_range_ * transmit.radial - center;
+    receiver_ = look.receiver().reference() + receive_range_ * receive.radial - center;
+    monostatic_ = transmitter_ == receiver_;
     moments_ = {transmit.theta_hat, transmit.phi_hat};
     receive_ = {receive.theta_hat, receive.phi_hat};
     if (look.far())

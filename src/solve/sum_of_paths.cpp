@@ -1,0 +1,124 @@
+#include "solve/sum_of_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "plan/phase_reference.h"
+
+namespace raytube {
+
+namespace {
+
+// Adds up the rows of paths.
+class PathSum {
+ public:
+  explicit PathSum(const SolvePlan& plan) : asked_(plan.asked), paths_(plan.sweep), reflections_(plan.reflections()) {
+    for (std::size_t look = 0; look < paths_.looks.size(); ++look)
+      for (std::size_t f = 0; f < paths_.frequencies.size(); ++f) factors_.push_back(reflections_.factors(look, f));
+  }
+
+  template <class Row>
+  std::vector<Row> sum(const std::vector<Row>& rows) const {
+    if (rows.empty()) return {};
+    std::vector<Row> sums(asked_.rows());
+    for (std::size_t row = 0; row < rows.size(); ++row) add(factors_[row](rows[row]), sums[row_of(row)]);
+    return sums;
+  }
+
+  void add_up(std::vector<ScatteringMatrix>& rows) const {
+    rows = sum(rows);
+    if (!asked_.bistatic) make_reciprocal(rows);
+  }
+  void add_up(std::vector<ChannelErrors>& rows) const { rows = sum(rows); }
+
+  /// The row of a path in the sweep asked for, and its look.
+  std::size_t row_of(std::size_t row) const {
+    const std::size_t frequencies = asked_.frequencies.size();
+    return asked_.row(look_of(row / frequencies), row % frequencies);
+  }
+  std::size_t look_of(std::size_t look) const { return reflections_.asked_look(look); }
+
+ private:
+  static void add(const ScatteringMatrix& row, ScatteringMatrix& sum) { sum += row; }
+  static void add(const ChannelErrors& row, ChannelErrors& sum) {
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q) sum[p][q] += row[p][q];
+  }
+
+  const Sweep &asked_, &paths_;
+  GroundReflections reflections_;
+  std::vector<PathFactors> factors_;  // [row along paths]
+};
+
+void count_largest(std::vector<ModelPart>& parts, std::size_t row) {
+  const auto square = [row](const ModelPart& part) { return co_polar_square(part.rows[row]); };
+  const auto largest = std::ranges::max_element(parts, {}, square);
+  if (largest != parts.end() && square(*largest) > 0.0) ++largest->rows_largest;
+}
+
+// As of a solve, of rows that have been added up.
+void tell_model(SweepResult& result) {
+  double all = 0.0;
+  result.model.assign(result.total.size(), {});
+  for (ModelPart& part : result.model_parts) {
+    double sum = 0.0;
+    for (std::size_t row = 0; row < part.rows.size(); ++row) {
+      sum += co_polar_square(part.rows[row]);
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) result.model[row][p][q] += part.rows[row][p][q] * part.rows[row][p][q];
+    }
+    part.rms = std::sqrt(sum / static_cast<double>(part.rows.size()));
+    part.share = sum, part.rows_largest = 0;
+    all += sum;
+  }
+  for (ChannelErrors& row : result.model)
+    for (std::array<double, 2>& received : row)
+      for (double& error : received) error = std::sqrt(error);
+  for (ModelPart& part : result.model_parts) part.share = all > 0.0 ? part.share / all : 0.0;
+  for (std::size_t row = 0; row < result.total.size(); ++row) count_largest(result.model_parts, row);
+  std::ranges::stable_sort(result.model_parts, std::ranges::greater{}, &ModelPart::share);
+}
+
+void tell_looks(const PathSum& sum, const Sweep& sweep, Statistics& s) {
+  for (LostRay& ray : s.first_lost_rays) ray.look = sum.look_of(ray.look);
+  s.looks_with_lost_rays = std::min<std::uint64_t>(s.looks_with_lost_rays, sweep.looks.size());
+  s.windowed_rows = std::min<std::uint64_t>(s.windowed_rows, sweep.rows());
+  for (BeyondBound& part : s.beyond_bound) {
+    part.worst = sum.row_of(part.worst);
+    part.rows = std::min<std::uint64_t>(part.rows, sweep.rows());
+  }
+}
+
+void drop_parts(SweepResult& result) {
+  result.bounces.clear();
+  for (std::vector<ScatteringMatrix>& part : result.parts.of) part.clear();
+  for (ModelPart& part : result.model_parts) part.rows.clear();
+}
+
+}  // namespace
+
+SweepResult sum_of_paths(const SolvePlan& plan, SweepResult solved) {
+  const PathSum sum(plan);
+  sum.add_up(solved.total);
+  for (std::vector<ScatteringMatrix>& bounce : solved.bounces) sum.add_up(bounce);
+  for (std::vector<ScatteringMatrix>& part : solved.parts.of) sum.add_up(part);
+  sum.add_up(solved.error);
+  for (ModelPart& part : solved.model_parts) sum.add_up(part.rows);
+  tell_model(solved);
+  tell_looks(sum, plan.asked, solved.statistics);
+  solved.incoherent.clear();
+  if (!plan.ground->perfect())
+    solved.statistics.skipped.push_back({"multiple reflection between target and ground",
+                                         "the ground is no perfect conductor: four paths of the target alone are added up",
+                                         plan.asked.looks.size()});
+  if (!plan.tell_parts) drop_parts(solved);
+  return solved;
+}
+
+std::vector<ScatteringMatrix> sum_of_paths(const SolvePlan& plan, std::vector<ScatteringMatrix> rows) {
+  if (plan.ground) PathSum(plan).add_up(rows);
+  return rows;
+}
+
+}  // namespace raytube
