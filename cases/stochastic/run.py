@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Error against time of random and of deterministic tubes, on one plot: run.py [PROGRAM]     (default build/raytube; about a minute)
+"""Random beside deterministic tubes, S against time on one plot, and an image: run.py [PROGRAM]     (default build/raytube; over a minute)
 
-Writes out/error_time.csv and, with gnuplot, out/error_time.png beside this file. Standard library only."""
+Writes out/error_time.csv and out/image/compare.csv and, with gnuplot, their pictures beside this file. Standard library only."""
 import cmath
 import csv
 import json
@@ -23,6 +23,8 @@ PASSES = 3  # each setting this many times, in turn; the shortest time counts
 RUNS = 10  # random runs whose errors make one point
 EXACT = 1e-9  # rounding and the truth's own digits
 LEAST = 1e-7  # errors below are drawn here: a logarithmic axis has no zero
+IMAGE_SAMPLES = (10**4, 10**5)  # a look, of the random images
+APERTURE = {"frequency": "{ghz={start=2.5,stop=3.5,count=21}}", "look": "{theta_deg=90.0,phi_deg={start=61.0,stop=73.0,count=21}}"}
 PANELS = {"dihedral": "150 mm dihedral, 94 GHz", "sphere": "sphere of 1 m radius, 3 GHz"}
 
 
@@ -121,14 +123,78 @@ def random_law(points):
     return math.exp(sum(math.log(error * math.sqrt(seconds)) for _, seconds, error in points) / len(points))
 
 
+def samples_law(points):
+    """c of error = c / sqrt(samples), through the middle of the points (samples, error)."""
+    return math.exp(sum(math.log(error * math.sqrt(samples)) for samples, error in points) / len(points))
+
+
+def samples_for(law, error):
+    return f"{(law / error)**2:.1e}" if error > EXACT else "no end"
+
+
 def show(case, methods):
-    law = random_law(methods[RANDOM])
-    print(f"\n{PANELS[case]}\n  {'':<26}{'setting':>9}{'ms a look':>11}{'rel. error':>12}{'random takes':>14}")
+    law, by_samples = random_law(methods[RANDOM]), samples_law([(x, error) for x, _, error in methods[RANDOM]])
+    print(f"\n{PANELS[case]}\n  {'':<26}{'setting':>9}{'ms a look':>11}{'rel. error':>12}{'random takes':>14}{'samples a look':>16}")
     for method, points in methods.items():
         for x, seconds, error in points:
             needs = f"{(law / error)**2 / seconds:.2g} x" if error > EXACT else "no end"
-            print(f"  {method:<26}{x:>9g}{1e3 * seconds:>11.3g}{error:>12.2e}{'' if method == RANDOM else needs:>14}")
+            needs = "" if method == RANDOM else f"{needs:>14}{samples_for(by_samples, error):>16}"
+            print(f"  {method:<26}{x:>9g}{1e3 * seconds:>11.3g}{error:>12.2e}{needs}")
     print("  exponent of error against time: " + ", ".join(f"{m} {slope(methods[m]):.2f}" for m in (RANDOM, UNIFORM)))
+
+
+def with_closed_form(rows, file):
+    """The table of a run, with S of the sphere in closed form in the place of its own."""
+    lines = [line for line in open(rows) if not line.startswith("#")]
+    names = lines[0].rstrip("\n").split(",")
+    with open(file, "w") as f:
+        f.write(lines[0])
+        for row in (dict(zip(names, line.rstrip("\n").split(","))) for line in lines[1:]):
+            s = sphere_po(1.0, float(row["freq_hz"]))
+            row.update({f"re_{c}": repr(s.real) for c in ("vv", "hh")} | {f"im_{c}": repr(s.imag) for c in ("vv", "hh")})
+            f.write(",".join(row.values()) + "\n")
+
+
+def image_of(program, rows, file):
+    """Of a table of the aperture: a netCDF file."""
+    subprocess.run([program, "isar", rows, "-o", file, "--size", "2.6", "2.6", "--quiet"], check=True)
+    return file
+
+
+def rows_of(program, folder, options):
+    """The table of the aperture; out of its folder, so that nothing but its rows is known."""
+    run(program, "sphere", sets(**APERTURE) + options, folder)
+    return (folder / "rcs.csv").rename(folder.parent / f"{folder.name}.csv")
+
+
+def image_error(program, image, reference, folder):
+    """Relative error of complex pixels, as raytube compare has it; both images have the same pixels."""
+    command = [program, "compare", image.name, reference.name, "-o", folder, "--no-register"]
+    subprocess.run(command, cwd=image.parent, check=True, stdout=subprocess.DEVNULL)
+    row = table(folder / "compare.csv")[0]
+    return float(row["relative_error"]), row
+
+
+def image_study(program, folder, out):
+    """The sphere's image by adaptive tubes, beside its closed form and beside random images: ours, [(samples, theirs), ...]"""
+    ours = rows_of(program, folder / "adaptive", [])
+    with_closed_form(ours, folder / "exact.csv")
+    image, exact = (image_of(program, rows, rows.with_suffix(".nc")) for rows in (ours, folder / "exact.csv"))
+    points = []
+    for samples in IMAGE_SAMPLES:  # the mean of two runs of half as many
+        options = ["--launch", "random", "--samples", str(samples // 2), "--repeat", "2"]
+        by_chance_rows = rows_of(program, folder / f"random_{samples}", options)
+        random_image = image_of(program, by_chance_rows, by_chance_rows.with_suffix(".nc"))
+        points.append((samples, *image_error(program, random_image, image, out)))
+    return image_error(program, image, exact, folder / "ours")[0], points
+
+
+def show_image(ours, points):
+    law = samples_law([(samples, error) for samples, error, _ in points])
+    print(f"\nimage of the sphere, 21 frequencies by 21 looks\n  {'':<26}{'samples a look':>16}{'rel. error':>12}{'rms dB':>9}{'SSIM':>8}")
+    for samples, error, row in points:
+        print(f"  {RANDOM:<26}{samples:>16g}{error:>12.2e}{float(row['rms_db']):>9.2f}{float(row['ssim']):>8.3f}")
+    print(f"  {ADAPTIVE:<26}{'':>16}{ours:>12.2e}\n  random tubes would need {samples_for(law, ours)} samples a look for this error of the image")
 
 
 def panel(index, case, methods):
@@ -159,12 +225,14 @@ def main():
     out.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         studies = {case: study(program, case, pathlib.Path(folder)) for case in PANELS}
+        image = image_study(program, pathlib.Path(folder), out / "image")
     with open(out / "error_time.csv", "w", newline="") as f:
         writer = csv.writer(f, lineterminator="\n")
         writer.writerow(["case", "method", "setting", "seconds_per_look", "relative_error"])
         writer.writerows((case, method, *p) for case, methods in studies.items() for method, points in methods.items() for p in points)
     for case, methods in studies.items():
         show(case, methods)
+    show_image(*image)
     try:
         draw(studies, out / "error_time.png")
     except FileNotFoundError:

@@ -70,6 +70,7 @@ grep -v '^#' cases/sphere/reference_bistatic.csv >"$work/sphere_reference.csv"
 "$program" converge cases/convergence/dihedral.toml -o "$work/convergence_dihedral" >/dev/null
 cases/stochastic/run.py "$program"
 cp cases/stochastic/out/error_time.png docs/figures/stochastic.png
+cp cases/stochastic/out/image/compare.png docs/figures/stochastic_image.png
 for name in convergence_plate convergence_dihedral; do cp "$work/$name/converge.png" docs/figures/$name.png; done
 "$program" run cases/trihedral/case.toml -o "$work/image" --quiet --set output.image_look=90
 for name in image image_window; do cp "$work/image/$name.png" docs/figures/trihedral_$name.png; done
@@ -96,7 +97,7 @@ for name in sphere radome coated_sphere; do paste -d, "$work/$name.csv" "$work/$
 
 cd docs/figures
 pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder almond almond_rays wing wing_rays trihedral haul_truck haul_truck_image haul_truck_tubes haul_truck_statistics haul_truck_profile turntable powercube_sphere convergence_plate
-          convergence_dihedral stochastic double_slit_launch double_slit_hits double_slit_error open_box)
+          convergence_dihedral stochastic stochastic_image double_slit_launch double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','
 set datafile missing '-inf'

@@ -8,6 +8,8 @@
 #include "bindings/values.h"
 #include "core/error.h"
 #include "output/compare/comparison_report.h"
+#include "output/image_compare/image_report.h"
+#include "output/image_compare/read_image.h"
 #include "output/tables/column_map.h"
 #include "output/tables/csv.h"
 
@@ -54,12 +56,34 @@ py::dict measures(const ErrorMeasures& e) {
   return d;
 }
 
+py::dict image_measures(const ImageMeasures& m) {
+  py::dict d = measures(m.errors);
+  d["pixels_within"] = d.attr("pop")("rows_within");
+  d.attr("pop")("austin_db");
+  d["correlation"] = m.correlation;
+  d["magnitude_error"] = m.magnitude_error;
+  d["power_ratio_db"] = m.power_ratio_db;
+  d["ssim"] = m.similarity;
+  return d;
+}
+
 // A channel that both results have, and in which there is something to compare.
 py::dict channels(const Comparison& comparison) {
   py::dict d;
   for (std::size_t c = 0; c < channel_names.size(); ++c)
     if (comparison.signal[c]) d[channel_names[c]] = measures(comparison.errors[c]);
   return d;
+}
+
+py::dict channels_of_images(const ImageComparison& comparison) {
+  py::dict d;
+  for (std::size_t c = 0; c < channel_names.size(); ++c)
+    if (comparison.signal[c]) d[channel_names[c]] = image_measures(comparison.measures[c]);
+  return d;
+}
+
+NamedFile named_file(const std::filesystem::path& file, const std::string& columns, const std::string& name) {
+  return {file, parsed_column_map(name, columns), name};
 }
 
 }  // namespace
@@ -75,9 +99,24 @@ void bind_comparison(py::module_& module) {
       .def_property_readonly("text", [](const Comparison& comparison) { return python_text(comparison_text(comparison)); })
       .def_property_readonly("rows", &Comparison::rows)
       .def_property_readonly("channels", &channels)
-      .def_property_readonly("relative_error", &relative_error)
-      .def("above_tolerance", &above_tolerance);
+      .def_property_readonly("relative_error", py::overload_cast<const Comparison&>(&relative_error))
+      .def("above_tolerance", py::overload_cast<const Comparison&, double>(&above_tolerance));
   module.def("compare", &compare);
+  py::class_<NamedFile>(module, "NamedFile").def(py::init(&named_file));
+  py::class_<ImageComparison>(module, "ImageComparison")
+      .def_property_readonly("text", [](const ImageComparison& comparison) { return python_text(comparison_text(comparison)); })
+      .def_property_readonly("rows", &ImageComparison::pixels)
+      .def_property_readonly("channels", &channels_of_images)
+      .def_property_readonly("relative_error", py::overload_cast<const ImageComparison&>(&relative_error))
+      .def_property_readonly("shift",
+                             [](const ImageComparison& comparison) { return std::pair(comparison.shift.x, comparison.shift.y); })
+      .def("above_tolerance", py::overload_cast<const ImageComparison&, double>(&above_tolerance));
+  module.def("are_images", &are_images);
+  module.def("compare_images",
+             [](const NamedFile& result, const NamedFile& reference, double within_db, bool free_scale, bool registered) {
+               const py::gil_scoped_release others_go_on;
+               return compare_images(read_image(result), read_image(reference), {within_db, free_scale, registered});
+             });
 }
 
 }  // namespace raytube::python

@@ -1,4 +1,4 @@
-"""Two results beside each other."""
+"""Two results or images beside each other."""
 
 from __future__ import annotations
 
@@ -26,11 +26,15 @@ class Comparison:
     relative_error : float
         ``||S - S_ref|| / ||S_ref||`` over all rows and channels; infinite where one of them lacks rows, channels or phase.
     rows : int
-        Rows that both have.
+        Rows that both have; of images pixels.
+    shift : tuple of float or None
+        Of images: how far the result lies along columns and rows [pixels of the reference], which was taken back. Their `channels` have
+        ``ssim``, ``correlation`` (of magnitudes), ``magnitude_error`` and ``power_ratio_db``, too, and no ``austin_db``.
     """
 
-    def __init__(self, core: _core.Comparison) -> None:
+    def __init__(self, core: _core.Comparison | _core.ImageComparison) -> None:
         self._core = core
+        self.shift: tuple[float, float] | None = core.shift if isinstance(core, _core.ImageComparison) else None
         self.channels: dict[str, dict[str, float]] = core.channels
         self.relative_error: float = core.relative_error
         self.rows: int = core.rows
@@ -50,14 +54,16 @@ class Comparison:
 
 
 def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[str, Any] | None = None,
-            free_scale: bool = False, result_columns: str | Mapping[str, str] = "", reference_columns: str | Mapping[str, str] = "") -> Comparison:
-    """Compares two results of any source in the rows that have equal frequency and angles.
+            free_scale: bool = False, result_columns: str | Mapping[str, str] = "", reference_columns: str | Mapping[str, str] = "",
+            register: bool = True) -> Comparison:
+    """Compares two results of any source in the rows that have equal frequency and angles, or two images, registered.
 
     Parameters
     ----------
     result, reference : Result or path
         What `solve`, `load` or `read_radar_explorer` gave, or a file: ``.nc``, a table with a header (``rcs.csv`` and others, see ``raytube compare --help``), or
-        the ``.json`` of the Radar Explorer Toolkit.
+        the ``.json`` of the Radar Explorer Toolkit. Images are files: ``image.csv``, what ``raytube isar`` writes, a table with a row
+        for each pixel, OpenEXR.
     within_db : float
         Measures in dB are over the rows whose reference is so near to its channel's peak.
     only : dict, optional
@@ -67,6 +73,8 @@ def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[
     result_columns, reference_columns : str or dict of str to str
         Columns of a table that have other names or units: ``{"phi_deg": "bearing*-1", "sigma_vv_dbsm": '"RCS [dBsm]"'}``, or that as one text
         as ``raytube compare --reference-columns`` takes it.
+    register : bool
+        Of images: first shift one onto the other.
 
     Returns
     -------
@@ -82,8 +90,15 @@ def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[
     within = _arguments.number(within_db, "within_db")
     if within < 0.0:
         raise InputError(f"within_db: give 0 or more decibels (found {within:g})")
+    scale, registered = _arguments.flag(free_scale, "free_scale"), _arguments.flag(register, "register")
+    files = [_named_file(source, name, columns) for source, name, columns in
+             ((result, "result", result_columns), (reference, "reference", reference_columns))]
+    if files[0] and files[1] and _core.are_images(files[0], files[1]):
+        if ranges:
+            raise InputError("only: images have no rows of looks; leave it out")
+        return Comparison(_core.compare_images(files[0], files[1], within, scale, registered))
     tables = _table(result, "result", result_columns), _table(reference, "reference", reference_columns)
-    return Comparison(_core.compare(*tables, ranges, within, _arguments.flag(free_scale, "free_scale")))
+    return Comparison(_core.compare(*tables, ranges, within, scale))
 
 
 def _range(value: Any, column: str) -> tuple[float, float]:
@@ -91,6 +106,13 @@ def _range(value: Any, column: str) -> tuple[float, float]:
     if ends.shape not in ((1,), (2,)) or not ends[0] <= ends[-1]:
         raise InputError(f"only: {column}: give a value, or the lowest and the highest one")
     return float(ends[0]), float(ends[-1])
+
+
+def _named_file(source: Any, name: str, columns: Any) -> _core.NamedFile | None:
+    """A file that may be an image; None for a result that is at hand, or becomes one."""
+    if isinstance(source, Result) or str(source).lower().endswith(".json"):
+        return None
+    return _core.NamedFile(_file(source, name), _columns(columns, f"{name}_columns"), f"{name}_columns")
 
 
 def _table(source: Any, name: str, columns: Any) -> _core.Table:

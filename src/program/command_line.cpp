@@ -64,9 +64,13 @@ constexpr const char* compare_examples =
     "and, for each channel pq = vv, vh, hv, hh, re_pq and im_pq [m], magnitude_pq [m] and phase_pq_rad, or sigma_pq_dbsm.\n"
     "Rows with equal frequency and angles are compared.\n"
     "A netCDF file (.nc) of raytube's will do, too.\n"
-    "With -o it also writes compare.csv, compare.png and compare.svg.\n\n"
+    "Images are compared with images, after the one is shifted onto the other: image.csv, what raytube isar writes, a table with "
+    "a\n"
+    "row for each pixel (col and row, or u_m and v_m) and channels as above, or OpenEXR, whose channels are its columns.\n"
+    "With -o it also writes compare.csv, compare.png and, of tables, compare.svg.\n\n"
     "Examples:\n"
     "  raytube compare out/rcs.csv reference.csv\n"
+    "  raytube compare render.exr out/image.csv --result-columns magnitude_vv=VV.mag --free-scale -o comparison\n"
     "  raytube compare out/rcs.csv reference.csv -o comparison --tolerance-db 0.5\n"
     "  raytube compare a.csv b.csv --only phi_deg=-45:45 --within-db 40\n"
     "  raytube compare out/rcs.csv renderer.csv --reference-columns \"freq_hz=f*1e9,theta_deg=el*-1+90,phi_deg=az\"";
@@ -225,8 +229,8 @@ std::string not_relative(const std::string& text) {
 
 CLI::App* add_compare(CLI::App& app, Request& request) {
   CLI::App* compare = add_command(app, "compare", "Measure how far a result is from a reference", compare_examples);
-  compare->add_option("result", request.result, "Table to be judged")->required()->type_name("A.csv|A.nc");
-  compare->add_option("reference", request.reference, "Table to judge it by")->required()->type_name("B.csv|B.nc");
+  compare->add_option("result", request.result, "Table or image to be judged")->required()->type_name("A.csv|A.nc|A.exr");
+  compare->add_option("reference", request.reference, "Table or image to judge it by")->required()->type_name("B.csv|B.nc|B.exr");
   add_output_option(*compare, request, "Folder for compare.csv and the picture; default none");
   compare->add_option("--tolerance-db", request.tolerance_db, "Exit with 1 if the rms error of a channel exceeds this")
       ->type_name("X")
@@ -248,6 +252,7 @@ CLI::App* add_compare(CLI::App& app, Request& request) {
         ->type_name("OURS=THEIRS,...");
   compare->add_flag("--free-scale", request.free_scale,
                     "First multiply A by the one complex factor that brings it nearest to B, and tell it");
+  compare->add_flag("--no-register", request.no_register, "Compare images where they are, without looking for a shift first");
   compare->add_option("--only", request.only, "Only rows with this: COLUMN=VALUE or COLUMN=LOW:HIGH; may be repeated")
       ->type_name("COLUMN=LOW:HIGH")
       ->expected(1)

@@ -95,6 +95,7 @@ struct Request {
   std::filesystem::path result, reference;        // compare; convert: from, to
   std::string result_columns, reference_columns;  // compare: OURS=THEIRS,...
   bool free_scale = false;                        // compare: fit one factor first
+  bool no_register = false;                       // compare: images where they are
   std::vector<std::string> only;                  // compare: COLUMN=LOW:HIGH
   double within_db = 20.0;                        // compare: rows that count
   std::optional<double> tolerance_db;             // compare: fall short above it

@@ -26,6 +26,52 @@ std::string in_utf16(const std::string& text) {
   return bytes;
 }
 
+BadRow pixels(const std::string& name, const std::string& bytes, const std::string& says) {
+  BadRow row = with_file(name, "bad.csv", bytes, "compare bad.csv image.csv -o out", says);
+  const auto with_bad = row.prepare;
+  row.prepare = [with_bad](const Scratch& scratch) {
+    with_bad(scratch);
+    scratch.write("image.csv", "col,row,magnitude_vv\n0,0,1\n1,0,2\n0,1,1\n1,1,0\n");
+  };
+  return row;
+}
+
+std::vector<BadRow> image_rows() {
+  const std::string header = "col,row,magnitude_vv\n", whole = header + "0,0,1\n1,0,2\n0,1,1\n1,1,0\n";
+  return {
+      pixels("image_against_table", "phi_deg,sigma_vv_dbsm\n0,1\n",
+             "image.csv is an image and bad.csv is none; compare two images, or two tables of looks"),
+      pixels("image_without_rows", header, ": no rows below the header; nothing can be compared"),
+      pixels("image_without_channels", "col,row,brightness\n0,0,1\n", ", line 1: no channel; name at least re_vv and im_vv"),
+      pixels("image_of_another_channel", "col,row,magnitude_hh\n0,0,1\n1,0,2\n0,1,1\n1,1,0\n",
+             "have no channel in common; name one"),
+      pixels("image_with_a_gap", header + "0,0,1\n1,0,2\n0,1,1\n",
+             ": has 3 rows for 2 x 2 pixels; give each pixel of a rectangle once"),
+      pixels("image_with_a_pixel_twice", header + "0,0,1\n1,0,2\n0,1,1\n0,0,1\n",
+             ": the pixel at 0, 0 stands there twice; remove one"),
+      pixels("image_of_uneven_pixels", header + "0,0,1\n1,0,2\n3,0,2\n", ": col are not in even steps"),
+      pixels("image_of_another_size", header + "0,0,1\n1,0,2\n", "has 2 x 1 pixels, "),
+      pixels("image_of_nan", header + "0,0,nan\n", ", line 2, column magnitude_vv: \"nan\" is not a finite number"),
+      pixels("image_in_space", "range_m,cross_range_m,height_m,magnitude_vv\n0,0,0,1\n", ", line 1: is an image in space"),
+      {"image_zero_throughout", "compare image.csv dark.csv",
+       "dark.csv: zero in every pixel compared; give a reference with a signal",
+       [=](const Scratch& scratch) {
+         scratch.write("image.csv", whole);
+         scratch.write("dark.csv", header + "0,0,0\n1,0,0\n0,1,0\n1,1,0\n");
+       }},
+      {"image_elsewhere", "compare here.csv there.csv", "here.csv and there.csv do not overlap: u from 0 m",
+       [](const Scratch& scratch) {
+         scratch.write("here.csv", "u_m,v_m,magnitude_vv\n0,0,1\n1,0,2\n");
+         scratch.write("there.csv", "u_m,v_m,magnitude_vv\n5,0,1\n6,0,2\n");
+       }},
+      {"tables_not_registered", "compare a.csv b.csv --no-register",
+       "--no-register: only images are registered; leave the option out"},
+      {"image_only", "compare image.csv image.csv --only phi_deg=0",
+       "--only phi_deg=0: images have no rows of looks; leave the option out",
+       [=](const Scratch& scratch) { scratch.write("image.csv", whole); }},
+  };
+}
+
 std::vector<BadRow> looks_rows() {
   const std::string header = "theta_deg,phi_deg\n";
   return {
@@ -344,6 +390,7 @@ std::vector<BadRow> sources_rows() {
 
 INSTANTIATE_TEST_SUITE_P(Looks, BadTable, ::testing::ValuesIn(looks_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Results, BadTable, ::testing::ValuesIn(result_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Images, BadTable, ::testing::ValuesIn(image_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Folders, BadTable, ::testing::ValuesIn(folder_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Places, BadTable, ::testing::ValuesIn(place_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Commands, BadTable, ::testing::ValuesIn(command_rows()), row_name);

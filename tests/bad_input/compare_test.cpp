@@ -1,4 +1,6 @@
 // raytube compare through the real program: exit codes, what is written, what bad input is told.
+#include <fmt/format.h>
+
 #include "program.h"
 
 namespace raytube {
@@ -35,6 +37,25 @@ TEST_F(CompareProgram, ExitCodeTellsTheTolerance) {
   EXPECT_TRUE(fs::exists(scratch / "out/compare.csv"));  // that it fell short is a result, too
   EXPECT_EQ(raytube("compare b.csv b.csv --tolerance-db 0").code, 0);
   EXPECT_EQ(raytube("compare a.csv b.csv --tolerance-db 0.3 --only phi_deg=1").code, 0);
+}
+
+TEST_F(CompareProgram, ImagesLeaveATableAndAPicture) {
+  std::string image = "line,col,mag\n", brighter = image;
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < 5; ++column) {
+      const double size = 1.0 / (1.0 + (row - 3) * (row - 3) + (column - 2) * (column - 2));
+      image += fmt::format("{},{},{}\n", row, column, size), brighter += fmt::format("{},{},{}\n", row, column, 2.0 * size);
+    }
+  scratch.write("image.csv", image), scratch.write("brighter.csv", brighter);
+  const std::string names =
+      " --result-columns row=line,magnitude_vv=mag --reference-columns row=line,magnitude_vv=mag --tolerance-db 0.01";
+  const Outcome above = raytube("compare brighter.csv image.csv -o out" + names);
+  EXPECT_EQ(above.code, 1);
+  EXPECT_EQ(above.complaint, "raytube: rms error above the tolerance of 0.01 dB: vv 6.021 dB\n");
+  EXPECT_THAT(text_of(scratch / "out/compare.csv"), HasSubstr("\nvv,6.020"));
+  EXPECT_TRUE(fs::exists(scratch / "out/compare.png"));
+  EXPECT_EQ(raytube("compare brighter.csv image.csv -o out --free-scale" + names).code, 0);  // what it left is replaced
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("scaled      the result by -6.021 dB, fitted (--free-scale)"));
 }
 
 TEST_F(CompareProgram, ExitCodeTellsTheRelativeTolerance) {

@@ -104,6 +104,23 @@ def test_compare_with_columns_of_other_names(tmp_path):
         rt.compare(result, tmp_path / "measured.csv")
 
 
+def test_compare_of_images(program, tmp_path):
+    pixels = [(u, v, 2.0 * np.exp(-((u - 9.0)**2 + (v - 8.0)**2) / 12.5)) for v in range(18) for u in range(20)]
+    for name, shift in (("a.csv", 2), ("b.csv", 0)):
+        rows = [f"{u + shift},{v},{s},{0.1 * u}" for u, v, s in pixels]
+        (tmp_path / name).write_text("\n".join(["u_m,v_m,mag,phase_vv_rad", *rows]) + "\n")
+    names = {"magnitude_vv": "mag"}
+    comparison = rt.compare(tmp_path / "a.csv", tmp_path / "b.csv", result_columns=names, reference_columns=names, within_db=15)
+    assert repr(comparison) == program("compare", tmp_path / "a.csv", tmp_path / "b.csv", "--within-db", "15", "--result-columns",
+                                       "magnitude_vv=mag", "--reference-columns", "magnitude_vv=mag")
+    assert comparison.shift == pytest.approx((2.0, 0.0), abs=0.02) and comparison.rows >= 18 * 18
+    unregistered = rt.compare(tmp_path / "a.csv", tmp_path / "b.csv", result_columns=names, reference_columns=names, register=False)
+    assert unregistered.shift == (0.0, 0.0) and unregistered.channels["vv"]["ssim"] < comparison.channels["vv"]["ssim"]
+    assert not unregistered.within(0.1)
+    with pytest.raises(rt.InputError, match="only: images have no rows of looks"):
+        rt.compare(tmp_path / "a.csv", tmp_path / "b.csv", result_columns=names, reference_columns=names, only={"phi_deg": 0})
+
+
 def least(call, times):
     """The time of a call when nothing else wanted the processor [s]."""
     def once():

@@ -71,6 +71,16 @@ TEST(ColumnMap, NamesInQuotesHoldAnySign) {
   EXPECT_EQ(map[1].offset, 90.0);
 }
 
+TEST(ColumnMap, UnitsBehindUnderscoresCount) {
+  const std::string map = "freq_hz=f_ghz,phi_deg=az_rad,magnitude_vv=mag_m,phase_vv_rad=ph_deg";
+  const ResultTable::Row row = table_of("f_ghz,az_rad,mag_m,ph_deg\n10,0.5,1,90\n", map).rows[0];
+  EXPECT_EQ(row.key[ResultTable::frequency], 10e9);
+  EXPECT_DOUBLE_EQ(row.key[ResultTable::phi], 0.5 / degree);
+  EXPECT_NEAR(std::abs(row.s[0] - Complex(0.0, 1.0 / root)), 0.0, 1e-15);
+  const ResultTable::Row factor = table_of("f_ghz,mag_m\n10,1\n", "freq_hz=f_ghz*1e6,magnitude_vv=mag_m").rows[0];
+  EXPECT_EQ(factor.key[ResultTable::frequency], 10e6);  // what is said goes before a name
+}
+
 TEST(ColumnMap, UnitsOfHeadersCount) {
   const std::string text = "\"Freq [GHz]\",\"Phi [rad]\",\"RCS [dBsm]\",\"Arg (deg)\"\n10,0.5,0,90\n";
   const std::string map = "freq_hz=\"Freq [GHz]\",phi_deg=\"Phi [rad]\",sigma_vv_dbsm=\"RCS [dBsm]\",phase_vv_rad=\"Arg (deg)\"";

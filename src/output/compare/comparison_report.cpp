@@ -28,20 +28,13 @@ std::string file_line(const char* what, const ResultTable& table) {
   return fmt::format("{:<12}{}, {} rows\n", what, table.file.string(), table.rows.size());
 }
 
-std::string scale_text(const Comparison& c) {
-  if (!c.scale) return {};
-  const double db = 20.0 * std::log10(std::abs(c.scale->factor)), turn = std::arg(c.scale->factor) / degree;
-  const std::string phase = c.scale->phase ? fmt::format(", {:+.4g} degrees", turn) : "";
-  return fmt::format("{:<12}the result by {:+.4g} dB{}, fitted (--free-scale)\n", "scaled", db, phase);
-}
-
 std::string rows_text(const Comparison& c) {
   std::string text = file_line("result", c.result) + file_line("reference", c.reference);
   text += fmt::format("{:<12}{} rows, equal in {} (to {:g} degree, {:g} of the frequency)\n", "compared", c.rows(),
                       names(c.match.by), angle_tolerance_deg, frequency_tolerance);
   text += fmt::format("{:<12}{} rows of the result, {} of the reference\n", "left out", c.result.rows.size() - c.rows(),
                       c.reference.rows.size() - c.rows());
-  return text + scale_text(c);
+  return text + (c.scale ? scale_text(*c.scale) : "");
 }
 
 std::string four_digits(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
@@ -109,7 +102,7 @@ std::string csv_comments(const Comparison& c) {
     if (static_cast<unsigned char>(character) < ' ') character = ' ';
   text.back() = '\n';
   text += fmt::format("# {} rows compared, equal in {}\n", c.rows(), names(c.match.by));
-  if (c.scale) text += "# " + scale_text(c);
+  if (c.scale) text += "# " + scale_text(*c.scale);
   text += fmt::format(
       "# Columns rows_within to at_peak_db: result minus reference where the reference is within {:g} dB of its peak.\n",
       c.within_db);
@@ -161,13 +154,19 @@ void write_compare_csv(const std::filesystem::path& file, const Comparison& c) {
   out.commit();
 }
 
-std::string above_tolerance(const Comparison& c, double tolerance_db) {
+std::string channels_above(const std::array<double, 4>& rms_db, const std::array<bool, 4>& unexpected, double tolerance_db) {
   std::string text;
-  for (int channel = 0; channel < 4; ++channel) {
-    const double rms = c.unexpected[channel] ? std::numeric_limits<double>::infinity() : c.errors[channel].rms_db;
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    const double rms = unexpected[channel] ? std::numeric_limits<double>::infinity() : rms_db[channel];
     if (rms > tolerance_db) text += fmt::format("{}{} {:.4g} dB", text.empty() ? "" : ", ", channel_names[channel], rms);
   }
   return text;
+}
+
+std::string above_tolerance(const Comparison& c, double tolerance_db) {
+  std::array<double, 4> rms{};
+  for (std::size_t channel = 0; channel < 4; ++channel) rms[channel] = c.errors[channel].rms_db;
+  return channels_above(rms, c.unexpected, tolerance_db);
 }
 
 }  // namespace raytube

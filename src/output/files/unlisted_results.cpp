@@ -34,7 +34,7 @@ struct Family {
 
 const std::array<Family, 3> families = {
     {{"converge.csv", "\n# norm: sqrt(sum |S|^2) over all rows and channels; ", {"converge.png", "converge.svg"}},
-     {"compare.csv", "\nchannel,result_peak_dbsm,reference_peak_dbsm,rows,", {"compare.png", "compare.svg"}},
+     {"compare.csv", "\nchannel,result_peak_dbsm,reference_peak_dbsm,", {"compare.png", "compare.svg"}},
      {"sources.csv",
       "\nposition,x_m,y_m,z_m,model,rays_asked,rays,part,",
       {"hits.ply", "launch.png", "launch.svg", "hits.png", "hits.svg", "sources.png", "sources.svg"}}}};

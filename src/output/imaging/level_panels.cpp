@@ -76,17 +76,17 @@ double room_on_the_left(const EvenAxis& dots) {
 // Where panels are on their canvas, in pixels from its lower left corner.
 struct PanelLayout {
   dvec2 size;  // of a panel
-  std::size_t panels;
+  std::size_t panels, in_a_row;
   double left_of_each;
 
-  std::size_t rows() const { return (panels + 1) / 2; }
-  double across() const { return left_of_each + (panels > 1 ? 2.0 * size.x + left_of_each : size.x) + panels_right; }
+  std::size_t rows() const { return (panels + in_a_row - 1) / in_a_row; }
+  double across() const { return static_cast<double>(std::min(panels, in_a_row)) * (left_of_each + size.x) + panels_right; }
   double down() const {
     return panels_top + static_cast<double>(rows()) * size.y + static_cast<double>(rows() - 1) * gap_below + panels_bottom;
   }
   std::string margins(std::size_t number) const {
-    const double left = left_of_each + (number % 2 == 1 ? size.x + left_of_each : 0.0),
-                 top = down() - panels_top - static_cast<double>(number / 2) * (size.y + gap_below);
+    const double left = left_of_each + static_cast<double>(number % in_a_row) * (size.x + left_of_each),
+                 top = down() - panels_top - static_cast<double>(number / in_a_row) * (size.y + gap_below);
     return fmt::format(
         "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\nset bmargin at "
         "screen {:.5f}\n",
@@ -133,7 +133,7 @@ std::string lines_data(const std::vector<std::array<dvec2, 2>>& lines) {
 
 std::string colors_panel_script(const std::string& file, const LevelPanels& axes, const std::string& colors) {
   const DotsAlong x = dots_along(axes.x.values), y = dots_along(axes.y.values);
-  const PanelLayout layout{panel_size(axes, x, y), 1, room_on_the_left(y.dots)};
+  const PanelLayout layout{panel_size(axes, x, y), 1, 1, room_on_the_left(y.dots)};
   std::string script = gnuplot_preamble("pngcairo", fmt::format("{:.0f},{:.0f}", layout.across(), layout.down()), file);
   script += lines_data(axes.lines) + colors + "set title " + gnuplot_quoted_lines(axes.heading) + '\n';
   script += axes_text(axes, x, y) + layout.margins(0) + "plot $colors using 1:2:3:4:5 with rgbimage notitle" + lines_plot(axes);
@@ -142,7 +142,7 @@ std::string colors_panel_script(const std::string& file, const LevelPanels& axes
 
 std::string level_panels_script(const std::string& terminal, const std::string& file, const LevelPanels& drawn) {
   const DotsAlong x = dots_along(drawn.x.values), y = dots_along(drawn.y.values);
-  const PanelLayout layout{panel_size(drawn, x, y), drawn.panels.size(), room_on_the_left(y.dots)};
+  const PanelLayout layout{panel_size(drawn, x, y), drawn.panels.size(), drawn.in_a_row, room_on_the_left(y.dots)};
   const double top = top_of(drawn), bottom = top - drawn.range;
   std::string script =
       gnuplot_preamble(terminal, fmt::format("{:.0f},{:.0f}", layout.across(), layout.down()), file) + lines_data(drawn.lines);

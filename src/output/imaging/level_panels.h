@@ -23,7 +23,7 @@ struct LevelPanel {
   std::vector<double> levels;  // [y][x] [dB]
 };
 
-/// Panels side by side, two in a row, with the same axes and colours.
+/// Panels side by side with the same axes and colours.
 struct LevelPanels {
   std::string heading;  // lines of it under one another
   PanelAxis x, y;
@@ -32,6 +32,7 @@ struct LevelPanels {
   double range = 50.0;  // [dB] below the strongest that colours reach
   std::vector<LevelPanel> panels;
   std::vector<std::array<dvec2, 2>> lines{};  // drawn over each
+  std::size_t in_a_row = 2;
 };
 
 /// Lines in space on the plane of two axes.

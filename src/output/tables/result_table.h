@@ -45,13 +45,17 @@ constexpr bool is_azimuth(ResultTable::Key key) { return key == ResultTable::phi
 ///   as in channels.csv: v_magnitude [m], v_phase_rad, h_magnitude [m], h_phase_rad as received. Rows with the same keys become
 ///   one.
 /// A netCDF file (.nc) that raytube has written has all of these, and takes no map.
-/// `map` says which column has another name or unit: a unit in brackets at the end of that name counts where no factor is given.
-/// `option` is what a sentence calls the map. Throws InputError with line and column.
+/// `map` says which column has another name or unit: a unit at the end of that name, in brackets or behind an underscore, counts
+/// where no factor is given. `option` is what a sentence calls the map. Throws InputError with line and column.
 ResultTable read_result_table(const std::filesystem::path& file, const ColumnMap& map = {},
                               const std::string& option = "--result-columns");
 
-/// A result that is at hand; sentences call it `name`. A channel without a single number is none. Throws InputError for other rows
-/// without a number.
+/// Whether a name ends as those of the Radar Explorer Toolkit do, whose files are read where pandas is, which writes their
+/// tables.
+bool is_radar_explorer_name(const std::filesystem::path& file);
+
+/// A result that is at hand; sentences call it `name`. A channel without a single number is none. Throws InputError for other
+/// rows without a number.
 ResultTable table_of(const StoredResult& stored, const std::filesystem::path& name);
 
 /// Keeps the rows whose key lies in low...high, ends included; an azimuth may lie there by full turns, which are then taken off
