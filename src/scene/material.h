@@ -80,6 +80,14 @@ SurfaceWaves waves_at_surface(const dvec3& d, const dvec3& n, const ComplexVecto
 /// Factors from each of two polarisations to each.
 using ChannelWeights = std::array<std::array<Complex, 2>, 2>;
 
+/// S of a wave whose two fields have these weights [own][transmit] of the transmitter's.
+inline ScatteringMatrix times(const ScatteringMatrix& s, const ChannelWeights& weights) {
+  ScatteringMatrix result;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) result.at(p, q) = s.at(p, 0) * weights[0][q] + s.at(p, 1) * weights[1][q];
+  return result;
+}
+
 /// What the unit waves V and H of an antenna in the direction of this basis are behind a plane that lets waves through: [wave][V
 /// or H]. `normal` is that of the plane.
 ChannelWeights through_screen(const Material& material, std::size_t frequency, double wavenumber, const dvec3& normal,

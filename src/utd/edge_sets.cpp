@@ -26,7 +26,8 @@ std::shared_ptr<const std::vector<Wedge>> all_in_the_open(std::vector<Wedge> wed
 EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup) {
   for (const WedgeSet& wedges : setup_.wedges) sets_.push_back(set_of(wedges));
   if (setup_.interaction) prepare_interaction();
-  if (!setup_.screens.empty() && (radiate() || !setup_.skip_enclosed)) screens_.emplace(setup_.tracer.mesh(), setup_.screens);
+  const bool screened = std::ranges::any_of(setup_.materials, &Material::transmits);
+  if (screened && (radiate() || !setup_.skip_enclosed)) screens_.emplace(setup_.tracer.mesh(), setup_.materials);
 }
 
 EdgeSets::Set EdgeSets::set_of(const WedgeSet& wedges) const {
@@ -57,7 +58,7 @@ void EdgeSets::prepare_interaction() {
   std::vector<Set> without;
   for (Set& set : sets_) {
     std::vector<bool> wanted(set.indices.size(), true), illuminating(set.indices.size());
-    InteractionParts parts(mesh, *set.wedges);
+    InteractionParts parts(mesh, *set.wedges, {setup_.materials, set.indices}, wavenumber(set.frequencies.front()));
     for (const InteractionGroup& group : interaction_groups(parts, set.frequencies, wanted))
       for (const std::size_t index : group.indices) illuminating[index] = true;
     if (std::ranges::find(illuminating, true) == illuminating.end()) continue;
@@ -69,7 +70,11 @@ void EdgeSets::prepare_interaction() {
     }
     set.parts = std::move(parts);
     set.interaction = interaction_groups(set.parts, set.frequencies, std::vector<bool>(set.indices.size(), true));
-    for (const InteractionGroup& group : set.interaction) set.reach.push_back(reach_of(set.parts, group));
+    for (const InteractionGroup& group : set.interaction) {
+      set.reach.push_back(reach_of(set.parts, group));
+      std::vector<std::size_t>& indices = set.group_indices.emplace_back();
+      for (const std::size_t i : group.indices) indices.push_back(set.indices[i]);
+    }
   }
   std::ranges::move(without, std::back_inserter(sets_));
   std::ranges::sort(sets_, std::ranges::greater{}, [](const Set& set) { return std::ranges::max(set.frequencies); });
@@ -111,7 +116,7 @@ std::vector<EdgeSets::SetPart> EdgeSets::parts_of(const Set& set, const WavesAtE
 
 FringeOptions EdgeSets::options(const Set& set) const {
   FringeOptions options = setup_.fringe;
-  options.continue_by_images = !screens_ && !set.interaction.empty();
+  options.continue_by_images = !set.interaction.empty();
   return options;
 }
 
@@ -190,13 +195,14 @@ std::vector<bool> EdgeSets::interacting() const {
 
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {
   const InteractionParts& parts = set.parts;
-  const ReceivingFaces faces{setup_.faces, group.large, parts.corners, {}, std::span(parts.by_area).first(group.large_faces)};
-  return {{*set.wedges, *set.outlines, setup_.tracer},
-          faces,
-          parts.axes,
-          group.shortest_axis,
-          parts.patches,
-          &set.reach[static_cast<std::size_t>(&group - set.interaction.data())]};
+  const auto number = static_cast<std::size_t>(&group - set.interaction.data());
+  const ReceivingFaces faces{setup_.faces,
+                             group.large,
+                             parts.corners,
+                             {},
+                             std::span(parts.by_area).first(group.large_faces),
+                             {setup_.materials, set.group_indices[number]}};
+  return {{*set.wedges, *set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches, &set.reach[number]};
 }
 
 // `share` of the work allowed, for a group of frequencies.

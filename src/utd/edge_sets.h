@@ -19,13 +19,13 @@ namespace raytube {
 struct EdgeSetup {
   const Tracer& tracer;  // with the mesh
   const FaceTree& faces;
-  std::vector<WedgeSet> wedges;          // sharp edges, at all of the frequencies
-  std::span<const double> frequencies;   // [Hz]
-  bool interaction = false;              // whether edges illuminate other faces
-  std::span<const Material> screens{};   // the mesh's materials if some let waves through, else empty
-  bool skip_enclosed = true;             // false: even edges that no light reaches are tested for light
-  const CurvedTarget* curved = nullptr;  // if waves over curved surfaces count
-  FringeOptions fringe{};                // continue_by_images is set where edges illuminate other faces
+  std::vector<WedgeSet> wedges;           // sharp edges, at all of the frequencies
+  std::span<const double> frequencies;    // [Hz]
+  bool interaction = false;               // whether edges illuminate other faces
+  std::span<const Material> materials{};  // of the mesh, at the frequencies; empty: perfect conductors alone
+  bool skip_enclosed = true;              // false: even edges that no light reaches are tested for light
+  const CurvedTarget* curved = nullptr;   // if waves over curved surfaces count
+  FringeOptions fringe{};                 // continue_by_images is set where edges illuminate other faces
 };
 
 /// Waves over curved surfaces in one look.
@@ -89,11 +89,12 @@ class EdgeSets {
     std::vector<double> frequencies;
     std::shared_ptr<const std::vector<Wedge>> wedges;
     std::shared_ptr<const Outlines> outlines;
-    std::shared_ptr<const CornerWaves> corners;  // from order 2 on
-    std::shared_ptr<const CurvedFaces> curved;   // from order 2 on, where waves over curved surfaces count
-    std::vector<InteractionGroup> interaction;   // its indices are those of the set's frequencies
-    InteractionParts parts;                      // empty where there is no interaction
-    std::vector<PairReach> reach;                // of each group
+    std::shared_ptr<const CornerWaves> corners;             // from order 2 on
+    std::shared_ptr<const CurvedFaces> curved;              // from order 2 on, where waves over curved surfaces count
+    std::vector<InteractionGroup> interaction;              // its indices are those of the set's frequencies
+    InteractionParts parts;                                 // empty where there is no interaction
+    std::vector<PairReach> reach;                           // of each group
+    std::vector<std::vector<std::size_t>> group_indices{};  // of each group, in the list of all frequencies
 
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);

@@ -25,7 +25,7 @@ Compared compare(const PolygonSoup& soup, const Look& look, const std::vector<do
   const Target target(build_mesh(soup, 1.0).mesh);
   const LookVectors vectors = look_vectors(look);
   const PlaneWave wave{vectors.incident, vectors.electric, 0.0};
-  const InteractionParts parts(target.mesh, target.wedges);
+  const InteractionParts parts(target.mesh, target.wedges, {}, 1.0);
   const std::vector<bool> large(target.mesh.patches.size(), true);
   const ReceivingFaces faces{target.faces, large, parts.corners};
   Compared result;

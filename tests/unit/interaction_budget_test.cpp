@@ -104,7 +104,7 @@ TEST(PairBound, HoldsForRandomPairsAndTheirAzimuthsMissNothing) {
     const Look look = any_look(random);
     const LookVectors vectors = look_vectors(look);
     const PlaneWave wave{vectors.incident, vectors.electric, 0.0};
-    const InteractionParts parts(target.mesh, target.wedges);
+    const InteractionParts parts(target.mesh, target.wedges, {}, 1.0);
     const std::vector<double> wavenumbers{wavenumber(frequency)};
     const std::vector<bool> large(target.mesh.patches.size(), true);
     for (const EdgeAxis& axis : parts.axes) {

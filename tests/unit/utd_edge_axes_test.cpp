@@ -9,7 +9,7 @@ namespace {
 
 struct Body {
   explicit Body(const PolygonSoup& soup) : loaded(shapes::build(soup)), wedges(shapes::wedges_of(loaded)) {}
-  std::vector<EdgeAxis> axes() const { return edge_axes(loaded.mesh, wedges); }
+  std::vector<EdgeAxis> axes() const { return edge_axes(loaded.mesh, wedges, {}); }
   LoadedMesh loaded;
   std::vector<Wedge> wedges;
 };

@@ -23,7 +23,7 @@ struct Target {
   explicit Target(const PolygonSoup& soup)
       : loaded(shapes::build(soup)),
         wedges(shapes::wedges_of(loaded)),
-        axes(edge_axes(loaded.mesh, wedges)),
+        axes(edge_axes(loaded.mesh, wedges, {})),
         tree(loaded.mesh),
         tracer(loaded.mesh) {}
 

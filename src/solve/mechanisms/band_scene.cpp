@@ -25,7 +25,7 @@ EdgeSetup edge_setup(const BandScene& scene) {
   const SolvePlan& plan = scene.plan;
   EdgeSetup setup{plan.target.tracer, plan.target.faces, sets_of(plan, scene.band), scene.band.frequencies};
   setup.interaction = interacts(plan, scene.band);
-  if (plan.fringe() && std::ranges::any_of(scene.materials, &Material::transmits)) setup.screens = scene.materials;
+  if (plan.fringe()) setup.materials = scene.materials;
   setup.skip_enclosed = plan.tubes.skip;
   setup.curved = scene.curved ? &*scene.curved : nullptr;
   setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};

@@ -73,7 +73,6 @@ MechanismState interaction_state(const SolvePlan& plan) {
   if (!plan.edges.interaction.possible()) return without("edges.between is false");
   if (MechanismState edges = edge_currents_state(plan); !edges.on) return without(edges.why_not);
   if (plan.no_reflection()) return without(nothing_in_front);
-  if (!plan.sweep.materials.empty()) return misses("not all of the target is a perfect conductor");
   if (plan.edges.interaction_budget == 0.0) return misses("edges.between_budget is 0");
   const std::vector<double>& frequencies = plan.sweep.frequencies;
   const TooSmall small = too_small_to_interact(plan.target.mesh, plan.target.wedges, std::ranges::min(frequencies));

@@ -18,12 +18,16 @@ std::vector<double> weights_of(const ReflectedLook& look) {
   return weights;
 }
 
-void add_weighted(EdgeLookResult& sum, const EdgeLookResult& part, double path, double weight,
+ScatteringMatrix of_transmitter(const ReflectedLook& look, const ScatteringMatrix& s, std::size_t frequency) {
+  return look.weights.empty() ? s : times(s, look.weights[frequency]);
+}
+
+void add_weighted(EdgeLookResult& sum, const EdgeLookResult& part, const ReflectedLook& look, double weight,
                   std::span<const double> frequencies) {
   for (std::size_t f = 0; f < frequencies.size(); ++f) {
-    const Complex factor = std::polar(weight, -wavenumber(frequencies[f]) * path);
-    add_product(sum.scattering[f], part.scattering[f], factor);
-    add_product(sum.higher[f], part.higher[f], factor);
+    const Complex factor = std::polar(weight, -wavenumber(frequencies[f]) * look.path);
+    add_product(sum.scattering[f], of_transmitter(look, part.scattering[f], f), factor);
+    add_product(sum.higher[f], of_transmitter(look, part.higher[f], f), factor);
     if (part.windowed[f]) sum.windowed[f] = true;
   }
   sum.lit = sum.lit || part.lit;
@@ -46,7 +50,7 @@ EdgeLookResult reflected_fringe_scattering(const EdgeScene& scene, std::span<con
       for (const LitWedge& edge : look.edges)
         if (const auto meeting = edges.meeting(edge.wedge); meeting && edge.weight == weight && !edge.lit.empty())
           edges.add(edge.wedge, *meeting, edge.lit);
-      add_weighted(result, edges.take(), look.path, weight, frequencies);
+      add_weighted(result, edges.take(), look, weight, frequencies);
     }
   return result;
 }
@@ -61,6 +65,7 @@ std::vector<ImageEdge> reflected_fringe_pieces(const EdgeScene& scene, const Ref
     const auto meeting = edges.meeting(edge.wedge);
     if (!meeting || edge.lit.empty()) continue;
     for (ImageEdge& piece : edges.pieces(edge.wedge, *meeting, edge.lit, edge.lit, place)) {
+      piece.s = of_transmitter(look, piece.s, 0);
       piece.s *= std::polar(edge.weight, -wavenumber(frequencies.front()) * look.path);
       all.push_back(piece);
     }

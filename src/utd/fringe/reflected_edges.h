@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/image.h"
+#include "scene/material.h"
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
 #include "utd/shadow/edge_visibility.h"
@@ -26,6 +27,7 @@ struct ReflectedLook {
   LookVectors look;
   double path = 0.0;  // [m]
   std::vector<LitWedge> edges;
+  std::vector<ChannelWeights> weights{};  // [frequency] of the two fields, [own][transmit]; empty: they are those of V and H
 };
 
 /// S of the fringe currents (edges.h) of edges lit by reflected waves, one wave or more; at order 1 their strips end with the

@@ -13,10 +13,11 @@ using ConcaveEnds = std::multimap<std::tuple<double, double, double>, const Wedg
 
 std::tuple<double, double, double> key(const dvec3& point) { return {point.x, point.y, point.z}; }
 
-ConcaveEnds concave_ends(std::span<const Wedge> wedges) {
+ConcaveEnds concave_ends(std::span<const Wedge> wedges, const std::vector<bool>& mirrors) {
+  const auto is_mirror = [&](const WedgeFace& face) { return face.material == no_index || mirrors[face.material]; };
   ConcaveEnds ends;
   for (const Wedge& wedge : wedges) {
-    if (wedge.convex()) continue;
+    if (wedge.convex() || !std::ranges::all_of(wedge.faces, is_mirror)) continue;
     ends.emplace(key(wedge.start), &wedge);
     ends.emplace(key(wedge.end), &wedge);
   }
@@ -79,8 +80,8 @@ std::vector<NearPiece> near_parts(const LitEdgePiece& piece, std::span<const dou
   return parts;
 }
 
-std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges) {
-  const ConcaveEnds ends = concave_ends(wedges);
+std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges, const std::vector<bool>& mirrors) {
+  const ConcaveEnds ends = concave_ends(wedges, mirrors);
   std::vector<EdgeAxis> axes;
   for (const Wedge& wedge : wedges)
     if (wedge.radiates() && anything_in_front(mesh, wedge)) axes.push_back(axis_of(wedge, ends));

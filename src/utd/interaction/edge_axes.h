@@ -21,7 +21,8 @@ LitInterval along_wedge(const LitEdgePiece& piece);
 std::vector<NearPiece> near_parts(const LitEdgePiece& piece, std::span<const double> wavenumbers, double radius);
 
 /// Axes of the radiating wedges in front of whose faces there is anything of the mesh, in the order of the wedges; none on a
-/// convex body. They point into `wedges`.
-std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges);
+/// convex body. They point into `wedges`. Waves of an edge that ends at another surface go on as its mirror does where that is a
+/// conductor, or of one of the materials that are `mirrors`; others end them.
+std::vector<EdgeAxis> edge_axes(const TriangleMesh& mesh, std::span<const Wedge> wedges, const std::vector<bool>& mirrors);
 
 }  // namespace raytube

@@ -192,8 +192,23 @@ class InteractionLook {
   void find_reflected_light() {
     ReflectedLight light(scene_.faces, scene_.axes, incident_, shortest_wavelength(), shortest_axis_);
     reflected_ = light.waves(most_reflections, reflected_share * most_work_);
+    if (scene_.faces.materials.any())
+      for (ReflectedWave& wave : reflected_) weigh_by_surfaces(wave);
     work_ += light.work();
     reflected_pairs_left_out_ = light.pairs_left_out();
+  }
+
+  // A wave from an antenna at a finite distance has the weights of the middle of each piece that it lights.
+  void weigh_by_surfaces(ReflectedWave& wave) const {
+    std::vector<MetFace> mirrors;
+    for (const std::uint32_t patch : wave.patches) mirrors.emplace_back(scene_.faces.tree.mesh().patches[patch]);
+    if (std::ranges::all_of(mirrors, [](const MetFace& face) { return face.material == no_index; })) return;
+    for (LitEdgePiece& piece : wave.lit) {
+      const PlaneWave here = wave.wave.about(piece.edge->origin + 0.5 * (piece.from + piece.to) * piece.edge->tangent);
+      for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+        piece.by_surfaces.push_back(
+            weights_after(scene_.faces.materials, mirrors, here.direction, here.electric, f, wavenumbers_[f]));
+    }
   }
 
   double shortest_wavelength() const { return wavelength(std::ranges::max(frequencies_)); }
@@ -291,14 +306,14 @@ class InteractionLook {
   // waves are plane.
   void add_looks(const ReflectedWave& wave, std::span<const LitEdgePiece> pieces, std::vector<ReflectedLook>& looks) const {
     if (!wave.wave.antennas) {
-      looks.push_back({look_of(wave.wave, look_), wave.wave.path, {}});
+      looks.push_back({look_of(wave.wave, look_), wave.wave.path, {}, pieces.front().by_surfaces});
       for (const LitEdgePiece& piece : pieces)
         looks.back().edges.push_back({index_of(piece), {along_wedge(piece)}, piece.weight});
       return;
     }
     for (const LitEdgePiece& piece : pieces)
       for (const NearPiece& part : near_parts(piece, wavenumbers_, scene_.edges.tracer.mesh().radius))
-        looks.push_back({part.look, part.path, {{index_of(piece), {{part.begin, part.end}}, piece.weight}}});
+        looks.push_back({part.look, part.path, {{index_of(piece), {{part.begin, part.end}}, piece.weight}}, piece.by_surfaces});
   }
 
   // Calls use(sum, pieces, looks, wave) for a few lit pieces at a time, in their order.
@@ -340,12 +355,24 @@ class InteractionLook {
         ++result.skipped.fringe_pieces;
         squares += std::pow(typical_share * fringe_bound(*job.piece), 2);
       } else {
-        penumbra.add(*job.piece, result.scattering);
-        penumbra.add_step(*job.piece, beyond_smooth_light(*job.piece, penumbra), result.scattering);
+        add_penumbra(penumbra, *job.piece, 0, result.scattering);
       }
     }
     work_ += penumbra.work();
     return squares;
+  }
+
+  // At the wavenumbers from `first` on, as many as there are sums.
+  void add_penumbra(PenumbraFringe& penumbra, const LitEdgePiece& piece, std::size_t first,
+                    std::vector<ScatteringMatrix>& sums) const {
+    const auto add_to = [&](std::vector<ScatteringMatrix>& to) {
+      penumbra.add(piece, to);
+      penumbra.add_step(piece, beyond_smooth_light(piece, penumbra), to);
+    };
+    if (piece.by_surfaces.empty()) return add_to(sums);
+    std::vector<ScatteringMatrix> of_waves(sums.size());
+    add_to(of_waves);
+    for (std::size_t f = 0; f < sums.size(); ++f) sums[f] += piece.of_transmitter(of_waves[f], first + f);
   }
 
   // Of reflected light by geometrical optics: all of it, none, and half on the border of its beam, where the wave that goes on
@@ -367,8 +394,7 @@ class InteractionLook {
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       if (!has_penumbra(jobs_[i])) continue;
       std::vector<ScatteringMatrix> sum(1);
-      penumbra.add(*jobs_[i].piece, sum);
-      penumbra.add_step(*jobs_[i].piece, beyond_smooth_light(*jobs_[i].piece, penumbra), sum);
+      add_penumbra(penumbra, *jobs_[i].piece, frequency_index, sum);
       images[i].s += sum[0];
     }
   }
@@ -400,6 +426,7 @@ class InteractionLook {
     for (std::size_t i = 0; i < jobs_.size(); ++i)
       if (has_penumbra(jobs_[i])) {
         const LitEdgePiece& piece = *jobs_[i].piece;
+        const std::size_t first = pieces.size();
         penumbra.take_apart(piece, places_[i], pieces);
         std::vector<ScatteringMatrix> step(1);
         penumbra.add_step(piece, beyond_smooth_light(piece, penumbra), step);
@@ -407,6 +434,7 @@ class InteractionLook {
                     at = places_[i].at(middle, middle,
                                        glm::dot(look_.scattered - piece.wave->direction, middle) - piece.wave->path);
         pieces.push_back({at, at, step[0]});
+        for (ImageEdge& of_wave : std::span(pieces).subspan(first)) of_wave.s = piece.of_transmitter(of_wave.s, 0);
       }
   }
 

@@ -51,10 +51,13 @@ EdgeIllumination::EdgeIllumination(const ReceivingFaces& faces, const LookVector
       look_(look),
       wavenumbers_(wavenumbers),
       source_(source),
+      materials_(faces.materials),
       reflections_(reflections),
       tracer_(faces.tree),
       band_(wavenumbers),
-      amplitudes_(band_.nodes_of_fresnel(EdgeWaveIntegral::least_turn / std::ranges::min(wavenumbers), amplitude_error)) {
+      amplitudes_(faces.materials.any()
+                      ? nullptr
+                      : band_.nodes_of_fresnel(EdgeWaveIntegral::least_turn / std::ranges::min(wavenumbers), amplitude_error)) {
   const PlaneWave& wave = *source.wave;
   const dvec3& d = wave.direction;
   const dvec3 turning = -glm::cross(source.edge->tangent, d) / source.incidence.sin_cone, up = glm::cross(d, turning);
@@ -81,9 +84,7 @@ void EdgeIllumination::follow(const Rays& rays, const IgnoredPatches& ignored, i
     const Patch& plane = tree_.mesh().patches[patch];
     visit(footprint(rays, hit, plane));
     if (reflections == 0) continue;
-    Rays next{reflected(rays.fan, hit, plane.normal), rays.path + hit.length, rays.path_rate + hit.growth, rays.magnetic};
-    for (dvec3& field : next.magnetic) field = glm::reflect(field, plane.normal);
-    follow(next, {patch, no_index, no_index}, reflections - 1, visit);
+    follow(reflected_rays(rays, hit, plane), {patch, no_index, no_index}, reflections - 1, visit);
   }
 }
 
@@ -152,6 +153,16 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
   row.phase_rate = glm::dot(look_.scattered, step) - in.cos_cone - row.path_rate;
   Footprint on{row, base, step, in.sin_cone * in.sin_cone / std::abs(facing), {}};
   const dvec3 normal = facing > 0.0 ? -plane.normal : plane.normal;
+  if (!meets_conductors(rays, plane)) {
+    on.spectral.resize(wavenumbers_.size());
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+      for (int c = 0; c < components; ++c) {
+        const auto received = received_currents(materials_, MetFace(plane), fan.direction, magnetic(rays, f, c),
+                                                {look_.receive, look_.scattered}, f, wavenumbers_[f]);
+        for (int p = 0; p < 2; ++p) on.spectral[f][p][c] = received[p];
+      }
+    return on;
+  }
   for (int c = 0; c < components; ++c) {
     const dvec3 current = 2.0 * glm::cross(normal, rays.magnetic[c]);
     for (int p = 0; p < 2; ++p) on.current[p][c] = glm::dot(look_.receive[p], current);
@@ -159,11 +170,38 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
   return on;
 }
 
+bool EdgeIllumination::meets_conductors(const Rays& rays, const Patch& plane) const {
+  return rays.spectral.empty() && plane.material == no_index;
+}
+
+ComplexVector EdgeIllumination::magnetic(const Rays& rays, std::size_t index, int component) const {
+  return rays.spectral.empty() ? ComplexVector{rays.magnetic[component]} : rays.spectral[index][component];
+}
+
+EdgeIllumination::Rays EdgeIllumination::reflected_rays(const Rays& rays, const FanHit& hit, const Patch& plane) const {
+  Rays next{reflected(rays.fan, hit, plane.normal), rays.path + hit.length, rays.path_rate + hit.growth, rays.magnetic};
+  for (dvec3& field : next.magnetic) field = glm::reflect(field, plane.normal);
+  if (meets_conductors(rays, plane)) return next;
+  next.spectral.resize(wavenumbers_.size());
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+    for (int c = 0; c < components; ++c)
+      next.spectral[f][c] =
+          reflected_magnetic(materials_, MetFace(plane), rays.fan.direction, magnetic(rays, f, c), f, wavenumbers_[f]);
+  return next;
+}
+
 // S = -(jk / 4 pi) p_hat . eta J * integral (Stratton & Chu 1939). Of the ray, eta H = -s_hat x (b0_hat E_s u_s + phi_hat E_h
 // u_h), the diffracted E being minus the sum of the waves; the slopes of E_z and eta H_z, both -sin(beta0) of E_s and E_h, add
 //   eta H = (j / k sin(beta0)) {E_s [phi_hat du_s/d(rho) - rho_hat du_s/(rho d(phi))]
 //                               + cos(beta0) E_h [rho_hat du_h/d(rho) + phi_hat du_h/(rho d(phi))]}      (Maxwell's equations).
-ScatteringMatrix EdgeIllumination::excited(const Footprint& on, const WaveIntegrals& sums, double wavenumber) const {
+ScatteringMatrix EdgeIllumination::excited(const Footprint& on, const WaveIntegrals& sums, std::size_t index,
+                                           double wavenumber) const {
+  return on.spectral.empty() ? excited(on, on.current, sums, wavenumber) : excited(on, on.spectral[index], sums, wavenumber);
+}
+
+template <class Current>
+ScatteringMatrix EdgeIllumination::excited(const Footprint& on, const Current& currents, const WaveIntegrals& sums,
+                                           double wavenumber) const {
   const FaceIncidence& in = source_.incidence;
   const double weight = source_.weight * source_.edge->wedge->share;
   const WaveSums soft_waves = sums.incident - sums.reflected, hard_waves = sums.incident + sums.reflected;
@@ -171,7 +209,7 @@ ScatteringMatrix EdgeIllumination::excited(const Footprint& on, const WaveIntegr
   const double slope = weight * on.area / (4 * pi * in.sin_cone);
   ScatteringMatrix result;
   for (int p = 0; p < 2; ++p) {
-    const std::array<double, components>& current = on.current[p];
+    const auto& current = currents[p];
     const Complex of_soft = ray * current[soft] * soft_waves.value +
                             slope * (current[around] * soft_waves.outwards - current[outwards] * soft_waves.around);
     const Complex of_hard = ray * current[hard] * hard_waves.value +
@@ -185,7 +223,7 @@ void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& wave
   if (amplitudes_) return radiate_band(on, waves, density);
   work_ += work::ray_row * static_cast<double>(wavenumbers_.size());
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-    density[f] += excited(on, waves.over(on.row, wavenumbers_[f]), wavenumbers_[f]);
+    density[f] += excited(on, waves.over(on.row, wavenumbers_[f]), f, wavenumbers_[f]);
 }
 
 // What is near an end of a long stretch and what is near the other have paths of their own, and amplitudes that change slowly.
@@ -202,18 +240,18 @@ void EdgeIllumination::radiate_band(const Footprint& on, const EdgeWaveIntegral&
     const bool apart = middle * std::abs(row.phase_rate) * stretch.half() >= EdgeWaveIntegral::least_turn;
     for (const double k : amplitudes_->at) {
       if (!apart) {
-        at_nodes_[0].push_back(excited(on, waves.whole(row, stretch, k), k));
+        at_nodes_[0].push_back(excited(on, on.current, waves.whole(row, stretch, k), k));
         continue;
       }
       const EdgeWaveIntegral::Ends ends = waves.ends(row, stretch, k);
-      at_nodes_[0].push_back(excited(on, ends.from, k));
-      at_nodes_[1].push_back(excited(on, ends.to, k));
+      at_nodes_[0].push_back(excited(on, on.current, ends.from, k));
+      at_nodes_[1].push_back(excited(on, on.current, ends.to, k));
     }
     add(at_nodes_[0], apart ? stretch.from : stretch.middle());
     if (apart) add(at_nodes_[1], stretch.to);
   }
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-    density[f] += excited(on, waves.beside_corners(row, wavenumbers_[f]), wavenumbers_[f]);
+    density[f] += excited(on, on.current, waves.beside_corners(row, wavenumbers_[f]), wavenumbers_[f]);
   work_ +=
       work::ray_row * (static_cast<double>(amplitudes_->at.size()) + share_at_ends * static_cast<double>(wavenumbers_.size()));
 }
@@ -237,7 +275,7 @@ struct EdgeIllumination::RowPieces {
 
   // Of amplitudes without their phase.
   void put_wave(double position, const WaveIntegrals& sums) {
-    ScatteringMatrix s = of.excited(on, sums, wavenumber);
+    ScatteringMatrix s = of.excited(on, sums, 0, wavenumber);
     put(position, s *= std::polar(1.0, wavenumber * (on.row.phase + on.row.phase_rate * position)));
   }
 
@@ -252,7 +290,7 @@ struct EdgeIllumination::RowPieces {
       put_wave(stretch.from, ends.from);
       put_wave(stretch.to, ends.to);
     }
-    put((part.from + part.to) / 2, of.excited(on, waves.beside_corners(part, wavenumber), wavenumber));
+    put((part.from + part.to) / 2, of.excited(on, waves.beside_corners(part, wavenumber), 0, wavenumber));
   }
 };
 
@@ -268,7 +306,7 @@ void EdgeIllumination::take_apart(const Footprint& on, const EdgeWaveIntegral& w
     part.to = glm::mix(on.row.from, on.row.to, static_cast<double>(i + 1) / count);
     row.put(part);
   }
-  row.put((on.row.from + on.row.to) / 2, excited(on, waves.over(on.row, k), k) - row.sum);
+  row.put((on.row.from + on.row.to) / 2, excited(on, waves.over(on.row, k), 0, k) - row.sum);
 }
 
 }  // namespace raytube

@@ -8,6 +8,7 @@
 #include "math/node_waves.h"
 #include "scene/image.h"
 #include "utd/fan/azimuth_integral.h"
+#include "utd/fan/face_waves.h"
 #include "utd/fan/ray_fan.h"
 #include "utd/wedge/edge_currents.h"
 #include "utd/wedge/edge_wave_integral.h"
@@ -49,6 +50,13 @@ struct LitEdgePiece {
   double from, to;          // positions along the edge [m]
   double weight = 1.0;      // of the wave
   double light = 1.0;       // share in it that a border of reflected light leaves, smooth across that border
+  // [wavenumber] of the wave's two fields, where it has met other than perfect conductors; else empty.
+  std::vector<ChannelWeights> by_surfaces{};
+
+  /// S of the unit wave as that of the transmitter's V and H.
+  ScatteringMatrix of_transmitter(const ScatteringMatrix& s, std::size_t index) const {
+    return by_surfaces.empty() ? s : times(s, by_surfaces[index]);
+  }
 };
 
 /// Whether a piece ends at a surface that goes on with its waves towards this side of the edge, as their mirror; 0 its beginning.
@@ -63,6 +71,7 @@ struct ReceivingFaces {
   std::span<const dvec3> corners;              // where the faces jump or bend as seen from an edge; may be left out
   std::span<const std::uint32_t> first_met{};  // the only patches from which waves of edges count, ascending; empty: all
   std::span<const std::uint32_t> by_area{};    // the large patches, the largest first; needed only where work is limited
+  FaceMaterials materials{};
 };
 
 /// Adds up, azimuth by azimuth about the edge, the far field of the currents that the waves of one lit piece excite on all they
@@ -92,8 +101,9 @@ class EdgeIllumination {
   /// Diffracted rays of one azimuth on their way.
   struct Rays {
     RayFan fan;
-    double path = 0.0, path_rate = 0.0;      // way from the edge to where the fan begins [m]
-    std::array<dvec3, components> magnetic;  // directions
+    double path = 0.0, path_rate = 0.0;                             // way from the edge to where the fan begins [m]
+    std::array<dvec3, components> magnetic;                         // directions, as perfect conductors leave them
+    std::vector<std::array<ComplexVector, components>> spectral{};  // [wavenumber] once others are met; else empty
   };
   /// Where they meet a face.
   struct Footprint {
@@ -101,6 +111,7 @@ class EdgeIllumination {
     dvec3 base, step;                                       // points on the face, by position
     double area;                                            // of the face per position, azimuth and length of the ray
     std::array<std::array<double, components>, 2> current;  // [receive]: p_hat . eta J per unit eta H along each direction
+    std::vector<std::array<std::array<Complex, components>, 2>> spectral{};  // [wavenumber] instead; empty: conductors alone
   };
 
   double margin(double way) const;
@@ -111,12 +122,17 @@ class EdgeIllumination {
   template <class Visit>
   void follow(const Rays& rays, const IgnoredPatches& ignored, int reflections, Visit visit);
   Footprint footprint(const Rays& rays, const FanHit& hit, const Patch& plane) const;
+  Rays reflected_rays(const Rays& rays, const FanHit& hit, const Patch& plane) const;
+  bool meets_conductors(const Rays& rays, const Patch& plane) const;
+  ComplexVector magnetic(const Rays& rays, std::size_t index, int component) const;
   void radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density);
   void radiate_band(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density);
   struct RowPieces;
   void take_apart(const Footprint& on, const EdgeWaveIntegral& waves, double weight, const PathPlace& place,
                   std::vector<ImageEdge>& pieces) const;
-  ScatteringMatrix excited(const Footprint& on, const WaveIntegrals& sums, double wavenumber) const;
+  ScatteringMatrix excited(const Footprint& on, const WaveIntegrals& sums, std::size_t index, double wavenumber) const;
+  template <class Current>
+  ScatteringMatrix excited(const Footprint& on, const Current& current, const WaveIntegrals& sums, double wavenumber) const;
 
   const FaceTree& tree_;
   const std::vector<bool>& large_;
@@ -124,6 +140,7 @@ class EdgeIllumination {
   const LookVectors& look_;
   std::span<const double> wavenumbers_;
   const LitEdgePiece& source_;
+  FaceMaterials materials_;
   int reflections_;
   RayFanTracer tracer_;
   std::array<std::vector<FanHit>, 3> hits_;        // by reflections left

@@ -67,7 +67,7 @@ class BandIllumination {
   void add(const AzimuthRange& panel, double share) {
     const std::optional<PathSpan> span = paths(all_, panel, std::ranges::max(band_.wavenumbers()));
     if (!span) return;
-    const ChebyshevNodes* nodes = band_.nodes_of_fresnel(wider * span->half(), node_error);
+    const ChebyshevNodes* nodes = faces_.materials.any() ? nullptr : band_.nodes_of_fresnel(wider * span->half(), node_error);
     if (!nodes) {
       const AzimuthIntegral sum = integral(all_, band_.wavenumbers().size(), panel, share);
       for (std::size_t f = 0; f < sum.value.size(); ++f) result_.scattering[f] += sum.value[f];
@@ -140,6 +140,9 @@ IlluminatedFaces illuminated_faces(const ReceivingFaces& faces, const LookVector
                       : one ? at_one<EdgeIllumination>
                            : over_band<EdgeIllumination>;
   IlluminatedFaces result = solve(faces, look, wavenumbers, source, limits, cuts);
+  for (std::size_t f = 0; f < result.scattering.size(); ++f)
+    result.scattering[f] = source.of_transmitter(result.scattering[f], f);
+  for (ImageEdge& piece : result.pieces) piece.s = source.of_transmitter(piece.s, 0);
   result.work += work::azimuth_cut * static_cast<double>(faces.corners.size() + cuts.size());
   return result;
 }

@@ -67,7 +67,7 @@ class Summer {
 
  private:
   IlluminatedFaces of_group(const Group& group) const {
-    ReceivingFaces faces{look_.faces.tree, look_.faces.large, look_.faces.corners, group.patches};
+    ReceivingFaces faces{look_.faces.tree, look_.faces.large, look_.faces.corners, group.patches, {}, look_.faces.materials};
     return illuminated_faces(faces, look_.look, look_.wavenumbers, *group.job->piece,
                              {group.job->reflections, tolerance_, group.azimuths, group.work,
                               look_.places.empty() ? nullptr : &look_.places[group.index]});

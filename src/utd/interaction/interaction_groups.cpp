@@ -23,6 +23,14 @@ std::vector<dvec3> find_corners(std::span<const Wedge> wedges) {
   return corners;
 }
 
+// Which of the materials reflect more than half of the amplitude of a wave that meets them square on.
+std::vector<bool> mirrors_among(const FaceMaterials& materials, double wavenumber) {
+  std::vector<bool> mirrors;
+  for (std::uint32_t m = 0; m < materials.materials.size(); ++m)
+    mirrors.push_back(std::abs(materials.response(m, 0, wavenumber, 1.0, false).reflected.te) > 0.5);
+  return mirrors;
+}
+
 // So many of the patches, and which.
 void mark_large(const InteractionParts& parts, double least_area, InteractionGroup& group) {
   const auto small = [&](std::uint32_t patch) { return parts.patches[patch].area < least_area; };
@@ -33,9 +41,18 @@ void mark_large(const InteractionParts& parts, double least_area, InteractionGro
 
 }  // namespace
 
-InteractionParts::InteractionParts(const TriangleMesh& mesh, std::span<const Wedge> wedges)
-    : axes(edge_axes(mesh, wedges)), corners(find_corners(wedges)), patches(patch_extents(mesh)), by_area(patches.size()) {
+// Waves of edges end at sheets: they would go on behind these with what both sides of a face radiate.
+InteractionParts::InteractionParts(const TriangleMesh& mesh, std::span<const Wedge> wedges, const FaceMaterials& materials,
+                                   double wavenumber)
+    : axes(edge_axes(mesh, wedges, mirrors_among(materials, wavenumber))),
+      corners(find_corners(wedges)),
+      patches(patch_extents(mesh)),
+      by_area(patches.size()) {
   std::iota(by_area.begin(), by_area.end(), 0u);
+  std::erase_if(by_area, [&](std::uint32_t patch) {
+    const std::uint32_t material = mesh.patches[patch].material;
+    return materials.any() && material != no_index && materials.materials[material].transmits();
+  });
   std::ranges::stable_sort(by_area, std::ranges::greater{}, [&](std::uint32_t patch) { return patches[patch].area; });
 }
 

@@ -15,10 +15,12 @@ struct InteractionParts {
   std::vector<EdgeAxis> axes;          // that may illuminate others; they point into the wedges
   std::vector<dvec3> corners;          // of the target; none if there are more than 200
   std::vector<PatchExtent> patches;    // of the mesh
-  std::vector<std::uint32_t> by_area;  // these, the largest first
+  std::vector<std::uint32_t> by_area;  // those that let no waves through, the largest first
 
   InteractionParts() = default;
-  InteractionParts(const TriangleMesh& mesh, std::span<const Wedge> wedges);
+  /// `materials` are those of the mesh, at frequencies of which the first has this `wavenumber`; empty: perfect conductors
+  /// alone.
+  InteractionParts(const TriangleMesh& mesh, std::span<const Wedge> wedges, const FaceMaterials& materials, double wavenumber);
 };
 
 /// Frequencies at which the same edges and faces count.

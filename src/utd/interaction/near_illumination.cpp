@@ -12,7 +12,7 @@ NearIllumination::NearIllumination(const ReceivingFaces& faces, const LookVector
       source_(source),
       reflections_(reflections),
       antenna_(*source.edge, source.wave->antennas->transmit.position()),
-      integral_(source, antenna_, wavenumbers),
+      integral_(source, antenna_, wavenumbers, faces.materials),
       tracer_(faces.tree) {}
 
 // About the edge's line the antenna is turned into the half plane opposite, from where the rays run straight on.
@@ -39,11 +39,12 @@ void NearIllumination::follow(double azimuth, Visit visit) {
   if (!ends_at_surface(source_, 0, rays.across)) rays.fan.from -= margin(source_.from, -1.0);
   if (!ends_at_surface(source_, 1, rays.across)) rays.fan.to += margin(source_.to, 1.0);
   const Wedge& wedge = *source_.edge->wedge;
-  follow(rays, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch}, reflections_, visit);
+  follow(rays, {}, {wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch}, reflections_, visit);
 }
 
 template <class Visit>
-void NearIllumination::follow(const NearRow& rays, const IgnoredPatches& ignored, int reflections, Visit visit) {
+void NearIllumination::follow(const NearRow& rays, const std::vector<MetFace>& mirrors, const IgnoredPatches& ignored,
+                              int reflections, Visit visit) {
   std::vector<FanHit>& hits = hits_[reflections];
   tracer_.trace(rays.fan, ignored, hits);
   for (const FanHit& hit : hits) {
@@ -55,12 +56,15 @@ void NearIllumination::follow(const NearRow& rays, const IgnoredPatches& ignored
     NearRow row = rays;
     row.hit = hit;
     row.normal = facing_of(rays.fan, plane) > 0.0 ? -plane.normal : plane.normal;
+    std::vector<MetFace> met = mirrors;
+    if (faces_.materials.any()) met.emplace_back(plane);
+    if (std::ranges::any_of(met, [](const MetFace& face) { return face.material != no_index; })) row.faces = met;
     visit(row);
     if (reflections == 0) continue;
     row.fan = reflected_image(rays.fan, hit, plane.normal, plane.offset);
     row.across = glm::reflect(rays.across, plane.normal);
     row.turning = glm::reflect(rays.turning, plane.normal);
-    follow(row, {patch, no_index, no_index}, reflections - 1, visit);
+    follow(row, met, {patch, no_index, no_index}, reflections - 1, visit);
   }
 }
 

@@ -23,7 +23,8 @@ class NearIllumination {
   template <class Visit>
   void follow(double azimuth, Visit visit);
   template <class Visit>
-  void follow(const NearRow& rays, const IgnoredPatches& ignored, int reflections, Visit visit);
+  void follow(const NearRow& rays, const std::vector<MetFace>& mirrors, const IgnoredPatches& ignored, int reflections,
+              Visit visit);
   NearRow diffracted_rays(double azimuth) const;
   double margin(double position, double way) const;
 

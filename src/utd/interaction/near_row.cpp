@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "core/work.h"
 #include "math/erfc_ray.h"
@@ -17,6 +18,11 @@ constexpr double octaves = 8.0;    // a rule takes in distances from the edge up
 constexpr double most_bend = 1.0;  // of the phase within a rule, off a linear one [rad]
 constexpr int most_halvings = 24;
 constexpr double faded = 3.0;  // sqrt(k detour) past an end of the edge at which its waves have been let fade to nothing
+
+// Of eta H of a soft and of a hard wave, and of what their slopes add.
+std::array<dvec3, 4> magnetic_directions(const NearRay& ray, const dvec3& across, const dvec3& turning, const dvec3& step) {
+  return {-turning, ray.sin_cone * step - ray.cos_cone * across, across, turning};
+}
 
 double fading(double detour) {
   const double u = detour / (faded * faded), rest = std::max(1.0 - u * u * u * u, 0.0);
@@ -78,11 +84,35 @@ NearRay NearRowIntegral::ray(const NearRow& row, double position) const {
   ray.phase = -(in.path + ray.path + out.path);
   const dvec3 turning = -glm::cross(source_.edge->tangent, in.direction) / ray.sin_cone, up = glm::cross(in.direction, turning);
   for (int q = 0; q < 2; ++q) ray.arriving[q] = {glm::dot(up, in.field[q]), glm::dot(turning, in.field[q])};
-  const std::array<dvec3, 4> magnetic{-row.turning, ray.sin_cone * row.fan.step - ray.cos_cone * row.across, row.across,
-                                      row.turning};
+  if (!row.faces.empty()) {
+    set_spectral_currents(row, {out.field, -out.direction}, ray);
+    return ray;
+  }
+  const std::array<dvec3, 4> magnetic = magnetic_directions(ray, row.across, row.turning, row.fan.step);
   for (int c = 0; c < 4; ++c)
     for (int p = 0; p < 2; ++p) ray.current[p][c] = 2.0 * glm::dot(out.field[p], glm::cross(row.normal, magnetic[c]));
   return ray;
+}
+
+// From the edge itself on, face by face.
+void NearRowIntegral::set_spectral_currents(const NearRow& row, const FaceReceiver& receiver, NearRay& ray) const {
+  dvec3 across = row.across, turning = row.turning, step = row.fan.step;
+  const std::span<const MetFace> mirrors = std::span(row.faces).first(row.faces.size() - 1);
+  for (const MetFace& mirror : mirrors | std::views::reverse)
+    for (dvec3* each : {&across, &turning, &step}) *each = glm::reflect(*each, mirror.normal);
+  const std::array<dvec3, 4> magnetic = magnetic_directions(ray, across, turning, step);
+  ray.spectral.resize(wavenumbers_.size());
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+    for (int c = 0; c < 4; ++c) {
+      dvec3 direction = ray.sin_cone * across + ray.cos_cone * step;
+      ComplexVector field{magnetic[c]};
+      for (const MetFace& mirror : mirrors) {
+        field = reflected_magnetic(materials_, mirror, direction, field, f, wavenumbers_[f]);
+        direction = glm::reflect(direction, mirror.normal);
+      }
+      const auto received = received_currents(materials_, row.faces.back(), direction, field, receiver, f, wavenumbers_[f]);
+      for (int p = 0; p < 2; ++p) ray.spectral[f][p][c] = received[p];
+    }
 }
 
 void NearRowIntegral::add(const NearRow& row, const std::array<double, 2>& corners, std::vector<ScatteringMatrix>& density) {
@@ -126,7 +156,7 @@ void NearRowIntegral::add_in_parts(const NearRow& row, const Stretch& stretch, i
     const Samples samples = sampled(row, stretch);
     work_ += work::near_ray_row + work::near_ray_frequency * static_cast<double>(wavenumbers_.size());
     if (halvings >= most_halvings || samples.bend() * std::ranges::max(wavenumbers_) < most_bend) {
-      for (std::size_t f = 0; f < wavenumbers_.size(); ++f) density[f] += excited(row, samples, wavenumbers_[f]);
+      for (std::size_t f = 0; f < wavenumbers_.size(); ++f) density[f] += excited(row, samples, f);
       return;
     }
     split = stretch.middle();
@@ -189,7 +219,8 @@ NearRowIntegral::Waves NearRowIntegral::waves(const NearRow& row, const Samples&
 }
 
 // EdgeIllumination::excited, ray by ray.
-ScatteringMatrix NearRowIntegral::excited(const NearRow& row, const Samples& samples, double wavenumber) const {
+ScatteringMatrix NearRowIntegral::excited(const NearRow& row, const Samples& samples, std::size_t index) const {
+  const double wavenumber = wavenumbers_[index];
   const Complexes rule = FilonRule::get().weights(wavenumber * samples.rate);
   const Waves waves = this->waves(row, samples, wavenumber);
   Reals root;
@@ -206,15 +237,16 @@ ScatteringMatrix NearRowIntegral::excited(const NearRow& row, const Samples& sam
     const auto soft = [&](const Complexes& a, const Complexes& b) { return a[i] - b[i]; };
     const auto hard = [&](const Complexes& a, const Complexes& b) { return a[i] + b[i]; };
     const Waves::Sum &in = waves.incident, &back = waves.reflected;
-    for (int p = 0; p < 2; ++p) {
-      const auto& [soft_current, hard_current, outwards, around] = ray.current[p];
+    const auto receive = [&](int p, const auto& currents) {
+      const auto& [soft_current, hard_current, outwards, around] = currents;
       const Complex of_soft = of_ray * soft_current * soft(in.value, back.value) +
                               of_slope * (around * soft(in.outwards, back.outwards) - outwards * soft(in.around, back.around));
       const Complex of_hard =
           of_ray * hard_current * hard(in.value, back.value) +
           of_slope * ray.cos_cone * (outwards * hard(in.outwards, back.outwards) + around * hard(in.around, back.around));
       for (int q = 0; q < 2; ++q) sum.at(p, q) += ray.arriving[q][0] * of_soft + ray.arriving[q][1] * of_hard;
-    }
+    };
+    for (int p = 0; p < 2; ++p) ray.spectral.empty() ? receive(p, ray.current[p]) : receive(p, ray.spectral[index][p]);
   }
   return sum;
 }

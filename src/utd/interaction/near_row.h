@@ -29,6 +29,7 @@ struct NearRow {
   dvec3 across, turning;  // images of rho_hat and phi_hat of the azimuth
   dvec3 normal;           // of the plane, against the rays
   const EdgeWaveTerms* terms;
+  std::vector<MetFace> faces{};  // met so far, this plane's the last, where any of them is no perfect conductor; else empty
 };
 
 /// One of these rays.
@@ -41,14 +42,16 @@ struct NearRay {
   double phase;                                   // exponent / k of the whole way [m]
   std::array<std::array<double, 2>, 2> arriving;  // [transmit][soft, hard]: components of E at the edge
   std::array<std::array<double, 4>, 2> current;   // [receive][soft, hard, outwards, around]: p . eta J per unit eta H along each
+  std::vector<std::array<std::array<Complex, 4>, 2>> spectral{};  // [wavenumber] instead; empty: conductors alone
 };
 
 /// Integrals over rows of one lit piece of an edge.
 class NearRowIntegral {
  public:
   /// `corners` are positions of the ends of the piece at which waves go on, infinite where there are none. Keeps references.
-  NearRowIntegral(const LitEdgePiece& source, const AntennaAtEdge& antenna, std::span<const double> wavenumbers)
-      : source_(source), antenna_(antenna), wavenumbers_(wavenumbers) {}
+  NearRowIntegral(const LitEdgePiece& source, const AntennaAtEdge& antenna, std::span<const double> wavenumbers,
+                  const FaceMaterials& materials)
+      : source_(source), antenna_(antenna), wavenumbers_(wavenumbers), materials_(materials) {}
 
   NearRay ray(const NearRow& row, double position) const;
 
@@ -68,11 +71,13 @@ class NearRowIntegral {
   Samples sampled(const NearRow& row, const Stretch& stretch) const;
   double detour(const NearRay& ray, double position, double corner) const;
   Waves waves(const NearRow& row, const Samples& samples, double wavenumber) const;
-  ScatteringMatrix excited(const NearRow& row, const Samples& samples, double wavenumber) const;
+  ScatteringMatrix excited(const NearRow& row, const Samples& samples, std::size_t index) const;
+  void set_spectral_currents(const NearRow& row, const FaceReceiver& receiver, NearRay& ray) const;
 
   const LitEdgePiece& source_;
   const AntennaAtEdge& antenna_;
   std::span<const double> wavenumbers_;
+  const FaceMaterials& materials_;
   double work_ = 0.0;
 };
 

@@ -39,7 +39,8 @@ PairWork try_pairs(const PairProbe& probe, double most) {
     if (piece.weight == 0.0 || patch == axis.wedge->faces[0].patch || patch == axis.wedge->faces[1].patch) continue;
     const PairBound bound = pair_bound(piece, mesh.patches[patch], probe.extents[patch], view, probe.reflections);
     if (bound.amplitude == 0.0) continue;
-    const ReceivingFaces only{probe.faces.tree, probe.faces.large, probe.faces.corners, std::span(&patch, 1)};
+    const ReceivingFaces only{probe.faces.tree,     probe.faces.large, probe.faces.corners, std::span(&patch, 1), {},
+                              probe.faces.materials};
     sum.trials += illuminated_faces(only, probe.look, probe.wavenumbers, piece,
                                     {probe.reflections, probe.tolerance, std::span(&bound.azimuths, 1), most})
                       .work;

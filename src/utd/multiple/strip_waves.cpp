@@ -60,7 +60,8 @@ std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedg
 }
 
 std::optional<StripWave> mirrored_wave(std::span<const Wedge> wedges, const StripWave& wave, const OutlineEdge& edge) {
-  if (edge.wedge == no_index || std::abs(wedges[edge.wedge].n - 0.5) > right_angle || wave.mirrors == most_mirrors)
+  if (edge.wedge == no_index || std::abs(wedges[edge.wedge].n - 0.5) > right_angle || !wedges[edge.wedge].conducting() ||
+      wave.mirrors == most_mirrors)
     return std::nullopt;
   if (-glm::dot(wave.direction, edge.into_face) < along_edge) return std::nullopt;
   StripWave result = wave;
