@@ -235,6 +235,9 @@ void read_output(const CaseValue& root, Case& c) {
     if (c.incoherent && !any_rough(c.sweep.materials))
       reject(*incoherent,
              "output.incoherent: no surface is rough; give roughness_rms_mm to a material of the target, or remove it");
+    if (c.incoherent && c.edges.method == EdgeMethod::utd)
+      reject(*incoherent,
+             "output.incoherent: the rays of edges.method \"utd\" do not add up what roughness scatters; remove one of them");
     if (c.incoherent && c.ground)
       reject(*incoherent, {root.find("ground")},
              "output.incoherent: what a rough surface scatters on the ways over the ground is alike in phase (enhanced "

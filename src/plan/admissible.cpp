@@ -59,8 +59,6 @@ void check_with_materials(const Sweep& sweep, const TubeOptions& tubes, const Ed
   if (sweep.materials.empty()) return;
   if (!all_far(sweep) && edges.materials != MaterialEdgeMethod::none)
     throw InputError("edges.materials \"luebbers\" is a heuristic for plane waves; write \"none\", or remove [radar]");
-  if (edges.method == EdgeMethod::utd)
-    throw InputError("edges.method \"utd\" requires perfect conductors; write \"fringe\" or \"none\", or remove the materials");
   const bool sheets = std::ranges::any_of(sweep.materials, &Material::transmits);
   if (sheets && tubes.curved == CurvedSurfaces::always)
     throw InputError("tubes.curved \"always\" does not support sheets; write \"convex\" or \"never\"");

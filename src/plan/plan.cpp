@@ -173,10 +173,10 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
   const auto count = [&](auto left_out) { return static_cast<std::uint64_t>(std::ranges::count_if(wedges, left_out)); };
   std::vector<Skipped> skipped{
       {"wedges", "concave: multiple reflection stands for them", count([](const Wedge& w) { return !w.convex(); })}};
-  if (plan.rays()) return skipped;
   if (plan.edges.materials == MaterialEdgeMethod::none)
     skipped.push_back({"wedges", "a face is not a perfect conductor (edges.materials)",
                        count([](const Wedge& w) { return w.convex() && !w.conducting(); })});
+  if (plan.rays()) return skipped;
   const std::vector<double>& frequencies = plan.sweep.frequencies;
   const auto lowest = static_cast<std::size_t>(std::ranges::min_element(frequencies) - frequencies.begin());
   const std::vector<Wedge>& seen = *set_of(plan.wedge_sets, lowest).wedges;

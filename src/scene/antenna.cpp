@@ -62,4 +62,9 @@ AntennaRay Antenna::ray_to(const dvec3& point) const {
   return ray;
 }
 
+SphericalBasis Antenna::basis_at(const dvec3& point) const {
+  const dvec3 direction = ray_to(point).direction, from = -basis_.radial;
+  return {-direction, carried(basis_.theta_hat, from, direction), carried(basis_.phi_hat, from, direction)};
+}
+
 }  // namespace raytube

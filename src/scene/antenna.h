@@ -90,6 +90,9 @@ class Antenna {
   /// No digits are lost at long range.
   AntennaRay ray_to(const dvec3& point) const;
 
+  /// Its V and H there, turned with the ray.
+  SphericalBasis basis_at(const dvec3& point) const;
+
   /// Where it stands.
   dvec3 position() const { return reference_ + range_ * basis_.radial; }
   const dvec3& radial() const { return basis_.radial; }  // unit, from the reference to the antenna

@@ -46,7 +46,8 @@ BandSolver::BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncer
       scheduler_(plan.bands[band].frequencies, plan.tubes.tolerance_db) {
   for (const MechanismEntry& entry : mechanism_list()) mechanisms_[static_cast<std::size_t>(entry.id)] = entry.make(scene_);
   if (plan.rays())
-    ray_fields_.emplace(plan.target.tracer, plan.target.wedges, plan.ray_range, plan.sweep.radar, plan.max_bounces());
+    ray_fields_.emplace(plan.target.tracer, scene_.materials, plan.target.wedges, plan.ray_range, plan.sweep.radar,
+                        plan.max_bounces());
 }
 
 LookResult BandSolver::solve(const Look& look, Progress& progress, double share, const StageCallback& begins) const {

@@ -63,10 +63,8 @@ void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
 
 EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
   const MechanismId waves = MechanismId::surface_waves;
-  EdgeCurrents currents{has_edge_currents(plan_),
-                        plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none,
-                        {},
-                        entry_of(waves).state(plan_).on};
+  EdgeCurrents currents{
+      plan_.fringe(), plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none, {}, entry_of(waves).state(plan_).on};
   for (const Material& material : plan_.sweep.materials)
     currents.material_strengths.push_back(edge_strength(material, frequency, wavenumber(plan_.sweep.frequencies[frequency])));
   return currents;
@@ -86,7 +84,7 @@ RowEvidence ModelUncertainty::evidence_of_tubes(const Look& look, std::size_t fr
           .half_extent = plan_.target.mesh.radius,
           .bounces = bounces,
           .penumbra_share = penumbra_shares_[frequency],
-          .edge_order = has_edge_currents(plan_) ? plan_.edges.order : 0,
+          .edge_order = plan_.fringe() ? plan_.edges.order : 0,
           .wavelength = wavelength(plan_.sweep.frequencies[frequency])};
 }
 

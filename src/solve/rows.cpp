@@ -57,7 +57,7 @@ RowCollector::RowCollector(const SolvePlan& plan, const ModelUncertainty& model,
   result_.error.resize(sweep_.rows());
   result_.model.resize(sweep_.rows());
   result_.model_parts.resize(omissions);
-  if (any_rough(sweep_.materials)) result_.incoherent.resize(sweep_.rows());
+  if (any_rough(sweep_.materials) && !plan.rays()) result_.incoherent.resize(sweep_.rows());
   if (!plan.keep_parts) return;
   for (ModelPart& part : result_.model_parts) part.rows.resize(sweep_.rows());
   for (std::vector<ScatteringMatrix>& part : result_.parts.of) part.resize(sweep_.rows());

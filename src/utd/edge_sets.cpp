@@ -97,8 +97,12 @@ std::vector<double> EdgeSets::radiating_lengths() const {
 }
 
 EdgeScene EdgeSets::scene(const Set& set, bool over_curved) const {
-  return {*set.wedges, *set.outlines, screens_ ? screens_->opaque() : setup_.tracer, set.corners.get(),
-          over_curved ? set.curved.get() : nullptr};
+  return {*set.wedges,
+          *set.outlines,
+          screens_ ? screens_->opaque() : setup_.tracer,
+          set.corners.get(),
+          over_curved ? set.curved.get() : nullptr,
+          screens_ ? &*screens_ : nullptr};
 }
 
 std::vector<EdgeSets::SetPart> EdgeSets::parts_of(const Set& set, const WavesAtEdges& waves) const {
@@ -124,11 +128,11 @@ EdgeLookResult EdgeSets::scattering(const SetPart& part, const Look& look, const
                                     std::span<const SurfaceArrival> arrivals) const {
   const EdgeScene here = scene(part.set, part.over_curved);
   const FringeOptions how = options(part.set);
-  if (screens_) return screened_fringe_scattering(here, *screens_, look, {part.frequencies, part.indices}, how);
+  const SweepSubset subset{part.frequencies, part.indices};
+  if (!look.far()) return fringe_scattering_near(here, AntennaPair(look, radar, setup_.tracer.mesh().center), subset, how);
+  if (screens_) return screened_fringe_scattering(here, look, subset, how);
   const SurfaceLight light = part.over_curved ? SurfaceLight{arrivals, part.indices} : SurfaceLight{};
-  if (look.far()) return fringe_scattering(here, look, part.frequencies, how, light);
-  const AntennaPair antennas(look, radar, setup_.tracer.mesh().center);
-  return fringe_scattering_near(here, antennas, part.frequencies, how);
+  return fringe_scattering(here, look, part.frequencies, how, light);
 }
 
 EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves) const {
@@ -149,10 +153,11 @@ std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const Radar& radar, co
       if (found == part.indices.end()) continue;
       const PieceRequest in_part{static_cast<std::size_t>(found - part.indices.begin()), request.lattice, request.by_path};
       const EdgeScene here = scene(set, part.over_curved);
-      if (screens_) return screened_fringe_pieces(here, *screens_, look, {part.frequencies, part.indices}, in_part, options(set));
-      if (look.far()) return fringe_pieces(here, look, part.frequencies, in_part, options(set));
-      const AntennaPair antennas(look, radar, setup_.tracer.mesh().center);
-      return fringe_pieces_near(here, antennas, part.frequencies, in_part, options(set));
+      const SweepSubset subset{part.frequencies, part.indices};
+      if (!look.far())
+        return fringe_pieces_near(here, AntennaPair(look, radar, setup_.tracer.mesh().center), subset, in_part, options(set));
+      if (screens_) return screened_fringe_pieces(here, look, subset, in_part, options(set));
+      return fringe_pieces(here, look, part.frequencies, in_part, options(set));
     }
   return {};
 }

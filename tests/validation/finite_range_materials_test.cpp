@@ -273,18 +273,6 @@ TEST(FiniteRangeMaterials, CombinationsTendToTheFarField) {
       }
 }
 
-// Edges of conductors beside a coat are those of a finite distance; with a sheet they are left out, and said to be.
-TEST(FiniteRangeMaterials, EdgesWithSheetsAreLeftOut) {
-  const Look look = near_look({20 * degree, 0.3}, 0.5);
-  SolveOptions options;
-  const LoadedMesh loaded = build_mesh(under(shapes::plate(width), height, half_screen, 0.0), 1.0, "test", std::vector{window});
-  const Target target(loaded.mesh);
-  const Sweep sweep{{frequency}, {look}, false, {}, {window}};
-  const ScatteringMatrix with = solve(target, sweep, options).total[0];
-  options.edges.method = EdgeMethod::none;
-  EXPECT_EQ(frobenius_norm(with - solve(target, sweep, options).total[0]), 0.0);
-}
-
 // Monostatic currents are received as they were excited.
 TEST(FiniteRangeMaterials, MonostaticIsReciprocal) {
   for (const Material& sheet : {window, resistive()}) {

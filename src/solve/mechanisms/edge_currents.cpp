@@ -76,7 +76,7 @@ class MaterialEdges : public Mechanism {
 
 // Without any that radiate the pass is made where nothing is to be skipped.
 std::unique_ptr<Mechanism> make_edge_currents(const BandScene& scene) {
-  if (!has_edge_currents(scene.plan) || (!scene.edges.radiate() && scene.plan.tubes.skip)) return nullptr;
+  if (!scene.plan.fringe() || (!scene.edges.radiate() && scene.plan.tubes.skip)) return nullptr;
   return std::make_unique<EdgeCurrentsOfLook>(scene);
 }
 

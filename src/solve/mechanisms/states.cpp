@@ -50,12 +50,7 @@ MechanismState edge_currents_state(const SolvePlan& plan) {
   if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
   if (std::ranges::none_of(plan.target.wedges, &Wedge::radiates))
     return without("the target has no convex edge between perfect conductors");
-  if (!has_edge_currents(plan)) return misses("edges behind sheets know no antennas at a finite distance");
   return {.on = true, .forced = true, .what = fmt::format("order {}", plan.edges.order)};
-}
-
-bool has_edge_currents(const SolvePlan& plan) {
-  return plan.fringe() && (all_far(plan.sweep) || std::ranges::none_of(plan.sweep.materials, &Material::transmits));
 }
 
 bool has_material_edges(const SolvePlan& plan) { return plan.fringe() && plan.edges.materials != MaterialEdgeMethod::none; }

@@ -16,8 +16,6 @@ MechanismState edge_currents_state(const SolvePlan& plan);
 
 /// Currents of all other edges, by a heuristic.
 MechanismState material_edges_state(const SolvePlan& plan);
-/// Whether edges of conductors can add anything: behind sheets they know no antennas at a finite distance.
-bool has_edge_currents(const SolvePlan& plan);
 /// Whether those of other edges are asked for.
 bool has_material_edges(const SolvePlan& plan);
 

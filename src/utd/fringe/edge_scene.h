@@ -12,13 +12,16 @@
 
 namespace raytube {
 
+class OpaqueAndScreens;
+
 /// What is referred to must outlive the scene.
 struct EdgeScene {
   std::span<const Wedge> wedges;
-  const Outlines& outlines;              // of the faces beside the wedges; not used at order 1
-  const Tracer& tracer;                  // of what casts shadows on them
-  const CornerWaves* corners = nullptr;  // along the wedges: from order 2 on, else null
-  const CurvedFaces* curved = nullptr;   // of the wedges, over which strips bend: from order 2 on
+  const Outlines& outlines;                   // of the faces beside the wedges; not used at order 1
+  const Tracer& tracer;                       // of what casts shadows on them
+  const CornerWaves* corners = nullptr;       // along the wedges: from order 2 on, else null
+  const CurvedFaces* curved = nullptr;        // of the wedges, over which strips bend: from order 2 on
+  const OpaqueAndScreens* screens = nullptr;  // if there are any: then the tracer is of its opaque surfaces
 };
 
 struct FringeOptions {

@@ -14,7 +14,7 @@
 //   edge_pass.h        the sum over edges at either order, which all of the following share
 //   corner_pass.h      waves from corner to corner of a sheet (utd/corner), from order 2 on
 //   edges.h            antennas at infinity           near_edges.h       at a finite distance
-//   reflected_edges.h  edges lit by reflected waves   screened_edges.h   edges behind sheets that let waves through
+//   reflected_edges.h  edges lit by reflected waves   screened_edges.h   behind sheets that let waves through (screens.h)
 //   material_edges.h   edges of other materials       fringe_pieces.h    single pieces of edges, for images
 #pragma once
 

@@ -54,7 +54,7 @@ void PieceCutter::cut(const Wedge& wedge, double begin, double end, std::vector<
   }
   const LookVectors look = near_.at(at);
   // The mean of a phase that bends as a parabola is a third of what its ends have.
-  pieces.push_back({begin, end, look, path + bend / 3.0 + glm::dot(look.scattered - look.incident, at)});
+  pieces.push_back({begin, end, at, look, path + bend / 3.0 + glm::dot(look.scattered - look.incident, at)});
 }
 
 }  // namespace raytube

@@ -12,8 +12,9 @@ namespace raytube {
 /// A piece of an edge [begin, end] in the waves of two antennas, both plane along it.
 struct NearPiece {
   double begin, end;  // fractions of the edge
-  LookVectors look;   // fields with their amplitudes
-  double path;        // added to the phase that the plane waves of `look` have [m]
+  dvec3 middle;
+  LookVectors look;  // fields with their amplitudes
+  double path;       // added to the phase that the plane waves of `look` have [m]
 };
 
 /// By how much waves of an antenna are not plane at most on a target of this radius about the origin, twice over [rad].

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/material.h"
-
 namespace raytube {
 
 namespace {
@@ -24,23 +22,11 @@ dvec3 mirrored(const Patch& plane, const dvec3& point) { return point - 2.0 * he
 
 }  // namespace
 
-bool has_line_of_sight(const Tracer& tracer, const dvec3& point, const dvec3& outside, const IgnoredPatches& ignored) {
-  return tracer.blocker(point, glm::normalize(outside - point), ignored) == no_index;
-}
-
-bool blocks_between(const Tracer& tracer, const dvec3& from, const dvec3& to) {
-  const dvec3 direction = glm::normalize(to - from), nearest = from - glm::dot(from, direction) * direction;
-  const double radius = tracer.mesh().radius;
-  const bool between = glm::dot(from, direction) < 0.0 && glm::dot(to, direction) > 0.0;
-  if (!between || glm::length(nearest) > radius) return false;
-  return tracer.blocker(nearest - 2.0 * radius * direction, direction, {no_index, no_index, no_index}) != no_index;
-}
-
 // One look's search, level by level.
 class MirrorPaths::Search {
  public:
   Search(const MirrorPaths& scene, const dvec3& from, const dvec3& to, std::span<const std::uint32_t> boundary_patches)
-      : scene_(scene), mesh_(scene.tracer_.mesh()), from_(from), to_(to), boundary_patches_(boundary_patches) {}
+      : scene_(scene), mesh_(scene.surfaces_.mesh()), from_(from), to_(to), boundary_patches_(boundary_patches) {}
 
   MirrorPathList run(int most) {
     std::size_t begin = 0, end = 0;
@@ -87,6 +73,7 @@ class MirrorPaths::Search {
   void try_path(const Stage& last) {
     reflections_.clear();
     patches_.clear();
+    sheets_.clear();
     const bool single = last.before < 0,
                forced = single && std::ranges::find(boundary_patches_, last.patch) != boundary_patches_.end();
     const dvec3 goal = single ? to_ : to_ + mesh_.radius * beside;
@@ -103,7 +90,11 @@ class MirrorPaths::Search {
     }
     std::ranges::reverse(reflections_);
     std::ranges::reverse(patches_);
-    if (forced || clear(goal)) found_.paths.push_back({patches_, glm::length(to_ - last.image)});
+    if (forced)
+      sheets_.resize(2);
+    else if (!clear(goal))
+      return;
+    found_.paths.push_back({patches_, sheets_, glm::length(to_ - last.image)});
   }
 
   // Every leg ends on the patch it is meant for: from outside the target to the first, from one to the next, and out again.
@@ -113,15 +104,15 @@ class MirrorPaths::Search {
     for (std::size_t i = 0; i + 1 < reflections_.size(); ++i)
       if (!meets({reflections_[i], glm::normalize(reflections_[i + 1] - reflections_[i]), patches_[i]}, patches_[i + 1]))
         return false;
-    ++found_.rays;
-    return has_line_of_sight(scene_.tracer_, reflections_.back(), goal, {patches_.back(), no_index, no_index});
+    return keep(scene_.surfaces_.outwards(reflections_.back(), goal, {patches_.back(), no_index, no_index}));
   }
 
-  bool meets(const Ray& ray, std::uint32_t patch) {
-    Hit hit;
-    scene_.tracer_.closest_hits({&ray, 1}, {&hit, 1});
+  bool meets(const Ray& ray, std::uint32_t patch) { return keep(scene_.surfaces_.to_patch(ray, patch)); }
+
+  bool keep(std::optional<SheetsPassed> sheets) {
     ++found_.rays;
-    return hit && mesh_.triangle_patch[hit.triangle] == patch;
+    if (sheets) sheets_.push_back(std::move(*sheets));
+    return sheets.has_value();
   }
 
   const MirrorPaths& scene_;
@@ -131,12 +122,13 @@ class MirrorPaths::Search {
   std::vector<Stage> stages_;
   std::vector<dvec3> reflections_;
   std::vector<std::uint32_t> patches_;
+  std::vector<SheetsPassed> sheets_;
   MirrorPathList found_;
   std::uint64_t tests_ = 0;
 };
 
-MirrorPaths::MirrorPaths(const Tracer& tracer) : tracer_(tracer), balls_(tracer.mesh().patches.size()) {
-  const TriangleMesh& mesh = tracer.mesh();
+MirrorPaths::MirrorPaths(const RaySurfaces& surfaces) : surfaces_(surfaces), balls_(surfaces.mesh().patches.size()) {
+  const TriangleMesh& mesh = surfaces.mesh();
   std::vector<std::array<dvec3, 2>> boxes(balls_.size(), {dvec3(INFINITY), dvec3(-INFINITY)});
   const auto for_corners = [&](auto visit) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)

@@ -4,12 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "mesh/trace/tracer.h"
+#include "utd/gtd/ray_surfaces.h"
 
 namespace raytube {
 
 struct MirrorPath {
   std::vector<std::uint32_t> patches;  // the mirrors, in order
+  std::vector<SheetsPassed> sheets;    // before each mirror, and after the last one
   double length;                       // [m]
 };
 
@@ -22,14 +23,14 @@ struct MirrorPathList {
 
 class MirrorPaths {
  public:
-  /// Keeps a reference to the tracer.
-  explicit MirrorPaths(const Tracer& tracer);
+  /// Keeps a reference to the surfaces.
+  explicit MirrorPaths(const RaySurfaces& surfaces);
 
-  /// All paths of 1 to `most` reflections whose every leg is clear; both ends lie outside the target's bounding sphere, in
-  /// recentred coordinates. Sequences grow patch by patch: the next one must stand in the beam that the ball around the last one
-  /// reflects. Past `most_tests` pairs of patches the search stops, with the shorter sequences complete. A patch in
+  /// All paths of 1 to `most` reflections whose every leg is clear but for sheets; both ends lie outside the target's bounding
+  /// sphere, in recentred coordinates. Sequences grow patch by patch: the next one must stand in the beam that the ball around
+  /// the last one reflects. Past `most_tests` pairs of patches the search stops, with the shorter sequences complete. A patch in
   /// `boundary_patches`, on whose reflection boundary the look lies, reflects once whether or not the point of reflection is
-  /// inside it.
+  /// inside it; its legs have no sheets here.
   MirrorPathList find(const dvec3& from, const dvec3& to, int most, std::span<const std::uint32_t> boundary_patches) const;
 
   static constexpr std::uint64_t most_tests = 20'000'000;
@@ -47,14 +48,8 @@ class MirrorPaths {
   };
   class Search;
 
-  const Tracer& tracer_;
+  const RaySurfaces& surfaces_;
   std::vector<Ball> balls_;  // around each patch
 };
-
-/// True if nothing but the patches named stands between a point of the target and one outside its bounding sphere.
-bool has_line_of_sight(const Tracer& tracer, const dvec3& point, const dvec3& outside, const IgnoredPatches& ignored);
-
-/// True if the target stands between two points outside its bounding sphere.
-bool blocks_between(const Tracer& tracer, const dvec3& from, const dvec3& to);
 
 }  // namespace raytube

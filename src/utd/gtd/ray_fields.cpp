@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <ranges>
 
 #include "core/error.h"
-#include "scene/material.h"
 #include "utd/wedge/diffracted_field.h"
 
 namespace raytube {
@@ -41,9 +41,9 @@ bool on_half_turn(double angle) { return std::abs(angle - pi) < on_boundary; }
 // One look: what arrives, times both ranges and e^{jk (their sum)}.
 class RayFields::Sum {
  public:
-  Sum(const RayFields& scene, const Look& look, std::span<const double> frequencies) : scene_(scene), frequencies_(frequencies) {
+  Sum(const RayFields& scene, const Look& look, std::span<const double> frequencies) : scene_(scene) {
     const SphericalBasis transmit = spherical_basis(look.transmit), receive = spherical_basis(look.receive);
-    const dvec3 center = scene.tracer_.mesh().center;
+    const dvec3 center = scene.surfaces_.mesh().center;
     transmit_range_ = look.far() ? scene.range_ : look.transmit_range;
     receive_range_ = look.far() ? scene.range_ : look.receive_range;
     transmitter_ = look.transmitter().reference() + transmit_range_ * transmit.radial - center;
@@ -56,14 +56,16 @@ class RayFields::Sum {
     else
       antennas_.emplace(look, scene.radar_, center);
     result_.edges.resize(frequencies.size());
-    for (const double f : frequencies) wavenumbers_.push_back(wavenumber(f));
+    for (std::size_t f = 0; f < frequencies.size(); ++f) at_.push_back({f, wavenumber(frequencies[f])});
   }
 
   RayLookResult run() {
     for (const Wedge& wedge : scene_.wedges_)
       if (wedge.convex() && !wedge.enclosed && wedge.conducting()) add_edge(wedge);
     add_shadow();
-    const MirrorPathList list = scene_.mirrors_.find(transmitter_, receiver_, scene_.most_bounces_, boundary_patches_);
+    std::vector<std::uint32_t> patches;
+    for (const Boundary& boundary : boundaries_) patches.push_back(boundary.patch);
+    const MirrorPathList list = scene_.mirrors_.find(transmitter_, receiver_, scene_.most_bounces_, patches);
     for (const MirrorPath& path : list.paths) add_mirrors(path);
     result_.rays += list.rays;
     result_.cut = list.cut;
@@ -71,7 +73,21 @@ class RayFields::Sum {
   }
 
  private:
-  RaySource source(const dvec3& moment) const { return {Spreading::point, transmitter_, {}, {moment, dvec3(0.0)}}; }
+  using Fields = std::array<ComplexVector, 2>;  // of transmit V and H
+
+  // From where an edge's rays are tested for obstacles, and the sheets on the way there and on.
+  struct EdgeSight {
+    dvec3 point;
+    SheetsPassed before, behind;
+  };
+
+  // A patch on whose reflection boundary the look lies, and what is before the edge at which it ends.
+  struct Boundary {
+    std::uint32_t patch;
+    std::vector<SheetsPassed> sheets;  // as in MirrorPath
+  };
+
+  RaySource source(const ComplexVector& moment) const { return {Spreading::point, transmitter_, {}, moment}; }
 
   // What an antenna has towards a point, without spreading.
   static std::array<dvec3, 2> fields_towards(const Antenna& antenna, const dvec3& point) {
@@ -79,8 +95,9 @@ class RayFields::Sum {
     for (dvec3& field : fields) field *= glm::distance(point, antenna.position()) / antenna.range();
     return fields;
   }
-  std::array<dvec3, 2> moments_towards(const dvec3& point) const {
-    return antennas_ ? fields_towards(antennas_->transmit, point) : moments_;
+  Fields moments_towards(const dvec3& point) const {
+    const std::array<dvec3, 2> moments = antennas_ ? fields_towards(antennas_->transmit, point) : moments_;
+    return {ComplexVector{moments[0]}, ComplexVector{moments[1]}};
   }
   std::array<dvec3, 2> receive_from(const dvec3& point) const {
     return antennas_ ? fields_towards(antennas_->receive, point) : receive_;
@@ -90,22 +107,32 @@ class RayFields::Sum {
 
   void add_edge(const Wedge& wedge) {
     const StraightEdge edge = straight_edge(wedge);
-    if (!has_edge_ray(edge, source(moments_[0]), receiver_)) return;
-    EdgeRay ray = edge_ray(edge, source(moments_[0]), receiver_);
+    const RaySource transmitter = source({});
+    if (!has_edge_ray(edge, transmitter, receiver_)) return;
+    EdgeRay ray = edge_ray(edge, transmitter, receiver_);
     const double weight = weight_of(edge, ray);
-    const dvec3 nearest = nearest_point(edge, ray);
-    if (weight == 0.0 || !is_clear(wedge, nearest)) return;
-    note_boundaries(wedge, edge, ray);
+    if (weight == 0.0) return;
+    const std::optional<EdgeSight> sight = sight_of(wedge, nearest_point(edge, ray));
+    if (!sight) return;
+    note_boundaries(wedge, edge, ray, *sight);
     ++result_.edge_rays;
     ray.path -= transmit_range_ + receive_range_;
     ray.spread *= weight * transmit_range_ * receive_range_;
-    const std::array<dvec3, 2> moments = moments_towards(nearest), received = receive_from(nearest);
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-      for (const int transmit : {0, 1}) {
-        const ComplexVector field = diffracted_field(edge, ray, source(moments[transmit]).moment, wavenumbers_[f]);
+    add_diffracted(edge, ray, *sight);
+  }
+
+  void add_diffracted(const StraightEdge& edge, const EdgeRay& ray, const EdgeSight& sight) {
+    const dvec3 arriving = glm::normalize(sight.point - transmitter_), leaving = glm::normalize(receiver_ - sight.point);
+    const std::array<dvec3, 2> received = receive_from(sight.point);
+    for (const RayFrequency& at : at_) {
+      Fields fields = moments_towards(sight.point);
+      scene_.surfaces_.pass(sight.before, at, arriving, fields);
+      for (ComplexVector& field : fields) field = diffracted_field(edge, ray, field, at.wavenumber);
+      scene_.surfaces_.pass(sight.behind, at, leaving, fields);
+      for (const int transmit : {0, 1})
         for (const int receive : {0, 1})
-          result_.edges[f].at(receive, transmit) += reference(wavenumbers_[f]) * dot(field, received[receive]);
-      }
+          result_.edges[at.index].at(receive, transmit) += reference(at.wavenumber) * dot(fields[transmit], received[receive]);
+    }
   }
 
   double weight_of(const StraightEdge& edge, const EdgeRay& ray) const {
@@ -113,29 +140,54 @@ class RayFields::Sum {
     return monostatic_ ? std::min(source, observer) : source * observer;
   }
 
-  bool is_clear(const Wedge& wedge, const dvec3& point) {
+  std::optional<EdgeSight> sight_of(const Wedge& wedge, const dvec3& point) {
     result_.rays += 2;
     const IgnoredPatches own{wedge.faces[0].patch, wedge.faces[1].patch, no_index};
-    return has_line_of_sight(scene_.tracer_, point, transmitter_, own) &&
-           has_line_of_sight(scene_.tracer_, point, receiver_, own);
+    std::optional<SheetsPassed> in = scene_.surfaces_.outwards(point, transmitter_, own);
+    if (!in) return std::nullopt;
+    std::optional<SheetsPassed> out = scene_.surfaces_.outwards(point, receiver_, own);
+    if (!out) return std::nullopt;
+    std::ranges::reverse(*in);
+    return EdgeSight{point, std::move(*in), std::move(*out)};
   }
 
   // Whose shadow or reflection boundary is in this ray.
-  void note_boundaries(const Wedge& wedge, const StraightEdge& edge, const EdgeRay& ray) {
+  void note_boundaries(const Wedge& wedge, const StraightEdge& edge, const EdgeRay& ray, const EdgeSight& sight) {
     const double room = on_boundary * transmit_range_;
     if (ray.arc_length < edge.begin - room || ray.arc_length > edge.end + room) return;
-    if (on_half_turn(std::abs(ray.observation_angle - ray.source_angle))) ++edges_in_direct_ray_;
+    if (on_half_turn(std::abs(ray.observation_angle - ray.source_angle))) in_direct_ray_.push_back(sight);
     const double sum = ray.observation_angle + ray.source_angle;
-    if (on_half_turn(sum)) boundary_patches_.push_back(wedge.faces[0].patch);
-    if (on_half_turn(2 * edge.n * pi - sum)) boundary_patches_.push_back(wedge.faces[1].patch);
+    const auto note = [&](const WedgeFace& face) { boundaries_.push_back({face.patch, {sight.before, sight.behind}}); };
+    if (on_half_turn(sum)) note(wedge.faces[0]);
+    if (on_half_turn(2 * edge.n * pi - sum)) note(wedge.faces[1]);
   }
 
-  // The direct ray less itself.
+  // The direct ray less itself, and what comes through sheets in its place.
   void add_shadow() {
     if (monostatic_ || !target_may_stand_between()) return;
-    if (edges_in_direct_ray_ == 0 && !blocks_between(scene_.tracer_, transmitter_, receiver_)) return;
-    add_ray(0, glm::length(receiver_ - transmitter_), transmitter_, moments_towards(receiver_),
-            -std::ldexp(1.0, -edges_in_direct_ray_));
+    const std::optional<SheetsPassed> sheets = sheets_in_direct_ray();
+    const double hidden = !sheets                  ? 1.0
+                          : in_direct_ray_.empty() ? 0.0
+                                                   : std::ldexp(1.0, -static_cast<int>(in_direct_ray_.size()));
+    const bool screened = sheets && !sheets->empty();
+    if (hidden == 0.0 && !screened) return;
+    const dvec3 way = receiver_ - transmitter_;
+    const Fields plain = moments_towards(receiver_);
+    add_ray(0, glm::length(way), transmitter_, screened ? -1.0 : -hidden, [&](const RayFrequency&) { return plain; });
+    if (!screened) return;
+    add_ray(0, glm::length(way), transmitter_, 1.0 - hidden, [&](const RayFrequency& at) {
+      Fields fields = plain;
+      scene_.surfaces_.pass(*sheets, at, glm::normalize(way), fields);
+      return fields;
+    });
+  }
+
+  // None if something opaque is in the ray.
+  std::optional<SheetsPassed> sheets_in_direct_ray() const {
+    if (in_direct_ray_.empty()) return scene_.surfaces_.past_target(transmitter_, receiver_);
+    SheetsPassed sheets = in_direct_ray_.front().before;
+    std::ranges::copy(in_direct_ray_.front().behind, std::back_inserter(sheets));
+    return sheets;
   }
 
   // An antenna at a finite distance has all of the target in front, and nothing of it beside or behind.
@@ -148,54 +200,73 @@ class RayFields::Sum {
   void add_mirrors(const MirrorPath& path) {
     dvec3 image = transmitter_;
     for (const std::uint32_t patch : path.patches) {
-      const Patch& plane = scene_.tracer_.mesh().patches[patch];
+      const Patch& plane = scene_.surfaces_.patch(patch);
       image -= 2.0 * (glm::dot(plane.normal, image) - plane.offset) * plane.normal;
     }
     dvec3 leaving = receiver_ - image;
     for (const std::uint32_t patch : path.patches | std::views::reverse)
-      leaving = reflected_direction(leaving, scene_.tracer_.mesh().patches[patch].normal);
-    std::array<dvec3, 2> moments = moments_towards(transmitter_ + leaving);
-    for (const std::uint32_t patch : path.patches)
-      for (dvec3& moment : moments) moment = reflected_field_pec(moment, scene_.tracer_.mesh().patches[patch].normal);
+      leaving = reflected_direction(leaving, scene_.surfaces_.patch(patch).normal);
+    const Fields moments = moments_towards(transmitter_ + leaving);
     const std::size_t bounce = path.patches.size() - 1;
-    const auto edges = bounce == 0 ? std::ranges::count(boundary_patches_, path.patches[0]) : 0;
+    const auto edges = bounce == 0 ? std::ranges::count(boundaries_, path.patches[0], &Boundary::patch) : 0;
+    const std::vector<SheetsPassed>& sheets =
+        edges > 0 ? std::ranges::find(boundaries_, path.patches[0], &Boundary::patch)->sheets : path.sheets;
     if (result_.paths.size() <= bounce) result_.paths.resize(bounce + 1);
     ++result_.paths[bounce];
-    add_ray(bounce, path.length, image, moments, std::ldexp(1.0, -static_cast<int>(edges)));
+    add_ray(bounce, path.length, image, std::ldexp(1.0, -static_cast<int>(edges)),
+            [&](const RayFrequency& at) { return after_mirrors(path, sheets, glm::normalize(leaving), at, moments); });
   }
 
-  void add_ray(std::size_t bounce, double length, const dvec3& from, const std::array<dvec3, 2>& moments, double weight) {
-    if (result_.bounces.size() <= bounce) result_.bounces.resize(bounce + 1, std::vector<ScatteringMatrix>(frequencies_.size()));
+  Fields after_mirrors(const MirrorPath& path, std::span<const SheetsPassed> sheets, dvec3 direction, const RayFrequency& at,
+                       Fields fields) const {
+    for (std::size_t i = 0; i < path.patches.size(); ++i) {
+      scene_.surfaces_.pass(sheets[i], at, direction, fields);
+      scene_.surfaces_.reflect(path.patches[i], at, direction, fields);
+      direction = reflected_direction(direction, scene_.surfaces_.patch(path.patches[i]).normal);
+    }
+    scene_.surfaces_.pass(sheets.back(), at, direction, fields);
+    return fields;
+  }
+
+  // `fields_at`(frequency) is what arrives, without spreading and phase.
+  template <class FieldsAt>
+  void add_ray(std::size_t bounce, double length, const dvec3& from, double weight, FieldsAt fields_at) {
+    if (result_.bounces.size() <= bounce) result_.bounces.resize(bounce + 1, std::vector<ScatteringMatrix>(at_.size()));
     const dvec3 direction = (receiver_ - from) / length;
     const double spread = weight * transmit_range_ * receive_range_ / length;
     const std::array<dvec3, 2> received = receive_from(from);
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const Complex phase =
-          std::polar(spread, -wavenumbers_[f] * (length - (transmit_range_ + receive_range_))) * reference(wavenumbers_[f]);
-      for (const int transmit : {0, 1}) {
-        const dvec3 field = moments[transmit] - glm::dot(moments[transmit], direction) * direction;
+    for (const RayFrequency& at : at_) {
+      const double k = at.wavenumber;
+      const Complex phase = std::polar(spread, -k * (length - (transmit_range_ + receive_range_))) * reference(k);
+      const Fields fields = fields_at(at);
+      for (const int transmit : {0, 1})
         for (const int receive : {0, 1})
-          result_.bounces[bounce][f].at(receive, transmit) += phase * glm::dot(field, received[receive]);
-      }
+          result_.bounces[bounce][at.index].at(receive, transmit) +=
+              phase * dot(across(fields[transmit], direction), received[receive]);
     }
   }
 
   const RayFields& scene_;
-  std::span<const double> frequencies_;
-  std::vector<double> wavenumbers_;
+  std::vector<RayFrequency> at_;
   double transmit_range_, receive_range_;
   dvec3 transmitter_, receiver_;
   std::optional<AntennaPair> antennas_;     // at a finite distance
   std::array<dvec3, 2> moments_, receive_;  // V, H
   bool monostatic_ = false;
   double to_center_ = 0.0;
-  int edges_in_direct_ray_ = 0;
-  std::vector<std::uint32_t> boundary_patches_;  // patches whose reflected light ends in the ray, once for each edge
+  std::vector<EdgeSight> in_direct_ray_;  // edges
+  std::vector<Boundary> boundaries_;      // where reflected light ends in the ray, once for each edge
   RayLookResult result_;
 };
 
-RayFields::RayFields(const Tracer& tracer, std::span<const Wedge> wedges, double range, const Radar& radar, int most_bounces)
-    : tracer_(tracer), wedges_(wedges), mirrors_(tracer), range_(range), radar_(radar), most_bounces_(most_bounces) {}
+RayFields::RayFields(const Tracer& tracer, std::span<const Material> materials, std::span<const Wedge> wedges, double range,
+                     const Radar& radar, int most_bounces)
+    : surfaces_(tracer, materials),
+      wedges_(wedges),
+      mirrors_(surfaces_),
+      range_(range),
+      radar_(radar),
+      most_bounces_(most_bounces) {}
 
 RayLookResult RayFields::look(const Look& look, std::span<const double> frequencies) const {
   return Sum(*this, look, frequencies).run();
