@@ -6,6 +6,7 @@
 
 #include "core/work.h"
 #include "utd/fringe/corner_pass.h"
+#include "utd/wedge/near_look.h"
 
 namespace raytube {
 
@@ -18,42 +19,6 @@ struct NearPiece {
   double path;        // added to the phase that the plane waves of `look` have [m]
 };
 
-/// Both ways from antenna to antenna over a point, less the ranges.
-double path_over(const AntennaPair& antennas, const dvec3& point) {
-  return antennas.transmit.ray_to(point).path + antennas.receive.ray_to(point).path;
-}
-
-/// A phase over the target that counts as none [rad].
-constexpr double least_phase = 0.01;
-
-/// The waves of antennas where they meet an edge. What edges send on is not continuous where it runs exactly along another one.
-/// Rays that are parallel over the whole target are therefore taken so: the limit of a long range is the far field.
-class NearLook {
- public:
-  NearLook(const AntennaPair& antennas, double wavenumber, double radius)
-      : antennas_(antennas),
-        parallel_in_(is_parallel(antennas.transmit, wavenumber, radius)),
-        parallel_out_(is_parallel(antennas.receive, wavenumber, radius)) {}
-
-  LookVectors at(const dvec3& point) const {
-    const AntennaRay in = antennas_.transmit.ray_to(point), out = antennas_.receive.ray_to(point);
-    LookVectors look{in.direction, -out.direction, in.field, {}, out.field};
-    if (parallel_in_) look.incident = -antennas_.transmit.radial();
-    if (parallel_out_) look.scattered = antennas_.receive.radial();
-    for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(look.incident, in.field[q]);
-    return look;
-  }
-
- private:
-  static bool is_parallel(const Antenna& antenna, double wavenumber, double radius) {
-    const double reach = glm::length(antenna.reference()) + radius;
-    return wavenumber * reach * reach < least_phase * antenna.range();
-  }
-
-  const AntennaPair& antennas_;
-  bool parallel_in_, parallel_out_;
-};
-
 /// What is left of phase off the linear one at the ends of a piece [rad], and the turn of the directions along it [rad].
 constexpr double most_bend = 0.1, most_turn = 0.02;
 
@@ -61,19 +26,16 @@ constexpr double most_bend = 0.1, most_turn = 0.02;
 class PieceCutter {
  public:
   PieceCutter(const AntennaPair& antennas, double wavenumber, double radius)
-      : antennas_(antennas), near_(antennas, wavenumber, radius), wavenumber_(wavenumber) {}
+      : near_(antennas, wavenumber, radius), wavenumber_(wavenumber) {}
 
   /// Halves the part [begin, end] of an edge until its pieces are short enough.
   void cut(const Wedge& wedge, double begin, double end, std::vector<NearPiece>& pieces) const {
     const auto point = [&](double fraction) { return glm::mix(wedge.start, wedge.end, fraction); };
     const double middle = 0.5 * (begin + end);
     const dvec3 at = point(middle);
-    const double path = path_over(antennas_, at),
-                 bend = 0.5 * (path_over(antennas_, point(begin)) + path_over(antennas_, point(end))) - path;
+    const double path = near_.path_over(at), bend = 0.5 * (near_.path_over(point(begin)) + near_.path_over(point(end))) - path;
     const double half = 0.5 * (end - begin) * wedge.length();
-    const double nearest =
-        std::min(glm::distance(antennas_.transmit.position(), at), glm::distance(antennas_.receive.position(), at));
-    if (wavenumber_ * std::abs(bend) > most_bend || half > most_turn * nearest) {
+    if (wavenumber_ * std::abs(bend) > most_bend || half > most_turn * near_.nearest(at)) {
       cut(wedge, begin, middle, pieces);
       return cut(wedge, middle, end, pieces);
     }
@@ -83,7 +45,6 @@ class PieceCutter {
   }
 
  private:
-  const AntennaPair& antennas_;
   NearLook near_;
   double wavenumber_;
 };
@@ -175,7 +136,7 @@ void for_corner_waves_near(const EdgeScene& scene, const AntennaPair& antennas, 
   const NearLook near(antennas, wavenumber(std::ranges::max(frequencies)), scene.tracer.mesh().radius);
   const auto incident = [&](const Wedge& wedge) { return near.at(0.5 * (wedge.start + wedge.end)).incident; };
   const auto visit = [&](const dvec3& corner) {
-    return CornerWaves::Visit{near.at(corner), -antennas.transmit.ray_to(corner).path, -antennas.receive.ray_to(corner).path};
+    return CornerWaves::Visit{near.at(corner), -near.path_in(corner), -near.path_out(corner)};
   };
   for_edges_between_corners(scene, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
     const std::array<dvec3, 2> corners = scene.corners->corners_of(index);
@@ -206,7 +167,7 @@ void add_pieces(const EdgeScene& scene, std::uint32_t index, NearEdges& near, Li
 }  // namespace
 
 EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair& antennas, std::span<const double> frequencies,
-                                      const FringeOptions& options) {
+                                      const FringeOptions& options, const SurfaceLight& surfaces) {
   assert(!frequencies.empty() && options.order >= 1);
   LitEdges light = light_of(scene, antennas, frequencies, options);
   NearSum sum(antennas, frequencies, scene.tracer.mesh().radius, options.order > 1);
@@ -214,6 +175,10 @@ EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair&
     for (std::uint32_t index = 0; index < scene.wedges.size(); ++index) sum.add(scene.wedges, index, light, make);
     return sum.take();
   });
+  const NearLook near(antennas, wavenumber(std::ranges::max(frequencies)), scene.tracer.mesh().radius);
+  for (const SurfaceArrival& arrival : surfaces.arrivals)
+    result.work += add_arrivals(scene, near.at(arrival.position), frequencies, options,
+                                {std::span(&arrival, 1), surfaces.frequencies}, result.higher);
   for_corner_waves_near(scene, antennas, frequencies, light, [&](std::uint32_t index, auto lit, const auto& visits) {
     result.work += work::edge_light + work::corner_wave;
     scene.corners->add(index, lit_share(lit), visits, frequencies, result.higher);
