@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/field.h"
@@ -24,10 +26,25 @@ inline Complex dihedral(double w, double b, double k, double g, int sign) {
   return Complex(0.0, -b * k / (2.0 * pi)) * (single + sign * 2.0 * w * std::min(s, c));
 }
 
+/// What an antenna at this distance from the middle of a sphere makes of the partial wave n of a plane wave. It is a Huygens
+/// source that looks there, an electric and a magnetic dipole: (1 + cos) / 2 about its axis, with the polarisations of a plane
+/// wave carried along. On the axis a dipole's own partial waves are h_n(kr) and (kr h_n(kr))' / kr (Tai 1994, Dyadic Green
+/// Functions, section 10-2), so that both kinds, TE and TM, have the mean of the two, which far away are as large.
+inline Complex huygens_source(int n, double distance, double k) {
+  if (std::isinf(distance)) return 1.0;
+  const double x = k * distance;
+  Complex before = Complex(0, 1) / x, h = (Complex(0, 1) / x - 1.0) / x;  // h_n^(2)(x) e^{jx}, upwards
+  for (int i = 1; i < n; ++i) before = std::exchange(h, (2.0 * i + 1.0) / x * h - before);
+  return 0.5 * x * (h + Complex(0, 1) * (before - n / x * h)) * std::polar(1.0, -0.5 * pi * ((n + 1) % 4));
+}
+
 /// Perfectly conducting sphere of radius a, phase reference at its centre; `gamma` is the angle between the directions to
 /// transmitter and receiver (0 backscatter). First: E in the scattering plane, second: E across it, each referred to
-/// basis vectors that coincide for gamma = 0. Exact series (Bohren & Huffman 1983, section 4.4, with e^{+j omega t}).
-inline std::pair<Complex, Complex> sphere(double a, double k, double gamma) {
+/// basis vectors that coincide for gamma = 0. Exact series (Bohren & Huffman 1983, section 4.4, with e^{+j omega t}), of plane
+/// waves or of Huygens sources at a distance, one of them the receiver (reciprocity).
+inline std::pair<Complex, Complex> sphere(double a, double k, double gamma,
+                                          double transmit_range = std::numeric_limits<double>::infinity(),
+                                          double receive_range = std::numeric_limits<double>::infinity()) {
   const double x = k * a, u = -std::cos(gamma);  // cosine of the scattering angle from forward
   const int terms = static_cast<int>(x + 4.0 * std::cbrt(x) + 20.0);
   Complex in_plane = 0.0, across = 0.0;
@@ -38,7 +55,8 @@ inline std::pair<Complex, Complex> sphere(double a, double k, double gamma) {
     const Complex h(j, -std::sph_neumann(order, x)), h_before(j_before, -std::sph_neumann(order - 1, x));
     const Complex an = (x * j_before - n * j) / (x * h_before - double(n) * h), bn = j / h;
     const double tau = n * u * pi_now - (n + 1) * pi_before;
-    const double weight = (2.0 * n + 1.0) / (n * (n + 1.0));
+    const Complex weight =
+        (2.0 * n + 1.0) / (n * (n + 1.0)) * huygens_source(n, transmit_range, k) * huygens_source(n, receive_range, k);
     in_plane += weight * (an * tau + bn * pi_now);
     across += weight * (an * pi_now + bn * tau);
     const double pi_next = ((2.0 * n + 1.0) * u * pi_now - (n + 1.0) * pi_before) / n;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "utd/fringe/near_edges.h"
+#include "utd/wedge/near_look.h"
 
 namespace raytube {
 
@@ -129,9 +130,9 @@ EdgeLookResult EdgeSets::scattering(const SetPart& part, const Look& look, const
   const EdgeScene here = scene(part.set, part.over_curved);
   const FringeOptions how = options(part.set);
   const SweepSubset subset{part.frequencies, part.indices};
-  if (!look.far()) return fringe_scattering_near(here, AntennaPair(look, radar, setup_.tracer.mesh().center), subset, how);
-  if (screens_) return screened_fringe_scattering(here, look, subset, how);
   const SurfaceLight light = part.over_curved ? SurfaceLight{arrivals, part.indices} : SurfaceLight{};
+  if (!look.far()) return fringe_scattering_near(here, AntennaPair(look, radar, setup_.tracer.mesh().center), subset, how, light);
+  if (screens_) return screened_fringe_scattering(here, look, subset, how);
   return fringe_scattering(here, look, part.frequencies, how, light);
 }
 
@@ -162,30 +163,43 @@ std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const Radar& radar, co
   return {};
 }
 
-std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, const PieceRequest& request,
+std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, const Radar& radar, const PieceRequest& request,
                                                 std::span<const SurfaceArrival> arrivals) const {
   std::vector<ImageEdge> pieces;
   for (const Set& set : sets_) {
     const auto found = std::ranges::find(set.indices, request.frequency_index);
     if (found == set.indices.end()) continue;
+    const TriangleMesh& mesh = setup_.tracer.mesh();
+    std::optional<AntennaPair> antennas;
+    std::optional<NearLook> near;
+    if (!look.far()) {
+      antennas.emplace(look, radar, mesh.center);
+      near.emplace(near_antennas(*antennas), wavenumber(std::ranges::max(set.frequencies)), mesh.radius);
+    }
     for (const SurfaceArrival& arrival : arrivals) {
       std::vector<ScatteringMatrix> s(set.frequencies.size());
-      add_arrivals(scene(set, true), look_vectors(look), set.frequencies, options(set), {std::span(&arrival, 1), set.indices}, s);
-      const dvec3 place = request.by_path
-                              ? PathPlace{look_vectors(look).scattered}.at(arrival.start, arrival.position, arrival.path)
-                              : arrival.position;
+      const LookVectors here = near ? near->at(arrival.position) : look_vectors(look);
+      add_arrivals(scene(set, true), here, set.frequencies, options(set), {std::span(&arrival, 1), set.indices}, s);
+      const dvec3 place =
+          request.by_path ? PathPlace{here.scattered}.at(arrival.start, arrival.position, arrival.path) : arrival.position;
       pieces.push_back({place, place, s[found - set.indices.begin()]});
     }
   }
   return pieces;
 }
 
-std::vector<SurfaceRay> EdgeSets::surface_rays(const Look& look, std::span<const SurfaceArrival> arrivals) const {
+std::vector<SurfaceRay> EdgeSets::surface_rays(const Look& look, const Radar& radar,
+                                               std::span<const SurfaceArrival> arrivals) const {
   std::vector<SurfaceRay> rays;
   for (const Set& set : sets_) {
     FringeOptions keeping = options(set);
     keeping.rays = &rays;
-    fringe_scattering(scene(set, true), look, set.frequencies, keeping, {arrivals, set.indices});
+    const SurfaceLight light{arrivals, set.indices};
+    if (look.far())
+      fringe_scattering(scene(set, true), look, set.frequencies, keeping, light);
+    else
+      fringe_scattering_near(scene(set, true), {look, radar, setup_.tracer.mesh().center}, {set.frequencies, set.indices},
+                             keeping, light);
   }
   return rays;
 }

@@ -63,11 +63,11 @@ class EdgeSets {
                                 const WavesAtEdges& waves) const;
 
   /// What waves over curved surfaces start at the edges, at one of the frequencies, wave by wave.
-  std::vector<ImageEdge> arrival_pieces(const Look& look, const PieceRequest& request,
+  std::vector<ImageEdge> arrival_pieces(const Look& look, const Radar& radar, const PieceRequest& request,
                                         std::span<const SurfaceArrival> arrivals) const;
 
   /// The strips over curved faces in one look, each at the first of the frequencies that it is computed for.
-  std::vector<SurfaceRay> surface_rays(const Look& look, std::span<const SurfaceArrival> arrivals) const;
+  std::vector<SurfaceRay> surface_rays(const Look& look, const Radar& radar, std::span<const SurfaceArrival> arrivals) const;
 
   /// Edge-face interaction of one look at all frequencies; zero at frequencies where it is not asked for, empty if there is none
   /// at any.

@@ -81,8 +81,10 @@ TEST(FiniteRangeImage, CellsAddUpToTheRow) {
     expect(shapes::cube(4 * lambda), EdgeMethod::fringe, "cube, order 3", as_is);
     expect(shapes::cube(4 * lambda), EdgeMethod::fringe, "cube, order 1", [](SolveOptions& o) { o.edges.order = 1; });
     expect(shapes::box({4 * lambda, 3 * lambda, lambda / 50}), EdgeMethod::fringe, "thin plate", as_is);
+    const auto with_waves = [](SolveOptions& o) { o.surfaces.waves = true; };
     expect(shapes::icosphere(3, 3 * lambda), EdgeMethod::none, "sphere", as_is);
-    expect(shapes::cylinder(2 * lambda, 6 * lambda, 72), EdgeMethod::fringe, "cylinder", as_is);
+    expect(shapes::icosphere(3, 3 * lambda), EdgeMethod::fringe, "sphere with waves", with_waves);
+    expect(shapes::cylinder(2 * lambda, 6 * lambda, 72), EdgeMethod::fringe, "cylinder with waves", with_waves);
   }
 }
 

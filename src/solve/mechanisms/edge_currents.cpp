@@ -41,11 +41,13 @@ class EdgeCurrentsOfLook : public Mechanism {
       pieces = std::move(edges);  // there may be many
     else
       std::ranges::copy(edges, std::back_inserter(pieces));
-    std::ranges::copy(scene_.edges.arrival_pieces(look, request, sink.arrivals), std::back_inserter(pieces));
+    std::ranges::copy(scene_.edges.arrival_pieces(look, scene_.plan.sweep.radar, request, sink.arrivals),
+                      std::back_inserter(pieces));
   }
 
   void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {
-    if (scene_.curved) std::ranges::copy(scene_.edges.surface_rays(look, arrivals), std::back_inserter(rays));
+    if (scene_.curved)
+      std::ranges::copy(scene_.edges.surface_rays(look, scene_.plan.sweep.radar, arrivals), std::back_inserter(rays));
   }
 
  private:

@@ -51,7 +51,7 @@ class Interaction : public Mechanism {
   void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
     const std::optional<AntennaPair> pair = near_pair(traced.look);
     if (!pair) return solve(traced, nullptr, sink);
-    const NearAntennas antennas{ImageAntenna(pair->transmit), &pair->receive};
+    const NearAntennas antennas = near_antennas(*pair);
     solve(traced, &antennas, sink);
   }
 

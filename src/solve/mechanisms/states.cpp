@@ -33,7 +33,6 @@ MechanismState surface_waves_state(const SolvePlan& plan) {
   if (std::ranges::none_of(plan.bands, is_curved)) return without("no curved surface");
   const BandPlan& most = *std::ranges::max_element(plan.bands, {}, conducting);
   if (conducting(most) == 0) return without("no curved surface is a perfect conductor");
-  if (!all_far(plan.sweep)) return misses("antennas at a finite distance");
   const std::size_t facets = conducting(most), others = most.wave_surfaces->facets() - facets;
   return {.on = true,
           .forced = plan.surfaces.waves.forced(),

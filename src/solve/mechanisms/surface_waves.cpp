@@ -50,7 +50,7 @@ class WavesOverSurfaces : public Mechanism {
 
   // Forward of grazing the estimate has lobes of its own: other looks than monostatic ones take them in any case.
   Prospect prospect(const TracedLook& traced, const LookSums& /*others*/) const override {
-    if (!prospect_ || !(traced.look.transmit == traced.look.receive)) return {};
+    if (!prospect_ || !one_antenna(traced.look)) return {};
     Prospect result{.tolerances = tolerances()};
     std::map<long, double> known;
     for (const double frequency : frequencies_) {
@@ -71,8 +71,9 @@ class WavesOverSurfaces : public Mechanism {
     if (in_image && sink.image->by_path) places.by_path = PathPlace{look_vectors(traced.look).scattered};
     if (in_image)
       places.wavenumber = static_cast<std::size_t>(std::ranges::find(indices, sink.image->frequency_index) - indices.begin());
+    const std::optional<AntennaPair> antennas = antennas_of(traced.look);
     SurfaceWaveResult found =
-        surface_wave_scattering(*scene_.curved, look_vectors(traced.look), frequencies, in_image ? &places : nullptr);
+        surface_wave_scattering(*scene_.curved, local(traced.look, antennas), frequencies, in_image ? &places : nullptr);
     if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));
     sink.sums.surface_strips = found.strips;
     sink.sums.run(MechanismId::surface_waves).work = found.work;
@@ -85,13 +86,27 @@ class WavesOverSurfaces : public Mechanism {
 
   void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {
     const std::size_t first = rays.size();
-    SurfaceWaveResult waves = surface_wave_scattering(*scene_.curved, look_vectors(look), frequencies_, nullptr, &rays);
+    const std::optional<AntennaPair> antennas = antennas_of(look);
+    SurfaceWaveResult waves = surface_wave_scattering(*scene_.curved, local(look, antennas), frequencies_, nullptr, &rays);
     arrivals = std::move(waves.arrivals);
     for (std::size_t i = first; i < rays.size(); ++i) keep_points_apart(rays[i], ray_step * wavelength(frequencies_.front()));
   }
 
  private:
   bool is_convex() const { return scene_.band.convexity.no_reflection; }
+
+  static bool one_antenna(const Look& look) { return look.transmit == look.receive && look.transmit_range == look.receive_range; }
+
+  std::optional<AntennaPair> antennas_of(const Look& look) const {
+    if (look.far()) return {};
+    return AntennaPair(look, scene_.plan.sweep.radar, scene_.plan.target.mesh.center);
+  }
+
+  // Refers to the antennas.
+  LocalLook local(const Look& look, const std::optional<AntennaPair>& antennas) const {
+    if (!antennas) return look_vectors(look);
+    return NearLook(near_antennas(*antennas), wavenumber(std::ranges::max(frequencies_)), scene_.plan.target.mesh.radius);
+  }
 
   double tolerances() const {
     if (is_convex()) return 1.0;

@@ -13,8 +13,6 @@ namespace raytube {
 
 namespace {
 
-NearAntennas antennas_of(const AntennaPair& pair) { return {ImageAntenna(pair.transmit), &pair.receive}; }
-
 /// Lit parts of an edge by the screens they stand behind.
 using PartsByScreens = std::map<Screens, std::vector<LitInterval>>;
 
@@ -59,7 +57,7 @@ class NearEdges {
   NearEdges(const EdgeScene& scene, const AntennaPair& antennas, const SweepSubset& subset)
       : frequencies_(subset.frequencies),
         screens_(scene, antennas, subset),
-        cutter_(antennas_of(antennas), wavenumber(std::ranges::max(frequencies_)), scene.tracer.mesh().radius) {}
+        cutter_(near_antennas(antennas), wavenumber(std::ranges::max(frequencies_)), scene.tracer.mesh().radius) {}
 
   /// Calls visit(piece, edges, meeting, lit, screens) for those of wedge `index`, `edges` made by `make`, that of at_order().
   template <class Make, class Visit>
@@ -159,7 +157,7 @@ class NearCornerWaves {
       : scene_(scene),
         antennas_(antennas),
         screens_(scene, antennas, subset),
-        near_(antennas_of(antennas), wavenumber(std::ranges::max(subset.frequencies)), scene.tracer.mesh().radius) {}
+        near_(near_antennas(antennas), wavenumber(std::ranges::max(subset.frequencies)), scene.tracer.mesh().radius) {}
 
   /// Calls add(index, lit, visits, screens) for the edges that have any.
   template <class Add>
@@ -231,7 +229,7 @@ void add_corner_waves(const CornerWaves& corners, std::uint32_t index, double sh
 }  // namespace
 
 EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair& antennas, const SweepSubset& subset,
-                                      const FringeOptions& options) {
+                                      const FringeOptions& options, const SurfaceLight& surfaces) {
   assert(!subset.frequencies.empty() && options.order >= 1);
   LitEdges light = light_of(scene, antennas, subset, options);
   NearSum sum(scene, antennas, subset, options.order > 1);
@@ -239,6 +237,10 @@ EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair&
     for (std::uint32_t index = 0; index < scene.wedges.size(); ++index) sum.add(scene.wedges, index, light, make);
     return sum.take();
   });
+  const NearLook near(near_antennas(antennas), wavenumber(std::ranges::max(subset.frequencies)), scene.tracer.mesh().radius);
+  for (const SurfaceArrival& arrival : surfaces.arrivals)
+    result.work += add_arrivals(scene, near.at(arrival.position), subset.frequencies, options,
+                                {std::span(&arrival, 1), surfaces.frequencies}, result.higher);
   const NearCornerWaves waves(scene, antennas, subset);
   waves.for_each(light, [&](std::uint32_t index, auto lit, const auto& visits, const Screens& screens) {
     result.work += work::edge_light + work::corner_wave;

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "mesh/features/wedges.h"
-#include "utd/wedge/edge_currents.h"
-#include "utd/wedge/image_antenna.h"
+#include "utd/wedge/near_look.h"
 
 namespace raytube {
 
@@ -15,23 +14,6 @@ struct NearPiece {
   dvec3 middle;
   LookVectors look;  // fields with their amplitudes
   double path;       // added to the phase that the plane waves of `look` have [m]
-};
-
-/// By how much waves of an antenna are not plane at most on a target of this radius about the origin, twice over [rad].
-double bend_over_target(const Antenna& antenna, double wavenumber, double radius);
-
-/// The waves of antennas where they meet an edge. What edges send on is not continuous where it runs exactly along another one.
-/// Rays that are parallel over the whole target are therefore taken so: the limit of a long range is the far field.
-class NearLook {
- public:
-  NearLook(const NearAntennas& antennas, double wavenumber, double radius);
-
-  LookVectors at(const dvec3& point) const;
-  const NearAntennas& antennas() const { return antennas_; }
-
- private:
-  NearAntennas antennas_;
-  bool parallel_in_, parallel_out_;
 };
 
 /// Cuts edges into pieces along which the waves of both antennas are plane.
@@ -44,8 +26,6 @@ class PieceCutter {
   void cut(const Wedge& wedge, double begin, double end, std::vector<NearPiece>& pieces) const;
 
  private:
-  double path_over(const dvec3& point) const;
-
   NearLook near_;
   double wavenumber_;
 };

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "mesh/smooth/curvature_field.h"
 #include "mesh/model/edge_table.h"
+#include "mesh/smooth/curvature_field.h"
 #include "mesh/trace/tracer.h"
 #include "utd/surface/body_widths.h"
 
@@ -28,10 +28,14 @@ struct CurvedTarget {
     return frame;
   }
 
-  /// Whether waves run over a body at a wavenumber: not if it is under a wavelength across in both of its short directions. There k
-  /// times half the width is below pi and m below 1.2, so that the transitions at its two shadow boundaries, 1/m to either side of
-  /// each, fill more than half of the half turn between them: they are no longer Fock's, which know one boundary.
+  /// Whether waves run over a body at a wavenumber: not if it is under a wavelength across in both of its short directions. There
+  /// k times half the width is below pi and m below 1.2, so that the transitions at its two shadow boundaries, 1/m to either side
+  /// of each, fill more than half of the half turn between them: they are no longer Fock's, which know one boundary.
   bool carries_waves(std::uint32_t component, double wavenumber) const { return widths[component] * wavenumber >= 2.0 * pi; }
+
+  const dvec3& corner(std::uint32_t triangle, int corner) const {
+    return tracer.mesh().vertices[tracer.mesh().triangles[triangle][corner]];
+  }
 
   /// n . d at a corner of a triangle, where rounding is none.
   double facing(std::uint32_t triangle, int corner, const dvec3& incident_direction) const {

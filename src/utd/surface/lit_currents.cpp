@@ -55,8 +55,7 @@ double area(const Corners& c) {
 
 class LitSide {
  public:
-  LitSide(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers, BandSum& sum,
-          StripPlaces* places)
+  LitSide(const CurvedTarget& target, LocalLook& look, std::span<const double> wavenumbers, BandSum& sum, StripPlaces* places)
       : target_(target), look_(look), sum_(sum), places_(places) {
     lowest_ = std::ranges::min(wavenumbers);
     highest_ = std::ranges::max(wavenumbers);
@@ -66,13 +65,14 @@ class LitSide {
 
   void add(std::uint32_t triangle, double side) {
     Facet facet{triangle, side, {}, target_.surfaces.facet(triangle)};
-    for (int c = 0; c < 3; ++c) facet.facing[c] = side * target_.facing(triangle, c, look_.incident);
+    for (int c = 0; c < 3; ++c) facet.facing[c] = side * target_.facing(triangle, c, look_.incident(target_.corner(triangle, c)));
     const LitParts parts(facet.facing);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const dvec2 l = middle(parts[i]);
-      const LitFrame frame = frame_at(facet, l);
-      if (frame.distance(lowest_) > -far_xi && target_.is_lit(facet.surface.point(l), frame.normal, look_.incident))
-        add_part(facet, frame, parts[i]);
+      const dvec3 position = facet.surface.point(l), incident = look_.incident(position);
+      const LitFrame frame(target_.frame(facet.triangle, l, facet.side), incident);
+      if (frame.distance(lowest_) > -far_xi && target_.is_lit(position, frame.normal, incident))
+        add_part(facet, frame, -glm::dot(frame.normal, incident), parts[i]);
     }
   }
 
@@ -90,22 +90,17 @@ class LitSide {
     ScatteringMatrix hard, soft;  // of a current of physical optics with either part alone
   };
 
-  LitFrame frame_at(const Facet& facet, const dvec2& l) const {
-    return {target_.frame(facet.triangle, l, facet.side), look_.incident};
-  }
-
-  // By how much xi changes over it, about.
-  double turn_over(const Facet& facet, const LitFrame& frame, const Corners& corners) const {
+  // By how much xi changes over it, about; `grazing` is -n . d.
+  double turn_over(const Facet& facet, const LitFrame& frame, double grazing, const Corners& corners) const {
     const auto facing = [&](const dvec2& l) {
       return (1.0 - l.x - l.y) * facet.facing[0] + l.x * facet.facing[1] + l.y * facet.facing[2];
     };
     const auto [low, high] = std::minmax({facing(corners[0]), facing(corners[1]), facing(corners[2])});
-    const double grazing = std::max(-glm::dot(frame.normal, look_.incident), rounding);
-    return (high - low) * std::min(-frame.distance(highest_), least_lit) / grazing;
+    return (high - low) * std::min(-frame.distance(highest_), least_lit) / std::max(grazing, rounding);
   }
 
-  void add_part(const Facet& facet, const LitFrame& frame, const Corners& corners) {
-    const double cuts = std::min(turn_over(facet, frame, corners) / longest_turn, most_parts);
+  void add_part(const Facet& facet, const LitFrame& frame, double grazing, const Corners& corners) {
+    const double cuts = std::min(turn_over(facet, frame, grazing, corners) / longest_turn, most_parts);
     const int parts = std::max(1, static_cast<int>(std::ceil(cuts - rounding)));
     const dvec2 u = (corners[1] - corners[0]) / double(parts), v = (corners[2] - corners[0]) / double(parts);
     for (int i = 0; i < parts; ++i)
@@ -121,7 +116,7 @@ class LitSide {
   void add_triangle(const Facet& facet, const Corners& corners) {
     const dvec2 centre = middle(corners);
     std::array<double, 3> at_corners;
-    for (std::size_t c = 0; c < 3; ++c) at_corners[c] = path(facet.surface.point(corners[c]));
+    for (std::size_t c = 0; c < 3; ++c) at_corners[c] = look_.both(facet.surface.point(corners[c]));
     const auto [shortest, longest] = std::ranges::minmax(at_corners);
     const double phase = highest_ * (longest - shortest);
     points_.clear();
@@ -143,8 +138,10 @@ class LitSide {
   }
 
   void add_point(const Facet& facet, const dvec2& l) {
-    const LitFrame frame = frame_at(facet, l);
-    points_.push_back({frame, path(facet.surface.point(l)), radiated(frame, frame.straight), radiated(frame, frame.bent)});
+    const dvec3 position = facet.surface.point(l);
+    const LookVectors& here = look_.at(position);
+    const LitFrame frame(target_.frame(facet.triangle, l, facet.side), here.incident);
+    points_.push_back({frame, look_.both(position), radiated(here, frame, frame.straight), radiated(here, frame, frame.bent)});
   }
 
   static ScatteringMatrix amplitude(const Point& point, double k) {
@@ -172,21 +169,19 @@ class LitSide {
     return mean;
   }
 
-  double path(const dvec3& position) const { return glm::dot(look_.scattered - look_.incident, position); }
-
   void put(const dvec3& position, const ScatteringMatrix& s) { places_->pieces.push_back({position, position, s}); }
 
   // 2 n x H of the part of H along that axis.
-  ScatteringMatrix radiated(const LitFrame& frame, const dvec3& axis) const {
+  static ScatteringMatrix radiated(const LookVectors& look, const LitFrame& frame, const dvec3& axis) {
     const dvec3 current = 2.0 * glm::cross(frame.normal, axis);
     ScatteringMatrix s;
     for (int t = 0; t < 2; ++t)
-      for (int p = 0; p < 2; ++p) s.at(p, t) = glm::dot(look_.magnetic[t], axis) * glm::dot(look_.receive[p], current);
+      for (int p = 0; p < 2; ++p) s.at(p, t) = glm::dot(look.magnetic[t], axis) * glm::dot(look.receive[p], current);
     return s;
   }
 
   const CurvedTarget& target_;
-  const LookVectors& look_;
+  LocalLook& look_;
   BandSum& sum_;
   StripPlaces* places_;
   double lowest_, highest_, work_ = 0.0;
@@ -195,7 +190,7 @@ class LitSide {
 
 }  // namespace
 
-double add_lit_currents(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers, BandSum& sum,
+double add_lit_currents(const CurvedTarget& target, LocalLook& look, std::span<const double> wavenumbers, BandSum& sum,
                         StripPlaces* places) {
   const double lowest = std::ranges::min(wavenumbers);
   LitSide lit(target, look, wavenumbers, sum, places);

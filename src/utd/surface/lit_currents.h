@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "utd/surface/curved_target.h"
+#include "utd/surface/local_look.h"
 #include "utd/surface/strip_sum.h"
-#include "utd/wedge/edge_currents.h"
 
 namespace raytube {
 
 /// Adds S to `sum` and returns what that cost (core/work.h); perfect conductors. `places` may be null.
-double add_lit_currents(const CurvedTarget& target, const LookVectors& look, std::span<const double> wavenumbers, BandSum& sum,
+double add_lit_currents(const CurvedTarget& target, LocalLook& look, std::span<const double> wavenumbers, BandSum& sum,
                         StripPlaces* places);
 
 }  // namespace raytube

@@ -21,7 +21,7 @@ struct Crossing {
 
 class ShadowBoundary {
  public:
-  ShadowBoundary(const CurvedTarget& target, const LookVectors& look, double widest, double most_turn)
+  ShadowBoundary(const CurvedTarget& target, const LocalLook& look, double widest, double most_turn)
       : target_(target), look_(look), widest_(widest), most_turn_(most_turn) {
     for (std::uint32_t t = 0; t < target.tracer.mesh().triangles.size(); ++t)
       if (target.surfaces.conducts(t)) cross(t);
@@ -52,7 +52,7 @@ class ShadowBoundary {
 
   void cross(std::uint32_t t) {
     double f[3];
-    for (int c = 0; c < 3; ++c) f[c] = target_.facing(t, c, look_.incident);
+    for (int c = 0; c < 3; ++c) f[c] = target_.facing(t, c, look_.incident(target_.corner(t, c)));
     const int dark = (f[0] > 0) + (f[1] > 0) + (f[2] > 0);
     if (dark == 0 || dark == 3) return;
     Crossing crossing{t, {}, {}, {no_index, no_index}, 0.0};
@@ -192,7 +192,7 @@ class ShadowBoundary {
   }
 
   const CurvedTarget& target_;
-  const LookVectors& look_;
+  const LocalLook& look_;
   const double widest_, most_turn_;
   std::vector<Crossing> crossings_;
   std::vector<EdgeEnd> edge_ends_;
@@ -202,7 +202,7 @@ class ShadowBoundary {
 
 }  // namespace
 
-std::vector<BoundaryPiece> shadow_boundary(const CurvedTarget& target, const LookVectors& look, double widest, double most_turn) {
+std::vector<BoundaryPiece> shadow_boundary(const CurvedTarget& target, const LocalLook& look, double widest, double most_turn) {
   return ShadowBoundary(target, look, widest, most_turn).take();
 }
 

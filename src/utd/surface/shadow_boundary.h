@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "utd/surface/curved_target.h"
+#include "utd/surface/local_look.h"
 #include "utd/surface/surface_ray.h"
-#include "utd/wedge/edge_currents.h"
 
 namespace raytube {
 
@@ -18,6 +18,6 @@ struct BoundaryPiece {
 /// The lines on which the normals, linear over the facets, are across the wave, each in equal pieces of at most `widest` [m] over
 /// which the normal turns by at most `most_turn` [rad]; closed ones stretch by stretch, from one coordinate plane through their
 /// centroid to the next. So pieces hang on where lines run alone, and bodies mirrored in a coordinate plane have mirrored pieces.
-std::vector<BoundaryPiece> shadow_boundary(const CurvedTarget& target, const LookVectors& look, double widest, double most_turn);
+std::vector<BoundaryPiece> shadow_boundary(const CurvedTarget& target, const LocalLook& look, double widest, double most_turn);
 
 }  // namespace raytube

@@ -39,9 +39,10 @@ struct StripPoint {
 
 /// A strip into the dark from a point of the shadow boundary, as far as it has come.
 struct DarkStrip {
-  StripPoint q;   // of the boundary
-  dvec3 chord;    // of its piece of that [m]
-  double across;  // its width there [m]
+  StripPoint q;                              // of the boundary
+  dvec3 chord;                               // of its piece of that [m]
+  double across;                             // its width there [m]
+  std::array<double, 2> magnetic, electric;  // H and E of the wave there along the binormal, transmit V and H
   StripPoint end;
   StripWidth width;
   DarkWay way{};
@@ -58,7 +59,7 @@ std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
 
 class SurfaceLook {
  public:
-  SurfaceLook(const CurvedTarget& target, const LookVectors& look, std::span<const double> frequencies, StripPlaces* places,
+  SurfaceLook(const CurvedTarget& target, const LocalLook& look, std::span<const double> frequencies, StripPlaces* places,
               std::vector<SurfaceRay>* rays)
       : target_(target),
         mesh_(target.tracer.mesh()),
@@ -110,15 +111,19 @@ class SurfaceLook {
       const dvec3& from = mesh_.vertices[corners[c]];
       const dvec3 way = mesh_.vertices[corners[(c + 1) % 3]] - from;
       const dvec3 inwards = glm::cross(mesh_.patches[mesh_.triangle_patch[t]].normal, way);
-      if (glm::dot(inwards, look_.incident) > -1e-9 * glm::length(inwards)) continue;
+      if (glm::dot(inwards, look_.incident(from + 0.5 * way)) > -1e-9 * glm::length(inwards)) continue;
       add_far_sides(t, c, way, 1.0);
       if (!mesh_.closed(t)) add_far_sides(t, c, way, -1.0);
     }
   }
 
+  double facing(std::uint32_t t, int corner) const {
+    return target_.facing(t, corner, look_.incident(target_.corner(t, corner)));
+  }
+
   // Along the lit part of a facet's side.
   void add_far_sides(std::uint32_t t, int c, const dvec3& way, double side) {
-    const double a = side * target_.facing(t, c, look_.incident), b = side * target_.facing(t, (c + 1) % 3, look_.incident);
+    const double a = side * facing(t, c), b = side * facing(t, (c + 1) % 3);
     if (a >= 0.0 && b >= 0.0) return;
     const double from = a > 0.0 ? a / (a - b) : 0.0, to = b > 0.0 ? a / (a - b) : 1.0, share = to - from;
     const int parts = std::max(1, static_cast<int>(std::ceil(share * glm::length(way) / (widest_strip * shortest_) - no_more)));
@@ -132,30 +137,36 @@ class SurfaceLook {
   }
 
   void add_far_side(const FacetPoint& start, int corner, const dvec3& width, double side) {
-    StripPoint q = at(target_.surfaces.facet(start.triangle), start, look_.incident, side);
-    const double grazing = -glm::dot(look_.incident, q.normal);
-    const LitFrame frame(target_.frame(start.triangle, start.l, side), look_.incident);
-    if (grazing <= 0.0 || frame.distance(lowest_) <= -least_lit || !target_.is_lit(q.position, q.normal, look_.incident)) return;
+    const dvec3 incident = incident_at(start);
+    StripPoint q = at(target_.surfaces.facet(start.triangle), start, incident, side);
+    const double grazing = -glm::dot(incident, q.normal);
+    const LitFrame frame(target_.frame(start.triangle, start.l, side), incident);
+    if (grazing <= 0.0 || frame.distance(lowest_) <= -least_lit || !target_.is_lit(q.position, q.normal, incident)) return;
     const double across = std::abs(glm::dot(width, q.binormal));
     ++result_.strips;
-    const double path = glm::dot(look_.scattered - look_.incident, q.position);
-    arrive(start.triangle, corner, side, q, q, path, [&](double k) { return across * lit_share(frame, k).hard; });
+    const LookVectors& here = look_.at(q.position);
+    const std::array<double, 2> magnetic = along(here.magnetic, q.binormal);
+    arrive({start.triangle, corner, side < 0.0, q.position, q.along, q.position, look_.both(q.position), {}}, magnetic,
+           [&](double k) { return across * lit_share(frame, k).hard; });
   }
 
-  // A hard current reaches the end of the surface on that path: half(k) of it, times its width, for unit H along the binormal of
-  // its start.
+  // A hard current reaches the end of the surface: half(k) of it, times its width, for unit H along the binormal of its start,
+  // where that is `magnetic`.
   template <class Half>
-  void arrive(std::uint32_t triangle, int corner, double side, const StripPoint& end, const StripPoint& start, double path,
-              Half half) {
-    SurfaceArrival arrival{triangle, corner, side < 0.0, end.position, end.along, start.position, path, {}};
+  void arrive(SurfaceArrival arrival, const std::array<double, 2>& magnetic, Half half) {
     const std::vector<Complex> currents = band_.everywhere(half);
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const Complex current = currents[f] * std::polar(1.0, wavenumbers_[f] * path);
-      arrival.magnetic.push_back(
-          {current * glm::dot(look_.magnetic[0], start.binormal), current * glm::dot(look_.magnetic[1], start.binormal)});
+      const Complex current = currents[f] * std::polar(1.0, wavenumbers_[f] * arrival.path);
+      arrival.magnetic.push_back({current * magnetic[0], current * magnetic[1]});
     }
     result_.arrivals.push_back(std::move(arrival));
   }
+
+  static std::array<double, 2> along(const std::array<dvec3, 2>& field, const dvec3& axis) {
+    return {glm::dot(field[0], axis), glm::dot(field[1], axis)};
+  }
+
+  dvec3 incident_at(const FacetPoint& p) const { return look_.incident(target_.surfaces.facet(p.triangle).point(p.l)); }
 
   StripPoint at(const BentFacet& facet, const FacetPoint& p, const dvec3& walking, double side) const {
     const SurfaceFrame frame = target_.frame(p.triangle, p.l, side);
@@ -171,12 +182,18 @@ class SurfaceLook {
 
   void add_strip(const BoundaryPiece& piece, double side) {
     const FacetPoint& start = piece.middle;
-    const StripPoint q = at(target_.surfaces.facet(start.triangle), start, look_.incident, side);
+    const dvec3 incident = incident_at(start);
+    const StripPoint q = at(target_.surfaces.facet(start.triangle), start, incident, side);
     const double across = std::abs(glm::dot(piece.chord, q.binormal));
     if (q.curvature * mesh_.radius < least_curvature || across <= 0.0) return;
-    if (!target_.is_lit(q.position, q.normal, look_.incident)) return;
+    if (!target_.is_lit(q.position, q.normal, incident)) return;
     ++result_.strips;
-    follow_dark(start, DarkStrip{q, piece.chord, across, q, StripWidth{across}}, side);
+    // Rays of one antenna along the surface part as they come: the derivative of d over the boundary is its chord across d / R.
+    const StripWidth width{across, across * look_.spreading(q.position)};
+    const LookVectors& here = look_.at(q.position);
+    follow_dark(start, incident,
+                DarkStrip{q, piece.chord, across, along(here.magnetic, q.binormal), along(here.electric, q.binormal), q, width},
+                side);
   }
 
   // Over so much of a strip the current, and the rate of its phase, change by little [m].
@@ -186,20 +203,20 @@ class SurfaceLook {
     return std::min({longest_step * shortest_, bend, fock}) / (fine ? at_caustic : 1.0);
   }
 
-  /// S of a current along `current` at the strip's end per unit of -jk / 4 pi, for each transmitted field's part along b.
-  ScatteringMatrix radiated(const DarkStrip& strip, const std::array<dvec3, 2>& field, const dvec3& current) const {
+  /// S of a current along `current` per unit of -jk / 4 pi, for each transmitted `field`.
+  static ScatteringMatrix radiated(const LookVectors& here, const std::array<double, 2>& field, const dvec3& current) {
     ScatteringMatrix s;
     for (int p = 0; p < 2; ++p)
-      for (int t = 0; t < 2; ++t) s.at(p, t) = glm::dot(field[t], strip.q.binormal) * glm::dot(look_.receive[p], current);
+      for (int t = 0; t < 2; ++t) s.at(p, t) = field[t] * glm::dot(here.receive[p], current);
     return s;
   }
 
   // By how much paths differ from one side of the strip to the other [m]: its geodesics begin along the piece of the boundary,
   // and what neighbours are apart along themselves stays as it is (Gauss's lemma).
-  double path_across(const DarkStrip& strip) const {
+  static double path_across(const DarkStrip& strip, const dvec3& scattered) {
     const double along = glm::dot(strip.chord, strip.q.along);
     const double across = glm::dot(strip.chord, strip.q.binormal) > 0.0 ? strip.width.width : -strip.width.width;
-    return glm::dot(look_.scattered, across * strip.end.binormal + along * strip.end.along) - along;
+    return glm::dot(scattered, across * strip.end.binormal + along * strip.end.along) - along;
   }
 
   // m = (k / 2 kappa)^(1/3)
@@ -218,9 +235,10 @@ class SurfaceLook {
   }
 
   void set_amplitudes(const DarkStrip& strip) {
-    const ScatteringMatrix hard = radiated(strip, look_.magnetic, strip.end.along);
-    const ScatteringMatrix soft = radiated(strip, look_.electric, strip.end.binormal);
-    const double half_across = 0.5 * path_across(strip);
+    const LookVectors& here = look_.at(strip.end.position);
+    const ScatteringMatrix hard = radiated(here, strip.magnetic, strip.end.along);
+    const ScatteringMatrix soft = radiated(here, strip.electric, strip.end.binormal);
+    const double half_across = 0.5 * path_across(strip, here.scattered);
     for (std::size_t n = 0; n < amplitudes_.size(); ++n) {
       const double k = sum_->wavenumbers()[n];
       const FockCurrents fock = strip.way.currents(k);
@@ -233,7 +251,7 @@ class SurfaceLook {
   // The current at the strip's end, and what lies between it and the last one.
   void put_end(DarkStrip& strip) {
     strip.area = std::polar(std::sqrt(strip.across * std::abs(strip.width.width)), 0.5 * pi * strip.width.caustics);
-    strip.path = glm::dot(look_.scattered, strip.end.position) - glm::dot(look_.incident, strip.q.position) - strip.s;
+    strip.path = look_.leaving(strip.end.position) + look_.arriving(strip.q.position) - strip.s;
     set_amplitudes(strip);
     result_.work += work::surface_step + work::surface_frequency * static_cast<double>(amplitudes_.size());
     sum_->add(strip.s == 0.0, strip.since, strip.path, strip.end.position, amplitudes_);
@@ -268,21 +286,28 @@ class SurfaceLook {
     return true;
   }
 
-  void follow_dark(const FacetPoint& start, DarkStrip strip, double side) {
+  void follow_dark(const FacetPoint& start, const dvec3& incident, DarkStrip strip, double side) {
     put_end(strip);
-    Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, look_.incident);
-    GeodesicPiece piece{start, start.l, look_.incident};
+    Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, incident);
+    GeodesicPiece piece{start, start.l, incident};
     bool goes_on = true;
     while (goes_on && geodesic.next(piece)) goes_on = go_over(strip, piece, side);
     if (strip.since > 0.0) put_end(strip);
     if (!goes_on || geodesic.ended_at() < 0) return;
-    arrive(piece.from.triangle, geodesic.ended_at(), side, strip.end, strip.q, strip.path,
-           [&](double k) { return 0.5 * strip.area * strip.way.currents(k).hard; });
+    arrive({piece.from.triangle,
+            geodesic.ended_at(),
+            side < 0.0,
+            strip.end.position,
+            strip.end.along,
+            strip.q.position,
+            strip.path,
+            {}},
+           strip.magnetic, [&](double k) { return 0.5 * strip.area * strip.way.currents(k).hard; });
   }
 
   const CurvedTarget& target_;
   const TriangleMesh& mesh_;
-  const LookVectors& look_;
+  LocalLook look_;
   StripPlaces* places_;
   std::vector<SurfaceRay>* rays_;
   const std::vector<double> wavenumbers_;
@@ -308,9 +333,8 @@ void put(SurfaceWaveResult&& part, std::span<const std::size_t> indices, Surface
 
 }  // namespace
 
-SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LookVectors& look,
-                                          std::span<const double> frequencies, StripPlaces* places,
-                                          std::vector<SurfaceRay>* rays) {
+SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LocalLook& look, std::span<const double> frequencies,
+                                          StripPlaces* places, std::vector<SurfaceRay>* rays) {
   // Frequencies at which waves run over the same bodies go together.
   std::map<std::size_t, std::vector<std::size_t>> groups;
   for (std::size_t f = 0; f < frequencies.size(); ++f) {

@@ -15,25 +15,25 @@
 
 #include "scene/surface_rays.h"
 #include "utd/surface/curved_target.h"
+#include "utd/surface/local_look.h"
 #include "utd/surface/strip_sum.h"
 #include "utd/surface/surface_arrival.h"
-#include "utd/wedge/edge_currents.h"
 
 namespace raytube {
 
 struct SurfaceWaveResult {
-  std::vector<ScatteringMatrix> scattering;  // [frequency], S [m], phase reference the centre of the mesh
+  std::vector<ScatteringMatrix> scattering;  // [frequency], S [m], phase reference that of the look
   std::vector<SurfaceArrival> arrivals;      // hard waves that reach wedges; their radiation from there on is not in `scattering`
   std::uint64_t strips = 0;
   double work = 0.0;  // counted (core/work.h)
 };
 
-/// What the currents on convex curved surfaces have beside physical optics in one look, from antennas at infinity: perfect
-/// conductors, light that comes straight from the transmitter. `frequencies` must not be empty. `places`, if not null, takes
+/// What the currents on convex curved surfaces have beside physical optics in one look: perfect conductors, light that comes
+/// straight from the transmitter, whose wave is plane over the width of a shadow boundary: its distance R is large beside
+/// 1 / (m kappa), the next order is xi / (m kappa R). `frequencies` must not be empty. `places`, if not null, takes
 /// `scattering` at one of them point by point of the surface; `rays`, if not null, the strips as polylines, with the whole
 /// current at the first frequency, physical optics included.
-SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LookVectors& look,
-                                          std::span<const double> frequencies, StripPlaces* places = nullptr,
-                                          std::vector<SurfaceRay>* rays = nullptr);
+SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LocalLook& look, std::span<const double> frequencies,
+                                          StripPlaces* places = nullptr, std::vector<SurfaceRay>* rays = nullptr);
 
 }  // namespace raytube

@@ -43,4 +43,7 @@ struct NearAntennas {
   const Antenna* receive;
 };
 
+/// Refers to the antennas of the pair.
+inline NearAntennas near_antennas(const AntennaPair& pair) { return {ImageAntenna(pair.transmit), &pair.receive}; }
+
 }  // namespace raytube
