@@ -256,7 +256,7 @@ Findings types_defined_twice(const std::vector<SourceFile>& files) {
 }
 
 Findings foreign_libraries_in_headers(const std::vector<SourceFile>& files) {
-  static const std::regex foreign(R"(#include\s+<(mpi\.h|embree|CGAL|OpenMesh|CLI|toml|nlohmann|openssl|netcdf))");
+  static const std::regex foreign(R"(#include\s+<(mpi\.h|embree|CGAL|OpenMesh|CLI|toml|nlohmann|openssl|netcdf|OpenEXR))");
   Findings found;
   for (const SourceFile& file : files)
     if (file.is_header())

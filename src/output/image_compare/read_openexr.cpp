@@ -1,68 +1,21 @@
 #include "output/image_compare/read_openexr.h"
 
-#include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
 #include "core/error.h"
-#include "imaging/isar.h"
+#include "output/image_compare/openexr_planes.h"
 #include "output/tables/table_columns.h"
 
 namespace raytube {
 
 namespace {
 
-// All channels as numbers of single precision; whole numbers and halves become those.
-struct Planes {
-  std::vector<std::string> names;
-  std::size_t columns = 0, rows = 0;
-  std::vector<std::vector<float>> values;  // [channel][row from the top][column]
-};
-
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
-  throw InputError(fmt::format("{}: {}", file.string(), problem));
-}
-
-Planes read_planes(const std::filesystem::path& file) {
-  Imf::InputFile in(file.c_str());
-  const Imath::Box2i window = in.header().dataWindow();
-  Planes planes;
-  planes.columns = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-  planes.rows = static_cast<std::size_t>(window.max.y - window.min.y + 1);
-  if (planes.columns * planes.rows > most_image_cells)
-    refuse(file, fmt::format("has {} x {} pixels, more than {}; cut it", planes.columns, planes.rows, most_image_cells));
-  for (auto channel = in.header().channels().begin(); channel != in.header().channels().end(); ++channel) {
-    if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) continue;  // chroma
-    planes.names.emplace_back(channel.name());
-    planes.values.emplace_back(planes.columns * planes.rows);
-  }
-  Imf::FrameBuffer frame;
-  for (std::size_t i = 0; i < planes.names.size(); ++i)
-    frame.insert(planes.names[i], Imf::Slice::Make(Imf::FLOAT, planes.values[i].data(), window));
-  in.setFrameBuffer(frame);
-  in.readPixels(window.min.y, window.max.y);
-  return planes;
-}
-
-// The library's exceptions as sentences.
-Planes planes_of(const std::filesystem::path& file) {
-  try {
-    return read_planes(file);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    refuse(file, fmt::format("cannot be read as OpenEXR ({}); give the path of a flat image", error.what()));
-  }
-}
-
 class PixelOfPlanes : public TableRow {
  public:
-  PixelOfPlanes(const std::filesystem::path& file, const Planes& planes, std::size_t index)
+  PixelOfPlanes(const std::filesystem::path& file, const OpenexrPlanes& planes, std::size_t index)
       : file_(file), planes_(planes), index_(index) {}
 
   double finite_number(std::size_t column, const std::string& remedy) const override {
@@ -79,14 +32,14 @@ class PixelOfPlanes : public TableRow {
 
  private:
   const std::filesystem::path& file_;
-  const Planes& planes_;
+  const OpenexrPlanes& planes_;
   std::size_t index_;
 };
 
 }  // namespace
 
 PixelImage read_openexr(const NamedFile& source) {
-  const Planes planes = planes_of(source.file);
+  const OpenexrPlanes planes = read_openexr_planes(source.file);
   const TableHeader header(source.file.string(), planes.names, source.map, source.option);
   const ChannelColumns columns = find_channels(header);
   if (columns.transmit) header.reject("tx_pol means nothing in an image of channels; leave it out of " + source.option);
