@@ -142,7 +142,7 @@ void RowCollector::finish_model() {
                                 plan_.tubes,
                                 plan_.surfaces,
                                 !sweep_.materials.empty(),
-                                all_far(sweep_),
+                                std::ranges::any_of(sweep_.materials, &Material::transmits),
                                 model_uncertainty_.curved_edges(),
                                 static_cast<double>(target.wedges.size()) * static_cast<double>(target.mesh.patches.size()),
                                 skipped_,

@@ -23,15 +23,12 @@ constexpr const char* surface_waves = "surfaces.waves = true, two to ten times t
 
 bool has_edge_currents(const RemedyEvidence& evidence) { return evidence.edges.method == EdgeMethod::fringe; }
 
-// Of conductors that plane waves light, which edge-face interaction and waves over curved surfaces are computed for.
-bool plane_waves_on_conductors(const RemedyEvidence& evidence) { return evidence.far && !evidence.materials; }
-
 std::string remedy_of_edges(const RemedyEvidence& evidence) {
   if (!has_edge_currents(evidence)) return edge_currents;
   if (evidence.materials && evidence.edges.materials == MaterialEdgeMethod::none)
     return "edges.materials = \"luebbers\", at almost no cost";
   const bool straight_over_curved = !evidence.surfaces.waves.possible() && evidence.curved_edges > worth_naming;
-  if (straight_over_curved && plane_waves_on_conductors(evidence)) return surface_waves;
+  if (straight_over_curved && !evidence.materials) return surface_waves;
   return "none; use a full-wave method where such edges matter";
 }
 
@@ -54,7 +51,7 @@ std::string larger_budget(double budget, const RemedyEvidence& evidence) {
 
 std::string remedy_of_interaction(const RemedyEvidence& evidence) {
   const double budget = evidence.edges.interaction_budget, usual = EdgeOptions{}.interaction_budget;
-  if (!plane_waves_on_conductors(evidence)) return no_interaction;
+  if (evidence.sheets) return no_interaction;
   const bool is_off = !has_edge_currents(evidence) || !evidence.edges.interaction.possible() || budget == 0.0;
   if (is_off && evidence.possible_pairs > few_pairs) return no_interaction;
   if (!has_edge_currents(evidence)) return edge_currents;
@@ -98,7 +95,7 @@ std::string remedy_of_flat_facets(const TubeOptions& tubes) {
 
 std::string remedy_of_smooth_surfaces(const RemedyEvidence& evidence) {
   const std::string none = text_of(Omission::smooth_surfaces).remedy, facets = remedy_of_flat_facets(evidence.tubes);
-  if (!plane_waves_on_conductors(evidence)) return none;
+  if (evidence.materials) return none;
   if (!has_edge_currents(evidence)) return edge_currents;
   if (!evidence.surfaces.waves.possible()) return surface_waves;
   if (!facets.empty()) return facets;

@@ -17,7 +17,7 @@ struct RemedyEvidence {
   const TubeOptions& tubes;
   const SurfaceOptions& surfaces;
   bool materials = false;       // other than perfect conductors
-  bool far = true;              // all antennas are at infinity
+  bool sheets = false;          // some of them let waves through
   double curved_edges = 0.0;    // of the length of weak edges: beside curved faces
   double possible_pairs = 0.0;  // of an edge and a face of the target
   const SkipCounts& skips;

@@ -18,11 +18,11 @@ struct Solve {
   double possible_pairs = 14.0;
   TubeOptions tubes{};
   SurfaceOptions surfaces{};
-  bool materials = false, far = true;
+  bool materials = false, sheets = false;
   double curved_edges = 0.0;
 
   std::string remedy(Omission omission, const EdgeOptions& edges = {}) const {
-    return remedy_of(omission, {edges, tubes, surfaces, materials, far, curved_edges, possible_pairs, skips, truncated, hits,
+    return remedy_of(omission, {edges, tubes, surfaces, materials, sheets, curved_edges, possible_pairs, skips, truncated, hits,
                                 pairs, left_out});
   }
 };
@@ -66,8 +66,9 @@ TEST(Remedies, EdgeCurrentsThatAreSwitchedOff) {
     for (const Omission omission : {Omission::edges, Omission::corners, Omission::interaction, Omission::smooth_surfaces})
       EXPECT_THAT(Solve{}.remedy(omission, {.method = method, .interaction = {}}), StartsWith("edges.method = \"fringe\", "))
           << text_of(omission).name;
-  const Solve coated{.materials = true};  // neither is computed there
-  EXPECT_THAT(coated.remedy(Omission::interaction, {.method = EdgeMethod::none, .interaction = {}}), StartsWith("none"));
+  const Solve sheets{.materials = true, .sheets = true};  // which end waves of edges
+  EXPECT_THAT(sheets.remedy(Omission::interaction, {.method = EdgeMethod::none, .interaction = {}}), StartsWith("none"));
+  const Solve coated{.materials = true};  // waves run over conductors alone
   EXPECT_THAT(coated.remedy(Omission::smooth_surfaces, {.method = EdgeMethod::none, .interaction = {}}), StartsWith("none"));
 }
 
@@ -78,8 +79,6 @@ TEST(Remedies, SurfaceWavesThatAreSwitchedOff) {
   EXPECT_THAT(solve.remedy(Omission::edges), StartsWith("none"));
   solve.curved_edges = 1.0;
   EXPECT_THAT(solve.remedy(Omission::edges), StartsWith("surfaces.waves = true, "));
-  solve.far = false;  // none from antennas at a finite distance
-  EXPECT_THAT(solve.remedy(Omission::smooth_surfaces), StartsWith("none"));
   EXPECT_THAT(Solve{}.remedy(Omission::smooth_surfaces), StartsWith("none"));
 }
 
