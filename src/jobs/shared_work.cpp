@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "case/resolved_case.h"
 #include "core/bytes.h"
@@ -18,7 +19,13 @@ constexpr std::size_t longest_value = 60;
 
 std::string looks_text(const Sweep& sweep) {
   ByteWriter writer;
-  for (const Look& look : sweep.looks) writer(look);
+  for (const Look& look : sweep.looks) {  // its own bytes have gaps
+    const double none = std::numeric_limits<double>::infinity();
+    for (const double value :
+         {look.transmit.theta, look.transmit.phi, look.receive.theta, look.receive.phi, look.transmit_range, look.receive_range,
+          look.turn, look.transmit_mirror.value_or(none), look.receive_mirror.value_or(none)})
+      writer(value);
+  }
   writer(sweep.frequencies);
   return fmt::format("{} {}", sweep.looks.size(), sha256_of(writer.take()));
 }

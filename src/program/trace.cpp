@@ -178,11 +178,11 @@ void write_hits(const std::filesystem::path& file, const TriangleMesh& mesh, con
 }
 
 void trace_all(const Request& request, const Case& c, const Look& look, const TriangleMesh& mesh) {
-  if (!request.tube) print_look(request.look, look);
   const std::vector<Look> lighting = lighting_looks(look, c.ground);
   TubePaths tubes;
   for (std::size_t i = 0; i < lighting.size(); ++i) {
     TubePaths here = all_tubes(request, c, lighting[i], mesh);
+    if (i == 0 && !request.tube) print_look(request.look, look);
     print_lighting(lighting[i], i, lighting.size());
     fmt::print("{}", tubes_text(here, facet_hits(here, mesh.triangles.size())));
     i == 0 ? void(tubes = std::move(here)) : add_lit_by_ground(tubes, std::move(here));

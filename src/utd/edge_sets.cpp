@@ -121,7 +121,7 @@ std::vector<EdgeSets::SetPart> EdgeSets::parts_of(const Set& set, const WavesAtE
 
 FringeOptions EdgeSets::options(const Set& set) const {
   FringeOptions options = setup_.fringe;
-  options.continue_by_images = !set.interaction.empty();
+  options.continue_by_images = !screens_ && !set.interaction.empty();
   return options;
 }
 
