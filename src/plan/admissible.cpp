@@ -55,13 +55,10 @@ void check_near(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions&
     throw InputError("antennas at a finite distance have a range of their own; remove edges.utd_range_m or [radar]");
 }
 
-void check_with_materials(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions& edges) {
+void check_with_materials(const Sweep& sweep, const EdgeOptions& edges) {
   if (sweep.materials.empty()) return;
   if (!all_far(sweep) && edges.materials != MaterialEdgeMethod::none)
     throw InputError("edges.materials \"luebbers\" is a heuristic for plane waves; write \"none\", or remove [radar]");
-  const bool sheets = std::ranges::any_of(sweep.materials, &Material::transmits);
-  if (sheets && tubes.curved == CurvedSurfaces::always)
-    throw InputError("tubes.curved \"always\" does not support sheets; write \"convex\" or \"never\"");
 }
 
 }  // namespace
@@ -80,7 +77,7 @@ void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptio
     throw InputError("edges.between_budget must be a finite number of at least 0");
   if (tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
   if (!all_far(sweep)) check_near(sweep, tubes, edges);
-  check_with_materials(sweep, tubes, edges);
+  check_with_materials(sweep, edges);
   if (!(edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
 }
 

@@ -41,8 +41,7 @@ class BandPlanner {
       find_bodies_apart();
       return;
     }
-    all_ = surfaces();
-    if (!all_->any()) all_.reset();
+    all_ = with_flat_sheets(surfaces());
   }
 
   BandPlan at(double wavelength) {
@@ -60,13 +59,25 @@ class BandPlanner {
     return plan_.target.convexity.no_reflection || (plan_.tubes.skip && components.size() == 1 && components[0].closed);
   }
 
-  // By default convex bodies bend their facets, alone or as bodies of a set that stand apart. What these reflect onto others
-  // knows no sheets.
+  // By default convex bodies bend their facets, alone or as bodies of a set that stand apart.
   void find_bodies_apart() {
-    const bool sheets = std::ranges::any_of(plan_.sweep.materials, &Material::transmits);
-    if (sheets || mesh_.components.size() == 1) return;
-    if (auto surfaces = bodies_apart(mesh_, plan_.target.options.min_wedge_angle))
-      known_ = bodies_apart_ = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
+    if (mesh_.components.size() == 1) return;
+    auto surfaces = bodies_apart(mesh_, plan_.target.options.min_wedge_angle);
+    if (!surfaces) return;
+    known_ = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
+    bodies_apart_ = with_flat_sheets(known_);
+  }
+
+  // Null if no facet is left that is curved.
+  std::shared_ptr<const SmoothSurfaces> with_flat_sheets(std::shared_ptr<const SmoothSurfaces> surfaces) const {
+    std::vector<bool> sheets;
+    for (const Material& material : plan_.sweep.materials) sheets.push_back(material.transmits());
+    if (std::ranges::find(sheets, true) != sheets.end()) {
+      SmoothSurfaces opaque = *surfaces;
+      opaque.flatten(sheets);
+      surfaces = std::make_shared<const SmoothSurfaces>(std::move(opaque));
+    }
+    return surfaces->any() ? surfaces : nullptr;
   }
 
   std::shared_ptr<const SmoothSurfaces> surfaces(double max_rise = std::numeric_limits<double>::infinity()) {

@@ -88,8 +88,6 @@ std::vector<BadRow> material_rows() {
                 all_glass + half_space + "eps_r = 2\nroughness_rms_mm = 0.1\n[output]\nincoherent = true\n",
                 "run bad.toml --launch random",
                 "output.incoherent: random tubes do not add up what roughness scatters; remove it, or --launch random"),
-      glass("sheet_always_curved", sheet + "eps_r = 2\nthickness_mm = 1\n[tubes]\ncurved = \"always\"\n",
-            "tubes.curved \"always\" does not support sheets; write \"convex\" or \"never\""),
       glass("resistance_negative", sheet + "resistance_ohm = -1\n",
             "materials.glass.resistance_ohm must be at least 0 (found -1)"),
       glass("conductance_nan", sheet + "conductance_s = nan\n", "materials.glass.conductance_s must be a finite number"),

@@ -85,6 +85,14 @@ void SmoothSurfaces::keep_components(const std::vector<bool>& kept) {
   count_facets();
 }
 
+void SmoothSurfaces::flatten(const std::vector<bool>& materials) {
+  for (std::uint32_t t = 0; t < region_.size(); ++t) {
+    const std::uint32_t material = mesh_.patches[mesh_.triangle_patch[t]].material;
+    if (material != no_index && materials[material]) region_[t] = no_index;
+  }
+  count_facets();
+}
+
 void SmoothSurfaces::count_facets() {
   facets_ = 0, rise_ = 0.0;
   for (std::uint32_t t = 0; t < region_.size(); ++t) {

@@ -74,6 +74,9 @@ class SmoothSurfaces {
   /// Those of other components, [component], become flat.
   void keep_components(const std::vector<bool>& kept);
 
+  /// Those of these materials, [material], become flat.
+  void flatten(const std::vector<bool>& materials);
+
   /// Whether a facet stands for a curved surface.
   bool any() const { return facets_ > 0; }
   /// How many of them do.

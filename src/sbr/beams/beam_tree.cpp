@@ -119,7 +119,7 @@ std::uint32_t BeamTree::through_screen(std::uint32_t node, std::uint32_t sheet) 
 
 std::uint32_t BeamTree::add_screened(std::uint32_t node, std::uint32_t sheet) {
   Node screened{at(node).footprint, at(node).patch};
-  screened.unscreened = node;
+  screened.unscreened = node, screened.screen = sheet;
   if (beam(node).spherical())
     screened.footprint.outgoing.met = keep(screened_surfaces(at(node), sheet));
   else
@@ -155,6 +155,21 @@ const std::vector<ChannelWeights>& BeamTree::through_sheet(std::uint32_t sheet) 
   for (std::size_t f = 0; is_new && f < surfaces_.wavenumbers.size(); ++f)
     known->second.push_back(raytube::through_screen(surfaces_, mesh_.patches[sheet], f, receive_));
   return known->second;
+}
+
+// All sheets between the currents and the receiver, up to the node's own.
+ChannelWeights BeamTree::through_screens(std::uint32_t node, std::size_t frequency_index) const {
+  if (at(node).unscreened == no_index) return {{{1.0, 0.0}, {0.0, 1.0}}};
+  return received_through(through_sheets_.at(at(node).screen)[frequency_index],
+                          through_screens(at(node).unscreened, frequency_index));
+}
+
+ChannelWeights BeamTree::added_by_screen(std::uint32_t node, std::size_t frequency_index) const {
+  ChannelWeights added = through_screens(node, frequency_index);
+  const ChannelWeights before = through_screens(at(node).unscreened, frequency_index);
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) added[p][q] -= before[p][q];
+  return added;
 }
 
 // As far as lines of sight run through sheets, at their end before this one.

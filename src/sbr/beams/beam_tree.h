@@ -48,6 +48,13 @@ class BeamTree {
   /// a part of the incident wave, and no sheet stands before that.
   std::uint32_t through_screen(std::uint32_t node, std::uint32_t sheet);
 
+  bool is_screened(std::uint32_t node) const { return at(node).unscreened != no_index; }
+  /// What that node's sheet adds, as a factor of the S that a footprint's returning wave has without sheets.
+  ChannelWeights added_by_screen(std::uint32_t node, std::size_t frequency_index) const;
+
+  /// Whether a beam has been reflected; false of the incident wave, behind sheets too.
+  bool is_reflected(std::uint32_t node) const;
+
   const Footprint& footprint(std::uint32_t node) const { return at(node).footprint; }
   const Beam& beam(std::uint32_t node) const { return at(node).footprint.outgoing; }
   /// The patch of this beam's footprint, which it leaves.
@@ -63,6 +70,7 @@ class BeamTree {
     std::uint32_t recent_patch = no_index, recent_child = no_index;  // neighbouring tubes mostly ask for the same child
     std::uint32_t through = no_index;
     std::uint32_t unscreened = no_index;  // of currents received through a sheet: the node they are without it
+    std::uint32_t screen = no_index;      // and the sheet
     double amplitude = 1.0;
     bool from_behind = false;
     bool reflected = false;  // the wave that arrives has been, somewhere before
@@ -82,7 +90,7 @@ class BeamTree {
   std::uint32_t add_screened(std::uint32_t node, std::uint32_t sheet);
   const std::vector<ChannelWeights>& through_sheet(std::uint32_t sheet);
   ChannelWeights screened_weights(const Node& node, std::size_t frequency_index) const;
-  bool is_reflected(std::uint32_t node) const;
+  ChannelWeights through_screens(std::uint32_t node, std::size_t frequency_index) const;
   void scatter(std::uint32_t parent, Node& node);
   void scatter_spherical(std::uint32_t parent, Node& node);
   void add_through(std::uint32_t parent, Node& node, Spectrum transmitted);

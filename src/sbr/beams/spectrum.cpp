@@ -77,6 +77,13 @@ ChannelWeights through_screen(const SpectralSurfaces& surfaces, const Patch& pat
                         surfaces.wavenumbers[frequency_index], patch.normal, receive);
 }
 
+ChannelWeights received_through(const ChannelWeights& screen, const ChannelWeights& weights) {
+  ChannelWeights result;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) result[p][q] = screen[p][0] * weights[0][q] + screen[p][1] * weights[1][q];
+  return result;
+}
+
 LeavingWaves leaving_waves(const SpectralSurfaces& surfaces, const Incidence& incidence, const Spectrum& arriving,
                            const SphericalBasis& receive) {
   LeavingWaves waves{Spectrum(arriving.size()), Spectrum(arriving.size())};

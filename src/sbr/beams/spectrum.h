@@ -69,6 +69,9 @@ ChannelWeights radiated(const dvec3& n, const dvec3& d, const std::array<Complex
 ChannelWeights through_screen(const SpectralSurfaces& surfaces, const Patch& patch, std::size_t frequency_index,
                               const SphericalBasis& receive);
 
+/// What weights become behind a sheet, by its through_screen(): of the receiver's V and H.
+ChannelWeights received_through(const ChannelWeights& screen, const ChannelWeights& weights);
+
 /// The waves that leave a surface. The weights are the reflected one's: S of a current is -(jk / 4 pi) times the integral of
 /// p . (eta J - s x M) e^{jk s.r} (Stratton & Chu 1939). Where a reflected wave meets a sheet only the part of the currents
 /// counts that reflects it: behind the sheet its sources are received through it. What roughness takes from the reflected wave

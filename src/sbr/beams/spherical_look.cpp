@@ -184,7 +184,7 @@ void SphericalLook::add(TubeSums& sums, int bounce, const Beam& outgoing, const 
 template <class Visit>
 auto SphericalLook::with_current(const BentFacet& facet, std::uint32_t material, Visit visit) const {
   if (material == no_index) return visit([&](const dvec3& r) { return current(facet, r); });
-  return visit([&](const dvec3& r) { return spectral_current(facet, material, r); });
+  return visit([&](const dvec3& r) { return spectral_current(facet, {incident_, {{dvec3(0.0), material}}}, r); });
 }
 
 bool SphericalLook::add(TubeSums& sums, const BentFacet& facet, std::uint32_t material) const {
@@ -201,6 +201,13 @@ void SphericalLook::add(TubeSums& sums, const BentFacet& facet, std::uint32_t ma
     add_fan(
         sums_of(sums, 0), corners.size(), [&](std::size_t i) { return at(corners[i]); }, at);
   });
+}
+
+void SphericalLook::add(TubeSums& sums, int bounce, const BentFacet& facet, const SurfacesMet& met,
+                        std::span<const dvec3> corners) const {
+  const auto at = [&](const dvec3& r) { return spectral_current(facet, met, r); };
+  add_fan(
+      sums_of(sums, bounce), corners.size(), [&](std::size_t i) { return at(corners[i]); }, at);
 }
 
 // Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border

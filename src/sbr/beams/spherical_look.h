@@ -56,6 +56,10 @@ class SphericalLook {
   /// The same of what is over a polygon of the facet's plane.
   void add(TubeSums& sums, const BentFacet& facet, std::uint32_t material, std::span<const dvec3> corners) const;
 
+  /// The same of bounce `bounce`, where the transmitter's wave comes through sheets, or the currents are received through them:
+  /// `met` has these, and last of its surfaces the facet's plane.
+  void add(TubeSums& sums, int bounce, const BentFacet& facet, const SurfacesMet& met, std::span<const dvec3> corners) const;
+
  private:
   struct Current {
     dvec3 point;                                  // on the plane or the facet
@@ -89,7 +93,7 @@ class SphericalLook {
   Current current(const Beam& outgoing, const Patch& plane, const dvec3& r) const;
   Current current(const BentFacet& facet, const dvec3& r) const;
   SpectralCurrent spectral_current(const Beam& outgoing, const dvec3& r) const;
-  SpectralCurrent spectral_current(const BentFacet& facet, std::uint32_t material, const dvec3& r) const;
+  SpectralCurrent spectral_current(const BentFacet& facet, SurfacesMet met, const dvec3& r) const;
   template <class At>
   void add_polygon(const Sums& sums, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon, At at) const;
   template <class Corner, class At>

@@ -15,14 +15,14 @@ SphericalLook::SpectralCurrent SphericalLook::spectral_current(const Beam& outgo
 }
 
 // The transmitter's own wave; nothing where the surface turns away from it.
-SphericalLook::SpectralCurrent SphericalLook::spectral_current(const BentFacet& facet, std::uint32_t material,
-                                                               const dvec3& r) const {
+SphericalLook::SpectralCurrent SphericalLook::spectral_current(const BentFacet& facet, SurfacesMet met, const dvec3& r) const {
   const SurfacePoint at = facet.over(r);
   AntennaRay arriving = antennas_.transmit.ray_to(at.point);
   const AntennaRay received = antennas_.receive.ray_to(at.point);
   const SpectralCurrent dark{r, arriving.path + received.path, -arriving.direction - received.direction, nullptr};
   if (glm::dot(at.normal, arriving.direction) >= 0.0) return dark;
-  ReceivedCurrents currents = received_currents(surfaces_, {incident_, {{at.normal, material}}}, arriving, received);
+  met.surfaces.back().normal = at.normal;
+  ReceivedCurrents currents = received_currents(surfaces_, met, arriving, received);
   for (ChannelWeights& weight : currents.weight)
     for (auto& row : weight)
       for (Complex& w : row) w *= at.stretch;

@@ -28,13 +28,6 @@ void meet(const SpectralSurfaces& surfaces, const MetSurface& surface, dvec3& di
   if (!surface.goes_on) direction = reflected_direction(direction, surface.normal);
 }
 
-ChannelWeights product(const ChannelWeights& through, const ChannelWeights& w) {
-  ChannelWeights result;
-  for (int p = 0; p < 2; ++p)
-    for (int q = 0; q < 2; ++q) result[p][q] = through[p][0] * w[0][q] + through[p][1] * w[1][q];
-  return result;
-}
-
 ChannelWeights difference(const ChannelWeights& a, const ChannelWeights& b) {
   ChannelWeights result;
   for (int p = 0; p < 2; ++p)
@@ -49,7 +42,7 @@ void see_through(const SpectralSurfaces& surfaces, std::span<const MetSurface> s
   for (std::size_t f = 0; f < weights.size(); ++f)
     for (std::size_t i = 0; i < screens.size(); ++i) {
       const ChannelWeights through =
-          product(through_screen(surfaces, {screens[i].normal, 0.0, screens[i].material}, f, antenna), weights[f]);
+          received_through(through_screen(surfaces, {screens[i].normal, 0.0, screens[i].material}, f, antenna), weights[f]);
       weights[f] = i + 1 < screens.size() ? through : difference(through, weights[f]);
     }
 }

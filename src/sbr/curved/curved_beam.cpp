@@ -102,6 +102,7 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
   f.outgoing.base = surface.point;
   f.outgoing.along_u = along_u, f.outgoing.along_v = along_v;
   f.outgoing.direction = reflected_direction(d, n);
+  f.outgoing.reflected = true;
   f.outgoing.bend_u = reflected_bend(d, beam.bend_u, n, -(surface.curvature * along_u));
   f.outgoing.bend_v = reflected_bend(d, beam.bend_v, n, -(surface.curvature * along_v));
   f.outgoing.path = beam.path + glm::dot(d - f.outgoing.direction, surface.point);
@@ -114,8 +115,10 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
   if (patch.material == no_index && beam.spectrum.empty()) return f;
   const bool from_behind = glm::dot(patch.normal, beam.direction) > 0.0;
   const Spectrum arriving = beam.spectrum.empty() ? plain_spectrum(beam.field, surfaces.wavenumbers.size()) : beam.spectrum;
-  f.outgoing.spectrum =
-      leaving_waves(surfaces, {beam.direction, surface.normal, patch.material, from_behind}, arriving, receive.basis).reflected;
+  const Incidence incidence{beam.direction, surface.normal, patch.material, from_behind, beam.reflected};
+  LeavingWaves waves = leaving_waves(surfaces, incidence, arriving, receive.basis);
+  f.outgoing.spectrum = std::move(waves.reflected);
+  if (surfaces.transmits(patch.material)) f.transmitted = std::move(waves.transmitted);
   if (receive.curvature != 0.0)
     for (SpectralWave& wave : f.outgoing.spectrum)
       for (double& incoherent : wave.incoherent) incoherent *= glm::dot(receive.basis.theta_hat, receive.basis.theta_hat);

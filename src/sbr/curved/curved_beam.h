@@ -20,6 +20,7 @@ struct CurvedBeam {
   std::array<dvec3, 2> field;  // of unit incident V and H, at unit amplitude
   Spectrum spectrum{};         // instead, once the tube has met other than perfect conductors
   int caustics = 0;            // passed so far
+  bool reflected = false;      // by any surface; false of the incident wave, behind sheets too
 };
 
 /// The tube about the launch point `at`, as launched.
@@ -47,13 +48,14 @@ struct CurvedFootprint {
   dvec2 slope{0.0};
   glm::dmat2 curvature{0.0};
   CurvedBeam outgoing;
+  Spectrum transmitted{};  // of the wave that goes on as it came, behind a sheet; empty: none
 };
 
 /// Where a tube meets a perfect conductor that its middle ray meets at `surface.point`.
 CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const Reception& receive);
 
-/// Where a tube meets a surface of any opaque material, that of `patch`; with the spectrum of the wave that leaves unless nothing
-/// but perfect conductors has been met.
+/// Where a tube meets a surface of any material, that of `patch`; with the spectrum of the wave that leaves unless nothing but
+/// perfect conductors has been met.
 CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& surface, const Reception& receive,
                                  const SpectralSurfaces& surfaces, const Patch& patch);
 

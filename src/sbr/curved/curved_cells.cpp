@@ -6,6 +6,7 @@
 
 #include "sbr/beams/current_map.h"
 #include "sbr/curved/curved_integral.h"
+#include "sbr/curved/through_sheets.h"
 #include "sbr/visible/beam_visibility.h"
 
 namespace raytube {
@@ -16,9 +17,6 @@ namespace {
 constexpr std::size_t many = 160, few = 24;
 // Phase [rad] by which the integrand may vary over a cell.
 constexpr double widest_cell_phase = 60.0;
-// Share of a cell's far field that its quadrature and the shadow boundary of a tessellation may miss: some times what spheres
-// show.
-constexpr double integration_error = 2e-3;
 // Smallest cell in wavelengths; and, in rises of the surface over the facets in it, of those that the facets' outline crosses:
 // what lies between it and the shadow boundary beyond it is found from these.
 constexpr double smallest_cell = 1.0 / 32.0, outline_cell = 16.0;
@@ -89,7 +87,9 @@ class CellTrace {
         map_light_{look.grid, look.transmit, look.receive, look.surfaces},
         highest_(std::ranges::max(look.wavenumbers())),
         smallest_(smallest_cell * 2.0 * pi / highest_),
-        visible_(look.faces, look.tracer) {
+        visible_(look.faces, look.tracer),
+        elsewhere_(looks_from_elsewhere(look)) {
+    if (look.sheets) through_sheets_.emplace(look, visible_);
     if (!look.map) return;
     map_materials_ = at_frequency({look.surfaces.materials.begin(), look.surfaces.materials.end()}, look.map->frequency_index());
     map_light_.surfaces = {map_materials_, std::span(&look.map->wavenumber(), 1)};
@@ -97,7 +97,8 @@ class CellTrace {
 
   TubeSums run(const Bounds& block, std::span<const std::uint32_t> triangles) {
     cell(block, triangles);
-    sums_.tubes = sums_.rays = sums_.hits.empty() ? 0 : sums_.hits[0];
+    sums_.tubes = sums_.hits.empty() ? 0 : sums_.hits[0];
+    sums_.rays += sums_.tubes;
     return std::move(sums_);
   }
 
@@ -114,6 +115,8 @@ class CellTrace {
     if (!piece) return;
     const Verdict verdict = judge(*piece, box, triangles);
     const bool within_dents = verdict == Verdict::bent && (smallest || size < outline_cell * rise(triangles));
+    if (through_sheets_ && verdict != Verdict::above_limit && has_sheets(*piece, box, triangles))
+      return divide_by_sheets(*piece, box, triangles);
     const bool on_outline = within_dents && (smallest || !is_covered(box, triangles));
     if (verdict == Verdict::one_piece || on_outline) {
       const auto triangle_at = [&](const dvec2& at) { return surface_at(at, triangles); };
@@ -133,6 +136,44 @@ class CellTrace {
       std::ranges::copy_if(triangles, std::back_inserter(inside), [&](std::uint32_t t) { return facing_[t].reaches(quarter); });
       cell(quarter, inside);
     }
+  }
+
+  bool is_sheet(std::uint32_t t) const { return through_sheets_ && through_sheets_->is_sheet(facing_[t].triangle); }
+
+  // Whether sheets may stand before any of this, seen from either antenna.
+  bool has_sheets(const CurvedPiece& piece, const Bounds& box, std::span<const std::uint32_t> triangles) {
+    const double farthest = farthest_depth(piece, box);
+    const auto stands_before = [&](std::uint32_t t) { return is_sheet(t) && reaches_before(facing_[t], box, farthest); };
+    if (std::ranges::any_of(triangles, stands_before)) return true;
+    if (!elsewhere_) return false;
+    const TriangleMesh& mesh = look_.faces.mesh();
+    std::vector<dvec3> corners;
+    for (const std::uint32_t t : triangles)
+      for (const std::uint32_t v : mesh.triangles[facing_[t].triangle]) corners.push_back(mesh.vertices[v]);
+    return look_.sheets->may_cover_any(corners);
+  }
+
+  // Sheets divide the parts of facets. Cells that the facets' outline crosses have those before their middle, small as they are.
+  void divide_by_sheets(const CurvedPiece& piece, const Bounds& box, std::span<const std::uint32_t> triangles) {
+    const double size = glm::length(box.high - box.low);
+    const bool smallest = size < smallest_, covered = is_covered(box, triangles);
+    if (!covered && (smallest || size < outline_cell * rise(triangles))) return add_on_outline(piece, box, triangles);
+    if (smallest || (covered && triangles.size() <= few)) return facets(box);
+    split(box, triangles);
+  }
+
+  void add_on_outline(const CurvedPiece& piece, const Bounds& box, std::span<const std::uint32_t> triangles) {
+    const dvec2 at = middle(box);
+    const double depth =
+        glm::dot(piece.surface().point - look_.grid.plane_origin, look_.grid.direction) + piece.depth(at - piece.anchor()).depth;
+    const SheetsBefore sheets = through_sheets_->sheets_before(at, depth, base_->triangle);
+    const auto bounce = static_cast<int>(sheets.transmitter.size());
+    if (bounce >= look_.max_bounces) return;
+    const std::vector<ScatteringMatrix> part = through_sheets_->far_field(sheets, piece, box, sums_);
+    add(part, bounce);
+    if (!look_.map) return;
+    look_.map->set_bounce(bounce);
+    look_.map->add(at, surface_at(at, triangles), part[look_.map->frequency_index()]);
   }
 
   // Of the piece's surface over these facets [m].
@@ -177,15 +218,7 @@ class CellTrace {
     }
     if (!base) return {};
     base_ = base;
-    return piece_over(at, base->triangle);
-  }
-
-  // The surface that the facet stands for, about where the ray from these launch coordinates meets it.
-  CurvedPiece piece_over(const dvec2& at, std::uint32_t triangle) const {
-    const TriangleMesh& mesh = look_.faces.mesh();
-    const Patch& patch = mesh.patches[mesh.triangle_patch[triangle]];
-    return {look_.grid, look_.smooth->at(above(at), look_.grid.direction, triangle), patch.material,
-            glm::dot(patch.normal, look_.grid.direction) > 0.0};
+    return piece_over(look_, at, base->triangle);
   }
 
   Affine facet_depth(const FacingTriangle& f) const {
@@ -211,7 +244,7 @@ class CellTrace {
     phase_off_ = 0.0;
     bool others = false;
     for (const std::uint32_t t : triangles) {
-      if (facing_[t].region == base_->region) continue;
+      if (facing_[t].region == base_->region || is_sheet(t)) continue;
       if (reaches_before(facing_[t], box, farthest)) return Verdict::above_limit;
       others = true;
     }
@@ -287,14 +320,14 @@ class CellTrace {
 
   // A piece that lies off the surface by some phase is wrong by as large a share of its far field. Twice: sides are only looked
   // at where they enter and leave the cell.
-  void add(const std::vector<ScatteringMatrix>& part) {
-    std::vector<ScatteringMatrix>& sums = sums_.at(0, part.size());
-    ++sums_.hits[0];
+  void add(const std::vector<ScatteringMatrix>& part, int bounce = 0) {
+    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, part.size());
+    ++sums_.hits[static_cast<std::size_t>(bounce)];
     sums_.pieces.resize(part.size());
     for (std::size_t f = 0; f < part.size(); ++f) {
       sums[f] += part[f];
       ScatteringMatrix error = part[f];
-      sums_.pieces[f].add(error *= 2.0 * phase_off_ + integration_error);
+      sums_.pieces[f].add(error *= 2.0 * phase_off_ + curved_integration_error);
     }
   }
 
@@ -303,9 +336,12 @@ class CellTrace {
     phase_off_ = 0.0;
     visible_.within(incident_, rectangle(box), parts_);
     for (const VisiblePart& part : parts_) {
+      if (through_sheets_ && through_sheets_->is_sheet(look_.faces.faces()[part.face].triangle))
+        through_sheets_->go_through(sums_, part);
       if (region(part.face) == no_index) continue;
       const std::uint32_t facet = look_.faces.faces()[part.face].triangle;
-      add(piece_over(middle(part.outline), facet), part.outline, [&](const dvec2&) { return facet; });
+      add(piece_over(look_, middle(part.outline), facet), part.outline, [&](const dvec2&) { return facet; });
+      if (through_sheets_ && elsewhere_) through_sheets_->screen(sums_, part);
     }
   }
 
@@ -318,6 +354,8 @@ class CellTrace {
   double highest_;                       // wavenumber [rad/m]
   double smallest_;                      // cell [m]
   BeamVisibility visible_;
+  std::optional<CurvedThroughSheets> through_sheets_;  // where there are sheets
+  bool elsewhere_;                                     // see looks_from_elsewhere()
   const FacingTriangle* base_ = nullptr;
   double phase_off_ = 0.0;  // of the facets' sides from the piece in question [rad], at the highest frequency
   ConvexPolygon clipped_, inside_, outside_;

@@ -143,7 +143,9 @@ class MaterialWeights {
         piece_(piece),
         incoherent_(light.surfaces.any_rough() ? incoherent : nullptr),
         change_(light.receive.radial - light.grid.direction),
-        arriving_(plain_spectrum({light.transmit.theta_hat, light.transmit.phi_hat}, light.surfaces.wavenumbers.size())),
+        arriving_(light.behind_sheets
+                      ? *light.behind_sheets
+                      : plain_spectrum({light.transmit.theta_hat, light.transmit.phi_hat}, light.surfaces.wavenumbers.size())),
         sums_(arriving_.size()) {}
 
   // Exponent / k, counted from the anchor.
@@ -172,8 +174,12 @@ class MaterialWeights {
     if (incoherent_) incoherent_->add_incoherent(waves, weight);
     for (std::size_t f = 0; f < sums_.size(); ++f) {
       const Complex value = std::polar(weight * stretch, light_.surfaces.wavenumbers[f] * length);
+      const ChannelWeights weights = light_.returns_alone
+                                         ? radiated(incidence.normal, reflected_direction(incidence.direction, incidence.normal),
+                                                    waves[f].field, light_.receive)
+                                         : waves[f].weight;
       for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) sums_[f].at(p, q) += value * waves[f].weight[p][q];
+        for (int q = 0; q < 2; ++q) sums_[f].at(p, q) += value * weights[p][q];
     }
   }
 
@@ -266,6 +272,11 @@ std::vector<ScatteringMatrix> integrate(Accumulator sums, const Illumination& li
   return sums.far_field();
 }
 
+// A perfect conductor lit by the transmitter itself, and received as it is.
+bool is_plain(const Illumination& light, const CurvedPiece& piece) {
+  return piece.material() == no_index && !light.behind_sheets && !light.returns_alone;
+}
+
 }  // namespace
 
 double path_range(const Illumination& light, const CurvedPiece& piece, const Bounds& cell) {
@@ -274,13 +285,13 @@ double path_range(const Illumination& light, const CurvedPiece& piece, const Bou
 
 std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const Bounds& cell,
                                                TubeSums* incoherent) {
-  if (piece.material() == no_index) return integrate(ConductorMoments(light, piece), piece, cell);
+  if (is_plain(light, piece)) return integrate(ConductorMoments(light, piece), piece, cell);
   return integrate(MaterialWeights(light, piece, incoherent), piece, cell);
 }
 
 std::vector<ScatteringMatrix> curved_far_field(const Illumination& light, const CurvedPiece& piece, const ConvexPolygon& polygon,
                                                TubeSums* incoherent) {
-  if (piece.material() == no_index) return integrate(ConductorMoments(light, piece), light, piece, polygon);
+  if (is_plain(light, piece)) return integrate(ConductorMoments(light, piece), light, piece, polygon);
   return integrate(MaterialWeights(light, piece, incoherent), light, piece, polygon);
 }
 

@@ -17,6 +17,8 @@ struct Illumination {
   const SphericalBasis& receive;
   SpectralSurfaces surfaces;
   Band* band = nullptr;  // of the wavenumbers, many of which are then interpolated to 1e-12; null: each is computed
+  const Spectrum* behind_sheets = nullptr;  // the wave that lights the look once it has gone through sheets
+  bool returns_alone = false;               // the currents that radiate the reflected wave, without its shadow
 };
 
 /// Far field of the physical-optics currents on the piece within a launch rectangle, [frequency]. With s the direction to the

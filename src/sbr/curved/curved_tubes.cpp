@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sbr/beams/current_map.h"
 #include "sbr/beams/spherical_look.h"
 #include "sbr/beams/truncated_tubes.h"
 #include "sbr/curved/curved_beam.h"
+#include "sbr/visible/line_of_sight.h"
 #include "scene/material.h"
 
 namespace raytube {
@@ -18,97 +20,136 @@ constexpr double most_width = 4.0;
 // Probes along each side of a block.
 constexpr std::uint32_t probes_across = 24;
 // Cells of a block whose tubes are followed at a time: bounds memory however dense the grid is.
-constexpr std::size_t most_cells = std::size_t{1} << 16;
+constexpr std::size_t most_cells = std::size_t{1} << 16, most_cells_with_sheets = most_tubes / 8;
 
 // Tubes under way, all after the same number of bounces, and the rays that carry them on. A ray leaves the facet it met, its tube
-// the surface behind it.
+// the surface behind it. Sheets are flat and divide a tube in two: what they transmit keeps its direction and wavefront.
 class CurvedTubes {
  public:
   CurvedTubes(const TubeLook& look, TubeSums& sums) : look_(look), band_(look.wavenumbers()), sums_(sums) {
     for (auto& sums_of_grid : coarse_sums_) sums_of_grid.resize(look.wavenumbers().size());
+    if (look.sheets) line_of_sight_.emplace(*look.sheets, look.tracer);
   }
 
-  // Launches the cells' tubes and keeps those that a curved surface reflects.
+  // The cells' tubes as launched.
   void launch(std::span<const glm::uvec2> cells) {
-    tubes_.clear(), rays_.clear();
+    tubes_.clear();
     for (const glm::uvec2& cell : cells) {
       const dvec2 at(look_.grid.u_center(cell.x), look_.grid.v_center(cell.y));
-      tubes_.push_back({cell, look_.spherical ? launched_beam(look_.grid, look_.spherical->antennas().transmit, at)
-                                              : launched_beam(look_.grid, look_.transmit, at)});
-      rays_.push_back(look_.grid.ray(cell.x, cell.y));
+      tubes_.push_back({cell,
+                        look_.spherical ? launched_beam(look_.grid, look_.spherical->antennas().transmit, at)
+                                        : launched_beam(look_.grid, look_.transmit, at),
+                        look_.grid.ray(cell.x, cell.y)});
+      if (!look_.sheets) continue;
+      CurvedBeam& beam = tubes_.back().beam;
+      beam.spectrum = plain_spectrum(beam.field, look_.wavenumbers().size());
+      tubes_.back().unit = raytube::amplitude(beam.spectrum);
     }
-    find_hits();
-    keep([&](const Tube&, const Hit& hit) { return look_.smooth->region(hit.triangle) != no_index; });
   }
 
-  // The cells of the tubes that meet anything next.
+  // The cells of the tubes that meet anything once a curved surface has reflected them.
   std::vector<glm::uvec2> meeting() {
-    find_hits();
     std::vector<glm::uvec2> cells;
-    for (std::size_t i = 0; i < tubes_.size(); ++i)
-      if (hits_[i]) cells.push_back(tubes_[i].cell);
+    for (int bounce = 0; bounce <= look_.max_bounces && !tubes_.empty(); ++bounce)
+      advance([&](const Tube& tube, const Hit& hit) {
+        if (tube.beam.reflected)
+          cells.push_back(tube.cell);
+        else
+          meet(tube, hit, bounce);
+      });
     return cells;
   }
 
   void follow() {
-    for (int bounce = 1; !tubes_.empty(); ++bounce) {
-      find_hits();
-      if (bounce == look_.max_bounces) {
-        for (const Hit& hit : hits_)
-          if (hit) truncate(Truncation::bounces);
-        break;
-      }
-      keep([&](const Tube& tube, const Hit& hit) {
-        integrate(tube, bounce);
-        if (look_.map) add_to_map(tube, hit.triangle, bounce);
-        return true;
+    for (int bounce = 0; !tubes_.empty(); ++bounce)
+      advance([&](const Tube& tube, const Hit& hit) {
+        if (bounce < look_.max_bounces)
+          meet(tube, hit, bounce);
+        else if (tube.beam.reflected)
+          truncate(tube, hit);
       });
-    }
     if (!sums_.bounces.empty()) sums_.compare_with(coarse_sums_);
   }
 
  private:
+  // Until a curved surface reflects it a tube only goes on through sheets: what else the incident wave does is traced elsewhere.
   struct Tube {
     glm::uvec2 cell;
     CurvedBeam beam;
+    Ray ray;
+    double unit = 1.0;  // its field's magnitude as launched
     CurvedFootprint footprint{};
   };
 
-  void truncate(Truncation reason) { count_truncated(sums_.truncated[reason], look_.grid.du * look_.grid.dv, 1.0); }
+  // Of unit incident waves; of conductors alone the number of bounces belongs to the model.
+  double amplitude(const CurvedBeam& beam, double unit) const {
+    return look_.sheets ? raytube::amplitude(beam.spectrum) / unit : 1.0;
+  }
+  double amplitude(const Tube& tube) const { return amplitude(tube.beam, tube.unit); }
+
+  double cell_area() const { return look_.grid.du * look_.grid.dv; }
+
+  void truncate(const Tube& tube, Truncation reason) { count_truncated(sums_.truncated[reason], cell_area(), amplitude(tube)); }
+
+  void truncate(const Tube& tube, const Hit& hit) {
+    if (!look_.sheets) return truncate(tube, Truncation::bounces);
+    count_truncated(sums_.truncated[Truncation::bounces], look_.tracer, look_.surfaces,
+                    {tube.ray, hit, cell_area(), amplitude(tube)});
+  }
+
+  // Calls meet(tube, hit) for all that meet a surface; those that this sends on are under way next.
+  template <class Meet>
+  void advance(Meet meet) {
+    find_hits();
+    next_.clear();
+    for (std::size_t i = 0; i < tubes_.size(); ++i)
+      if (hits_[i]) meet(tubes_[i], hits_[i]);
+    tubes_.swap(next_);
+    if (look_.sheets)
+      end_weakest(
+          tubes_, most_tubes, [&](const Tube& tube) { return amplitude(tube); },
+          [&](const Tube& tube) { truncate(tube, Truncation::number); });
+  }
 
   void find_hits() {
+    rays_.clear();
+    for (const Tube& tube : tubes_) rays_.push_back(tube.ray);
     hits_.resize(rays_.size());
     look_.tracer.closest_hits(rays_, hits_);
     sums_.rays += rays_.size();
   }
 
-  // Reflects the tubes that met a surface and of which `take` says so.
-  template <class Take>
-  void keep(Take take) {
+  // Integrates the currents of a tube that curved surfaces have reflected, and sends on what leaves.
+  void meet(Tube tube, const Hit& hit, int bounce) {
     const TriangleMesh& mesh = look_.tracer.mesh();
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < tubes_.size(); ++i) {
-      const Hit hit = hits_[i];
-      if (!hit) continue;
-      const std::uint32_t patch = mesh.triangle_patch[hit.triangle];
-      if (mesh.closed(hit.triangle) && glm::dot(mesh.patches[patch].normal, rays_[i].direction) > 0.0) {
-        sums_.lose(rays_[i], hit.triangle, mesh);
-        continue;
-      }
-      Tube tube = tubes_[i];
-      const LocalSurface met = surface(tube.beam, hit.triangle);
-      tube.footprint = curved_footprint(tube.beam, met, reception(met.point), look_.surfaces, mesh.patches[patch]);
-      if (!take(tube, hit)) continue;
-      if (is_too_wide(tube.footprint)) {
-        truncate(Truncation::width);
-        continue;
-      }
-      tube.beam = tube.footprint.outgoing;
-      rays_[kept] = {rays_[i].origin + hit.distance * rays_[i].direction, tube.beam.direction, patch};
-      tubes_[kept++] = tube;
-    }
-    tubes_.resize(kept);
-    rays_.resize(kept);
+    const std::uint32_t patch = mesh.triangle_patch[hit.triangle];
+    if (mesh.closed(hit.triangle) && glm::dot(mesh.patches[patch].normal, tube.ray.direction) > 0.0)
+      return sums_.lose(tube.ray, hit.triangle, mesh);
+    const bool curved = look_.smooth->region(hit.triangle) != no_index;
+    if (!tube.beam.reflected && !curved && !look_.surfaces.transmits(mesh.patches[patch].material)) return;
+    const LocalSurface met = surface(tube.beam, hit.triangle);
+    tube.footprint = curved_footprint(tube.beam, met, reception(met.point), look_.surfaces, mesh.patches[patch]);
+    const Ray leaving{tube.ray.origin + hit.distance * tube.ray.direction, tube.beam.direction, patch};
+    if (tube.beam.reflected) integrate(tube, leaving.origin, hit.triangle, bounce);
+    go_through(tube, leaving);
+    if (tube.beam.reflected || curved) reflect(tube, leaving);
+  }
+
+  void go_through(const Tube& tube, const Ray& leaving) {
+    if (tube.footprint.transmitted.empty()) return;
+    Tube through = tube;
+    through.beam.spectrum = std::move(through.footprint.transmitted);
+    through.footprint = {}, through.ray = leaving;
+    if (amplitude(through) > least_amplitude) next_.push_back(std::move(through));
+  }
+
+  void reflect(Tube& tube, Ray leaving) {
+    if (is_too_wide(tube.footprint)) return truncate(tube, Truncation::width);
+    tube.beam = std::move(tube.footprint.outgoing);
+    leaving.direction = tube.beam.direction;
+    tube.ray = leaving;
+    tube.footprint = {};
+    if (amplitude(tube) > least_amplitude) next_.push_back(std::move(tube));
   }
 
   Reception reception(const dvec3& point) const {
@@ -133,30 +174,56 @@ class CurvedTubes {
     return glm::length(f.outgoing.along_u) * look_.grid.du > limit || glm::length(f.outgoing.along_v) * look_.grid.dv > limit;
   }
 
-  void integrate(const Tube& tube, int bounce) {
-    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers().size());
+  void integrate(const Tube& tube, const dvec3& point, std::uint32_t triangle, int bounce) {
+    sums_.at(bounce, look_.wavenumbers().size());
     ++sums_.hits[static_cast<std::size_t>(bounce)];
-    const dvec2 cell(look_.grid.du, look_.grid.dv);
-    sums_.meet(bounce, cell.x * cell.y, 1.0);
-    if (look_.surfaces.any_rough()) sums_.add_incoherent(tube.footprint.outgoing.spectrum, cell.x * cell.y);
-    add_far_fields(sums, tube.footprint, band_, cell);
-    for (std::uint32_t grid = 0; grid < coarse_grids; ++grid)
-      if (tube.cell.x % 3 == 1 - grid && tube.cell.y % 3 == 1 - grid)
-        add_far_fields(coarse_sums_[grid], tube.footprint, band_, 3.0 * cell);
+    sums_.meet(bounce, cell_area(), amplitude(tube));
+    if (look_.surfaces.any_rough()) sums_.add_incoherent(tube.footprint.outgoing.spectrum, cell_area());
+    if (line_of_sight_) return integrate(tube, through_sheets(tube.footprint, point, triangle), triangle, bounce);
+    integrate(tube, tube.footprint, triangle, bounce);
   }
 
-  void add_to_map(const Tube& tube, std::uint32_t triangle, int bounce) {
+  // As the receiver has the currents.
+  void integrate(const Tube& tube, const CurvedFootprint& received, std::uint32_t triangle, int bounce) {
+    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers().size());
+    const dvec2 cell(look_.grid.du, look_.grid.dv);
+    add_far_fields(sums, received, band_, cell);
+    for (std::uint32_t grid = 0; grid < coarse_grids; ++grid)
+      if (tube.cell.x % 3 == 1 - grid && tube.cell.y % 3 == 1 - grid)
+        add_far_fields(coarse_sums_[grid], received, band_, 3.0 * cell);
+    if (look_.map) add_to_map(tube.cell, received, triangle, bounce);
+  }
+
+  // As the receiver has the currents behind every sheet on the way to it from the facet's point.
+  CurvedFootprint through_sheets(CurvedFootprint f, const dvec3& point, std::uint32_t triangle) {
+    const TriangleMesh& mesh = look_.tracer.mesh();
+    const SphericalBasis basis = reception(point).basis,
+                         antenna{basis.radial, glm::normalize(basis.theta_hat), glm::normalize(basis.phi_hat)};
+    line_of_sight_->add(0, 0, point, mesh.triangle_patch[triangle]);
+    sums_.rays += line_of_sight_->follow([&](const RayLineOfSight::Line& line) {
+      const Patch& met = mesh.patches[line.ray.source_patch];
+      if (!look_.surfaces.transmits(met.material)) return;
+      for (std::size_t i = 0; i < f.outgoing.spectrum.size(); ++i) {
+        ChannelWeights& weight = f.outgoing.spectrum[i].weight;
+        weight = received_through(through_screen(look_.surfaces, met, i, antenna), weight);
+      }
+    });
+    return f;
+  }
+
+  void add_to_map(const glm::uvec2& cell, const CurvedFootprint& footprint, std::uint32_t triangle, int bounce) {
     look_.map->set_bounce(bounce);
     ScatteringMatrix s;
-    add_far_field(s, tube.footprint, look_.map->frequency_index(), look_.map->wavenumber(), {look_.grid.du, look_.grid.dv});
-    const dvec2 at(look_.grid.u_center(tube.cell.x), look_.grid.v_center(tube.cell.y));
-    look_.map->add({at, tube.footprint.outgoing.base, tube.footprint.phase}, triangle, s);
+    add_far_field(s, footprint, look_.map->frequency_index(), look_.map->wavenumber(), {look_.grid.du, look_.grid.dv});
+    const dvec2 at(look_.grid.u_center(cell.x), look_.grid.v_center(cell.y));
+    look_.map->add({at, footprint.outgoing.base, footprint.phase}, triangle, s);
   }
 
   const TubeLook& look_;
   Band band_;
   TubeSums& sums_;
-  std::vector<Tube> tubes_;
+  std::optional<RayLineOfSight> line_of_sight_;  // where there are sheets
+  std::vector<Tube> tubes_, next_;
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   std::array<std::vector<ScatteringMatrix>, coarse_grids> coarse_sums_;  // [grid][frequency], all bounces
@@ -165,7 +232,8 @@ class CurvedTubes {
 // Groups of stride x stride cells, probed by a ray each; a block is a square of them.
 class Block {
  public:
-  Block(const LaunchGrid& grid, std::uint32_t stride, const glm::uvec2& block) : grid_(grid), stride_(stride) {
+  Block(const LaunchGrid& grid, std::uint32_t stride, const glm::uvec2& block, std::size_t together)
+      : grid_(grid), stride_(stride), together_(together) {
     const glm::uvec2 groups = (glm::uvec2(grid.columns, grid.rows) + stride - 1u) / stride;
     first_ = block * probes_across;
     last_ = glm::min(first_ + probes_across, groups);
@@ -206,7 +274,7 @@ class Block {
     for (std::uint32_t row = begin.y; row < end.y; ++row)
       for (std::uint32_t column = begin.x; column < end.x; ++column) {
         cells.emplace_back(column, row);
-        if (cells.size() < most_cells) continue;
+        if (cells.size() < together_) continue;
         take(cells);
         cells.clear();
       }
@@ -214,6 +282,7 @@ class Block {
 
   const LaunchGrid& grid_;
   std::uint32_t stride_;
+  std::size_t together_;                  // cells that are handed on
   glm::uvec2 first_, last_, low_, high_;  // groups of the block, and those that are probed
 };
 
@@ -229,7 +298,7 @@ CurvedBounces::CurvedBounces(const TubeLook& look) : look_(look) {
 
 TubeSums CurvedBounces::trace(std::size_t block) const {
   TubeSums sums;
-  const Block here(look_.grid, stride_, {block % across_, block / across_});
+  const Block here(look_.grid, stride_, {block % across_, block / across_}, look_.sheets ? most_cells_with_sheets : most_cells);
   CurvedTubes tubes(look_, sums);
   tubes.launch(here.probes());
   here.cells_around(tubes.meeting(), [&](std::span<const glm::uvec2> cells) {

@@ -100,7 +100,7 @@ void CellTubes::reflect(int bounce) {
     const std::uint32_t triangle = found_[i];
     if (triangle == no_index) continue;
     const auto [column, row, beam] = tubes_[i];
-    if (smooth_ && beam == BeamTree::root && smooth_->region(triangle) != no_index) continue;
+    if (smooth_ && !beams_.is_reflected(beam) && smooth_->region(triangle) != no_index) continue;
     const std::uint32_t patch = mesh.triangle_patch[triangle],
                         node = beams_.child(beam, patch, {grid_.u_center(column), grid_.v_center(row)});
     // Only a ray that slipped through an edge meets a closed body from inside.

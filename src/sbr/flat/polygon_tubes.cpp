@@ -156,6 +156,7 @@ struct FaceTrace {
     for (VisiblePart& part : parts_) {
       if (!look_.clip) cells_under(look_.grid, part.outline, blocks_);
       if (!look_.clip && blocks_.empty()) continue;
+      if (is_left_to_curved(tube.beam, part.face)) continue;
       const std::uint32_t patch = look_.faces.faces()[part.face].patch;
       const std::uint32_t node = beams_.child(tube.beam, patch, middle(part.outline));
       if (tube.course != Course::twin) sums_.meet(bounce, area(part.outline), beams_.amplitude(tube.beam));
@@ -170,6 +171,11 @@ struct FaceTrace {
       if (beams_.is_lit(node)) send_on(node, std::move(part.outline));
     }
     parts_.clear();
+  }
+
+  // Curved surfaces that the incident wave itself comes to, behind sheets too, are traced as such (sbr/curved).
+  bool is_left_to_curved(std::uint32_t beam, std::uint32_t face) const {
+    return look_.smooth && !beams_.is_reflected(beam) && look_.smooth->region(look_.faces.faces()[face].triangle) != no_index;
   }
 
   // Where tubes grow too many, those smaller than a cell are no longer cut.

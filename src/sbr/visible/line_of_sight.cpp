@@ -110,6 +110,16 @@ double LineOfSightSheets::depth(const dvec3& r) const {
   return glm::dot(converging_.direction, r) / widening(converging_, r);
 }
 
+bool LineOfSightSheets::may_cover_any(std::span<const dvec3> points) const {
+  Bounds box{dvec2(std::numeric_limits<double>::infinity()), dvec2(-std::numeric_limits<double>::infinity())};
+  double farthest = std::numeric_limits<double>::infinity();
+  for (const dvec3& r : points) {
+    box = {glm::min(box.low, across(r)), glm::max(box.high, across(r))};
+    farthest = std::min(farthest, depth(r));
+  }
+  return may_cover(box, farthest);
+}
+
 dvec3 LineOfSightSheets::towards_receiver(const dvec3& r) const {
   return is_near() ? glm::normalize(-converging_.direction / converging_.curvature - r) : receive_.radial;
 }

@@ -30,6 +30,8 @@ class LineOfSightSheets {
   /// False if none can stand between the receiver and what lies in this box, no nearer to the receiver than this.
   bool may_cover(const Bounds& box, double farthest) const { return farthest < nearest_ && box.overlaps(box_, 0.0); }
   bool may_cover(const dvec3& r) const { return may_cover({across(r), across(r)}, depth(r)); }
+  /// The same of all these points together.
+  bool may_cover_any(std::span<const dvec3> points) const;
 
  private:
   double depth(const dvec3& r) const;
@@ -86,6 +88,10 @@ class RayLineOfSight {
     if (sheets_.may_cover(point)) lines_.push_back({tube, node, {point, sheets_.towards_receiver(point), patch}});
   }
 
+  /// Calls meet(line) wherever a line meets anything, line.ray starting there, and forgets them all. Counts rays.
+  template <class Meet>
+  std::uint64_t follow(Meet meet);
+
   /// Calls visit(tube, node) for every sheet on the way of every line added, and forgets them. Counts rays.
   template <class Visit>
   std::uint64_t through_sheets(BeamTree& beams, Visit visit);
@@ -98,19 +104,24 @@ class RayLineOfSight {
   std::vector<Line> lines_;  // of those that trace() leaves the rays start where they met something
 };
 
-template <class Visit>
-std::uint64_t RayLineOfSight::through_sheets(BeamTree& beams, Visit visit) {
+template <class Meet>
+std::uint64_t RayLineOfSight::follow(Meet meet) {
   std::uint64_t rays = 0;
   while (!lines_.empty()) {
     rays += lines_.size();
     trace();
-    for (Line& line : lines_) {
-      if (!beams.is_sheet(line.ray.source_patch)) continue;
-      line.node = beams.through_screen(line.node, line.ray.source_patch);
-      visit(line.tube, line.node);
-    }
+    for (Line& line : lines_) meet(line);
   }
   return rays;
+}
+
+template <class Visit>
+std::uint64_t RayLineOfSight::through_sheets(BeamTree& beams, Visit visit) {
+  return follow([&](Line& line) {
+    if (!beams.is_sheet(line.ray.source_patch)) return;
+    line.node = beams.through_screen(line.node, line.ray.source_patch);
+    visit(line.tube, line.node);
+  });
 }
 
 }  // namespace raytube
