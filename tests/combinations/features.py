@@ -41,15 +41,18 @@ def same(what, solver, one, other, tolerance):
 
 
 def far_limit(solver, settings):
+    """A radar so far away is one at infinity."""
     far = {**settings, "radar.range_m": FAR}
     if "receive.theta_deg" in settings:
         far["radar.receive_range_m"] = FAR
     infinite = off(settings, "radar.", "output.power")
+    if settings.get("edges.method") == "utd":
+        infinite["edges.utd_range_m"] = FAR
     if "radar.turntable_deg" in settings:
-        infinite["look.phi_deg"] = [p - t for p in settings["look.phi_deg"] for t in settings["radar.turntable_deg"]]
-        if "receive.theta_deg" in settings:
-            return None  # every pair of directions is turned together: its own check has it
-    return same("far limit", solver, far, infinite, HUNDREDTH_DB)
+        far["radar.turntable_deg"] = [0.0]
+    # Two integrals over curved surfaces, one of them good to 2e-3.
+    curved = "ball.obj" in settings["target.mesh"]
+    return same("far limit", solver, far, infinite, 2e-2 if curved else HUNDREDTH_DB)
 
 
 def back_again(solver, settings):
@@ -98,7 +101,8 @@ def dark_horizon(solver, settings):
     rows = solver.s(grazing)
     largest = max(abs(s) for row in rows for s in row)
     hidden = max(abs(row[i]) for row in rows for i in (1, 3))
-    return None if hidden <= EXACT * largest else f"H from the horizon: {hidden / largest:.2g} of V"
+    sampled = "ball.obj" in settings["target.mesh"]  # what curved surfaces reflect onto their images is
+    return None if hidden <= (5e-3 if sampled else EXACT) * largest else f"H from the horizon: {hidden / largest:.2g} of V"
 
 
 def no_ground(solver, settings):
@@ -124,9 +128,16 @@ def black(solver, settings):
 def nothing_there(keys):
     def check(solver, settings):
         plain = off(settings, "materials.window.", "target.parts.window")
+        # Waves between and over surfaces, and of edges of materials, end at sheets.
+        plain |= {"edges.between": False, "surfaces.waves": False, "edges.materials": "none"}
+        ball, grid = "ball.obj" in settings["target.mesh"], "tubes.mode" in settings
+        if ball and not grid:
+            plain["tubes.curved"] = "always"  # by default a ball beside anything is facets
         there = {**plain, "target.parts.window": "window", "materials.window.kind": "sheet", **keys}
         gone = {**plain, "target.mesh": [m for m in settings["target.mesh"] if m != "window.obj"]}
-        return same("a sheet of vacuum", solver, there, gone, 1e-6)
+        # Edges behind a sheet are cut where its outline is found, curved cells where it crosses them.
+        # A grid is another one with a sheet on it.
+        return same("a sheet of vacuum", solver, there, gone, 2e-2 if ball or grid else 2e-4)
     return check
 
 
@@ -143,32 +154,50 @@ def convex_as_well(solver, settings):
 
 def fine_grid(solver, settings):
     # 0.5 dB of the peak: the staircase of 30 tubes a wavelength along the corner's edges.
-    return same("adaptive tubes", solver, settings, off(settings, "tubes.mode", "tubes.per_wavelength"), 0.06)
+    facets = {**off(settings, "tubes.mode", "tubes.per_wavelength"), "tubes.curved": "never"}
+    return same("adaptive tubes", solver, settings, facets, 0.06)
 
 
-def first_order_below(solver, settings):
-    lower = {**settings, "edges.order": 3}
-    return same("order 3", solver, settings, lower, 0.3)
+def parts_of(solver, settings):
+    """The names of the parts that are not zero in every row."""
+    rows = table(solver.run(settings, "--parts") / "parts.csv")
+    names = [name for name in rows[0] if name.startswith("re_")]
+    return {name.split("_", 2)[2] for name in names if any(float(row[name]) != 0.0 for row in rows)}
+
+
+def one_order(solver, settings):
+    return "there is a second order" if "edges_second_order" in parts_of(solver, settings) else None
 
 
 def no_edges(solver, settings):
-    parts = table(solver.run(settings, "--parts") / "parts.csv")
-    other = [name for name in parts[0] if name.startswith("re_") and not name.split("_")[2].startswith("bounce")
-             and any(float(row[name]) != 0.0 for row in parts)]
+    other = sorted(name for name in parts_of(solver, settings) if not name.startswith("bounce"))
     return f"edges.method none has {other}" if other else None
 
 
 def ran(key):
     """That the mechanism is not left out."""
     def check(solver, settings):
-        return solver.without(settings, key) or None
+        why_not = solver.without(settings, key)
+        return f"left out: {why_not}" if why_not else None
     return check
 
 
-def rays(solver, settings):
-    # Rays and currents agree where the corner reflects back: one or two dB.
-    currents = {**off(settings, "edges.method"), "edges.method": "none"}
-    return same("currents", solver, settings, currents, 1.0)
+def reciprocal(solver, settings):
+    """Rays are the same there and back."""
+    rows = solver.s(settings)
+    if "receive.theta_deg" not in settings:
+        apart = difference([[row[1]] for row in rows], [[row[2]] for row in rows])
+        return None if apart <= EXACT else f"VH and HV differ by {apart:.2g} of the larger"
+    back = {**settings}
+    for angle in ("theta_deg", "phi_deg"):
+        back |= {"look." + angle: settings["receive." + angle], "receive." + angle: settings["look." + angle]}
+    if "radar.receive_range_m" in settings:
+        back |= {"radar.range_m": settings["radar.receive_range_m"], "radar.receive_range_m": settings["radar.range_m"]}
+    if "radar.turntable_deg" in settings:
+        return None  # rows of several angles are in another order there
+    swapped = [[row[0], row[2], row[1], row[3]] for row in solver.s(back)]
+    apart = difference(rows, swapped)
+    return None if apart <= 1e-7 else f"transmitter and receiver exchanged: {apart:.2g} of the peak"
 
 
 SHEET = {"target.mesh": [*BASE["target.mesh"], "window.obj"], "target.parts.window": "window"}
@@ -194,8 +223,8 @@ PHYSICS = [
     Feature("curved", {"target.mesh": ["ball.obj"], "tubes.curved": "always"}, convex_as_well),
     Feature("uniform", {"tubes.mode": "uniform", "tubes.per_wavelength": 30}, fine_grid),
     Feature("edges, none", {"edges.method": "none"}, no_edges, ("edges",)),
-    Feature("edges, order 1", {"edges.order": 1}, first_order_below, ("edges",)),
-    Feature("edges, utd", {"edges.method": "utd"}, rays, ("edges",)),
+    Feature("edges, order 1", {"edges.order": 1}, one_order, ("edges",)),
+    Feature("edges, utd", {"edges.method": "utd", "edges.utd_range_m": 100.0}, reciprocal, ("edges",)),
     Feature("edges, luebbers", {**part("coat", kind="coated", thickness_mm=3.0, eps_r=[4.0, 0.1]), "edges.materials": "luebbers"}, ran("edges.materials"), ("edges",)),
     Feature("between", {"edges.between": True}, ran("edges.between")),
     Feature("waves", {"target.mesh": ["ball.obj"], "surfaces.waves": True}, ran("surfaces.waves")),

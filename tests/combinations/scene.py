@@ -28,11 +28,12 @@ def corner():
     return obj({"floor": [floor], **{name: [panel(*place)] for name, place in zip(PANELS, places)}})
 
 
-def ball(radius=0.12, height=0.3, rows=12, columns=24):
-    """A sphere in four quarters."""
+def ball(radius=0.12, middle=(0.25, 0, 0.4), rows=24, columns=48):
+    """A sphere in four quarters, where the corner leaves room for it."""
     def point(row, column):
         theta, phi = math.pi * row / rows, 2 * math.pi * (column % columns) / columns
-        return (radius * math.sin(theta) * math.cos(phi), radius * math.sin(theta) * math.sin(phi), height + radius * math.cos(theta))
+        way = (math.sin(theta) * math.cos(phi), math.sin(theta) * math.sin(phi), math.cos(theta))
+        return tuple(m + radius * w for m, w in zip(middle, way))
 
     quads = {name: [] for name in PANELS}
     for column in range(columns):

@@ -1,10 +1,12 @@
 """Runs of raytube on cases of the scene, each case once."""
 
+import copy
 import csv
 import json
 import os
 import pathlib
 import subprocess
+import threading
 
 import scene
 
@@ -30,7 +32,14 @@ CHANNELS = ("vv", "vh", "hv", "hh")
 class Solver:
     def __init__(self, program, folder):
         self.program, self.folder, self.known = program, pathlib.Path(folder), {}
+        self.lock, self.locks, self.extra = threading.Lock(), {}, ()
         scene.write_meshes(self.folder)
+
+    def with_options(self, options):
+        """The same, with these options on every run."""
+        other = copy.copy(self)
+        other.extra = options
+        return other
 
     def call(self, *words, launcher=()):
         done = subprocess.run([*launcher, self.program, *map(str, words)], env=ALONE, capture_output=True, text=True, timeout=120)
@@ -43,17 +52,22 @@ class Solver:
     def case(self, settings):
         """The case file of these settings, and the folder for what is made of it."""
         text = scene.case_text(settings)
-        if text not in self.known:
-            file = self.folder / f"{len(self.known)}.toml"
-            file.write_text(text)
-            self.known[text] = file
+        with self.lock:
+            if text not in self.known:
+                self.known[text] = self.folder / f"{len(self.known)}.toml"
+                self.known[text].write_text(text)
         return self.known[text], self.known[text].with_suffix("")
 
     def run(self, settings, *options, launcher=(), name="run"):
         """The folder of results."""
         case, place = self.case(settings)
-        out = place / "_".join([name, *options]).replace("/", "_of_")
-        if not (out / "rcs.csv").exists():
+        options = (*options, *(option for option in self.extra if option not in options))
+        out = place / "_".join([name, *options])
+        with self.lock:
+            turn = self.locks.setdefault(out, threading.Lock())
+        with turn:
+            if (out / "rcs.csv").exists():
+                return out
             self.call("run", case, "-o", out, "--quiet", "--threads", 1, *options, launcher=launcher)
         return out
 
