@@ -21,8 +21,9 @@ struct Look {
   /// By which a turntable has turned the target about z, from +x towards +y, under antennas that stand [rad]. Directions count
   /// from the target and know of it; what the antennas are aimed at does not.
   double turn = 0.0;
-  /// Of an antenna that is the mirror image of one in a plane across z, the z of that [m]: AntennaPosition.
-  std::optional<double> transmit_mirror{}, receive_mirror{};
+  /// Of a transmitter that is the mirror image of one in a plane across z, the z of that [m]: AntennaPosition.
+  std::optional<double> transmit_mirror{};
+  std::optional<double> receive_mirror{};  // of the receiver
 
   /// Both are at infinity.
   bool far() const { return std::isinf(transmit_range); }
