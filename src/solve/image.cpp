@@ -84,13 +84,24 @@ class CellsByGround {
     lattice.columns = static_cast<std::uint32_t>(cells.x), lattice.rows = static_cast<std::uint32_t>(cells.y);
   }
 
-  std::size_t seen_in(std::uint32_t column, std::uint32_t row) const {
-    return seen_.index(seen_.at(seen_.project(mirrored(point_of(lattice, lattice.middle({column, row}))))));
+  // Calls put(cell, share) for the cells between whose middles that of this one is seen: in perspective cells are of other sizes.
+  template <class Put>
+  void share_out(std::uint32_t column, std::uint32_t row, Put put) const {
+    const dvec2 middle = seen_.project(mirrored(point_of(lattice, lattice.middle({column, row}))));
+    const dvec2 at = (middle - seen_.corner) / seen_.cell - 0.5, low = glm::floor(at + rounding);
+    const dvec2 high = glm::max(at - low, dvec2(0.0));
+    for (const double u : {0.0, 1.0})
+      for (const double v : {0.0, 1.0}) {
+        const double share = (u == 0.0 ? 1.0 - high.x : high.x) * (v == 0.0 ? 1.0 - high.y : high.y);
+        if (share > rounding) put(seen_.index(seen_.at(seen_.corner + (low + dvec2(u, v) + 0.5) * seen_.cell)), share);
+      }
   }
 
   ImageLattice lattice;  // recentred; its lines are those of the mirrored one where both are seen from afar
 
  private:
+  static constexpr double rounding = 1e-13;  // of a cell: what lies on its middle is in it alone
+
   // At the depth of the middle of the target.
   static dvec3 point_of(const ImageLattice& lattice, const dvec2& at) { return at.x * lattice.u_hat + at.y * lattice.v_hat; }
   dvec3 mirrored(const dvec3& point) const { return {point.x, point.y, 2.0 * plane_ - point.z}; }
@@ -106,7 +117,10 @@ void add_cells(const LookImage& path, const PathFactors& factors, LookImage& ima
 void add_cells(const LookImage& path, const PathFactors& factors, const CellsByGround& cells, LookImage& image) {
   for (std::uint32_t row = 0; row < path.lattice.rows; ++row)
     for (std::uint32_t column = 0; column < path.lattice.columns; ++column)
-      image.cells[cells.seen_in(column, row)] += factors(path.cells[path.lattice.index({column, row})]);
+      cells.share_out(column, row, [&](std::size_t cell, double share) {
+        ScatteringMatrix part = factors(path.cells[path.lattice.index({column, row})]);
+        image.cells[cell] += part *= share;
+      });
 }
 
 // The share of one path.

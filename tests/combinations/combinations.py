@@ -11,12 +11,13 @@ import argparse
 import os
 import pathlib
 import re
+import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 from features import PHYSICS
-from products import PRODUCTS, missing, pair_checks
+from products import NEEDED, PRODUCTS, missing, pair_checks
 from scene import BASE
 from solver import Refused, Solver
 
@@ -99,6 +100,14 @@ def page_with(text, made):
     return text[:begin] + "<!-- begin of the table -->\n\n" + made + "\n" + text[end:]
 
 
+def by_a_python_with_packages():
+    """Goes on in Debian's own Python where the first one on the path lacks what the package needs."""
+    debian = "/usr/bin/python3"
+    able = [p for p in (sys.executable, debian) if os.path.exists(p) and not subprocess.run([p, "-c", NEEDED], capture_output=True).returncode]
+    if able and able[0] != sys.executable:
+        os.execv(debian, [debian, *sys.argv])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -106,6 +115,7 @@ def main():
     parser.add_argument("--only", default="", help="pairs of this feature alone; the page is not looked at")
     parser.add_argument("--write", action="store_true", help="the page's table anew")
     args = parser.parse_args()
+    by_a_python_with_packages()
     features = [*PHYSICS, *PRODUCTS]
     pairs = [(one, other) for i, one in enumerate(features) for other in features[i:]]
     pairs = [pair for pair in pairs if not args.only or args.only in (pair[0].name, pair[1].name)]

@@ -1,8 +1,10 @@
 """What is made of a case, each with a check of its own."""
 
 import csv
-import importlib.util
+import functools
 import shutil
+import subprocess
+import sys
 
 from features import EXACT, Feature
 from solver import CHANNELS, complex_of, difference, table
@@ -137,9 +139,20 @@ def python(solver, settings):
     return None if apart < EXACT else f"Python has S within {apart:.2g}"
 
 
+NEEDED = "import raytube, xarray"
+
+
+@functools.cache
+def is_able():
+    """Whether this Python has what the package needs."""
+    return subprocess.run([sys.executable, "-c", NEEDED], capture_output=True).returncode == 0
+
+
 def missing(feature):
     """Whether there is nothing here to try it with."""
-    return feature.name == "Python" and importlib.util.find_spec("raytube") is None or feature.name == "MPI" and not shutil.which("mpirun")
+    if feature.name == "Python":
+        return not is_able()
+    return feature.name == "MPI" and not shutil.which("mpirun")
 
 
 PRODUCTS = [

@@ -18,12 +18,12 @@ struct Solve {
   double possible_pairs = 14.0;
   TubeOptions tubes{};
   SurfaceOptions surfaces{};
-  bool materials = false, sheets = false;
+  bool materials = false, sheets = false, far = true;
   double curved_edges = 0.0;
 
   std::string remedy(Omission omission, const EdgeOptions& edges = {}) const {
-    return remedy_of(omission, {edges, tubes, surfaces, materials, sheets, curved_edges, possible_pairs, skips, truncated, hits,
-                                pairs, left_out});
+    return remedy_of(omission, {edges, tubes, surfaces, materials, sheets, far, curved_edges, possible_pairs, skips, truncated,
+                                hits, pairs, left_out});
   }
 };
 
@@ -70,6 +70,13 @@ TEST(Remedies, EdgeCurrentsThatAreSwitchedOff) {
   EXPECT_THAT(sheets.remedy(Omission::interaction, {.method = EdgeMethod::none, .interaction = {}}), StartsWith("none"));
   const Solve coated{.materials = true};  // waves run over conductors alone
   EXPECT_THAT(coated.remedy(Omission::smooth_surfaces, {.method = EdgeMethod::none, .interaction = {}}), StartsWith("none"));
+}
+
+TEST(Remedies, TheHeuristicOfEdgesWhereItIsNotRefused) {
+  Solve coated{.materials = true};
+  EXPECT_THAT(coated.remedy(Omission::edges), StartsWith("edges.materials = "));
+  coated.far = false;
+  EXPECT_THAT(coated.remedy(Omission::edges), StartsWith("none"));
 }
 
 TEST(Remedies, SurfaceWavesThatAreSwitchedOff) {

@@ -166,6 +166,19 @@ TEST(GroundImage, OverAMediumThatConductsItIsThatOverAConductor) {
   EXPECT_LT(worst, 1e-9 * most);
 }
 
+// From nearby cells of the mirror image are seen in another size: the brightest are as bright all the same.
+TEST(GroundImage, OverAMediumThatConductsItIsAsBrightFromNearby) {
+  const auto brightest = [](const Ground& ground) {
+    const Case c = case_over({{gigahertz}, {{off, off, 1.5, 1.5}}, false}, ground);
+    const Target target = target_over_ground(plate.soup(), c);
+    double most = 0.0;
+    for (const ScatteringMatrix& s : image_of_look(SolvePlan(target, c.sweep, options_of(c), c.ground), 0, 4.3).cells)
+      most = std::max(most, largest_amplitude(s));
+    return most;
+  };
+  EXPECT_NEAR(brightest(conductor_as_a_medium(0.03)) / brightest({0.03, {}}), 1.0, 0.12);
+}
+
 // Their phases tell of other frequencies: of a plate without edges all has a place, straight, on the ground and below it.
 TEST(GroundPieces, AddUpToTheRowAndTellOfOtherFrequencies) {
   const Case c = case_over(monostatic({off}, gigahertz), {0.03, {}});

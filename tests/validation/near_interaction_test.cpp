@@ -160,5 +160,17 @@ TEST(NearInteraction, OfABandIsThatOfEachFrequency) {
   }
 }
 
+// What reaches beyond the ends of edges does so by wavelengths of its own, whatever else is in the sweep.
+TEST(NearInteraction, OfAWideBandIsThatOfEachFrequency) {
+  const std::vector<double> frequencies{4e9, 10e9};
+  const Body all(shapes::dihedral(3 * lambda, 3 * lambda), frequencies);
+  const Look look = near_look({80 * degree, 33 * degree}, all.unit());
+  const InteractionResult band = all.near(look);
+  for (std::size_t f = 0; f < frequencies.size(); ++f) {
+    const Body one(shapes::dihedral(3 * lambda, 3 * lambda), {frequencies[f]});
+    EXPECT_LT(difference(band.scattering[f], one.near(look).scattering[0]), 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace raytube

@@ -71,6 +71,9 @@ class OpenexrFile {
   OpenexrFile& operator=(const OpenexrFile&) = delete;
 
   OpenexrPlanes planes() {
+    int parts = 0;
+    expect(exr_get_count(context_, &parts));
+    if (parts > 1) refuse_openexr(file_, fmt::format("it has {} parts; save one of them by itself", parts));
     check_compression();
     OpenexrPlanes planes = empty_planes();
     exr_storage_t storage{};

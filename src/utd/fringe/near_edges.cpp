@@ -124,6 +124,7 @@ class NearSum {
       EdgeLookResult part = edges.take();
       add(part, piece, screens);
       sum_.lit = sum_.lit || part.lit;
+      sum_.work += part.work;
       lit = lit || part.wedges_lit > 0;
     };
     near_.for_each(wedges, index, light, make, visit);

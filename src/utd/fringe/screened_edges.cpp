@@ -131,6 +131,7 @@ class ScreenedLook {
 
   void add_through(const Screens& screens, EdgeLookResult part, EdgeLookResult& sum) const {
     sum.higher.resize(part.higher.size());
+    sum.work += part.work;
     for (std::size_t f = 0; f < subset_.frequencies.size(); ++f) {
       const Passage by = passage(screens, f);
       by.transform(part.scattering[f]);

@@ -123,9 +123,11 @@ IlluminatedFaces at_one(const ReceivingFaces& faces, const LookVectors& look, st
   Illumination illumination(faces, look, wavenumbers, source, limits.reflections);
   AzimuthDensity density = density_of(illumination, limits.work);
   std::vector<ImageEdge> pieces;
-  EdgeIllumination apart(faces, look, wavenumbers, source, limits.reflections);
-  if (limits.place)
-    density.counted = [&](double azimuth, double weight) { apart.take_apart(azimuth, weight, *limits.place, pieces); };
+  std::optional<EdgeIllumination> apart;
+  if (limits.place) {
+    apart.emplace(faces, look, wavenumbers, source, limits.reflections);
+    density.counted = [&](double azimuth, double weight) { apart->take_apart(azimuth, weight, *limits.place, pieces); };
+  }
   AzimuthIntegral all = integrate_over_azimuth(density, 1, cuts, limits.tolerance, limits.wanted);
   return {std::move(all.value), all.error[0], illumination.work(), std::move(pieces), all.complete};
 }

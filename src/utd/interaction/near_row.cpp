@@ -117,15 +117,19 @@ void NearRowIntegral::set_spectral_currents(const NearRow& row, const FaceReceiv
 
 void NearRowIntegral::add(const NearRow& row, const std::array<double, 2>& corners, std::vector<ScatteringMatrix>& density) {
   const double from = std::max(row.hit.from, source_.from), to = std::min(row.hit.to, source_.to);
-  if (from < to) add_in_parts(row, {from, to}, 0, density);
-  add_beside(row, corners[0], 1.0, density);
-  add_beside(row, corners[1], -1.0, density);
+  if (from < to) add_in_parts(row, {from, to}, 0, {0, wavenumbers_.size()}, density);
+  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+    add_beside(row, corners[0], 1.0, f, density);
+    add_beside(row, corners[1], -1.0, f, density);
+  }
 }
 
 // As EdgeWaveIntegral has it, by the ray at the corner: the detour of rays that spread is no shorter than that of parallel ones.
-void NearRowIntegral::add_beside(const NearRow& row, double corner, double inwards, std::vector<ScatteringMatrix>& density) {
+// Each wavenumber by itself: the stretches go with it.
+void NearRowIntegral::add_beside(const NearRow& row, double corner, double inwards, std::size_t index,
+                                 std::vector<ScatteringMatrix>& density) {
   if (!std::isfinite(corner)) return;
-  const double k = std::ranges::min(wavenumbers_), cosine = antenna_.cos_cone(corner), sine = antenna_.sin_cone(corner);
+  const double k = wavenumbers_[index], cosine = antenna_.cos_cone(corner), sine = antenna_.sin_cone(corner);
   const double longest = std::max(ray(row, row.hit.from).path, ray(row, row.hit.to).path);
   const double path = ray(row, std::clamp(corner, row.hit.from, row.hit.to)).path;
   for (const double side : {-1.0, 1.0}) {
@@ -135,7 +139,7 @@ void NearRowIntegral::add_beside(const NearRow& row, double corner, double inwar
     for (std::size_t i = 1; i < parts.size(); ++i) {
       const double start = corner + way * parts[i - 1], end = corner + way * parts[i];
       const double low = std::max(row.hit.from, std::min(start, end)), high = std::min(row.hit.to, std::max(start, end));
-      if (low < high) add_in_parts(row, {low, high, corner, side}, 0, density);
+      if (low < high) add_in_parts(row, {low, high, corner, side}, 0, {index, index + 1}, density);
     }
   }
 }
@@ -149,20 +153,21 @@ double NearRowIntegral::where_to_split(const NearRow& row, const Stretch& stretc
   return stretch.from + share * (stretch.to - stretch.from);
 }
 
-void NearRowIntegral::add_in_parts(const NearRow& row, const Stretch& stretch, int halvings,
+void NearRowIntegral::add_in_parts(const NearRow& row, const Stretch& stretch, int halvings, Indices indices,
                                    std::vector<ScatteringMatrix>& density) {
+  const std::span<const double> wavenumbers = wavenumbers_.subspan(indices.first, indices.end - indices.first);
   double split = halvings < most_halvings && stretch.side == 0.0 ? where_to_split(row, stretch) : stretch.to;
   if (!(split > stretch.from && split < stretch.to)) {
     const Samples samples = sampled(row, stretch);
-    work_ += work::near_ray_row + work::near_ray_frequency * static_cast<double>(wavenumbers_.size());
-    if (halvings >= most_halvings || samples.bend() * std::ranges::max(wavenumbers_) < most_bend) {
-      for (std::size_t f = 0; f < wavenumbers_.size(); ++f) density[f] += excited(row, samples, f);
+    work_ += work::near_ray_row + work::near_ray_frequency * static_cast<double>(wavenumbers.size());
+    if (halvings >= most_halvings || samples.bend() * std::ranges::max(wavenumbers) < most_bend) {
+      for (std::size_t f = indices.first; f < indices.end; ++f) density[f] += excited(row, samples, f);
       return;
     }
     split = stretch.middle();
   }
-  add_in_parts(row, {stretch.from, split, stretch.corner, stretch.side}, halvings + 1, density);
-  add_in_parts(row, {split, stretch.to, stretch.corner, stretch.side}, halvings + 1, density);
+  add_in_parts(row, {stretch.from, split, stretch.corner, stretch.side}, halvings + 1, indices, density);
+  add_in_parts(row, {split, stretch.to, stretch.corner, stretch.side}, halvings + 1, indices, density);
 }
 
 double NearRowIntegral::detour(const NearRay& ray, double position, double corner) const {

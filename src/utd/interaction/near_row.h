@@ -65,8 +65,13 @@ class NearRowIntegral {
   struct Stretch;
   struct Samples;
   struct Waves;
-  void add_beside(const NearRow& row, double corner, double inwards, std::vector<ScatteringMatrix>& density);
-  void add_in_parts(const NearRow& row, const Stretch& stretch, int halvings, std::vector<ScatteringMatrix>& density);
+  // Of the wavenumbers from `first` on, `end` no more.
+  struct Indices {
+    std::size_t first, end;
+  };
+  void add_beside(const NearRow& row, double corner, double inwards, std::size_t index, std::vector<ScatteringMatrix>& density);
+  void add_in_parts(const NearRow& row, const Stretch& stretch, int halvings, Indices indices,
+                    std::vector<ScatteringMatrix>& density);
   double where_to_split(const NearRow& row, const Stretch& stretch) const;
   Samples sampled(const NearRow& row, const Stretch& stretch) const;
   double detour(const NearRay& ray, double position, double corner) const;
