@@ -61,7 +61,8 @@ constexpr const char* trace_examples =
 constexpr const char* compare_examples =
     "A and B are tables with a header: rcs.csv, channels.csv, or any file with freq_hz, theta_deg, phi_deg[, rx_theta_deg, "
     "rx_phi_deg]\n"
-    "and, for each channel pq = vv, vh, hv, hh, re_pq and im_pq [m], magnitude_pq [m] and phase_pq_rad, or sigma_pq_dbsm.\n"
+    "and, for each channel pq = vv, vh, hv, hh, re_pq and im_pq [m], magnitude_pq (root of sigma) and phase_pq_rad, or "
+    "sigma_pq_dbsm.\n"
     "Rows with equal frequency and angles are compared.\n"
     "A netCDF file (.nc) of raytube's will do, too.\n"
     "Images are compared with images, after the one is shifted onto the other: image.csv, what raytube isar writes, a table with "

@@ -56,6 +56,23 @@ TEST(Registration, FindsShiftsBetweenPixels) {
   }
 }
 
+// Two windows of one picture that fills both to the border: nothing but what both show decides.
+TEST(Registration, OfPicturesThatFillTheirFrames) {
+  constexpr std::size_t size = 40;
+  const auto window = [](double right, double up) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < size; ++row)
+      for (std::size_t column = 0; column < size; ++column) {
+        const double x = static_cast<double>(column) + right, y = static_cast<double>(row) + up;
+        values.push_back(2.0 + std::sin(1.31 * x + 0.02 * x * x) * std::cos(0.83 * y) + std::sin(0.017 * x * y));
+      }
+    return values;
+  };
+  const dvec2 found = best_shift({{window(-3.0, 2.0), window(0.0, 0.0)}}, size, size);
+  EXPECT_NEAR(found.x, 3.0, 0.002);
+  EXPECT_NEAR(found.y, -2.0, 0.002);
+}
+
 TEST(Registration, OfALineIsAlongIt) {
   std::vector<double> a(50), b(50);
   for (int i = 0; i < 50; ++i) a[i] = std::exp(-0.1 * (i - 22.4) * (i - 22.4)), b[i] = std::exp(-0.1 * (i - 20.0) * (i - 20.0));

@@ -99,13 +99,48 @@ dvec2 finer(const Plane& spectrum, const dvec2& middle, double step) {
   return best;
 }
 
+// What both images show where the result lies by so many pixels further.
+struct Overlap {
+  Overlap(const std::vector<MagnitudePair>& channels, std::size_t all_columns, std::size_t all_rows, const dvec2& shift)
+      : columns(all_columns - static_cast<std::size_t>(std::abs(shift.x))),
+        rows(all_rows - static_cast<std::size_t>(std::abs(shift.y))) {
+    for (const MagnitudePair& pair : channels) {
+      const auto part = [&](std::span<const double> values, const dvec2& from) {
+        std::vector<double> kept;
+        for (std::size_t row = 0; row < rows; ++row) {
+          const auto first = (static_cast<std::size_t>(from.y) + row) * all_columns + static_cast<std::size_t>(from.x);
+          kept.insert(kept.end(), values.begin() + static_cast<std::ptrdiff_t>(first),
+                      values.begin() + static_cast<std::ptrdiff_t>(first + columns));
+        }
+        return kept;
+      };
+      pairs.push_back({part(pair.result, glm::max(shift, dvec2(0.0))), part(pair.reference, glm::max(-shift, dvec2(0.0)))});
+    }
+  }
+
+  std::size_t columns, rows;
+  std::vector<MagnitudePair> pairs;
+};
+
+constexpr int most_rounds = 4;
+
 }  // namespace
 
+// Whole pixels until what both show lies still: what comes in or goes out at a border would pull the finer steps along.
 dvec2 best_shift(const std::vector<MagnitudePair>& channels, std::size_t columns, std::size_t rows) {
-  const Plane spectrum = cross_spectrum(channels, columns, rows);
-  dvec2 shift = whole_shift(spectrum, columns, rows);
-  for (const double step : {0.1, 0.01, 0.001}) shift = finer(spectrum, shift, step);
-  return shift;
+  dvec2 whole(0.0), step = whole_shift(cross_spectrum(channels, columns, rows), columns, rows);
+  for (int round = 0; round < most_rounds && step != dvec2(0.0); ++round) {
+    const dvec2 next = whole + step;
+    if (2.0 * std::abs(next.x) > static_cast<double>(columns) || 2.0 * std::abs(next.y) > static_cast<double>(rows)) break;
+    whole = next;
+    const Overlap both(channels, columns, rows, whole);
+    step = whole_shift(cross_spectrum(both.pairs, both.columns, both.rows), both.columns, both.rows);
+  }
+  const Overlap both(channels, columns, rows, whole);
+  const Plane spectrum = cross_spectrum(both.pairs, both.columns, both.rows);
+  dvec2 shift(0.0);
+  for (const double fine : {0.1, 0.01, 0.001}) shift = finer(spectrum, shift, fine);
+  return whole + shift;
 }
 
 }  // namespace raytube

@@ -14,8 +14,9 @@ struct MagnitudePair {
 };
 
 /// The shift d, along columns and rows, for which result(x + d) correlates best with reference(x), over all channels together
-/// [pixels]: the highest whole number by fast transforms, up to half an image, then the highest value of the same sum of
-/// waves between pixels to a thousandth of one (Guizar-Sicairos, Thurman & Fienup, Opt. Lett. 33 (2008), p. 156).
+/// [pixels]: the highest whole number by fast transforms, up to half an image, then, of what both show there, the highest value
+/// of the same sum of waves between pixels to a thousandth of one (Guizar-Sicairos, Thurman & Fienup, Opt. Lett. 33 (2008), p.
+/// 156).
 dvec2 best_shift(const std::vector<MagnitudePair>& channels, std::size_t columns, std::size_t rows);
 
 }  // namespace raytube
