@@ -80,6 +80,21 @@ void expect_same_bytes(const TriangleMesh& a, const TriangleMesh& b) {
     EXPECT_TRUE(a.patches[i].normal == b.patches[i].normal && a.patches[i].offset == b.patches[i].offset);
 }
 
+// One plane, cut into many more pieces than there were patches.
+TEST(MeshMaterials, APlaneInStripesIsAsManyPatches) {
+  constexpr std::uint32_t stripes = 600;
+  PolygonSoup soup;
+  for (std::uint32_t i = 0; i <= stripes; ++i)
+    for (const double y : {0.0, 1.0}) soup.points.emplace_back(0.01 * i, y, 0.0);
+  for (std::uint32_t i = 0; i < stripes; ++i) {
+    soup.polygons.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+    soup.materials.push_back(i % 2 == 0 ? absorber : metal);
+  }
+  const TriangleMesh mesh = build_both(soup).mesh;
+  EXPECT_EQ(mesh.patches.size(), stripes);
+  EXPECT_EQ(std::ranges::count(mesh.patches, absorber, &Patch::material), stripes / 2);
+}
+
 TEST(MeshMaterials, OfOneKindTheyChangeNothingElse) {
   for (const PolygonSoup& soup : {sphere(9), remeshed(cube(), 3, 2), moved(cylinder(13), skew_rotation())}) {
     const TriangleMesh bare = build(soup).mesh;

@@ -93,8 +93,10 @@ class PatchFinder {
       std::uint32_t& patch = patch_of_piece[pieces[t]];
       if (patch == no_index) {
         patch = mesh_.triangle_patch[t];
-        if (taken[patch]) patch = copy_of(patch);
-        taken[patch] = true;
+        if (taken[patch])
+          patch = copy_of(patch);
+        else
+          taken[patch] = true;
         mesh_.patches[patch].material = materials[t];
       }
       mesh_.triangle_patch[t] = patch;
