@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "core/decimal.h"
+#include "output/compare/measure_lines.h"
 #include "output/files/files.h"
 #include "output/tables/csv.h"
 
@@ -37,30 +37,8 @@ std::string rows_text(const Comparison& c) {
   return text + (c.scale ? scale_text(*c.scale) : "");
 }
 
-std::string four_digits(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
-
-// One line of the table: a name and a value for every channel with signal.
-std::string line(const Comparison& c, const std::string& name, const std::function<std::string(int)>& value) {
-  std::string text = fmt::format("  {:<48}", name);
-  for (int channel = 0; channel < 4; ++channel)
-    if (c.signal[channel]) text += fmt::format("{:>12}", value(channel));
-  return text + '\n';
-}
-
 std::string line(const Comparison& c, const std::string& name, double ErrorMeasures::*measure) {
-  return line(c, name, [&](int channel) { return four_digits(c.errors[channel].*measure); });
-}
-
-std::string near_peak_text(const Comparison& c) {
-  std::string text =
-      fmt::format("dB error, result minus reference, where the reference is within {:g} dB of its peak\n", c.within_db);
-  text += line(c, "rows", [&](int channel) { return std::to_string(c.errors[channel].within); });
-  text += line(c, "rms", &ErrorMeasures::rms_db) + line(c, "mean |error|", &ErrorMeasures::mean_abs_db) +
-          line(c, "median |error|", &ErrorMeasures::median_abs_db) +
-          line(c, "95th percentile of |error|", &ErrorMeasures::p95_abs_db) +
-          line(c, "largest |error|", &ErrorMeasures::largest_abs_db) + line(c, "bias (mean error)", &ErrorMeasures::bias_db) +
-          line(c, "error at the reference's peak", &ErrorMeasures::at_peak_db);
-  return text;
+  return measure_line(c.signal, name, [&](int channel) { return four_digits(c.errors[channel].*measure); });
 }
 
 std::string all_rows_text(const Comparison& c) {
@@ -69,8 +47,8 @@ std::string all_rows_text(const Comparison& c) {
   text += line(c, fmt::format("Austin measure, dB, floor {:g} dB below the peak", dynamic_range_db), &ErrorMeasures::austin_db);
   text += line(c, "correlation of the dB curves, same floor", &ErrorMeasures::correlation);
   if (c.cuts.quantity != RowCoordinates::look_number)
-    text += line(c, fmt::format("lag of the result, {}", lag_units[c.cuts.quantity]),
-                 [&](int channel) { return four_digits(c.lag[channel]); });
+    text += measure_line(c.signal, fmt::format("lag of the result, {}", lag_units[c.cuts.quantity]),
+                         [&](int channel) { return four_digits(c.lag[channel]); });
   return text;
 }
 
@@ -138,10 +116,11 @@ std::string csv_row(const Comparison& c, int channel) {
 
 std::string comparison_text(const Comparison& c) {
   std::string text = rows_text(c) + '\n';
-  text += line(c, "", [](int channel) { return std::string(channel_names[channel]); });
+  text += measure_line(c.signal, "", [](int channel) { return std::string(channel_names[channel]); });
   text += line(c, "peak of the result, dBsm", &ErrorMeasures::result_peak_dbsm);
   text += line(c, "peak of the reference, dBsm", &ErrorMeasures::reference_peak_dbsm);
-  text += near_peak_text(c) + all_rows_text(c) + '\n';
+  text += near_peak_lines(c.signal, c.within_db, "rows", [&](int channel) -> const ErrorMeasures& { return c.errors[channel]; }) +
+          all_rows_text(c) + '\n';
   for (int channel = 0; channel < 4; ++channel) text += c.signal[channel] ? largest_text(c, channel) : left_out_text(c, channel);
   return text;
 }

@@ -30,10 +30,15 @@ void find_channels(ImageComparison& c) {
 
 bool has_phase(const ImageComparison& c, int channel) { return c.result.has_phase[channel] && c.reference.has_phase[channel]; }
 
-Amplitudes magnitudes(const Amplitudes& values) {
-  Amplitudes found(values.size());
+std::vector<double> sizes(const Amplitudes& values) {
+  std::vector<double> found(values.size());
   std::ranges::transform(values, found.begin(), [](Complex s) { return std::abs(s); });
   return found;
+}
+
+Amplitudes magnitudes(const Amplitudes& values) {
+  const std::vector<double> found = sizes(values);
+  return Amplitudes(found.begin(), found.end());
 }
 
 Amplitudes result_at(const ImageComparison& c, int channel, const PixelMap& map) {
@@ -44,12 +49,6 @@ Amplitudes result_at(const ImageComparison& c, int channel, const PixelMap& map)
 Amplitudes reference_at(const ImageComparison& c, int channel, const PixelMap& map) {
   const Amplitudes found = cropped(c.reference, c.reference.s[channel], map);
   return has_phase(c, channel) ? found : magnitudes(found);
-}
-
-std::vector<double> sizes(const Amplitudes& values) {
-  std::vector<double> found(values.size());
-  std::ranges::transform(values, found.begin(), [](Complex s) { return std::abs(s); });
-  return found;
 }
 
 void register_images(ImageComparison& c) {

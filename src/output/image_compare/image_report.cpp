@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 
 #include "core/decimal.h"
 #include "output/compare/comparison_report.h"
+#include "output/compare/measure_lines.h"
 #include "output/files/files.h"
 #include "output/tables/csv.h"
 
@@ -27,33 +27,17 @@ std::string head(const ImageComparison& c) {
   return text + (c.scale ? scale_text(*c.scale) : "");
 }
 
-std::string four_digits(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
-
-// One line of the table: a name and a value for every channel with signal.
-std::string line(const ImageComparison& c, const std::string& name, const std::function<std::string(int)>& value) {
-  std::string text = fmt::format("  {:<48}", name);
-  for (int channel = 0; channel < 4; ++channel)
-    if (c.signal[channel]) text += fmt::format("{:>12}", value(channel));
-  return text + '\n';
-}
-
 std::string line(const ImageComparison& c, const std::string& name, double ErrorMeasures::*measure) {
-  return line(c, name, [&](int channel) { return four_digits(c.measures[channel].errors.*measure); });
+  return measure_line(c.signal, name, [&](int channel) { return four_digits(c.measures[channel].errors.*measure); });
 }
 
 std::string line(const ImageComparison& c, const std::string& name, double ImageMeasures::*measure) {
-  return line(c, name, [&](int channel) { return four_digits(c.measures[channel].*measure); });
+  return measure_line(c.signal, name, [&](int channel) { return four_digits(c.measures[channel].*measure); });
 }
 
 std::string near_peak_text(const ImageComparison& c) {
-  std::string text =
-      fmt::format("dB error, result minus reference, where the reference is within {:g} dB of its peak\n", c.within_db);
-  text += line(c, "pixels", [&](int channel) { return std::to_string(c.measures[channel].errors.within); });
-  return text + line(c, "rms", &ErrorMeasures::rms_db) + line(c, "mean |error|", &ErrorMeasures::mean_abs_db) +
-         line(c, "median |error|", &ErrorMeasures::median_abs_db) +
-         line(c, "95th percentile of |error|", &ErrorMeasures::p95_abs_db) +
-         line(c, "largest |error|", &ErrorMeasures::largest_abs_db) + line(c, "bias (mean error)", &ErrorMeasures::bias_db) +
-         line(c, "error at the reference's peak", &ErrorMeasures::at_peak_db) +
+  const auto errors = [&](int channel) -> const ErrorMeasures& { return c.measures[channel].errors; };
+  return near_peak_lines(c.signal, c.within_db, "pixels", errors) +
          line(c, fmt::format("SSIM (Wang et al. 2004) of {:g} dB below that peak", c.within_db), &ImageMeasures::similarity);
 }
 
@@ -113,7 +97,7 @@ std::string csv_row(const ImageComparison& c, int channel) {
 }  // namespace
 
 std::string comparison_text(const ImageComparison& c) {
-  std::string text = head(c) + '\n' + line(c, "", [](int channel) { return std::string(channel_names[channel]); });
+  std::string text = head(c) + '\n' + measure_line(c.signal, "", [](int channel) { return std::string(channel_names[channel]); });
   text += line(c, "peak of the result, dBsm", &ErrorMeasures::result_peak_dbsm);
   text += line(c, "peak of the reference, dBsm", &ErrorMeasures::reference_peak_dbsm);
   text += near_peak_text(c) + all_pixels_text(c);

@@ -152,13 +152,8 @@ bool CurrentMap::clip_to(const std::array<dvec2, 3>& corners, const ConvexPolygo
   const auto& [a, b, c] = corners;
   if (!Bounds{glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))}.overlaps(bounds(outline), 0.0)) return false;
   set_corners(triangle_, corners);
-  clipped_ = outline;
-  for (const Corner& corner : triangle_) {
-    cut(clipped_, corner.edge, 0.0, inside_, outside_);
-    std::swap(clipped_, inside_);
-    if (clipped_.empty()) return false;
-  }
-  return true;
+  clipped_ = intersection(outline, triangle_);
+  return !clipped_.empty();
 }
 
 }  // namespace raytube

@@ -101,7 +101,7 @@ class CurrentMap {
   std::optional<double> mirror_;
   int bounce_ = 0;
   std::vector<ScatteringMatrix> cells_, triangles_;
-  ConvexPolygon triangle_, clipped_, inside_, outside_;
+  ConvexPolygon triangle_, clipped_;
   Slices rows_, columns_;
 };
 
