@@ -143,13 +143,13 @@ EdgeMethod read_method(const CaseValue& value) {
 MaterialEdgeMethod read_material_edges(const CaseValue& value, const CaseValue* method, const Case& c) {
   const std::string text = read_text(value, "edges.materials");
   if (text == "none") return MaterialEdgeMethod::none;
-  if (text != "luebbers")
-    reject(value, fmt::format("edges.materials \"{}\" is unknown; write \"none\" or \"luebbers\"", quotable(text)));
+  if (text != "fringe")
+    reject(value, fmt::format("edges.materials \"{}\" is unknown; write \"none\" or \"fringe\"", quotable(text)));
   if (c.sweep.materials.empty())
     reject(value,
            "edges.materials says what edges of other materials do, but all of the target is a perfect conductor; remove it");
   if (c.edges.method != EdgeMethod::fringe) reject(value, {method}, "edges.materials needs edges.method = \"fringe\"; remove it");
-  return MaterialEdgeMethod::luebbers;
+  return MaterialEdgeMethod::fringe;
 }
 
 std::vector<WrittenKey> written_keys(const CaseValue* section) {
@@ -213,9 +213,6 @@ void read_image_looks(const CaseValue& root, const CaseValue& value, Case& c) {
   const bool list = value.kind == CaseValue::Kind::list;
   if (!list && value.kind != CaseValue::Kind::number)
     reject(value, "output.image_look must be the number of a direction pair or a list of such, counted from 0");
-  if (c.edges.materials != MaterialEdgeMethod::none)
-    reject(value, {find(root, "edges", "materials")},
-           "output.image_look: the heuristic of edges.materials is not available in images; write edges.materials = \"none\"");
   if (c.edges.method == EdgeMethod::utd)
     reject(value, {find(root, "edges", "method")},
            "output.image_look needs currents, but edges.method is \"utd\"; write \"fringe\" or \"none\" there");

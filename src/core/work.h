@@ -26,6 +26,11 @@ inline constexpr double strip_point = 60.0;      // one point of the quadrature 
 inline constexpr double edge_amplitude = 300.0;  // one edge at first order, at one frequency
 inline constexpr double corner_wave = 15000.0;   // the waves along one edge, both ways
 
+// Rims of material plates (utd/sheet).
+inline constexpr double sheet_half_plane = 300000.0;  // the tables of one sheet at one angle of the cone
+inline constexpr double sheet_rim = 30000.0;          // one rim at first order
+inline constexpr double sheet_wave = 500.0;           // one wave of a sheet at the next rim, or at one point of it
+
 // Strips over curved surfaces (utd/surface).
 inline constexpr double surface_step = 300.0;       // one step along a geodesic
 inline constexpr double surface_frequency = 100.0;  // the current there, at one frequency

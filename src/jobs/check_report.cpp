@@ -24,6 +24,7 @@
 #include "solve/image.h"
 #include "solve/mechanisms/list.h"
 #include "solve/probe.h"
+#include "utd/fringe/material_edges.h"
 
 namespace raytube {
 
@@ -183,12 +184,16 @@ std::vector<WedgeClass> wedge_classes(const std::vector<Wedge>& wedges) {
   return classes;
 }
 
-void tell_material_edges(CheckReport& report, const EdgeOptions& edges, const std::vector<Wedge>& wedges) {
-  const auto count = std::ranges::count_if(wedges, [](const Wedge& w) { return w.convex() && !w.conducting(); });
-  if (count == 0 || edges.method != EdgeMethod::fringe) return;
-  report.print("  {} with a face that is not a perfect conductor {} (edges.materials = \"{}\")\n", count,
-               edges.materials == MaterialEdgeMethod::none ? "add nothing" : "add their first order, by a heuristic",
-               material_edge_name(edges.materials));
+void tell_material_edges(CheckReport& report, const Case& c, const std::vector<Wedge>& wedges) {
+  if (c.edges.method != EdgeMethod::fringe) return;
+  const auto other = [](const Wedge& w) { return w.convex() && !w.conducting(); };
+  const auto known = [&](const Wedge& w) { return other(w) && is_material_edge(w, c.sweep.materials); };
+  const auto all = std::ranges::count_if(wedges, other);
+  const auto computed = c.edges.materials == MaterialEdgeMethod::none ? 0 : std::ranges::count_if(wedges, known);
+  if (computed > 0) report.print("  {} where a sheet ends have edge currents of their own\n", computed);
+  if (all > computed)
+    report.print("  {} with a face that is not a perfect conductor add nothing (edges.materials = \"{}\")\n", all - computed,
+                 material_edge_name(c.edges.materials));
 }
 
 JsonValue wedges_json(const std::vector<WedgeClass>& classes, double length) {
@@ -322,7 +327,7 @@ void tell_case(CheckReport& report, const Case& c, const MeshReport& counts, con
   tell_mesh(report, counts, target);
   report.print("{}", materials_text(c, target));
   tell_wedges(report, target.wedges);
-  tell_material_edges(report, c.edges, target.wedges);
+  tell_material_edges(report, c, target.wedges);
   tell_thin_plate_edges(report, c, target.thin_plate_edges);
   tell_curved_surfaces(report, plan);
   tell_mechanisms(report, plan);

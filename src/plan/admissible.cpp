@@ -55,12 +55,6 @@ void check_near(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions&
     throw InputError("antennas at a finite distance have a range of their own; remove edges.utd_range_m or [radar]");
 }
 
-void check_with_materials(const Sweep& sweep, const EdgeOptions& edges) {
-  if (sweep.materials.empty()) return;
-  if (!all_far(sweep) && edges.materials != MaterialEdgeMethod::none)
-    throw InputError("edges.materials \"luebbers\" is a heuristic for plane waves; write \"none\", or remove [radar]");
-}
-
 }  // namespace
 
 bool all_far(const Sweep& sweep) { return std::ranges::all_of(sweep.looks, &Look::far); }
@@ -77,7 +71,6 @@ void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptio
     throw InputError("edges.between_budget must be a finite number of at least 0");
   if (tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
   if (!all_far(sweep)) check_near(sweep, tubes, edges);
-  check_with_materials(sweep, edges);
   if (!(edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
 }
 

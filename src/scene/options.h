@@ -62,8 +62,8 @@ inline constexpr double unlimited_interaction_budget = 1e6;
 
 /// What edges add beside other materials than perfect conductors.
 enum class MaterialEdgeMethod {
-  none,     // nothing
-  luebbers  // fringe currents by a heuristic (utd/fringe/material_edges.h)
+  none,   // nothing
+  fringe  // the currents that physical optics lacks (utd/fringe/material_edges.h)
 };
 
 /// Whether a mechanism takes part: always, never, or where it can change the answer.
@@ -92,7 +92,7 @@ struct EdgeOptions {
   double interaction_budget = 4.0;  // work that this may take in a look, in units of all its other work; 0: none
   bool receiver_shadow = false;     // an edge hidden from the receiver does not count
   TransitionTier transition = TransitionTier::exact;        // plays a part at order 2 and 3 only
-  MaterialEdgeMethod materials = MaterialEdgeMethod::none;  // what edges of other materials add
+  MaterialEdgeMethod materials = MaterialEdgeMethod::fringe;  // what edges of other materials add
   double utd_range = 0.0;  // of transmitter and receiver with method utd [m]; 0: default_ray_range
 };
 

@@ -204,9 +204,6 @@ LookImage image_of_look(const SolvePlan& plan, std::size_t look, double per_wave
                         const std::function<bool(double)>& callback) {
   if (plan.rays())
     throw InputError("output.image_look: edges.method \"utd\" adds up rays, not currents; write \"fringe\" or \"none\"");
-  if (plan.edges.materials != MaterialEdgeMethod::none)
-    throw InputError(
-        "output.image_look: the heuristic of edges.materials is not available in images; write edges.materials = \"none\"");
   const ImageLattice cells = image_cells(plan, look, per_wavelength);
   LookImage image;
   run_on_threads(plan.threads, [&] { image = image_of(plan, look, cells, callback); });

@@ -31,7 +31,6 @@ ScatteringMechanism mechanism_of(MechanismId id) {
     case MechanismId::interaction:
       return ScatteringMechanism::interaction;
     case MechanismId::edge_currents:
-    case MechanismId::material_edges:
       break;
   }
   return ScatteringMechanism::edges;
@@ -138,7 +137,7 @@ std::vector<SurfaceRay> BandSolver::surface_rays(const Look& look) const {
   return rays;
 }
 
-std::vector<double> BandSolver::edge_lengths() const { return raytube::edge_lengths(scene_); }
+std::vector<double> BandSolver::edge_lengths() const { return scene_.edges.radiating_lengths(); }
 
 // Rays in the place of currents; a path counts as a tube.
 LookResult BandSolver::rays(const Look& look, Progress& progress, double share) const {

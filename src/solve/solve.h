@@ -8,7 +8,7 @@
 //     + corner waves along plate edges                                       (utd/corner/corner_waves.h)
 //     + edge-face interaction: edge-diffracted illumination of other faces   (utd/interaction/edge_face_interaction.h)
 //     + waves over curved surfaces                                           (utd/surface/surface_waves.h)
-//     + edges of materials, by a heuristic that is off by default            (utd/fringe/material_edges.h)
+//     + edges of materials                                                   (utd/fringe/material_edges.h)
 // Screens transmit part of what tubes and edge currents behind them radiate. The random baseline (solve/random.h) takes the place
 // of the tubes alone.
 #pragma once

@@ -27,6 +27,7 @@ std::shared_ptr<const std::vector<Wedge>> all_in_the_open(std::vector<Wedge> wed
 EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup) {
   for (const WedgeSet& wedges : setup_.wedges) sets_.push_back(set_of(wedges));
   if (setup_.interaction) prepare_interaction();
+  if (setup_.material_edges && !setup_.materials.empty()) materials_.emplace(setup_.materials, setup_.frequencies);
   const bool screened = std::ranges::any_of(setup_.materials, &Material::transmits);
   if (screened && (radiate() || !setup_.skip_enclosed)) screens_.emplace(setup_.tracer.mesh(), setup_.materials);
 }
@@ -81,8 +82,10 @@ void EdgeSets::prepare_interaction() {
   std::ranges::sort(sets_, std::ranges::greater{}, [](const Set& set) { return std::ranges::max(set.frequencies); });
 }
 
+bool EdgeSets::radiates(const Wedge& wedge) const { return wedge.radiates() || (materials_ && materials_->radiates(wedge)); }
+
 bool EdgeSets::radiate() const {
-  const auto one_does = [](const Wedge& wedge) { return wedge.radiates(); };
+  const auto one_does = [this](const Wedge& wedge) { return radiates(wedge); };
   return std::ranges::any_of(sets_, [&](const Set& set) { return std::ranges::any_of(*set.wedges, one_does); });
 }
 
@@ -91,7 +94,7 @@ std::vector<double> EdgeSets::radiating_lengths() const {
   for (const Set& set : sets_) {
     double sum = 0.0;
     for (const Wedge& wedge : *set.wedges)
-      if (wedge.radiates()) sum += wedge.length();
+      if (radiates(wedge)) sum += (wedge.conducting() ? 1.0 : 2.0) * wedge.length();
     for (const std::size_t index : set.indices) lengths[index] = sum;
   }
   return lengths;
@@ -103,7 +106,8 @@ EdgeScene EdgeSets::scene(const Set& set, bool over_curved) const {
           screens_ ? screens_->opaque() : setup_.tracer,
           set.corners.get(),
           over_curved ? set.curved.get() : nullptr,
-          screens_ ? &*screens_ : nullptr};
+          screens_ ? &*screens_ : nullptr,
+          materials_ ? &*materials_ : nullptr};
 }
 
 std::vector<EdgeSets::SetPart> EdgeSets::parts_of(const Set& set, const WavesAtEdges& waves) const {

@@ -23,6 +23,7 @@ struct EdgeSetup {
   std::span<const double> frequencies;    // [Hz]
   bool interaction = false;               // whether edges illuminate other faces
   std::span<const Material> materials{};  // of the mesh, at the frequencies; empty: perfect conductors alone
+  bool material_edges = true;             // whether edges of materials count
   bool skip_enclosed = true;              // false: even edges that no light reaches are tested for light
   const CurvedTarget* curved = nullptr;   // if waves over curved surfaces count
   FringeOptions fringe{};                 // continue_by_images is set where edges illuminate other faces
@@ -51,7 +52,8 @@ class EdgeSets {
   /// Whether any edge does, in any look.
   bool radiate() const;
 
-  /// How long all edges that do are together, per frequency [m].
+  /// How long all edges that do are together, per frequency [m]. What a material blocks is 1 - T, at most twice what a conductor
+  /// does: its edges count as two.
   std::vector<double> radiating_lengths() const;
 
   /// The fringe currents of one look at all frequencies, in their order; the lit wedges are counted at the highest. `radar` is
@@ -99,6 +101,7 @@ class EdgeSets {
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);
   };
+  bool radiates(const Wedge& wedge) const;
   Set set_of(const WedgeSet& wedges) const;
   void prepare_interaction();
   /// Frequencies of a set at which strips run over curved faces, or do not.
@@ -122,6 +125,7 @@ class EdgeSets {
   EdgeSetup setup_;
   std::vector<Set> sets_;  // highest frequency first
   std::optional<OpaqueAndScreens> screens_;
+  std::optional<EdgeMaterials> materials_;  // if edges of materials count
 };
 
 }  // namespace raytube

@@ -61,7 +61,9 @@ const Rooms may_include = {
     {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/surface"}},
     {"utd/surface", base + std::set<std::string>{"utd/wedge"}},
     {"utd/corner", base + std::set<std::string>{"utd/wedge"}},
-    {"utd/fringe", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/surface", "utd/multiple", "utd/corner"}},
+    {"utd/sheet", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},
+    {"utd/fringe",
+     base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/surface", "utd/multiple", "utd/corner", "utd/sheet"}},
     {"utd/fan", base + std::set<std::string>{"utd/wedge"}},
     {"utd/interaction", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe", "utd/fan"}},
     {"utd/gtd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe"}},
@@ -70,7 +72,7 @@ const Rooms may_include = {
 
     {"uncertainty", base},
 
-    {"plan", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "utd/gtd"}},
+    {"plan", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "utd/fringe", "utd/gtd"}},
     {"solve/mechanisms", base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe",
                                                       "utd/interaction", "utd/surface", "utd/corner"}},
     {"solve", base + std::set<std::string>{"plan", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "uncertainty", "utd/gtd",

@@ -34,7 +34,7 @@ struct MaterialEdgeName {
   MaterialEdgeMethod method;
 };
 inline constexpr std::array<MaterialEdgeName, 2> material_edge_names = {
-    {{"none", MaterialEdgeMethod::none}, {"luebbers", MaterialEdgeMethod::luebbers}}};
+    {{"none", MaterialEdgeMethod::none}, {"fringe", MaterialEdgeMethod::fringe}}};
 
 constexpr std::string_view material_edge_name(MaterialEdgeMethod method) {
   return material_edge_names[static_cast<std::size_t>(method)].name;

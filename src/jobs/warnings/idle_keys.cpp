@@ -7,6 +7,7 @@
 
 #include "case/data/names.h"
 #include "solve/mechanisms/list.h"
+#include "utd/fringe/material_edges.h"
 
 namespace raytube {
 
@@ -35,8 +36,7 @@ Reason why_budget(const SolvePlan& plan) {
 
 Reason why_receiver_shadow(const SolvePlan& plan) {
   if (!plan.edges.receiver_shadow) return {};
-  if (Reason why = plan.edges.materials != MaterialEdgeMethod::none ? no_currents(plan) : no_edges(plan); !why.empty())
-    return why;
+  if (Reason why = no_edges(plan); !why.empty()) return why;
   return plan.sweep.bistatic ? "" : "looks are monostatic, and the receiver sees just what is lit";
 }
 
@@ -46,7 +46,8 @@ Reason why_transition(const SolvePlan& plan) {
 }
 
 Reason why_materials(const SolvePlan& plan) {
-  return plan.edges.materials == MaterialEdgeMethod::none || !plan.fringe() ? "" : why_not(MechanismId::material_edges, plan);
+  const auto known = [&](const Wedge& wedge) { return is_material_edge(wedge, plan.sweep.materials); };
+  return plan.fringe() && std::ranges::none_of(plan.target.wedges, known) ? "no sheet of the target has a free edge" : "";
 }
 
 struct KeyWithEffect {

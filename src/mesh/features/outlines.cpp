@@ -32,7 +32,7 @@ double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direct
 
 Outlines::Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle) {
   for (const Wedge& wedge : wedges)
-    if (wedge.stands_alone() && wedge.conducting())
+    if (wedge.stands_alone() && (wedge.conducting() || wedge.is_border()))
       for (const WedgeFace& face : wedge.faces) edges_.try_emplace(side_index(face.patch, face.back));
   add_wedges(wedges);
   add_creases(mesh, min_wedge_angle);
@@ -53,7 +53,7 @@ void Outlines::add(std::size_t side, const OutlineEdge& edge) {
 void Outlines::add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int face) {
   const Wedge& w = wedges[wedge];
   const std::size_t side = side_index(w.faces[face].patch, w.faces[face].back);
-  const std::uint32_t there = w.conducting() && !w.flat ? wedge : no_index;
+  const std::uint32_t there = (w.conducting() || w.is_border()) && !w.flat ? wedge : no_index;
   add(side, {w.start, w.end, w.faces[face].into_face, there, face, w.flat});
   const auto around = edges_.find(side);
   if (w.replaced_by == no_index || around == edges_.end()) return;

@@ -47,6 +47,8 @@ struct Wedge {
   bool conducting() const {
     return std::ranges::all_of(faces, [](const WedgeFace& face) { return face.material == no_index; });
   }
+  /// Its faces are the two sides of one patch, which ends here.
+  bool is_border() const { return faces[0].patch == faces[1].patch; }
   /// It has fringe currents of its own: it is convex to a wave, and no half plane of a thin plate stands for it.
   bool stands_alone() const { return convex() && !flat && replaced_by == no_index; }
   /// Its fringe currents radiate: it stands alone, waves reach it, and both faces conduct.

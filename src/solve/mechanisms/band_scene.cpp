@@ -26,6 +26,7 @@ EdgeSetup edge_setup(const BandScene& scene) {
   EdgeSetup setup{plan.target.tracer, plan.target.faces, sets_of(plan, scene.band), scene.band.frequencies};
   setup.interaction = interacts(plan, scene.band);
   if (plan.fringe()) setup.materials = scene.materials;
+  setup.material_edges = plan.edges.materials == MaterialEdgeMethod::fringe;
   setup.skip_enclosed = plan.tubes.skip;
   setup.curved = scene.curved ? &*scene.curved : nullptr;
   setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "solve/mechanisms/states.h"
 #include "utd/corner/corner_waves.h"
-#include "utd/fringe/material_edges.h"
 
 namespace raytube {
 
@@ -54,26 +52,6 @@ class EdgeCurrentsOfLook : public Mechanism {
   const BandScene& scene_;
 };
 
-class MaterialEdges : public Mechanism {
- public:
-  explicit MaterialEdges(const BandScene& scene) : scene_(scene) {}
-
-  Prospect prospect(const TracedLook&, const LookSums&) const override { return {}; }
-
-  void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
-    LookSums& sums = sink.sums;
-    EdgeLookResult all{std::move(sums.s[Part::edges_first]), std::move(sums.s[Part::edges_higher]), sums.wedges_lit,
-                       sums.edges_lit, std::move(sums.windowed)};
-    const Target& target = scene_.plan.target;
-    add_material_edges(all, {target.wedges, target.outlines, target.tracer}, scene_.materials, traced.look,
-                       scene_.band.frequencies, scene_.plan.edges.receiver_shadow);
-    put(std::move(all), sums);
-  }
-
- private:
-  const BandScene& scene_;
-};
-
 }  // namespace
 
 // Without any that radiate the pass is made where nothing is to be skipped.
@@ -91,21 +69,6 @@ double edge_currents_bytes(const SolvePlan& plan) {
     if (plan.edges.order > 1) bytes += static_cast<double>(CornerWaves(*set.wedges).bytes());
   }
   return bytes;
-}
-
-std::unique_ptr<Mechanism> make_material_edges(const BandScene& scene) {
-  return has_material_edges(scene.plan) ? std::make_unique<MaterialEdges>(scene) : nullptr;
-}
-
-// What a material blocks is 1 - T, at most twice what a conductor does: its edges count as two.
-std::vector<double> edge_lengths(const BandScene& scene) {
-  std::vector<double> lengths = scene.edges.radiating_lengths();
-  if (!has_material_edges(scene.plan)) return lengths;
-  double sum = 0.0;
-  for (const Wedge& wedge : scene.plan.target.wedges)
-    if (is_material_edge(wedge)) sum += 2.0 * wedge.length();
-  for (double& length : lengths) length += sum;
-  return lengths;
 }
 
 }  // namespace raytube

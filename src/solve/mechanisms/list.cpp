@@ -13,7 +13,6 @@ constexpr std::array<MechanismEntry, mechanism_count> list{{
     {MechanismId::surface_waves, "waves over curved surfaces", "surfaces.waves", surface_waves_state, make_surface_waves,
      surface_waves_bytes},
     {MechanismId::edge_currents, "edge currents", "edges.method", edge_currents_state, make_edge_currents, edge_currents_bytes},
-    {MechanismId::material_edges, "edge currents of materials", "edges.materials", material_edges_state, make_material_edges},
     {MechanismId::interaction, "edge-face interaction", "edges.between", interaction_state, make_interaction, interaction_bytes,
      interaction_look_bytes},
 }};

@@ -14,8 +14,8 @@
 namespace raytube {
 
 /// Mechanisms beside the tubes, in the order in which they run.
-enum class MechanismId : std::uint8_t { surface_waves, edge_currents, material_edges, interaction };
-inline constexpr std::size_t mechanism_count = 4;
+enum class MechanismId : std::uint8_t { surface_waves, edge_currents, interaction };
+inline constexpr std::size_t mechanism_count = 3;
 
 /// How a mechanism fared in one look.
 struct MechanismRun {

@@ -6,6 +6,7 @@
 
 #include "plan/admissible.h"
 #include "scene/skipped.h"
+#include "utd/fringe/material_edges.h"
 #include "utd/interaction/interaction_groups.h"
 
 namespace raytube {
@@ -47,25 +48,21 @@ bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
 
 MechanismState edge_currents_state(const SolvePlan& plan) {
   if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
-  if (std::ranges::none_of(plan.target.wedges, &Wedge::radiates))
-    return without("the target has no convex edge between perfect conductors");
-  return {.on = true, .forced = true, .what = fmt::format("order {}", plan.edges.order)};
-}
-
-bool has_material_edges(const SolvePlan& plan) { return plan.fringe() && plan.edges.materials != MaterialEdgeMethod::none; }
-
-MechanismState material_edges_state(const SolvePlan& plan) {
-  if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
-  const auto other = [](const Wedge& wedge) { return wedge.stands_alone() && !wedge.conducting(); };
-  if (std::ranges::none_of(plan.target.wedges, other))
-    return without("no edge of the target has a face of another material than a perfect conductor");
-  if (!has_material_edges(plan)) return misses("edges.materials is \"none\"");
-  return {.on = true, .forced = true, .what = "first order, by a heuristic"};
+  const std::vector<Wedge>& wedges = plan.target.wedges;
+  const auto of_materials = static_cast<std::size_t>(
+      std::ranges::count_if(wedges, [&](const Wedge& w) { return is_material_edge(w, plan.sweep.materials); }));
+  const bool computed = of_materials > 0 && plan.edges.materials == MaterialEdgeMethod::fringe;
+  if (!computed && std::ranges::none_of(wedges, &Wedge::radiates))
+    return of_materials > 0 ? misses("edges.materials is \"none\"")
+                            : without("the target has no convex edge between perfect conductors, and no sheet that ends");
+  return {.on = true, .forced = true, .what = fmt::format("order {}{}", plan.edges.order, computed ? ", of sheets too" : "")};
 }
 
 MechanismState interaction_state(const SolvePlan& plan) {
   if (!plan.edges.interaction.possible()) return without("edges.between is false");
   if (MechanismState edges = edge_currents_state(plan); !edges.on) return without(edges.why_not);
+  if (std::ranges::none_of(plan.target.wedges, &Wedge::radiates))
+    return without("the target has no convex edge between perfect conductors");
   if (plan.no_reflection()) return without(nothing_in_front);
   if (plan.edges.interaction_budget == 0.0) return misses("edges.between_budget is 0");
   const std::vector<double>& frequencies = plan.sweep.frequencies;

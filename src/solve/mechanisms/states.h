@@ -11,13 +11,7 @@ MechanismState surface_waves_state(const SolvePlan& plan);
 /// The same in one band.
 bool has_surface_waves(const SolvePlan& plan, const BandPlan& band);
 
-/// Currents of edges between perfect conductors.
 MechanismState edge_currents_state(const SolvePlan& plan);
-
-/// Currents of all other edges, by a heuristic.
-MechanismState material_edges_state(const SolvePlan& plan);
-/// Whether those of other edges are asked for.
-bool has_material_edges(const SolvePlan& plan);
 
 MechanismState interaction_state(const SolvePlan& plan);
 /// The same in one band.

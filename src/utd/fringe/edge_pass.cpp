@@ -7,28 +7,6 @@
 
 namespace raytube {
 
-void find_phases(const Wedge& wedge, std::span<const LitInterval> lit, const LookVectors& look, std::vector<EdgePhase>& pieces) {
-  const dvec3 difference = look.scattered - look.incident, edge = wedge.end - wedge.start;
-  const double length = wedge.length(), slope = glm::dot(difference, edge), start = glm::dot(difference, wedge.start);
-  pieces.clear();
-  for (const LitInterval& part : lit) {
-    const double share = part.end - part.begin;
-    pieces.push_back({share * length, share * slope / 2, start + slope * (part.begin + part.end) / 2});
-  }
-}
-
-Complex phase_integral(std::span<const EdgePhase> pieces, double wavenumber) {
-  Complex sum = 0.0;
-  for (const EdgePhase& piece : pieces)
-    sum += piece.length * sinc(wavenumber * piece.half_span) * std::polar(1.0, wavenumber * piece.middle);
-  return sum;
-}
-
-void add_product(ScatteringMatrix& sum, const ScatteringMatrix& amplitude, Complex phase) {
-  for (int receive = 0; receive < 2; ++receive)
-    for (int transmit = 0; transmit < 2; ++transmit) sum.at(receive, transmit) += amplitude.at(receive, transmit) * phase;
-}
-
 double shortest_wavelength(std::span<const double> frequencies) { return wavelength(*std::ranges::max_element(frequencies)); }
 
 EdgeMeeting::EdgeMeeting(const Wedge& wedge, const dvec3& incident)
@@ -72,13 +50,18 @@ void ThicknessPass::add_to(std::vector<ScatteringMatrix>& scattering) const {
 
 // --- first order ---
 
-FirstOrderEdges::FirstOrderEdges(std::span<const Wedge> wedges, const LookVectors& look, std::span<const double> frequencies)
-    : wedges_(wedges), look_(look), frequencies_(frequencies), thickness_(look, frequencies) {
+FirstOrderEdges::FirstOrderEdges(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies)
+    : wedges_(scene.wedges),
+      look_(look),
+      frequencies_(frequencies),
+      thickness_(look, frequencies),
+      materials_(scene, look, frequencies, 1) {
   result_.scattering.resize(frequencies.size());
   result_.windowed.resize(frequencies.size());
 }
 
 std::optional<EdgeMeeting> FirstOrderEdges::meeting(std::uint32_t index) const {
+  if (const auto other = materials_.meeting(index)) return EdgeMeeting(*other);
   if (!wedges_[index].radiates()) return std::nullopt;
   const EdgeMeeting result(wedges_[index], look_.incident);
   return result.incidence.weight == 0.0 ? std::nullopt : std::optional(result);
@@ -87,6 +70,10 @@ std::optional<EdgeMeeting> FirstOrderEdges::meeting(std::uint32_t index) const {
 void FirstOrderEdges::add(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit) {
   const Wedge& wedge = wedges_[index];
   result_.lit = true;
+  if (meeting.of_materials) {
+    ++result_.wedges_lit;
+    return materials_.add(index, meeting.incidence, lit);
+  }
   thickness_.add_edge_face(wedge, meeting.incidence, lit);
   if (meeting.edge_face_only) return;
   thickness_.add_sides(wedge, meeting.incidence, lit);
@@ -107,6 +94,7 @@ void FirstOrderEdges::radiate(const EdgeAmplitude& amplitude) {
 
 EdgeLookResult FirstOrderEdges::take() {
   thickness_.add_to(result_.scattering);
+  materials_.add_to(result_);
   return std::move(result_);
 }
 
@@ -119,11 +107,13 @@ StripEdges::StripEdges(const EdgeScene& scene, const LookVectors& look, std::spa
       frequencies_(frequencies),
       multiple_(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order, options.transition,
                 options.continue_by_images),
-      thickness_(look, frequencies) {
+      thickness_(look, frequencies),
+      materials_(scene, look, frequencies, options.order) {
   multiple_.keep_rays(options.rays);
 }
 
 std::optional<EdgeMeeting> StripEdges::meeting(std::uint32_t index) const {
+  if (const auto other = materials_.meeting(index)) return EdgeMeeting(*other);
   if (!wedges_[index].radiates()) return std::nullopt;
   const EdgeMeeting result(wedges_[index], look_.incident);
   return result.incidence.weight == 1.0 ? std::optional(result) : std::nullopt;
@@ -131,6 +121,10 @@ std::optional<EdgeMeeting> StripEdges::meeting(std::uint32_t index) const {
 
 void StripEdges::add(std::uint32_t index, const EdgeMeeting& meeting, std::span<const LitInterval> lit) {
   result_.lit = true;
+  if (meeting.of_materials) {
+    ++result_.wedges_lit;
+    return materials_.add(index, meeting.incidence, lit);
+  }
   thickness_.add_edge_face(wedges_[index], meeting.incidence, lit);
   if (meeting.edge_face_only) return;
   ++result_.wedges_lit;
@@ -167,6 +161,7 @@ EdgeLookResult StripEdges::take() {
   result_.higher = std::move(sums.higher);
   result_.windowed = std::move(sums.windowed);
   result_.work += sums.work;
+  materials_.add_to(result_);
   return std::move(result_);
 }
 

@@ -5,27 +5,11 @@
 #include <vector>
 
 #include "utd/fringe/edge_look_result.h"
-#include "utd/fringe/edge_scene.h"
+#include "utd/fringe/material_edges.h"
 #include "utd/multiple/multiple_diffraction.h"
+#include "utd/shadow/edge_phase.h"
 
 namespace raytube {
-
-/// A straight lit piece of an edge in the phase of a look: integral of e^{jk (s - s') . r} = length sinc(k half_span)
-/// e^{jk middle}.
-struct EdgePhase {
-  double length;     // [m]
-  double half_span;  // (s - s') . l / 2 [m], l the vector from end to end
-  double middle;     // (s - s') . c [m], c the piece's midpoint
-};
-
-/// Fills `pieces` (cleared first) with the lit pieces of an edge.
-void find_phases(const Wedge& wedge, std::span<const LitInterval> lit, const LookVectors& look, std::vector<EdgePhase>& pieces);
-
-/// The integral over all pieces [m].
-Complex phase_integral(std::span<const EdgePhase> pieces, double wavenumber);
-
-/// sum += amplitude phase.
-void add_product(ScatteringMatrix& sum, const ScatteringMatrix& amplitude, Complex phase);
 
 inline dvec3 point_on(const Wedge& wedge, double fraction) { return wedge.start + fraction * (wedge.end - wedge.start); }
 
@@ -35,9 +19,11 @@ double shortest_wavelength(std::span<const double> frequencies);
 /// How a wave meets a wedge. If it comes along a thin plate only the current on the plate's edge face counts.
 struct EdgeMeeting {
   EdgeMeeting(const Wedge& wedge, const dvec3& incident);
+  /// Of an edge of other materials.
+  explicit EdgeMeeting(const WedgeIncidence& at) : incidence(at), of_materials(true) {}
 
   WedgeIncidence incidence;
-  bool edge_face_only;
+  bool edge_face_only = false, of_materials = false;
 };
 
 /// What the thickness of thin plates adds; nothing at sharp edges. Keeps references to its arguments.
@@ -66,7 +52,7 @@ class ThicknessPass {
 /// First order, one look: adds up edge after edge, keeping its buffers between them. Keeps references to its arguments.
 class FirstOrderEdges {
  public:
-  FirstOrderEdges(std::span<const Wedge> wedges, const LookVectors& look, std::span<const double> frequencies);
+  FirstOrderEdges(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies);
 
   /// How the wave meets wedge `index`; none if the edge adds nothing.
   std::optional<EdgeMeeting> meeting(std::uint32_t index) const;
@@ -83,6 +69,7 @@ class FirstOrderEdges {
   const LookVectors& look_;
   std::span<const double> frequencies_;
   ThicknessPass thickness_;
+  MaterialEdges materials_;
   std::vector<EdgePhase> pieces_;
   EdgeLookResult result_;
 };
@@ -114,6 +101,7 @@ class StripEdges {
   std::span<const double> frequencies_;
   MultipleDiffraction multiple_;
   ThicknessPass thickness_;
+  MaterialEdges materials_;
   EdgeLookResult result_;
 };
 
@@ -122,7 +110,7 @@ template <class With>
 auto at_order(const EdgeScene& scene, const FringeOptions& options, With with) {
   if (options.order == 1)
     return with([&](const LookVectors& look, std::span<const double> frequencies) {
-      return FirstOrderEdges(scene.wedges, look, frequencies);
+      return FirstOrderEdges(scene, look, frequencies);
     });
   return with([&](const LookVectors& look, std::span<const double> frequencies) {
     return StripEdges(scene, look, frequencies, options);

@@ -13,6 +13,7 @@
 namespace raytube {
 
 class OpaqueAndScreens;
+struct EdgeMaterials;
 
 /// What is referred to must outlive the scene.
 struct EdgeScene {
@@ -22,6 +23,7 @@ struct EdgeScene {
   const CornerWaves* corners = nullptr;       // along the wedges: from order 2 on, else null
   const CurvedFaces* curved = nullptr;        // of the wedges, over which strips bend: from order 2 on
   const OpaqueAndScreens* screens = nullptr;  // if there are any: then the tracer is of its opaque surfaces
+  const EdgeMaterials* materials = nullptr;   // if edges of other materials than perfect conductors count
 };
 
 struct FringeOptions {

@@ -1,25 +1,48 @@
-// Edges beside other materials than perfect conductors, by a heuristic.
+// Edges beside other materials than perfect conductors.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
-#include "scene/material.h"
-#include "scene/sweep.h"
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
+#include "utd/sheet/sheet_edges.h"
 
 namespace raytube {
 
-/// Whether the heuristic gives this wedge a current: a convex one with a face that is not a perfect conductor.
-bool is_material_edge(const Wedge& wedge);
+/// Whether anything is known of the currents of a wedge that is not between perfect conductors: it is the rim of a sheet.
+bool is_material_edge(const Wedge& wedge, std::span<const Material> materials);
 
-/// Adds to `sum` the fringe currents at first order on all material edges: of the terms of
-/// each face of a perfect conductor, those that make up for the jump at the shadow boundary are times what the face blocks, those
-/// at the reflection boundary times what it reflects (Luebbers 1984, IEEE Trans. AP-32, 70, for opaque wedges; Burnside &
-/// Burgener 1983, IEEE Trans. AP-31, 104, for thin sheets). Valid where the edge is met at about a right angle, as E and H along
-/// it are TE and TM waves of the faces then. No surface wave is in it. Plane waves only; `frequencies` [Hz] are those for which
-/// the materials are tabulated.
-void add_material_edges(EdgeLookResult& sum, const EdgeScene& scene, std::span<const Material> materials, const Look& look,
-                        std::span<const double> frequencies, bool receiver_shadow);
+/// What edges need of the materials of a target, at all frequencies of its sweep.
+struct EdgeMaterials {
+  std::span<const Material> materials;
+  SheetTable sheets;
+
+  EdgeMaterials(std::span<const Material> of, std::span<const double> frequencies) : materials(of), sheets(of, frequencies) {}
+
+  bool radiates(const Wedge& wedge) const { return !wedge.enclosed && is_material_edge(wedge, materials); }
+};
+
+/// One look, edge after edge. Keeps references to its arguments.
+class MaterialEdges {
+ public:
+  MaterialEdges(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies, int order);
+
+  /// How the wave meets wedge `index`; none if the edge adds nothing. A sheet is lit from both sides.
+  std::optional<WedgeIncidence> meeting(std::uint32_t index) const;
+
+  void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
+
+  /// Adds all of it; nothing may be added after that.
+  void add_to(EdgeLookResult& result);
+
+ private:
+  const EdgeMaterials* known_;
+  std::span<const Wedge> wedges_;
+  const LookVectors& look_;
+  std::optional<SheetEdges> sheets_;  // if there are any of other materials
+  std::vector<ScatteringMatrix> first_, higher_;
+};
 
 }  // namespace raytube

@@ -56,6 +56,7 @@ class NearEdges {
  public:
   NearEdges(const EdgeScene& scene, const AntennaPair& antennas, const SweepSubset& subset)
       : frequencies_(subset.frequencies),
+        materials_(scene.materials),
         screens_(scene, antennas, subset),
         cutter_(near_antennas(antennas), wavenumber(std::ranges::max(frequencies_)), scene.tracer.mesh().radius) {}
 
@@ -63,7 +64,7 @@ class NearEdges {
   template <class Make, class Visit>
   void for_each(std::span<const Wedge> wedges, std::uint32_t index, LitEdges& light, Make make, Visit visit) {
     const Wedge& wedge = wedges[index];
-    if (!wedge.radiates()) return;
+    if (!wedge.radiates() && (materials_ == nullptr || !materials_->radiates(wedge))) return;
     pieces_.clear();
     cutter_.cut(wedge, 0.0, 1.0, pieces_);
     bool searched = false;
@@ -100,6 +101,7 @@ class NearEdges {
   }
 
   std::span<const double> frequencies_;
+  const EdgeMaterials* materials_;
   NearScreens screens_;
   PieceCutter cutter_;
   std::vector<NearPiece> pieces_;

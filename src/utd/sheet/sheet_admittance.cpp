@@ -1,0 +1,124 @@
+#include "utd/sheet/sheet_admittance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+constexpr double grazing = 1e-3;  // cosine at which a layer is taken as met along it: its admittance differs by 1e-6 of its slope
+constexpr double thin = 2.5, thick = 4.0;  // k d |n| up to which edge currents count in full, and from which on not at all
+
+// Even and odd part of what a layer adds, for the field across the plane of incidence: E = (r + t - 1) / 2, O = (r - t + 1) / 2.
+struct EvenOdd {
+  Complex even, odd;
+};
+
+// y of the electric sheet -2 s E / (1 + E), that of the magnetic one 2 O / (s (1 - O)).
+Complex even_admittance(const EvenOdd& at, double s) { return -2.0 * s * at.even / (1.0 + at.even); }
+Complex odd_admittance(const EvenOdd& at, double s) { return 2.0 * at.odd / (s * (1.0 - at.odd)); }
+
+// Of both polarisations; for TM waves the ratios are those of H, and the two sheets change places.
+struct LayerParts {
+  EvenOdd te, tm;
+};
+
+LayerParts parts_of(const Material& material, std::size_t frequency, double wavenumber, double cosine) {
+  const SurfaceResponse front = smooth_response(material, frequency, wavenumber, cosine, false),
+                        behind = smooth_response(material, frequency, wavenumber, cosine, true);
+  const auto parts = [](Complex r, Complex r_behind, Complex t) {
+    const Complex mean = 0.5 * (r + r_behind);
+    return EvenOdd{0.5 * (mean + t - 1.0), 0.5 * (mean - t + 1.0)};
+  };
+  return {parts(front.reflected.te, behind.reflected.te, front.transmitted.te),
+          parts(front.reflected.tm, behind.reflected.tm, front.transmitted.tm)};
+}
+
+SheetAdmittance fit(std::function<std::array<Complex, 2>(double)> exact, Complex normal) {
+  const std::array<Complex, 2> straight = exact(1.0), along = exact(grazing);
+  return {straight[0], normal, along[0] - straight[0] - normal, along[1], 0.0, 0.0, std::move(exact)};
+}
+
+// What the layers of a plate have together.
+struct Stack {
+  double thickness = 0.0, electrical = 0.0, slowest = 1.0;  // d [m], d |n| [m], |n|
+  Complex permittivity = 0.0, permeability = 0.0;           // mean over the thickness
+  Complex normal_electric = 0.0, normal_magnetic = 0.0;     // sum of d (1 - 1/mu) and of d (1 - 1/eps) [m]
+};
+
+Stack stack_of(std::span<const Layer> layers) {
+  Stack stack;
+  for (const Layer& layer : layers) {
+    const auto& [permittivity, permeability] = layer.medium;
+    const double index = std::sqrt(std::abs(permittivity * permeability));
+    stack.thickness += layer.thickness;
+    stack.electrical += layer.thickness * index;
+    stack.slowest = std::max(stack.slowest, index);
+    stack.permittivity += layer.thickness * permittivity;
+    stack.permeability += layer.thickness * permeability;
+    stack.normal_electric += layer.thickness * (1.0 - 1.0 / permeability);
+    stack.normal_magnetic += layer.thickness * (1.0 - 1.0 / permittivity);
+  }
+  stack.permittivity /= stack.thickness;
+  stack.permeability /= stack.thickness;
+  return stack;
+}
+
+double share_of(double electrical) { return std::clamp((thick - electrical) / (thick - thin), 0.0, 1.0); }
+
+void add_end_face(SheetAdmittance& sheet, double kd, Complex ratio, Complex dual_ratio) {
+  sheet.end_face = kd * end_face_shift(ratio);
+  sheet.normal_end_face = kd * end_face_shift(1.0 / dual_ratio);
+}
+
+}  // namespace
+
+// C = (1/pi) integral over t from 0 of ln{ [1 + (e-1) g(jt)] / [1 + (e-1) jt/2] } dt / t^2, g(x) = 1 - (1 - e^{-x}) / x, taken
+// along t e^{-j pi/4}: there e^{-x} does not oscillate.
+Complex end_face_shift(Complex ratio) {
+  constexpr double from = -7.0, to = 9.0, step = 0.01;
+  Complex sum = 0.0;
+  double turns = 0.0, last = 0.0;
+  for (double at = from; at < to + step / 2; at += step) {
+    const Complex x = std::polar(std::exp(at), pi / 4);
+    const Complex g = std::abs(x) < 1e-3 ? x / 2.0 - x * x / 6.0 + x * x * x / 24.0 : 1.0 - (1.0 - std::exp(-x)) / x;
+    const Complex logarithm = std::log((1.0 + (ratio - 1.0) * g) / (1.0 + (ratio - 1.0) * x / 2.0));
+    if (at > from) turns -= 2 * pi * std::round((logarithm.imag() - last) / (2 * pi));
+    last = logarithm.imag();
+    sum += (logarithm + Complex(0.0, turns)) / x;
+  }
+  return Complex(0.0, step / pi) * sum;
+}
+
+SheetPair sheet_pair(const Material& material, std::size_t frequency, double wavenumber) {
+  const auto parts = [&material, frequency, wavenumber](double cosine) {
+    return parts_of(material, frequency, wavenumber, std::max(cosine, grazing));
+  };
+  const auto exact = [parts](bool electric) {
+    return [parts, electric](double cosine) {
+      const double s = std::max(cosine, grazing);
+      const LayerParts at = parts(s);
+      const auto& [own, other] = electric ? std::pair(at.te, at.tm) : std::pair(at.tm, at.te);
+      return std::array{even_admittance(own, s), odd_admittance(other, s)};
+    };
+  };
+  SheetPair pair;
+  if (material.layers.empty()) {
+    pair.electric = fit(exact(true), 0.0);
+    pair.magnetic = fit(exact(false), 0.0);
+    pair.slowest = std::numeric_limits<double>::infinity();
+  } else {
+    const Stack stack = stack_of(material.layers[frequency]);
+    const double kd = wavenumber * stack.thickness;
+    pair.electric = fit(exact(true), Complex(0.0, wavenumber) * stack.normal_electric);
+    pair.magnetic = fit(exact(false), Complex(0.0, wavenumber) * stack.normal_magnetic);
+    add_end_face(pair.electric, kd, stack.permittivity, stack.permeability);
+    add_end_face(pair.magnetic, kd, stack.permeability, stack.permittivity);
+    pair.slowest = stack.slowest;
+    pair.share = share_of(wavenumber * stack.electrical);
+  }
+  return pair;
+}
+
+}  // namespace raytube

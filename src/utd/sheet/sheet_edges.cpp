@@ -1,0 +1,66 @@
+#include "utd/sheet/sheet_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/work.h"
+#include "utd/shadow/edge_phase.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double least_cosine = 1e-5;  // of a wave with the sheet's normal: at 0 curl and divergence are apart no more
+
+}  // namespace
+
+SheetEdges::SheetEdges(const SheetScene& scene, const LookVectors& look, std::span<const double> frequencies, int order)
+    : scene_(scene),
+      look_(look),
+      frequencies_(frequencies),
+      order_(order),
+      strips_(scene, look, wavelength(std::ranges::max(frequencies)), half_planes_) {}
+
+ScatteringMatrix SheetEdges::fringe(const RimLook& rim, double c, const SheetPair& pair) {
+  ScatteringMatrix sum;
+  for (const bool electric : {true, false}) {
+    if ((electric ? pair.electric : pair.magnetic).empty()) continue;
+    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone);
+    for (int transmit = 0; transmit < 2; ++transmit) {
+      const SheetVector incident = driving_field(rim, look_, electric, transmit);
+      const Received s = received(sheet_fringe(sheet, rim.nu, c, rim.b, incident), rim, look_, electric);
+      for (int receive = 0; receive < 2; ++receive) sum.at(receive, transmit) += pair.share * s[receive];
+    }
+  }
+  return sum;
+}
+
+void SheetEdges::add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit,
+                     std::span<ScatteringMatrix> first, std::span<ScatteringMatrix> higher) {
+  const Wedge& wedge = scene_.wedges[index];
+  const WedgeFace& face = wedge.faces[0];
+  const FaceIncidence& arriving = incidence.faces[0];
+  const RimLook rim(face, arriving, look_.scattered);
+  double c = -glm::dot(look_.incident, face.into_face);
+  if (std::hypot(c, rim.b) < least_cosine) c = least_cosine;
+  if (getenv("NOB") && std::abs(rim.b) > 0.01) return;
+  const bool goes_on = order_ > 1 && arriving.sin_cone > sin_cone_floor;
+  if (goes_on) strips_.lay(index, arriving, lit, order_);
+  std::vector<EdgePhase> pieces;
+  find_phases(wedge, lit, look_, pieces);
+  for (std::size_t f = 0; f < frequencies_.size(); ++f) {
+    const SheetPair& pair = scene_.table.at(face.material, frequencies_[f]);
+    if (pair.share == 0.0) continue;
+    const double k = wavenumber(frequencies_[f]);
+    add_product(first[f], fringe(rim, c, pair), phase_integral(pieces, k));
+    work_ += work::sheet_rim;
+    if (goes_on) strips_.add(rim, c, pair, k, higher[f]);
+  }
+}
+
+double SheetEdges::work() const {
+  return work_ + strips_.work() + work::sheet_half_plane * static_cast<double>(half_planes_.made());
+}
+
+}  // namespace raytube

@@ -1,0 +1,194 @@
+#include "utd/sheet/sheet_strips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/work.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double same_phase = 1e-6;  // [rad] strips whose phases differ by less are alike
+
+// Per launched wave of a half plane.
+using CurrentWaves = std::vector<Complex>;
+
+CurrentWaves launched(const SheetHalfPlane& half_plane, std::span<const SheetSource> sources, const EdgeConstants& constants,
+                      double b) {
+  CurrentWaves amplitudes;
+  for (const LaunchedWave& wave : half_plane.launched())
+    amplitudes.push_back(wave.weight * half_plane.bracket(sources, constants, wave.channel, wave.wave));
+  amplitudes.push_back(half_plane.still(sources, constants, b));
+  return amplitudes;
+}
+
+// What is left of waves at the end of a strip, beside its phase e^{-jkl}.
+CurrentWaves along_strip(const SheetHalfPlane& half_plane, double electrical_length) {
+  CurrentWaves factors;
+  for (const LaunchedWave& wave : half_plane.launched())
+    factors.push_back(std::exp(-imaginary_unit * electrical_length * (wave.along - 1.0)));
+  factors.push_back(std::exp(-imaginary_unit * electrical_length * (half_plane.still_along() - 1.0)));
+  return factors;
+}
+
+void multiply(CurrentWaves& waves, const CurrentWaves& factors) {
+  for (std::size_t n = 0; n < waves.size(); ++n) waves[n] *= factors[n];
+}
+
+// Sums of the arrived waves' own, by their amplitudes.
+CurrentWaves combine(const std::vector<CurrentWaves>& of_unit, const CurrentWaves& amplitudes) {
+  CurrentWaves sum(of_unit.empty() ? 0 : of_unit[0].size());
+  for (std::size_t n = 0; n < of_unit.size(); ++n)
+    for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += of_unit[n][m] * amplitudes[n];
+  return sum;
+}
+
+}  // namespace
+
+/// One sheet of a plate at one frequency.
+struct SheetStrips::Sheet {
+  const SheetPair& pair;
+  bool electric;
+  double wavenumber;
+};
+
+/// Waves that leave a rim over the strips of a wave of the tree: of each of their points, or one for all.
+struct SheetStrips::Departure {
+  std::uint32_t wave;
+  const SheetHalfPlane& half_plane;
+  std::uint32_t first_point;
+  std::vector<std::array<CurrentWaves, 2>> amplitudes;  // [point][transmit]
+
+  const std::array<CurrentWaves, 2>& at(std::uint32_t point) const {
+    return amplitudes[amplitudes.size() == 1 ? 0 : point - first_point];
+  }
+};
+
+/// What one unit current wave that arrives at a rim makes there.
+struct SheetStrips::ArrivedWave {
+  Complex strip_cosine;  // of the strip's own frame
+  std::array<SheetSource, 1> source;
+  EdgeConstants constants;
+  const LaunchedWave& launched;
+
+  ArrivedWave(const LaunchedWave& wave, double cones, const SheetHalfPlane& there, double b)
+      : strip_cosine(there.sin_cone() * (1.0 + cones * (wave.along - 1.0))),
+        source{there.arriving(wave.channel, wave.wave.a2, strip_cosine)},
+        constants(there.constants(source, b)),
+        launched(wave) {}
+};
+
+SheetStrips::SheetStrips(const SheetScene& scene, const LookVectors& look, double shortest_wavelength,
+                         SheetHalfPlanes& half_planes)
+    : scene_(scene),
+      look_(look),
+      half_planes_(half_planes),
+      tree_(scene.wedges, scene.outlines, nullptr, look.incident, look.scattered, false),
+      panels_(shortest_wavelength) {}
+
+void SheetStrips::lay(std::uint32_t index, const FaceIncidence& incidence, std::span<const LitInterval> lit, int order) {
+  tree_.grow(first_wave(scene_.wedges, index, 0, incidence, look_.incident, order), lit);
+  panels_.lay(tree_, lit, scene_.wedges[index].length());
+  work_ += tree_.work();
+}
+
+void SheetStrips::add(const RimLook& rim, double c, const SheetPair& pair, double wavenumber, ScatteringMatrix& sum) {
+  for (const bool electric : {true, false}) {
+    if ((electric ? pair.electric : pair.magnetic).empty()) continue;
+    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone);
+    std::array<CurrentWaves, 2> amplitudes;
+    for (int transmit = 0; transmit < 2; ++transmit) {
+      const std::array<SheetSource, 2> sources = sheet.plane_wave(c, rim.b, driving_field(rim, look_, electric, transmit));
+      amplitudes[transmit] = launched(sheet, sources, sheet.constants(sources, rim.b), rim.b);
+    }
+    follow({pair, electric, wavenumber}, {0, sheet, 0, {amplitudes}}, sum);
+  }
+}
+
+// To the ends of all strips of a wave that are rims of the plate.
+void SheetStrips::follow(const Sheet& sheet, const Departure& from, ScatteringMatrix& sum) {
+  const TreeWave& wave = tree_.waves()[from.wave];
+  for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
+    const OutlineEdge* edge = tree_.bundles()[b].edge;
+    if (!edge || edge->wedge == no_index || !is_sheet_rim(scene_.wedges[edge->wedge], scene_.materials)) continue;
+    const std::span<const TreeWave> waves = tree_.waves();
+    const auto next = std::ranges::find_if(waves, [&](const TreeWave& w) {
+      return w.parent == b && w.wave.face == edge->wedge_face && w.wave.wedge == edge->wedge;
+    });
+    if (next != waves.end()) arrive(sheet, from, b, static_cast<std::uint32_t>(next - waves.begin()), sum);
+  }
+}
+
+// In the product of current and length of edge the sine between strip and edge changes from that at the start to that at the end.
+void SheetStrips::arrive(const Sheet& sheet, const Departure& from, std::uint32_t bundle, std::uint32_t next,
+                         ScatteringMatrix& sum) {
+  const StripBundle& strips = tree_.bundles()[bundle];
+  const StripWave& there = tree_.waves()[next].wave;
+  const RimLook rim(scene_.wedges[there.wedge].faces[there.face], there.incidence, look_.scattered);
+  const SheetHalfPlane& half_plane = half_planes_.at(sheet.pair, sheet.electric, rim.sin_cone);
+  std::vector<ArrivedWave> waves;
+  const double cones = std::pow(from.half_plane.sin_cone() / half_plane.sin_cone(), 2);
+  for (const LaunchedWave& wave : from.half_plane.launched())
+    waves.emplace_back(wave, cones, half_plane, rim.b);
+  const EdgePanels::PointRange range = panels_.ranges()[bundle];
+  const double sine = from.half_plane.sin_cone(), per_length = sheet.wavenumber * sine * sine;
+  const bool alike = from.amplitudes.size() == 1 && per_length * std::abs(strips.growth) * (strips.to - strips.from) < same_phase;
+  Departure onwards{next, half_plane, range.first, {}};
+  for (std::uint32_t i = range.first; i < range.end; ++i) {
+    if (alike && i > range.first) break;
+    onwards.amplitudes.push_back(from.at(i));
+    const CurrentWaves left = along_strip(from.half_plane, per_length * strips.length_at(panels_.points()[i].arc_length));
+    for (CurrentWaves& amplitudes : onwards.amplitudes.back()) multiply(amplitudes, left);
+  }
+  if (onwards.amplitudes.empty()) return;
+  const StripWave& here = tree_.waves()[from.wave].wave;
+  const RimLook start(scene_.wedges[here.wedge].faces[here.face], here.incidence, look_.scattered);
+  radiate(sheet, start, rim, waves, onwards, bundle, sine / rim.sin_cone, sum);
+  work_ += work::sheet_wave * static_cast<double>(waves.size() * (1 + onwards.amplitudes.size()));
+  if (!tree_.waves()[next].wave.goes_on()) return;
+  std::vector<CurrentWaves> sent;
+  for (const ArrivedWave& one : waves) sent.push_back(launched(half_plane, one.source, one.constants, rim.b));
+  for (auto& both : onwards.amplitudes)
+    for (CurrentWaves& amplitudes : both) {
+      amplitudes = combine(sent, amplitudes);
+      for (Complex& each : amplitudes) each *= sine / rim.sin_cone;
+    }
+  follow(sheet, onwards, sum);
+}
+
+// The moments replace what the current beyond the rim would add, if it went on.
+void SheetStrips::radiate(const Sheet& sheet, const RimLook& from, const RimLook& rim, std::span<const ArrivedWave> waves, const Departure& arriving,
+                          std::uint32_t bundle, double sines, ScatteringMatrix& sum) const {
+  const StripBundle& strips = tree_.bundles()[bundle];
+  std::vector<Received> of_unit;
+  for (const ArrivedWave& wave : waves) {
+    of_unit.push_back(received(arriving.half_plane.moment(wave.source, wave.constants, rim.nu, rim.b), rim, look_, sheet.electric));
+    const Complex a2 = wave.launched.wave.a2, v1 = wave.launched.wave.nu, v2 = wave.source[0].wave.nu;
+    const bool curl = wave.launched.channel == SheetChannel::curl;
+    const SheetVector c1 = curl ? SheetVector{from.b / a2, v1 / a2} : SheetVector{v1 / a2, -from.b / a2};
+    const SheetVector c2 = curl ? SheetVector{rim.b / a2, -v2 / a2} : SheetVector{-v2 / a2, -rim.b / a2};
+    const Complex t1 = imaginary_unit / (wave.strip_cosine + rim.nu), t2 = -imaginary_unit / (v2 + rim.nu);
+    const Received add1 = received({t1 * c1.across, t1 * c1.along}, from, look_, sheet.electric),
+                   add2 = received({t2 * c2.across, t2 * c2.along}, rim, look_, sheet.electric);
+    for (int p = 0; p < 2; ++p) of_unit.back()[p] += add1[p] + add2[p];
+  }
+  {
+    const SheetHalfPlane& half = half_planes_.at(sheet.pair, sheet.electric, from.sin_cone);
+    const double cones = std::pow(from.sin_cone / rim.sin_cone, 2), sign = from.b < 0 ? -1.0 : 1.0;
+    const Complex t1 = imaginary_unit / (rim.sin_cone * (1.0 + cones * (half.still_along() - 1.0)) + rim.nu);
+    of_unit.push_back(received({t1, -imaginary_unit * sign * t1}, from, look_, sheet.electric));
+  }
+  const EdgePanels::PointRange range = panels_.ranges()[bundle];
+  for (std::uint32_t i = range.first; i < range.end; ++i) {
+    const PanelPoint& point = panels_.points()[i];
+    const Complex phase =
+        sheet.pair.share * sines * std::polar(point.weight, sheet.wavenumber * strips.end_path.at(point.arc_length));
+    for (int transmit = 0; transmit < 2; ++transmit)
+      for (std::size_t n = 0; n < of_unit.size(); ++n)
+        for (int receive = 0; receive < 2; ++receive)
+          sum.at(receive, transmit) += phase * arriving.at(i)[transmit][n] * of_unit[n][receive];
+  }
+}
+
+}  // namespace raytube

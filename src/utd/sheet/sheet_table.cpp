@@ -1,0 +1,43 @@
+#include "utd/sheet/sheet_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytube {
+
+namespace {
+
+constexpr double border = 2.0 - 1e-9;  // n of an edge where one sheet ends
+constexpr double same_cone = 1e-12;    // of sin(beta'): parallel rims share their tables
+
+}  // namespace
+
+bool is_sheet_rim(const Wedge& wedge, std::span<const Material> materials) {
+  const auto& [front, back] = wedge.faces;
+  return wedge.n >= border && front.material != no_index && front.material == back.material && front.patch == back.patch &&
+         materials[front.material].transmits();
+}
+
+SheetTable::SheetTable(std::span<const Material> materials, std::span<const double> frequencies)
+    : frequencies_(frequencies.begin(), frequencies.end()) {
+  for (const Material& material : materials) {
+    std::vector<SheetPair>& pairs = pairs_.emplace_back(frequencies.size());
+    for (std::size_t f = 0; f < frequencies.size() && material.transmits(); ++f)
+      pairs[f] = sheet_pair(material, f, wavenumber(frequencies[f]));
+  }
+}
+
+const SheetPair& SheetTable::at(std::uint32_t material, double frequency) const {
+  const auto found = std::ranges::find(frequencies_, frequency);
+  return pairs_[material][static_cast<std::size_t>(found - frequencies_.begin())];
+}
+
+const SheetHalfPlane& SheetHalfPlanes::at(const SheetPair& pair, bool electric, double sin_cone) {
+  const SheetAdmittance& sheet = electric ? pair.electric : pair.magnetic;
+  const double rounded = std::round(sin_cone / same_cone) * same_cone;
+  std::unique_ptr<SheetHalfPlane>& found = made_[{&sheet, rounded}];
+  if (!found) found = std::make_unique<SheetHalfPlane>(sheet, pair.slowest, rounded);
+  return *found;
+}
+
+}  // namespace raytube
