@@ -40,7 +40,7 @@ ImpedanceWedge::ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunc
       source_(std::clamp(incidence.source_angle, off_face, n * pi - off_face)),
       lit_(incidence.lit),
       at_source_(faces_at(-source_)),
-      reflection_(reflection_of(field, own, std::sin(source_))) {}
+      reflection_(reflection_of(field, own, lit_ ? std::sin(source_) : 0.0)) {}
 
 // psi(w + pi/2 - theta) psi(w - pi/2 + theta) / psi(pi/2)^2 and its limits for conductors.
 Complex ImpedanceWedge::face_factor(Complex w, const FaceAngle& face) const {
@@ -62,10 +62,10 @@ Complex ImpedanceWedge::ratio_slope(Complex g) const {
   return (8.0 * (ratio(g + h) - ratio(g - h)) - (ratio(g + 2 * h) - ratio(g - 2 * h))) / (12 * h);
 }
 
-// ratio (1/n) cot(x/2n) - ratio_p cot(x/2), ratio_p that at the pole x = 0, where it is regular: closer than 1e-4 the quotient of
-// differences is the slope, to 1e-9.
-Complex ImpedanceWedge::term(Complex g, const Pole& pole, bool taken_off) const {
-  const Complex x = g - pole.angle, at = ratio(g);
+// at (1/n) cot(x/2n) - ratio_p cot(x/2), `at` the ratio, ratio_p that at the pole x = 0, where it is regular: closer than 1e-4
+// the quotient of differences is the slope, to 1e-9.
+Complex ImpedanceWedge::term(Complex g, Complex at, const Pole& pole, bool taken_off) const {
+  const Complex x = g - pole.angle;
   if (!taken_off) return at * wedge_cotangent(n_, x);
   const bool close = std::abs(x) < 1e-4;
   return at * cotangent_difference(n_, x) + (close ? 2.0 * ratio_slope(g - 0.5 * x) : (at - pole.ratio) * cotangent(0.5 * x));
@@ -74,7 +74,8 @@ Complex ImpedanceWedge::term(Complex g, const Pole& pole, bool taken_off) const 
 // T(g) less poles of physical optics: that of the reflection boundary, -r/2 cot((g - phi')/2), and that of the shadow, -1/2
 // cot((g + phi')/2), each as asked.
 Complex ImpedanceWedge::fringe(Complex g, bool minus, bool plus) const {
-  return 0.5 * (term(g, {source_, -reflection_}, minus) - term(g, {-source_, 1.0}, plus));
+  const Complex at = ratio(g);
+  return 0.5 * (term(g, at, {source_, -reflection_}, minus) - term(g, at, {-source_, 1.0}, plus));
 }
 
 // u at the edge over 2: T(g) for imaginary g without end, where psi(z) becomes psi(pi/2) e^{-jz/4n} / sqrt(2).
@@ -83,14 +84,15 @@ Complex ImpedanceWedge::value_at_edge() const {
   return std::sin(source_ / n_) / (2 * n_ * at_source_);
 }
 
+// Closer to g = 0 than h the odd part over sin(g) is taken from there, to h^4.
 ImpedanceKernels ImpedanceWedge::regular_kernels(const GrazingRay& ray, bool pole_active) const {
+  constexpr double h = 1e-3;
   const bool one = lit_ || pole_active, two = lit_ && !pole_active;
-  const auto odd = [&](Complex g) { return 0.5 * (fringe(g, one, two) - fringe(-g, two, one)); };
-  const Complex g = ray.angle;
-  constexpr double h = 1e-3;  // closer to g = 0 the odd part over sin(g) is taken from there, to h^4
-  const Complex across = std::abs(g) < h ? (odd(2 * h) / std::sin(2 * h) - 4.0 * odd(h) / std::sin(h)) / 3.0 : -odd(g) / ray.sine;
+  const Complex g = ray.angle, front = fringe(g, one, two), behind = fringe(-g, two, one);
+  const auto odd = [&](double at) { return 0.5 * (fringe(at, one, two) - fringe(-at, two, one)) / std::sin(at); };
+  const Complex across = std::abs(g) < h ? (odd(2 * h) - 4.0 * odd(h)) / 3.0 : 0.5 * (behind - front) / ray.sine;
   const Complex constant = (lit_ ? 0.5 * (1.0 + reflection_) : 0.0) - value_at_edge();
-  return {0.5 * (fringe(g, one, two) + fringe(-g, two, one)), across, constant - ray.cosine * across};
+  return {0.5 * (front + behind), across, constant - ray.cosine * across};
 }
 
 SplitImpedanceKernels ImpedanceWedge::kernels(const GrazingRay& ray, bool pole_active) const {

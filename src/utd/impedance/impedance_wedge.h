@@ -42,9 +42,6 @@ class ImpedanceWedge {
   ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunction& psi, const FaceAngle& own, const FaceAngle& other,
                  const FaceIncidence& incidence);
 
-  /// u that the face reflects, of a unit incident one.
-  Complex reflection() const { return reflection_; }
-
   /// T(g) of the whole current.
   Complex exact(Complex g) const;
 
@@ -60,7 +57,7 @@ class ImpedanceWedge {
   Complex faces_at(Complex g) const;
   Complex ratio(Complex g) const { return faces_at(g) / at_source_; }
   Complex ratio_slope(Complex g) const;
-  Complex term(Complex g, const Pole& pole, bool taken_off) const;
+  Complex term(Complex g, Complex at, const Pole& pole, bool taken_off) const;
   Complex fringe(Complex g, bool minus, bool plus) const;
   ImpedanceKernels regular_kernels(const GrazingRay& ray, bool pole_active) const;
   Complex value_at_edge() const;
@@ -71,7 +68,7 @@ class ImpedanceWedge {
   FaceAngle own_, other_;
   double source_;
   bool lit_;
-  Complex at_source_, reflection_;
+  Complex at_source_, reflection_;  // r, of a dark face at grazing
 };
 
 }  // namespace raytube
