@@ -7,11 +7,13 @@
 
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
+#include "utd/impedance/surface_impedance.h"
 #include "utd/sheet/sheet_edges.h"
 
 namespace raytube {
 
-/// Whether anything is known of the currents of a wedge that is not between perfect conductors: it is the rim of a sheet.
+/// Whether anything is known of the currents of a wedge that is not between perfect conductors: it is the rim of a sheet, or
+/// nothing goes through either of its faces.
 bool is_material_edge(const Wedge& wedge, std::span<const Material> materials);
 
 /// What edges need of the materials of a target, at all frequencies of its sweep.
@@ -19,9 +21,16 @@ struct EdgeMaterials {
   std::span<const Material> materials;
   SheetTable sheets;
 
-  EdgeMaterials(std::span<const Material> of, std::span<const double> frequencies) : materials(of), sheets(of, frequencies) {}
+  EdgeMaterials(std::span<const Material> of, std::span<const double> frequencies);
 
   bool radiates(const Wedge& wedge) const { return !wedge.enclosed && is_material_edge(wedge, materials); }
+
+  /// Of a face of a perfect conductor or of a material that nothing goes through, at one of the frequencies.
+  SurfaceImpedance impedance(const WedgeFace& face, double frequency) const;
+
+ private:
+  std::vector<double> frequencies_;
+  std::vector<std::vector<SurfaceImpedance>> impedances_;  // [material][frequency]
 };
 
 /// One look, edge after edge. Keeps references to its arguments.
@@ -32,6 +41,7 @@ class MaterialEdges {
   /// How the wave meets wedge `index`; none if the edge adds nothing. A sheet is lit from both sides.
   std::optional<WedgeIncidence> meeting(std::uint32_t index) const;
 
+  /// Rims of sheets at the order asked for, edges of opaque materials at the first.
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
 
   /// Adds all of it; nothing may be added after that.
@@ -41,8 +51,13 @@ class MaterialEdges {
   const EdgeMaterials* known_;
   std::span<const Wedge> wedges_;
   const LookVectors& look_;
+  void add_opaque(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
+
+  std::span<const double> frequencies_;
   std::optional<SheetEdges> sheets_;  // if there are any of other materials
   std::vector<ScatteringMatrix> first_, higher_;
+  std::vector<bool> windowed_;
+  double work_ = 0.0;
 };
 
 }  // namespace raytube

@@ -3,34 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "utd/wedge/cotangent.h"
+
 namespace raytube {
 
 namespace {
-
-// cot(x + jy) = (sin x cos x - j sinh y cosh y) / (sin^2 x + sinh^2 y): no cancellation at the pole, exactly odd.
-Complex cotangent(Complex z) {
-  if (std::abs(z.imag()) > 20.0) return {0.0, std::copysign(1.0, -z.imag())};  // to rounding; sinh^2 would overflow later
-  const double sine = std::sin(z.real()), hyperbolic = std::sinh(z.imag());
-  return Complex(sine * std::cos(z.real()), -hyperbolic * std::cosh(z.imag())) / (sine * sine + hyperbolic * hyperbolic);
-}
-
-// (1/n) cot(x/2n): the exact current of the wedge has this pole ...
-Complex wedge_cotangent(double n, Complex x) { return cotangent(x / (2 * n)) / n; }
-
-// ... which physical optics shares: c_n(x) = (1/n) cot(x/2n) - cot(x/2), regular at x = 0. Taylor series (Bernoulli numbers)
-// below |x| = 0.02: the first term left out is 1e-18, while the difference would lose two digits at the switch.
-constexpr double series_below = 0.02;
-
-template <class Number>
-Number difference_over_argument(double n, Number x2) {
-  const double m2 = 1 / (n * n), m4 = m2 * m2;
-  return (1 - m2) / 6 + x2 * ((1 - m4) / 360 + x2 * ((1 - m2 * m4) / 15120));
-}
-
-Complex cotangent_difference(double n, Complex x) {
-  if (std::abs(x.real()) + std::abs(x.imag()) < series_below) return x * difference_over_argument(n, x * x);
-  return wedge_cotangent(n, x) - cotangent(x / 2.0);
-}
 
 // A- and A+ of one face: G_s = (A- - A+)/2, G_h = (A- + A+)/(2 sin g).
 struct Terms {
@@ -119,11 +96,15 @@ double grazing_hard_kernel(double n, bool own_face, const GrazingRay& ray) {
   return sign * (1 / (n * tangent) - (1 + ray.cosine.real()) / sine) / sine;
 }
 
+// From the two small angles themselves, so that none of their digits is lost.
+double grazing_pole_angle(const FaceIncidence& incidence, double half_cosine) {
+  return -(2 * std::asin(std::min(half_cosine, 1.0)) + std::abs(pi - incidence.source_angle));
+}
+
 SplitKernels split_kernels(double n, const FaceIncidence& incidence, double half_cosine) {
   const GrazingRay ray = grazing_ray_at(half_cosine);
   SplitKernels result;
-  // y from the two small angles themselves: observer to the grazing diffracted ray, source to the face's own plane.
-  const double y = -(2 * std::asin(std::min(half_cosine, 1.0)) + std::abs(pi - incidence.source_angle));
+  const double y = grazing_pole_angle(incidence, half_cosine);
   if (y <= -1) {
     result.regular = fringe_kernels(n, incidence, ray);
     return result;

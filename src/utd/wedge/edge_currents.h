@@ -76,6 +76,10 @@ FringeKernels fringe_kernels(double n, const FaceIncidence& incidence, const Gra
 /// = 0.
 double grazing_hard_kernel(double n, bool own_face, const GrazingRay& ray);
 
+/// y of the forward-grazing pole: -(angle of the observer to the grazing diffracted ray + that of the source to the face's
+/// plane).
+double grazing_pole_angle(const FaceIncidence& incidence, double half_cosine);
+
 /// The kernels with their forward-grazing pole set apart: kernels = regular + cot(y/2) pole, with
 /// y = g + phi' - 2 pi on a lit face, g - phi' on a dark one. `active` when |y| < 1 rad; else y and pole are zero.
 struct SplitKernels {

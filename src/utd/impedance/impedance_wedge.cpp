@@ -1,0 +1,106 @@
+#include "utd/impedance/impedance_wedge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "utd/wedge/cotangent.h"
+
+namespace raytube {
+
+namespace {
+
+// At phi' = 0 and n pi factors of conductors vanish, and so does what they divide: half of the digits are left.
+constexpr double off_face = 1e-7;
+
+// Smaller ones make no difference: theta would be further away than psi is for.
+constexpr double smallest_impedance = 1e-11;
+
+Complex reflection_of(EdgeField field, const FaceAngle& face, double sine) {
+  if (face.conductor) return field == EdgeField::soft ? -1.0 : 1.0;
+  const Complex of_face = std::sin(face.angle);
+  return (sine - of_face) / (sine + of_face);
+}
+
+}  // namespace
+
+// Obliquely met, with k sin(beta') for k, E = Z eta H of the tangential fields becomes Z / sin(beta') for E along the edge and
+// Z sin(beta') for H along it, where what couples the two is left out.
+FaceAngle face_angle(EdgeField field, Complex impedance, double sin_cone) {
+  if (std::abs(impedance) < smallest_impedance) return {{}, true};
+  return {std::asin(field == EdgeField::soft ? sin_cone / impedance : impedance * sin_cone), false};
+}
+
+ImpedanceWedge::ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunction& psi, const FaceAngle& own,
+                               const FaceAngle& other, const FaceIncidence& incidence)
+    : field_(field),
+      n_(n),
+      psi_(psi),
+      own_(own),
+      other_(other),
+      source_(std::clamp(incidence.source_angle, off_face, n * pi - off_face)),
+      lit_(incidence.lit),
+      at_source_(faces_at(-source_)),
+      reflection_(reflection_of(field, own, lit_ ? std::sin(source_) : 0.0)) {}
+
+// psi(w + pi/2 - theta) psi(w - pi/2 + theta) / psi(pi/2)^2 and its limits for conductors.
+Complex ImpedanceWedge::face_factor(Complex w, const FaceAngle& face) const {
+  if (face.conductor) return field_ == EdgeField::soft ? 1.0 : std::cos(w / (2 * n_));
+  const Complex aside = pi / 2 - face.angle;
+  return psi_(w + aside) * psi_(w - aside);
+}
+
+// Psi(-Phi - g) of Maliuzhinets; Psi(phi' - Phi) of the source is its value at g = -phi'.
+Complex ImpedanceWedge::faces_at(Complex g) const { return face_factor(n_ * pi + g, own_) * face_factor(g, other_); }
+
+Complex ImpedanceWedge::exact(Complex g) const {
+  return 0.5 * ratio(g) * (wedge_cotangent(n_, g - source_) - wedge_cotangent(n_, g + source_));
+}
+
+// Five points: h^4/30 of the fifth derivative.
+Complex ImpedanceWedge::ratio_slope(Complex g) const {
+  constexpr double h = 1e-3;
+  return (8.0 * (ratio(g + h) - ratio(g - h)) - (ratio(g + 2 * h) - ratio(g - 2 * h))) / (12 * h);
+}
+
+// at (1/n) cot(x/2n) - ratio_p cot(x/2), `at` the ratio, ratio_p that at the pole x = 0, where it is regular: closer than 1e-4
+// the quotient of differences is the slope, to 1e-9.
+Complex ImpedanceWedge::term(Complex g, Complex at, const Pole& pole, bool taken_off) const {
+  const Complex x = g - pole.angle;
+  if (!taken_off) return at * wedge_cotangent(n_, x);
+  const bool close = std::abs(x) < 1e-4;
+  return at * cotangent_difference(n_, x) + (close ? 2.0 * ratio_slope(g - 0.5 * x) : (at - pole.ratio) * cotangent(0.5 * x));
+}
+
+// T(g) less poles of physical optics: that of the reflection boundary, -r/2 cot((g - phi')/2), and that of the shadow, -1/2
+// cot((g + phi')/2), each as asked.
+Complex ImpedanceWedge::fringe(Complex g, bool minus, bool plus) const {
+  const Complex at = ratio(g);
+  return 0.5 * (term(g, at, {source_, -reflection_}, minus) - term(g, at, {-source_, 1.0}, plus));
+}
+
+// u at the edge over 2: T(g) for imaginary g without end, where psi(z) becomes psi(pi/2) e^{-jz/4n} / sqrt(2).
+Complex ImpedanceWedge::value_at_edge() const {
+  if (field_ == EdgeField::soft && (own_.conductor || other_.conductor)) return 0.0;
+  return std::sin(source_ / n_) / (2 * n_ * at_source_);
+}
+
+// Closer to g = 0 than h the odd part over sin(g) is taken from there, to h^4.
+ImpedanceKernels ImpedanceWedge::regular_kernels(const GrazingRay& ray, bool pole_active) const {
+  constexpr double h = 1e-3;
+  const bool one = lit_ || pole_active, two = lit_ && !pole_active;
+  const Complex g = ray.angle, front = fringe(g, one, two), behind = fringe(-g, two, one);
+  const auto odd = [&](double at) { return 0.5 * (fringe(at, one, two) - fringe(-at, two, one)) / std::sin(at); };
+  const Complex across = std::abs(g) < h ? (odd(2 * h) - 4.0 * odd(h)) / 3.0 : 0.5 * (behind - front) / ray.sine;
+  const Complex constant = (lit_ ? 0.5 * (1.0 + reflection_) : 0.0) - value_at_edge();
+  return {0.5 * (front + behind), across, constant - ray.cosine * across};
+}
+
+SplitImpedanceKernels ImpedanceWedge::kernels(const GrazingRay& ray, bool pole_active) const {
+  SplitImpedanceKernels result{regular_kernels(ray, pole_active), {}};
+  if (!pole_active) return result;
+  const Complex across = (lit_ ? -0.25 : 0.25) * (1.0 + reflection_) / ray.sine;
+  result.pole = {0.25 * (1.0 - reflection_), across, -ray.cosine * across};
+  return result;
+}
+
+}  // namespace raytube

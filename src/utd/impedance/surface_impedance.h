@@ -1,0 +1,21 @@
+// The impedance that stands for a material beside an edge.
+#pragma once
+
+#include "scene/material.h"
+
+namespace raytube {
+
+/// Of one face at one frequency, over eta: of E across the plane of incidence (soft at an edge met at a right angle) and of E in
+/// it (hard). A perfect conductor has 0.
+struct SurfaceImpedance {
+  Complex soft, hard;
+  double depth = 0.0;  // of the plane where it holds, below the face of the mesh [m]
+};
+
+/// From the reflection of a material that lets nothing through, Z = (1 + r) / (s (1 - r)) for E across and s (1 - r) / (1 + r)
+/// for E in the plane of incidence at the sine s of grazing: one number for all directions, so that edges are reciprocal. r of a
+/// coat refers to its conductor, which is where its edge is: r = R e^{2jksd}. An `absorber` has no such limit, its impedance is
+/// that of vacuum: it reflects nothing at broadside. Roughness is not in it, as it does not count at grazing.
+SurfaceImpedance surface_impedance(const Material& material, std::size_t frequency, double wavenumber);
+
+}  // namespace raytube

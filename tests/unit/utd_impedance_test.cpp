@@ -1,0 +1,264 @@
+// Wedges with impedance faces: Maliuzhinets' function and edge wave, the limit of conductors, coats.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "run.h"
+#include "utd/impedance/impedance_fringe.h"
+
+namespace raytube::testing {
+namespace {
+
+constexpr double k = 2 * pi;
+const dvec3 x_axis(1, 0, 0), y_axis(0, 1, 0), z_axis(0, 0, 1);
+const std::array<double, 4> exterior_angles{1.2, 1.5, 1.75, 2.0};
+
+WedgeFace face_at(double angle, double turn) {
+  return {0, std::cos(angle) * x_axis + std::sin(angle) * y_axis, turn * (-std::sin(angle) * x_axis + std::cos(angle) * y_axis),
+          1e30};
+}
+
+/// Edge along z; face 0 at this angle from the x axis, free space counter-clockwise from it.
+Wedge wedge_along_z(double n, double angle = 0.0) {
+  return {-0.5 * z_axis, 0.5 * z_axis, n, {face_at(angle, 1.0), face_at(angle + n * pi, -1.0)}};
+}
+
+Material coat(Complex permittivity, Complex permeability, double thickness) {
+  return {"coat", MaterialKind::coated, 0.0, {{{{permittivity, permeability}, thickness}}}};
+}
+
+double largest_difference(const ScatteringMatrix& a, const ScatteringMatrix& b) {
+  double largest = 0.0;
+  for (const int p : {0, 1})
+    for (const int q : {0, 1}) largest = std::max(largest, std::abs(a.at(p, q) - b.at(p, q)));
+  return largest;
+}
+
+/// psi(z + pi/2) psi(z - pi/2) = psi(pi/2)^2 cos(pi z / 4 Phi) and psi(z + 2 Phi) / psi(z - 2 Phi) = cot((z + pi/2)/2); the code
+/// uses the first one beyond |Re z| = pi/2 only. Tolerance: rounding of a hundred terms.
+TEST(Impedance, MaliuzhinetsFunctionHasItsIdentities) {
+  std::mt19937_64 random(1958);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  for (const double n : exterior_angles) {
+    const MaliuzhinetsFunction psi(n);
+    EXPECT_LT(std::abs(psi(pi / 2) - 1.0), 1e-15);
+    for (int i = 0; i < 200; ++i) {
+      const Complex z(2.0 * part(random), 6.0 * part(random)), inner(1.5 * part(random), 6.0 * part(random));
+      EXPECT_LT(std::abs(psi(z + n * pi) / psi(z - n * pi) * std::tan(0.5 * (z + pi / 2)) - 1.0), 1e-12) << n << " " << z;
+      EXPECT_LT(std::abs(psi(inner + pi / 2) * psi(inner - pi / 2) / std::cos(inner / (2 * n)) - 1.0), 1e-12) << n << inner;
+      EXPECT_EQ(psi(z), psi(-z));
+    }
+  }
+}
+
+FaceIncidence met_at(double source) { return {.tangent = z_axis, .sin_cone = 1.0, .source_angle = source, .lit = source < pi}; }
+
+/// Edge wave of both faces at normal incidence.
+Complex edge_wave(EdgeField field, double n, const MaliuzhinetsFunction& psi, std::array<Complex, 2> impedances, double source,
+                  double observer) {
+  const auto angle = [&](int face) { return face_angle(field, impedances[face], 1.0); };
+  return ImpedanceWedge(field, n, psi, angle(0), angle(1), met_at(source)).exact(pi - observer) +
+         ImpedanceWedge(field, n, psi, angle(1), angle(0), met_at(n * pi - source)).exact(pi - (n * pi - observer));
+}
+
+EdgeField field_of(const std::string& name) { return name == "soft" ? EdgeField::soft : EdgeField::hard; }
+
+/// Table by quadrature of Maliuzhinets' integral (tests/data/impedance_wedges.py), printed with 12 digits.
+TEST(Impedance, EdgeWavesAreThoseOfMaliuzhinets) {
+  const Table table(RAYTUBE_SOURCE_DIR "/tests/data/impedance_wedges.csv");
+  ASSERT_EQ(table.rows(), 120);
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double n = table.number(i, "n");
+    const Complex wanted = table.complex(i, "wave"),
+                  found = edge_wave(field_of(table.text(i, "field")), n, MaliuzhinetsFunction(n),
+                                    {table.complex(i, "z0"), table.complex(i, "zn")}, table.number(i, "source_deg") * degree,
+                                    table.number(i, "observer_deg") * degree);
+    EXPECT_LT(std::abs(found - wanted), 1e-10 * std::max(1.0, std::abs(wanted))) << "row " << i;
+  }
+}
+
+TEST(Impedance, EdgeWavesAreReciprocal) {
+  std::mt19937_64 random(1995);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (const double n : exterior_angles) {
+    const MaliuzhinetsFunction psi(n);
+    for (int i = 0; i < 100; ++i) {
+      const double a = part(random) * n * pi, b = part(random) * n * pi;
+      const std::array<Complex, 2> impedances{Complex(2 * part(random), 4 * part(random) - 2),
+                                              Complex(0.1 * part(random), 0.2 * part(random) - 0.1)};
+      for (const EdgeField field : {EdgeField::soft, EdgeField::hard}) {
+        const Complex there = edge_wave(field, n, psi, impedances, a, b), back = edge_wave(field, n, psi, impedances, b, a);
+        EXPECT_LT(std::abs(there - back), 1e-9 * std::abs(there)) << n << " " << a << " " << b;
+      }
+    }
+  }
+}
+
+std::vector<Look> random_looks(int count) {
+  std::mt19937_64 random(1986);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  const auto direction = [&] { return Direction{std::acos(2 * part(random) - 1), 2 * pi * part(random)}; };
+  std::vector<Look> looks;
+  for (int i = 0; i < count; ++i) {
+    const Direction transmit = direction();
+    looks.push_back({transmit, i % 2 ? transmit : direction()});
+  }
+  return looks;
+}
+
+/// Any look, on the cone of diffraction or off it. 1e-11 was found.
+TEST(Impedance, WithoutImpedanceItIsTheFringeCurrentOfAConductor) {
+  for (const double n : exterior_angles)
+    for (const Look& look : random_looks(500)) {
+      const Wedge wedge = wedge_along_z(n);
+      const LookVectors vectors = look_vectors(look);
+      const WedgeIncidence incidence = incidence_on(wedge, vectors.incident);
+      if (incidence.weight == 0.0) continue;
+      bool windowed = false;
+      const ScatteringMatrix wanted = amplitude_at(edge_amplitude(wedge, incidence, vectors), k, windowed),
+                             found = impedance_edge_amplitude(wedge, incidence, {}, vectors, k, windowed);
+      EXPECT_LT(largest_difference(found, wanted), 1e-9 * std::max(1.0, frobenius_norm(wanted)))
+          << n << " " << look.transmit.theta << " " << look.transmit.phi << " " << look.receive.theta << " " << look.receive.phi;
+    }
+}
+
+/// Fringe of a coated wedge, both antennas at these angles.
+ScatteringMatrix coated(double n, double source, double observer) {
+  const Wedge wedge = wedge_along_z(n);
+  const LookVectors look = look_vectors({{pi / 2, source}, {pi / 2, observer}});
+  bool windowed = false;
+  return impedance_edge_amplitude(wedge, incidence_on(wedge, look.incident), {SurfaceImpedance{{0.4, 0.2}, {0.3, 0.3}}, {}}, look,
+                                  k, windowed);
+}
+
+/// On the boundaries of reflection and of shadow, and beside them, where a quotient of differences becomes a slope. It changes by
+/// its slope times the step of 2e-4; a pole there would add 1e4.
+TEST(Impedance, FringesAreRegularAtTheBoundaries) {
+  for (const double n : {1.5, 2.0})
+    for (const double source : {50.0 * degree, 80.0 * degree})
+      for (const double boundary : {pi - source, pi + source})
+        for (const double step : {0.0, 1e-9, 9e-5, 1.1e-4}) {
+          const ScatteringMatrix beside = coated(n, source, boundary - 2e-4);
+          EXPECT_LT(largest_difference(coated(n, source, boundary + step), beside), 2e-3 * frobenius_norm(beside));
+        }
+}
+
+/// Thin layers: Z = j k d (mu - 1) for E across and j k d (mu - 1/eps) for E in the plane of incidence, to the order of (kd)^2.
+TEST(Impedance, OfAThinCoatIsThatOfItsConductorsPlane) {
+  const Complex eps(4.0, -0.5), mu(1.5, -0.2);
+  const double kd = 1e-4;
+  const SurfaceImpedance found = surface_impedance(coat(eps, mu, kd / k), 0, k);
+  EXPECT_LT(std::abs(found.soft / (Complex(0.0, kd) * (mu - 1.0)) - 1.0), 1e-6);
+  EXPECT_LT(std::abs(found.hard / (Complex(0.0, kd) * (mu - 1.0 / eps)) - 1.0), 1e-6);
+  EXPECT_EQ(found.depth, kd / k);
+}
+
+/// A cylinder of the table, as raytube's physical optics and edges have it in two dimensions.
+struct Cylinder {
+  struct Side {
+    dvec3 from, to, normal;
+    const Material* material;  // null: a conductor
+  };
+  struct Edge {
+    dvec3 at;
+    Wedge wedge;
+    std::array<SurfaceImpedance, 2> faces;
+  };
+  std::vector<Side> sides;
+  std::vector<Edge> edges;
+};
+
+LookVectors seen_across(double angle) { return look_vectors({{pi / 2, angle}, {pi / 2, angle}}); }
+
+/// P of u along the cylinder: -j pi times S per length, for H along it with the other sign, as phi_hat turns with the antenna.
+Complex of_side(const Cylinder::Side& side, double angle, bool tm) {
+  const dvec3 towards(std::cos(angle), std::sin(angle), 0.0), along = side.to - side.from;
+  const double sine = glm::dot(towards, side.normal), length = glm::length(along);
+  if (sine <= 0.0) return 0.0;
+  const SurfaceResponse at = side.material == nullptr ? perfect_conductor : smooth_response(*side.material, 0, k, sine, false);
+  const double turn = k * glm::dot(towards, along);
+  return 0.5 * sine * (tm ? at.reflected.te : at.reflected.tm) * k * length * (turn == 0.0 ? 1.0 : std::sin(turn) / turn) *
+         std::polar(1.0, k * glm::dot(towards, side.from + side.to));
+}
+
+Complex of_edge(const Cylinder::Edge& edge, double angle, bool tm) {
+  const LookVectors look = seen_across(angle);
+  const WedgeIncidence incidence = incidence_on(edge.wedge, look.incident);
+  if (incidence.weight == 0.0) return 0.0;
+  bool windowed = false;
+  const ScatteringMatrix s = impedance_edge_amplitude(edge.wedge, incidence, edge.faces, look, k, windowed);
+  return Complex(0.0, pi) * (tm ? -s.vv() : s.hh()) * std::polar(1.0, k * glm::dot(look.scattered - look.incident, edge.at));
+}
+
+Complex amplitude(const Cylinder& cylinder, double angle, bool tm, bool edges) {
+  Complex sum = 0.0;
+  for (const Cylinder::Side& side : cylinder.sides) sum += of_side(side, angle, tm);
+  if (edges)
+    for (const Cylinder::Edge& edge : cylinder.edges) sum += of_edge(edge, angle, tm);
+  return sum;
+}
+
+/// Its edges lie half-way between the metal and the coat's face, as that of a thin plate does.
+Cylinder strip(double width, double thickness, const Material& material) {
+  const dvec3 left(-width / 2, 0, 0), right(width / 2, 0, 0), up(0, thickness, 0);
+  const SurfaceImpedance coated = surface_impedance(material, 0, k), metal;
+  return {{{left + up, right + up, y_axis, &material}, {left, right, -y_axis, nullptr}},
+          {{left + 0.5 * up, wedge_along_z(2.0), std::array{coated, metal}},
+           {right + 0.5 * up, wedge_along_z(2.0, pi), std::array{metal, coated}}}};
+}
+
+Cylinder square(double width, const Material& material) {
+  const SurfaceImpedance coated = surface_impedance(material, 0, k);
+  Cylinder result;
+  for (int i = 0; i < 4; ++i) {
+    const double turn = i * pi / 2;
+    const dvec3 out(std::cos(turn), std::sin(turn), 0), next(-out.y, out.x, 0);
+    result.sides.push_back({width / 2 * (out - next), width / 2 * (out + next), out, &material});
+    result.edges.push_back({width / 2 * (out + next), wedge_along_z(1.5, turn - pi / 2), std::array{coated, coated}});
+  }
+  return result;
+}
+
+struct Error {
+  double square = 0.0, peak = 0.0;
+  int rows = 0;
+  double relative() const { return std::sqrt(square / rows) / peak; }
+};
+
+/// rms error over the peak, physical optics alone and with edges, by body, polarisation and side of the coat. What is left of
+/// hard waves is their way over the metal to the other edge and those that the coat guides, of the square its corners.
+TEST(Impedance, CoatedCylindersAreThoseOfTheIntegralEquation) {
+  const std::map<std::string, std::array<double, 2>> most{
+      // physical optics at least, with edges at most
+      {"strip 0.02 tm coat", {0.06, 0.0036}},  {"strip 0.02 tm metal", {0.035, 0.001}}, {"strip 0.02 te coat", {0.039, 0.020}},
+      {"strip 0.02 te metal", {0.042, 0.022}}, {"strip 0.05 tm coat", {0.039, 0.0017}}, {"strip 0.05 tm metal", {0.04, 0.0013}},
+      {"strip 0.05 te coat", {0.042, 0.032}},  {"strip 0.05 te metal", {0.055, 0.050}}, {"square 0.02 tm coat", {0.053, 0.029}},
+      {"square 0.02 te coat", {0.04, 0.019}}};
+  const Table table(RAYTUBE_SOURCE_DIR "/tests/data/coated_cylinders.csv");
+  std::map<std::string, std::array<Error, 2>> errors;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double width = table.number(i, "width"), thickness = table.number(i, "thickness"),
+                 degrees = table.number(i, "angle_deg");
+    const Material material = coat(table.complex(i, "eps"), table.complex(i, "mu"), thickness);
+    const bool is_strip = table.text(i, "body") == "strip", tm = table.text(i, "polarisation") == "tm";
+    const Cylinder cylinder = is_strip ? strip(width, thickness, material) : square(width, material);
+    const std::string name = table.text(i, "body") + " " + table.text(i, "thickness") + " " + table.text(i, "polarisation") +
+                             (degrees < 180.0 ? " coat" : " metal");
+    for (const bool edges : {false, true}) {
+      Error& error = errors[name][edges];
+      const Complex wanted = table.complex(i, "p");
+      error.square += std::norm(amplitude(cylinder, degrees * degree, tm, edges) - wanted);
+      error.peak = std::max(error.peak, std::abs(wanted));
+      ++error.rows;
+    }
+  }
+  ASSERT_EQ(errors.size(), most.size());
+  for (const auto& [name, error] : errors) {
+    EXPECT_GT(error[0].relative(), most.at(name)[0]) << name;
+    EXPECT_LT(error[1].relative(), most.at(name)[1]) << name;
+  }
+}
+
+}  // namespace
+}  // namespace raytube::testing
