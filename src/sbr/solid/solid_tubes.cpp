@@ -13,13 +13,10 @@ namespace raytube {
 
 namespace {
 
-constexpr double weakest = 1e-5;   // amplitudes that end, of unit incident ones
-constexpr double widest = 1.0;     // wavelengths, of pieces that something might stand in the middle of
-constexpr double most_bend = 0.1;  // phase by which a wave is off its plane within a piece [rad]
-constexpr double most_turn = 0.1;  // of the rays of a piece from one another
-// How far beyond a curved surface waves radiate that are focused there, in radii of the target. Chosen, not derived: of 0, 0.2,
-// 0.5 and 1 the nearest to the series of a sphere of permittivity 2.6 (docs/theory/materials.md).
-constexpr double share_of_radius = 0.5;
+constexpr double weakest = 1e-5;    // amplitudes that end, of unit incident ones
+constexpr double widest = 1.0;      // wavelengths, of pieces that something might stand in the middle of
+constexpr double most_bend = 0.1;   // phase by which a wave is off its plane within a piece [rad]
+constexpr double most_turn = 0.1;   // of the rays of a piece from one another
 constexpr double most_decay = 8.0;  // exponent by which a wave falls off across a piece
 
 enum class Turn : std::uint8_t { reflected, refracted };
@@ -62,14 +59,6 @@ Complex spreading_between(const Rays& from, const Hits& to) {
   const int lines = caustics(begin, across(d, p1, d2) + across(d, d1, p2), across(d, d1, d2), length);
   constexpr std::array<Complex, 3> phase{Complex(1.0, 0.0), Complex(0.0, 1.0), Complex(-1.0, 0.0)};
   return end == 0.0 ? 0.0 : std::sqrt(std::abs(begin / end)) * phase[static_cast<std::size_t>(lines)];
-}
-
-// Of the triangle between the points, to the side that `d` runs to; zero without area.
-dvec3 outward_normal(const Hits& hits, const dvec3& d) {
-  const dvec3& corner = hits[0].arriving.point;
-  const dvec3 n = glm::cross(hits[1].arriving.point - corner, hits[2].arriving.point - corner);
-  const double length = glm::length(n);
-  return length > 0.0 ? (glm::dot(n, d) < 0.0 ? -n : n) / length : dvec3(0.0);
 }
 
 ChannelWeights operator+(ChannelWeights a, const ChannelWeights& b) {
@@ -272,28 +261,10 @@ class SolidTubes {
 
   // What leaves a solid, as currents on its outside (Love's principle, scene/material.h).
   void add_leaving(const TubePiece& piece, const Tube& tube, const Hits& hits) {
-    if (tube.turns.size() > 2 && is_curved(hits)) return add_beside(piece, tube, hits);
     std::array<ChannelWeights, 3> weights;
     for (std::size_t i = 0; i < 3; ++i)
       weights[i] = radiated(-hits[i].normal, tube.rays[i].ray.direction, tube.rays[i].field, look_.receive);
     add(piece, hits, weights, tube.spreading, static_cast<int>(tube.turns.size()) - 1);
-  }
-
-  bool is_curved(const Hits& hits) const { return look_.smooth && look_.smooth->region(hits[0].triangle) != no_index; }
-
-  // Inside curved surfaces waves are focused on these themselves, where geometrical optics does not hold: what they have
-  // reflected radiates from farther on its way.
-  void add_beside(const TubePiece& piece, const Tube& tube, Hits hits) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      hits[i].length = share_of_radius * mesh().radius;
-      hits[i].arriving.point += hits[i].length * tube.rays[i].ray.direction;
-      hits[i].arriving.path += hits[i].length;
-    }
-    const dvec3 normal = outward_normal(hits, tube.rays[0].ray.direction);
-    std::array<ChannelWeights, 3> weights;
-    for (std::size_t i = 0; i < 3; ++i)
-      weights[i] = radiated(normal, tube.rays[i].ray.direction, tube.rays[i].field, look_.receive);
-    add(piece, hits, weights, tube.spreading * spreading_between(tube.rays, hits), static_cast<int>(tube.turns.size()) - 1);
   }
 
   // Of the wave that meets a surface from outside, and of what that reflects.
