@@ -27,6 +27,8 @@ std::optional<Material> read_material(const CaseValue& value, const CaseValue& r
   }
   if (choice->kind == "sheet")
     reject(value, "ground.material is a sheet, which has another side; write kind = \"dielectric\" or \"coated\" in its section");
+  if (choice->kind == "solid")
+    reject(value, "ground.material is a solid, which fills a body; write kind = \"dielectric\" in its section");
   if (choice->kind == "pec" && choice->roughness_mm == 0.0) return {};
   return material_of(*choice, c, find(root, "frequency", "ghz")->location);
 }

@@ -64,6 +64,8 @@ const char* kind_text(MaterialKind kind) {
       return "dielectric";
     case MaterialKind::coated:
       return "coated";
+    case MaterialKind::solid:
+      return "solid";
     default:
       return "sheet";
   }
@@ -84,6 +86,14 @@ std::string response_text(const Material& material, const Sweep& sweep, std::siz
   const std::string from_behind = level_text(response(material, frequency, k, 1.0, true).reflected.te);
   if (from_behind != reflected) text += fmt::format(" ({} from behind)", from_behind);
   return text + ", |T| " + level_text(front.transmitted.te);
+}
+
+// Of a half-space that bounds a body.
+const char* note_on_inside(const Material& material, std::uint32_t index, const TriangleMesh& mesh) {
+  if (material.kind != MaterialKind::half_space) return "";
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (mesh.closed(t) && material_of(mesh, t) == index) return "; no waves inside of the body (kind \"solid\" has them)";
+  return "";
 }
 
 // The middle of the smaller one of two triangles, in the mesh's own coordinates.
@@ -110,7 +120,8 @@ std::string materials_text(const Case& c, const Target& target) {
     text += fmt::format(", at normal incidence and {} GHz", number_text(c.sweep.frequencies[frequency] / 1e9));
   text += '\n';
   for (std::size_t i = 0; i < materials.size(); ++i)
-    text += fmt::format("{}; {}\n", share_text(materials[i].name, shares[i]), response_text(materials[i], c.sweep, frequency));
+    text += fmt::format("{}; {}{}\n", share_text(materials[i].name, shares[i]), response_text(materials[i], c.sweep, frequency),
+                        note_on_inside(materials[i], static_cast<std::uint32_t>(i), target.mesh));
   text += share_text("perfect conductor", shares.back()) + '\n';
   if (!unused.empty()) text += fmt::format("  defined, but named nowhere in [target]: {}\n", quotable(joined(unused, ", ")));
   if (const OverlapNote note = overlap_note(c, target); note.pairs > 0) text += fmt::format("  {}\n", note.sentence);

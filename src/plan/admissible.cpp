@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "mesh/soundness/solids.h"
 #include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
 
@@ -55,6 +56,16 @@ void check_near(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions&
     throw InputError("antennas at a finite distance have a range of their own; remove edges.utd_range_m or [radar]");
 }
 
+void check_with_solids(const Sweep& sweep, const EdgeOptions& edges) {
+  if (!all_far(sweep))
+    throw InputError("materials of kind \"solid\" are computed for plane waves; remove [radar], or write kind = \"dielectric\"");
+  if (std::ranges::any_of(sweep.materials, &Material::transmits))
+    throw InputError(
+        "kinds \"solid\" and \"sheet\" do not go together; write kind = \"dielectric\" for one that returns nothing from inside");
+  if (edges.method == EdgeMethod::utd)
+    throw InputError("edges.method \"utd\" has no rays inside of kind \"solid\"; write \"fringe\" or \"none\"");
+}
+
 }  // namespace
 
 bool all_far(const Sweep& sweep) { return std::ranges::all_of(sweep.looks, &Look::far); }
@@ -71,12 +82,14 @@ void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptio
     throw InputError("edges.between_budget must be a finite number of at least 0");
   if (tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
   if (!all_far(sweep)) check_near(sweep, tubes, edges);
+  if (any_solid(sweep.materials)) check_with_solids(sweep, edges);
   if (!(edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
 }
 
 void check_materials(const TriangleMesh& mesh, const Sweep& sweep) {
   const auto missing = [&](const Patch& patch) { return patch.material != no_index && patch.material >= sweep.materials.size(); };
   if (std::ranges::any_of(mesh.patches, missing)) throw InputError("the mesh is made of materials that the sweep does not have");
+  check_solids(mesh, sweep.materials);
 }
 
 void check_antennas(const TriangleMesh& mesh, const Sweep& sweep) {

@@ -13,6 +13,7 @@
 #include "sbr/curved/near_facets.h"
 #include "sbr/flat/polygon_tubes.h"
 #include "sbr/flat/tile_tracer.h"
+#include "sbr/solid/solid_tubes.h"
 
 namespace raytube {
 
@@ -26,6 +27,9 @@ constexpr double bytes_per_batch = 64e6;
 // A flat face takes as long as so many cells. Cells of this density are estimated to leave this share of S (1.5 dB) on vehicles,
 // and less in proportion to their width.
 constexpr double cells_per_face = 20.0, cells_per_wavelength = 20.0, error_of_cells = 0.19;
+
+// Through a solid every triangle is many rays.
+constexpr std::uint32_t triangles_per_solid_tile = 16;
 
 // What the tiles of a part are: so many, each traced by itself.
 struct Tiles {
@@ -87,6 +91,9 @@ Tiles tiles_of(PartKind kind, bool polygons, const TubeLook& look) {
     }
     case PartKind::curved_near:
       return near_facet_tiles(look);
+    case PartKind::solid:
+      return tiles_of_range(static_cast<std::uint32_t>(look.tracer.mesh().triangles.size()), triangles_per_solid_tile,
+                            [&look](std::uint32_t begin, std::uint32_t end) { return trace_solids(look, begin, end); });
     case PartKind::curved_bounces:
       break;
   }

@@ -14,11 +14,12 @@ namespace raytube {
 
 /// What of a look is traced together, on a grid of one density.
 enum class PartKind {
-  uniform,        // everything, by the grid's cells
-  flat,           // flat faces and what they reflect: by polygons, or by cells where these are cheaper
-  curved,         // currents that a plane wave excites on curved surfaces
-  curved_near,    // currents that an antenna at a finite distance excites on curved surfaces
-  curved_bounces  // what curved surfaces reflect
+  uniform,         // everything, by the grid's cells
+  flat,            // flat faces and what they reflect: by polygons, or by cells where these are cheaper
+  curved,          // currents that a plane wave excites on curved surfaces
+  curved_near,     // currents that an antenna at a finite distance excites on curved surfaces
+  curved_bounces,  // what curved surfaces reflect
+  solid            // waves that have been inside of solid bodies
 };
 
 /// How a part of a look is traced, at all its frequencies alike: by polygons or not, and in how many blocks that can have grids

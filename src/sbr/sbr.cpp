@@ -48,7 +48,9 @@ struct LookPart {
   TubeSums sums{};  // of all blocks
 
   // More cells make these sums better: there are some, or small polygons go on uncut.
-  bool sampled(const TubeSums& of) const { return !of.coarse.empty() || (kind == PartKind::flat && !of.pieces.empty()); }
+  bool sampled(const TubeSums& of) const {
+    return !of.coarse.empty() || ((kind == PartKind::flat || kind == PartKind::solid) && !of.pieces.empty());
+  }
 
   // The blocks on grids of this density.
   std::vector<std::size_t> blocks_at(double per_wavelength) const {
@@ -93,11 +95,8 @@ class LookTracer {
 
   // What is traced by itself.
   std::vector<LookPart> parts() const {
-    if (options_.mode == TubeMode::uniform) return {{PartKind::uniform}};
-    std::vector<LookPart> parts{{PartKind::flat}};
-    if (!options_.refines() || !scene_.smooth) return parts;
-    parts.push_back({look_.far() ? PartKind::curved : PartKind::curved_near});
-    if (!convexity_.no_reflection) parts.push_back({PartKind::curved_bounces});
+    std::vector<LookPart> parts = outside_parts();
+    if (any_solid(scene_.materials)) parts.push_back({PartKind::solid});
     return parts;
   }
 
@@ -172,6 +171,16 @@ class LookTracer {
 
  private:
   const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
+
+  // Of waves that have never been inside of a solid.
+  std::vector<LookPart> outside_parts() const {
+    if (options_.mode == TubeMode::uniform) return {{PartKind::uniform}};
+    std::vector<LookPart> parts{{PartKind::flat}};
+    if (!options_.refines() || !scene_.smooth) return parts;
+    parts.push_back({look_.far() ? PartKind::curved : PartKind::curved_near});
+    if (!convexity_.no_reflection) parts.push_back({PartKind::curved_bounces});
+    return parts;
+  }
 
   // Of these blocks, some frequencies at a time where there are sheets.
   std::vector<TubeSums> sums_of(const LookPart& part, const std::vector<std::size_t>& blocks, const LaunchGrid& grid,
@@ -260,7 +269,7 @@ TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<cons
   std::vector<LookPart> parts = tracer.parts();
   CurrentMap* const first_map = options.refines() ? nullptr : work.map;
   for (LookPart& part : parts) tracer.trace(part, work.share / static_cast<double>(parts.size()), first_map);
-  if (!options.refines()) return tracer.with_truncated_tubes(std::move(parts.front().sums));
+  if (!options.refines()) return tracer.with_truncated_tubes(parts.size() == 1 ? std::move(parts.front().sums) : total(parts));
   // Each part is sampled more finely until the whole is as good as it has to be.
   TubeSums sums = total(parts);
   while (tracer.refine(parts, sums)) sums = total(parts);

@@ -12,6 +12,7 @@
 //   visible   beam visibility, and line-of-sight transmission to the receiver
 //   flat      tubes on flat faces: polygons (polygon_tubes) and single cells (cell_tubes, tile_tracer)
 //   curved    tubes on curved surfaces, and what these reflect
+//   solid     tubes that refract into bodies, go on inside and leave
 // Here: look_parts traces one of the parts of a look, sbr refines them together; replay follows one tube; random_tubes is a Monte
 // Carlo baseline.
 #pragma once

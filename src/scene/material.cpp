@@ -7,6 +7,13 @@ namespace raytube {
 
 namespace {
 
+ComplexVector combined(const SurfaceResponse::Polarised& ratio, Complex te, Complex tm, const dvec3& along_te,
+                       const dvec3& along_tm) {
+  return ratio.te * te * along_te + ratio.tm * tm * along_tm;
+}
+
+}  // namespace
+
 // Along d x n; any other direction at normal incidence, where both kinds of wave are the same. Close to it they differ by the
 // square of the angle, so what rounding does to the direction there does not count.
 dvec3 perpendicular_axis(const dvec3& d, const dvec3& n) {
@@ -16,12 +23,9 @@ dvec3 perpendicular_axis(const dvec3& d, const dvec3& n) {
   return glm::normalize(glm::cross(d, std::abs(d.x) < 0.7 ? dvec3(1.0, 0.0, 0.0) : dvec3(0.0, 1.0, 0.0)));
 }
 
-ComplexVector combined(const SurfaceResponse::Polarised& ratio, Complex te, Complex tm, const dvec3& along_te,
-                       const dvec3& along_tm) {
-  return ratio.te * te * along_te + ratio.tm * tm * along_tm;
+bool any_solid(std::span<const Material> materials) {
+  return std::ranges::any_of(materials, [](const Material& material) { return material.kind == MaterialKind::solid; });
 }
-
-}  // namespace
 
 bool any_rough(std::span<const Material> materials) {
   return std::ranges::any_of(materials, [](const Material& material) { return material.roughness > 0.0; });
@@ -49,6 +53,7 @@ SurfaceResponse smooth_response(const Material& material, std::size_t frequency,
     case MaterialKind::absorber:
       return {};
     case MaterialKind::half_space:
+    case MaterialKind::solid:  // of its surface alone
       return half_space_response(material.layers[frequency].front().medium, cosine);
     case MaterialKind::coated:
       return coated_response(material.layers[frequency], wavenumber, cosine);

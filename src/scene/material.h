@@ -21,6 +21,9 @@ inline dvec3 reflected_field_pec(const dvec3& e, const dvec3& n) { return 2.0 * 
 /// eta J on a perfect conductor lit by a plane wave: J = 2 n x H, eta H = d x E; n points to the side of the source.
 inline dvec3 surface_current_pec(const dvec3& d, const dvec3& e, const dvec3& n) { return 2.0 * glm::cross(n, glm::cross(d, e)); }
 
+/// Unit, across the plane of incidence: along d x n, or any direction across d at normal incidence.
+dvec3 perpendicular_axis(const dvec3& d, const dvec3& n);
+
 /// What a perfect conductor does to a wave.
 inline constexpr SurfaceResponse perfect_conductor{{-1.0, 1.0}, {}};
 
@@ -29,6 +32,7 @@ enum class MaterialKind {
   conductor,   // perfect; of interest here where it is rough
   absorber,    // reflects nothing, lets nothing through
   half_space,  // of layers[0], whose thickness does not matter
+  solid,       // the same, which fills a closed body: waves go on inside (sbr/solid)
   coated,      // layers on a perfect conductor, the outermost first
   sheet,       // layers in vacuum, from the side that normals point to
   thin_sheet   // resistance and conductance
@@ -46,6 +50,9 @@ struct Material {
   /// Waves go on behind it.
   bool transmits() const { return kind == MaterialKind::sheet || kind == MaterialKind::thin_sheet; }
 };
+
+/// True if one of them fills a body.
+bool any_solid(std::span<const Material> materials);
 
 /// True if one of them is rough.
 bool any_rough(std::span<const Material> materials);

@@ -137,6 +137,8 @@ Statistics statistics_of(const SolvePlan& plan, const Statistics& solution, cons
 
 void check_random_tubes(const SolvePlan& plan, const RandomOptions& random) {
   if (plan.rays()) throw InputError("edges.method \"utd\" has no tubes to place at random; remove it");
+  if (any_solid(plan.sweep.materials))
+    throw InputError("random tubes do not go on inside of kind \"solid\"; write kind = \"dielectric\"");
   if (!plan.tell_parts) throw InputError("random tubes take the place of tubes alone: the plan must keep parts");
   if (random.samples < 1) throw InputError("random tubes: a look needs at least 1");
   if (random.runs < 2) throw InputError("random tubes: a spread needs at least 2 runs");

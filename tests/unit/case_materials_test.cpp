@@ -234,7 +234,7 @@ struct Bad {
 
 TEST(CaseMaterials, BadMediaNamePlaceAndRemedy) {
   const Bad bad[] = {
-      {"thickness_mm = 1\n", ".kind is missing; write \"pec\", \"absorber\", \"dielectric\", \"coated\", \"sheet\""},
+      {"thickness_mm = 1\n", ".kind is missing; write \"pec\", \"absorber\", \"dielectric\", \"solid\", \"coated\", \"sheet\""},
       {"kind = \"metal\"\n", ".kind \"metal\" is unknown; write \"pec\", \"absorber\""},
       {"kind = \"dielectric\"\n", ".eps_r is missing; add it, or table_csv or medium in its place"},
       {"kind = \"dielectric\"\neps_r = 2\nthickness_mm = 2\n",

@@ -52,7 +52,8 @@ const Rooms may_include = {
     {"sbr/visible", base + std::set<std::string>{"sbr/launch", "sbr/beams"}},
     {"sbr/flat", base + std::set<std::string>{"sbr/launch", "sbr/beams", "sbr/visible"}},
     {"sbr/curved", base + std::set<std::string>{"sbr/launch", "sbr/beams", "sbr/visible"}},
-    {"sbr", base + std::set<std::string>{"sbr/launch", "sbr/beams", "sbr/visible", "sbr/flat", "sbr/curved"}},
+    {"sbr/solid", base + std::set<std::string>{"sbr/launch", "sbr/beams"}},
+    {"sbr", base + std::set<std::string>{"sbr/launch", "sbr/beams", "sbr/visible", "sbr/flat", "sbr/curved", "sbr/solid"}},
 
     {"point_source", {"core", "math", "scene", "mesh/model", "mesh/trace"}},
 
@@ -73,7 +74,7 @@ const Rooms may_include = {
 
     {"uncertainty", base},
 
-    {"plan", base + std::set<std::string>{"mesh", "sbr", "sbr/launch", "utd/fringe", "utd/gtd"}},
+    {"plan", base + std::set<std::string>{"mesh", "mesh/soundness", "sbr", "sbr/launch", "utd/fringe", "utd/gtd"}},
     {"solve/mechanisms", base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe",
                                                       "utd/interaction", "utd/surface", "utd/corner"}},
     {"solve", base + std::set<std::string>{"plan", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "uncertainty", "utd/gtd",

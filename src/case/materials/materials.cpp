@@ -14,7 +14,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kinds = {"pec", "absorber", "dielectric", "coated", "sheet"};
+constexpr std::array<std::string_view, 6> kinds = {"pec", "absorber", "dielectric", "solid", "coated", "sheet"};
 constexpr std::array<const char*, 6> medium_keys = {"eps_r",     "mu_r",  "loss_tangent", "conductivity_s_per_m",
                                                     "table_csv", "medium"};
 
@@ -46,9 +46,10 @@ void check_kind_has_keys(const Entry& entry, const std::string& kind) {
              fmt::format("{} does not belong to kind \"{}\"; remove it, or write kind = \"{}\"", entry.key(key), kind,
                          joined(having, "\" or \"")));
   };
-  for (const char* key : medium_keys) only(key, {"dielectric", "coated", "sheet"});
+  for (const char* key : medium_keys) only(key, {"dielectric", "solid", "coated", "sheet"});
   for (const char* key : {"thickness_mm", "layers"}) only(key, {"coated", "sheet"});
   for (const char* key : {"resistance_ohm", "conductance_s"}) only(key, {"sheet"});
+  only("roughness_rms_mm", {"pec", "absorber", "dielectric", "coated", "sheet"});
 }
 
 double read_at_least_zero(const CaseValue& value, const std::string& key) {
@@ -101,7 +102,7 @@ std::vector<LayerChoice> read_made_of(const Entry& entry, const std::string& kin
       for (const std::span<const char* const> others : {std::span<const char* const>(thickness), {layers}, {medium_keys}})
         check_alone(entry, thin, others);
   if (entry.find("resistance_ohm") || entry.find("conductance_s")) return {};
-  if (kind == "dielectric") return {{0.0, read_medium(entry.table, entry.path)}};
+  if (kind == "dielectric" || kind == "solid") return {{0.0, read_medium(entry.table, entry.path)}};
   const CaseValue* list = entry.find("layers");
   if (!list) return {read_layer(entry)};
   check_alone(entry, "layers", thickness);
@@ -145,6 +146,7 @@ MaterialKind kind_of(const MaterialChoice& choice) {
   if (choice.kind == "pec") return MaterialKind::conductor;
   if (choice.kind == "absorber") return MaterialKind::absorber;
   if (choice.kind == "dielectric") return MaterialKind::half_space;
+  if (choice.kind == "solid") return MaterialKind::solid;
   if (choice.kind == "coated") return MaterialKind::coated;
   return choice.layers.empty() ? MaterialKind::thin_sheet : MaterialKind::sheet;
 }

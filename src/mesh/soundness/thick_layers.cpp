@@ -23,7 +23,7 @@ struct LayeredBody {
 // At any frequency it is the same.
 double thickness_of(const Material& material) {
   double sum = 0.0;
-  if (material.kind != MaterialKind::half_space && !material.layers.empty())
+  if (material.kind != MaterialKind::half_space && material.kind != MaterialKind::solid && !material.layers.empty())
     for (const Layer& layer : material.layers[0]) sum += layer.thickness;
   return sum;
 }

@@ -10,9 +10,13 @@ namespace raytube {
 
 namespace {
 
+// Nothing goes through either face, and nothing comes back from inside.
 bool is_opaque(const Wedge& wedge, std::span<const Material> materials) {
-  return std::ranges::none_of(
-      wedge.faces, [&](const WedgeFace& face) { return face.material != no_index && materials[face.material].transmits(); });
+  return std::ranges::none_of(wedge.faces, [&](const WedgeFace& face) {
+    if (face.material == no_index) return false;
+    const Material& material = materials[face.material];
+    return material.transmits() || material.kind == MaterialKind::solid;
+  });
 }
 
 }  // namespace

@@ -1,0 +1,95 @@
+#include "mesh/soundness/solids.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/error.h"
+#include "core/text.h"
+
+namespace raytube {
+
+namespace {
+
+bool is_solid(std::span<const Material> materials, std::uint32_t material) {
+  return material < materials.size() && materials[material].kind == MaterialKind::solid;
+}
+
+std::uint32_t material_of(const TriangleMesh& mesh, std::uint32_t triangle) {
+  return mesh.patches[mesh.triangle_patch[triangle]].material;
+}
+
+// Inside of a conductor or an absorber nothing is asked of layers.
+bool may_stand_inside(std::span<const Material> materials, std::uint32_t material) {
+  return material == no_index || (materials[material].roughness == 0.0 && (materials[material].kind == MaterialKind::conductor ||
+                                                                           materials[material].kind == MaterialKind::absorber));
+}
+
+// [component] the solid that it carries somewhere; no_index: none.
+std::vector<std::uint32_t> solids_of(const TriangleMesh& mesh, std::span<const Material> materials) {
+  std::vector<std::uint32_t> solids(mesh.components.size(), no_index);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (is_solid(materials, material_of(mesh, t))) solids[mesh.triangle_component[t]] = material_of(mesh, t);
+  return solids;
+}
+
+void check_whole_bodies(const TriangleMesh& mesh, std::span<const Material> materials, const std::vector<std::uint32_t>& solids) {
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t component = mesh.triangle_component[t], solid = solids[component];
+    if (solid == no_index) continue;
+    const std::string name = quotable(materials[solid].name);
+    if (!mesh.components[component].closed)
+      throw InputError(
+          fmt::format("material \"{}\" of kind \"solid\" is on a surface that is not closed, so that it fills nothing; "
+                      "close the mesh there, or write kind = \"sheet\" or \"dielectric\"",
+                      name));
+    if (material_of(mesh, t) != solid)
+      throw InputError(
+          fmt::format("material \"{}\" of kind \"solid\" is on a part of a body only; give it to all of the body, or "
+                      "write kind = \"coated\" or \"dielectric\"",
+                      name));
+  }
+}
+
+// Solid angle of a component from a point over 4 pi: 1 inside, 0 outside (Van Oosterom & Strackee 1983, IEEE Trans. BME-30, 125).
+double winding_about(const TriangleMesh& mesh, std::uint32_t component, const dvec3& point) {
+  double angle = 0.0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.triangle_component[t] != component) continue;
+    const auto& [i, j, k] = mesh.triangles[t];
+    const dvec3 a = mesh.vertices[i] - point, b = mesh.vertices[j] - point, c = mesh.vertices[k] - point;
+    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+    angle +=
+        std::atan2(glm::dot(a, glm::cross(b, c)), la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+  }
+  return angle / (2.0 * pi);
+}
+
+void check_inside(const TriangleMesh& mesh, std::span<const Material> materials, const std::vector<std::uint32_t>& solids) {
+  std::vector<bool> seen(mesh.components.size() * (materials.size() + 1), false);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t own = mesh.triangle_component[t], material = material_of(mesh, t);
+    if (may_stand_inside(materials, material)) continue;
+    if (seen[own * (materials.size() + 1) + material]) continue;
+    seen[own * (materials.size() + 1) + material] = true;
+    for (std::uint32_t c = 0; c < solids.size(); ++c)
+      if (c != own && solids[c] != no_index && winding_about(mesh, c, mesh.vertices[mesh.triangles[t][0]]) > 0.5)
+        throw InputError(
+            fmt::format("a body of material \"{}\" stands inside of one of \"{}\", of kind \"solid\", where only smooth "
+                        "conductors and absorbers can be; leave it out of the mesh, or make it \"pec\"",
+                        quotable(materials[material].name), quotable(materials[solids[c]].name)));
+  }
+}
+
+}  // namespace
+
+void check_solids(const TriangleMesh& mesh, std::span<const Material> materials) {
+  if (!any_solid(materials)) return;
+  const std::vector<std::uint32_t> solids = solids_of(mesh, materials);
+  check_whole_bodies(mesh, materials, solids);
+  check_inside(mesh, materials, solids);
+}
+
+}  // namespace raytube
