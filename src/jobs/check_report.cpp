@@ -190,7 +190,7 @@ void tell_material_edges(CheckReport& report, const Case& c, const std::vector<W
   const auto known = [&](const Wedge& w) { return other(w) && is_material_edge(w, c.sweep.materials); };
   const auto all = std::ranges::count_if(wedges, other);
   const auto computed = c.edges.materials == MaterialEdgeMethod::none ? 0 : std::ranges::count_if(wedges, known);
-  if (computed > 0) report.print("  {} where a sheet ends have edge currents of their own\n", computed);
+  if (computed > 0) report.print("  {} with a face that is not a perfect conductor have edge currents of their own\n", computed);
   if (all > computed)
     report.print("  {} with a face that is not a perfect conductor add nothing (edges.materials = \"{}\")\n", all - computed,
                  material_edge_name(c.edges.materials));

@@ -371,7 +371,7 @@ TEST(CaseMaterials, ConflictsAreBlamedOnTheCommandLine) {
   blamed(body + "mu_r = 2\n", "materials.it.medium=glass", "it.mu_r cannot be combined with medium");
   blamed(body + "medium = \"glass\"\n", "frequency.ghz=200", "materials.it.medium: \"glass\" is known from 0.1 to 100 GHz");
   blamed(body + "eps_r = 2\n[target.facets]\npec = [3]\n", "target.facets.it=[[0,4]]", "target.facets gives facet 3 both to");
-  blamed(body + "eps_r = 2\n[edges]\nmaterials = \"luebbers\"\n", "edges.method=none", "edges.materials needs edges.method");
+  blamed(body + "eps_r = 2\n[edges]\nmaterials = \"fringe\"\n", "edges.method=none", "edges.materials needs edges.method");
   EXPECT_THAT(complaint(made_of(coat + "eps_r = 2\nresistance_ohm = 3\n"), {"tubes.max_bounces=3"}),
               HasSubstr("case.toml, line 14: "));
 }

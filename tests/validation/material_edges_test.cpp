@@ -54,7 +54,7 @@ std::vector<Look> looks(bool bistatic) {
 SolveOptions with_edges(int order) {
   SolveOptions options{{}, {}, 1, false, {}};
   options.edges.order = order;
-  options.edges.materials = MaterialEdgeMethod::luebbers;
+  options.edges.materials = MaterialEdgeMethod::fringe;
   options.keep_parts = true;
   return options;
 }

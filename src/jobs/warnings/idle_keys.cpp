@@ -47,7 +47,7 @@ Reason why_transition(const SolvePlan& plan) {
 
 Reason why_materials(const SolvePlan& plan) {
   const auto known = [&](const Wedge& wedge) { return is_material_edge(wedge, plan.sweep.materials); };
-  return plan.fringe() && std::ranges::none_of(plan.target.wedges, known) ? "no sheet of the target has a free edge" : "";
+  return plan.fringe() && std::ranges::none_of(plan.target.wedges, known) ? "no edge of the target has a face of another material whose edges are known" : "";
 }
 
 struct KeyWithEffect {

@@ -54,8 +54,8 @@ MechanismState edge_currents_state(const SolvePlan& plan) {
   const bool computed = of_materials > 0 && plan.edges.materials == MaterialEdgeMethod::fringe;
   if (!computed && std::ranges::none_of(wedges, &Wedge::radiates))
     return of_materials > 0 ? misses("edges.materials is \"none\"")
-                            : without("the target has no convex edge between perfect conductors, and no sheet that ends");
-  return {.on = true, .forced = true, .what = fmt::format("order {}{}", plan.edges.order, computed ? ", of sheets too" : "")};
+                            : without("the target has no convex edge");
+  return {.on = true, .forced = true, .what = fmt::format("order {}{}", plan.edges.order, computed ? ", and of other materials" : "")};
 }
 
 MechanismState interaction_state(const SolvePlan& plan) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "core/work.h"
 #include "utd/shadow/edge_phase.h"
@@ -44,7 +43,6 @@ void SheetEdges::add(std::uint32_t index, const WedgeIncidence& incidence, std::
   const RimLook rim(face, arriving, look_.scattered);
   double c = -glm::dot(look_.incident, face.into_face);
   if (std::hypot(c, rim.b) < least_cosine) c = least_cosine;
-  if (getenv("NOB") && std::abs(rim.b) > 0.01) return;
   const bool goes_on = order_ > 1 && arriving.sin_cone > sin_cone_floor;
   if (goes_on) strips_.lay(index, arriving, lit, order_);
   std::vector<EdgePhase> pieces;

@@ -221,14 +221,15 @@ Complex SheetHalfPlane::bracket(std::span<const SheetSource> sources, const Edge
   return sum + constants.divergence + at.end_face * (fit + constants.fit_divergence);
 }
 
-Complex SheetHalfPlane::still(std::span<const SheetSource> sources, const EdgeConstants& constants, double b) const {
+// The residue of the moment at nu = -j |b|, times -j.
+Complex SheetHalfPlane::harmonic(std::span<const SheetSource> sources, const EdgeConstants& constants, double b) const {
   if (std::abs(b) < normal_incidence) return 0.0;
   const Complex nu = -imaginary_unit * std::abs(b);
   const auto of = [&](SheetChannel channel) {
     return split(channel, -nu) * bracket(sources, constants, channel, complex_wave(channel, nu));
   };
-  const double sign = b < 0 ? -1.0 : 1.0;
-  return -imaginary_unit * 0.5 * (of(SheetChannel::divergence) + imaginary_unit * sign * of(SheetChannel::curl));
+  const Complex turn = b < 0.0 ? -imaginary_unit : imaginary_unit;
+  return -0.5 * imaginary_unit * (of(SheetChannel::divergence) + turn * of(SheetChannel::curl));
 }
 
 SheetVector SheetHalfPlane::moment(std::span<const SheetSource> sources, const EdgeConstants& constants, double nu,
@@ -251,12 +252,15 @@ SheetVector SheetHalfPlane::physical_optics(double nu, double c, double b, const
   return {end * (c * along - b * across), end * (b * along + c * across)};
 }
 
+SheetVector current_of(SheetChannel channel, Complex nu, Complex a2, double b) {
+  return channel == SheetChannel::curl ? SheetVector{b / a2, nu / a2} : SheetVector{nu / a2, -b / a2};
+}
+
 SheetVector sheet_fringe(const SheetHalfPlane& half_plane, double nu, double c, double b, const SheetVector& incident) {
   const std::array<SheetSource, 2> sources = half_plane.plane_wave(c, b, incident);
   const EdgeConstants constants = half_plane.constants(sources, b);
   const auto at = [&](double x) {
-    const SheetVector all = half_plane.moment(sources, constants, x, b), optics = half_plane.physical_optics(x, c, b, incident);
-    return SheetVector{all.across - optics.across, all.along - optics.along};
+    return half_plane.moment(sources, constants, x, b) - half_plane.physical_optics(x, c, b, incident);
   };
   const bool at_pole = std::abs(nu + c) < apart;
   if (!at_pole && std::hypot(nu, b) > apart) return at(nu);

@@ -48,7 +48,13 @@ struct LaunchedWave {
 /// Across and along the edge.
 struct SheetVector {
   Complex across, along;
+
+  friend SheetVector operator*(Complex factor, const SheetVector& v) { return {factor * v.across, factor * v.along}; }
+  friend SheetVector operator-(const SheetVector& a, const SheetVector& b) { return {a.across - b.across, a.along - b.along}; }
 };
+
+/// The current of a unit wave e^{-jk nu x} of a channel, and of one that arrives as e^{-jk nu x} with nu < 0.
+SheetVector current_of(SheetChannel channel, Complex nu, Complex a2, double b);
 
 /// One sheet at one angle of the cone; its tables do not depend on the sign of b. `sheet` must outlive it.
 class SheetHalfPlane {
@@ -79,8 +85,11 @@ class SheetHalfPlane {
   /// That of the current the plate has far from its edge, as it enters the integral at the edge.
   SheetVector physical_optics(double nu, double c, double b, const SheetVector& incident) const;
 
-  Complex still(std::span<const SheetSource> sources, const EdgeConstants& constants, double b) const;
-  Complex still_along() const { return Complex(0.0, -std::sqrt(std::max(cone2_, 0.0))) / sin_cone_; }
+  /// Amplitude, across the edge, of the current that has neither curl nor divergence: e^{-k |b| x} beside an edge met obliquely.
+  Complex harmonic(std::span<const SheetSource> sources, const EdgeConstants& constants, double b) const;
+  /// Its v / sin_cone, and its direction.
+  Complex harmonic_along() const { return Complex(0.0, -std::sqrt(std::max(cone2_, 0.0))) / sin_cone_; }
+  static SheetVector harmonic_current(double b) { return {1.0, b < 0.0 ? imaginary_unit : -imaginary_unit}; }
 
   std::span<const LaunchedWave> launched() const { return launched_; }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double same_phase = 1e-6;  // [rad] strips whose phases differ by less are alike
 
-// Per launched wave of a half plane.
+// Per launched wave of a half plane, and of its harmonic current.
 using CurrentWaves = std::vector<Complex>;
 
 CurrentWaves launched(const SheetHalfPlane& half_plane, std::span<const SheetSource> sources, const EdgeConstants& constants,
@@ -19,7 +19,7 @@ CurrentWaves launched(const SheetHalfPlane& half_plane, std::span<const SheetSou
   CurrentWaves amplitudes;
   for (const LaunchedWave& wave : half_plane.launched())
     amplitudes.push_back(wave.weight * half_plane.bracket(sources, constants, wave.channel, wave.wave));
-  amplitudes.push_back(half_plane.still(sources, constants, b));
+  amplitudes.push_back(half_plane.harmonic(sources, constants, b));
   return amplitudes;
 }
 
@@ -28,7 +28,7 @@ CurrentWaves along_strip(const SheetHalfPlane& half_plane, double electrical_len
   CurrentWaves factors;
   for (const LaunchedWave& wave : half_plane.launched())
     factors.push_back(std::exp(-imaginary_unit * electrical_length * (wave.along - 1.0)));
-  factors.push_back(std::exp(-imaginary_unit * electrical_length * (half_plane.still_along() - 1.0)));
+  factors.push_back(std::exp(-imaginary_unit * electrical_length * (half_plane.harmonic_along() - 1.0)));
   return factors;
 }
 
@@ -43,6 +43,14 @@ CurrentWaves combine(const std::vector<CurrentWaves>& of_unit, const CurrentWave
     for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += of_unit[n][m] * amplitudes[n];
   return sum;
 }
+
+// On strips e^{-jkl sin_cone^2 (along - 1)} at both rims; `cones` is (sin_cone there / here)^2 of the rim before.
+Complex cosine_along_strip(const SheetHalfPlane& here, double cones, Complex along) {
+  return here.sin_cone() * (1.0 + cones * (along - 1.0));
+}
+
+// What a wave of the cosine v would add beyond the rim, per its current.
+Complex tail(Complex v, double nu) { return imaginary_unit / (v + nu); }
 
 }  // namespace
 
@@ -67,16 +75,16 @@ struct SheetStrips::Departure {
 
 /// What one unit current wave that arrives at a rim makes there.
 struct SheetStrips::ArrivedWave {
-  Complex strip_cosine;  // of the strip's own frame
+  const LaunchedWave& launched;
+  Complex along_strip;  // cosine at the rim with which it changes along the strips as it did from where they start
   std::array<SheetSource, 1> source;
   EdgeConstants constants;
-  const LaunchedWave& launched;
 
   ArrivedWave(const LaunchedWave& wave, double cones, const SheetHalfPlane& there, double b)
-      : strip_cosine(there.sin_cone() * (1.0 + cones * (wave.along - 1.0))),
-        source{there.arriving(wave.channel, wave.wave.a2, strip_cosine)},
-        constants(there.constants(source, b)),
-        launched(wave) {}
+      : launched(wave),
+        along_strip(cosine_along_strip(there, cones, wave.along)),
+        source{there.arriving(wave.channel, wave.wave.a2, along_strip)},
+        constants(there.constants(source, b)) {}
 };
 
 SheetStrips::SheetStrips(const SheetScene& scene, const LookVectors& look, double shortest_wavelength,
@@ -129,8 +137,7 @@ void SheetStrips::arrive(const Sheet& sheet, const Departure& from, std::uint32_
   const SheetHalfPlane& half_plane = half_planes_.at(sheet.pair, sheet.electric, rim.sin_cone);
   std::vector<ArrivedWave> waves;
   const double cones = std::pow(from.half_plane.sin_cone() / half_plane.sin_cone(), 2);
-  for (const LaunchedWave& wave : from.half_plane.launched())
-    waves.emplace_back(wave, cones, half_plane, rim.b);
+  for (const LaunchedWave& wave : from.half_plane.launched()) waves.emplace_back(wave, cones, half_plane, rim.b);
   const EdgePanels::PointRange range = panels_.ranges()[bundle];
   const double sine = from.half_plane.sin_cone(), per_length = sheet.wavenumber * sine * sine;
   const bool alike = from.amplitudes.size() == 1 && per_length * std::abs(strips.growth) * (strips.to - strips.from) < same_phase;
@@ -157,28 +164,31 @@ void SheetStrips::arrive(const Sheet& sheet, const Departure& from, std::uint32_
   follow(sheet, onwards, sum);
 }
 
-// The moments replace what the current beyond the rim would add, if it went on.
-void SheetStrips::radiate(const Sheet& sheet, const RimLook& from, const RimLook& rim, std::span<const ArrivedWave> waves, const Departure& arriving,
-                          std::uint32_t bundle, double sines, ScatteringMatrix& sum) const {
-  const StripBundle& strips = tree_.bundles()[bundle];
-  std::vector<Received> of_unit;
+// The moments have in them what the waves would add beyond the rim, as waves at that rim; in its place goes that of the strips,
+// which is in the current of the rim before.
+std::vector<Received> SheetStrips::of_unit_waves(const Sheet& sheet, const RimLook& from, const RimLook& rim,
+                                                 std::span<const ArrivedWave> waves, const SheetHalfPlane& here) const {
+  const double cones = std::pow(from.sin_cone / rim.sin_cone, 2);
+  std::vector<Received> received_of;
+  const auto add = [&](const SheetVector& at_rim, const SheetVector& beyond) {
+    const Received a = received(at_rim, rim, look_, sheet.electric), b = received(beyond, from, look_, sheet.electric);
+    received_of.push_back({a[0] + b[0], a[1] + b[1]});
+  };
   for (const ArrivedWave& wave : waves) {
-    of_unit.push_back(received(arriving.half_plane.moment(wave.source, wave.constants, rim.nu, rim.b), rim, look_, sheet.electric));
-    const Complex a2 = wave.launched.wave.a2, v1 = wave.launched.wave.nu, v2 = wave.source[0].wave.nu;
-    const bool curl = wave.launched.channel == SheetChannel::curl;
-    const SheetVector c1 = curl ? SheetVector{from.b / a2, v1 / a2} : SheetVector{v1 / a2, -from.b / a2};
-    const SheetVector c2 = curl ? SheetVector{rim.b / a2, -v2 / a2} : SheetVector{-v2 / a2, -rim.b / a2};
-    const Complex t1 = imaginary_unit / (wave.strip_cosine + rim.nu), t2 = -imaginary_unit / (v2 + rim.nu);
-    const Received add1 = received({t1 * c1.across, t1 * c1.along}, from, look_, sheet.electric),
-                   add2 = received({t2 * c2.across, t2 * c2.along}, rim, look_, sheet.electric);
-    for (int p = 0; p < 2; ++p) of_unit.back()[p] += add1[p] + add2[p];
+    const SheetWave &before = wave.launched.wave, &at = wave.source[0].wave;
+    const SheetChannel channel = wave.launched.channel;
+    add(here.moment(wave.source, wave.constants, rim.nu, rim.b) - tail(at.nu, rim.nu) * current_of(channel, -at.nu, at.a2, rim.b),
+        tail(wave.along_strip, rim.nu) * current_of(channel, before.nu, before.a2, from.b));
   }
-  {
-    const SheetHalfPlane& half = half_planes_.at(sheet.pair, sheet.electric, from.sin_cone);
-    const double cones = std::pow(from.sin_cone / rim.sin_cone, 2), sign = from.b < 0 ? -1.0 : 1.0;
-    const Complex t1 = imaginary_unit / (rim.sin_cone * (1.0 + cones * (half.still_along() - 1.0)) + rim.nu);
-    of_unit.push_back(received({t1, -imaginary_unit * sign * t1}, from, look_, sheet.electric));
-  }
+  const SheetHalfPlane& before = half_planes_.at(sheet.pair, sheet.electric, from.sin_cone);
+  add({}, tail(cosine_along_strip(here, cones, before.harmonic_along()), rim.nu) * SheetHalfPlane::harmonic_current(from.b));
+  return received_of;
+}
+
+void SheetStrips::radiate(const Sheet& sheet, const RimLook& from, const RimLook& rim, std::span<const ArrivedWave> waves,
+                          const Departure& arriving, std::uint32_t bundle, double sines, ScatteringMatrix& sum) const {
+  const StripBundle& strips = tree_.bundles()[bundle];
+  const std::vector<Received> of_unit = of_unit_waves(sheet, from, rim, waves, arriving.half_plane);
   const EdgePanels::PointRange range = panels_.ranges()[bundle];
   for (std::uint32_t i = range.first; i < range.end; ++i) {
     const PanelPoint& point = panels_.points()[i];

@@ -39,8 +39,10 @@ class SheetStrips {
   struct ArrivedWave;
   void follow(const Sheet& sheet, const Departure& from, ScatteringMatrix& sum);
   void arrive(const Sheet& sheet, const Departure& from, std::uint32_t bundle, std::uint32_t next, ScatteringMatrix& sum);
-  void radiate(const Sheet& sheet, const RimLook& from, const RimLook& rim, std::span<const ArrivedWave> waves, const Departure& arriving,
-               std::uint32_t bundle, double sines, ScatteringMatrix& sum) const;
+  std::vector<Received> of_unit_waves(const Sheet& sheet, const RimLook& from, const RimLook& rim,
+                                      std::span<const ArrivedWave> waves, const SheetHalfPlane& here) const;
+  void radiate(const Sheet& sheet, const RimLook& from, const RimLook& rim, std::span<const ArrivedWave> waves,
+               const Departure& arriving, std::uint32_t bundle, double sines, ScatteringMatrix& sum) const;
 
   SheetScene scene_;
   const LookVectors& look_;
