@@ -19,12 +19,12 @@
 #include "mesh/features/symmetry.h"
 #include "mesh/smooth/pieces.h"
 #include "output/tables/sampled_rows.h"
+#include "plan/material_edges.h"
 #include "scene/sampling.h"
 #include "scene/skipped.h"
 #include "solve/image.h"
 #include "solve/mechanisms/list.h"
 #include "solve/probe.h"
-#include "utd/fringe/material_edges.h"
 
 namespace raytube {
 
@@ -186,10 +186,8 @@ std::vector<WedgeClass> wedge_classes(const std::vector<Wedge>& wedges) {
 
 void tell_material_edges(CheckReport& report, const Case& c, const std::vector<Wedge>& wedges) {
   if (c.edges.method != EdgeMethod::fringe) return;
-  const auto other = [](const Wedge& w) { return w.convex() && !w.conducting(); };
-  const auto known = [&](const Wedge& w) { return other(w) && is_material_edge(w, c.sweep.materials); };
-  const auto all = std::ranges::count_if(wedges, other);
-  const auto computed = c.edges.materials == MaterialEdgeMethod::none ? 0 : std::ranges::count_if(wedges, known);
+  const auto [all, known] = count_material_edges(wedges, c.sweep.materials);
+  const std::size_t computed = c.edges.materials == MaterialEdgeMethod::none ? 0 : known;
   if (computed > 0) report.print("  {} with a face that is not a perfect conductor have edge currents of their own\n", computed);
   if (all > computed)
     report.print("  {} with a face that is not a perfect conductor add nothing (edges.materials = \"{}\")\n", all - computed,

@@ -8,7 +8,7 @@
 #include "mesh/features/symmetry.h"
 #include "mesh/smooth/bodies.h"
 #include "plan/admissible.h"
-#include "utd/fringe/material_edges.h"
+#include "plan/material_edges.h"
 #include "utd/gtd/ray_fields.h"
 
 namespace raytube {
@@ -185,11 +185,9 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
   const auto count = [&](auto left_out) { return static_cast<std::uint64_t>(std::ranges::count_if(wedges, left_out)); };
   std::vector<Skipped> skipped{
       {"wedges", "concave: multiple reflection stands for them", count([](const Wedge& w) { return !w.convex(); })}};
-  const bool of_materials = plan.fringe() && plan.edges.materials != MaterialEdgeMethod::none;
-  const auto left_out = [&](const Wedge& w) {
-    return w.convex() && !w.conducting() && !(of_materials && is_material_edge(w, plan.sweep.materials));
-  };
-  skipped.push_back({"wedges", "a face is not a perfect conductor (edges.materials)", count(left_out)});
+  const auto [other, known] = count_material_edges(wedges, plan.sweep.materials);
+  const bool computed = plan.fringe() && plan.edges.materials != MaterialEdgeMethod::none;
+  skipped.push_back({"wedges", "a face is not a perfect conductor (edges.materials)", other - (computed ? known : 0)});
   if (plan.rays()) return skipped;
   const std::vector<double>& frequencies = plan.sweep.frequencies;
   const auto lowest = static_cast<std::size_t>(std::ranges::min_element(frequencies) - frequencies.begin());

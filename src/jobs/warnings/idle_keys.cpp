@@ -6,8 +6,8 @@
 #include <array>
 
 #include "case/data/names.h"
+#include "plan/material_edges.h"
 #include "solve/mechanisms/list.h"
-#include "utd/fringe/material_edges.h"
 
 namespace raytube {
 
@@ -46,8 +46,8 @@ Reason why_transition(const SolvePlan& plan) {
 }
 
 Reason why_materials(const SolvePlan& plan) {
-  const auto known = [&](const Wedge& wedge) { return is_material_edge(wedge, plan.sweep.materials); };
-  return plan.fringe() && std::ranges::none_of(plan.target.wedges, known) ? "no edge of the target has a face of another material whose edges are known" : "";
+  const bool none = count_material_edges(plan.target.wedges, plan.sweep.materials).known == 0;
+  return plan.fringe() && none ? "no edge of the target has a face of another material whose edges are known" : "";
 }
 
 struct KeyWithEffect {

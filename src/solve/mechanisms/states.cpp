@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "plan/admissible.h"
+#include "plan/material_edges.h"
 #include "scene/skipped.h"
-#include "utd/fringe/material_edges.h"
 #include "utd/interaction/interaction_groups.h"
 
 namespace raytube {
@@ -49,8 +49,7 @@ bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
 MechanismState edge_currents_state(const SolvePlan& plan) {
   if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
   const std::vector<Wedge>& wedges = plan.target.wedges;
-  const auto of_materials = static_cast<std::size_t>(
-      std::ranges::count_if(wedges, [&](const Wedge& w) { return is_material_edge(w, plan.sweep.materials); }));
+  const std::size_t of_materials = count_material_edges(wedges, plan.sweep.materials).known;
   const bool computed = of_materials > 0 && plan.edges.materials == MaterialEdgeMethod::fringe;
   if (!computed && std::ranges::none_of(wedges, &Wedge::radiates))
     return of_materials > 0 ? misses("edges.materials is \"none\"")

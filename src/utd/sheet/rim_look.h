@@ -2,11 +2,19 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "utd/sheet/sheet_half_plane.h"
 #include "utd/wedge/edge_currents.h"
 
 namespace raytube {
+
+/// Curl and divergence of a wave along the sheet's normal are not apart: a cosine that is not 0 where b is. The moments are taken
+/// that little aside.
+inline double apart_from_normal(double cosine, double b) {
+  constexpr double least = 1e-5;
+  return std::hypot(cosine, b) < least ? least : cosine;
+}
 
 /// From the side of a plate that `face` is.
 struct RimLook {
@@ -20,7 +28,7 @@ struct RimLook {
         sin_cone(std::max(incidence.sin_cone, sin_cone_floor)),
         b(-incidence.cos_cone) {
     const double h = grazing_half_cosine(face, incidence, scattered);
-    nu = sin_cone * (1 - 2 * h * h);
+    nu = apart_from_normal(sin_cone * (1 - 2 * h * h), b);
   }
 
   SheetVector in_sheet(const dvec3& field) const { return {glm::dot(field, into_face), glm::dot(field, tangent)}; }

@@ -40,6 +40,12 @@ SheetAdmittance fit(std::function<std::array<Complex, 2>(double)> exact, Complex
   return {straight[0], normal, along[0] - straight[0] - normal, along[1], 0.0, 0.0, std::move(exact)};
 }
 
+// A sheet without thickness.
+SheetAdmittance same_for_all(std::function<std::array<Complex, 2>(double)> exact) {
+  const Complex y = exact(1.0)[0];
+  return {y, 0.0, 0.0, y, 0.0, 0.0, [y](double) { return std::array{y, y}; }};
+}
+
 // What the layers of a plate have together.
 struct Stack {
   double thickness = 0.0, electrical = 0.0, slowest = 1.0;  // d [m], d |n| [m], |n|
@@ -92,9 +98,9 @@ Complex end_face_shift(Complex ratio) {
 }
 
 SheetPair sheet_pair(const Material& material, std::size_t frequency, double wavenumber) {
-  const auto parts = [&material, frequency, wavenumber](double cosine) {
-    return parts_of(material, frequency, wavenumber, std::max(cosine, grazing));
-  };
+  Material here = material;
+  if (!material.layers.empty()) here.layers = {material.layers[frequency]};
+  const auto parts = [here, wavenumber](double cosine) { return parts_of(here, 0, wavenumber, cosine); };
   const auto exact = [parts](bool electric) {
     return [parts, electric](double cosine) {
       const double s = std::max(cosine, grazing);
@@ -105,8 +111,8 @@ SheetPair sheet_pair(const Material& material, std::size_t frequency, double wav
   };
   SheetPair pair;
   if (material.layers.empty()) {
-    pair.electric = fit(exact(true), 0.0);
-    pair.magnetic = fit(exact(false), 0.0);
+    pair.electric = same_for_all(exact(true));
+    pair.magnetic = same_for_all(exact(false));
     pair.slowest = std::numeric_limits<double>::infinity();
   } else {
     const Stack stack = stack_of(material.layers[frequency]);

@@ -1,18 +1,11 @@
 #include "utd/sheet/sheet_edges.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/work.h"
 #include "utd/shadow/edge_phase.h"
 
 namespace raytube {
-
-namespace {
-
-constexpr double least_cosine = 1e-5;  // of a wave with the sheet's normal: at 0 curl and divergence are apart no more
-
-}  // namespace
 
 SheetEdges::SheetEdges(const SheetScene& scene, const LookVectors& look, std::span<const double> frequencies, int order)
     : scene_(scene),
@@ -25,7 +18,7 @@ ScatteringMatrix SheetEdges::fringe(const RimLook& rim, double c, const SheetPai
   ScatteringMatrix sum;
   for (const bool electric : {true, false}) {
     if ((electric ? pair.electric : pair.magnetic).empty()) continue;
-    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone);
+    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone, 1.0);
     for (int transmit = 0; transmit < 2; ++transmit) {
       const SheetVector incident = driving_field(rim, look_, electric, transmit);
       const Received s = received(sheet_fringe(sheet, rim.nu, c, rim.b, incident), rim, look_, electric);
@@ -41,8 +34,7 @@ void SheetEdges::add(std::uint32_t index, const WedgeIncidence& incidence, std::
   const WedgeFace& face = wedge.faces[0];
   const FaceIncidence& arriving = incidence.faces[0];
   const RimLook rim(face, arriving, look_.scattered);
-  double c = -glm::dot(look_.incident, face.into_face);
-  if (std::hypot(c, rim.b) < least_cosine) c = least_cosine;
+  const double c = apart_from_normal(-glm::dot(look_.incident, face.into_face), rim.b);
   const bool goes_on = order_ > 1 && arriving.sin_cone > sin_cone_floor;
   if (goes_on) strips_.lay(index, arriving, lit, order_);
   std::vector<EdgePhase> pieces;

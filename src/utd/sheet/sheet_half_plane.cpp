@@ -11,8 +11,8 @@ namespace {
 
 constexpr double normal_incidence = 1e-7;  // |b| below which the two channels are apart
 constexpr double apart = 2e-5;             // of nu from a pole that cancels
-constexpr int cut_waves = 20;              // waves that carry what the branch cut sends along the sheet
-constexpr double cut_reach = 6.0;          // they reach to e^{-reach^2} at a width of one wavelength
+constexpr int cut_waves = 24;              // waves that carry what the branch cut sends along the sheet
+constexpr double cut_range = 4.5;          // they go on to e^{-range^2} at the reach
 
 SplitFunction curl_split(const SheetAdmittance& y, double sin_cone) {
   const Complex quadratic = y.normal + y.slope;
@@ -37,7 +37,7 @@ double widest_gap(const SplitFunction& function, double slowest) {
 
 }  // namespace
 
-SheetHalfPlane::SheetHalfPlane(const SheetAdmittance& sheet, double slowest, double sin_cone)
+SheetHalfPlane::SheetHalfPlane(const SheetAdmittance& sheet, double slowest, double sin_cone, double reach)
     : sheet_(sheet),
       sin_cone_(sin_cone),
       cone2_(1 - sin_cone * sin_cone),
@@ -52,8 +52,8 @@ SheetHalfPlane::SheetHalfPlane(const SheetAdmittance& sheet, double slowest, dou
   const Complex tie = imaginary_unit * std::sqrt(std::max(cone2_, 0.0));
   tie_curl_ = split(SheetChannel::curl, -tie);
   tie_divergence_ = split(SheetChannel::divergence, -tie);
-  launch(SheetChannel::curl, curl_, slowest);
-  launch(SheetChannel::divergence, divergence_, slowest);
+  launch(SheetChannel::curl, curl_, slowest, reach);
+  launch(SheetChannel::divergence, divergence_, slowest, reach);
 }
 
 // What is fitted to homogeneous waves is not followed beyond them, where observers are far off the cone.
@@ -88,18 +88,18 @@ SheetWave SheetHalfPlane::real_wave(SheetChannel channel, double nu) const {
   return wave;
 }
 
-void SheetHalfPlane::launch(SheetChannel channel, const SplitFunction& function, double slowest) {
+void SheetHalfPlane::launch(SheetChannel channel, const SplitFunction& function, double slowest, double reach) {
   const double tilt = widest_gap(function, 1.2 * slowest / sin_cone_);
   const Complex turn = -imaginary_unit * std::polar(1.0, -tilt);
-  const double reach = cut_reach / std::sqrt(2 * pi * std::cos(tilt));
+  const double range = cut_range / std::sqrt(reach * std::cos(tilt));
   const auto add = [&](Complex along, Complex strength) {
     const Complex v = sin_cone_ * along;
     const SheetWave wave = complex_wave(channel, v);
     launched_.push_back({channel, wave, along, sin_cone_ * strength / (2.0 * imaginary_unit * split(channel, v))});
   };
   for (const auto& [x, weight] : gauss_rule(cut_waves)) {
-    const double root = reach * x * x;  // tau = root^2, close to 0 where the cut begins
-    const double dtau = 4 * root * reach * x * weight;
+    const double root = range * x * x;  // tau = root^2, close to 0 where the cut begins
+    const double dtau = 4 * root * range * x * weight;
     const Complex along = 1.0 + turn * root * root;
     add(along, turn * dtau * imaginary_unit * function.jump(along) / pi);
   }

@@ -59,7 +59,8 @@ SheetVector current_of(SheetChannel channel, Complex nu, Complex a2, double b);
 /// One sheet at one angle of the cone; its tables do not depend on the sign of b. `sheet` must outlive it.
 class SheetHalfPlane {
  public:
-  SheetHalfPlane(const SheetAdmittance& sheet, double slowest, double sin_cone);
+  /// `reach` is the least electrical length k l sin_cone^2 of strips that its waves are followed over.
+  SheetHalfPlane(const SheetAdmittance& sheet, double slowest, double sin_cone, double reach);
 
   double sin_cone() const { return sin_cone_; }
   const SheetAdmittance& sheet() const { return sheet_; }
@@ -98,7 +99,7 @@ class SheetHalfPlane {
   Complex split(SheetChannel channel, Complex nu) const;
   Complex bare(const SheetSource& source, Complex nu) const;
   Complex fitted(const SheetSource& source, const SheetWave& at) const;
-  void launch(SheetChannel channel, const SplitFunction& function, double slowest);
+  void launch(SheetChannel channel, const SplitFunction& function, double slowest, double reach);
   void constants_at_normal(std::span<const SheetSource> sources, EdgeConstants& result) const;
   void constants_on_cone(std::span<const SheetSource> sources, double b, EdgeConstants& result) const;
   std::array<Complex, 2> sums(std::span<const SheetSource> sources, Complex nu, bool fitted) const;

@@ -58,7 +58,7 @@ Complex tail(Complex v, double nu) { return imaginary_unit / (v + nu); }
 struct SheetStrips::Sheet {
   const SheetPair& pair;
   bool electric;
-  double wavenumber;
+  double wavenumber, reach;
 };
 
 /// Waves that leave a rim over the strips of a wave of the tree: of each of their points, or one for all.
@@ -99,18 +99,26 @@ void SheetStrips::lay(std::uint32_t index, const FaceIncidence& incidence, std::
   tree_.grow(first_wave(scene_.wedges, index, 0, incidence, look_.incident, order), lit);
   panels_.lay(tree_, lit, scene_.wedges[index].length());
   work_ += tree_.work();
+  shortest_ = std::numeric_limits<double>::infinity();
+  for (const TreeWave& wave : tree_.waves())
+    for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) {
+      const StripBundle& strips = tree_.bundles()[b];
+      const double sine = wave.wave.incidence.sin_cone;
+      if (strips.edge) shortest_ = std::min(shortest_, strips.length_at(0.5 * (strips.from + strips.to)) * sine * sine);
+    }
 }
 
 void SheetStrips::add(const RimLook& rim, double c, const SheetPair& pair, double wavenumber, ScatteringMatrix& sum) {
+  const double reach = wavenumber * shortest_;
   for (const bool electric : {true, false}) {
     if ((electric ? pair.electric : pair.magnetic).empty()) continue;
-    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone);
+    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone, reach);
     std::array<CurrentWaves, 2> amplitudes;
     for (int transmit = 0; transmit < 2; ++transmit) {
       const std::array<SheetSource, 2> sources = sheet.plane_wave(c, rim.b, driving_field(rim, look_, electric, transmit));
       amplitudes[transmit] = launched(sheet, sources, sheet.constants(sources, rim.b), rim.b);
     }
-    follow({pair, electric, wavenumber}, {0, sheet, 0, {amplitudes}}, sum);
+    follow({pair, electric, wavenumber, reach}, {0, sheet, 0, {amplitudes}}, sum);
   }
 }
 
@@ -134,7 +142,7 @@ void SheetStrips::arrive(const Sheet& sheet, const Departure& from, std::uint32_
   const StripBundle& strips = tree_.bundles()[bundle];
   const StripWave& there = tree_.waves()[next].wave;
   const RimLook rim(scene_.wedges[there.wedge].faces[there.face], there.incidence, look_.scattered);
-  const SheetHalfPlane& half_plane = half_planes_.at(sheet.pair, sheet.electric, rim.sin_cone);
+  const SheetHalfPlane& half_plane = half_planes_.at(sheet.pair, sheet.electric, rim.sin_cone, sheet.reach);
   std::vector<ArrivedWave> waves;
   const double cones = std::pow(from.half_plane.sin_cone() / half_plane.sin_cone(), 2);
   for (const LaunchedWave& wave : from.half_plane.launched()) waves.emplace_back(wave, cones, half_plane, rim.b);
@@ -180,7 +188,7 @@ std::vector<Received> SheetStrips::of_unit_waves(const Sheet& sheet, const RimLo
     add(here.moment(wave.source, wave.constants, rim.nu, rim.b) - tail(at.nu, rim.nu) * current_of(channel, -at.nu, at.a2, rim.b),
         tail(wave.along_strip, rim.nu) * current_of(channel, before.nu, before.a2, from.b));
   }
-  const SheetHalfPlane& before = half_planes_.at(sheet.pair, sheet.electric, from.sin_cone);
+  const SheetHalfPlane& before = half_planes_.at(sheet.pair, sheet.electric, from.sin_cone, sheet.reach);
   add({}, tail(cosine_along_strip(here, cones, before.harmonic_along()), rim.nu) * SheetHalfPlane::harmonic_current(from.b));
   return received_of;
 }

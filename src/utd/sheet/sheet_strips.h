@@ -49,6 +49,7 @@ class SheetStrips {
   SheetHalfPlanes& half_planes_;
   WaveTree tree_;
   EdgePanels panels_;
+  double shortest_ = 0.0;  // of the tree: mean length of a bundle's strips times sin_cone^2 [m]
   double work_ = 0.0;
 };
 

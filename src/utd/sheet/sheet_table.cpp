@@ -7,8 +7,9 @@ namespace raytube {
 
 namespace {
 
-constexpr double border = 2.0 - 1e-9;  // n of an edge where one sheet ends
-constexpr double same_cone = 1e-12;    // of sin(beta'): parallel rims share their tables
+constexpr double border = 2.0 - 1e-9;              // n of an edge where one sheet ends
+constexpr int least_octave = -1, most_octave = 8;  // of the reach
+constexpr double same_cone = 1e-12;                // of sin(beta'): parallel rims share their tables
 
 }  // namespace
 
@@ -32,11 +33,12 @@ const SheetPair& SheetTable::at(std::uint32_t material, double frequency) const 
   return pairs_[material][static_cast<std::size_t>(found - frequencies_.begin())];
 }
 
-const SheetHalfPlane& SheetHalfPlanes::at(const SheetPair& pair, bool electric, double sin_cone) {
+const SheetHalfPlane& SheetHalfPlanes::at(const SheetPair& pair, bool electric, double sin_cone, double reach) {
   const SheetAdmittance& sheet = electric ? pair.electric : pair.magnetic;
   const double rounded = std::round(sin_cone / same_cone) * same_cone;
-  std::unique_ptr<SheetHalfPlane>& found = made_[{&sheet, rounded}];
-  if (!found) found = std::make_unique<SheetHalfPlane>(sheet, pair.slowest, rounded);
+  const int octave = std::clamp(std::ilogb(reach), least_octave, most_octave);
+  std::unique_ptr<SheetHalfPlane>& found = made_[{&sheet, rounded, octave}];
+  if (!found) found = std::make_unique<SheetHalfPlane>(sheet, pair.slowest, rounded, std::ldexp(1.0, octave));
   return *found;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "mesh/features/wedges.h"
@@ -31,12 +32,13 @@ class SheetTable {
 /// Half planes of them, made when they are first asked for.
 class SheetHalfPlanes {
  public:
-  const SheetHalfPlane& at(const SheetPair& pair, bool electric, double sin_cone);
+  /// Reaches within a factor of two share their tables.
+  const SheetHalfPlane& at(const SheetPair& pair, bool electric, double sin_cone, double reach);
 
   std::size_t made() const { return made_.size(); }
 
  private:
-  std::map<std::pair<const SheetAdmittance*, double>, std::unique_ptr<SheetHalfPlane>> made_;
+  std::map<std::tuple<const SheetAdmittance*, double, int>, std::unique_ptr<SheetHalfPlane>> made_;
 };
 
 }  // namespace raytube
