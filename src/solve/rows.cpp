@@ -143,7 +143,6 @@ void RowCollector::finish_model() {
                                 plan_.surfaces,
                                 !sweep_.materials.empty(),
                                 std::ranges::any_of(sweep_.materials, &Material::transmits),
-                                all_far(sweep_),
                                 model_uncertainty_.curved_edges(),
                                 static_cast<double>(target.wedges.size()) * static_cast<double>(target.mesh.patches.size()),
                                 skipped_,

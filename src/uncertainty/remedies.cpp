@@ -25,7 +25,7 @@ bool has_edge_currents(const RemedyEvidence& evidence) { return evidence.edges.m
 
 std::string remedy_of_edges(const RemedyEvidence& evidence) {
   if (!has_edge_currents(evidence)) return edge_currents;
-  if (evidence.materials && evidence.far && evidence.edges.materials == MaterialEdgeMethod::none)
+  if (evidence.materials && evidence.edges.materials == MaterialEdgeMethod::none)
     return "edges.materials = \"fringe\", at little cost";
   const bool straight_over_curved = !evidence.surfaces.waves.possible() && evidence.curved_edges > worth_naming;
   if (straight_over_curved && !evidence.materials) return surface_waves;

@@ -18,7 +18,6 @@ struct RemedyEvidence {
   const SurfaceOptions& surfaces;
   bool materials = false;       // other than perfect conductors
   bool sheets = false;          // some of them let waves through
-  bool far = true;              // all antennas are at infinity
   double curved_edges = 0.0;    // of the length of weak edges: beside curved faces
   double possible_pairs = 0.0;  // of an edge and a face of the target
   const SkipCounts& skips;

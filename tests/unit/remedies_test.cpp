@@ -18,11 +18,11 @@ struct Solve {
   double possible_pairs = 14.0;
   TubeOptions tubes{};
   SurfaceOptions surfaces{};
-  bool materials = false, sheets = false, far = true;
+  bool materials = false, sheets = false;
   double curved_edges = 0.0;
 
   std::string remedy(Omission omission, const EdgeOptions& edges = {}) const {
-    return remedy_of(omission, {edges, tubes, surfaces, materials, sheets, far, curved_edges, possible_pairs, skips, truncated,
+    return remedy_of(omission, {edges, tubes, surfaces, materials, sheets, curved_edges, possible_pairs, skips, truncated,
                                 hits, pairs, left_out});
   }
 };
@@ -72,10 +72,11 @@ TEST(Remedies, EdgeCurrentsThatAreSwitchedOff) {
   EXPECT_THAT(coated.remedy(Omission::smooth_surfaces, {.method = EdgeMethod::none, .interaction = {}}), StartsWith("none"));
 }
 
-TEST(Remedies, TheHeuristicOfEdgesWhereItIsNotRefused) {
-  Solve coated{.materials = true};
-  EXPECT_THAT(coated.remedy(Omission::edges), StartsWith("edges.materials = "));
-  coated.far = false;
+TEST(Remedies, EdgesOfMaterialsThatAreSwitchedOff) {
+  const Solve coated{.materials = true};
+  EdgeOptions without;
+  without.materials = MaterialEdgeMethod::none;
+  EXPECT_THAT(coated.remedy(Omission::edges, without), StartsWith("edges.materials = "));
   EXPECT_THAT(coated.remedy(Omission::edges), StartsWith("none"));
 }
 

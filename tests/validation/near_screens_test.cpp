@@ -37,6 +37,7 @@ ScatteringMatrix edges_of(const PolygonSoup& soup, const std::vector<Material>& 
   options.tubes.max_bounces = 1;
   options.edges.order = order;
   options.edges.interaction = false;
+  options.edges.materials = MaterialEdgeMethod::none;  // the screens' own rims are not looked for
   const bool bistatic = !(look.transmit == look.receive && look.transmit_range == look.receive_range);
   const LoadedMesh loaded = build_mesh(soup, 1.0, "test", materials);
   const SweepResult result = solve(Target(loaded.mesh), {{frequency}, {look}, bistatic, {}, materials}, options);

@@ -8,6 +8,8 @@ namespace raytube {
 namespace {
 
 constexpr double grazing = 1e-3;  // cosine at which a layer is taken as met along it: its admittance differs by 1e-6 of its slope
+// Of the admittance of polarisation across the layer: with less of tangential currents the conditions at an edge are one.
+constexpr double least_share = 1e-5;
 constexpr double thin = 2.5, thick = 4.0;  // k d |n| up to which edge currents count in full, and from which on not at all
 
 // Even and odd part of what a layer adds, for the field across the plane of incidence: E = (r + t - 1) / 2, O = (r - t + 1) / 2.
@@ -37,7 +39,9 @@ LayerParts parts_of(const Material& material, std::size_t frequency, double wave
 
 SheetAdmittance fit(std::function<std::array<Complex, 2>(double)> exact, Complex normal) {
   const std::array<Complex, 2> straight = exact(1.0), along = exact(grazing);
-  return {straight[0], normal, along[0] - straight[0] - normal, along[1], 0.0, 0.0, std::move(exact)};
+  const auto at_least = [least = least_share * std::abs(normal)](Complex y) { return std::abs(y) < least ? least : y; };
+  const Complex constant = at_least(straight[0]);
+  return {constant, normal, along[0] - constant - normal, at_least(along[1]), 0.0, 0.0, std::move(exact)};
 }
 
 // A sheet without thickness.

@@ -17,6 +17,7 @@
 //   sheet_edges        S of the edges of a target: first order, and what runs over sheets from edge to edge
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -34,7 +35,8 @@ struct SheetAdmittance {
   /// What the plate has exactly, curl and divergence, at the cosine of the angle of incidence.
   std::function<std::array<Complex, 2>(double)> exact;
 
-  bool empty() const { return constant == 0.0 && normal == 0.0 && divergence == 0.0; }
+  /// There is no current worth the name.
+  bool empty() const { return std::max({std::abs(constant), std::abs(normal), std::abs(divergence)}) < 1e-10; }
 };
 
 /// A plate at one frequency.
