@@ -10,6 +10,7 @@
 #include "scene/frequency_bands.h"
 #include "solve/mechanisms/list.h"
 #include "solve/mechanisms/states.h"
+#include "utd/sheet/sheet_admittance.h"
 
 namespace raytube {
 
@@ -63,10 +64,14 @@ void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
 
 EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
   const MechanismId waves = MechanismId::surface_waves;
-  EdgeCurrents currents{
-      plan_.fringe(), plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none, {}, entry_of(waves).state(plan_).on};
-  for (const Material& material : plan_.sweep.materials)
-    currents.material_strengths.push_back(edge_strength(material, frequency, wavenumber(plan_.sweep.frequencies[frequency])));
+  const bool of_materials = plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none;
+  EdgeCurrents currents{plan_.fringe(), of_materials, {}, {}, entry_of(waves).state(plan_).on};
+  const double k = wavenumber(plan_.sweep.frequencies[frequency]);
+  for (const Material& material : plan_.sweep.materials) {
+    currents.material_strengths.push_back(edge_strength(material, frequency, k));
+    // Of a thick sheet next to nothing, so that it is a sheet still.
+    currents.sheet_shares.push_back(material.transmits() ? std::max(sheet_share(material, frequency, k), 1e-6) : 0.0);
+  }
   return currents;
 }
 

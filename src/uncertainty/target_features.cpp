@@ -76,8 +76,14 @@ double strength_of(const WedgeFace& face, const EdgeCurrents& currents) {
 
 double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
   if (wedge.conducting()) return currents.conductors ? 0.0 : 1.0;
-  if (currents.materials) return heuristic_share;
-  return material_share * std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
+  const double all = std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
+  const auto sheet_share = [&](const WedgeFace& face) {
+    return face.material == no_index || currents.sheet_shares.empty() ? 0.0 : currents.sheet_shares[face.material];
+  };
+  if (!currents.materials) return material_share * all;
+  const double there = std::max(sheet_share(wedge.faces[0]), sheet_share(wedge.faces[1]));
+  if (there == 0.0) return opaque_share * all;
+  return (wedge.is_border() ? std::lerp(material_share, rim_share, there) : material_share) * all;
 }
 
 class EdgeFinder {

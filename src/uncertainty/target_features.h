@@ -53,6 +53,7 @@ struct EdgeCurrents {
   bool conductors = true;                    // of wedges between perfect conductors
   bool materials = false;                    // of all others
   std::vector<double> material_strengths{};  // of each material: 0 is as if it were not there, 1 a conductor; empty: 0
+  std::vector<double> sheet_shares{};        // of each material: of rims of sheets, how much of their currents there is; else 0
   bool over_curved = false;                  // follow curved faces between conductors
 };
 

@@ -78,7 +78,7 @@ const Rooms may_include = {
     {"solve/mechanisms", base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe",
                                                       "utd/interaction", "utd/surface", "utd/corner"}},
     {"solve", base + std::set<std::string>{"plan", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "uncertainty", "utd/gtd",
-                                           "solve/mechanisms"}},
+                                           "utd/sheet", "solve/mechanisms"}},
 
     {"case/data", {"core", "scene"}},
     {"case/text", {"core", "mesh/model"}},

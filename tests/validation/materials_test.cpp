@@ -231,9 +231,9 @@ TEST(Materials, TheEdgesOfAThinCoatAreThoseOfItsConductor) {
   const Material coat = layered(MaterialKind::coated, {{{{3.0, -0.1}, 1.0}, 1e-8}});
   const Material metal{"conductor", MaterialKind::conductor, 0.0, {}};
   const Direction from = deg(60.0, 20.0), to = deg(50.0, 170.0);
-  EXPECT_LT(difference(with_edges(coat, MaterialEdgeMethod::fringe, from, to),
-                       with_edges(metal, MaterialEdgeMethod::fringe, from, to)),
-            1e-2);
+  EXPECT_LT(
+      difference(with_edges(coat, MaterialEdgeMethod::fringe, from, to), with_edges(metal, MaterialEdgeMethod::fringe, from, to)),
+      1e-2);
 }
 
 // A film that hardly conducts has edges as weak as itself.
@@ -242,7 +242,8 @@ TEST(Materials, TheEdgesOfAThinSheetVanishWithIt) {
   const Direction from = deg(60.0, 20.0), to = deg(50.0, 170.0);
   const Material metal{"conductor", MaterialKind::conductor, 0.0, {}};
   const auto edges = [&](const Material& of) {
-    return difference(with_edges(of, MaterialEdgeMethod::fringe, from, to), with_edges(of, MaterialEdgeMethod::none, from, to));
+    return frobenius_norm(with_edges(of, MaterialEdgeMethod::fringe, from, to) -
+                          with_edges(of, MaterialEdgeMethod::none, from, to));
   };
   EXPECT_GT(edges(sheet), 0.0);
   EXPECT_LT(edges(sheet), 2e-5 * edges(metal));  // kd |eps - 1| is 4e-6

@@ -75,8 +75,6 @@ Stack stack_of(std::span<const Layer> layers) {
   return stack;
 }
 
-double share_of(double electrical) { return std::clamp((thick - electrical) / (thick - thin), 0.0, 1.0); }
-
 void add_end_face(SheetAdmittance& sheet, double kd, Complex ratio, Complex dual_ratio) {
   sheet.end_face = kd * end_face_shift(ratio);
   sheet.normal_end_face = kd * end_face_shift(1.0 / dual_ratio);
@@ -101,6 +99,12 @@ Complex end_face_shift(Complex ratio) {
   return Complex(0.0, step / pi) * sum;
 }
 
+double sheet_share(const Material& material, std::size_t frequency, double wavenumber) {
+  if (material.layers.empty()) return 1.0;
+  const double electrical = wavenumber * stack_of(material.layers[frequency]).electrical;
+  return std::clamp((thick - electrical) / (thick - thin), 0.0, 1.0);
+}
+
 SheetPair sheet_pair(const Material& material, std::size_t frequency, double wavenumber) {
   Material here = material;
   if (!material.layers.empty()) here.layers = {material.layers[frequency]};
@@ -114,6 +118,7 @@ SheetPair sheet_pair(const Material& material, std::size_t frequency, double wav
     };
   };
   SheetPair pair;
+  pair.share = sheet_share(material, frequency, wavenumber);
   if (material.layers.empty()) {
     pair.electric = same_for_all(exact(true));
     pair.magnetic = same_for_all(exact(false));
@@ -126,7 +131,6 @@ SheetPair sheet_pair(const Material& material, std::size_t frequency, double wav
     add_end_face(pair.electric, kd, stack.permittivity, stack.permeability);
     add_end_face(pair.magnetic, kd, stack.permeability, stack.permittivity);
     pair.slowest = stack.slowest;
-    pair.share = share_of(wavenumber * stack.electrical);
   }
   return pair;
 }

@@ -46,6 +46,9 @@ struct SheetPair {
   double share = 1.0;    // of its edge currents that count: those of thick plates fade out
 };
 
+/// SheetPair::share of a material that transmits.
+double sheet_share(const Material& material, std::size_t frequency, double wavenumber);
+
 /// Of a material that transmits. Fitted at normal and at grazing incidence; the polynomial must not follow the exact admittance
 /// further, which grows like an exponential for evanescent waves and has no split functions. Valid for k d |n| up to about 2.5,
 /// from where on the share falls; it is none at 4. Layers that are not symmetric are taken as the mean of both sides.
