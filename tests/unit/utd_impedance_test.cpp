@@ -36,18 +36,24 @@ double largest_difference(const ScatteringMatrix& a, const ScatteringMatrix& b) 
 }
 
 /// psi(z + pi/2) psi(z - pi/2) = psi(pi/2)^2 cos(pi z / 4 Phi) and psi(z + 2 Phi) / psi(z - 2 Phi) = cot((z + pi/2)/2); the code
-/// uses the first one beyond |Re z| = pi/2 only. Tolerance: rounding of a hundred terms.
+/// uses the first one beyond |Re w| = pi/2 only. Tolerance: rounding of a hundred terms.
 TEST(Impedance, MaliuzhinetsFunctionHasItsIdentities) {
   std::mt19937_64 random(1958);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   for (const double n : exterior_angles) {
     const MaliuzhinetsFunction psi(n);
-    EXPECT_LT(std::abs(psi(pi / 2) - 1.0), 1e-15);
+    const MaliuzhinetsPair square(psi, 0.0), apart(psi, pi / 2);
+    EXPECT_LT(std::abs(apart(psi.point(0.0)) - 1.0), 1e-14);
     for (int i = 0; i < 200; ++i) {
-      const Complex z(2.0 * part(random), 6.0 * part(random)), inner(1.5 * part(random), 6.0 * part(random));
-      EXPECT_LT(std::abs(psi(z + n * pi) / psi(z - n * pi) * std::tan(0.5 * (z + pi / 2)) - 1.0), 1e-12) << n << " " << z;
-      EXPECT_LT(std::abs(psi(inner + pi / 2) * psi(inner - pi / 2) / std::cos(inner / (2 * n)) - 1.0), 1e-12) << n << inner;
-      EXPECT_EQ(psi(z), psi(-z));
+      const Complex z(2.0 * part(random), 6.0 * part(random)), inner(1.5 * part(random), 6.0 * part(random)),
+          a(1.5 * part(random), 3.0 * part(random)), cotangent = 1.0 / std::tan(0.5 * (z + pi / 2));
+      EXPECT_LT(std::abs(square(psi.point(z + n * pi)) / square(psi.point(z - n * pi)) / (cotangent * cotangent) - 1.0), 1e-11)
+          << n << " " << z;
+      EXPECT_LT(std::abs(apart(psi.point(inner)) / std::cos(inner / (2 * n)) - 1.0), 1e-12) << n << inner;
+      EXPECT_EQ(square(psi.point(z)), square(psi.point(-z)));
+      const Complex product = MaliuzhinetsPair(psi, a)(psi.point(inner)),
+                    squares = square(psi.point(inner + a)) * square(psi.point(inner - a));
+      EXPECT_LT(std::abs(product * product / squares - 1.0), 1e-11) << n << inner << a;
     }
   }
 }
@@ -57,9 +63,13 @@ FaceIncidence met_at(double source) { return {.tangent = z_axis, .sin_cone = 1.0
 /// Edge wave of both faces at normal incidence.
 Complex edge_wave(EdgeField field, double n, const MaliuzhinetsFunction& psi, std::array<Complex, 2> impedances, double source,
                   double observer) {
-  const auto angle = [&](int face) { return face_angle(field, impedances[face], 1.0); };
-  return ImpedanceWedge(field, n, psi, angle(0), angle(1), met_at(source)).exact(pi - observer) +
-         ImpedanceWedge(field, n, psi, angle(1), angle(0), met_at(n * pi - source)).exact(pi - (n * pi - observer));
+  const ImpedanceFace first(field, n, psi, face_angle(field, impedances[0], 1.0)),
+      second(field, n, psi, face_angle(field, impedances[1], 1.0));
+  const FaceIncidence from_first = met_at(source), from_second = met_at(n * pi - source);
+  const Complex at_source = faces_at(source_point(n, psi, from_first), first, second);
+  return ImpedanceWedge(field, n, psi, first, second, from_first, at_source).exact(wedge_point(n, psi, pi - observer)) +
+         ImpedanceWedge(field, n, psi, second, first, from_second, at_source)
+             .exact(wedge_point(n, psi, pi - (n * pi - observer)));
 }
 
 EdgeField field_of(const std::string& name) { return name == "soft" ? EdgeField::soft : EdgeField::hard; }
@@ -109,18 +119,20 @@ std::vector<Look> random_looks(int count) {
 
 /// Any look, on the cone of diffraction or off it. 1e-11 was found.
 TEST(Impedance, WithoutImpedanceItIsTheFringeCurrentOfAConductor) {
-  for (const double n : exterior_angles)
+  for (const double n : exterior_angles) {
+    const MaliuzhinetsFunction psi(n);
+    const Wedge wedge = wedge_along_z(n);
     for (const Look& look : random_looks(500)) {
-      const Wedge wedge = wedge_along_z(n);
       const LookVectors vectors = look_vectors(look);
       const WedgeIncidence incidence = incidence_on(wedge, vectors.incident);
       if (incidence.weight == 0.0) continue;
       bool windowed = false;
       const ScatteringMatrix wanted = amplitude_at(edge_amplitude(wedge, incidence, vectors), k, windowed),
-                             found = impedance_edge_amplitude(wedge, incidence, {}, vectors, k, windowed);
+                             found = ImpedanceEdge(wedge, incidence, psi, vectors).amplitude({}, k, windowed);
       EXPECT_LT(largest_difference(found, wanted), 1e-9 * std::max(1.0, frobenius_norm(wanted)))
           << n << " " << look.transmit.theta << " " << look.transmit.phi << " " << look.receive.theta << " " << look.receive.phi;
     }
+  }
 }
 
 /// Fringe of a coated wedge, both antennas at these angles.
@@ -128,8 +140,8 @@ ScatteringMatrix coated(double n, double source, double observer) {
   const Wedge wedge = wedge_along_z(n);
   const LookVectors look = look_vectors({{pi / 2, source}, {pi / 2, observer}});
   bool windowed = false;
-  return impedance_edge_amplitude(wedge, incidence_on(wedge, look.incident), {SurfaceImpedance{{0.4, 0.2}, {0.3, 0.3}}, {}}, look,
-                                  k, windowed);
+  return ImpedanceEdge(wedge, incidence_on(wedge, look.incident), MaliuzhinetsFunction(n), look)
+      .amplitude({SurfaceImpedance{{0.4, 0.2}, {0.3, 0.3}}, {}}, k, windowed);
 }
 
 /// On the boundaries of reflection and of shadow, and beside them, where a quotient of differences becomes a slope. It changes by
@@ -187,7 +199,8 @@ Complex of_edge(const Cylinder::Edge& edge, double angle, bool tm) {
   const WedgeIncidence incidence = incidence_on(edge.wedge, look.incident);
   if (incidence.weight == 0.0) return 0.0;
   bool windowed = false;
-  const ScatteringMatrix s = impedance_edge_amplitude(edge.wedge, incidence, edge.faces, look, k, windowed);
+  const ScatteringMatrix s =
+      ImpedanceEdge(edge.wedge, incidence, MaliuzhinetsFunction(edge.wedge.n), look).amplitude(edge.faces, k, windowed);
   return Complex(0.0, pi) * (tm ? -s.vv() : s.hh()) * std::polar(1.0, k * glm::dot(look.scattered - look.incident, edge.at));
 }
 

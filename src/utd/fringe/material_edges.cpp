@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/work.h"
-#include "utd/impedance/impedance_fringe.h"
 #include "utd/shadow/edge_phase.h"
 
 namespace raytube {
@@ -34,10 +33,13 @@ EdgeMaterials::EdgeMaterials(std::span<const Material> of, std::span<const doubl
   }
 }
 
-SurfaceImpedance EdgeMaterials::impedance(const WedgeFace& face, double frequency) const {
-  if (face.material == no_index) return {};
+std::array<SurfaceImpedance, 2> EdgeMaterials::impedances(const Wedge& wedge, double frequency) const {
   const auto found = std::ranges::find(frequencies_, frequency);
-  return impedances_[face.material][static_cast<std::size_t>(found - frequencies_.begin())];
+  const auto of = [&](const WedgeFace& face) {
+    return face.material == no_index ? SurfaceImpedance{}
+                                     : impedances_[face.material][static_cast<std::size_t>(found - frequencies_.begin())];
+  };
+  return {of(wedge.faces[0]), of(wedge.faces[1])};
 }
 
 MaterialEdges::MaterialEdges(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies, int order)
@@ -63,17 +65,16 @@ void MaterialEdges::add(std::uint32_t index, const WedgeIncidence& incidence, st
   add_opaque(wedge, incidence, lit);
 }
 
+const MaliuzhinetsFunction& MaterialEdges::psi(double n) { return psi_.try_emplace(n, n).first->second; }
+
 void MaterialEdges::add_opaque(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
   std::vector<EdgePhase> pieces;
   find_phases(wedge, lit, look_, pieces);
+  const ImpedanceEdge edge(wedge, incidence, psi(wedge.n), look_);
   for (std::size_t f = 0; f < frequencies_.size(); ++f) {
     const double k = wavenumber(frequencies_[f]);
-    const auto impedance = [&](const WedgeFace& face) { return known_->impedance(face, frequencies_[f]); };
     bool windowed = false;
-    add_product(
-        first_[f],
-        impedance_edge_amplitude(wedge, incidence, {impedance(wedge.faces[0]), impedance(wedge.faces[1])}, look_, k, windowed),
-        phase_integral(pieces, k));
+    add_product(first_[f], edge.amplitude(known_->impedances(wedge, frequencies_[f]), k, windowed), phase_integral(pieces, k));
     if (windowed) windowed_[f] = true;
   }
   work_ += work::impedance_edge * static_cast<double>(frequencies_.size());

@@ -1,13 +1,14 @@
 // Edges beside other materials than perfect conductors.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
-#include "utd/impedance/surface_impedance.h"
+#include "utd/impedance/impedance_fringe.h"
 #include "utd/sheet/sheet_edges.h"
 
 namespace raytube {
@@ -25,8 +26,8 @@ struct EdgeMaterials {
 
   bool radiates(const Wedge& wedge) const { return !wedge.enclosed && is_material_edge(wedge, materials); }
 
-  /// Of a face of a perfect conductor or of a material that nothing goes through, at one of the frequencies.
-  SurfaceImpedance impedance(const WedgeFace& face, double frequency) const;
+  /// Of faces of perfect conductors or of materials that nothing goes through, at one of the frequencies.
+  std::array<SurfaceImpedance, 2> impedances(const Wedge& wedge, double frequency) const;
 
  private:
   std::vector<double> frequencies_;
@@ -48,15 +49,17 @@ class MaterialEdges {
   void add_to(EdgeLookResult& result);
 
  private:
+  void add_opaque(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
+  const MaliuzhinetsFunction& psi(double n);
+
   const EdgeMaterials* known_;
   std::span<const Wedge> wedges_;
   const LookVectors& look_;
-  void add_opaque(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
-
   std::span<const double> frequencies_;
   std::optional<SheetEdges> sheets_;  // if there are any of other materials
   std::vector<ScatteringMatrix> first_, higher_;
   std::vector<bool> windowed_;
+  std::map<double, MaliuzhinetsFunction> psi_;  // by n
   double work_ = 0.0;
 };
 
