@@ -29,24 +29,32 @@ Complex along(const dvec3& direction, const FaceMoment& moment, const WedgeFace&
 }
 
 // p . (eta J - s x M).
+std::array<Complex, 2> received(const Moments& moments, const WedgeFace& face, const FaceIncidence& incidence,
+                                const LookVectors& look) {
+  std::array<Complex, 2> result;
+  for (const int receive : {0, 1}) {
+    const dvec3& p = look.receive[receive];
+    result[receive] =
+        (along(p, moments.electric, face, incidence) - along(glm::cross(p, look.scattered), moments.magnetic, face, incidence)) /
+        (2 * pi);
+  }
+  return result;
+}
+
 ScatteringMatrix radiated(const Kernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,
                           const LookVectors& look) {
   ScatteringMatrix result;
   for (const int transmit : {0, 1}) {
     const Moments moments = moments_of(kernels, incidence, glm::dot(look.electric[transmit], incidence.tangent),
                                        glm::dot(look.magnetic[transmit], incidence.tangent));
-    for (const int receive : {0, 1}) {
-      const dvec3& p = look.receive[receive];
-      result.at(receive, transmit) = (along(p, moments.electric, face, incidence) -
-                                      along(glm::cross(p, look.scattered), moments.magnetic, face, incidence)) /
-                                     (2 * pi);
-    }
+    const std::array<Complex, 2> both = received(moments, face, incidence, look);
+    for (const int receive : {0, 1}) result.at(receive, transmit) = both[receive];
   }
   return result;
 }
 
 ImpedanceFace face_of(EdgeField field, double n, const MaliuzhinetsFunction& psi, const SurfaceImpedance& of, double sin_cone) {
-  return {field, n, psi, face_angle(field, field == EdgeField::soft ? of.soft : of.hard, sin_cone)};
+  return {field, n, psi, face_angle(field, of, sin_cone)};
 }
 
 }  // namespace
@@ -85,6 +93,11 @@ ScatteringMatrix ImpedanceEdge::amplitude(const std::array<SurfaceImpedance, 2>&
   }
   const double lag = wavenumber * glm::dot(look_.scattered - look_.incident, edge_below(wedge_, of));
   return sum *= incidence_.weight * std::polar(1.0, lag);
+}
+
+std::array<Complex, 2> radiated_by_hard(const ImpedanceKernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,
+                                        const LookVectors& look) {
+  return received(moments_of({{}, kernels}, incidence, 0.0, 1.0), face, incidence, look);
 }
 
 // Along the sum of the normals and along their difference. Of a half plane the sum is zero, and the plane lies in the middle.

@@ -34,6 +34,14 @@ class ImpedanceEdge {
   std::array<Side, 2> sides_;
 };
 
+inline FaceAngle face_angle(EdgeField field, const SurfaceImpedance& of, double sin_cone) {
+  return face_angle(field, field == EdgeField::soft ? of.soft : of.hard, sin_cone);
+}
+
+/// S per length of edge that unit eta H along it makes with these kernels of one face, per receive polarisation.
+std::array<Complex, 2> radiated_by_hard(const ImpedanceKernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,
+                                        const LookVectors& look);
+
 /// From the edge of the mesh to that of the planes where the impedances hold [m].
 dvec3 edge_below(const Wedge& wedge, const std::array<SurfaceImpedance, 2>& faces);
 

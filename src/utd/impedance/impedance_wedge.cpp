@@ -56,6 +56,11 @@ WedgeObserver wedge_observer(double n, const MaliuzhinetsFunction& psi, const Gr
   return result;
 }
 
+ImpedanceKernels whole_kernels(const GrazingRay& ray, Complex front, Complex behind, Complex at_edge) {
+  const Complex across = 0.5 * (behind - front) / ray.sine;
+  return {0.5 * (front + behind), across, -at_edge - ray.cosine * across};
+}
+
 ImpedanceWedge::ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunction& psi, const ImpedanceFace& own,
                                const ImpedanceFace& other, const FaceIncidence& incidence, Complex at_source)
     : field_(field),
@@ -67,10 +72,6 @@ ImpedanceWedge::ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunc
       lit_(incidence.lit),
       at_source_(at_source),
       reflection_(own.reflection(lit_ ? std::sin(source_) : 0.0)) {}
-
-Complex ImpedanceWedge::exact(const WedgePoint& at) const {
-  return 0.5 * ratio(at) * (wedge_cotangent(n_, at.g - source_) - wedge_cotangent(n_, at.g + source_));
-}
 
 // Five points: h^4/30 of the fifth derivative.
 Complex ImpedanceWedge::ratio_slope(Complex g) const {

@@ -77,15 +77,21 @@ inline Complex faces_at(const WedgePoint& point, const ImpedanceFace& own, const
   return own.factor(point.own) * other.factor(point.other);
 }
 
+/// T(g) of the whole current for a source at phi', by the ratio of faces_at(g) to what it is at the source; even in g.
+inline Complex whole_wave(double n, Complex g, Complex source) {
+  return std::sin(source / n) / (n * (std::cos(source / n) - std::cos(g / n)));
+}
+
+/// Kernels of the whole current, not less physical optics, from T(g) and T(-g); `at_edge` is half of u there. For |g| not below
+/// 1e-3.
+ImpedanceKernels whole_kernels(const GrazingRay& ray, Complex front, Complex behind, Complex at_edge);
+
 /// A wave at a wedge as one face sees it. Keeps references to its arguments.
 class ImpedanceWedge {
  public:
   /// `at_source` is faces_at there, the same for both faces.
   ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunction& psi, const ImpedanceFace& own, const ImpedanceFace& other,
                  const FaceIncidence& incidence, Complex at_source);
-
-  /// T(g) of the whole current.
-  Complex exact(const WedgePoint& at) const;
 
   SplitImpedanceKernels kernels(const WedgeObserver& observer, bool pole_active) const;
 

@@ -7,14 +7,15 @@ namespace raytube {
 
 namespace {
 
-// The poles at s = j/n leave e^{-2 pi / 0.14} = e^{-45} of the sum, for |Im z| < 28 still e^{-30}.
-constexpr double step_by_n = 0.14;
-constexpr double left_out = 32.0;  // e^{-32} of a pair at |Re w| = |Re a| = pi/2, whose terms fall like e^{-(n pi - pi/2) s}
+// The poles at s = j/n leave e^{-2 pi / step_by_n} of the sum, e^{|Im z| / n} times that away from the real axis.
+constexpr double over_digits = 1.4;
 
 }  // namespace
 
-MaliuzhinetsFunction::MaliuzhinetsFunction(double n) : n_(n), step_(step_by_n / n), at_zero_(-0.125 * step_ / (n * pi)) {
-  const int nodes = static_cast<int>(std::ceil(left_out / ((n - 0.5) * pi * step_)));
+// The terms of a pair at |Re w| = |Re a| = pi/2 fall like e^{-(n pi - pi/2) s}.
+MaliuzhinetsFunction::MaliuzhinetsFunction(double n, double digits)
+    : n_(n), step_(2 * pi / (over_digits * digits * n)), at_zero_(-0.125 * step_ / (n * pi)) {
+  const int nodes = static_cast<int>(std::ceil(digits / ((n - 0.5) * pi * step_)));
   right_angle_ = at_zero_ * pi * pi / 4;
   for (int i = 1; i <= nodes; ++i) {
     const double s = i * step_;

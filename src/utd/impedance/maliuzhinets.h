@@ -1,6 +1,7 @@
 // Maliuzhinets' function: what the fields at a wedge of impedance faces are made of.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "core/field.h"
@@ -15,13 +16,16 @@ struct MaliuzhinetsPoint {
   std::vector<Complex> waves;  // cosh(ws) of that, at the nodes
 };
 
+inline constexpr double full_digits = 32.0;
+
 /// psi_Phi of a wedge whose free space is 2 Phi = n pi wide, n in (1, 2] (Maliuzhinets 1958, Sov. Phys. Dokl. 3, 752),
 ///   psi(z) = exp( -1/2 INT_0^inf (cosh zs - 1) / (s cosh(pi s/2) sinh(2 Phi s)) ds ),
 /// even; over psi(pi/2), as only ratios count. The integrand is even in s and regular for |Im s| < 1/n, so that equal steps
 /// converge exponentially.
 class MaliuzhinetsFunction {
  public:
-  explicit MaliuzhinetsFunction(double n);
+  /// e^{-digits} of a product is left out.
+  explicit MaliuzhinetsFunction(double n, double digits = full_digits);
 
   MaliuzhinetsPoint point(Complex w) const;
 
@@ -47,6 +51,17 @@ class MaliuzhinetsPair {
  private:
   std::vector<Complex> waves_;  // cosh(as), with its weights
   Complex constant_, turn_;
+};
+
+/// Of all wedges that are asked for.
+class MaliuzhinetsFunctions {
+ public:
+  explicit MaliuzhinetsFunctions(double digits) : digits_(digits) {}
+  const MaliuzhinetsFunction& at(double n) { return made_.try_emplace(n, n, digits_).first->second; }
+
+ private:
+  double digits_;
+  std::map<double, MaliuzhinetsFunction> made_;
 };
 
 }  // namespace raytube
