@@ -1,5 +1,6 @@
 #include "utd/impedance/impedance_strip.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/gauss.h"
@@ -10,18 +11,20 @@ namespace {
 
 constexpr Complex j(0.0, 1.0);
 constexpr int nodes = 20;
-constexpr double path_end = 10.0;    // e^{-10} is left there of the waves
-constexpr int circle_points = 4;     // round the guided wave's pole; their error is radius^4
-constexpr double circle = 0.02;      // [rad]
-constexpr double on_grazing = 1e-6;  // of cos(g/2): as close to the edge's own face currents are taken that far off
+constexpr double path_end = 10.0;     // e^{-10} is left there of the waves
+constexpr int circle_points = 4;      // round the guided wave's pole; their error is radius^4
+constexpr double circle = 0.02;       // [rad]
+constexpr double circle_share = 0.1;  // of the distance to a = 0, beyond which the other pole lies
+constexpr double on_grazing = 1e-6;   // of cos(g/2): as close to the edge's own face currents are taken that far off
+constexpr double slowest = 1.25;      // k of a guided wave over that of free space
 constexpr double both_poles = 2.0;
 
 double apart_from_grazing(double half_cosine) {
   return std::abs(half_cosine - 1.0) < on_grazing ? 1.0 - on_grazing : half_cosine;
 }
 
-// Right of the path of steepest descent, Re a = gd(Im a).
-bool passed(Complex pole) { return pole.real() > std::atan(std::sinh(pole.imag())); }
+// Right of the path of steepest descent, Re a = gd(Im a). A much slower wave is none of the impedance, which is that at grazing.
+bool passed(Complex pole) { return pole.real() > std::atan(std::sinh(pole.imag())) && std::abs(std::cos(pole)) < slowest; }
 
 // Of e^{amid + x slope} over x from -1 to 1.
 Complex mean_exponential(Complex amid, Complex slope) {
@@ -135,8 +138,9 @@ StripEcho ImpedanceStrip::echo(const std::array<SurfaceImpedance, 2>& from, cons
   for (const Passing& wave : path_) add(ends, wave, sum);
   const FaceAngle face = face_angle(EdgeField::hard, from[from_.face], from_.incidence[0].sin_cone);
   if (face.conductor || !passed(-face.angle)) return sum;
+  const double radius = std::min(circle, circle_share * std::abs(face.angle));
   for (int i = 0; i < circle_points; ++i) {
-    const Complex off = std::polar(circle, 2 * pi * i / circle_points);
+    const Complex off = std::polar(radius, 2 * pi * i / circle_points);
     add(ends, passing(-face.angle + off, both_poles * j * off / static_cast<double>(circle_points)), sum);
   }
   return sum;
