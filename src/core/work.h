@@ -26,7 +26,8 @@ inline constexpr double strip_point = 60.0;      // one point of the quadrature 
 inline constexpr double edge_amplitude = 300.0;  // one edge at first order, at one frequency
 inline constexpr double corner_wave = 15000.0;   // the waves along one edge, both ways
 
-inline constexpr double impedance_edge = 40000.0;  // one edge of coats and half-spaces, at one frequency (utd/impedance)
+inline constexpr double impedance_edge = 12000.0;   // one edge of coats and half-spaces, at one frequency (utd/impedance)
+inline constexpr double impedance_strip = 50000.0;  // its strips to one far edge, at one frequency
 
 // Rims of material plates (utd/sheet).
 inline constexpr double sheet_half_plane = 300000.0;  // the tables of one sheet at one angle of the cone

@@ -45,6 +45,29 @@ TEST(MeshOutlines, EveryCornerIsTheStartOfOneEdge) {
   }
 }
 
+/// A cube with a coat on top: strips of conductors end at the coat's edges as at none.
+TEST(MeshOutlines, EdgesOfOtherMaterialsAreApart) {
+  PolygonSoup soup;
+  for (const double z : {0.0, 1.0})
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) soup.points.emplace_back(x, y, z);
+  soup.polygons = {{4, 5, 6, 7}, {3, 2, 1, 0}};
+  for (std::uint32_t i = 0; i < 4; ++i) soup.polygons.push_back({i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i});
+  soup.materials = {0, no_index, no_index, no_index, no_index, no_index};
+  const LoadedMesh loaded = build_mesh(soup, 1.0);
+  const std::vector<Wedge> wedges = find_wedges(loaded.mesh, 15.0 * degree);
+  ASSERT_EQ(wedges.size(), 12u);
+  const Outlines outlines(loaded.mesh, wedges, 15.0 * degree);
+  for (const Wedge& wedge : wedges)
+    for (const WedgeFace& face : wedge.faces) {
+      ASSERT_EQ(outlines.around(face).size(), 4u);
+      for (const OutlineEdge& edge : outlines.around(face)) {
+        ASSERT_NE(edge.any_wedge, no_index);
+        EXPECT_EQ(edge.wedge, wedges[edge.any_wedge].conducting() ? edge.any_wedge : no_index);
+        EXPECT_EQ(wedges[edge.any_wedge].faces[edge.wedge_face].patch, face.patch);
+      }
+    }
+}
+
 TEST(MeshOutlines, FlatCreasesAreMarkedSmooth) {
   // Two panels at 10 degrees, an edge for a threshold of 5 degrees and none for 15.
   const double c = std::cos(10 * degree), s = std::sin(10 * degree);

@@ -63,7 +63,7 @@ const Rooms may_include = {
     {"utd/surface", base + std::set<std::string>{"utd/wedge"}},
     {"utd/corner", base + std::set<std::string>{"utd/wedge"}},
     {"utd/sheet", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},
-    {"utd/impedance", base + std::set<std::string>{"utd/wedge"}},
+    {"utd/impedance", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},
     {"utd/fringe", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/surface", "utd/multiple", "utd/corner",
                                                 "utd/sheet", "utd/impedance"}},
     {"utd/fan", base + std::set<std::string>{"utd/wedge"}},

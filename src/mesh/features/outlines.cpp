@@ -32,7 +32,7 @@ double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direct
 
 Outlines::Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, double min_wedge_angle) {
   for (const Wedge& wedge : wedges)
-    if (wedge.stands_alone() && (wedge.conducting() || wedge.is_border()))
+    if (wedge.stands_alone())
       for (const WedgeFace& face : wedge.faces) edges_.try_emplace(side_index(face.patch, face.back));
   add_wedges(wedges);
   add_creases(mesh, min_wedge_angle);
@@ -53,16 +53,16 @@ void Outlines::add(std::size_t side, const OutlineEdge& edge) {
 void Outlines::add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int face) {
   const Wedge& w = wedges[wedge];
   const std::size_t side = side_index(w.faces[face].patch, w.faces[face].back);
-  const std::uint32_t there = (w.conducting() || w.is_border()) && !w.flat ? wedge : no_index;
-  add(side, {w.start, w.end, w.faces[face].into_face, there, face, w.flat});
+  const std::uint32_t any = w.flat ? no_index : wedge, there = w.conducting() || w.is_border() ? any : no_index;
+  add(side, {w.start, w.end, w.faces[face].into_face, there, any, face, w.flat});
   const auto around = edges_.find(side);
   if (w.replaced_by == no_index || around == edges_.end()) return;
   OutlineEdge& edge = around->second.back();
-  edge.wedge = no_index;
+  edge.wedge = edge.any_wedge = no_index;
   for (int i = 0; i < 2; ++i) {
     const WedgeFace& own = wedges[w.replaced_by].faces[i];
     if (side_index(own.patch, own.back) != side) continue;
-    edge.wedge = w.replaced_by;
+    edge.wedge = edge.any_wedge = w.replaced_by;
     edge.wedge_face = i;
   }
 }
@@ -87,7 +87,7 @@ void Outlines::add_creases(const TriangleMesh& mesh, double min_wedge_angle) {
     const dvec3 start = mesh.vertices[run.start], end = mesh.vertices[run.end], tangent = glm::normalize(end - start);
     for (int i = 0; i < 2; ++i) {
       const dvec3 into_face = face_frame(mesh, run.faces[i], tangent, i).into_face;
-      add(side_index(run.faces[i].patch, run.faces[i].back), {start, end, into_face, no_index, i, has_opening(run)});
+      add(side_index(run.faces[i].patch, run.faces[i].back), {start, end, into_face, no_index, no_index, i, has_opening(run)});
     }
   }
 }

@@ -12,13 +12,14 @@ namespace raytube {
 /// One straight edge of a face's outline. Outer borders and holes are alike: the face lies on the side of `into_face`, and every
 /// edge runs with the face on the left as it looks from its exposed side, so that each corner is the start of one edge.
 struct OutlineEdge {
-  dvec3 start, end;                // recentred coordinates [m]
-  dvec3 into_face;                 // unit, in the face, perpendicular to the edge
-  std::uint32_t wedge = no_index;  // the wedge that stands here; no_index if there is none
-  int wedge_face = 0;              // this face is faces[wedge_face] of it
-  bool smooth = false;             // no wedge because the crease is flatter than one: the surface goes on
-  dvec3 share{0.0};                // (end - start) / length^2: from 0 at the start to 1 at the end
-  double length = 0.0;             // [m]
+  dvec3 start, end;                    // recentred coordinates [m]
+  dvec3 into_face;                     // unit, in the face, perpendicular to the edge
+  std::uint32_t wedge = no_index;      // the wedge that stands here; no_index if there is none
+  std::uint32_t any_wedge = no_index;  // that, or the wedge at which currents of conductors end beside other materials
+  int wedge_face = 0;                  // this face is faces[wedge_face] of it
+  bool smooth = false;                 // no wedge because the crease is flatter than one: the surface goes on
+  dvec3 share{0.0};                    // (end - start) / length^2: from 0 at the start to 1 at the end
+  double length = 0.0;                 // [m]
 
   /// To the edge's line from a point of the face along a direction in it [m].
   double distance(const dvec3& point, const dvec3& direction) const {

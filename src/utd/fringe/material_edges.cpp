@@ -3,47 +3,19 @@
 #include <algorithm>
 
 #include "core/work.h"
-#include "utd/impedance/impedance_fringe.h"
 #include "utd/shadow/edge_phase.h"
 
 namespace raytube {
 
-namespace {
-
-// Nothing goes through either face, and nothing comes back from inside.
-bool is_opaque(const Wedge& wedge, std::span<const Material> materials) {
-  return std::ranges::none_of(wedge.faces, [&](const WedgeFace& face) {
-    if (face.material == no_index) return false;
-    const Material& material = materials[face.material];
-    return material.transmits() || material.kind == MaterialKind::solid;
-  });
-}
-
-}  // namespace
-
 bool is_material_edge(const Wedge& wedge, std::span<const Material> materials) {
   return wedge.stands_alone() && !wedge.conducting() && (is_sheet_rim(wedge, materials) || is_opaque(wedge, materials));
-}
-
-EdgeMaterials::EdgeMaterials(std::span<const Material> of, std::span<const double> frequencies)
-    : materials(of), sheets(of, frequencies), frequencies_(frequencies.begin(), frequencies.end()) {
-  for (const Material& material : of) {
-    std::vector<SurfaceImpedance>& impedances = impedances_.emplace_back(frequencies.size());
-    for (std::size_t f = 0; f < frequencies.size() && !material.transmits(); ++f)
-      impedances[f] = surface_impedance(material, f, wavenumber(frequencies[f]));
-  }
-}
-
-SurfaceImpedance EdgeMaterials::impedance(const WedgeFace& face, double frequency) const {
-  if (face.material == no_index) return {};
-  const auto found = std::ranges::find(frequencies_, frequency);
-  return impedances_[face.material][static_cast<std::size_t>(found - frequencies_.begin())];
 }
 
 MaterialEdges::MaterialEdges(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies, int order)
     : known_(scene.materials), wedges_(scene.wedges), look_(look), frequencies_(frequencies) {
   if (known_ == nullptr) return;
   sheets_.emplace(SheetScene{scene.wedges, scene.outlines, known_->materials, known_->sheets}, look, frequencies, order);
+  if (order > 1) strips_.emplace(scene.wedges, scene.outlines, known_->impedances, look, frequencies);
   first_.resize(frequencies.size()), windowed_.resize(frequencies.size());
   if (order > 1) higher_.resize(frequencies.size());
 }
@@ -60,23 +32,22 @@ std::optional<WedgeIncidence> MaterialEdges::meeting(std::uint32_t index) const 
 void MaterialEdges::add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
   const Wedge& wedge = wedges_[index];
   if (is_sheet_rim(wedge, known_->materials)) return sheets_->add(index, incidence, lit, first_, higher_);
-  add_opaque(wedge, incidence, lit);
+  add_opaque(index, incidence, lit);
 }
 
-void MaterialEdges::add_opaque(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
+void MaterialEdges::add_opaque(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit) {
+  const Wedge& wedge = wedges_[index];
   std::vector<EdgePhase> pieces;
   find_phases(wedge, lit, look_, pieces);
+  const ImpedanceEdge edge(wedge, incidence, functions_.at(wedge.n), look_);
   for (std::size_t f = 0; f < frequencies_.size(); ++f) {
     const double k = wavenumber(frequencies_[f]);
-    const auto impedance = [&](const WedgeFace& face) { return known_->impedance(face, frequencies_[f]); };
     bool windowed = false;
-    add_product(
-        first_[f],
-        impedance_edge_amplitude(wedge, incidence, {impedance(wedge.faces[0]), impedance(wedge.faces[1])}, look_, k, windowed),
-        phase_integral(pieces, k));
+    add_product(first_[f], edge.amplitude(known_->impedances.at(wedge, frequencies_[f]), k, windowed), phase_integral(pieces, k));
     if (windowed) windowed_[f] = true;
   }
   work_ += work::impedance_edge * static_cast<double>(frequencies_.size());
+  if (strips_ && incidence.faces[0].sin_cone > sin_cone_floor) strips_->add(index, incidence, lit, higher_);
 }
 
 void MaterialEdges::add_to(EdgeLookResult& result) {
@@ -85,7 +56,7 @@ void MaterialEdges::add_to(EdgeLookResult& result) {
   for (std::size_t f = 0; f < windowed_.size(); ++f)
     if (windowed_[f]) result.windowed[f] = true;
   for (std::size_t f = 0; f < higher_.size(); ++f) result.higher[f] += higher_[f];
-  result.work += work_ + sheets_->work();
+  result.work += work_ + sheets_->work() + (strips_ ? strips_->work() : 0.0);
 }
 
 }  // namespace raytube

@@ -7,7 +7,7 @@
 
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
-#include "utd/impedance/surface_impedance.h"
+#include "utd/impedance/impedance_strips.h"
 #include "utd/sheet/sheet_edges.h"
 
 namespace raytube {
@@ -20,17 +20,12 @@ bool is_material_edge(const Wedge& wedge, std::span<const Material> materials);
 struct EdgeMaterials {
   std::span<const Material> materials;
   SheetTable sheets;
+  ImpedanceTable impedances;
 
-  EdgeMaterials(std::span<const Material> of, std::span<const double> frequencies);
+  EdgeMaterials(std::span<const Material> of, std::span<const double> frequencies)
+      : materials(of), sheets(of, frequencies), impedances(of, frequencies) {}
 
   bool radiates(const Wedge& wedge) const { return !wedge.enclosed && is_material_edge(wedge, materials); }
-
-  /// Of a face of a perfect conductor or of a material that nothing goes through, at one of the frequencies.
-  SurfaceImpedance impedance(const WedgeFace& face, double frequency) const;
-
- private:
-  std::vector<double> frequencies_;
-  std::vector<std::vector<SurfaceImpedance>> impedances_;  // [material][frequency]
 };
 
 /// One look, edge after edge. Keeps references to its arguments.
@@ -41,22 +36,24 @@ class MaterialEdges {
   /// How the wave meets wedge `index`; none if the edge adds nothing. A sheet is lit from both sides.
   std::optional<WedgeIncidence> meeting(std::uint32_t index) const;
 
-  /// Rims of sheets at the order asked for, edges of opaque materials at the first.
+  /// Rims of sheets at the order asked for, edges of opaque materials to the second.
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
 
   /// Adds all of it; nothing may be added after that.
   void add_to(EdgeLookResult& result);
 
  private:
+  void add_opaque(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
+
   const EdgeMaterials* known_;
   std::span<const Wedge> wedges_;
   const LookVectors& look_;
-  void add_opaque(const Wedge& wedge, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
-
   std::span<const double> frequencies_;
-  std::optional<SheetEdges> sheets_;  // if there are any of other materials
+  std::optional<SheetEdges> sheets_;       // if there are any of other materials
+  std::optional<ImpedanceStrips> strips_;  // from order 2 on
   std::vector<ScatteringMatrix> first_, higher_;
   std::vector<bool> windowed_;
+  MaliuzhinetsFunctions functions_{full_digits};
   double work_ = 0.0;
 };
 

@@ -29,64 +29,75 @@ Complex along(const dvec3& direction, const FaceMoment& moment, const WedgeFace&
 }
 
 // p . (eta J - s x M).
+std::array<Complex, 2> received(const Moments& moments, const WedgeFace& face, const FaceIncidence& incidence,
+                                const LookVectors& look) {
+  std::array<Complex, 2> result;
+  for (const int receive : {0, 1}) {
+    const dvec3& p = look.receive[receive];
+    result[receive] =
+        (along(p, moments.electric, face, incidence) - along(glm::cross(p, look.scattered), moments.magnetic, face, incidence)) /
+        (2 * pi);
+  }
+  return result;
+}
+
 ScatteringMatrix radiated(const Kernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,
                           const LookVectors& look) {
   ScatteringMatrix result;
   for (const int transmit : {0, 1}) {
     const Moments moments = moments_of(kernels, incidence, glm::dot(look.electric[transmit], incidence.tangent),
                                        glm::dot(look.magnetic[transmit], incidence.tangent));
-    for (const int receive : {0, 1}) {
-      const dvec3& p = look.receive[receive];
-      result.at(receive, transmit) = (along(p, moments.electric, face, incidence) -
-                                      along(glm::cross(p, look.scattered), moments.magnetic, face, incidence)) /
-                                     (2 * pi);
-    }
+    const std::array<Complex, 2> both = received(moments, face, incidence, look);
+    for (const int receive : {0, 1}) result.at(receive, transmit) = both[receive];
   }
   return result;
 }
 
-// One face of a wedge, the other one beside it.
-struct Side {
-  const WedgeFace& face;
-  const FaceIncidence& incidence;
-  const SurfaceImpedance &own, &other;
-};
-
-SplitImpedanceKernels kernels_of(EdgeField field, const Side& side, double n, const MaliuzhinetsFunction& psi,
-                                 const GrazingRay& ray, bool pole_active) {
-  const auto impedance = [&](const SurfaceImpedance& of) { return field == EdgeField::soft ? of.soft : of.hard; };
-  const auto angle = [&](const SurfaceImpedance& of) { return face_angle(field, impedance(of), side.incidence.sin_cone); };
-  return ImpedanceWedge(field, n, psi, angle(side.own), angle(side.other), side.incidence).kernels(ray, pole_active);
-}
-
-ScatteringMatrix face_part(const Side& side, double n, const MaliuzhinetsFunction& psi, const LookVectors& look,
-                           double wavenumber, bool& windowed) {
-  const double half_cosine = grazing_half_cosine(side.face, side.incidence, look.scattered);
-  const double y = grazing_pole_angle(side.incidence, half_cosine);
-  const bool active = y > -1;
-  const GrazingRay ray = grazing_ray_at(half_cosine);
-  const SplitImpedanceKernels soft = kernels_of(EdgeField::soft, side, n, psi, ray, active),
-                              hard = kernels_of(EdgeField::hard, side, n, psi, ray, active);
-  ScatteringMatrix part = radiated({soft.regular, hard.regular}, side.face, side.incidence, look);
-  if (!active) return part;
-  const WindowedPole window = windowed_pole(y, wavenumber, side.face.width);
-  windowed = windowed || window.touched;
-  ScatteringMatrix pole = radiated({soft.pole, hard.pole}, side.face, side.incidence, look);
-  return part += (pole *= window.value);
+ImpedanceFace face_of(EdgeField field, double n, const MaliuzhinetsFunction& psi, const SurfaceImpedance& of, double sin_cone) {
+  return {field, n, psi, face_angle(field, of, sin_cone)};
 }
 
 }  // namespace
 
-ScatteringMatrix impedance_edge_amplitude(const Wedge& wedge, const WedgeIncidence& incidence,
-                                          const std::array<SurfaceImpedance, 2>& faces, const LookVectors& look,
-                                          double wavenumber, bool& windowed) {
-  const MaliuzhinetsFunction psi(wedge.n);
+ImpedanceEdge::ImpedanceEdge(const Wedge& wedge, const WedgeIncidence& incidence, const MaliuzhinetsFunction& psi,
+                             const LookVectors& look)
+    : wedge_(wedge), incidence_(incidence), psi_(psi), look_(look), source_(source_point(wedge.n, psi, incidence.faces[0])) {
+  for (const int face : {0, 1}) {
+    const FaceIncidence& arriving = incidence.faces[face];
+    const double half_cosine = grazing_half_cosine(wedge.faces[face], arriving, look.scattered);
+    sides_[face] = {wedge_observer(wedge.n, psi, grazing_ray_at(half_cosine)), grazing_pole_angle(arriving, half_cosine)};
+  }
+}
+
+std::array<SplitImpedanceKernels, 2> ImpedanceEdge::kernels(EdgeField field, const std::array<SurfaceImpedance, 2>& of) const {
+  const auto face = [&](int i) { return face_of(field, wedge_.n, psi_, of[i], incidence_.faces[i].sin_cone); };
+  const std::array<ImpedanceFace, 2> faces{face(0), face(1)};
+  const Complex at_source = faces_at(source_, faces[0], faces[1]);
+  const auto side = [&](int i) {
+    return ImpedanceWedge(field, wedge_.n, psi_, faces[i], faces[1 - i], incidence_.faces[i], at_source)
+        .kernels(sides_[i].observer, sides_[i].pole_active());
+  };
+  return {side(0), side(1)};
+}
+
+ScatteringMatrix ImpedanceEdge::amplitude(const std::array<SurfaceImpedance, 2>& of, double wavenumber, bool& windowed) const {
+  const auto soft = kernels(EdgeField::soft, of), hard = kernels(EdgeField::hard, of);
   ScatteringMatrix sum;
-  for (const int side : {0, 1})
-    sum += face_part({wedge.faces[side], incidence.faces[side], faces[side], faces[1 - side]}, wedge.n, psi, look, wavenumber,
-                     windowed);
-  const double lag = wavenumber * glm::dot(look.scattered - look.incident, edge_below(wedge, faces));
-  return sum *= incidence.weight * std::polar(1.0, lag);
+  for (const int i : {0, 1}) {
+    const WedgeFace& face = wedge_.faces[i];
+    sum += radiated({soft[i].regular, hard[i].regular}, face, incidence_.faces[i], look_);
+    if (!sides_[i].pole_active()) continue;
+    const WindowedPole window = windowed_pole(sides_[i].pole, wavenumber, face.width);
+    windowed = windowed || window.touched;
+    sum += (radiated({soft[i].pole, hard[i].pole}, face, incidence_.faces[i], look_) *= window.value);
+  }
+  const double lag = wavenumber * glm::dot(look_.scattered - look_.incident, edge_below(wedge_, of));
+  return sum *= incidence_.weight * std::polar(1.0, lag);
+}
+
+std::array<Complex, 2> radiated_by_hard(const ImpedanceKernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,
+                                        const LookVectors& look) {
+  return received(moments_of({{}, kernels}, incidence, 0.0, 1.0), face, incidence, look);
 }
 
 // Along the sum of the normals and along their difference. Of a half plane the sum is zero, and the plane lies in the middle.

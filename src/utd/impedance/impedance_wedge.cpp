@@ -15,10 +15,8 @@ constexpr double off_face = 1e-7;
 // Smaller ones make no difference: theta would be further away than psi is for.
 constexpr double smallest_impedance = 1e-11;
 
-Complex reflection_of(EdgeField field, const FaceAngle& face, double sine) {
-  if (face.conductor) return field == EdgeField::soft ? -1.0 : 1.0;
-  const Complex of_face = std::sin(face.angle);
-  return (sine - of_face) / (sine + of_face);
+double clamped_source(double n, const FaceIncidence& incidence) {
+  return std::clamp(incidence.source_angle, off_face, n * pi - off_face);
 }
 
 }  // namespace
@@ -30,31 +28,50 @@ FaceAngle face_angle(EdgeField field, Complex impedance, double sin_cone) {
   return {std::asin(field == EdgeField::soft ? sin_cone / impedance : impedance * sin_cone), false};
 }
 
-ImpedanceWedge::ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunction& psi, const FaceAngle& own,
-                               const FaceAngle& other, const FaceIncidence& incidence)
+ImpedanceFace::ImpedanceFace(EdgeField field, double n, const MaliuzhinetsFunction& psi, const FaceAngle& face)
+    : field_(field), n_(n), sine_(std::sin(face.angle)) {
+  if (!face.conductor) pair_.emplace(psi, pi / 2 - face.angle);
+}
+
+Complex ImpedanceFace::factor(const MaliuzhinetsPoint& w) const {
+  if (pair_) return (*pair_)(w);
+  return field_ == EdgeField::soft ? 1.0 : std::cos(w.at / (2 * n_));
+}
+
+Complex ImpedanceFace::reflection(double sine) const {
+  if (conductor()) return field_ == EdgeField::soft ? -1.0 : 1.0;
+  return (sine - sine_) / (sine + sine_);
+}
+
+WedgePoint wedge_point(double n, const MaliuzhinetsFunction& psi, Complex g) { return {g, psi.point(n * pi + g), psi.point(g)}; }
+
+WedgePoint source_point(double n, const MaliuzhinetsFunction& psi, const FaceIncidence& incidence) {
+  return wedge_point(n, psi, -clamped_source(n, incidence));
+}
+
+// The other face's factor is even.
+WedgeObserver wedge_observer(double n, const MaliuzhinetsFunction& psi, const GrazingRay& ray) {
+  WedgeObserver result{ray, wedge_point(n, psi, ray.angle), {-ray.angle, psi.point(n * pi - ray.angle), {}}};
+  result.behind.other = result.front.other;
+  return result;
+}
+
+ImpedanceKernels whole_kernels(const GrazingRay& ray, Complex front, Complex behind, Complex at_edge) {
+  const Complex across = 0.5 * (behind - front) / ray.sine;
+  return {0.5 * (front + behind), across, -at_edge - ray.cosine * across};
+}
+
+ImpedanceWedge::ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunction& psi, const ImpedanceFace& own,
+                               const ImpedanceFace& other, const FaceIncidence& incidence, Complex at_source)
     : field_(field),
       n_(n),
       psi_(psi),
       own_(own),
       other_(other),
-      source_(std::clamp(incidence.source_angle, off_face, n * pi - off_face)),
+      source_(clamped_source(n, incidence)),
       lit_(incidence.lit),
-      at_source_(faces_at(-source_)),
-      reflection_(reflection_of(field, own, lit_ ? std::sin(source_) : 0.0)) {}
-
-// psi(w + pi/2 - theta) psi(w - pi/2 + theta) / psi(pi/2)^2 and its limits for conductors.
-Complex ImpedanceWedge::face_factor(Complex w, const FaceAngle& face) const {
-  if (face.conductor) return field_ == EdgeField::soft ? 1.0 : std::cos(w / (2 * n_));
-  const Complex aside = pi / 2 - face.angle;
-  return psi_(w + aside) * psi_(w - aside);
-}
-
-// Psi(-Phi - g) of Maliuzhinets; Psi(phi' - Phi) of the source is its value at g = -phi'.
-Complex ImpedanceWedge::faces_at(Complex g) const { return face_factor(n_ * pi + g, own_) * face_factor(g, other_); }
-
-Complex ImpedanceWedge::exact(Complex g) const {
-  return 0.5 * ratio(g) * (wedge_cotangent(n_, g - source_) - wedge_cotangent(n_, g + source_));
-}
+      at_source_(at_source),
+      reflection_(own.reflection(lit_ ? std::sin(source_) : 0.0)) {}
 
 // Five points: h^4/30 of the fifth derivative.
 Complex ImpedanceWedge::ratio_slope(Complex g) const {
@@ -73,33 +90,38 @@ Complex ImpedanceWedge::term(Complex g, Complex at, const Pole& pole, bool taken
 
 // T(g) less poles of physical optics: that of the reflection boundary, -r/2 cot((g - phi')/2), and that of the shadow, -1/2
 // cot((g + phi')/2), each as asked.
-Complex ImpedanceWedge::fringe(Complex g, bool minus, bool plus) const {
-  const Complex at = ratio(g);
-  return 0.5 * (term(g, at, {source_, -reflection_}, minus) - term(g, at, {-source_, 1.0}, plus));
+Complex ImpedanceWedge::fringe(const WedgePoint& point, bool minus, bool plus) const {
+  const Complex at = ratio(point);
+  return 0.5 * (term(point.g, at, {source_, -reflection_}, minus) - term(point.g, at, {-source_, 1.0}, plus));
+}
+
+Complex ImpedanceWedge::odd_fringe(double g, bool minus, bool plus) const {
+  return 0.5 * (fringe(wedge_point(n_, psi_, g), minus, plus) - fringe(wedge_point(n_, psi_, -g), plus, minus));
 }
 
 // u at the edge over 2: T(g) for imaginary g without end, where psi(z) becomes psi(pi/2) e^{-jz/4n} / sqrt(2).
 Complex ImpedanceWedge::value_at_edge() const {
-  if (field_ == EdgeField::soft && (own_.conductor || other_.conductor)) return 0.0;
+  if (field_ == EdgeField::soft && (own_.conductor() || other_.conductor())) return 0.0;
   return std::sin(source_ / n_) / (2 * n_ * at_source_);
 }
 
 // Closer to g = 0 than h the odd part over sin(g) is taken from there, to h^4.
-ImpedanceKernels ImpedanceWedge::regular_kernels(const GrazingRay& ray, bool pole_active) const {
+ImpedanceKernels ImpedanceWedge::regular_kernels(const WedgeObserver& observer, bool pole_active) const {
   constexpr double h = 1e-3;
   const bool one = lit_ || pole_active, two = lit_ && !pole_active;
-  const Complex g = ray.angle, front = fringe(g, one, two), behind = fringe(-g, two, one);
-  const auto odd = [&](double at) { return 0.5 * (fringe(at, one, two) - fringe(-at, two, one)) / std::sin(at); };
-  const Complex across = std::abs(g) < h ? (odd(2 * h) - 4.0 * odd(h)) / 3.0 : 0.5 * (behind - front) / ray.sine;
+  const Complex front = fringe(observer.front, one, two), behind = fringe(observer.behind, two, one);
+  const auto odd = [&](double at) { return odd_fringe(at, one, two) / std::sin(at); };
+  const Complex across =
+      std::abs(observer.ray.angle) < h ? (odd(2 * h) - 4.0 * odd(h)) / 3.0 : 0.5 * (behind - front) / observer.ray.sine;
   const Complex constant = (lit_ ? 0.5 * (1.0 + reflection_) : 0.0) - value_at_edge();
-  return {0.5 * (front + behind), across, constant - ray.cosine * across};
+  return {0.5 * (front + behind), across, constant - observer.ray.cosine * across};
 }
 
-SplitImpedanceKernels ImpedanceWedge::kernels(const GrazingRay& ray, bool pole_active) const {
-  SplitImpedanceKernels result{regular_kernels(ray, pole_active), {}};
+SplitImpedanceKernels ImpedanceWedge::kernels(const WedgeObserver& observer, bool pole_active) const {
+  SplitImpedanceKernels result{regular_kernels(observer, pole_active), {}};
   if (!pole_active) return result;
-  const Complex across = (lit_ ? -0.25 : 0.25) * (1.0 + reflection_) / ray.sine;
-  result.pole = {0.25 * (1.0 - reflection_), across, -ray.cosine * across};
+  const Complex across = (lit_ ? -0.25 : 0.25) * (1.0 + reflection_) / observer.ray.sine;
+  result.pole = {0.25 * (1.0 - reflection_), across, -observer.ray.cosine * across};
   return result;
 }
 

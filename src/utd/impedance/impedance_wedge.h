@@ -10,6 +10,8 @@
 // Sources: Maliuzhinets (1958), Sov. Phys. Dokl. 3, 752; Senior & Volakis (1995), Approximate boundary conditions, ch. 3.
 #pragma once
 
+#include <optional>
+
 #include "utd/impedance/maliuzhinets.h"
 #include "utd/wedge/edge_currents.h"
 
@@ -35,17 +37,63 @@ struct SplitImpedanceKernels {
   ImpedanceKernels regular, pole;
 };
 
-/// A wave at a wedge as one face sees it.
+/// Faces of one angle theta at wedges of one n, in the field that it is of.
+class ImpedanceFace {
+ public:
+  ImpedanceFace(EdgeField field, double n, const MaliuzhinetsFunction& psi, const FaceAngle& face);
+
+  /// psi(w + pi/2 - theta) psi(w - pi/2 + theta) / psi(pi/2)^2 and its limits for conductors.
+  Complex factor(const MaliuzhinetsPoint& w) const;
+  /// r at the sine of phi'.
+  Complex reflection(double sine) const;
+  bool conductor() const { return !pair_; }
+
+ private:
+  EdgeField field_;
+  double n_;
+  Complex sine_;                          // sin(theta)
+  std::optional<MaliuzhinetsPair> pair_;  // none of a conductor
+};
+
+/// g, and where the factors of the face and of the other one are taken there.
+struct WedgePoint {
+  Complex g;
+  MaliuzhinetsPoint own, other;
+};
+WedgePoint wedge_point(double n, const MaliuzhinetsFunction& psi, Complex g);
+
+/// The source, as one face sees it: g = -phi'.
+WedgePoint source_point(double n, const MaliuzhinetsFunction& psi, const FaceIncidence& incidence);
+
+/// The observer, in front of a face and behind it, whatever the faces are.
+struct WedgeObserver {
+  GrazingRay ray;
+  WedgePoint front, behind;
+};
+WedgeObserver wedge_observer(double n, const MaliuzhinetsFunction& psi, const GrazingRay& ray);
+
+/// Psi(-Phi - g) of Maliuzhinets; Psi(phi' - Phi) of the source is its value at g = -phi'.
+inline Complex faces_at(const WedgePoint& point, const ImpedanceFace& own, const ImpedanceFace& other) {
+  return own.factor(point.own) * other.factor(point.other);
+}
+
+/// T(g) of the whole current for a source at phi', by the ratio of faces_at(g) to what it is at the source; even in g.
+inline Complex whole_wave(double n, Complex g, Complex source) {
+  return std::sin(source / n) / (n * (std::cos(source / n) - std::cos(g / n)));
+}
+
+/// Kernels of the whole current, not less physical optics, from T(g) and T(-g); `at_edge` is half of u there. For |g| not below
+/// 1e-3.
+ImpedanceKernels whole_kernels(const GrazingRay& ray, Complex front, Complex behind, Complex at_edge);
+
+/// A wave at a wedge as one face sees it. Keeps references to its arguments.
 class ImpedanceWedge {
  public:
-  /// `psi` of this n must outlive it.
-  ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunction& psi, const FaceAngle& own, const FaceAngle& other,
-                 const FaceIncidence& incidence);
+  /// `at_source` is faces_at there, the same for both faces.
+  ImpedanceWedge(EdgeField field, double n, const MaliuzhinetsFunction& psi, const ImpedanceFace& own, const ImpedanceFace& other,
+                 const FaceIncidence& incidence, Complex at_source);
 
-  /// T(g) of the whole current.
-  Complex exact(Complex g) const;
-
-  SplitImpedanceKernels kernels(const GrazingRay& ray, bool pole_active) const;
+  SplitImpedanceKernels kernels(const WedgeObserver& observer, bool pole_active) const;
 
  private:
   struct Pole {
@@ -53,19 +101,19 @@ class ImpedanceWedge {
     Complex ratio;  // there
   };
 
-  Complex face_factor(Complex w, const FaceAngle& face) const;
-  Complex faces_at(Complex g) const;
-  Complex ratio(Complex g) const { return faces_at(g) / at_source_; }
+  Complex ratio(const WedgePoint& at) const { return faces_at(at, own_, other_) / at_source_; }
+  Complex ratio(Complex g) const { return ratio(wedge_point(n_, psi_, g)); }
   Complex ratio_slope(Complex g) const;
   Complex term(Complex g, Complex at, const Pole& pole, bool taken_off) const;
-  Complex fringe(Complex g, bool minus, bool plus) const;
-  ImpedanceKernels regular_kernels(const GrazingRay& ray, bool pole_active) const;
+  Complex fringe(const WedgePoint& at, bool minus, bool plus) const;
+  Complex odd_fringe(double g, bool minus, bool plus) const;
+  ImpedanceKernels regular_kernels(const WedgeObserver& observer, bool pole_active) const;
   Complex value_at_edge() const;
 
   EdgeField field_;
   double n_;
   const MaliuzhinetsFunction& psi_;
-  FaceAngle own_, other_;
+  const ImpedanceFace &own_, &other_;
   double source_;
   bool lit_;
   Complex at_source_, reflection_;  // r, of a dark face at grazing

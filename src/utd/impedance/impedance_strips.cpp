@@ -1,0 +1,72 @@
+#include "utd/impedance/impedance_strips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/work.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double widest_band = 1.25;  // of frequencies for which one path of integration serves
+
+FaceIncidence arriving_at(const WedgeFace& face, const dvec3& direction, double sine) {
+  const dvec3 tangent = glm::cross(face.into_face, face.normal);
+  return {.tangent = tangent, .cos_cone = glm::dot(direction, tangent), .sin_cone = sine};
+}
+
+// From the edges of the mesh to those of the planes where the impedances hold, there and back [m].
+double lag(const StripEdge& from, const StripEdge& to, const std::array<SurfaceImpedance, 2>& of_from,
+           const std::array<SurfaceImpedance, 2>& of_to, const LookVectors& look) {
+  return glm::dot(look.scattered, edge_below(to.wedge, of_to)) - glm::dot(look.incident, edge_below(from.wedge, of_from));
+}
+
+}  // namespace
+
+ImpedanceStrips::ImpedanceStrips(std::span<const Wedge> wedges, const Outlines& outlines, const ImpedanceTable& table,
+                                 const LookVectors& look, std::span<const double> frequencies)
+    : wedges_(wedges),
+      table_(table),
+      look_(look),
+      frequencies_(frequencies),
+      tree_(wedges, outlines, nullptr, look.incident, look.scattered, false) {}
+
+void ImpedanceStrips::add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit,
+                          std::span<ScatteringMatrix> sums) {
+  const Wedge& wedge = wedges_[index];
+  for (const int face : {0, 1}) {
+    tree_.grow(first_wave(wedges_, index, face, incidence.faces[face], look_.incident, 1), lit);
+    work_ += tree_.work();
+    const StripEdge from{wedge, face, incidence.faces, functions_.at(wedge.n)};
+    const TreeWave& wave = tree_.waves()[0];
+    for (std::uint32_t b = wave.first_bundle; b < wave.end_bundle; ++b) arrive(from, incidence.weight, tree_.bundles()[b], sums);
+  }
+}
+
+void ImpedanceStrips::arrive(const StripEdge& from, double weight, const StripBundle& bundle, std::span<ScatteringMatrix> sums) {
+  if (!bundle.edge || bundle.edge->any_wedge == no_index) return;
+  const Wedge& far = wedges_[bundle.edge->any_wedge];
+  const dvec3& direction = tree_.waves()[0].wave.direction;
+  const double sine = -glm::dot(direction, bundle.edge->into_face), length = bundle.length_at((bundle.from + bundle.to) / 2);
+  if (!table_.known(far) || sine < along_edge || !(length > 0.0)) return;
+  const auto met = [&](int face) { return arriving_at(far.faces[face], direction, sine); };
+  const StripEdge to{far, bundle.edge->wedge_face, {met(0), met(1)}, functions_.at(far.n)};
+  std::optional<ImpedanceStrip> strip;
+  double made_at = 0.0;
+  for (std::size_t f = 0; f < frequencies_.size(); ++f) {
+    const double k = wavenumber(frequencies_[f]);
+    if (!(k < widest_band * made_at && made_at < widest_band * k)) strip.emplace(from, to, look_, k * length), made_at = k;
+    const auto of_from = table_.at(from.wedge, frequencies_[f]), of_to = table_.at(far, frequencies_[f]);
+    const StripEcho echo = strip->echo(of_from, of_to);
+    const std::array<Complex, 2> sum = echo.over(bundle, k);
+    const Complex turned = std::polar(weight, k * lag(from, to, of_from, of_to, look_));
+    for (const int transmit : {0, 1})
+      for (const int receive : {0, 1})
+        sums[f].at(receive, transmit) +=
+            turned * glm::dot(look_.magnetic[transmit], from.incidence[from.face].tangent) * sum[receive];
+  }
+  work_ += work::impedance_strip * static_cast<double>(frequencies_.size());
+}
+
+}  // namespace raytube

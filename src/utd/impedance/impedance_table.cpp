@@ -1,0 +1,36 @@
+#include "utd/impedance/impedance_table.h"
+
+#include <algorithm>
+
+namespace raytube {
+
+bool is_opaque(const Wedge& wedge, std::span<const Material> materials) {
+  return std::ranges::none_of(wedge.faces, [&](const WedgeFace& face) {
+    if (face.material == no_index) return false;
+    const Material& material = materials[face.material];
+    return material.transmits() || material.kind == MaterialKind::solid;
+  });
+}
+
+ImpedanceTable::ImpedanceTable(std::span<const Material> materials, std::span<const double> frequencies)
+    : materials_(materials), frequencies_(frequencies.begin(), frequencies.end()) {
+  for (const Material& material : materials) {
+    std::vector<SurfaceImpedance>& impedances = impedances_.emplace_back(frequencies.size());
+    for (std::size_t f = 0; f < frequencies.size() && !material.transmits(); ++f)
+      impedances[f] = surface_impedance(material, f, wavenumber(frequencies[f]));
+  }
+}
+
+bool ImpedanceTable::known(const Wedge& wedge) const {
+  return wedge.stands_alone() && !wedge.enclosed && !wedge.conducting() && is_opaque(wedge, materials_);
+}
+
+std::array<SurfaceImpedance, 2> ImpedanceTable::at(const Wedge& wedge, double frequency) const {
+  const auto found = std::ranges::find(frequencies_, frequency) - frequencies_.begin();
+  const auto of = [&](const WedgeFace& face) {
+    return face.material == no_index ? SurfaceImpedance{} : impedances_[face.material][static_cast<std::size_t>(found)];
+  };
+  return {of(wedge.faces[0]), of(wedge.faces[1])};
+}
+
+}  // namespace raytube

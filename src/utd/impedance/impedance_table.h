@@ -1,0 +1,33 @@
+// Impedances of the materials of a target that nothing goes through.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/features/wedges.h"
+#include "utd/impedance/surface_impedance.h"
+
+namespace raytube {
+
+/// Nothing goes through either face of this wedge, and nothing comes back from inside.
+bool is_opaque(const Wedge& wedge, std::span<const Material> materials);
+
+/// At all frequencies of a sweep.
+class ImpedanceTable {
+ public:
+  ImpedanceTable(std::span<const Material> materials, std::span<const double> frequencies);
+
+  /// Of an edge of such materials, beside one that is no conductor.
+  bool known(const Wedge& wedge) const;
+
+  /// Of the faces of an opaque wedge, at one of the frequencies.
+  std::array<SurfaceImpedance, 2> at(const Wedge& wedge, double frequency) const;
+
+ private:
+  std::span<const Material> materials_;
+  std::vector<double> frequencies_;
+  std::vector<std::vector<SurfaceImpedance>> impedances_;  // [material][frequency]
+};
+
+}  // namespace raytube
