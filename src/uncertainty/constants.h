@@ -29,7 +29,7 @@ inline constexpr double most_facet_error = 2.0;  // two fields of the same size 
 
 // Share of the currents of an edge that is missing.
 inline constexpr double material_share = 0.6;        // beside materials, of their strength (dielectric and absorber plates)
-inline constexpr double rim_share = 0.05;            // of rims of thin plates with currents of their own (the same plates)
+inline constexpr double rim_share = 0.08;            // of rims of thin plates with currents of their own (the same plates)
 inline constexpr double opaque_share = 0.2;          // of edges of coats and media with theirs: first order (a coated plate)
 inline constexpr double curved_faces_share = 0.3;    // curved faces taken as planes
 inline constexpr double followed_faces_share = 0.1;  // with strips that follow them: 0.84 dB in the mean over a section's looks

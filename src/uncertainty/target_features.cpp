@@ -52,14 +52,25 @@ bool goes_on(std::span<const WedgeEnd> ends) {
   return ends.size() == 2 && glm::length(ends[0].away + ends[1].away) < 2.0 * std::sin(0.5 * least_turn);
 }
 
-void add_corner(EdgeFeatures& features, std::span<const Wedge> wedges, std::span<const WedgeEnd> ends) {
+// How strong the currents of an edge of this face are, over those of a conductor's.
+double strength_of(const WedgeFace& face, const EdgeCurrents& currents) {
+  if (face.material == no_index) return 1.0;
+  return currents.material_strengths.empty() ? 0.0 : currents.material_strengths[face.material];
+}
+
+double strength_of(const Wedge& wedge, const EdgeCurrents& currents) {
+  return std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
+}
+
+void add_corner(EdgeFeatures& features, std::span<const Wedge> wedges, std::span<const WedgeEnd> ends,
+                const EdgeCurrents& currents) {
   if (goes_on(ends)) return;
   dvec3 sum{0.0};
   SharpCorner corner{0.0, 0.0, static_cast<std::uint32_t>(features.corner_normals.size()), 0};
   for (const WedgeEnd& end : ends) {
     const Wedge& wedge = wedges[end.wedge];
     sum += end.away;
-    corner.weight = std::max(corner.weight, std::min(wedge.n - 1.0, 1.0));
+    corner.weight = std::max(corner.weight, strength_of(wedge, currents) * std::min(wedge.n - 1.0, 1.0));
     corner.reach = std::max(corner.reach, wedge.length());
     for (const WedgeFace& face : wedge.faces) features.corner_normals.push_back(face.normal);
   }
@@ -68,15 +79,9 @@ void add_corner(EdgeFeatures& features, std::span<const Wedge> wedges, std::span
   features.corners.push_back(corner);
 }
 
-// The share of a face's edge currents that is missing if none are computed.
-double strength_of(const WedgeFace& face, const EdgeCurrents& currents) {
-  if (face.material == no_index) return 1.0;
-  return currents.material_strengths.empty() ? 0.0 : currents.material_strengths[face.material];
-}
-
 double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
   if (wedge.conducting()) return currents.conductors ? 0.0 : 1.0;
-  const double all = std::max(strength_of(wedge.faces[0], currents), strength_of(wedge.faces[1], currents));
+  const double all = strength_of(wedge, currents);
   const auto sheet_share = [&](const WedgeFace& face) {
     return face.material == no_index || currents.sheet_shares.empty() ? 0.0 : currents.sheet_shares[face.material];
   };
@@ -93,7 +98,7 @@ class EdgeFinder {
 
   EdgeFeatures find() {
     const std::vector<WedgeEnd> ends = ends_of(wedges_);
-    for_each_point(ends, [&](std::span<const WedgeEnd> here) { add_corner(features_, wedges_, here); });
+    for_each_point(ends, [&](std::span<const WedgeEnd> here) { add_corner(features_, wedges_, here, currents_); });
     const std::vector<std::uint32_t> runs = find_runs(ends);
     for (std::size_t i = 0; i < wedges_.size(); ++i) add_edge(wedges_[i], runs[i]);
     std::ranges::stable_sort(features_.edges, {}, &WeakEdge::run);

@@ -226,7 +226,9 @@ Complex of_way(const Cylinder::Edge& from, const Cylinder::Edge& to, const std::
   };
   const ImpedanceStrip way({from.wedge, faces[0], arriving.faces, psi}, {to.wedge, faces[1], {met(0), met(1)}, psi}, look,
                            length);
-  return Complex(0.0, pi) * way.echo(from.faces, to.faces).over({.from = 0.0, .to = 1.0, .length = length / k}, k)[1] *
+  StripBundle strips{};
+  strips.to = 1.0, strips.length = length / k;
+  return Complex(0.0, pi) * way.echo(from.faces, to.faces).over(strips, k)[1] *
          glm::dot(look.magnetic[1], arriving.faces[faces[0]].tangent) *
          std::polar(1.0, lag(to, look.scattered) - lag(from, look.incident) - length);
 }
