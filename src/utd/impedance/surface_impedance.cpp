@@ -21,10 +21,10 @@ double depth_of_conductor(const Material& material, std::size_t frequency) {
 SurfaceImpedance surface_impedance(const Material& material, std::size_t frequency, double wavenumber) {
   if (material.kind == MaterialKind::conductor) return {};
   if (material.kind == MaterialKind::absorber) return {1.0, 1.0};
-  const double depth = depth_of_conductor(material, frequency);
-  const SurfaceResponse::Polarised at_face = smooth_response(material, frequency, wavenumber, grazing, false).reflected;
-  const Complex moved = std::polar(1.0, 2 * wavenumber * grazing * depth), te = at_face.te * moved, tm = at_face.tm * moved;
-  return {(1.0 + te) / (grazing * (1.0 - te)), grazing * (1.0 - tm) / (1.0 + tm), depth};
+  const double depth = depth_of_conductor(material, frequency), cosine = depth > 0.0 ? grazing : 1.0;
+  const SurfaceResponse::Polarised at_face = smooth_response(material, frequency, wavenumber, cosine, false).reflected;
+  const Complex moved = std::polar(1.0, 2 * wavenumber * cosine * depth), te = at_face.te * moved, tm = at_face.tm * moved;
+  return {(1.0 + te) / (cosine * (1.0 - te)), cosine * (1.0 - tm) / (1.0 + tm), depth};
 }
 
 }  // namespace raytube
