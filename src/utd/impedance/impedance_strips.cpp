@@ -16,6 +16,14 @@ FaceIncidence arriving_at(const WedgeFace& face, const dvec3& direction, double 
   return {.tangent = tangent, .cos_cone = glm::dot(direction, tangent), .sin_cone = sine};
 }
 
+// What a wave counts from whose reflection boundary lies along the strips: its pole is on the path of integration then. Less than
+// 1 within some distance of the path's points, an engineering bound as that of forward grazing (edge_currents.h).
+double boundary_window(const FaceIncidence& incidence, double electrical_length) {
+  constexpr double width = 0.3;
+  const double y = 2.0 * std::sin(0.5 * (pi - incidence.source_angle)), x = electrical_length * std::pow(incidence.sin_cone, 2);
+  return y * y / (y * y + width * width / x);
+}
+
 // From the edges of the mesh to those of the planes where the impedances hold, there and back [m].
 double lag(const StripEdge& from, const StripEdge& to, const std::array<SurfaceImpedance, 2>& of_from,
            const std::array<SurfaceImpedance, 2>& of_to, const LookVectors& look) {
@@ -60,7 +68,8 @@ void ImpedanceStrips::arrive(const StripEdge& from, double weight, const StripBu
     const auto of_from = table_.at(from.wedge, frequencies_[f]), of_to = table_.at(far, frequencies_[f]);
     const StripEcho echo = strip->echo(of_from, of_to);
     const std::array<Complex, 2> sum = echo.over(bundle, k);
-    const Complex turned = std::polar(weight, k * lag(from, to, of_from, of_to, look_));
+    const double counted = weight * skew_window(sine) * boundary_window(from.incidence[from.face], k * length);
+    const Complex turned = std::polar(counted, k * lag(from, to, of_from, of_to, look_));
     for (const int transmit : {0, 1})
       for (const int receive : {0, 1})
         sums[f].at(receive, transmit) +=

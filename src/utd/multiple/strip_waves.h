@@ -14,6 +14,13 @@ namespace raytube {
 /// Sine between a strip and an edge below which the strip runs along the edge.
 inline constexpr double along_edge = 1e-6;
 
+/// What strips count that arrive at an edge with this sine, where their current is taken as that of a plane wave: one that runs
+/// along the edge is none. An engineering bound: of a bundle the width falls with the sine, the edge's answer grows.
+inline double skew_window(double sine) {
+  constexpr double least = 0.05;
+  return sine * sine / (sine * sine + least * least);
+}
+
 /// A wave that starts strips on one face of one wedge.
 struct StripWave {
   std::uint32_t wedge = no_index;

@@ -159,7 +159,7 @@ void SheetStrips::arrive(const Sheet& sheet, const Departure& from, std::uint32_
   if (onwards.amplitudes.empty()) return;
   const StripWave& here = tree_.waves()[from.wave].wave;
   const RimLook start(scene_.wedges[here.wedge].faces[here.face], here.incidence, look_.scattered);
-  radiate(sheet, start, rim, waves, onwards, bundle, sine / rim.sin_cone, sum);
+  radiate(sheet, start, rim, waves, onwards, bundle, skew_window(rim.sin_cone) * sine / rim.sin_cone, sum);
   work_ += work::sheet_wave * static_cast<double>(waves.size() * (1 + onwards.amplitudes.size()));
   if (!tree_.waves()[next].wave.goes_on()) return;
   std::vector<CurrentWaves> sent;
@@ -167,7 +167,7 @@ void SheetStrips::arrive(const Sheet& sheet, const Departure& from, std::uint32_
   for (auto& both : onwards.amplitudes)
     for (CurrentWaves& amplitudes : both) {
       amplitudes = combine(sent, amplitudes);
-      for (Complex& each : amplitudes) each *= sine / rim.sin_cone;
+      for (Complex& each : amplitudes) each *= skew_window(rim.sin_cone) * sine / rim.sin_cone;
     }
   follow(sheet, onwards, sum);
 }
