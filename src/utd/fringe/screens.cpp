@@ -47,9 +47,9 @@ OpaqueAndScreens::OpaqueAndScreens(const TriangleMesh& mesh, std::span<const Mat
       screens_(screen_mesh_),
       materials_(materials) {}
 
-std::vector<std::uint32_t> OpaqueAndScreens::before(const dvec3& point, const dvec3& direction) const {
+std::vector<std::uint32_t> OpaqueAndScreens::before(const dvec3& point, const dvec3& direction, std::uint32_t own) const {
   std::vector<std::uint32_t> patches;
-  Ray ray{point, direction};
+  Ray ray{point, direction, own};
   for (Hit hit;; patches.push_back(ray.source_patch)) {
     screens_.closest_hits({&ray, 1}, {&hit, 1});
     if (!hit) return patches;
@@ -82,8 +82,10 @@ void ScreenCutter::cut(const Wedge& wedge, const LitInterval& lit, std::vector<S
 
 Screens ScreenCutter::at(const Wedge& wedge, double fraction) const {
   const dvec3 point = glm::mix(wedge.start, wedge.end, fraction);
-  std::vector<std::uint32_t> before = target_.before(point, transmitter_.from(point));
-  return {before, receiver_ ? target_.before(point, receiver_->from(point)) : before};
+  const WedgeFace& face = wedge.faces[0];
+  const std::uint32_t own = face.material != no_index && target_.material(face.patch).transmits() ? face.patch : no_index;
+  std::vector<std::uint32_t> before = target_.before(point, transmitter_.from(point), own);
+  return {before, receiver_ ? target_.before(point, receiver_->from(point), own) : before};
 }
 
 // Where these screens end between a point that has them and one that has not.

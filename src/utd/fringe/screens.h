@@ -20,8 +20,9 @@ class OpaqueAndScreens {
 
   const Tracer& opaque() const { return opaque_; }
 
-  /// The patches of the screens that stand between a point and the antenna in this direction, nearest first.
-  std::vector<std::uint32_t> before(const dvec3& point, const dvec3& direction) const;
+  /// The patches of the screens that stand between a point and the antenna in this direction, nearest first; `own` is the screen
+  /// that the point is on.
+  std::vector<std::uint32_t> before(const dvec3& point, const dvec3& direction, std::uint32_t own = no_index) const;
   const dvec3& normal(std::uint32_t patch) const { return screen_mesh_.patches[patch].normal; }
   const Material& material(std::uint32_t patch) const { return materials_[screen_mesh_.patches[patch].material]; }
 

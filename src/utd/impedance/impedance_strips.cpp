@@ -16,12 +16,15 @@ FaceIncidence arriving_at(const WedgeFace& face, const dvec3& direction, double 
   return {.tangent = tangent, .cos_cone = glm::dot(direction, tangent), .sin_cone = sine};
 }
 
+constexpr double shortest = 0.3;  // electrical length of strips whose current is one of waves
+
 // What a wave counts from whose reflection boundary lies along the strips: its pole is on the path of integration then. Less than
-// 1 within some distance of the path's points, an engineering bound as that of forward grazing (edge_currents.h).
+// 1 within some distance of the path's points, an engineering bound as that of forward grazing (edge_currents.h). Strips that are
+// shorter than any wave count as little.
 double boundary_window(const FaceIncidence& incidence, double electrical_length) {
   constexpr double width = 0.3;
   const double y = 2.0 * std::sin(0.5 * (pi - incidence.source_angle)), x = electrical_length * std::pow(incidence.sin_cone, 2);
-  return y * y / (y * y + width * width / x);
+  return y * y / (y * y + width * width / x) * x * x / (x * x + shortest * shortest);
 }
 
 // From the edges of the mesh to those of the planes where the impedances hold, there and back [m].
@@ -64,7 +67,8 @@ void ImpedanceStrips::arrive(const StripEdge& from, double weight, const StripBu
   double made_at = 0.0;
   for (std::size_t f = 0; f < frequencies_.size(); ++f) {
     const double k = wavenumber(frequencies_[f]);
-    if (!(k < widest_band * made_at && made_at < widest_band * k)) strip.emplace(from, to, look_, k * length), made_at = k;
+    if (!(k < widest_band * made_at && made_at < widest_band * k))
+      strip.emplace(from, to, look_, std::max(k * length, shortest)), made_at = k;
     const auto of_from = table_.at(from.wedge, frequencies_[f]), of_to = table_.at(far, frequencies_[f]);
     const StripEcho echo = strip->echo(of_from, of_to);
     const std::array<Complex, 2> sum = echo.over(bundle, k);
