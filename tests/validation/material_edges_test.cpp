@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 #include "material_scene.h"
@@ -93,6 +94,35 @@ TEST(MaterialEdges, NoneIsBeyondItsBound) {
         EXPECT_LT(share, 0.15);  // of 0.09: a term that stands alone where two of a conductor cancel is some 1e4
       }
   fmt::print("edges of materials: at most {:.2g} of their bound\n", largest);
+}
+
+// A film of 200 ohm, a disc of 24 corners as one polygon or as triangles round its middle.
+ScatteringMatrix film_disc(bool fan, const Look& look) {
+  constexpr std::uint32_t corners = 24;
+  PolygonSoup soup;
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const double turn = 2.0 * pi * i / corners;
+    soup.points.push_back(2.5 * lambda * dvec3(std::cos(turn), std::sin(turn), 0.0));
+  }
+  std::vector<std::uint32_t> whole(corners);
+  std::iota(whole.begin(), whole.end(), 0u);
+  if (!fan) soup.polygons.push_back(whole);
+  for (std::uint32_t i = 2; fan && i < corners; ++i) soup.polygons.push_back({0, i - 1, i});
+  soup.materials.assign(soup.polygons.size(), 0);
+  Material film{"film", MaterialKind::thin_sheet, 0.0, {}};
+  film.resistance = 200.0;
+  const LoadedMesh loaded = build_mesh(soup, 1.0, "test", std::span(&film, 1));
+  return solve(Target(loaded.mesh), {{frequency}, {look}, false, {}, {film}}, with_edges(3)).total.front();
+}
+
+// Points of a rim are on its sheet: triangles that meet there are no screens before it.
+TEST(MaterialEdges, OfAPlateDoNotKnowItsTriangles) {
+  for (const double theta : {20.0, 61.0, 90.0}) {
+    const Look look{deg(theta, 17.0), deg(theta, 17.0)};
+    const ScatteringMatrix whole = film_disc(false, look);
+    EXPECT_TRUE(std::isfinite(frobenius_norm(whole)));
+    EXPECT_LT(frobenius_norm(film_disc(true, look) - whole), 1e-9 * lambda);
+  }
 }
 
 }  // namespace
