@@ -165,5 +165,31 @@ TEST(ExactHits, CrossingPlates) {
   expect_exact(shapes::joined(shapes::plate(1.0), tilted), 4000);
 }
 
+// What is there is rounding, but some triangle or none; then on from where it was met.
+TEST(ExactHits, StartOnTheBorderOfAFanOfTriangles) {
+  constexpr std::uint32_t corners = 24;
+  PolygonSoup soup;
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const double turn = 2 * pi * i / corners;
+    soup.points.push_back(0.25 * dvec3(std::cos(turn) * (1 + 0.3 * std::sin(2.3 * i)), std::sin(turn), 0.0));
+  }
+  for (std::uint32_t i = 2; i < corners; ++i) soup.polygons.push_back({0, i - 1, i});
+  const TriangleMesh mesh = build_mesh(std::move(soup), 1.0).mesh;
+  const Tracer tracer(mesh);
+  const dvec3 direction = spherical_basis({61 * degree, 17 * degree}).radial;
+  for (std::uint32_t i = 0; i < corners; ++i)
+    for (int step = 0; step <= 8; ++step) {
+      const double share = std::clamp(step / 8.0, 1e-6, 1.0 - 1e-6);
+      Ray ray{glm::mix(mesh.vertices[i], mesh.vertices[(i + 1) % corners], share), direction, no_index};
+      for (int times = 0; times < 3; ++times) {
+        Hit hit;
+        tracer.closest_hits({&ray, 1}, {&hit, 1});
+        if (!hit) break;
+        ASSERT_LT(hit.triangle, mesh.triangles.size());
+        ray = {ray.origin + hit.distance * direction, direction, mesh.triangle_patch[hit.triangle]};
+      }
+    }
+}
+
 }  // namespace
 }  // namespace raytube

@@ -224,7 +224,7 @@ Ray ExactHit::moved_back(const Ray& ray) const {
 }
 
 Hit ExactHit::front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const {
-  if (!is_lost(ray, hit.triangle)) return hit;
+  if (!hit || !is_lost(ray, hit.triangle)) return hit;
   Hit front;
   if (has_long_corner(hit.triangle))
     keep_nearer_of_all(ray, ignored_patches, front,
