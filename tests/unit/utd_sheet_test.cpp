@@ -171,7 +171,7 @@ struct SlabCase {
   Errors theory;
 };
 
-/// What the theory reaches in numpy with 40 waves on the cut (../shared theory: rms error over the peak, order 1, 2, 3).
+/// What the theory reaches in numpy with 40 waves on the cut: rms error over the peak, order 1, 2, 3.
 const std::vector<SlabCase> slab_cases{{{2.61, -0.035}, 1.0, 0.02, "tm", {{.0102, .0028, .0000}, {.0000, .0000}}},
                                        {{2.61, -0.035}, 1.0, 0.02, "te", {{.0015, .0002, .0001}, {.0001, .0001}}},
                                        {{2.61, -0.035}, 1.0, 0.05, "tm", {{.0246, .0114, .0003}, {.0002, .0002}}},

@@ -19,7 +19,7 @@ class SheetEdges {
   double work() const;
 
  private:
-  ScatteringMatrix fringe(const RimLook& rim, double c, const SheetPair& pair);
+  ScatteringMatrix fringe(const RimLook& rim, double c, const SheetPair& pair, double reach);
 
   SheetScene scene_;
   const LookVectors& look_;

@@ -8,7 +8,6 @@
 // Senior (1979), Radio Sci. 14, 645, for sheets at normal incidence; derived in docs/theory/material_edges.md.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -63,7 +62,6 @@ class SheetHalfPlane {
   SheetHalfPlane(const SheetAdmittance& sheet, double slowest, double sin_cone, double reach);
 
   double sin_cone() const { return sin_cone_; }
-  const SheetAdmittance& sheet() const { return sheet_; }
 
   /// nu or c of a homogeneous wave; the fit is mended to what the plate has exactly.
   SheetWave real_wave(SheetChannel channel, double nu) const;

@@ -109,16 +109,15 @@ void SheetStrips::lay(std::uint32_t index, const FaceIncidence& incidence, std::
 }
 
 void SheetStrips::add(const RimLook& rim, double c, const SheetPair& pair, double wavenumber, ScatteringMatrix& sum) {
-  const double reach = wavenumber * shortest_;
   for (const bool electric : {true, false}) {
     if ((electric ? pair.electric : pair.magnetic).empty()) continue;
-    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone, reach);
+    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone, reach(wavenumber));
     std::array<CurrentWaves, 2> amplitudes;
     for (int transmit = 0; transmit < 2; ++transmit) {
       const std::array<SheetSource, 2> sources = sheet.plane_wave(c, rim.b, driving_field(rim, look_, electric, transmit));
       amplitudes[transmit] = launched(sheet, sources, sheet.constants(sources, rim.b), rim.b);
     }
-    follow({pair, electric, wavenumber, reach}, {0, sheet, 0, {amplitudes}}, sum);
+    follow({pair, electric, wavenumber, reach(wavenumber)}, {0, sheet, 0, {amplitudes}}, sum);
   }
 }
 

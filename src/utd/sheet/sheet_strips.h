@@ -31,6 +31,9 @@ class SheetStrips {
   /// Adds S [m] of what they make at other rims; c of the wave at their own.
   void add(const RimLook& rim, double c, const SheetPair& pair, double wavenumber, ScatteringMatrix& sum);
 
+  /// Electrical length of the shortest of them.
+  double reach(double wavenumber) const { return wavenumber * shortest_; }
+
   double work() const { return work_; }
 
  private:

@@ -18,7 +18,6 @@ bool is_sheet_rim(const Wedge& wedge, std::span<const Material> materials);
 /// At all frequencies of a sweep.
 class SheetTable {
  public:
-  SheetTable() = default;
   SheetTable(std::span<const Material> materials, std::span<const double> frequencies);
 
   /// `frequency` [Hz] is one of the given ones.
