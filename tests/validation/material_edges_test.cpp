@@ -125,5 +125,22 @@ TEST(MaterialEdges, OfAPlateDoNotKnowItsTriangles) {
   }
 }
 
+// Strips that meet an edge at 5e-6 rad are next to none: a plate whose corner is off by so much is the plate.
+TEST(MaterialEdges, OfAPlateKnowNoCornerThatIsOffByNothing) {
+  const Material coat = layered(MaterialKind::coated, {{{{4.0, -0.2}}, 2e-3}});
+  const auto edges = [&](double off) {
+    PolygonSoup soup = shapes::plate(side);
+    soup.points[2].x += off * side;
+    soup.materials.assign(soup.polygons.size(), 0);
+    const LoadedMesh loaded = build_mesh(soup, 1.0, "test", std::span(&coat, 1));
+    const Look look{deg(50.0, 0.0), deg(50.0, 0.0)};
+    Material one = coat;
+    one.layers.resize(1);
+    return solve(Target(loaded.mesh), {{frequency}, {look}, false, {}, {one}}, with_edges(3)).parts[Part::edges_higher].front();
+  };
+  EXPECT_GT(frobenius_norm(edges(0.0)), 1e-5 * lambda);
+  EXPECT_LT(frobenius_norm(edges(5e-6) - edges(0.0)), 1e-3 * lambda);
+}
+
 }  // namespace
 }  // namespace raytube
