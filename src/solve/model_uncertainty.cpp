@@ -105,8 +105,8 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   const bool some_left_out = others.skipped.pairs_beyond_budget > 0 || others.run(MechanismId::interaction).out_of_reach();
   const bool none_afforded = some_left_out && frobenius_norm(row.interaction) == 0.0;
   const auto ran = [&](MechanismId id) { return !others.run(id).ran.empty() && others.run(id).ran[frequency]; };
-  row.has_surface_waves = ran(MechanismId::surface_waves) && plan_.sweep.materials.empty();  // they run on conductors
-  const bool sheets = std::ranges::any_of(plan_.sweep.materials, &Material::transmits);      // waves of edges end at them
+  row.has_surface_waves = ran(MechanismId::surface_waves) && waves_run_over_all_materials(plan_);
+  const bool sheets = std::ranges::any_of(plan_.sweep.materials, &Material::transmits);  // waves of edges end at them
   row.has_interaction = ran(MechanismId::interaction) && !others.s[Part::interaction].empty() && !none_afforded && !sheets;
   if (!others.left_out.empty()) row.left_out = others.left_out[frequency];
   row.truncated =

@@ -82,7 +82,10 @@ class Spheroid:
                 waves.append(self.in_modes(incident.conj()).conj().reshape(-1, self.modes + 1) / incident.shape[-1])
                 far = (self.electric @ e - self.magnetic @ np.cross(e, s)) * np.exp(1j * K * (self.positions @ s))
                 weights.append(self.in_modes(far).reshape(-1, self.modes + 1))
-        waves, weights = np.stack(waves, -1), np.stack(weights, -1)
+        return self.solve(np.stack(waves, -1), np.stack(weights, -1))
+
+    def solve(self, waves, weights):
+        """S of pairs of incident waves and of weights of the sources, and the largest rms of the boundary condition that is left."""
         result, left = 0.0, 0.0
         for mode, matrix in enumerate(self.matrices):
             both = 1 if mode == 0 else 2  # m and -m give the same

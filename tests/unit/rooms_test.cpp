@@ -59,8 +59,9 @@ const Rooms may_include = {
 
     {"utd/wedge", base},
     {"utd/shadow", base + std::set<std::string>{"utd/wedge"}},
-    {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/surface"}},
-    {"utd/surface", base + std::set<std::string>{"utd/wedge"}},
+    {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/fock", "utd/surface"}},
+    {"utd/fock", base},
+    {"utd/surface", base + std::set<std::string>{"utd/wedge", "utd/fock"}},
     {"utd/corner", base + std::set<std::string>{"utd/wedge"}},
     {"utd/sheet", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},
     {"utd/impedance", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},
@@ -76,7 +77,7 @@ const Rooms may_include = {
 
     {"plan", base + std::set<std::string>{"mesh", "mesh/soundness", "sbr", "sbr/launch", "utd/fringe", "utd/gtd"}},
     {"solve/mechanisms", base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe",
-                                                      "utd/interaction", "utd/surface", "utd/corner"}},
+                                                      "utd/interaction", "utd/fock", "utd/surface", "utd/corner"}},
     {"solve", base + std::set<std::string>{"plan", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "uncertainty", "utd/gtd",
                                            "utd/sheet", "solve/mechanisms"}},
 

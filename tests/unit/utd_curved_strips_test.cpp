@@ -1,8 +1,8 @@
 // Strips over curved faces: their currents, and what bends do to these.
 #include <gtest/gtest.h>
 
+#include "utd/fock/edge_factors.h"
 #include "utd/multiple/strip_kernels.h"
-#include "utd/surface/edge_factors.h"
 
 namespace raytube {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "utd/surface/fock.h"
+#include "utd/fock/fock.h"
 
 namespace raytube {
 namespace {

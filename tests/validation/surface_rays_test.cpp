@@ -7,7 +7,7 @@
 #include "scratch.h"
 #include "shapes.h"
 #include "solve/look_solver.h"
-#include "utd/surface/fock.h"
+#include "utd/fock/fock.h"
 #include "vtk_file.h"
 
 namespace raytube {

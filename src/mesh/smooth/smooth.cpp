@@ -158,12 +158,6 @@ void SmoothSurfaces::keep_flat(double max_rise) {
     if (region_[t] != no_index && stays_flat(region_[t])) region_[t] = no_index;
 }
 
-std::size_t SmoothSurfaces::conducting_facets() const {
-  std::size_t count = 0;
-  for (std::uint32_t t = 0; t < region_.size(); ++t) count += conducts(t);
-  return count;
-}
-
 double SmoothSurfaces::boundary_length() const {
   double sum = 0.0;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)

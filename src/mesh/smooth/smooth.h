@@ -96,7 +96,6 @@ class SmoothSurfaces {
   bool conducts(std::uint32_t triangle) const {
     return region_[triangle] != no_index && mesh_.patches[mesh_.triangle_patch[triangle]].material == no_index;
   }
-  std::size_t conducting_facets() const;  // how many are
 
   /// Whether the side from `corner` of a triangle to the next one bounds its surface.
   bool on_boundary(std::uint32_t triangle, int corner) const { return chords_->boundary[3 * std::size_t{triangle} + corner]; }

@@ -33,9 +33,10 @@ EdgeSetup edge_setup(const BandScene& scene) {
   return setup;
 }
 
-std::optional<CurvedTarget> curved_target(const SolvePlan& plan, const BandPlan& band) {
+std::optional<CurvedTarget> curved_target(const SolvePlan& plan, const BandPlan& band, std::span<const Material> materials) {
   if (!has_surface_waves(plan, band)) return {};
-  return std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *band.wave_surfaces, band.convexity.no_reflection);
+  return std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *band.wave_surfaces, band.convexity.no_reflection,
+                                     materials, band.frequencies);
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ BandScene::BandScene(const SolvePlan& a_plan, const BandPlan& a_band)
       band(a_band),
       materials(at_frequencies(plan.sweep.materials, band.indices)),
       tubes{plan.target.tracer, plan.target.faces, band.smooth.get(), band.convexity, materials, plan.sweep.radar},
-      curved(curved_target(plan, band)),
+      curved(curved_target(plan, band, materials)),
       edges(edge_setup(*this)) {}
 
 }  // namespace raytube

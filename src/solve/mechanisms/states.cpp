@@ -7,13 +7,23 @@
 #include "plan/admissible.h"
 #include "plan/material_edges.h"
 #include "scene/skipped.h"
+#include "utd/fock/face_impedance.h"
 #include "utd/interaction/interaction_groups.h"
 
 namespace raytube {
 
 namespace {
 
-std::size_t conducting(const BandPlan& band) { return band.wave_surfaces ? band.wave_surfaces->conducting_facets() : 0; }
+// Facets of curved surfaces over which waves run.
+std::size_t wave_facets(const SolvePlan& plan, const BandPlan& band) {
+  if (!band.wave_surfaces) return 0;
+  const TriangleMesh& mesh = plan.target.mesh;
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    count += band.wave_surfaces->region(t) != no_index &&
+             carries_waves(plan.sweep.materials, mesh.patches[mesh.triangle_patch[t]].material);
+  return count;
+}
 
 // What takes no part for its size.
 std::vector<Skipped> skipped_for_size(const TooSmall& small, std::uint64_t frequencies) {
@@ -32,18 +42,26 @@ MechanismState surface_waves_state(const SolvePlan& plan) {
     return without("with tubes.curved = \"never\", or tubes that are not clipped, facets are the surface itself");
   const auto is_curved = [](const BandPlan& band) { return band.wave_surfaces != nullptr; };
   if (std::ranges::none_of(plan.bands, is_curved)) return without("no curved surface");
-  const BandPlan& most = *std::ranges::max_element(plan.bands, {}, conducting);
-  if (conducting(most) == 0) return without("no curved surface is a perfect conductor");
-  const std::size_t facets = conducting(most), others = most.wave_surfaces->facets() - facets;
+  const auto count = [&](const BandPlan& band) { return wave_facets(plan, band); };
+  const BandPlan& most = *std::ranges::max_element(plan.bands, {}, count);
+  const std::size_t facets = count(most), others = most.wave_surfaces ? most.wave_surfaces->facets() - facets : 0;
+  if (facets == 0) return without("no curved surface is a conductor, coated or bare, or a half-space");
   return {.on = true,
           .forced = plan.surfaces.waves.forced(),
           .what = fmt::format("over {} facets{}", facets,
-                              others == 0 ? "" : fmt::format(", not over {} more that are not perfect conductors", others)),
+                              others == 0 ? "" : fmt::format(", not over {} more of other materials", others)),
           .when = "in looks where they can change a row by accuracy.tolerance_db"};
 }
 
 bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
-  return conducting(band) > 0 && surface_waves_state(plan).on;
+  return wave_facets(plan, band) > 0 && surface_waves_state(plan).on;
+}
+
+bool waves_run_over_all_materials(const SolvePlan& plan) {
+  const std::vector<Material>& materials = plan.sweep.materials;
+  for (std::uint32_t m = 0; m < materials.size(); ++m)
+    if (!carries_waves(materials, m)) return false;
+  return true;
 }
 
 MechanismState edge_currents_state(const SolvePlan& plan) {
@@ -52,9 +70,10 @@ MechanismState edge_currents_state(const SolvePlan& plan) {
   const std::size_t of_materials = count_material_edges(wedges, plan.sweep.materials).known;
   const bool computed = of_materials > 0 && plan.edges.materials == MaterialEdgeMethod::fringe;
   if (!computed && std::ranges::none_of(wedges, &Wedge::radiates))
-    return of_materials > 0 ? misses("edges.materials is \"none\"")
-                            : without("the target has no convex edge");
-  return {.on = true, .forced = true, .what = fmt::format("order {}{}", plan.edges.order, computed ? ", and of other materials" : "")};
+    return of_materials > 0 ? misses("edges.materials is \"none\"") : without("the target has no convex edge");
+  return {.on = true,
+          .forced = true,
+          .what = fmt::format("order {}{}", plan.edges.order, computed ? ", and of other materials" : "")};
 }
 
 MechanismState interaction_state(const SolvePlan& plan) {

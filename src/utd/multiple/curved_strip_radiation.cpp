@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "math/filon.h"
-#include "utd/surface/edge_factors.h"
+#include "utd/fock/edge_factors.h"
 
 namespace raytube {
 

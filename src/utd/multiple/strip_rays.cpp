@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "utd/surface/edge_factors.h"
+#include "utd/fock/edge_factors.h"
 
 namespace raytube {
 

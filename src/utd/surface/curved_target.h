@@ -6,18 +6,23 @@
 #include "mesh/model/edge_table.h"
 #include "mesh/smooth/curvature_field.h"
 #include "mesh/trace/tracer.h"
+#include "utd/fock/face_impedance.h"
 #include "utd/surface/body_widths.h"
 
 namespace raytube {
 
 struct CurvedTarget {
-  /// Keeps references to both. `is_convex`: nothing stands in the light of a surface that is turned to it.
-  CurvedTarget(const Tracer& a_tracer, const SmoothSurfaces& some_surfaces, bool is_convex)
+  /// Keeps references to the first two and the materials. `is_convex`: nothing stands in the light of a surface that is turned
+  /// to it. `some_materials` are those of the mesh, at `frequencies`.
+  CurvedTarget(const Tracer& a_tracer, const SmoothSurfaces& some_surfaces, bool is_convex,
+               std::span<const Material> some_materials = {}, std::span<const double> frequencies = {})
       : tracer(a_tracer),
         surfaces(some_surfaces),
         edges(tracer.mesh().triangles, tracer.mesh().vertices.size()),
         curvatures(tracer.mesh(), surfaces),
         widths(body_widths(tracer.mesh())),
+        materials(some_materials),
+        impedances(materials, frequencies),
         convex(is_convex) {}
 
   /// At barycentric coordinates of a triangle, seen from one of its sides: 1 its front, -1 its back.
@@ -28,10 +33,21 @@ struct CurvedTarget {
     return frame;
   }
 
-  /// Whether waves run over a body at a wavenumber: not if it is under a wavelength across in both of its short directions. There
-  /// k times half the width is below pi and m below 1.2, so that the transitions at its two shadow boundaries, 1/m to either side
-  /// of each, fill more than half of the half turn between them: they are no longer Fock's, which know one boundary.
-  bool carries_waves(std::uint32_t component, double wavenumber) const { return widths[component] * wavenumber >= 2.0 * pi; }
+  /// Whether a body is wide enough for waves to run over it at a wavenumber: not if it is under a wavelength across in both of
+  /// its short directions. There k times half the width is below pi and m below 1.2, so that the transitions at its two shadow
+  /// boundaries, 1/m to either side of each, fill more than half of the half turn between them: they are no longer Fock's, which
+  /// know one boundary.
+  bool is_wide(std::uint32_t component, double wavenumber) const { return widths[component] * wavenumber >= 2.0 * pi; }
+
+  /// Of a facet, no_index: a perfect conductor.
+  std::uint32_t material(std::uint32_t triangle) const {
+    return tracer.mesh().patches[tracer.mesh().triangle_patch[triangle]].material;
+  }
+
+  /// Whether a facet is part of a surface over which waves run at all.
+  bool carries_waves(std::uint32_t triangle) const {
+    return surfaces.region(triangle) != no_index && raytube::carries_waves(materials, material(triangle));
+  }
 
   const dvec3& corner(std::uint32_t triangle, int corner) const {
     return tracer.mesh().vertices[tracer.mesh().triangles[triangle][corner]];
@@ -56,6 +72,8 @@ struct CurvedTarget {
   const EdgeTable edges;
   const CurvatureField curvatures;
   const std::vector<double> widths;  // of the components [m]
+  const std::span<const Material> materials;
+  const FaceImpedances impedances;
   const bool convex;
 };
 

@@ -88,6 +88,8 @@ class LitSide {
     LitFrame frame;
     double path;
     ScatteringMatrix hard, soft;  // of a current of physical optics with either part alone
+    std::uint32_t material;
+    ScatteringMatrix hard_magnetic{}, soft_magnetic{};  // beside other materials: of the M of that, over Z
   };
 
   // By how much xi changes over it, about; `grazing` is -n . d.
@@ -141,12 +143,26 @@ class LitSide {
     const dvec3 position = facet.surface.point(l);
     const LookVectors& here = look_.at(position);
     const LitFrame frame(target_.frame(facet.triangle, l, facet.side), here.incident);
-    points_.push_back({frame, look_.both(position), radiated(here, frame, frame.straight), radiated(here, frame, frame.bent)});
+    const std::uint32_t material = target_.material(facet.triangle);
+    points_.push_back({frame, look_.both(position), radiated(here, frame, frame.straight, here.receive),
+                       radiated(here, frame, frame.bent, here.receive), material});
+    if (material == no_index) return;
+    const std::array<dvec3, 2> turned = receiver_of_magnetic_currents(here, frame.normal);
+    points_.back().hard_magnetic = radiated(here, frame, frame.straight, turned);
+    points_.back().soft_magnetic = radiated(here, frame, frame.bent, turned);
   }
 
-  static ScatteringMatrix amplitude(const Point& point, double k) {
-    const FockCurrents share = lit_share(point.frame, k);
+  ScatteringMatrix amplitude(const Point& point, double k) const {
     ScatteringMatrix hard = point.hard, soft = point.soft;
+    FockCurrents share;
+    if (point.material == no_index) {
+      share = lit_share(point.frame, k);
+    } else {
+      const FaceImpedance impedance = target_.impedances.at(point.material, k);
+      share = lit_share(point.frame, k, impedance);
+      ScatteringMatrix hard_magnetic = point.hard_magnetic, soft_magnetic = point.soft_magnetic;
+      hard += hard_magnetic *= impedance.hard, soft += soft_magnetic *= impedance.soft;
+    }
     return (hard *= share.hard) += soft *= share.soft;
   }
 
@@ -172,11 +188,12 @@ class LitSide {
   void put(const dvec3& position, const ScatteringMatrix& s) { places_->pieces.push_back({position, position, s}); }
 
   // 2 n x H of the part of H along that axis.
-  static ScatteringMatrix radiated(const LookVectors& look, const LitFrame& frame, const dvec3& axis) {
+  static ScatteringMatrix radiated(const LookVectors& look, const LitFrame& frame, const dvec3& axis,
+                                   const std::array<dvec3, 2>& receive) {
     const dvec3 current = 2.0 * glm::cross(frame.normal, axis);
     ScatteringMatrix s;
     for (int t = 0; t < 2; ++t)
-      for (int p = 0; p < 2; ++p) s.at(p, t) = glm::dot(look.magnetic[t], axis) * glm::dot(look.receive[p], current);
+      for (int p = 0; p < 2; ++p) s.at(p, t) = glm::dot(look.magnetic[t], axis) * glm::dot(receive[p], current);
     return s;
   }
 
@@ -195,7 +212,7 @@ double add_lit_currents(const CurvedTarget& target, LocalLook& look, std::span<c
   const double lowest = std::ranges::min(wavenumbers);
   LitSide lit(target, look, wavenumbers, sum, places);
   for (std::uint32_t t = 0; t < target.tracer.mesh().triangles.size(); ++t) {
-    if (!target.surfaces.conducts(t) || !target.carries_waves(target.tracer.mesh().triangle_component[t], lowest)) continue;
+    if (!target.carries_waves(t) || !target.is_wide(target.tracer.mesh().triangle_component[t], lowest)) continue;
     lit.add(t, 1.0);
     if (!target.tracer.mesh().closed(t)) lit.add(t, -1.0);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "utd/fock/impedance_fock.h"
+
 namespace raytube {
 
 namespace {
@@ -17,12 +19,19 @@ dvec3 across(const dvec3& incident, const dvec3& normal) {
   return glm::normalize(glm::cross(incident, std::abs(incident.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
 }
 
+// Over xi from -4 to -5, to 1e-6 of the current of physical optics, and smoothly, so that amplitudes are smooth in k.
+double fading(double xi) {
+  if (xi <= -least_lit) return 0.0;
+  const double cube = xi * xi * xi / (least_lit * least_lit * least_lit);
+  return std::exp(-8.0 * std::pow(cube, 8));
+}
+
 }  // namespace
 
 LitFrame::LitFrame(const SurfaceFrame& frame, const dvec3& incident_direction) : normal(frame.normal) {
-  const double facing = std::min(glm::dot(normal, incident_direction), -least_cosine);
+  cosine = std::max(-glm::dot(normal, incident_direction), least_cosine);
   const dvec3 v = across(incident_direction, normal), u = glm::cross(v, incident_direction);
-  const auto tangent = [&](const dvec3& w) { return w - (glm::dot(normal, w) / facing) * incident_direction; };
+  const auto tangent = [&](const dvec3& w) { return w - (glm::dot(normal, w) / -cosine) * incident_direction; };
   const dvec3 a = tangent(u), b = tangent(v);
   const double uu = frame.curvature(a), uv = glm::dot(a, frame.normal_turn * b), vv = frame.curvature(b);
   const double mean = 0.5 * (uu + vv), half = 0.5 * (uu - vv), radius = std::sqrt(half * half + uv * uv);
@@ -32,17 +41,24 @@ LitFrame::LitFrame(const SurfaceFrame& frame, const dvec3& incident_direction) :
   bent = half >= 0.0 ? larger * u + smaller * v : std::abs(smaller) * u + std::copysign(larger, uv) * v;
   straight = glm::cross(incident_direction, bent);
   const double hollow = std::min(mean - radius, 0.0);
-  bend = std::max((mean + radius - std::max(mean - radius, 0.0) + hollow) / -facing, least_bend);
+  bend = std::max((mean + radius - std::max(mean - radius, 0.0) + hollow) / cosine, least_bend);
 }
 
 FockCurrents lit_share(const LitFrame& frame, double wavenumber) {
-  const double xi = std::min(frame.distance(wavenumber), -least_xi);
-  if (xi <= -least_lit) return {0.0, 0.0};
+  const double xi = std::min(frame.distance(wavenumber), -least_xi), share = fading(xi);
+  if (share == 0.0) return {0.0, 0.0};
   const FockCurrents fock = fock_factors(xi);
-  // Fades over xi from -4 to -5, to 1e-6 of the current of physical optics, and smoothly, so that amplitudes are smooth in k.
-  const double cube = xi * xi * xi / (least_lit * least_lit * least_lit);
-  const double share = std::exp(-8.0 * std::pow(cube, 8));
   return {share * (fock.hard - 1.0), share * (fock.soft - 1.0)};
+}
+
+FockCurrents lit_share(const LitFrame& frame, double wavenumber, const FaceImpedance& impedance) {
+  const double xi = std::min(frame.distance(wavenumber), -least_xi), share = fading(xi);
+  if (share == 0.0) return {0.0, 0.0};
+  const double c = frame.cosine, m = -xi / c;
+  const FockCurrents fock = impedance_fock(xi, m, impedance);
+  const Complex back = share * std::polar(1.0, -xi * xi * xi / 3);
+  return {0.5 * back * fock.hard - share * c / (c + impedance.hard),
+          0.5 * back * fock.soft / (m * c) - share / (1.0 + impedance.soft * c)};
 }
 
 }  // namespace raytube

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "mesh/smooth/curvature_field.h"
-#include "utd/surface/fock.h"
+#include "utd/fock/face_impedance.h"
+#include "utd/fock/fock.h"
 
 namespace raytube {
 
@@ -16,6 +17,7 @@ struct LitFrame {
 
   dvec3 normal;
   dvec3 bent, straight;  // unit, across the wave: axes of C with its larger and its smaller curvature
+  double cosine;         // -n . d
   double bend;           // their difference over |n . d| [1/m], less what the smaller one is hollow by; not negative
 
   /// xi < 0, from the shadow boundary in units of its width: |xi|^3 = k / (2 bend). It is Fock's near the boundary, exactly so on
@@ -28,5 +30,8 @@ inline constexpr double least_lit = 5.0;
 
 /// What the current has beside physical optics, in units of that: for H along `straight` (hard) and E along it (soft).
 FockCurrents lit_share(const LitFrame& frame, double wavenumber);
+
+/// Of a surface of an impedance, in units of what a perfect conductor has in physical optics: J alone; M = -Z n x J.
+FockCurrents lit_share(const LitFrame& frame, double wavenumber, const FaceImpedance& impedance);
 
 }  // namespace raytube

@@ -7,6 +7,13 @@
 
 namespace raytube {
 
+/// What stands for `receive` before the current J of a face where M = -Z n x J is wanted, over Z: M radiates (s x p) . M where J
+/// radiates p . eta J.
+inline std::array<dvec3, 2> receiver_of_magnetic_currents(const LookVectors& look, const dvec3& normal) {
+  const auto turned = [&](const dvec3& p) { return glm::cross(normal, glm::cross(look.scattered, p)); };
+  return {turned(look.receive[0]), turned(look.receive[1])};
+}
+
 /// From antennas at infinity the same everywhere, from those at a finite distance what their waves are at each point.
 class LocalLook {
  public:

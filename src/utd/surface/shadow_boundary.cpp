@@ -24,7 +24,7 @@ class ShadowBoundary {
   ShadowBoundary(const CurvedTarget& target, const LocalLook& look, double widest, double most_turn)
       : target_(target), look_(look), widest_(widest), most_turn_(most_turn) {
     for (std::uint32_t t = 0; t < target.tracer.mesh().triangles.size(); ++t)
-      if (target.surfaces.conducts(t)) cross(t);
+      if (target.carries_waves(t)) cross(t);
     link();
   }
 

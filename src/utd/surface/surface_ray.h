@@ -1,8 +1,8 @@
 // Geodesics over the facets of curved surfaces.
 #pragma once
 
-#include "mesh/smooth/curvature_field.h"
 #include "mesh/model/edge_table.h"
+#include "mesh/smooth/curvature_field.h"
 
 namespace raytube {
 

@@ -7,7 +7,8 @@
 #include <optional>
 
 #include "core/work.h"
-#include "utd/surface/fock.h"
+#include "utd/fock/fock.h"
+#include "utd/fock/impedance_fock.h"
 #include "utd/surface/lit_currents.h"
 #include "utd/surface/lit_frame.h"
 #include "utd/surface/shadow_boundary.h"
@@ -40,6 +41,7 @@ struct StripPoint {
 /// A strip into the dark from a point of the shadow boundary, as far as it has come.
 struct DarkStrip {
   StripPoint q;                              // of the boundary
+  std::uint32_t material;                    // no_index: a perfect conductor
   dvec3 chord;                               // of its piece of that [m]
   double across;                             // its width there [m]
   std::array<double, 2> magnetic, electric;  // H and E of the wave there along the binormal, transmit V and H
@@ -83,7 +85,7 @@ class SurfaceLook {
       if (!mesh_.closed(piece.middle.triangle)) add_strip(piece, -1.0);
     }
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (runs_over(t)) find_far_sides(t);
+      if (runs_over(t) && target_.surfaces.conducts(t)) find_far_sides(t);
     if (rays_ != nullptr) std::erase_if(*rays_, [](const SurfaceRay& ray) { return ray.points.size() < 2; });
     result_.work += add_lit_currents(target_, look_, wavenumbers_, band_, places_);
     band_.add_to(result_.scattering);
@@ -100,7 +102,7 @@ class SurfaceLook {
   }
 
   bool runs_over(std::uint32_t triangle) const {
-    return target_.surfaces.conducts(triangle) && target_.carries_waves(mesh_.triangle_component[triangle], lowest_);
+    return target_.carries_waves(triangle) && target_.is_wide(mesh_.triangle_component[triangle], lowest_);
   }
 
   // Where the surface ends before its shadow boundary: its lit part near that boundary is there all the same.
@@ -192,7 +194,8 @@ class SurfaceLook {
     const StripWidth width{across, across * look_.spreading(q.position)};
     const LookVectors& here = look_.at(q.position);
     follow_dark(start, incident,
-                DarkStrip{q, piece.chord, across, along(here.magnetic, q.binormal), along(here.electric, q.binormal), q, width},
+                DarkStrip{q, target_.material(start.triangle), piece.chord, across, along(here.magnetic, q.binormal),
+                          along(here.electric, q.binormal), q, width},
                 side);
   }
 
@@ -204,10 +207,11 @@ class SurfaceLook {
   }
 
   /// S of a current along `current` per unit of -jk / 4 pi, for each transmitted `field`.
-  static ScatteringMatrix radiated(const LookVectors& here, const std::array<double, 2>& field, const dvec3& current) {
+  static ScatteringMatrix radiated(const std::array<dvec3, 2>& receive, const std::array<double, 2>& field,
+                                   const dvec3& current) {
     ScatteringMatrix s;
     for (int p = 0; p < 2; ++p)
-      for (int t = 0; t < 2; ++t) s.at(p, t) = field[t] * glm::dot(here.receive[p], current);
+      for (int t = 0; t < 2; ++t) s.at(p, t) = field[t] * glm::dot(receive[p], current);
     return s;
   }
 
@@ -224,10 +228,18 @@ class SurfaceLook {
     return std::cbrt(0.5 * k / std::max(point.curvature, least_curvature / mesh_.radius));
   }
 
+  // m eta J for the soft one.
+  FockCurrents currents(const DarkStrip& strip, double k) const {
+    if (strip.material == no_index) return strip.way.currents(k);
+    const double m = strip.way.distance(k) > 0.0 ? strip.way.scale(k) : fock_scale(strip.q, k);
+    const FaceImpedance impedance = target_.impedances.at(strip.material, k);
+    return strip.way.with_second_order(impedance_fock(strip.way.distance(k), m, impedance), k);
+  }
+
   // For pictures.
   void keep_end(const DarkStrip& strip) {
     const double k = wavenumbers_.front(), share = std::abs(strip.width.width) / strip.across;
-    const FockCurrents fock = strip.way.currents(k);
+    const FockCurrents fock = currents(strip, k);
     const double factor = 1.0 / std::sqrt(std::max(share, least_width));
     if (strip.s == 0.0) rays_->push_back({SurfaceRayKind::into_the_dark, 1});
     rays_->back().points.push_back({strip.end.position, strip.s, strip.way.distance(k), share, factor * std::abs(fock.hard),
@@ -236,14 +248,20 @@ class SurfaceLook {
 
   void set_amplitudes(const DarkStrip& strip) {
     const LookVectors& here = look_.at(strip.end.position);
-    const ScatteringMatrix hard = radiated(here, strip.magnetic, strip.end.along);
-    const ScatteringMatrix soft = radiated(here, strip.electric, strip.end.binormal);
+    const ScatteringMatrix hard = radiated(here.receive, strip.magnetic, strip.end.along);
+    const ScatteringMatrix soft = radiated(here.receive, strip.electric, strip.end.binormal);
+    const std::array<dvec3, 2> turned = receiver_of_magnetic_currents(here, strip.end.normal);
     const double half_across = 0.5 * path_across(strip, here.scattered);
     for (std::size_t n = 0; n < amplitudes_.size(); ++n) {
       const double k = sum_->wavenumbers()[n];
-      const FockCurrents fock = strip.way.currents(k);
+      const FockCurrents fock = currents(strip, k);
       const Complex factor = Complex(0, -k / (4 * pi)) * strip.area * sinc(k * half_across);
       ScatteringMatrix along = hard, across = soft;
+      if (strip.material != no_index) {
+        const FaceImpedance impedance = target_.impedances.at(strip.material, k);
+        along += radiated(turned, strip.magnetic, strip.end.along) *= impedance.hard;
+        across += radiated(turned, strip.electric, strip.end.binormal) *= impedance.soft;
+      }
       amplitudes_[n] = (along *= factor * fock.hard) += across *= factor * fock.soft / fock_scale(strip.end, k);
     }
   }
@@ -293,7 +311,7 @@ class SurfaceLook {
     bool goes_on = true;
     while (goes_on && geodesic.next(piece)) goes_on = go_over(strip, piece, side);
     if (strip.since > 0.0) put_end(strip);
-    if (!goes_on || geodesic.ended_at() < 0) return;
+    if (!goes_on || geodesic.ended_at() < 0 || strip.material != no_index) return;
     arrive({piece.from.triangle,
             geodesic.ended_at(),
             side < 0.0,
@@ -339,8 +357,7 @@ SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const Loca
   std::map<std::size_t, std::vector<std::size_t>> groups;
   for (std::size_t f = 0; f < frequencies.size(); ++f) {
     std::size_t bodies = 0;
-    for (std::uint32_t c = 0; c < target.widths.size(); ++c)
-      bodies += target.carries_waves(c, wavenumber(frequencies[f])) ? 1 : 0;
+    for (std::uint32_t c = 0; c < target.widths.size(); ++c) bodies += target.is_wide(c, wavenumber(frequencies[f])) ? 1 : 0;
     if (bodies > 0) groups[bodies].push_back(f);
   }
   SurfaceWaveResult all;

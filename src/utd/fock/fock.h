@@ -31,8 +31,15 @@ class DarkWay {
   /// those along it.
   FockCurrents currents(double wavenumber) const;
 
+  /// Currents of the first order with the second one of a conductor's.
+  FockCurrents with_second_order(const FockCurrents& first, double wavenumber) const;
+
+  /// m = (k / 2 kappa)^(1/3), its mean over xi; not at the start of the way.
+  double scale(double wavenumber) const;
+
  private:
   double distance_ = 0.0;                     // integral of (kappa^2 / 2)^(1/3) [m^1/3]
+  double bends_ = 0.0;                        // of kappa^(1/3) [m^2/3]
   double hard_more_ = 0.0, soft_more_ = 0.0;  // [m^-1/3]
 };
 

@@ -1,4 +1,4 @@
-#include "utd/surface/edge_factors.h"
+#include "utd/fock/edge_factors.h"
 
 #include <numbers>
 #include <vector>

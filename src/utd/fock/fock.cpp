@@ -1,11 +1,11 @@
-#include "utd/surface/fock.h"
+#include "utd/fock/fock.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "utd/surface/fock_fit.h"
+#include "utd/fock/fock_fit.h"
 
 namespace raytube {
 
@@ -46,11 +46,12 @@ void DarkWay::step(double curvature, double gaussian, double h) {
   const double turn = h * std::cbrt(2 * curvature);
   const double across = std::clamp(gaussian / curvature, -curvature, curvature);
   distance_ += h * std::cbrt(0.5 * curvature * curvature);
+  bends_ += h * std::cbrt(curvature);
   hard_more_ += turn * (along_hard * curvature - across_hard * across);
   soft_more_ += turn * along_soft * curvature;
 }
 
-FockCurrents DarkWay::currents(double wavenumber) const {
+FockCurrents DarkWay::with_second_order(const FockCurrents& first, double wavenumber) const {
   // Of the first order's exponent; so much the second has where it is no longer small beside the first.
   constexpr double most = 0.15;
   const double scale = 1.0 / std::cbrt(wavenumber), xi = distance(wavenumber);
@@ -58,9 +59,15 @@ FockCurrents DarkWay::currents(double wavenumber) const {
     const double all = std::max(most * zero * xi, 1e-30);
     return std::exp(-scale * more / std::hypot(1.0, scale * more / all) * std::polar(1.0, -pi / 6));
   };
-  const FockCurrents fock = fock_in_the_dark(xi);
-  return {fock.hard * factor(hard_more_, hard_zeros[0]), fock.soft * factor(soft_more_, soft_zeros[0])};
+  return {first.hard * factor(hard_more_, hard_zeros[0]), first.soft * factor(soft_more_, soft_zeros[0])};
 }
+
+FockCurrents DarkWay::currents(double wavenumber) const {
+  return with_second_order(fock_in_the_dark(distance(wavenumber)), wavenumber);
+}
+
+// m d xi = (k/2)^(2/3) kappa^(1/3) ds, and d xi = (k/2)^(1/3) kappa^(2/3) ds.
+double DarkWay::scale(double wavenumber) const { return std::cbrt(0.25 * wavenumber) * bends_ / distance_; }
 
 FockCurrents fock_factors(double xi) {
   if (xi < -lit_end) {

@@ -1,0 +1,49 @@
+#include "utd/fock/face_impedance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace raytube {
+
+namespace {
+
+// Z depends on the square of this cosine of incidence: 1e-8 of it, and 1e-12 is lost in 1 + r.
+constexpr double grazing = 1e-4;
+
+FaceImpedance face_impedance(const Material& material, std::size_t frequency, double wavenumber) {
+  const auto [te, tm] = smooth_response(material, frequency, wavenumber, grazing, false).reflected;
+  return {(1.0 + te) / (grazing * (1.0 - te)), grazing * (1.0 - tm) / (1.0 + tm)};
+}
+
+}  // namespace
+
+bool carries_waves(std::span<const Material> materials, std::uint32_t material) {
+  if (material == no_index) return true;
+  const MaterialKind kind = materials[material].kind;
+  return kind == MaterialKind::coated || kind == MaterialKind::half_space;
+}
+
+FaceImpedances::FaceImpedances(std::span<const Material> materials, std::span<const double> frequencies)
+    : at_faces_(materials.size()) {
+  std::vector<std::size_t> order(frequencies.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t f) { return frequencies[f]; });
+  for (const std::size_t f : order) wavenumbers_.push_back(wavenumber(frequencies[f]));
+  for (std::uint32_t m = 0; m < materials.size(); ++m)
+    if (carries_waves(materials, m))
+      for (std::size_t i = 0; i < order.size(); ++i)
+        at_faces_[m].push_back(face_impedance(materials[m], order[i], wavenumbers_[i]));
+}
+
+FaceImpedance FaceImpedances::at(std::uint32_t material, double wavenumber) const {
+  const std::vector<FaceImpedance>& known = at_faces_[material];
+  const auto above = std::ranges::lower_bound(wavenumbers_, wavenumber);
+  const auto i = std::min(static_cast<std::size_t>(above - wavenumbers_.begin()), known.size() - 1);
+  if (i == 0 || wavenumbers_[i] == wavenumber) return known[i];
+  const double share = std::min((wavenumber - wavenumbers_[i - 1]) / (wavenumbers_[i] - wavenumbers_[i - 1]), 1.0);
+  const auto between = [&](const Complex& a, const Complex& b) { return a + share * (b - a); };
+  return {between(known[i - 1].soft, known[i].soft), between(known[i - 1].hard, known[i].hard)};
+}
+
+}  // namespace raytube
