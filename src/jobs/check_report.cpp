@@ -326,7 +326,7 @@ void tell_case(CheckReport& report, const Case& c, const MeshReport& counts, con
   report.print("{}", materials_text(c, target));
   tell_wedges(report, target.wedges);
   tell_material_edges(report, c, target.wedges);
-  tell_thin_plate_edges(report, c, target.thin_plate_edges);
+  tell_thin_plate_edges(report, c, plan.thin_plate_edges);
   tell_curved_surfaces(report, plan);
   tell_mechanisms(report, plan);
   tell_skipped(report, counts, plan);

@@ -9,6 +9,7 @@
 #include "mesh/smooth/bodies.h"
 #include "plan/admissible.h"
 #include "plan/material_edges.h"
+#include "plan/metal_plates.h"
 #include "utd/gtd/ray_fields.h"
 
 namespace raytube {
@@ -210,8 +211,14 @@ std::shared_ptr<const Sweep> paths_of(const Sweep& sweep, const SolveOptions& op
   return std::make_shared<const Sweep>(sweep_of_paths(sweep, *ground, options.edges.method == EdgeMethod::utd));
 }
 
-WedgeSource wedge_source(const Target& target) {
-  return {target.mesh, target.wedges, target.outlines, target.thin_plate_edges, target.options.min_wedge_angle};
+std::vector<ThinPlateEdge> thin_plate_edges_of(const SolvePlan& plan) {
+  const bool coats_count = plan.fringe() && plan.edges.materials == MaterialEdgeMethod::fringe;
+  return metal_plate_edges(plan.target.thin_plate_edges, plan.sweep.materials, coats_count);
+}
+
+WedgeSource wedge_source(const SolvePlan& plan) {
+  const Target& target = plan.target;
+  return {target.mesh, target.wedges, target.outlines, plan.thin_plate_edges, target.options.min_wedge_angle};
 }
 
 }  // namespace
@@ -232,7 +239,8 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& given, const SolveOptions& o
   const auto start = std::chrono::steady_clock::now();
   ray_range = ray_range_of(*this);
   bands = bands_of(*this, known_surfaces);
-  wedge_sets = raytube::wedge_sets(wedge_source(target), sweep.frequencies);
+  thin_plate_edges = thin_plate_edges_of(*this);
+  wedge_sets = raytube::wedge_sets(wedge_source(*this), sweep.frequencies);
   looks = looks_of(*this);
   skips = {.repeated_looks = looks.repeated, .mirrored_looks = looks.mirrored};
   if (tubes.skip && edges.method != EdgeMethod::none) skips.enclosed_wedges = target.wedges_enclosed;

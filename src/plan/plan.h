@@ -54,6 +54,7 @@ struct SolvePlan {
   double ray_range = 0.0;       // of transmitter and receiver where rays stand for currents, without [radar] [m]; else 0
   std::vector<BandPlan> bands;  // every frequency is in one
   std::shared_ptr<const SmoothSurfaces> known_surfaces{};  // of the mesh, from which others are found with less work; may be null
+  std::vector<ThinPlateEdge> thin_plate_edges;             // the target's that are known, thinnest first
   std::vector<WedgeSet> wedge_sets;                        // of all frequencies
   LookPlan looks;                                          // which are computed, and which follow from these
   SkipCounts skips;                                        // known beforehand

@@ -34,7 +34,7 @@ struct Target {
   std::vector<bool> components_enclosed;        // find_enclosed_components
   std::uint64_t wedges_enclosed;                // of these, inside a closed body
   Outlines outlines;                            // of the faces of wedges
-  std::vector<ThinPlateEdge> thin_plate_edges;  // thinnest first
+  std::vector<ThinPlateEdge> thin_plate_edges;  // of any material, thinnest first
 };
 
 }  // namespace raytube

@@ -23,6 +23,13 @@ dvec3 perpendicular_axis(const dvec3& d, const dvec3& n) {
   return glm::normalize(glm::cross(d, std::abs(d.x) < 0.7 ? dvec3(1.0, 0.0, 0.0) : dvec3(0.0, 1.0, 0.0)));
 }
 
+double coat_depth(const Material& material, std::size_t frequency) {
+  double depth = 0.0;
+  if (material.kind == MaterialKind::coated)
+    for (const Layer& layer : material.layers[frequency]) depth += layer.thickness;
+  return depth;
+}
+
 bool any_solid(std::span<const Material> materials) {
   return std::ranges::any_of(materials, [](const Material& material) { return material.kind == MaterialKind::solid; });
 }

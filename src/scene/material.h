@@ -51,6 +51,9 @@ struct Material {
   bool transmits() const { return kind == MaterialKind::sheet || kind == MaterialKind::thin_sheet; }
 };
 
+/// How deep below its surface the conductor of a `coated` material lies, 0 of others [m].
+double coat_depth(const Material& material, std::size_t frequency);
+
 /// True if one of them fills a body.
 bool any_solid(std::span<const Material> materials);
 

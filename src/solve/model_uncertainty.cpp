@@ -36,7 +36,7 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
   for (std::size_t f = 0; f < plan.sweep.frequencies.size(); ++f) {
     const double frequency = plan.sweep.frequencies[f], middle = middle_of_band(raytube::band_of(frequency));
     penumbra_shares_.push_back(penumbra_share(curved_.faces, wavelength(frequency)));
-    const std::size_t thin = count_thin(plan.target.thin_plate_edges, frequency);
+    const std::size_t thin = count_thin(plan.thin_plate_edges, frequency);
     const auto [found, is_new] = known.try_emplace({thin, middle, plan.sweep.materials.empty() ? 0.0 : frequency}, edges_.size());
     if (is_new) find_edges(f, wavelength(middle));
     const Band band{middle, found->second};

@@ -283,8 +283,8 @@ void RowCollector::tell_lost_rays() {
 
 void RowCollector::count_thin_plate_edges() {
   const auto [lowest, highest] = std::ranges::minmax(sweep_.frequencies);
-  result_.statistics.thin_plate_edges_lowest = count_thin(plan_.target.thin_plate_edges, lowest);
-  result_.statistics.thin_plate_edges_highest = count_thin(plan_.target.thin_plate_edges, highest);
+  result_.statistics.thin_plate_edges_lowest = count_thin(plan_.thin_plate_edges, lowest);
+  result_.statistics.thin_plate_edges_highest = count_thin(plan_.thin_plate_edges, highest);
 }
 
 }  // namespace raytube

@@ -4,29 +4,12 @@
 #include <map>
 #include <random>
 
-#include "run.h"
-#include "utd/impedance/impedance_strip.h"
+#include "unit/coated_cylinders.h"
 
 namespace raytube::testing {
 namespace {
 
-constexpr double k = 2 * pi;
-const dvec3 x_axis(1, 0, 0), y_axis(0, 1, 0), z_axis(0, 0, 1);
 const std::array<double, 4> exterior_angles{1.2, 1.5, 1.75, 2.0};
-
-WedgeFace face_at(double angle, double turn) {
-  return {0, std::cos(angle) * x_axis + std::sin(angle) * y_axis, turn * (-std::sin(angle) * x_axis + std::cos(angle) * y_axis),
-          1e30};
-}
-
-/// Edge along z; face 0 at this angle from the x axis, free space counter-clockwise from it.
-Wedge wedge_along_z(double n, double angle = 0.0) {
-  return {-0.5 * z_axis, 0.5 * z_axis, n, {face_at(angle, 1.0), face_at(angle + n * pi, -1.0)}};
-}
-
-Material coat(Complex permittivity, Complex permeability, double thickness) {
-  return {"coat", MaterialKind::coated, 0.0, {{{{permittivity, permeability}, thickness}}}};
-}
 
 double largest_difference(const ScatteringMatrix& a, const ScatteringMatrix& b) {
   double largest = 0.0;
@@ -166,85 +149,6 @@ TEST(Impedance, OfAThinCoatIsThatOfItsConductorsPlane) {
   EXPECT_EQ(found.depth, kd / k);
 }
 
-/// A cylinder of the table, as raytube's physical optics and edges have it in two dimensions.
-struct Cylinder {
-  struct Side {
-    dvec3 from, to, normal;
-    const Material* material;  // null: a conductor
-  };
-  struct Edge {
-    dvec3 at;
-    Wedge wedge;
-    std::array<SurfaceImpedance, 2> faces;
-  };
-  /// From edge to edge, each with its face that lies between them.
-  struct Way {
-    std::array<std::size_t, 2> edges;
-    std::array<int, 2> faces;
-  };
-  std::vector<Side> sides;
-  std::vector<Edge> edges;
-  std::vector<Way> ways;
-};
-
-LookVectors seen_across(double angle) { return look_vectors({{pi / 2, angle}, {pi / 2, angle}}); }
-
-/// P of u along the cylinder: -j pi times S per length, for H along it with the other sign, as phi_hat turns with the antenna.
-Complex of_side(const Cylinder::Side& side, double angle, bool tm) {
-  const dvec3 towards(std::cos(angle), std::sin(angle), 0.0), along = side.to - side.from;
-  const double sine = glm::dot(towards, side.normal), length = glm::length(along);
-  if (sine <= 0.0) return 0.0;
-  const SurfaceResponse at = side.material == nullptr ? perfect_conductor : smooth_response(*side.material, 0, k, sine, false);
-  const double turn = k * glm::dot(towards, along);
-  return 0.5 * sine * (tm ? at.reflected.te : at.reflected.tm) * k * length * (turn == 0.0 ? 1.0 : std::sin(turn) / turn) *
-         std::polar(1.0, k * glm::dot(towards, side.from + side.to));
-}
-
-Complex of_edge(const Cylinder::Edge& edge, double angle, bool tm) {
-  const LookVectors look = seen_across(angle);
-  const WedgeIncidence incidence = incidence_on(edge.wedge, look.incident);
-  if (incidence.weight == 0.0) return 0.0;
-  bool windowed = false;
-  const ScatteringMatrix s =
-      ImpedanceEdge(edge.wedge, incidence, MaliuzhinetsFunction(edge.wedge.n), look).amplitude(edge.faces, k, windowed);
-  return Complex(0.0, pi) * (tm ? -s.vv() : s.hh()) * std::polar(1.0, k * glm::dot(look.scattered - look.incident, edge.at));
-}
-
-double lag(const Cylinder::Edge& edge, const dvec3& direction) {
-  return k * glm::dot(direction, edge.at + edge_below(edge.wedge, edge.faces));
-}
-
-/// Of H along the cylinder.
-Complex of_way(const Cylinder::Edge& from, const Cylinder::Edge& to, const std::array<int, 2>& faces, const LookVectors& look) {
-  const WedgeIncidence arriving = incidence_on(from.wedge, look.incident);
-  if (arriving.weight == 0.0) return 0.0;
-  const MaliuzhinetsFunction psi(from.wedge.n, strip_digits);
-  const double length = k * glm::distance(from.at, to.at);
-  const auto met = [&](int face) {
-    const WedgeFace& of = to.wedge.faces[face];
-    return FaceIncidence{.tangent = glm::cross(of.into_face, of.normal), .sin_cone = 1.0};
-  };
-  const ImpedanceStrip way({from.wedge, faces[0], arriving.faces, psi}, {to.wedge, faces[1], {met(0), met(1)}, psi}, look,
-                           length);
-  StripBundle strips{};
-  strips.to = 1.0, strips.length = length / k;
-  return Complex(0.0, pi) * way.echo(from.faces, to.faces).over(strips, k)[1] *
-         glm::dot(look.magnetic[1], arriving.faces[faces[0]].tangent) *
-         std::polar(1.0, lag(to, look.scattered) - lag(from, look.incident) - length);
-}
-
-/// Physical optics, edges, ways from edge to edge.
-Complex amplitude(const Cylinder& cylinder, double angle, bool tm, int order) {
-  Complex sum = 0.0;
-  for (const Cylinder::Side& side : cylinder.sides) sum += of_side(side, angle, tm);
-  if (order > 0)
-    for (const Cylinder::Edge& edge : cylinder.edges) sum += of_edge(edge, angle, tm);
-  if (order > 1 && !tm)
-    for (const Cylinder::Way& way : cylinder.ways)
-      sum += of_way(cylinder.edges[way.edges[0]], cylinder.edges[way.edges[1]], way.faces, seen_across(angle));
-  return sum;
-}
-
 /// Its edges lie half-way between the metal and the coat's face, as that of a thin plate does.
 Cylinder strip(double width, double thickness, const Material& material) {
   const dvec3 left(-width / 2, 0, 0), right(width / 2, 0, 0), up(0, thickness, 0);
@@ -270,12 +174,6 @@ Cylinder square(double width, const Material& material) {
   return result;
 }
 
-struct Error {
-  double square = 0.0, peak = 0.0;
-  int rows = 0;
-  double relative() const { return std::sqrt(square / rows) / peak; }
-};
-
 /// rms error over the peak, physical optics alone, with edges, and with what H along them sends to the other edge, by body,
 /// polarisation and side of the coat. What is left of the square is its corners.
 TEST(Impedance, CoatedCylindersAreThoseOfTheIntegralEquation) {
@@ -297,11 +195,8 @@ TEST(Impedance, CoatedCylindersAreThoseOfTheIntegralEquation) {
     const std::string name = table.text(i, "body") + " " + table.text(i, "thickness") + " " + table.text(i, "polarisation") +
                              (degrees < 180.0 ? " coat" : " metal");
     for (const int order : {0, 1, 2}) {
-      Error& error = errors[name][order];
-      const Complex wanted = table.complex(i, "p");
-      error.square += std::norm(amplitude(cylinder, degrees * degree, tm, order) - wanted);
-      error.peak = std::max(error.peak, std::abs(wanted));
-      ++error.rows;
+      const LookVectors look = seen_across(degrees * degree, degrees * degree);
+      errors[name][order].add(amplitude(cylinder, look, tm, order), table.complex(i, "p"));
     }
   }
   ASSERT_EQ(errors.size(), most.size());

@@ -198,7 +198,8 @@ TEST(Materials, CoatedSpheresReflectAsTheSeriesDoesWithoutTheWaveAroundThem) {
 // Edges of a material that is a conductor are those of the first-order theory of conducting edges.
 TEST(Materials, EdgesOfAConductorDescribedAsAMaterialAreThoseOfAConductor) {
   const Material smooth{"conductor", MaterialKind::conductor, 0.0, {}};
-  for (PolygonSoup soup : {shapes::plate(3.0 * lambda), shapes::cube(3.0 * lambda)})
+  for (PolygonSoup soup :
+       {shapes::plate(3.0 * lambda), shapes::cube(3.0 * lambda), shapes::box({3.0 * lambda, 2.0 * lambda, 0.05 * lambda})})
     for (const Direction& receive : {deg(70.0, 33.0), deg(40.0, 81.0)}) {
       SolveOptions options{{}, {}, 1, false, {}};
       options.edges.order = 1;

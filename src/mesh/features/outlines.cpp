@@ -62,7 +62,8 @@ void Outlines::add_wedge(std::span<const Wedge> wedges, std::uint32_t wedge, int
   for (int i = 0; i < 2; ++i) {
     const WedgeFace& own = wedges[w.replaced_by].faces[i];
     if (side_index(own.patch, own.back) != side) continue;
-    edge.wedge = edge.any_wedge = w.replaced_by;
+    edge.any_wedge = w.replaced_by;
+    if (wedges[w.replaced_by].conducting()) edge.wedge = w.replaced_by;
     edge.wedge_face = i;
   }
 }

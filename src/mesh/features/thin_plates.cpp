@@ -48,9 +48,7 @@ Span span_of(const Wedge& wedge, const dvec3& start, const dvec3& along) {
 
 /// Of two edges, each with the face that may be the border face (`border`) and the one that may be a side of the plate.
 bool could_bound(const WedgeFace& border, const WedgeFace& side, const WedgeFace& other_border, const WedgeFace& other_side) {
-  const auto conducts = [](const WedgeFace* face) { return face->material == no_index; };
-  return std::ranges::all_of(std::array{&border, &side, &other_border, &other_side}, conducts) &&
-         glm::dot(border.into_face, other_border.into_face) < -std::cos(taper) &&
+  return glm::dot(border.into_face, other_border.into_face) < -std::cos(taper) &&
          glm::dot(side.into_face, other_side.into_face) > std::cos(taper) &&
          std::abs(glm::dot(border.into_face, side.into_face)) < std::sin(slant) &&
          std::abs(glm::dot(other_border.into_face, other_side.into_face)) < std::sin(slant);
@@ -83,8 +81,7 @@ class ThinPlateEdgeFinder {
       for (std::size_t i = 0; i < edges.size(); ++i)
         for (std::size_t j = i + 1; j < edges.size(); ++j)
           if (const std::optional<ThinPlateEdge> edge = between(edges[i], edges[j])) found.push_back(*edge);
-    std::ranges::sort(found, {},
-                      [](const ThinPlateEdge& edge) { return std::tuple(edge.thickness, edge.edges, edge.border_patch); });
+    sort_thinnest_first(found);
     return found;
   }
 
@@ -119,8 +116,8 @@ class ThinPlateEdgeFinder {
       return {};
     const Span common = common_span(own, other, thickness);
     const auto amid = [&](double distance) { return (line.at(distance) + other_line.at(distance)) / 2.0; };
-    return ThinPlateEdge{{a.wedge, b.wedge}, {side, other_side}, border.patch,    over,
-                         thickness,          amid(common.begin), amid(common.end)};
+    return ThinPlateEdge{{a.wedge, b.wedge}, {side, other_side}, border.patch,       border.material, over,
+                         thickness,          thickness,          amid(common.begin), amid(common.end)};
   }
 
   std::span<const Wedge> wedges_;
@@ -134,6 +131,7 @@ Wedge half_plane(const ThinPlateEdge& edge, double n) {
   Wedge wedge{edge.start, edge.end, n, edge.sides};
   wedge.thickness_vector = edge.thickness_vector;
   wedge.border_patch = edge.border_patch;
+  wedge.border_material = edge.border_material;
   const dvec3 tangent = glm::normalize(edge.end - edge.start);
   std::array<FaceFrame, 2> frames;
   for (int i = 0; i < 2; ++i) {
@@ -236,19 +234,24 @@ class Merger {
 
 }  // namespace
 
+void sort_thinnest_first(std::vector<ThinPlateEdge>& edges) {
+  std::ranges::sort(edges, {},
+                    [](const ThinPlateEdge& edge) { return std::tuple(edge.effective, edge.edges, edge.border_patch); });
+}
+
 std::vector<ThinPlateEdge> find_thin_plate_edges(const TriangleMesh& mesh, std::span<const Wedge> wedges) {
   return ThinPlateEdgeFinder(mesh, wedges).find();
 }
 
 std::size_t count_thin(std::span<const ThinPlateEdge> edges, double frequency) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(edges, [&](const ThinPlateEdge& edge) { return edge.thickness < thin_limit(frequency); }));
+      std::ranges::count_if(edges, [&](const ThinPlateEdge& edge) { return edge.effective < thin_limit(frequency); }));
 }
 
 std::vector<Wedge> merge_thin_plate_edges(std::span<const Wedge> wedges, std::span<const ThinPlateEdge> edges, double limit) {
   Merger merger(wedges);
   for (const ThinPlateEdge& edge : edges)
-    if (edge.thickness < limit) merger.add(edge);
+    if (edge.effective < limit) merger.add(edge);
   return merger.take();
 }
 

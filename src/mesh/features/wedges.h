@@ -34,8 +34,9 @@ struct Wedge {
   std::uint32_t replaced_by = no_index;  // of an edge of a thin plate's border face: the half plane that stands for it
 
   // Of a half plane that stands for the border face of a thin plate (merge_thin_plate_edges); else 0 and no_index.
-  dvec3 thickness_vector{0.0};            // from one side of the plate to the other over the border face [m]
-  std::uint32_t border_patch = no_index;  // the border face; of a wedge with unresolved details the narrow face beside it
+  dvec3 thickness_vector{0.0};               // from one side of the plate to the other over the border face [m]
+  std::uint32_t border_patch = no_index;     // the border face; of a wedge with unresolved details the narrow face beside it
+  std::uint32_t border_material = no_index;  // of the border face
 
   // Where its faces are details that a wave does not resolve (resolve_details):
   double share = 1.0;  // of several wedges that the wave sees as one, this one's

@@ -7,6 +7,7 @@
 
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
+#include "utd/impedance/coated_rim.h"
 #include "utd/impedance/impedance_strips.h"
 #include "utd/sheet/sheet_edges.h"
 
@@ -44,6 +45,7 @@ class MaterialEdges {
 
  private:
   void add_opaque(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
+  RimFaces rim_faces(const Wedge& wedge, const std::array<SurfaceImpedance, 2>& sides, double frequency) const;
 
   const EdgeMaterials* known_;
   std::span<const Wedge> wedges_;

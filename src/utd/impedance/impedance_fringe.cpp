@@ -1,5 +1,6 @@
 #include "utd/impedance/impedance_fringe.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace raytube {
@@ -93,6 +94,17 @@ ScatteringMatrix ImpedanceEdge::amplitude(const std::array<SurfaceImpedance, 2>&
   }
   const double lag = wavenumber * glm::dot(look_.scattered - look_.incident, edge_below(wedge_, of));
   return sum *= incidence_.weight * std::polar(1.0, lag);
+}
+
+// Senior & Volakis (1995), chapter 3: what the integral is at no distance; 2/n at a conductor. Over one it is a quotient of zeros
+// where the wave grazes.
+Complex ImpedanceEdge::hard_at_edge(const std::array<SurfaceImpedance, 2>& of) const {
+  constexpr double beside = 1e-6;
+  const double n = wedge_.n;
+  FaceIncidence met = incidence_.faces[0];
+  met.source_angle = std::clamp(met.source_angle, beside, n * pi - beside);
+  const auto face = [&](int i) { return face_of(EdgeField::hard, n, psi_, of[i], met.sin_cone); };
+  return std::sin(met.source_angle / n) / (n * faces_at(source_point(n, psi_, met), face(0), face(1)));
 }
 
 std::array<Complex, 2> radiated_by_hard(const ImpedanceKernels& kernels, const WedgeFace& face, const FaceIncidence& incidence,

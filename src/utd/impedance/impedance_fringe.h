@@ -18,6 +18,9 @@ class ImpedanceEdge {
   /// S per length of edge, as edge_amplitude of conductors gives it; sets `windowed` like amplitude_at.
   ScatteringMatrix amplitude(const std::array<SurfaceImpedance, 2>& of, double wavenumber, bool& windowed) const;
 
+  /// H along the edge where it is, of unit H of the wave.
+  Complex hard_at_edge(const std::array<SurfaceImpedance, 2>& of) const;
+
  private:
   struct Side {
     WedgeObserver observer;

@@ -25,10 +25,15 @@ bool ImpedanceTable::known(const Wedge& wedge) const {
   return wedge.stands_alone() && !wedge.enclosed && !wedge.conducting() && is_opaque(wedge, materials_);
 }
 
+SurfaceResponse ImpedanceTable::at_border(const Wedge& wedge, double frequency, double cosine) const {
+  if (wedge.border_material == no_index || cosine <= 0.0) return perfect_conductor;
+  return response(materials_[wedge.border_material], index_of(frequency), wavenumber(frequency), cosine, false);
+}
+
 std::array<SurfaceImpedance, 2> ImpedanceTable::at(const Wedge& wedge, double frequency) const {
-  const auto found = std::ranges::find(frequencies_, frequency) - frequencies_.begin();
+  const std::size_t found = index_of(frequency);
   const auto of = [&](const WedgeFace& face) {
-    return face.material == no_index ? SurfaceImpedance{} : impedances_[face.material][static_cast<std::size_t>(found)];
+    return face.material == no_index ? SurfaceImpedance{} : impedances_[face.material][found];
   };
   return {of(wedge.faces[0]), of(wedge.faces[1])};
 }

@@ -86,12 +86,16 @@ bool comes_along_plate(const Wedge& wedge, const dvec3& incident) {
          glm::dot(incident, side.into_face) < 0.0;
 }
 
+Complex field_at_edge(const Wedge& wedge, const FaceIncidence& arriving, double wavenumber) {
+  const double source = arriving.source_angle, kappa = wavenumber * wedge.thickness() * arriving.sin_cone / (2 * pi);
+  return split_function(kappa, -std::cos(source), (pi - source) * std::sin(source));
+}
+
 // Across the edge face flows the hard current of the edge, H(edge) = H F(phi'), from one side to the other.
 ScatteringMatrix edge_face_amplitude(const Wedge& wedge, const WedgeIncidence& incidence, const LookVectors& look,
                                      double wavenumber) {
   const FaceIncidence& arriving = incidence.faces[0];
-  const double source = arriving.source_angle, kappa = wavenumber * wedge.thickness() * arriving.sin_cone / (2 * pi);
-  const Complex at_edge = split_function(kappa, -std::cos(source), (pi - source) * std::sin(source));
+  const Complex at_edge = field_at_edge(wedge, arriving, wavenumber);
   const dvec3 outward = glm::cross(wedge.thickness_vector, arriving.tangent);  // normal of the edge face, as long as that is wide
   const bool lit = glm::dot(look.incident, outward) < -lit_threshold * glm::length(outward);
   const double optics = lit ? 2 * sinc(wavenumber / 2 * glm::dot(look.scattered - look.incident, wedge.thickness_vector)) : 0.0;

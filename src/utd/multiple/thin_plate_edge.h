@@ -45,6 +45,9 @@ class ThinPlateCorrection {
 /// other end, but the wave itself, which the plate does not disturb, has its current on this edge face too.
 bool comes_along_plate(const Wedge& wedge, const dvec3& incident);
 
+/// F(phi'), H along the edge on the edge face of unit H of the wave.
+Complex field_at_edge(const Wedge& wedge, const FaceIncidence& arriving, double wavenumber);
+
 /// S per unit length of the current on the edge face itself, less its physical optics.
 ScatteringMatrix edge_face_amplitude(const Wedge& wedge, const WedgeIncidence& incidence, const LookVectors& look,
                                      double wavenumber);
