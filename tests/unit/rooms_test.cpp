@@ -58,6 +58,7 @@ const Rooms may_include = {
     {"point_source", {"core", "math", "scene", "mesh/model", "mesh/trace"}},
 
     {"utd/wedge", base},
+    {"utd/rounded", base + std::set<std::string>{"utd/wedge"}},
     {"utd/shadow", base + std::set<std::string>{"utd/wedge"}},
     {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/fock", "utd/surface"}},
     {"utd/fock", base},
