@@ -58,7 +58,7 @@ const Rooms may_include = {
     {"point_source", {"core", "math", "scene", "mesh/model", "mesh/trace"}},
 
     {"utd/wedge", base},
-    {"utd/rounded", base + std::set<std::string>{"utd/wedge"}},
+    {"utd/rounded", base + std::set<std::string>{"utd/wedge", "utd/surface"}},
     {"utd/shadow", base + std::set<std::string>{"utd/wedge"}},
     {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/fock", "utd/surface"}},
     {"utd/fock", base},
@@ -78,7 +78,7 @@ const Rooms may_include = {
 
     {"plan", base + std::set<std::string>{"mesh", "mesh/soundness", "sbr", "sbr/launch", "utd/fringe", "utd/gtd"}},
     {"solve/mechanisms", base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe",
-                                                      "utd/interaction", "utd/fock", "utd/surface", "utd/corner"}},
+                                                      "utd/interaction", "utd/fock", "utd/rounded", "utd/surface", "utd/corner"}},
     {"solve", base + std::set<std::string>{"plan", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "uncertainty", "utd/gtd",
                                            "utd/sheet", "solve/mechanisms"}},
 

@@ -110,6 +110,61 @@ struct Ball {
   Target target;
 };
 
+// Half axes 3, 3 and 1: the rim has radius b^2 / a = 1/3 and e = 1 - b^2 / a^2; curvatures of this mesh are good to a few per
+// cent.
+TEST(Noses, OfAnOblateSpheroidAreItsRim) {
+  PolygonSoup soup = shapes::icosphere(5);
+  for (dvec3& point : soup.points) point *= dvec3(3, 3, 1);
+  const Ball body(soup);
+  const SmoothSurfaces smooth(body.loaded.mesh, 30 * degree, 0.1);
+  const double k = 3.0;
+  const CurvedTarget curved(body.target.tracer, smooth, true, k);
+  double length = 0.0;
+  for (const Nose& nose : curved.noses) {
+    if (nose.radius <= 0.0) continue;
+    length += nose.turn * nose.facet_share(k) / nose.shared_turn(k);
+    EXPECT_NEAR(nose.radius, 1.0 / 3, 0.05);
+    EXPECT_NEAR(nose.flattening, 8.0 / 9, 0.05);
+    EXPECT_NEAR(glm::length(nose.position), 3.0, 0.03);
+    EXPECT_NEAR(std::abs(nose.along.z), 0.0, 0.05);
+  }
+  EXPECT_NEAR(length / (2 * pi * 3), 1.0, 0.1);
+}
+
+// k rho = 1 and e = 8/9: flanks from 49 degrees of the normal on, so that waves light both up to 41 degrees off the nose.
+TEST(Noses, AreEdgesForWavesThatLightBothFlanks) {
+  const Nose nose{{}, dvec3(1, 0, 0), dvec3(0, 1, 0), 1.0, 8.0 / 9, 1.0 / 9};
+  const double straight = nose.straightness(dvec3(-1, 0, 0));
+  EXPECT_NEAR(straight, 1.0 / (1.0 + std::pow(4.0 / 9, 4)), 1e-12);
+  const auto share = [&](double off, double along) {
+    return nose.edge_share(dvec3(-std::cos(off) * std::cos(along), std::sin(along), std::sin(off) * std::cos(along)), 1.0);
+  };
+  EXPECT_NEAR(share(0, 0), straight, 0.01);
+  EXPECT_NEAR(share(30 * degree, 0), share(-30 * degree, 0), 1e-12);
+  EXPECT_NEAR(share(31 * degree, 0), 0.5 * straight, 0.05);
+  EXPECT_EQ(share(45 * degree, 0), 0.0);
+  EXPECT_EQ(share(pi, 0), 0.0);
+  EXPECT_LT(share(0, 70 * degree), 0.01);  // along the edge, which bends more than across by then
+  EXPECT_EQ(nose.edge_share(dvec3(-1, 0, 0), 3.1), 0.0);
+}
+
+// About the tips of the needle, where the curvatures of the mesh are rough, a piece of edge of a fortieth of the wavelength is
+// left.
+TEST(Noses, AreNotOfSpheresAndNeedles) {
+  const double k = 2.0, most = 2 * pi / k / 30;
+  for (const double stretch : {1.0, 8.0}) {
+    PolygonSoup soup = shapes::icosphere(4);
+    for (dvec3& point : soup.points) point.z *= stretch;
+    const Ball body(soup);
+    const SmoothSurfaces smooth(body.loaded.mesh, 30 * degree, 0.1);
+    const CurvedTarget curved(body.target.tracer, smooth, true, k);
+    double length = 0.0;
+    for (const Nose& nose : curved.noses)
+      if (nose.radius > 0.0) length += nose.turn * nose.facet_share(k) / nose.shared_turn(k) * nose.edge_share(-nose.outwards, k);
+    EXPECT_LE(length, stretch == 1.0 ? 0.0 : most) << stretch;
+  }
+}
+
 TEST(ShadowBoundary, GoesRoundASphereInStretchesOfEqualPieces) {
   // Three planes cut it in six stretches at most, of which each may have a piece more than its length asks for.
   const Ball ball(shapes::icosphere(4));

@@ -8,6 +8,7 @@
 #include "scene/frequency_bands.h"
 #include "solve/mechanisms/states.h"
 #include "uncertainty/surface_wave_prospect.h"
+#include "utd/rounded/rims.h"
 #include "utd/surface/surface_waves.h"
 
 namespace raytube {
@@ -42,6 +43,7 @@ double band_amplitude(const SurfaceWaveProspect& prospect, const Look& look, lon
 class WavesOverSurfaces : public Mechanism {
  public:
   explicit WavesOverSurfaces(const BandScene& scene) : scene_(scene), frequencies_(scene.band.frequencies) {
+    for (const double frequency : frequencies_) rims_.push_back(rim_pieces(scene.curved->noses, wavenumber(frequency)));
     const Target& target = scene.plan.target;
     if (!scene.plan.surfaces.waves.forced())
       prospect_.emplace(target.mesh, target.wedges, target.options.min_wedge_angle,
@@ -74,6 +76,10 @@ class WavesOverSurfaces : public Mechanism {
     const std::optional<AntennaPair> antennas = antennas_of(traced.look);
     SurfaceWaveResult found =
         surface_wave_scattering(*scene_.curved, local(traced.look, antennas), frequencies, in_image ? &places : nullptr);
+    LocalLook rim_look = local(traced.look, antennas);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      found.scattering[i] += rim_scattering(*scene_.curved, rims_[indices[i]], rim_look, wavenumber(frequencies[i]),
+                                            in_image && places.wavenumber == i ? &places : nullptr);
     if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));
     sink.sums.surface_strips = found.strips;
     sink.sums.run(MechanismId::surface_waves).work = found.work;
@@ -124,6 +130,7 @@ class WavesOverSurfaces : public Mechanism {
 
   const BandScene& scene_;
   std::span<const double> frequencies_;
+  std::vector<std::vector<RimPiece>> rims_;      // [frequency]
   std::optional<SurfaceWaveProspect> prospect_;  // unless they run in any case
 };
 

@@ -1,19 +1,23 @@
 // What all looks at the curved surfaces of a target share.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/model/edge_table.h"
 #include "mesh/smooth/curvature_field.h"
 #include "mesh/trace/tracer.h"
 #include "utd/fock/face_impedance.h"
 #include "utd/surface/body_widths.h"
+#include "utd/surface/noses.h"
 
 namespace raytube {
 
 struct CurvedTarget {
   /// Keeps references to the first two and the materials. `is_convex`: nothing stands in the light of a surface that is turned
-  /// to it. `some_materials` are those of the mesh, at `frequencies`.
+  /// to it. `some_materials` are those of the mesh, at `frequencies`; rounded edges are those at the lowest of these and above,
+  /// none without any.
   CurvedTarget(const Tracer& a_tracer, const SmoothSurfaces& some_surfaces, bool is_convex,
                std::span<const Material> some_materials = {}, std::span<const double> frequencies = {})
       : tracer(a_tracer),
@@ -23,6 +27,7 @@ struct CurvedTarget {
         widths(body_widths(tracer.mesh())),
         materials(some_materials),
         impedances(materials, frequencies),
+        noses(find_noses(tracer.mesh(), surfaces, curvatures, edges, lowest_wavenumber(frequencies))),
         convex(is_convex) {}
 
   /// At barycentric coordinates of a triangle, seen from one of its sides: 1 its front, -1 its back.
@@ -49,6 +54,13 @@ struct CurvedTarget {
     return surfaces.region(triangle) != no_index && raytube::carries_waves(materials, material(triangle));
   }
 
+  /// What a facet keeps of waves over it: less than 1 where they cross a rounded edge.
+  double wave_share(std::uint32_t triangle, const dvec3& incident, double wavenumber) const {
+    if (noses.empty() || noses[triangle].radius <= 0.0) return 1.0;
+    const Nose& nose = noses[triangle];
+    return 1.0 - nose.edge_share(incident, wavenumber) * nose.facet_share(wavenumber * nose.sine_to(incident));
+  }
+
   const dvec3& corner(std::uint32_t triangle, int corner) const {
     return tracer.mesh().vertices[tracer.mesh().triangles[triangle][corner]];
   }
@@ -67,6 +79,10 @@ struct CurvedTarget {
     return tracer.blocker(position + lift * normal, -incident_direction, nothing_ignored) == no_index;
   }
 
+  static double lowest_wavenumber(std::span<const double> frequencies) {
+    return frequencies.empty() ? std::numeric_limits<double>::infinity() : wavenumber(std::ranges::min(frequencies));
+  }
+
   const Tracer& tracer;
   const SmoothSurfaces& surfaces;
   const EdgeTable edges;
@@ -74,6 +90,7 @@ struct CurvedTarget {
   const std::vector<double> widths;  // of the components [m]
   const std::span<const Material> materials;
   const FaceImpedances impedances;
+  const std::vector<Nose> noses;  // of the triangles; empty if no surface has rounded edges
   const bool convex;
 };
 

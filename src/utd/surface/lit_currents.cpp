@@ -86,6 +86,8 @@ class LitSide {
 
   struct Point {
     LitFrame frame;
+    std::uint32_t triangle;
+    dvec3 incident;
     double path;
     ScatteringMatrix hard, soft;  // of a current of physical optics with either part alone
     std::uint32_t material;
@@ -144,8 +146,9 @@ class LitSide {
     const LookVectors& here = look_.at(position);
     const LitFrame frame(target_.frame(facet.triangle, l, facet.side), here.incident);
     const std::uint32_t material = target_.material(facet.triangle);
-    points_.push_back({frame, look_.both(position), radiated(here, frame, frame.straight, here.receive),
-                       radiated(here, frame, frame.bent, here.receive), material});
+    points_.push_back({frame, facet.triangle, here.incident, look_.both(position),
+                       radiated(here, frame, frame.straight, here.receive), radiated(here, frame, frame.bent, here.receive),
+                       material});
     if (material == no_index) return;
     const std::array<dvec3, 2> turned = receiver_of_magnetic_currents(here, frame.normal);
     points_.back().hard_magnetic = radiated(here, frame, frame.straight, turned);
@@ -153,16 +156,19 @@ class LitSide {
   }
 
   ScatteringMatrix amplitude(const Point& point, double k) const {
+    if (point.material != no_index) return coated_amplitude(point, k);
+    const FockCurrents share = lit_share(point.frame, k);
+    const double kept = target_.wave_share(point.triangle, point.incident, k);
     ScatteringMatrix hard = point.hard, soft = point.soft;
-    FockCurrents share;
-    if (point.material == no_index) {
-      share = lit_share(point.frame, k);
-    } else {
-      const FaceImpedance impedance = target_.impedances.at(point.material, k);
-      share = lit_share(point.frame, k, impedance);
-      ScatteringMatrix hard_magnetic = point.hard_magnetic, soft_magnetic = point.soft_magnetic;
-      hard += hard_magnetic *= impedance.hard, soft += soft_magnetic *= impedance.soft;
-    }
+    return (hard *= kept * share.hard) += soft *= kept * share.soft;
+  }
+
+  ScatteringMatrix coated_amplitude(const Point& point, double k) const {
+    const FaceImpedance impedance = target_.impedances.at(point.material, k);
+    const FockCurrents share = lit_share(point.frame, k, impedance);
+    ScatteringMatrix hard = point.hard, soft = point.soft;
+    ScatteringMatrix hard_magnetic = point.hard_magnetic, soft_magnetic = point.soft_magnetic;
+    hard += hard_magnetic *= impedance.hard, soft += soft_magnetic *= impedance.soft;
     return (hard *= share.hard) += soft *= share.soft;
   }
 

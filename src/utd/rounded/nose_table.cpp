@@ -1,0 +1,68 @@
+#include "utd/rounded/nose_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "utd/surface/noses.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr int radii = 12, flattenings = 25;
+constexpr double ratio = 1.6, flattening_step = 0.05;
+
+NoseNode made(int i, int j) {
+  const double radius = edge_radius * std::pow(ratio, -i), flattening = least_flattening + flattening_step * j;
+  const double square = (1.0 - std::pow(radius / edge_radius, 2.0 / 3)) / flattening,
+               limit = std::pow(std::sin(steepest_flank), 2);
+  const ConicSection section{radius, flattening, std::asin(std::sqrt(std::min(square, limit)))};
+  const double alpha = section.interior_angle(), distance = section.tangent_distance();
+  return {section, RoundedWedge(alpha, section_modes(section_of(section, 1.0), alpha, distance))};
+}
+
+// Made once for all, whoever asks first.
+class Nodes {
+ public:
+  const NoseNode* at(int i, int j) {
+    if (i == 0) return nullptr;
+    Entry& entry = entries_[i][j];
+    std::call_once(entry.once, [&] { entry.node = std::make_unique<NoseNode>(made(i, j)); });
+    return entry.node.get();
+  }
+
+ private:
+  struct Entry {
+    std::once_flag once;
+    std::unique_ptr<NoseNode> node;
+  };
+  std::array<std::array<Entry, flattenings>, radii> entries_;
+};
+
+struct Between {
+  int first;
+  double share;  // of the next
+  Between(double place, int count) {
+    const double inside = std::clamp(place, 0.0, count - 1.0);
+    first = std::min(static_cast<int>(inside), count - 2);
+    share = inside - first;
+  }
+};
+
+}  // namespace
+
+std::array<NosePlace, 4> nose_places(double wavenumber_radius, double flattening) {
+  static Nodes nodes;
+  const Between radius(std::log(edge_radius / wavenumber_radius) / std::log(ratio), radii);
+  const Between flat((flattening - least_flattening) / flattening_step, flattenings);
+  std::array<NosePlace, 4> places{};
+  for (int n = 0; n < 4; ++n) {
+    const int i = n / 2, j = n % 2;
+    const double share = (i == 0 ? 1 - radius.share : radius.share) * (j == 0 ? 1 - flat.share : flat.share);
+    places[n] = {share > 0.0 ? nodes.at(radius.first + i, flat.first + j) : nullptr, share};
+  }
+  return places;
+}
+
+}  // namespace raytube

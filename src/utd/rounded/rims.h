@@ -1,0 +1,26 @@
+// Bends of curved surfaces as rounded edges.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "utd/surface/curved_target.h"
+#include "utd/surface/local_look.h"
+#include "utd/surface/strip_sum.h"
+
+namespace raytube {
+
+/// A piece of a rim: the mean of the noses of facets near by.
+struct RimPiece {
+  Nose nose;
+  double length = 0.0;  // [m]
+};
+
+/// Those of a target at a wavenumber, short beside the wavelength.
+std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber);
+
+/// S of what rims add to the physical optics of their surfaces [m].
+ScatteringMatrix rim_scattering(const CurvedTarget& target, std::span<const RimPiece> pieces, LocalLook& look, double wavenumber,
+                                StripPlaces* places);
+
+}  // namespace raytube

@@ -1,0 +1,199 @@
+#include "utd/surface/noses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "utd/surface/surface_ray.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double most_radii = 3.0;  // of k rho over edge_radius, where shares are 1 %
+constexpr double least_edge = 0.01;
+constexpr double least_flank = 0.35;  // [rad] of the section on either side of its nose
+constexpr double longest_bend = 100 * degree;
+constexpr double steady_turn = 60 * degree;  // over which least_flattening leaves its mark: 1 - e/4 of kappa^(2/3) at least
+constexpr double flank_fade = 20 * degree;   // of a source near the plane of a flank, over which waves go on into the dark
+constexpr int most_pieces = 400;
+const double steadiest = std::pow(1.0 - least_flattening / 4, 1.5);
+constexpr double flattest_flank = 1.3;  // sin^2(theta) where flanks would begin, at which a body counts half as one with flanks
+
+double share_at(double wavenumber, double radius) {
+  const double x = wavenumber * radius / edge_radius;
+  return 1.0 / (1.0 + x * x * x * x);
+}
+
+// Along a section: the angle of its normal in its plane, curvature, length since the last one.
+struct Sample {
+  dvec3 position;
+  std::uint32_t triangle;
+  double angle, curvature, turn;
+};
+
+struct Principal {
+  dvec3 direction;  // of the larger curvature
+  double larger, smaller;
+};
+
+Principal principal_at(const SurfaceFrame& frame) {
+  const dvec3 u = glm::normalize(glm::cross(frame.normal, std::abs(frame.normal.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+  const dvec3 v = glm::cross(frame.normal, u);
+  const double uu = frame.curvature(u), vv = frame.curvature(v),
+               uv = 0.5 * (glm::dot(u, frame.normal_turn * v) + glm::dot(v, frame.normal_turn * u));
+  const double half = 0.5 * (uu - vv), radius = std::hypot(half, uv), angle = 0.5 * std::atan2(uv, half);
+  return {std::cos(angle) * u + std::sin(angle) * v, 0.5 * (uu + vv) + radius, 0.5 * (uu + vv) - radius};
+}
+
+class NoseFinder {
+ public:
+  NoseFinder(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures, const EdgeTable& edges,
+             double wavenumber)
+      : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), edges_(edges), wavenumber_(wavenumber) {
+    flattest_ = wavenumber / (most_radii * edge_radius);
+  }
+
+  Nose at(std::uint32_t triangle) const {
+    const dvec2 middle(1.0 / 3, 1.0 / 3);
+    const SurfaceFrame frame = curvatures_.at(triangle, middle);
+    const Principal principal = principal_at(frame);
+    if (principal.larger < flattest_ || principal.smaller > 0.5 * principal.larger) return {};
+    const Plane plane{frame.normal, principal.direction};
+    std::vector<Sample> samples, ahead;
+    if (!walk(triangle, plane, -1.0, samples) || !walk(triangle, plane, 1.0, ahead)) return {};
+    std::ranges::reverse(samples);
+    std::ranges::copy(ahead, std::back_inserter(samples));
+    Nose nose = fit(samples, plane);
+    if (nose.radius > 0.0) nose.turn = turn_of(triangle, plane.across);
+    return nose.edge_share(-nose.outwards, wavenumber_) < least_edge ? Nose{} : nose;
+  }
+
+ private:
+  // Angles are from its normal towards `across`.
+  struct Plane {
+    dvec3 normal, across;
+    double angle(const dvec3& n) const { return std::atan2(glm::dot(n, across), glm::dot(n, normal)); }
+  };
+
+  // False where the section bends as a cylinder does.
+  bool walk(std::uint32_t triangle, const Plane& plane, double way, std::vector<Sample>& samples) const {
+    const FacetPoint start{triangle, {1.0 / 3, 1.0 / 3}};
+    Geodesic geodesic(mesh_, surfaces_, curvatures_, edges_, start, way * plane.across);
+    GeodesicPiece piece{start, start.l, way * plane.across};
+    double angle = 0.0, least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (int i = 0; i < most_pieces && geodesic.next(piece); ++i) {
+      const dvec2 l = 0.5 * (piece.from.l + piece.to);
+      const BentFacet facet = surfaces_.facet(piece.from.triangle);
+      const SurfaceFrame frame = curvatures_.at(piece.from.triangle, l), end = curvatures_.at(piece.from.triangle, piece.to);
+      const dvec3 along = glm::normalize(piece.direction - glm::dot(piece.direction, frame.normal) * frame.normal);
+      const double next = plane.angle(end.normal), turn = std::remainder(next - angle, 2 * pi),
+                   curvature = frame.curvature(along);
+      if (curvature < flattest_ || std::abs(angle) > longest_bend) break;
+      samples.push_back({facet.point(l), piece.from.triangle, angle + turn / 2, curvature, std::abs(turn)});
+      angle += turn;
+      least = std::min(least, curvature), most = std::max(most, curvature);
+      if (std::abs(angle) > steady_turn && least > steadiest * most) return false;
+    }
+    return !samples.empty();
+  }
+
+  // kappa^(2/3) = rho^(-2/3) (1 - e sin^2(theta - theta_0)), least squares over theta of its three terms 1, cos and sin 2 theta.
+  Nose fit(const std::vector<Sample>& samples, const Plane& plane) const {
+    glm::dmat3 left(0.0);
+    dvec3 right(0.0);
+    for (const Sample& sample : samples) {
+      const dvec3 terms(1.0, std::cos(2 * sample.angle), std::sin(2 * sample.angle));
+      left += sample.turn * glm::outerProduct(terms, terms);
+      right += sample.turn * std::cbrt(sample.curvature * sample.curvature) * terms;
+    }
+    if (!(std::abs(glm::determinant(left)) > 1e-9)) return {};
+    const dvec3 c = glm::inverse(left) * right;
+    const double swing = std::hypot(c.y, c.z), top = c.x + swing, centre = 0.5 * std::atan2(c.z, c.y);
+    if (top <= 0.0 || centre - least_flank < samples.front().angle || centre + least_flank > samples.back().angle) return {};
+    Nose nose;
+    nose.radius = std::pow(top, -1.5);
+    nose.flattening = 2 * swing / top;
+    if (nose.flattening < least_flattening) return {};
+    nose.angle = -centre;
+    const auto after = std::ranges::find_if(samples, [&](const Sample& s) { return s.angle > centre; });
+    const Sample &a = after[-1], &b = after[0];
+    const double share = (centre - a.angle) / std::max(b.angle - a.angle, 1e-12);
+    nose.position = glm::mix(a.position, b.position, share);
+    nose.outwards = std::cos(centre) * plane.normal + std::sin(centre) * plane.across;
+    nose.along = glm::cross(plane.normal, plane.across);
+    const SurfaceFrame there = curvatures_.at(b.triangle, {1.0 / 3, 1.0 / 3});
+    nose.bend = there.curvature(nose.along) * nose.radius;
+    return nose;
+  }
+
+  // INT across . (dn/dr) across dA from the normals at its corners.
+  double turn_of(std::uint32_t triangle, const dvec3& across) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    const dvec3 &a = mesh_.vertices[t[0]], &b = mesh_.vertices[t[1]], &c = mesh_.vertices[t[2]];
+    const dvec3 twice = glm::cross(b - a, c - a);
+    const double size = glm::length(twice);
+    if (size <= 0.0) return 0.0;
+    const dvec3 normal = twice / size;
+    double sum = 0.0;
+    const std::array<dvec3, 3> opposite{c - b, a - c, b - a};
+    for (int i = 0; i < 3; ++i)
+      sum += 0.5 * glm::dot(surfaces_.normal(triangle, i), across) * glm::dot(glm::cross(normal, opposite[i]), across);
+    return sum;
+  }
+
+  const TriangleMesh& mesh_;
+  const SmoothSurfaces& surfaces_;
+  const CurvatureField& curvatures_;
+  const EdgeTable& edges_;
+  double wavenumber_, flattest_;
+};
+
+}  // namespace
+
+double Nose::radius_at(double theta) const {
+  const double s = std::sin(theta), square = 1.0 - flattening * s * s;
+  return square <= 0.0 ? std::numeric_limits<double>::infinity() : radius / std::pow(square, 1.5);
+}
+
+// The source's angle from the nose, across the edge, reaches pi/2 - flank in the plane of a flank.
+double Nose::edge_share(const dvec3& incident, double wavenumber) const {
+  const double across = sine_to(incident), x = wavenumber * across * radius / edge_radius;
+  if (radius <= 0.0 || x <= 0.0 || x >= 1.0) return 0.0;
+  const double square = (1.0 - std::cbrt(x * x)) / flattening, eighth = std::pow(square / flattest_flank, 8);
+  const double grazing = pi / 2 - std::asin(std::min(std::sqrt(square), std::sin(steepest_flank)));
+  const double off = std::acos(std::clamp(-glm::dot(incident, outwards) / across, -1.0, 1.0));
+  const double lit = std::clamp((grazing - off) / std::min(flank_fade, grazing), 0.0, 1.0);
+  return straightness(incident) * lit / (1.0 + eighth);
+}
+
+double Nose::straightness(const dvec3& ray) const {
+  const double across = sine_to(ray);
+  return across > 0.0 ? 1.0 / (1.0 + std::pow(4.0 * bend / (across * across), 4)) : 0.0;
+}
+
+double Nose::facet_share(double wavenumber) const { return share_at(wavenumber, radius_at(angle)); }
+
+double Nose::shared_turn(double wavenumber) const {
+  constexpr int points = 64;
+  double sum = 0.0;
+  for (int i = 0; i < points; ++i) sum += share_at(wavenumber, radius_at(pi / 2 * (i + 0.5) / points));
+  return sum * pi / points;
+}
+
+std::vector<Nose> find_noses(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
+                             const EdgeTable& edges, double wavenumber) {
+  if (!std::isfinite(wavenumber)) return {};
+  const NoseFinder finder(mesh, surfaces, curvatures, edges, wavenumber);
+  std::vector<Nose> noses(mesh.triangles.size());
+  bool any = false;
+  for (std::uint32_t t = 0; t < noses.size(); ++t) {
+    if (!surfaces.conducts(t) || !mesh.closed(t)) continue;
+    noses[t] = finder.at(t);
+    any = any || noses[t].radius > 0.0;
+  }
+  if (!any) noses.clear();
+  return noses;
+}
+
+}  // namespace raytube
