@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
-"""Makes spheroids.csv, monostatic scattering amplitudes of perfectly conducting prolate spheroids, with numpy:
+"""Makes spheroids.csv and oblate_spheroids.csv, scattering amplitudes of perfectly conducting spheroids, with numpy:
 
-    python3 tests/data/spheroids.py > tests/data/spheroids.csv            # half a minute
-    python3 tests/data/spheroids.py check                                 # the figures below
+    python3 tests/data/spheroids.py > tests/data/spheroids.csv                   # half a minute
+    python3 tests/data/spheroids.py oblate > tests/data/oblate_spheroids.csv     # half a minute
+    python3 tests/data/spheroids.py check                                        # the figures below
 
 Method of auxiliary sources: the scattered field is that of Huygens sources (an electric and a magnetic dipole each) on a confocal
 spheroid inside, where it is analytic down to the foci; they are chosen such that the tangential E vanishes at twice as many points of
-the surface (least squares). Points and sources lie on rings at equal angles, so that azimuthal modes separate.
+the surface (least squares). Points and sources lie on rings at equal angles, so that azimuthal modes separate; the rings at the rim
+of an oblate one are near the surface, and want the finer angles.
 Convergence is exponential, no integral is singular, and combined sources have no spurious resonances.
 
-Conventions: e^{+jwt}, wavelength 1, axis z, look at theta from the axis, v = theta, h = phi directions, phase reference at the centre,
+Conventions: e^{+jwt}, wavelength 1, axis z, looks at theta from the axis, phi 0, v = theta, h = phi directions, phase reference at the centre,
 E^s = S E^i e^{-jkr}/r.
 
 Checked: spheres of ka 5, 10, 20 and 40 against Mie's series: 3e-12, 5e-12, 2e-9 and 2e-3 dB. Other sources, more of them and more
-modes change the spheroids by 4e-5 dB at most; the tangential E left over is at most 6e-5 of the incident one (rms).
+modes change the prolate spheroids by 4e-5 dB at most; the tangential E left over is at most 6e-5 of the incident one (rms).
 """
 import sys
 import numpy as np
@@ -45,18 +47,25 @@ def field(r, p, m):
     return e * np.exp(-1j * x) / distance
 
 
+def axes(t):
+    """The direction at theta = t, v and h."""
+    return np.array([np.sin(t), 0, np.cos(t)]), np.array([np.cos(t), 0, -np.sin(t)]), np.array([0, 1.0, 0])
+
+
 class Spheroid:
     """Half axes a (along z) and b; beta: minor axis of the spheroid of sources, in those of the body."""
 
     def __init__(self, a, b, beta=0.5, extra=40):
-        self.modes, sources = int(K * b) + 12 + extra // 5, int(1.2 * K * a) + extra
-        slots = 2 * self.modes + 2
+        self.modes, sources = int(K * b) + 12 + extra // 5, int(1.2 * K * max(a, b)) + extra
+        major = np.sqrt(abs(a**2 - b**2) + (beta * min(a, b)) ** 2)
+        source_a, source_b = (major, beta * b) if a >= b else (beta * a, major)
+        slots = max(2 * self.modes + 2, int(14 * b / (b - source_b)))  # e^-14 of the field between rings' sources is left
         angle = 2 * np.pi * np.arange(slots) / slots
         phi = np.stack([-np.sin(angle), np.cos(angle), 0 * angle], -1)
         meridian = rings(a, b, 2 * sources)[:2]
         self.points, along = (in_space(v, angle) for v in meridian)
         self.tangents = np.stack([along, np.broadcast_to(phi, along.shape)])
-        inner = rings(np.sqrt(a**2 - b**2 + (beta * b) ** 2), beta * b, sources)
+        inner = rings(source_a, source_b, sources)
         self.positions, along, normals = (in_space(v, angle) for v in inner)
         self.electric = np.stack([along, np.broadcast_to(phi, along.shape)])
         self.magnetic = np.cross(normals, self.electric)
@@ -72,15 +81,15 @@ class Spheroid:
         """Sums over the angles with e^{jm angle}."""
         return values.shape[-1] * np.fft.ifft(values)[..., : self.modes + 1]
 
-    def amplitudes(self, thetas):
+    def amplitudes(self, thetas, receive=None):
         """S_vv and S_hh at the angles, and the largest rms of the tangential E that is left on the surface."""
         waves, weights = [], []
-        for t in thetas:
-            s = np.array([np.sin(t), 0, np.cos(t)])
-            for e in (np.array([np.cos(t), 0, -np.sin(t)]), np.array([0, 1.0, 0])):
+        for t, u in zip(thetas, thetas if receive is None else receive):
+            (s, *es), (r, *er) = axes(t), axes(u)
+            for e, f in zip(es, er):
                 incident = (self.tangents @ e) * np.exp(1j * K * (self.points @ s))
                 waves.append(self.in_modes(incident.conj()).conj().reshape(-1, self.modes + 1) / incident.shape[-1])
-                far = (self.electric @ e - self.magnetic @ np.cross(e, s)) * np.exp(1j * K * (self.positions @ s))
+                far = (self.electric @ f - self.magnetic @ np.cross(f, r)) * np.exp(1j * K * (self.positions @ r))
                 weights.append(self.in_modes(far).reshape(-1, self.modes + 1))
         return self.solve(np.stack(waves, -1), np.stack(weights, -1))
 
@@ -126,14 +135,33 @@ def check():
         coarse, left = Spheroid(a, a / ratio).amplitudes(LOOKS)
         fine, less = Spheroid(a, a / ratio, 0.6, 70).amplitudes(LOOKS)
         print(f"{ratio}:1, ka {ka}: {db(coarse, fine):.1e} dB from finer; {left:.1e}, {less:.1e} of E left")
+    for ratio, ka in OBLATE:
+        a, looks = ka / K, np.radians(PAIRS).T
+        coarse, left = Spheroid(a / ratio, a, extra=80).amplitudes(*looks)
+        fine, less = Spheroid(a / ratio, a, 0.6, 100).amplitudes(*looks)
+        print(f"1:{ratio}, ka {ka}: {db(coarse, fine):.1e} dB from finer; {left:.1e}, {less:.1e} of E left")
+
+
+def write_oblate():
+    print("# made by spheroids.py oblate; wavelength 1, ka: half major axis; antennas at phi 0")
+    print("ratio,ka,theta_deg,rx_theta_deg,re_vv,im_vv,re_hh,im_hh")
+    for ratio, ka in OBLATE:
+        found = Spheroid(ka / K / ratio, ka / K, extra=80).amplitudes(*np.radians(PAIRS).T)[0]
+        for (t, u), s in zip(PAIRS, found):
+            print(f"{ratio},{ka},{t},{u}," + ",".join(f"{v:.7g}" for p in s for v in (p.real, p.imag)))
 
 
 BODIES = [(ratio, ka) for ratio in (2, 4) for ka in (10, 20, 40)]
 LOOKS = np.radians(np.arange(0, 91, 5))
+OBLATE = ((3, 16), (6, 32))  # k rho 1.78 and 0.89 at the rim
+PAIRS = [(t, t) for t in range(0, 91, 10)] + [(t, u) for t in (40, 90) for u in range(0, 181, 12)]
 
 if __name__ == "__main__":
     if sys.argv[1:] == ["check"]:
         check()
+        sys.exit()
+    if sys.argv[1:] == ["oblate"]:
+        write_oblate()
         sys.exit()
     print("# made by spheroids.py; wavelength 1, ka: half major axis")
     print("ratio,ka,theta_deg,re_vv,im_vv,re_hh,im_hh")
