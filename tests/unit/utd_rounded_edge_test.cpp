@@ -30,9 +30,14 @@ LookVectors look_of(const Antennas& at) {
       {.transmit = {pi / 2 - at.source_elevation, at.source}, .receive = {pi / 2 - at.observer_elevation, at.observer}});
 }
 
-/// Those of an arc at the wavenumber across the edge.
+/// An arc whose ends are kt from the virtual apex.
+RoundedWedge arc_wedge(double interior_angle, double tangent_distance) {
+  return {interior_angle, section_modes(arc_section(interior_angle, tangent_distance), interior_angle, tangent_distance)};
+}
+
+/// At the wavenumber across the edge.
 RoundedWedge arc_modes(const RoundedEdge& edge, const WedgeIncidence& incidence, const LookVectors& look) {
-  return {edge.wedge.interior_angle(), wavenumber_across(incidence, look, k) * edge.section.tangent_distance()};
+  return arc_wedge(edge.wedge.interior_angle(), wavenumber_across(incidence, look, k) * edge.section.tangent_distance());
 }
 
 ScatteringMatrix arc_amplitude(const Wedge& wedge, double radius, const LookVectors& look) {
@@ -77,7 +82,7 @@ TEST(RoundedEdge, HasTheMeanStrengthOfTheExactSolution) {
   for (const MeanCase& at : mean_cases) {
     const Wedge wedge = wedge_of(at.interior_angle * degree);
     const RoundedEdge edge{wedge, arc_of(at.wavenumber_radius / k, wedge.interior_angle())};
-    const RoundedWedge modes(wedge.interior_angle(), k * edge.section.tangent_distance());
+    const RoundedWedge modes = arc_wedge(wedge.interior_angle(), k * edge.section.tangent_distance());
     const auto with = [&](auto amplitude) {
       return mean_strengths(wedge.n, [&](double angle) {
         const LookVectors look = look_of({angle, 0, angle, 0});
@@ -102,31 +107,20 @@ struct ExactCase {
   Complex soft, hard;
 };
 
-// Between the nodes of the table; the generator's boundary-integral solution with all modes.
-const ExactCase exact_cases[] = {{25, 0.6, 0.8, 0.8, {-0.009265, 0.019749}, {0.043274, -0.095441}},
-                                 {25, 1.2, 2.1, 0.5, {-0.018373, 0.062714}, {0.037156, -0.110393}},
-                                 {52, 0.27, 0.8, 0.8, {-0.002604, 0.006881}, {0.011122, -0.027351}},
-                                 {52, 1.2, 2.1, 0.5, {-0.020221, 0.051610}, {0.044667, -0.068774}},
-                                 {83, 0.6, 2.1, 0.5, {-0.008885, 0.016919}, {0.015247, -0.012168}},
-                                 {112, 1.2, 0.8, 0.8, {-0.019530, 0.014081}, {0.078461, -0.037750}},
-                                 {143, 0.6, 2.1, 0.5, {-0.005802, 0.003540}, {0.006134, 0.000953}}};
-
-TEST(RoundedEdge, HasTheStrengthOfTheExactSolutionBetweenNodesOfTheTable) {
-  constexpr double interpolation = 0.0025;  // 0.002 at kt 1.2, 0.0004 at 0.6, over looks; a little more at single ones
-  for (const ExactCase& at : exact_cases) {
-    const RoundedWedge wedge(at.interior_angle * degree, at.tangent_distance);
-    EXPECT_NEAR(std::abs(wedge.soft(at.observer, at.source) - at.soft), 0.0, interpolation) << at.interior_angle;
-    EXPECT_NEAR(std::abs(wedge.hard(at.observer, at.source) - at.hard), 0.0, interpolation) << at.interior_angle;
-  }
-}
-
-// Beyond the table: all modes, but for those above kt + 8 or so, which make the difference.
-TEST(RoundedEdge, HasTheStrengthOfTheExactSolutionBeyondTheTable) {
-  const ExactCase cases[] = {{25, 3, 2.1, 0.5, {-0.087764, 0.138401}, {0.175064, -0.251623}},
+// Boundary-integral solutions with all modes. But for those above kt + 8 or so, which make the difference.
+TEST(RoundedEdge, HasTheStrengthOfTheExactSolution) {
+  const ExactCase cases[] = {{25, 0.6, 0.8, 0.8, {-0.009265, 0.019749}, {0.043274, -0.095441}},
+                             {25, 1.2, 2.1, 0.5, {-0.018373, 0.062714}, {0.037156, -0.110393}},
+                             {52, 0.27, 0.8, 0.8, {-0.002604, 0.006881}, {0.011122, -0.027351}},
+                             {52, 1.2, 2.1, 0.5, {-0.020221, 0.051610}, {0.044667, -0.068774}},
+                             {83, 0.6, 2.1, 0.5, {-0.008885, 0.016919}, {0.015247, -0.012168}},
+                             {112, 1.2, 0.8, 0.8, {-0.019530, 0.014081}, {0.078461, -0.037750}},
+                             {143, 0.6, 2.1, 0.5, {-0.005802, 0.003540}, {0.006134, 0.000953}},
+                             {25, 3, 2.1, 0.5, {-0.087764, 0.138401}, {0.175064, -0.251623}},
                              {60, 5.2, 2.1, 0.5, {-0.183042, 0.140214}, {0.353284, -0.241763}},
                              {112, 2.5, 0.8, 0.8, {-0.040094, 0.007362}, {0.167148, -0.029596}}};
   for (const ExactCase& at : cases) {
-    const RoundedWedge wedge(at.interior_angle * degree, at.tangent_distance);
+    const RoundedWedge wedge = arc_wedge(at.interior_angle * degree, at.tangent_distance);
     EXPECT_NEAR(std::abs(wedge.soft(at.observer, at.source) - at.soft), 0.0, 5e-5) << at.interior_angle;
     EXPECT_NEAR(std::abs(wedge.hard(at.observer, at.source) - at.hard), 0.0, 5e-5) << at.interior_angle;
   }
@@ -155,20 +149,21 @@ TEST(RoundedEdge, OfAnySectionLosesNoPower) {
       }
 }
 
-// Up to kt = 0.45: K_00 = k^2 A / 2n with the area A of the metal that is taken away, K_11 = -+ C (kt)^(2/n).
+// Up to kt = 0.45, T = -jK with K_00 = k^2 A / 2n, A the area of the metal that is taken away, and K_11 = -+ C (kt)^(2/n).
 TEST(RoundedEdge, FollowsTheClosedFormOfSmallRadii) {
   const std::pair<double, double> constants[] = {{60, 0.206}, {90, 0.1295}, {120, 0.0718}};  // alpha [deg], C
   for (const auto& [angle, constant] : constants)
-    for (const double distance : {0.001, 0.05, 0.2}) {
+    for (const double distance : {0.02, 0.05, 0.2}) {
       const double alpha = angle * degree, n = 2 - alpha / pi, rho = distance * std::tan(alpha / 2);
       const double area = rho * rho * (1 / std::tan(alpha / 2) - (pi - alpha) / 2), first = constant * std::pow(distance, 2 / n);
-      const auto hard = rounded_k_matrix(true, alpha, distance), soft = rounded_k_matrix(false, alpha, distance);
-      EXPECT_NEAR(hard[0][0][0], area / (2 * n), 0.005 * area / (2 * n));
-      EXPECT_NEAR(hard[1][0][0], -first, 0.02 * first);
-      EXPECT_NEAR(soft[1][0][0], first, 0.02 * first);
+      const SoftHardModes modes = section_modes(arc_section(alpha, distance), alpha, distance);
+      EXPECT_NEAR(-modes.hard.at(0, 0).imag(), area / (2 * n), 0.005 * area / (2 * n));
+      EXPECT_NEAR(modes.hard.at(1, 1).imag(), first, 0.02 * first);
+      EXPECT_NEAR(-modes.soft.at(1, 1).imag(), first, 0.02 * first);
     }
 }
 
+// Modes are symmetric to 1e-5 of S.
 TEST(RoundedEdge, IsReciprocalInAllDirections) {
   Wedge wedge = wedge_of(70 * degree);
   const auto turn = [](dvec3& v) { v = {v.y, v.z, v.x}; };  // so that V and H mix soft and hard waves
@@ -184,7 +179,7 @@ TEST(RoundedEdge, IsReciprocalInAllDirections) {
   const ScatteringMatrix s = amplitude(look_of(there)), r = amplitude(look_of(back));
   ASSERT_GT(std::abs(s.at(0, 1)), 1e-3);
   for (int p = 0; p < 2; ++p)
-    for (int q = 0; q < 2; ++q) EXPECT_NEAR(std::abs(s.at(p, q) - r.at(q, p)), 0.0, 1e-12);
+    for (int q = 0; q < 2; ++q) EXPECT_NEAR(std::abs(s.at(p, q) - r.at(q, p)), 0.0, 5e-6);
 }
 
 // Faces are alike: seen from the other one the same numbers come out.

@@ -118,7 +118,8 @@ TEST(Noses, OfAnOblateSpheroidAreItsRim) {
   const Ball body(soup);
   const SmoothSurfaces smooth(body.loaded.mesh, 30 * degree, 0.1);
   const double k = 3.0;
-  const CurvedTarget curved(body.target.tracer, smooth, true, k);
+  const std::vector<double> frequencies{k * speed_of_light / (2 * pi)};
+  const CurvedTarget curved(body.target.tracer, smooth, true, {}, frequencies);
   double length = 0.0;
   for (const Nose& nose : curved.noses) {
     if (nose.radius <= 0.0) continue;
@@ -157,7 +158,8 @@ TEST(Noses, AreNotOfSpheresAndNeedles) {
     for (dvec3& point : soup.points) point.z *= stretch;
     const Ball body(soup);
     const SmoothSurfaces smooth(body.loaded.mesh, 30 * degree, 0.1);
-    const CurvedTarget curved(body.target.tracer, smooth, true, k);
+    const std::vector<double> frequencies{k * speed_of_light / (2 * pi)};
+    const CurvedTarget curved(body.target.tracer, smooth, true, {}, frequencies);
     double length = 0.0;
     for (const Nose& nose : curved.noses)
       if (nose.radius > 0.0) length += nose.turn * nose.facet_share(k) / nose.shared_turn(k) * nose.edge_share(-nose.outwards, k);

@@ -5,10 +5,11 @@
 //   rho, t          radius of the arc, tangent to both faces; distance of its ends from the virtual apex, rho / tan(alpha/2)
 //   virtual apex    where the planes of the faces meet, in the air; all phases and distances are from there
 //   nu, C           order m / n of a mode, and cos (hard, m >= 0) or sin (soft, m >= 1)
-//   T, K            outgoing modes that the arc makes of unit regular ones, m = 0 normalised; T = -jK / (1 + jK)
+//   T               outgoing modes that the section makes of unit regular ones, m = 0 normalised
 //
-//   section_modes   T of any section, by a boundary integral         k_table    K of arcs, written by k_table_fit.py
+//   section_modes   T of any section, by a boundary integral         conic_section   sections of rims, arcs among them
 //   rounded_wedge   S between fields along the edge                  rounded_edge    S per unit length of edge
+//   nose_table      modes of the conics that rims take               rims            bends of curved bodies
 #pragma once
 
 #include <array>
@@ -17,21 +18,12 @@
 
 namespace raytube {
 
-/// kt up to which arcs take six modes from a table (error of S per length 0.002 at 1.2, 0.007 at 1.7, 0.01 here); beyond it they
-/// have all modes.
-inline constexpr double most_tabulated_distance = 2.0;
-
-/// The tabulated K of even and of odd modes, m = 0, 2, 4 and 1, 3, 5; the others do not couple, by symmetry.
-std::array<glm::dmat3, 2> rounded_k_matrix(bool hard, double interior_angle, double tangent_distance);
-
 /// Beyond the arc a plane wave finds the field of the sharp wedge and that of a line source in the virtual apex, a sum of few
 /// modes without shadow boundaries (Sommerfeld's regular and outgoing modes of a wedge; T as in Waterman 1965, Proc. IEEE 53,
 /// 805). Valid for faces that are plane for a wavelength or so beyond the section.
 class RoundedWedge {
  public:
-  /// alpha in (0, pi) [rad]; kt >= 0, with k sin(beta) for a wave that is not normal to the edge.
-  RoundedWedge(double interior_angle, double tangent_distance);
-  /// Of a section with these modes.
+  /// alpha in (0, pi) [rad], and the modes of the section, with k sin(beta) for a wave that is not normal to the edge.
   RoundedWedge(double interior_angle, SoftHardModes modes);
 
   /// S per unit length of edge between fields along the edge, unit E (soft) or eta H (hard): S = P sqrt(k/2 pi) e^{j pi/4} of
