@@ -42,11 +42,10 @@ void MaterialEdges::add_opaque(std::uint32_t index, const WedgeIncidence& incide
   const ImpedanceEdge edge(wedge, incidence, functions_.at(wedge.n), look_);
   for (std::size_t f = 0; f < frequencies_.size(); ++f) {
     const double k = wavenumber(frequencies_[f]);
-    const auto of = known_->impedances.at(wedge, frequencies_[f]);
+    const auto of = known_->impedances.at(wedge, f);
     bool windowed = false;
     ScatteringMatrix amplitude = edge.amplitude(of, k, windowed);
-    if (wedge.thickness() > 0.0)
-      amplitude += CoatedRim(wedge, incidence, look_, edge).amplitude(rim_faces(wedge, of, frequencies_[f]), k);
+    if (wedge.thickness() > 0.0) amplitude += CoatedRim(wedge, incidence, look_, edge).amplitude(rim_faces(wedge, of, f), k);
     add_product(first_[f], amplitude, phase_integral(pieces, k));
     if (windowed) windowed_[f] = true;
   }
@@ -54,9 +53,10 @@ void MaterialEdges::add_opaque(std::uint32_t index, const WedgeIncidence& incide
   if (strips_ && incidence.faces[0].sin_cone > sin_cone_floor) strips_->add(index, incidence, lit, higher_);
 }
 
-RimFaces MaterialEdges::rim_faces(const Wedge& wedge, const std::array<SurfaceImpedance, 2>& sides, double frequency) const {
+RimFaces MaterialEdges::rim_faces(const Wedge& wedge, const std::array<SurfaceImpedance, 2>& sides, std::size_t frequency) const {
   const ImpedanceTable& table = known_->impedances;
-  return {sides, table.at_border(wedge, frequency, border_cosine(wedge, look_.incident)), table.border_coated(wedge)};
+  const double k = wavenumber(frequencies_[frequency]);
+  return {sides, table.at_border(wedge, frequency, k, border_cosine(wedge, look_.incident)), table.border_coated(wedge)};
 }
 
 void MaterialEdges::add_to(EdgeLookResult& result) {

@@ -45,7 +45,7 @@ class MaterialEdges {
 
  private:
   void add_opaque(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);
-  RimFaces rim_faces(const Wedge& wedge, const std::array<SurfaceImpedance, 2>& sides, double frequency) const;
+  RimFaces rim_faces(const Wedge& wedge, const std::array<SurfaceImpedance, 2>& sides, std::size_t frequency) const;
 
   const EdgeMaterials* known_;
   std::span<const Wedge> wedges_;

@@ -69,7 +69,7 @@ void ImpedanceStrips::arrive(const StripEdge& from, double weight, const StripBu
     const double k = wavenumber(frequencies_[f]);
     if (!(k < widest_band * made_at && made_at < widest_band * k))
       strip.emplace(from, to, look_, std::max(k * length, shortest)), made_at = k;
-    const auto of_from = table_.at(from.wedge, frequencies_[f]), of_to = table_.at(far, frequencies_[f]);
+    const auto of_from = table_.at(from.wedge, f), of_to = table_.at(far, f);
     const StripEcho echo = strip->echo(of_from, of_to);
     const std::array<Complex, 2> sum = echo.over(bundle, k);
     const double counted = weight * skew_window(sine) * boundary_window(from.incidence[from.face], k * length);

@@ -13,7 +13,7 @@ bool is_opaque(const Wedge& wedge, std::span<const Material> materials) {
 }
 
 ImpedanceTable::ImpedanceTable(std::span<const Material> materials, std::span<const double> frequencies)
-    : materials_(materials), frequencies_(frequencies.begin(), frequencies.end()) {
+    : materials_(materials) {
   for (const Material& material : materials) {
     std::vector<SurfaceImpedance>& impedances = impedances_.emplace_back(frequencies.size());
     for (std::size_t f = 0; f < frequencies.size() && !material.transmits(); ++f)
@@ -25,15 +25,14 @@ bool ImpedanceTable::known(const Wedge& wedge) const {
   return wedge.stands_alone() && !wedge.enclosed && !wedge.conducting() && is_opaque(wedge, materials_);
 }
 
-SurfaceResponse ImpedanceTable::at_border(const Wedge& wedge, double frequency, double cosine) const {
+SurfaceResponse ImpedanceTable::at_border(const Wedge& wedge, std::size_t frequency, double wavenumber, double cosine) const {
   if (wedge.border_material == no_index || cosine <= 0.0) return perfect_conductor;
-  return response(materials_[wedge.border_material], index_of(frequency), wavenumber(frequency), cosine, false);
+  return response(materials_[wedge.border_material], frequency, wavenumber, cosine, false);
 }
 
-std::array<SurfaceImpedance, 2> ImpedanceTable::at(const Wedge& wedge, double frequency) const {
-  const std::size_t found = index_of(frequency);
+std::array<SurfaceImpedance, 2> ImpedanceTable::at(const Wedge& wedge, std::size_t frequency) const {
   const auto of = [&](const WedgeFace& face) {
-    return face.material == no_index ? SurfaceImpedance{} : impedances_[face.material][found];
+    return face.material == no_index ? SurfaceImpedance{} : impedances_[face.material][frequency];
   };
   return {of(wedge.faces[0]), of(wedge.faces[1])};
 }

@@ -1,7 +1,6 @@
 // Impedances of the materials of a target that nothing goes through.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -22,23 +21,19 @@ class ImpedanceTable {
   /// Of an edge of such materials, beside one that is no conductor.
   bool known(const Wedge& wedge) const;
 
-  /// What the border face of a thin plate does to a wave that meets it at this cosine; a conductor's where it is dark.
-  SurfaceResponse at_border(const Wedge& wedge, double frequency, double cosine) const;
+  /// What the border face of a thin plate does to a wave that meets it at this cosine, at frequency number `frequency`; a
+  /// conductor's where it is dark.
+  SurfaceResponse at_border(const Wedge& wedge, std::size_t frequency, double wavenumber, double cosine) const;
   /// Whether that face is coated.
   bool border_coated(const Wedge& wedge) const {
     return wedge.border_material != no_index && materials_[wedge.border_material].kind == MaterialKind::coated;
   }
 
-  /// Of the faces of an opaque wedge, at one of the frequencies.
-  std::array<SurfaceImpedance, 2> at(const Wedge& wedge, double frequency) const;
+  /// Of the faces of an opaque wedge, at frequency number `frequency`.
+  std::array<SurfaceImpedance, 2> at(const Wedge& wedge, std::size_t frequency) const;
 
  private:
-  std::size_t index_of(double frequency) const {
-    return static_cast<std::size_t>(std::ranges::find(frequencies_, frequency) - frequencies_.begin());
-  }
-
   std::span<const Material> materials_;
-  std::vector<double> frequencies_;
   std::vector<std::vector<SurfaceImpedance>> impedances_;  // [material][frequency]
 };
 
