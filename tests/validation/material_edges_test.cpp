@@ -142,5 +142,72 @@ TEST(MaterialEdges, OfAPlateKnowNoCornerThatIsOffByNothing) {
   EXPECT_LT(frobenius_norm(edges(5e-6) - edges(0.0)), 1e-3 * lambda);
 }
 
+// What strips over a coat add, a row of directions each.
+std::vector<ScatteringMatrix> over_coat(PolygonSoup soup, const std::vector<Look>& looks, const std::vector<double>& sweep) {
+  Material coat = layered(MaterialKind::coated, {{{{4.0, -0.01}}, 1e-3}});
+  coat.layers.resize(sweep.size(), coat.layers.front());
+  soup.materials.assign(soup.polygons.size(), 0);
+  const LoadedMesh loaded = build_mesh(soup, 1.0, "test", std::span(&coat, 1));
+  return solve(Target(loaded.mesh), {sweep, looks, true, {}, {coat}}, with_edges(2)).parts[Part::edges_higher];
+}
+
+std::vector<Look> round_at(double theta, double step) {
+  std::vector<Look> looks;
+  for (double phi = 0.01; phi < 360.0; phi += step) looks.push_back({deg(theta, phi), deg(theta, phi)});
+  return looks;
+}
+
+PolygonSoup rectangle() {
+  PolygonSoup soup = shapes::plate(0.1);
+  for (dvec3& point : soup.points) point.y *= 0.8;
+  return soup;
+}
+
+PolygonSoup skew_plate() {
+  PolygonSoup soup = shapes::plate(side);
+  const std::array<dvec3, 4> off{dvec3(0.0, 0.1, 0.0), dvec3(0.05, -0.15, 0.0), dvec3(-0.1, 0.05, 0.0), dvec3(0.05, -0.1, 0.0)};
+  for (std::size_t i = 0; i < off.size(); ++i) soup.points[i] += side * off[i];
+  return soup;
+}
+
+// A coat that guides a wave: its pole is nowhere in step with an observer, of edges that strips meet at any angles. Each row is
+// half-way between its neighbours, and reciprocal, as far as strips are.
+TEST(MaterialEdges, OfCoatsHaveNoSpikes) {
+  const std::vector<std::pair<const char*, PolygonSoup>> bodies{{"rectangle", rectangle()},
+                                                                {"skew plate", skew_plate()},
+                                                                {"slab", shapes::box({0.1, 0.08, 0.004})},
+                                                                {"cube", shapes::box({0.09, 0.09, 0.09})}};
+  for (const auto& [name, soup] : bodies)
+    for (const double theta : {30.0, 60.0, 75.0}) {
+      SCOPED_TRACE(fmt::format("{}, {} degrees", name, theta));
+      const std::vector<ScatteringMatrix> s = over_coat(soup, round_at(theta, 1.0), {frequency});
+      double largest = 0.0, spike = 0.0, one_way = 0.0;
+      for (std::size_t i = 1; i + 1 < s.size(); ++i) {
+        ScatteringMatrix mean = s[i - 1];
+        mean += s[i + 1];
+        largest = std::max(largest, frobenius_norm(s[i]));
+        spike = std::max(spike, frobenius_norm(s[i] - (mean *= 0.5)));
+        one_way = std::max(one_way, std::abs(s[i].at(0, 1) - s[i].at(1, 0)));
+      }
+      fmt::print("{} {}: {:.2g} m, {:.2g} beside its neighbours, {:.2g} one way\n", name, theta, largest, spike, one_way);
+      EXPECT_LT(largest, 1.5 * lambda);
+      EXPECT_LT(spike, 0.15 * largest);
+      EXPECT_LT(one_way, 0.4 * largest);
+    }
+}
+
+// A row of a sweep is what it is alone, wherever in the sweep. Steps of k l are powers of 2.
+TEST(MaterialEdges, OfCoatsDoNotDependOnTheSweep) {
+  const std::vector<Look> looks{{deg(30.0, 90.0), deg(30.0, 90.0)}, {deg(60.0, 20.0), deg(60.0, 20.0)}};
+  const std::vector<double> sweep{9e9, 8e9, 4e9, 8.1e9};
+  const std::vector<ScatteringMatrix> all = over_coat(shapes::plate(side), looks, sweep);
+  for (std::size_t f = 0; f < sweep.size(); ++f) {
+    const std::vector<ScatteringMatrix> alone = over_coat(shapes::plate(side), looks, {sweep[f]});
+    for (std::size_t look = 0; look < looks.size(); ++look)
+      EXPECT_LT(frobenius_norm(all[look * sweep.size() + f] - alone[look]), 1e-9 * frobenius_norm(alone[look]))
+          << look << " " << sweep[f];
+  }
+}
+
 }  // namespace
 }  // namespace raytube

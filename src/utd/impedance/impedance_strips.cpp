@@ -9,8 +9,6 @@ namespace raytube {
 
 namespace {
 
-constexpr double widest_band = 1.25;  // of frequencies for which one path of integration serves
-
 FaceIncidence arriving_at(const WedgeFace& face, const dvec3& direction, double sine) {
   const dvec3 tangent = glm::cross(face.into_face, face.normal);
   return {.tangent = tangent, .cos_cone = glm::dot(direction, tangent), .sin_cone = sine};
@@ -25,6 +23,11 @@ double boundary_window(const FaceIncidence& incidence, double electrical_length)
   constexpr double width = 0.3;
   const double y = 2.0 * std::sin(0.5 * (pi - incidence.source_angle)), x = electrical_length * std::pow(incidence.sin_cone, 2);
   return y * y / (y * y + width * width / x) * x * x / (x * x + shortest * shortest);
+}
+
+// Of the path of integration: the next power of 2, so that a row of a sweep is what it is alone.
+double step_of_length(double electrical_length) {
+  return std::exp2(std::round(std::log2(std::max(electrical_length, shortest))));
 }
 
 // From the edges of the mesh to those of the planes where the impedances hold, there and back [m].
@@ -64,11 +67,10 @@ void ImpedanceStrips::arrive(const StripEdge& from, double weight, const StripBu
   const auto met = [&](int face) { return arriving_at(far.faces[face], direction, sine); };
   const StripEdge to{far, bundle.edge->wedge_face, {met(0), met(1)}, functions_.at(far.n)};
   std::optional<ImpedanceStrip> strip;
-  double made_at = 0.0;
+  double made_for = 0.0;
   for (std::size_t f = 0; f < frequencies_.size(); ++f) {
     const double k = wavenumber(frequencies_[f]);
-    if (!(k < widest_band * made_at && made_at < widest_band * k))
-      strip.emplace(from, to, look_, std::max(k * length, shortest)), made_at = k;
+    if (const double step = step_of_length(k * length); step != made_for) strip.emplace(from, to, look_, made_for = step);
     const auto of_from = table_.at(from.wedge, f), of_to = table_.at(far, f);
     const StripEcho echo = strip->echo(of_from, of_to);
     const std::array<Complex, 2> sum = echo.over(bundle, k);

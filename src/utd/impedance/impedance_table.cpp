@@ -12,8 +12,7 @@ bool is_opaque(const Wedge& wedge, std::span<const Material> materials) {
   });
 }
 
-ImpedanceTable::ImpedanceTable(std::span<const Material> materials, std::span<const double> frequencies)
-    : materials_(materials) {
+ImpedanceTable::ImpedanceTable(std::span<const Material> materials, std::span<const double> frequencies) : materials_(materials) {
   for (const Material& material : materials) {
     std::vector<SurfaceImpedance>& impedances = impedances_.emplace_back(frequencies.size());
     for (std::size_t f = 0; f < frequencies.size() && !material.transmits(); ++f)

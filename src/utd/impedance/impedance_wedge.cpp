@@ -38,7 +38,7 @@ Complex ImpedanceFace::factor(const MaliuzhinetsPoint& w) const {
   return field_ == EdgeField::soft ? 1.0 : std::cos(w.at / (2 * n_));
 }
 
-Complex ImpedanceFace::reflection(double sine) const {
+Complex ImpedanceFace::reflection(Complex sine) const {
   if (conductor()) return field_ == EdgeField::soft ? -1.0 : 1.0;
   return (sine - sine_) / (sine + sine_);
 }

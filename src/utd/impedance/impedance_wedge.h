@@ -45,7 +45,7 @@ class ImpedanceFace {
   /// psi(w + pi/2 - theta) psi(w - pi/2 + theta) / psi(pi/2)^2 and its limits for conductors.
   Complex factor(const MaliuzhinetsPoint& w) const;
   /// r at the sine of phi'.
-  Complex reflection(double sine) const;
+  Complex reflection(Complex sine) const;
   bool conductor() const { return !pair_; }
 
  private:
