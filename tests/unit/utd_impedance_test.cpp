@@ -278,7 +278,7 @@ TEST(Impedance, WaysBetweenEdgesDoNotDependOnTheirPath) {
           }
         }
     }
-  measured("ways between edges, 20 points against 48", worst, "");
+  measured("ways between edges, 18 points against 48", worst, "");
 }
 
 /// Where the pole of the guided wave passes the path, and where the wave becomes too slow to count: steps from one impedance to

@@ -10,7 +10,8 @@ namespace raytube {
 namespace {
 
 constexpr Complex j(0.0, 1.0);
-constexpr double path_end = 20.0;    // e^{-20} is left there of the waves
+constexpr double path_end = 20.0;  // e^{-20} is left there of the waves
+constexpr double least_missed = 1e-4;
 constexpr double on_grazing = 1e-6;  // of cos(g/2): as close to the edge's own face currents are taken that far off
 
 double apart_from_grazing(double half_cosine) {
@@ -163,13 +164,20 @@ Complex ImpedanceStrip::rule_error(Complex angle) const {
   return is_guided(pole) ? error + 2.0 * pi * j * (1.0 - guided_share(angle)) : error;
 }
 
-// Residues: P1(-a) = r(-a) P1(a) at the first edge and P2(a') = r(a') P2(-a') at the far one. What the rule misses by a pole is a
-// wave of the pole's own a.
+// What the rule misses by a pole is a wave of the pole's own a.
+void ImpedanceStrip::add_pole(const Ends& ends, Complex at, Complex leaving, Complex arriving, Complex residue,
+                              StripEcho& sum) const {
+  const Complex missed = rule_error(at);
+  if (std::abs(missed) > least_missed) add(ends, passing(at, leaving, arriving, residue / (2 * pi)), missed, sum);
+}
+
+// Residues: P1(-a) = r(-a) P1(a) at the first edge and P2(a') = r(a') P2(-a') at the far one; of parallel edges both are one.
 void ImpedanceStrip::add_poles(const Ends& ends, StripEcho& sum) const {
   const Complex first = ends.leaving.angle, last = ends.arriving.angle, far = 2.0 * std::asin(std::sin(0.5 * last) / cones_);
-  add(ends, passing(first, -first, arriving(first), std::tan(first) / pi), rule_error(first), sum);
-  add(ends, passing(far, -far, last, std::tan(last) * std::cos(0.5 * last) / (pi * cones_ * std::cos(0.5 * far))),
-      rule_error(far), sum);
+  const bool one = std::abs(first - last) < 1e-9;
+  add_pole(ends, first, -first, arriving(first), (one ? 4.0 : 2.0) * std::tan(first), sum);
+  if (one) return;
+  add_pole(ends, far, -far, last, 2.0 * std::tan(last) * std::cos(0.5 * last) / (cones_ * std::cos(0.5 * far)), sum);
 }
 
 StripEcho ImpedanceStrip::echo(const std::array<SurfaceImpedance, 2>& from, const std::array<SurfaceImpedance, 2>& to) const {

@@ -17,7 +17,7 @@
 
 namespace raytube {
 
-inline constexpr int strip_nodes = 20;
+inline constexpr int strip_nodes = 18;
 
 /// Of Maliuzhinets' function, as good as second order wants it.
 inline constexpr double strip_digits = 14.0;
@@ -77,6 +77,7 @@ class ImpedanceStrip {
   std::array<Complex, 2> received(const Ends& ends, const Passing& wave) const;
   void add(const Ends& ends, const Passing& wave, Complex weight, StripEcho& sum) const;
   Complex rule_error(Complex angle) const;
+  void add_pole(const Ends& ends, Complex at, Complex leaving, Complex arriving, Complex residue, StripEcho& sum) const;
   void add_poles(const Ends& ends, StripEcho& sum) const;
 
   StripEdge from_, to_;
