@@ -19,14 +19,15 @@ SplitFunction curl_split(const SheetAdmittance& y, double sin_cone) {
   return {SheetChannel::curl, (y.constant + quadratic * (1 - sin_cone * sin_cone)) / sin_cone, quadratic * sin_cone};
 }
 
-// The tilt of the branch cut that keeps it away from guided waves.
+// The tilt of the branch cut that keeps it away from guided waves; further down, waves at a rim that is not parallel would come
+// from both sides of their root.
 double widest_gap(const SplitFunction& function, double slowest) {
   std::vector<double> angles;
   for (const double tilt : {0.0, 1.2})
     for (const Complex& wave : function.guided(slowest, tilt)) angles.push_back(std::arg(wave - 1.0) + pi / 2);
   if (std::ranges::none_of(angles, [](double angle) { return std::abs(angle) < 0.6; })) return 0.0;
   double best = -1.0, result = 0.0;
-  for (const double tilt : {0.0, 0.3, 0.5, 0.7, 0.9, 1.1}) {
+  for (const double tilt : {0.0, 0.3, 0.5, 0.7}) {
     double gap = 0.9;
     for (const double angle : angles) gap = std::min(gap, std::abs(angle + tilt));
     gap *= std::pow(std::cos(tilt), 0.3);
@@ -50,31 +51,28 @@ SheetHalfPlane::SheetHalfPlane(const SheetAdmittance& sheet, double slowest, dou
     ratio_ = 0.5 / (z * z);
   }
   const Complex tie = imaginary_unit * std::sqrt(std::max(cone2_, 0.0));
-  tie_curl_ = split(SheetChannel::curl, -tie);
-  tie_divergence_ = split(SheetChannel::divergence, -tie);
+  tie_curl_ = {split(SheetChannel::curl, -tie), split(SheetChannel::curl, tie)};
+  tie_divergence_ = {split(SheetChannel::divergence, -tie), split(SheetChannel::divergence, tie)};
+  const Complex straight = sheet_.exact(1.0)[1];
+  tie_fit_ = (2.0 + sheet_.divergence) * straight / (2.0 + straight) - sheet_.divergence;
   launch(SheetChannel::curl, curl_, slowest, reach);
   launch(SheetChannel::divergence, divergence_, slowest, reach);
 }
 
-// What is fitted to homogeneous waves is not followed beyond them, where observers are far off the cone.
-Complex SheetHalfPlane::visible(Complex nu) const {
-  return nu.imag() == 0.0 ? Complex(std::clamp(nu.real(), -sin_cone_, sin_cone_)) : nu;
-}
-
-Complex SheetHalfPlane::split(SheetChannel channel, Complex nu) const {
+Complex SheetHalfPlane::split(SheetChannel channel, Complex nu, Complex within) const {
   if (channel == SheetChannel::curl) return curl_.at(nu / sin_cone_);
-  return divergence_.at(nu / sin_cone_) * std::exp(-visible(nu) * sheet_.end_face);
+  return divergence_.at(nu / sin_cone_) * std::exp(-within * sheet_.end_face);
 }
 
-SheetWave SheetHalfPlane::complex_wave(SheetChannel channel, Complex nu) const {
-  const Complex a2 = nu * nu + cone2_, within = visible(nu), fitted = within * within + cone2_;
+SheetWave SheetHalfPlane::fitted_wave(SheetChannel channel, Complex nu, Complex within) const {
+  const Complex a2 = nu * nu + cone2_, fitted = within * within + cone2_;
   return {nu, a2, channel == SheetChannel::curl ? sheet_.slope * fitted : 0.0, std::exp(-within * sheet_.end_face),
           std::exp(-within * sheet_.normal_end_face)};
 }
 
 // delta = Q_fit y_exact / Q_exact - y_fit: with it the pole at nu = -c has the plate's own physical optics.
-SheetWave SheetHalfPlane::real_wave(SheetChannel channel, double nu) const {
-  SheetWave wave = complex_wave(channel, nu);
+SheetWave SheetHalfPlane::real_wave(SheetChannel channel, double nu, double within) const {
+  SheetWave wave = fitted_wave(channel, nu, within);
   const double a2 = nu * nu + cone2_;
   if (a2 >= 1.0) return wave;
   const double s = std::sqrt(1 - a2);
@@ -108,9 +106,9 @@ void SheetHalfPlane::launch(SheetChannel channel, const SplitFunction& function,
 
 std::array<SheetSource, 2> SheetHalfPlane::plane_wave(double c, double b, const SheetVector& incident) const {
   const Complex z_curl = split(SheetChannel::curl, -c), z_divergence = split(SheetChannel::divergence, -c);
-  return {{{SheetChannel::curl, real_wave(SheetChannel::curl, c), (b * incident.across - c * incident.along) * z_curl,
+  return {{{SheetChannel::curl, real_wave(SheetChannel::curl, c, c), (b * incident.across - c * incident.along) * z_curl,
             incident.along * z_curl},
-           {SheetChannel::divergence, real_wave(SheetChannel::divergence, c),
+           {SheetChannel::divergence, real_wave(SheetChannel::divergence, c, c),
             (-c * incident.across - b * incident.along) * z_divergence, incident.across * z_divergence}}};
 }
 
@@ -145,7 +143,9 @@ Complex SheetHalfPlane::fitted(const SheetSource& source, const SheetWave& at) c
 
 std::array<Complex, 2> SheetHalfPlane::sums(std::span<const SheetSource> sources, Complex nu, bool with_fit) const {
   std::array<Complex, 2> sum{};
-  const SheetWave curl = complex_wave(SheetChannel::curl, nu), divergence = complex_wave(SheetChannel::divergence, nu);
+  const SheetWave curl = complex_wave(SheetChannel::curl, nu);
+  SheetWave divergence = complex_wave(SheetChannel::divergence, nu);
+  divergence.fit = tie_fit_;
   for (const SheetSource& source : sources) {
     const bool is_curl = source.channel == SheetChannel::curl;
     Complex& part = sum[is_curl ? 0 : 1];
@@ -180,8 +180,8 @@ void SheetHalfPlane::constants_at_normal(std::span<const SheetSource> sources, E
 // slope u (1 + rho) = rho Phi(-u) - Phi(u) - (1 - rho) constant.
 void SheetHalfPlane::constants_on_cone(std::span<const SheetSource> sources, double b, EdgeConstants& result) const {
   const Complex tie = imaginary_unit * std::abs(b);
-  const std::array<Complex, 2> weight_curl{b * tie_curl_, b / (2.0 * sheet_.constant * tie_curl_)},
-      weight_divergence{tie * tie_divergence_, -tie / (2.0 * sheet_.divergence * tie_divergence_)};
+  const std::array<Complex, 2> weight_curl{b * tie_curl_[0], b * tie_curl_[1]},
+      weight_divergence{tie * tie_divergence_[0], -tie * tie_divergence_[1]};
   Complex slope = 0.0, slope_per_constant = 0.0;
   if (sheet_.normal != 0.0) {
     const Complex over = 1.0 / (root_ * (1.0 + ratio_));
@@ -221,21 +221,15 @@ Complex SheetHalfPlane::bracket(std::span<const SheetSource> sources, const Edge
   return sum + constants.divergence + at.end_face * (fit + constants.fit_divergence);
 }
 
-// The residue of the moment at nu = -j |b|, times -j.
-Complex SheetHalfPlane::harmonic(std::span<const SheetSource> sources, const EdgeConstants& constants, double b) const {
-  if (std::abs(b) < normal_incidence) return 0.0;
-  const Complex nu = -imaginary_unit * std::abs(b);
-  const auto of = [&](SheetChannel channel) {
-    return split(channel, -nu) * bracket(sources, constants, channel, complex_wave(channel, nu));
-  };
-  const Complex turn = b < 0.0 ? -imaginary_unit : imaginary_unit;
-  return -0.5 * imaginary_unit * (of(SheetChannel::divergence) + turn * of(SheetChannel::curl));
-}
-
+// What is fitted to homogeneous waves is not followed beyond them, where observers are far off the cone, or beyond the wave that
+// arrives: there the moment has its pole.
 SheetVector SheetHalfPlane::moment(std::span<const SheetSource> sources, const EdgeConstants& constants, double nu,
                                    double b) const {
+  double furthest = sin_cone_;
+  for (const SheetSource& source : sources) furthest = std::max(furthest, source.wave.nu.real());
+  const double within = std::max(nu, -furthest);
   const auto of = [&](SheetChannel channel) {
-    return split(channel, -nu) * bracket(sources, constants, channel, real_wave(channel, nu));
+    return split(channel, -nu, -within) * bracket(sources, constants, channel, real_wave(channel, nu, within));
   };
   const Complex c = of(SheetChannel::curl), d = of(SheetChannel::divergence);
   if (std::abs(b) < normal_incidence) return {d / nu, c / nu};

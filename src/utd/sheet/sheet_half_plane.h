@@ -3,7 +3,7 @@
 // Curl and divergence of the current are C = Z_C(-nu) Phi_C(nu) and D = Z_D(-nu) Phi_D(nu), Z the split functions. Where the
 // field e^{jcx} drives it, Phi has the term 2 j E Z(-c) N(nu, c) / (nu + c), N = y at nu = -c; besides constants, Phi_D one and
 // Phi_C two, of which there is one without polarisation across the sheet. They follow from
-//   nu D + b C = 0 at nu = j |b| and the same of the field beyond the edge at -j |b|: both have a finite transform there,
+//   nu D + b C = 0 at nu = +-j |b|: the current has a finite transform, and no wave e^{-k |b| x} leaves the edge,
 //   Phi_C(u) = Phi_C(-u) / (2 Z_C(-u)^2) at the root u of constant + normal a2: E along the edge is continuous there.
 // Senior (1979), Radio Sci. 14, 645, for sheets at normal incidence; derived in docs/theory/material_edges.md.
 #pragma once
@@ -63,9 +63,7 @@ class SheetHalfPlane {
 
   double sin_cone() const { return sin_cone_; }
 
-  /// nu or c of a homogeneous wave; the fit is mended to what the plate has exactly.
-  SheetWave real_wave(SheetChannel channel, double nu) const;
-  SheetWave complex_wave(SheetChannel channel, Complex nu) const;
+  SheetWave complex_wave(SheetChannel channel, Complex nu) const { return fitted_wave(channel, nu, nu); }
 
   /// The two sources of a plane wave with the tangential field `incident` at the edge; c is not 0 where b is.
   std::array<SheetSource, 2> plane_wave(double c, double b, const SheetVector& incident) const;
@@ -84,17 +82,14 @@ class SheetHalfPlane {
   /// That of the current the plate has far from its edge, as it enters the integral at the edge.
   SheetVector physical_optics(double nu, double c, double b, const SheetVector& incident) const;
 
-  /// Amplitude, across the edge, of the current that has neither curl nor divergence: e^{-k |b| x} beside an edge met obliquely.
-  Complex harmonic(std::span<const SheetSource> sources, const EdgeConstants& constants, double b) const;
-  /// Its v / sin_cone, and its direction.
-  Complex harmonic_along() const { return Complex(0.0, -std::sqrt(std::max(cone2_, 0.0))) / sin_cone_; }
-  static SheetVector harmonic_current(double b) { return {1.0, b < 0.0 ? imaginary_unit : -imaginary_unit}; }
-
   std::span<const LaunchedWave> launched() const { return launched_; }
 
  private:
-  Complex visible(Complex nu) const;
-  Complex split(SheetChannel channel, Complex nu) const;
+  /// The fit is that of the cosine `within`, here and in split; of homogeneous waves it is mended to what the plate has exactly.
+  SheetWave fitted_wave(SheetChannel channel, Complex nu, Complex within) const;
+  SheetWave real_wave(SheetChannel channel, double nu, double within) const;
+  Complex split(SheetChannel channel, Complex nu, Complex within) const;
+  Complex split(SheetChannel channel, Complex nu) const { return split(channel, nu, nu); }
   Complex bare(const SheetSource& source, Complex nu) const;
   Complex fitted(const SheetSource& source, const SheetWave& at) const;
   void launch(SheetChannel channel, const SplitFunction& function, double slowest, double reach);
@@ -105,8 +100,9 @@ class SheetHalfPlane {
   const SheetAdmittance& sheet_;
   double sin_cone_, cone2_;  // b^2
   SplitFunction curl_, divergence_;
-  Complex root_, ratio_;               // u, 1 / (2 Z_C(-u)^2)
-  Complex tie_curl_, tie_divergence_;  // Z(-j |b|)
+  Complex root_, ratio_;                              // u, 1 / (2 Z_C(-u)^2)
+  std::array<Complex, 2> tie_curl_, tie_divergence_;  // Z(-j |b|) and Z(j |b|)
+  Complex tie_fit_;                                   // of the divergence: there s = 1
   std::vector<LaunchedWave> launched_;
 };
 

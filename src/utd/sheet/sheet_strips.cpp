@@ -11,15 +11,13 @@ namespace {
 
 constexpr double same_phase = 1e-6;  // [rad] strips whose phases differ by less are alike
 
-// Per launched wave of a half plane, and of its harmonic current.
+// Per launched wave of a half plane.
 using CurrentWaves = std::vector<Complex>;
 
-CurrentWaves launched(const SheetHalfPlane& half_plane, std::span<const SheetSource> sources, const EdgeConstants& constants,
-                      double b) {
+CurrentWaves launched(const SheetHalfPlane& half_plane, std::span<const SheetSource> sources, const EdgeConstants& constants) {
   CurrentWaves amplitudes;
   for (const LaunchedWave& wave : half_plane.launched())
     amplitudes.push_back(wave.weight * half_plane.bracket(sources, constants, wave.channel, wave.wave));
-  amplitudes.push_back(half_plane.harmonic(sources, constants, b));
   return amplitudes;
 }
 
@@ -28,7 +26,6 @@ CurrentWaves along_strip(const SheetHalfPlane& half_plane, double electrical_len
   CurrentWaves factors;
   for (const LaunchedWave& wave : half_plane.launched())
     factors.push_back(std::exp(-imaginary_unit * electrical_length * (wave.along - 1.0)));
-  factors.push_back(std::exp(-imaginary_unit * electrical_length * (half_plane.harmonic_along() - 1.0)));
   return factors;
 }
 
@@ -50,7 +47,7 @@ Complex cosine_along_strip(const SheetHalfPlane& here, double cones, Complex alo
 }
 
 // What a wave of the cosine v would add beyond the rim, per its current.
-Complex tail(Complex v, double nu) { return imaginary_unit / (v + nu); }
+Complex tail(Complex v, Complex nu) { return imaginary_unit / (v + nu); }
 
 }  // namespace
 
@@ -115,7 +112,7 @@ void SheetStrips::add(const RimLook& rim, double c, const SheetPair& pair, doubl
     std::array<CurrentWaves, 2> amplitudes;
     for (int transmit = 0; transmit < 2; ++transmit) {
       const std::array<SheetSource, 2> sources = sheet.plane_wave(c, rim.b, driving_field(rim, look_, electric, transmit));
-      amplitudes[transmit] = launched(sheet, sources, sheet.constants(sources, rim.b), rim.b);
+      amplitudes[transmit] = launched(sheet, sources, sheet.constants(sources, rim.b));
     }
     follow({pair, electric, wavenumber, reach(wavenumber)}, {0, sheet, 0, {amplitudes}}, sum);
   }
@@ -162,7 +159,7 @@ void SheetStrips::arrive(const Sheet& sheet, const Departure& from, std::uint32_
   work_ += work::sheet_wave * static_cast<double>(waves.size() * (1 + onwards.amplitudes.size()));
   if (!tree_.waves()[next].wave.goes_on()) return;
   std::vector<CurrentWaves> sent;
-  for (const ArrivedWave& one : waves) sent.push_back(launched(half_plane, one.source, one.constants, rim.b));
+  for (const ArrivedWave& one : waves) sent.push_back(launched(half_plane, one.source, one.constants));
   for (auto& both : onwards.amplitudes)
     for (CurrentWaves& amplitudes : both) {
       amplitudes = combine(sent, amplitudes);
@@ -172,10 +169,11 @@ void SheetStrips::arrive(const Sheet& sheet, const Departure& from, std::uint32_
 }
 
 // The moments have in them what the waves would add beyond the rim, as waves at that rim; in its place goes that of the strips,
-// which is in the current of the rim before.
+// which is in the current of the rim before: along the strips, where that one has its observer.
 std::vector<Received> SheetStrips::of_unit_waves(const Sheet& sheet, const RimLook& from, const RimLook& rim,
                                                  std::span<const ArrivedWave> waves, const SheetHalfPlane& here) const {
   const double cones = std::pow(from.sin_cone / rim.sin_cone, 2);
+  const Complex onwards = -cosine_along_strip(here, cones, from.nu / from.sin_cone);
   std::vector<Received> received_of;
   const auto add = [&](const SheetVector& at_rim, const SheetVector& beyond) {
     const Received a = received(at_rim, rim, look_, sheet.electric), b = received(beyond, from, look_, sheet.electric);
@@ -185,10 +183,8 @@ std::vector<Received> SheetStrips::of_unit_waves(const Sheet& sheet, const RimLo
     const SheetWave &before = wave.launched.wave, &at = wave.source[0].wave;
     const SheetChannel channel = wave.launched.channel;
     add(here.moment(wave.source, wave.constants, rim.nu, rim.b) - tail(at.nu, rim.nu) * current_of(channel, -at.nu, at.a2, rim.b),
-        tail(wave.along_strip, rim.nu) * current_of(channel, before.nu, before.a2, from.b));
+        tail(wave.along_strip, onwards) * current_of(channel, before.nu, before.a2, from.b));
   }
-  const SheetHalfPlane& before = half_planes_.at(sheet.pair, sheet.electric, from.sin_cone, sheet.reach);
-  add({}, tail(cosine_along_strip(here, cones, before.harmonic_along()), rim.nu) * SheetHalfPlane::harmonic_current(from.b));
   return received_of;
 }
 
