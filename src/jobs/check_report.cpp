@@ -184,14 +184,18 @@ std::vector<WedgeClass> wedge_classes(const std::vector<Wedge>& wedges) {
   return classes;
 }
 
+std::string why_nothing(const Case& c) {
+  if (c.edges.materials == MaterialEdgeMethod::none) return "edges.materials = \"none\"";
+  return "their currents are not known, as of sheets of k d |n| above 4";
+}
+
 void tell_material_edges(CheckReport& report, const Case& c, const std::vector<Wedge>& wedges) {
   if (c.edges.method != EdgeMethod::fringe) return;
-  const auto [all, known] = count_material_edges(wedges, c.sweep.materials);
+  const auto [all, known] = count_material_edges(wedges, c.sweep.materials, c.sweep.frequencies);
   const std::size_t computed = c.edges.materials == MaterialEdgeMethod::none ? 0 : known;
   if (computed > 0) report.print("  {} with a face that is not a perfect conductor have edge currents of their own\n", computed);
   if (all > computed)
-    report.print("  {} with a face that is not a perfect conductor add nothing (edges.materials = \"{}\")\n", all - computed,
-                 material_edge_name(c.edges.materials));
+    report.print("  {} with a face that is not a perfect conductor add nothing ({})\n", all - computed, why_nothing(c));
 }
 
 JsonValue wedges_json(const std::vector<WedgeClass>& classes, double length) {

@@ -4,12 +4,27 @@
 
 namespace raytube {
 
-MaterialEdgeCount count_material_edges(std::span<const Wedge> wedges, std::span<const Material> materials) {
+namespace {
+
+// Rims of a material that lets waves through: too thick a plate has none.
+bool has_rims(const Material& material, std::span<const double> frequencies) {
+  for (std::size_t f = 0; f < frequencies.size(); ++f)
+    if (sheet_share(material, f, wavenumber(frequencies[f])) > 0.0) return true;
+  return false;
+}
+
+}  // namespace
+
+MaterialEdgeCount count_material_edges(std::span<const Wedge> wedges, std::span<const Material> materials,
+                                       std::span<const double> frequencies) {
+  std::vector<bool> has_edges;
+  for (const Material& material : materials) has_edges.push_back(!material.transmits() || has_rims(material, frequencies));
   MaterialEdgeCount count;
   for (const Wedge& wedge : wedges) {
     if (!wedge.convex() || wedge.conducting()) continue;
     ++count.all;
-    if (is_material_edge(wedge, materials)) ++count.known;
+    if (!is_material_edge(wedge, materials)) continue;
+    if (!is_sheet_rim(wedge, materials) || has_edges[wedge.faces[0].material]) ++count.known;
   }
   return count;
 }

@@ -12,9 +12,10 @@ namespace raytube {
 /// Convex ones.
 struct MaterialEdgeCount {
   std::size_t all = 0;
-  std::size_t known = 0;  // whose currents there is a theory for (utd/fringe/material_edges.h)
+  std::size_t known = 0;  // whose currents there is a theory for (utd/fringe/material_edges.h) at one of the frequencies
 };
 
-MaterialEdgeCount count_material_edges(std::span<const Wedge> wedges, std::span<const Material> materials);
+MaterialEdgeCount count_material_edges(std::span<const Wedge> wedges, std::span<const Material> materials,
+                                       std::span<const double> frequencies);
 
 }  // namespace raytube

@@ -186,7 +186,7 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
   const auto count = [&](auto left_out) { return static_cast<std::uint64_t>(std::ranges::count_if(wedges, left_out)); };
   std::vector<Skipped> skipped{
       {"wedges", "concave: multiple reflection stands for them", count([](const Wedge& w) { return !w.convex(); })}};
-  const auto [other, known] = count_material_edges(wedges, plan.sweep.materials);
+  const auto [other, known] = count_material_edges(wedges, plan.sweep.materials, plan.sweep.frequencies);
   const bool computed = plan.fringe() && plan.edges.materials != MaterialEdgeMethod::none;
   skipped.push_back({"wedges", "a face is not a perfect conductor (edges.materials)", other - (computed ? known : 0)});
   if (plan.rays()) return skipped;

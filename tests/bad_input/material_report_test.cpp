@@ -63,6 +63,8 @@ TEST_F(MaterialReport, SaysWhatEdgesOfMaterialsAdd) {
   const std::string keys = "kind = \"dielectric\"\neps_r = 9\n", wedges = "  2 with a face that is not a perfect conductor add ";
   EXPECT_THAT(checked(keys, "--set edges.materials=none"), HasSubstr(wedges + "nothing (edges.materials = \"none\")\n"));
   EXPECT_THAT(checked(keys), HasSubstr("  2 with a face that is not a perfect conductor have edge currents of their own\n"));
+  EXPECT_THAT(checked("kind = \"sheet\"\neps_r = 9\nthickness_mm = 90\n"),
+              HasSubstr(" add nothing (their currents are not known, as of "));
   EXPECT_THAT(checked(keys, "--set edges.method=none"), Not(HasSubstr("not a perfect conductor add")));
   EXPECT_THAT(checked(keys, "--set 'target.facets={pec=[0]}'"), Not(HasSubstr("not a perfect conductor add")));
 }

@@ -81,5 +81,35 @@ TEST(SheetRims, AreSteadyRoundNormalIncidence) {
       }
 }
 
+const std::vector<Direction> around{deg(0.0, 0.0), deg(30.0, 20.0), deg(60.0, 0.0), deg(80.0, 10.0), deg(89.0, 90.0)};
+
+std::vector<ScatteringMatrix> total(const Material& material, int order) {
+  return seen(rectangle, material, around, order).total;
+}
+
+double apart(const std::vector<ScatteringMatrix>& a, const std::vector<ScatteringMatrix>& b) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, difference(a[i], b[i]));
+  return worst;
+}
+
+const Material conductor{"conductor", MaterialKind::conductor, 0.0, {}};
+
+// 1e-9 of eta to its currents.
+TEST(SheetRims, OfNoResistanceAreThoseOfAConductor) {
+  EXPECT_LT(apart(total(film(0.0), 1), total(conductor, 1)), 1e-6);
+  EXPECT_LT(apart(total(film(0.0), 3), total(film(1e-6), 3)), 1e-6);
+  Material magnetic{"magnetic", MaterialKind::thin_sheet, 0.0, {}};
+  magnetic.conductance = 0.0;
+  for (const ScatteringMatrix& s : total(magnetic, 3)) EXPECT_TRUE(std::isfinite(frobenius_norm(s)));
+}
+
+// Ten micrometres of aluminium, k d |n| = 17: a conductor to 0.1 dB, and to 0.2 dB with strips at a degree from grazing.
+TEST(SheetRims, OfFoilAreThoseOfAConductor) {
+  const Material foil = slab({1.0, -3.8e7 / (2.0 * pi * frequency * 8.8541878128e-12)}, 1.0, 10e-6);
+  EXPECT_LT(apart(total(foil, 1), total(conductor, 1)), 0.0115);
+  EXPECT_LT(apart(total(foil, 3), total(film(0.0), 3)), 0.03);
+}
+
 }  // namespace
 }  // namespace raytube

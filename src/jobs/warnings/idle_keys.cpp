@@ -46,7 +46,7 @@ Reason why_transition(const SolvePlan& plan) {
 }
 
 Reason why_materials(const SolvePlan& plan) {
-  const bool none = count_material_edges(plan.target.wedges, plan.sweep.materials).known == 0;
+  const bool none = count_material_edges(plan.target.wedges, plan.sweep.materials, plan.sweep.frequencies).known == 0;
   return plan.fringe() && none ? "no edge of the target has a face of another material whose edges are known" : "";
 }
 

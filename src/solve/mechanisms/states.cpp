@@ -67,10 +67,11 @@ bool waves_run_over_all_materials(const SolvePlan& plan) {
 MechanismState edge_currents_state(const SolvePlan& plan) {
   if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
   const std::vector<Wedge>& wedges = plan.target.wedges;
-  const std::size_t of_materials = count_material_edges(wedges, plan.sweep.materials).known;
+  const std::size_t of_materials = count_material_edges(wedges, plan.sweep.materials, plan.sweep.frequencies).known;
   const bool computed = of_materials > 0 && plan.edges.materials == MaterialEdgeMethod::fringe;
   if (!computed && std::ranges::none_of(wedges, &Wedge::radiates))
-    return of_materials > 0 ? misses("edges.materials is \"none\"") : without("the target has no convex edge");
+    return of_materials > 0 ? misses("edges.materials is \"none\"")
+                            : without("the target has no convex edge whose currents are known");
   return {.on = true,
           .forced = true,
           .what = fmt::format("order {}{}", plan.edges.order, computed ? ", and of other materials" : "")};

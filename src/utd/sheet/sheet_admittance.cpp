@@ -11,15 +11,20 @@ constexpr double grazing = 1e-3;  // cosine at which a layer is taken as met alo
 // Of the admittance of polarisation across the layer: with less of tangential currents the conditions at an edge are one.
 constexpr double least_share = 1e-5;
 constexpr double thin = 2.5, thick = 4.0;  // k d |n| up to which edge currents count in full, and from which on not at all
+// |T| from which on a plate counts as opaque, and from which on in full.
+constexpr double dim = 1e-2, opaque = 1e-3;
 
 // Even and odd part of what a layer adds, for the field across the plane of incidence: E = (r + t - 1) / 2, O = (r - t + 1) / 2.
 struct EvenOdd {
   Complex even, odd;
 };
 
+// Of a conductor there is no 1 + E: the rim of a film of 1e-9 eta is that of a conductor to 1e-8.
+Complex not_none(Complex left) { return std::abs(left) < 1e-9 ? 1e-9 : left; }
+
 // y of the electric sheet -2 s E / (1 + E), that of the magnetic one 2 O / (s (1 - O)).
-Complex even_admittance(const EvenOdd& at, double s) { return -2.0 * s * at.even / (1.0 + at.even); }
-Complex odd_admittance(const EvenOdd& at, double s) { return 2.0 * at.odd / (s * (1.0 - at.odd)); }
+Complex even_admittance(const EvenOdd& at, double s) { return -2.0 * s * at.even / not_none(1.0 + at.even); }
+Complex odd_admittance(const EvenOdd& at, double s) { return 2.0 * at.odd / (s * not_none(1.0 - at.odd)); }
 
 // Of both polarisations; for TM waves the ratios are those of H, and the two sheets change places.
 struct LayerParts {
@@ -99,10 +104,36 @@ Complex end_face_shift(Complex ratio) {
   return Complex(0.0, step / pi) * sum;
 }
 
+namespace {
+
+double thin_share(double electrical) { return std::clamp((thick - electrical) / (thick - thin), 0.0, 1.0); }
+
+// Of the rim of an opaque plate: one sheet with the reflection of its faces.
+double opaque_share(const Material& material, std::size_t frequency, double wavenumber) {
+  const double passing = std::abs(smooth_response(material, frequency, wavenumber, 1.0, false).transmitted.te);
+  const double share = std::log(dim / std::max(passing, opaque)) / std::log(dim / opaque);
+  return std::max(share, 0.0) * thin_share(wavenumber * stack_of(material.layers[frequency]).thickness);
+}
+
+double layer_share(const Material& material, std::size_t frequency, double wavenumber) {
+  return thin_share(wavenumber * stack_of(material.layers[frequency]).electrical);
+}
+
+// The two sheets with the reflection that the faces of an opaque plate have at normal incidence: y = 2 / Z and 2 Z.
+void make_opaque(SheetPair& pair, const Material& material, double wavenumber, double thickness) {
+  const EvenOdd middle = parts_of(material, 0, wavenumber, 1.0).te;
+  const Complex r = (middle.even + middle.odd) * std::polar(1.0, -wavenumber * thickness);
+  const EvenOdd face{0.5 * (r - 1.0), 0.5 * (r + 1.0)};
+  const auto of = [](SheetAdmittance& sheet, Complex y) { sheet.constant = sheet.divergence = y; };
+  of(pair.electric, even_admittance(face, 1.0));
+  of(pair.magnetic, odd_admittance(face, 1.0));
+}
+
+}  // namespace
+
 double sheet_share(const Material& material, std::size_t frequency, double wavenumber) {
   if (material.layers.empty()) return 1.0;
-  const double electrical = wavenumber * stack_of(material.layers[frequency]).electrical;
-  return std::clamp((thick - electrical) / (thick - thin), 0.0, 1.0);
+  return std::max(layer_share(material, frequency, wavenumber), opaque_share(material, frequency, wavenumber));
 }
 
 SheetPair sheet_pair(const Material& material, std::size_t frequency, double wavenumber) {
@@ -123,6 +154,10 @@ SheetPair sheet_pair(const Material& material, std::size_t frequency, double wav
     pair.electric = same_for_all(exact(true));
     pair.magnetic = same_for_all(exact(false));
     pair.slowest = std::numeric_limits<double>::infinity();
+  } else if (pair.share > layer_share(material, frequency, wavenumber)) {
+    pair.electric.exact = exact(true);
+    pair.magnetic.exact = exact(false);
+    make_opaque(pair, here, wavenumber, stack_of(material.layers[frequency]).thickness);
   } else {
     const Stack stack = stack_of(material.layers[frequency]);
     const double kd = wavenumber * stack.thickness;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double normal_incidence = 1e-7;  // |b| below which the two channels are apart
 constexpr double apart = 2e-5;             // of nu from a pole that cancels
+constexpr double least_apart = 1e-6;       // of a guided wave from the branch point: those of metals carry nothing
 constexpr int cut_waves = 24;              // waves that carry what the branch cut sends along the sheet
 constexpr double cut_range = 4.5;          // they go on to e^{-range^2} at the reach
 
@@ -24,7 +25,8 @@ SplitFunction curl_split(const SheetAdmittance& y, double sin_cone) {
 double widest_gap(const SplitFunction& function, double slowest) {
   std::vector<double> angles;
   for (const double tilt : {0.0, 1.2})
-    for (const Complex& wave : function.guided(slowest, tilt)) angles.push_back(std::arg(wave - 1.0) + pi / 2);
+    for (const Complex& wave : function.guided(slowest, tilt))
+      if (std::abs(wave - 1.0) > least_apart) angles.push_back(std::arg(wave - 1.0) + pi / 2);
   if (std::ranges::none_of(angles, [](double angle) { return std::abs(angle) < 0.6; })) return 0.0;
   double best = -1.0, result = 0.0;
   for (const double tilt : {0.0, 0.3, 0.5, 0.7}) {
