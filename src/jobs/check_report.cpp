@@ -191,11 +191,12 @@ std::string why_nothing(const Case& c) {
 
 void tell_material_edges(CheckReport& report, const Case& c, const std::vector<Wedge>& wedges) {
   if (c.edges.method != EdgeMethod::fringe) return;
-  const auto [all, known] = count_material_edges(wedges, c.sweep.materials, c.sweep.frequencies);
+  const auto [all, of_solids, known] = count_material_edges(wedges, c.sweep.materials, c.sweep.frequencies);
   const std::size_t computed = c.edges.materials == MaterialEdgeMethod::none ? 0 : known;
   if (computed > 0) report.print("  {} with a face that is not a perfect conductor have edge currents of their own\n", computed);
-  if (all > computed)
-    report.print("  {} with a face that is not a perfect conductor add nothing ({})\n", all - computed, why_nothing(c));
+  if (of_solids > 0) report.print("  {} of solids add nothing\n", of_solids);
+  if (const std::size_t others = all - of_solids - computed; others > 0)
+    report.print("  {} with a face that is not a perfect conductor add nothing ({})\n", others, why_nothing(c));
 }
 
 JsonValue wedges_json(const std::vector<WedgeClass>& classes, double length) {

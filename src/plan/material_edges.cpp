@@ -1,5 +1,7 @@
 #include "plan/material_edges.h"
 
+#include <algorithm>
+
 #include "utd/fringe/material_edges.h"
 
 namespace raytube {
@@ -23,6 +25,8 @@ MaterialEdgeCount count_material_edges(std::span<const Wedge> wedges, std::span<
   for (const Wedge& wedge : wedges) {
     if (!wedge.convex() || wedge.conducting()) continue;
     ++count.all;
+    const auto of_solid = [&](const WedgeFace& face) { return is_solid(materials, face.material); };
+    count.of_solids += std::ranges::any_of(wedge.faces, of_solid);
     if (!is_material_edge(wedge, materials)) continue;
     if (!is_sheet_rim(wedge, materials) || has_edges[wedge.faces[0].material]) ++count.known;
   }

@@ -12,7 +12,8 @@ namespace raytube {
 /// Convex ones.
 struct MaterialEdgeCount {
   std::size_t all = 0;
-  std::size_t known = 0;  // whose currents there is a theory for (utd/fringe/material_edges.h) at one of the frequencies
+  std::size_t of_solids = 0;  // add nothing
+  std::size_t known = 0;      // whose currents there is a theory for (utd/fringe/material_edges.h) at one of the frequencies
 };
 
 MaterialEdgeCount count_material_edges(std::span<const Wedge> wedges, std::span<const Material> materials,

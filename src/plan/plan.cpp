@@ -186,9 +186,11 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
   const auto count = [&](auto left_out) { return static_cast<std::uint64_t>(std::ranges::count_if(wedges, left_out)); };
   std::vector<Skipped> skipped{
       {"wedges", "concave: multiple reflection stands for them", count([](const Wedge& w) { return !w.convex(); })}};
-  const auto [other, known] = count_material_edges(wedges, plan.sweep.materials, plan.sweep.frequencies);
-  const bool computed = plan.fringe() && plan.edges.materials != MaterialEdgeMethod::none;
-  skipped.push_back({"wedges", "a face is not a perfect conductor (edges.materials)", other - (computed ? known : 0)});
+  const auto [other, of_solids, known] = count_material_edges(wedges, plan.sweep.materials, plan.sweep.frequencies);
+  const bool none = plan.edges.materials == MaterialEdgeMethod::none, computed = plan.fringe() && !none;
+  skipped.push_back({"wedges", "edges of solids add nothing", of_solids});
+  skipped.push_back({"wedges", fmt::format("a face is not a perfect conductor{}", none ? " (edges.materials)" : ""),
+                     other - of_solids - (computed ? known : 0)});
   if (plan.rays()) return skipped;
   const std::vector<double>& frequencies = plan.sweep.frequencies;
   const auto lowest = static_cast<std::size_t>(std::ranges::min_element(frequencies) - frequencies.begin());

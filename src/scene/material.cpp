@@ -1,7 +1,11 @@
 #include "scene/material.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "core/text.h"
 
 namespace raytube {
 
@@ -30,8 +34,16 @@ double coat_depth(const Material& material, std::size_t frequency) {
   return depth;
 }
 
+bool is_solid(std::span<const Material> materials, std::uint32_t material) {
+  return material < materials.size() && materials[material].kind == MaterialKind::solid;
+}
+
 bool any_solid(std::span<const Material> materials) {
   return std::ranges::any_of(materials, [](const Material& material) { return material.kind == MaterialKind::solid; });
+}
+
+std::string material_text(std::span<const Material> materials, std::uint32_t material) {
+  return material < materials.size() ? fmt::format("material \"{}\"", quotable(materials[material].name)) : "a perfect conductor";
 }
 
 bool any_rough(std::span<const Material> materials) {

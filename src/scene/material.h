@@ -54,11 +54,16 @@ struct Material {
 /// How deep below its surface the conductor of a `coated` material lies, 0 of others [m].
 double coat_depth(const Material& material, std::size_t frequency);
 
+/// True if this one of them fills a body; a conductor has no number among them.
+bool is_solid(std::span<const Material> materials, std::uint32_t material);
 /// True if one of them fills a body.
 bool any_solid(std::span<const Material> materials);
 
 /// True if one of them is rough.
 bool any_rough(std::span<const Material> materials);
+
+/// For messages: material "name", or a perfect conductor for a number that none of them has.
+std::string material_text(std::span<const Material> materials, std::uint32_t material);
 
 /// The materials with the layers of these frequencies only, in their order.
 std::vector<Material> at_frequencies(std::vector<Material> materials, std::span<const std::size_t> frequencies);

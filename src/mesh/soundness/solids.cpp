@@ -13,10 +13,6 @@ namespace raytube {
 
 namespace {
 
-bool is_solid(std::span<const Material> materials, std::uint32_t material) {
-  return material < materials.size() && materials[material].kind == MaterialKind::solid;
-}
-
 std::uint32_t material_of(const TriangleMesh& mesh, std::uint32_t triangle) {
   return mesh.patches[mesh.triangle_patch[triangle]].material;
 }

@@ -58,10 +58,6 @@ SolidHit SolidWaves::meet(const SolidRay& ray, const Hit& hit) const {
   return met;
 }
 
-bool SolidWaves::is_solid(std::uint32_t material) const {
-  return material != no_index && look_.surfaces.materials[material].kind == MaterialKind::solid;
-}
-
 bool SolidWaves::at_own_boundary(const SolidHit& hit) const {
   return hit.arriving.material != no_index && patch(hit.triangle).material == hit.arriving.material;
 }
@@ -98,7 +94,7 @@ std::optional<SolidRay> SolidWaves::reflected(const SolidHit& hit) const {
 std::optional<SolidRay> SolidWaves::refracted(const SolidHit& hit) const {
   const std::uint32_t from = hit.arriving.material, met = patch(hit.triangle).material;
   const bool out = at_own_boundary(hit);
-  if (!out && (from != no_index || !is_solid(met))) return {};
+  if (!out && (from != no_index || !is_solid(look_.surfaces.materials, met))) return {};
   const std::uint32_t into = out ? no_index : met;
   const Refraction behind = refraction(medium(from), medium(into), slowness_along(hit));
   if (behind.cosine == 0.0) return {};

@@ -50,7 +50,6 @@ class SolidWaves {
   const Patch& patch(std::uint32_t triangle) const {
     return look_.tracer.mesh().patches[look_.tracer.mesh().triangle_patch[triangle]];
   }
-  bool is_solid(std::uint32_t material) const;
   bool at_own_boundary(const SolidHit& hit) const;
   Medium medium(std::uint32_t material) const;
   SurfaceResponse::Polarised reflection(const SolidHit& hit) const;

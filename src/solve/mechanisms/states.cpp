@@ -67,11 +67,14 @@ bool waves_run_over_all_materials(const SolvePlan& plan) {
 MechanismState edge_currents_state(const SolvePlan& plan) {
   if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
   const std::vector<Wedge>& wedges = plan.target.wedges;
-  const std::size_t of_materials = count_material_edges(wedges, plan.sweep.materials, plan.sweep.frequencies).known;
+  const MaterialEdgeCount count = count_material_edges(wedges, plan.sweep.materials, plan.sweep.frequencies);
+  const std::size_t of_materials = count.known;
   const bool computed = of_materials > 0 && plan.edges.materials == MaterialEdgeMethod::fringe;
-  if (!computed && std::ranges::none_of(wedges, &Wedge::radiates))
-    return of_materials > 0 ? misses("edges.materials is \"none\"")
-                            : without("the target has no convex edge whose currents are known");
+  if (!computed && std::ranges::none_of(wedges, &Wedge::radiates)) {
+    if (of_materials > 0) return misses("edges.materials is \"none\"");
+    return without(count.of_solids > 0 ? "edges of solids add nothing"
+                                       : "the target has no convex edge whose currents are known");
+  }
   return {.on = true,
           .forced = true,
           .what = fmt::format("order {}{}", plan.edges.order, computed ? ", and of other materials" : "")};
@@ -79,7 +82,7 @@ MechanismState edge_currents_state(const SolvePlan& plan) {
 
 MechanismState interaction_state(const SolvePlan& plan) {
   if (!plan.edges.interaction.possible()) return without("edges.between is false");
-  if (MechanismState edges = edge_currents_state(plan); !edges.on) return without(edges.why_not);
+  if (!plan.fringe()) return without(edge_currents_state(plan).why_not);
   if (std::ranges::none_of(plan.target.wedges, &Wedge::radiates))
     return without("the target has no convex edge between perfect conductors");
   if (plan.no_reflection()) return without(nothing_in_front);
