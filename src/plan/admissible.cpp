@@ -86,10 +86,11 @@ void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptio
   if (!(edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
 }
 
-void check_materials(const TriangleMesh& mesh, const Sweep& sweep) {
+void check_materials(const FaceTree& faces, const Sweep& sweep) {
   const auto missing = [&](const Patch& patch) { return patch.material != no_index && patch.material >= sweep.materials.size(); };
-  if (std::ranges::any_of(mesh.patches, missing)) throw InputError("the mesh is made of materials that the sweep does not have");
-  check_solids(mesh, sweep.materials);
+  if (std::ranges::any_of(faces.mesh().patches, missing))
+    throw InputError("the mesh is made of materials that the sweep does not have");
+  check_solids(faces, sweep.materials);
 }
 
 void check_antennas(const TriangleMesh& mesh, const Sweep& sweep) {

@@ -1,7 +1,7 @@
 // What cannot be solved is refused before anything is computed.
 #pragma once
 
-#include "mesh/model/triangle_mesh.h"
+#include "mesh/model/face_tree.h"
 #include "scene/options.h"
 #include "scene/sweep.h"
 
@@ -13,8 +13,9 @@ bool all_far(const Sweep& sweep);
 /// Throws InputError for an empty or non-physical sweep, options out of range, or the two asking for what does not go together.
 void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions& edges);
 
-/// Throws InputError if the mesh is made of materials that the sweep has not.
-void check_materials(const TriangleMesh& mesh, const Sweep& sweep);
+/// Throws InputError if the mesh is made of materials that the sweep has not, or of solids that cannot be
+/// (mesh/soundness/solids.h).
+void check_materials(const FaceTree& faces, const Sweep& sweep);
 
 /// Throws InputError if an antenna at a finite distance has not all of the target in front, or its pattern ends on it.
 void check_antennas(const TriangleMesh& mesh, const Sweep& sweep);

@@ -203,7 +203,7 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
 
 void check_all(const SolvePlan& plan) {
   check_options(plan.sweep, plan.tubes, plan.edges);
-  check_materials(plan.target.mesh, plan.sweep);
+  check_materials(plan.target.faces, plan.sweep);
   check_antennas(plan.target.mesh, plan.sweep);
   if (!plan.rays()) check_density(plan.target.mesh, plan.sweep, plan.tubes);
 }

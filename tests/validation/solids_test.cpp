@@ -125,17 +125,36 @@ TEST(Solids, OfVacuumAreNotThereAndOfMetalConduct) {
   }
 }
 
-// A metal box that fills most of a solid of vacuum is all that there is.
-TEST(Solids, HoldMetal) {
-  PolygonSoup both = shapes::box(dvec3(6.0 * lambda));
-  const PolygonSoup inner = shapes::box(dvec3(3.0 * lambda));
+PolygonSoup moved(PolygonSoup soup, const dvec3& by) {
+  for (dvec3& point : soup.points) point += by;
+  return soup;
+}
+
+// The first of material 0, the second of another.
+PolygonSoup together(PolygonSoup both, const PolygonSoup& other, std::uint32_t material) {
   const auto offset = static_cast<std::uint32_t>(both.points.size());
   both.materials.assign(both.polygons.size(), 0);
-  for (std::vector<std::uint32_t> polygon : inner.polygons) {
+  for (std::vector<std::uint32_t> polygon : other.polygons) {
     for (std::uint32_t& corner : polygon) corner += offset;
-    both.polygons.push_back(polygon), both.materials.push_back(no_index);
+    both.polygons.push_back(polygon), both.materials.push_back(material);
   }
-  both.points.insert(both.points.end(), inner.points.begin(), inner.points.end());
+  both.points.insert(both.points.end(), other.points.begin(), other.points.end());
+  return both;
+}
+
+// What the solver says of bodies that it refuses.
+std::string message(const PolygonSoup& soup, std::vector<Material> materials) {
+  try {
+    Scene{soup, std::move(materials)}.seen(deg(60, 20));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A metal box that fills most of a solid of vacuum is all that there is.
+TEST(Solids, HoldMetal) {
+  const PolygonSoup inner = shapes::box(dvec3(3.0 * lambda)), both = together(shapes::box(dvec3(6.0 * lambda)), inner, no_index);
   EXPECT_LT(difference(Scene{both, {solid(1.0)}}.seen(deg(90, 0)), Scene{inner, {}}.seen(deg(90, 0))), 0.02);
 }
 
@@ -158,14 +177,6 @@ TEST(Solids, HaveTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Solids, FillClosedBodies) {
-  const auto message = [](const PolygonSoup& soup, std::vector<Material> materials) -> std::string {
-    try {
-      Scene{soup, std::move(materials)}.seen(deg(60, 20));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  };
   EXPECT_NE(message(shapes::plate(lambda), {solid(2.0)}).find("not closed"), std::string::npos);
   PolygonSoup part = shapes::cube(lambda);
   part.materials.assign(part.polygons.size(), 0);
@@ -174,6 +185,24 @@ TEST(Solids, FillClosedBodies) {
   PolygonSoup sheets = shapes::cube(lambda);
   const Material layer = layered(MaterialKind::sheet, {{{2.0}, 1e-3}});
   EXPECT_NE(message(sheets, {solid(2.0), layer}).find("do not go together"), std::string::npos);
+}
+
+// Corners outside say nothing of edges: of two crossed beams each has all of its own outside of the other.
+TEST(Solids, DoNotTouchOtherBodies) {
+  const double a = lambda;
+  const PolygonSoup cube = shapes::cube(2.0 * a);
+  const std::vector<Material> two{solid(2.0), half_space(4.0)};
+  const PolygonSoup beam = shapes::box({6.0 * a, a, a}), small = shapes::cube(a), face = shapes::box({2.0 * a, 2.0 * a, a});
+  for (const std::uint32_t other : {0u, 1u, no_index}) {
+    EXPECT_NE(message(together(cube, beam, other), two).find("touches one of kind \"solid\""), std::string::npos);
+    EXPECT_NE(message(together(cube, moved(small, {0.3 * a, 0.2 * a, 1.2 * a}), other), two).find("touches"), std::string::npos);
+    EXPECT_NE(message(together(cube, moved(small, {0.3 * a, 0.2 * a, 1.5 * a}), other), two).find("touches"), std::string::npos);
+    EXPECT_EQ(message(together(cube, moved(small, {0.3 * a, 0.2 * a, 1.51 * a}), other), two), "");
+    EXPECT_EQ(message(together(cube, moved(face, {0.0, 0.0, 1.51 * a}), other), two), "");
+  }
+  for (const std::uint32_t other : {1u, no_index})
+    EXPECT_NE(message(together(cube, moved(face, {0.0, 0.0, 1.5 * a}), other), two).find("shares a face"), std::string::npos);
+  EXPECT_EQ(message(together(cube, moved(face, {0.0, 0.0, 1.5 * a}), 0), two), "");  // one body
 }
 
 }  // namespace raytube

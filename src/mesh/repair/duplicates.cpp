@@ -1,7 +1,11 @@
 #include "mesh/repair/duplicates.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/error.h"
+#include "core/text.h"
 #include "mesh/model/edge_table.h"
 
 namespace raytube {
@@ -117,6 +121,16 @@ std::uint64_t count_of_other_material(std::span<const Key> keys, const std::vect
   return count;
 }
 
+/// Without its wall a solid would be one body with what it touches.
+void check_wall(std::span<const Material> materials, std::uint32_t one, std::uint32_t other) {
+  if (one == other || (!is_solid(materials, one) && !is_solid(materials, other))) return;
+  const std::uint32_t solid = is_solid(materials, one) ? one : other, beside = solid == one ? other : one;
+  throw InputError(fmt::format(
+      "material \"{}\" of kind \"solid\" shares a face and its corners with a body of {}; leave a gap between them, for which a "
+      "hundredth of a wavelength will do",
+      quotable(materials[solid].name), material_text(materials, beside)));
+}
+
 }  // namespace
 
 void drop_duplicates(Facets& facets, std::span<const Material> materials, std::size_t vertex_count, MeshReport& report) {
@@ -136,8 +150,9 @@ void drop_duplicates(Facets& facets, std::span<const Material> materials, std::s
       if (!paired[i]) others.add(triangles[i], facets, i);
     const std::vector<bool> internal = internal_walls(walls, Rest(others, materials, vertex_count), vertex_count);
     for (std::size_t i = 0; i < walls.size(); ++i) {
-      dropped[found.pairs[i].second] = true;
-      if (internal[i]) dropped[found.pairs[i].first] = true;
+      const auto [first, second] = found.pairs[i];
+      dropped[second] = true;
+      if (internal[i]) dropped[first] = true, check_wall(materials, facets.material(first), facets.material(second));
       (internal[i] ? report.triangles_internal += 2 : report.triangles_duplicate += 1);
     }
   }

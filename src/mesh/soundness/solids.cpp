@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "mesh/soundness/contacts.h"
 
 namespace raytube {
 
@@ -63,6 +64,20 @@ double winding_about(const TriangleMesh& mesh, std::uint32_t component, const dv
   return angle / (2.0 * pi);
 }
 
+void check_contacts(const FaceTree& faces, std::span<const Material> materials, const std::vector<std::uint32_t>& solids) {
+  const TriangleMesh& mesh = faces.mesh();
+  if (mesh.components.size() == 1) return;
+  const auto contact = find_contact(faces, [&](std::uint32_t component) { return solids[component] != no_index; });
+  if (!contact) return;
+  const dvec3 at = mesh.vertices[mesh.triangles[contact->first][0]] + mesh.center;
+  throw InputError(
+      fmt::format("a body of {}, with a corner at ({:.6g}, {:.6g}, {:.6g}) m, touches one of kind \"solid\", \"{}\", or runs "
+                  "through it; leave a gap between them, for which a hundredth of a wavelength will do",
+                  material_text(materials, material_of(mesh, contact->first)), at.x, at.y, at.z,
+                  quotable(materials[solids[mesh.triangle_component[contact->second]]].name)));
+}
+
+// Components that do not touch are inside with all of their corners or with none.
 void check_inside(const TriangleMesh& mesh, std::span<const Material> materials, const std::vector<std::uint32_t>& solids) {
   std::vector<bool> seen(mesh.components.size() * (materials.size() + 1), false);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -81,10 +96,12 @@ void check_inside(const TriangleMesh& mesh, std::span<const Material> materials,
 
 }  // namespace
 
-void check_solids(const TriangleMesh& mesh, std::span<const Material> materials) {
+void check_solids(const FaceTree& faces, std::span<const Material> materials) {
   if (!any_solid(materials)) return;
+  const TriangleMesh& mesh = faces.mesh();
   const std::vector<std::uint32_t> solids = solids_of(mesh, materials);
   check_whole_bodies(mesh, materials, solids);
+  check_contacts(faces, materials, solids);
   check_inside(mesh, materials, solids);
 }
 

@@ -3,13 +3,13 @@
 
 #include <span>
 
-#include "mesh/model/triangle_mesh.h"
+#include "mesh/model/face_tree.h"
 #include "scene/material.h"
 
 namespace raytube {
 
-/// Throws InputError for a solid that does not fill a closed body of its own, and for bodies inside of one that are neither
-/// conductors nor absorbers.
-void check_solids(const TriangleMesh& mesh, std::span<const Material> materials);
+/// Throws InputError for a solid that does not fill a closed body of its own, for bodies that touch one or run through it, and
+/// for bodies inside of one that are neither conductors nor absorbers.
+void check_solids(const FaceTree& faces, std::span<const Material> materials);
 
 }  // namespace raytube
