@@ -205,4 +205,15 @@ TEST(Solids, DoNotTouchOtherBodies) {
   EXPECT_EQ(message(together(cube, moved(face, {0.0, 0.0, 1.5 * a}), 0), two), "");  // one body
 }
 
+// Which waves are too weak to follow is decided at the lowest frequency, wherever that is in the list.
+TEST(Solids, DoNotDependOnTheOrderOfFrequencies) {
+  const Direction look = deg(60, 25);
+  const auto both = [&](std::vector<double> frequencies) {
+    return solved(shapes::box({4.0 * lambda, 3.0 * lambda, 2.0 * lambda}),
+                  {std::move(frequencies), {{look, look}}, false, {}, {solid({2.6, -0.3}, 2)}});
+  };
+  const SweepResult falling = both({frequency, 0.5 * frequency}), rising = both({0.5 * frequency, frequency});
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(falling.total[i].s, rising.total[1 - i].s);
+}
+
 }  // namespace raytube

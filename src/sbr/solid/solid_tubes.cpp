@@ -99,7 +99,8 @@ class SolidTubes {
       : look_(look),
         waves_(look, frequencies.begin),
         frequencies_(frequencies),
-        highest_(*std::max_element(look.wavenumbers().begin() + frequencies.begin, look.wavenumbers().begin() + frequencies.end)),
+        lowest_(std::ranges::min(of_group(look.wavenumbers()))),
+        highest_(std::ranges::max(of_group(look.wavenumbers()))),
         narrow_(std::max(look.grid.du, look.grid.dv)),
         sums_(sums) {}
 
@@ -119,12 +120,15 @@ class SolidTubes {
  private:
   const TriangleMesh& mesh() const { return look_.tracer.mesh(); }
 
+  std::span<const double> of_group(std::span<const double> wavenumbers) const {
+    return wavenumbers.subspan(frequencies_.begin, frequencies_.end - frequencies_.begin);
+  }
+
   // Of a convex body only what meets a solid first can enter one.
   bool begins_at(std::uint32_t triangle) const {
     const Patch& plane = mesh().patches[mesh().triangle_patch[triangle]];
     if (mesh().closed(triangle) && glm::dot(plane.normal, look_.grid.direction) >= 0.0) return false;
-    const bool solid = plane.material != no_index && look_.surfaces.materials[plane.material].kind == MaterialKind::solid;
-    return solid || !alone();
+    return is_solid(look_.surfaces.materials, plane.material) || !alone();
   }
 
   // One convex body: rays that leave it meet nothing, and nothing stands in it.
@@ -177,12 +181,10 @@ class SolidTubes {
 
   // From where the tube has just taken its last turn.
   void go_on(const TubePiece& piece, const Tube& tube, const Hits& hits) {
-    if (amplitude(tube.rays[0], lowest()) * std::abs(tube.spreading) < weakest) return;
+    if (amplitude(tube.rays[0], lowest_) * std::abs(tube.spreading) < weakest) return;
     if (tube.turns.back() == Turn::refracted && tube.rays[0].material == no_index) add_leaving(piece, tube, hits);
     follow(piece, tube);
   }
-
-  double lowest() const { return look_.wavenumbers()[frequencies_.begin]; }
 
   // Parts of a piece take its turns one after the other: what they do before the last has been added up.
   void repeat(const std::vector<TubePiece>& pieces, const std::vector<Turn>& turns) {
@@ -256,7 +258,7 @@ class SolidTubes {
   }
 
   void truncate(const TubePiece& piece, const Tube& tube) {
-    count_truncated(sums_.truncated[Truncation::bounces], piece.area(), amplitude(tube.rays[0], lowest()));
+    count_truncated(sums_.truncated[Truncation::bounces], piece.area(), amplitude(tube.rays[0], lowest_));
   }
 
   // What leaves a solid, as currents on its outside (Love's principle, scene/material.h).
@@ -296,7 +298,7 @@ class SolidTubes {
       if (look_.map && look_.map->frequency_index() == f) add_to_map(piece, s, bounce);
     }
     ++sums_.hits[static_cast<std::size_t>(bounce)];
-    sums_.meet(bounce, piece.area(), amplitude(hits[0].arriving, lowest()));
+    sums_.meet(bounce, piece.area(), amplitude(hits[0].arriving, lowest_));
   }
 
   // As if the wave were the plane one of its rays all over the piece.
@@ -325,7 +327,8 @@ class SolidTubes {
   const TubeLook& look_;
   SolidWaves waves_;
   Alike frequencies_;
-  double highest_, narrow_;
+  double lowest_, highest_;  // wavenumbers
+  double narrow_;
   TubeSums& sums_;
   std::uint32_t triangle_ = no_index;
 };
