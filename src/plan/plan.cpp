@@ -189,7 +189,7 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
   const auto [other, of_solids, known] = count_material_edges(wedges, plan.sweep.materials, plan.sweep.frequencies);
   const bool none = plan.edges.materials == MaterialEdgeMethod::none, computed = plan.fringe() && !none;
   skipped.push_back({"wedges", "edges of solids add nothing", of_solids});
-  skipped.push_back({"wedges", fmt::format("a face is not a perfect conductor{}", none ? " (edges.materials)" : ""),
+  skipped.push_back({"wedges", none ? "a face is not a perfect conductor (edges.materials)" : "a face is not a perfect conductor",
                      other - of_solids - (computed ? known : 0)});
   if (plan.rays()) return skipped;
   const std::vector<double>& frequencies = plan.sweep.frequencies;
