@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sbr/beams/current_map.h"
 #include "sbr/beams/truncated_tubes.h"
-#include "sbr/solid/phase_mean.h"
+#include "sbr/solid/solid_currents.h"
 #include "sbr/solid/solid_ray.h"
 #include "sbr/solid/tube_piece.h"
 
@@ -21,8 +20,8 @@ constexpr double most_decay = 8.0;  // exponent by which a wave falls off across
 
 enum class Turn : std::uint8_t { reflected, refracted };
 
-using Rays = std::array<SolidRay, 3>;
-using Hits = std::array<SolidHit, 3>;
+using Rays = SolidCurrents::Rays;
+using Hits = SolidCurrents::Hits;
 
 // A piece of a wave on its way from the surface where it took the last of these turns.
 struct Tube {
@@ -61,43 +60,13 @@ Complex spreading_between(const Rays& from, const Hits& to) {
   return end == 0.0 ? 0.0 : std::sqrt(std::abs(begin / end)) * phase[static_cast<std::size_t>(lines)];
 }
 
-ChannelWeights operator+(ChannelWeights a, const ChannelWeights& b) {
-  for (int p = 0; p < 2; ++p)
-    for (int q = 0; q < 2; ++q) a[p][q] += b[p][q];
-  return a;
-}
-
-// The frequencies [begin, end) of a look at which all materials are the same.
-struct Alike {
-  std::size_t begin, end;
-};
-
-bool same(const Medium& a, const Medium& b) { return a.permittivity == b.permittivity && a.permeability == b.permeability; }
-
-bool same(const Material& material, std::size_t a, std::size_t b) {
-  if (material.kind == MaterialKind::coated || material.roughness > 0.0) return false;
-  return material.layers.empty() || same(material.layers[a].front().medium, material.layers[b].front().medium);
-}
-
-std::vector<Alike> alike(const SpectralSurfaces& surfaces) {
-  std::vector<Alike> groups;
-  const std::size_t first = surfaces.first_frequency_index;
-  for (std::size_t f = 0; f < surfaces.wavenumbers.size(); ++f) {
-    const auto as_before = [&](const Material& material) { return same(material, first + f - 1, first + f); };
-    if (f > 0 && std::ranges::all_of(surfaces.materials, as_before))
-      ++groups.back().end;
-    else
-      groups.push_back({f, f + 1});
-  }
-  return groups;
-}
-
 // The tubes of some triangles at some frequencies.
 class SolidTubes {
  public:
-  SolidTubes(const TubeLook& look, const Alike& frequencies, TubeSums& sums)
+  SolidTubes(const TubeLook& look, const FrequencyGroup& frequencies, TubeSums& sums)
       : look_(look),
         waves_(look, frequencies.begin),
+        currents_(look, waves_, frequencies, sums),
         frequencies_(frequencies),
         lowest_(std::ranges::min(of_group(look.wavenumbers()))),
         highest_(std::ranges::max(of_group(look.wavenumbers()))),
@@ -108,6 +77,7 @@ class SolidTubes {
   void trace(std::uint32_t triangle) {
     if (!begins_at(triangle)) return;
     triangle_ = triangle;
+    currents_.begin(triangle);
     std::array<dvec2, 3> corners;
     for (int c = 0; c < 3; ++c) {
       const dvec3& vertex = mesh().vertices[mesh().triangles[triangle][static_cast<std::size_t>(c)]];
@@ -162,7 +132,7 @@ class SolidTubes {
     }
     if (bounce == look_.max_bounces) return truncate(piece, tube);
     const Complex spreading = tube.spreading * spreading_between(tube.rays, hits);
-    if (tube.rays[0].entered && tube.rays[0].material == no_index) add_currents(piece, hits, spreading, bounce);
+    if (tube.rays[0].entered && tube.rays[0].material == no_index) currents_.add_meeting(piece, hits, spreading, bounce);
     for (const Turn turn : {Turn::reflected, Turn::refracted}) turn_to(turn, piece, tube, hits, spreading);
   }
 
@@ -182,7 +152,8 @@ class SolidTubes {
   // From where the tube has just taken its last turn.
   void go_on(const TubePiece& piece, const Tube& tube, const Hits& hits) {
     if (amplitude(tube.rays[0], lowest_) * std::abs(tube.spreading) < weakest) return;
-    if (tube.turns.back() == Turn::refracted && tube.rays[0].material == no_index) add_leaving(piece, tube, hits);
+    if (tube.turns.back() == Turn::refracted && tube.rays[0].material == no_index)
+      currents_.add_leaving(piece, tube.rays, hits, tube.spreading, static_cast<int>(tube.turns.size()) - 1);
     follow(piece, tube);
   }
 
@@ -261,72 +232,10 @@ class SolidTubes {
     count_truncated(sums_.truncated[Truncation::bounces], piece.area(), amplitude(tube.rays[0], lowest_));
   }
 
-  // What leaves a solid, as currents on its outside (Love's principle, scene/material.h).
-  void add_leaving(const TubePiece& piece, const Tube& tube, const Hits& hits) {
-    std::array<ChannelWeights, 3> weights;
-    for (std::size_t i = 0; i < 3; ++i)
-      weights[i] = radiated(-hits[i].normal, tube.rays[i].ray.direction, tube.rays[i].field, look_.receive);
-    add(piece, hits, weights, tube.spreading, static_cast<int>(tube.turns.size()) - 1);
-  }
-
-  // Of the wave that meets a surface from outside, and of what that reflects.
-  void add_currents(const TubePiece& piece, const Hits& hits, const Complex& spreading, int bounce) {
-    std::array<ChannelWeights, 3> weights;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const SolidHit& hit = hits[i];
-      weights[i] = radiated(hit.normal, hit.arriving.ray.direction, hit.arriving.field, look_.receive);
-      if (const std::optional<SolidRay> ray = waves_.reflected(hit))
-        weights[i] = weights[i] + radiated(hit.normal, ray->ray.direction, ray->field, look_.receive);
-    }
-    add(piece, hits, weights, spreading, bounce);
-  }
-
-  void add(const TubePiece& piece, const Hits& hits, const std::array<ChannelWeights, 3>& weights, const Complex& spreading,
-           int bounce) {
-    const ChannelWeights sum = weights[0] + weights[1] + weights[2];
-    const dvec3 side = hits[1].arriving.point - hits[0].arriving.point, other = hits[2].arriving.point - hits[0].arriving.point;
-    const double area = 0.5 * glm::length(glm::cross(side, other)) / (piece.probe * piece.probe);
-    std::vector<ScatteringMatrix>& sums = sums_.at(bounce, look_.wavenumbers().size());
-    for (std::size_t f = frequencies_.begin; f < frequencies_.end; ++f) {
-      const double k = look_.wavenumbers()[f];
-      const Complex factor = Complex(0.0, -k / (4.0 * pi)) * spreading * (area / 3.0) * mean(piece, hits, k);
-      ScatteringMatrix s;
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) s.at(p, q) = factor * sum[p][q];
-      sums[f] += s;
-      count_error(piece, f, s);
-      if (look_.map && look_.map->frequency_index() == f) add_to_map(piece, s, bounce);
-    }
-    ++sums_.hits[static_cast<std::size_t>(bounce)];
-    sums_.meet(bounce, piece.area(), amplitude(hits[0].arriving, lowest_));
-  }
-
-  // As if the wave were the plane one of its rays all over the piece.
-  Complex mean(const TubePiece& piece, const Hits& hits, double k) const {
-    std::array<Complex, 3> x;
-    for (std::size_t i = 0; i < 3; ++i)
-      x[i] = k * Complex(glm::dot(look_.receive.radial, hits[i].arriving.point) - hits[i].arriving.path, hits[i].arriving.loss);
-    const Complex middle = (x[0] + x[1] + x[2]) / 3.0;
-    for (Complex& corner : x) corner = middle + (corner - middle) / piece.probe;
-    return triangle_phase_mean(x);
-  }
-
-  // An edge may run anywhere through a narrow piece.
-  void count_error(const TubePiece& piece, std::size_t f, const ScatteringMatrix& s) {
-    if (!piece.narrow()) return;
-    sums_.pieces.resize(look_.wavenumbers().size());
-    ScatteringMatrix error = s;
-    sums_.pieces[f].add(error *= 0.5);
-  }
-
-  void add_to_map(const TubePiece& piece, const ScatteringMatrix& s, int bounce) const {
-    look_.map->set_bounce(bounce);
-    look_.map->add(piece.middle(), triangle_, s);
-  }
-
   const TubeLook& look_;
   SolidWaves waves_;
-  Alike frequencies_;
+  SolidCurrents currents_;
+  FrequencyGroup frequencies_;
   double lowest_, highest_;  // wavenumbers
   double narrow_;
   TubeSums& sums_;
@@ -337,7 +246,7 @@ class SolidTubes {
 
 TubeSums trace_solids(const TubeLook& look, std::uint32_t begin, std::uint32_t end) {
   TubeSums sums;
-  for (const Alike& frequencies : alike(look.surfaces)) {
+  for (const FrequencyGroup& frequencies : frequency_groups(look.surfaces)) {
     SolidTubes tubes(look, frequencies, sums);
     for (std::uint32_t triangle = begin; triangle < end; ++triangle) tubes.trace(triangle);
   }
