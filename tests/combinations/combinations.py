@@ -31,6 +31,7 @@ REASONS = {  # as the program words them
     "f": 'edges.method is "none"|need edge currents',
     "g": "the others see facets|facets are the surface itself",
     "h": "so that powers do not add up",
+    "j": "kind \"solid\"",
     "i": "do not add up what roughness scatters",
 }
 
@@ -40,7 +41,7 @@ def together(one, other):
     meshes = [mesh for feature in (one, other) for mesh in feature.settings.get("target.mesh", [])]
     if "ball.obj" in meshes:
         edges = "edges.between" in settings or "edges.materials" in settings  # the ball has none
-        also = ["window.obj"] * ("window.obj" in meshes) + ["corner.obj"] * edges
+        also = [m for m in ("window.obj", "block.obj") if m in meshes] + ["corner.obj"] * edges
         settings["target.mesh"] = ["ball.obj", *also]
     if "radar.range_m" in settings:
         settings.pop("edges.utd_range_m", None)  # the antennas have a range of their own

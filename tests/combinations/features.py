@@ -141,6 +141,20 @@ def nothing_there(keys):
     return check
 
 
+def no_block(solver, settings):
+    plain = off(settings, "materials.wax.", "target.parts.block")
+    plain |= {"edges.between": False, "surfaces.waves": False}  # they end at solids
+    ball, grid = "ball.obj" in settings["target.mesh"], "tubes.mode" in settings
+    if not grid:
+        plain["accuracy.tolerance_db"] = 0.01  # of tubes that go on behind it
+    if ball and not grid:
+        plain["tubes.curved"] = "always"
+    there = {**plain, "target.parts.block": "wax", "materials.wax.kind": "solid", "materials.wax.eps_r": 1.0}
+    gone = {**plain, "target.mesh": [m for m in settings["target.mesh"] if m != "block.obj"]}
+    # A grid is another one with a block beside it.
+    return same("a solid of vacuum", solver, there, gone, 2e-2 if ball or grid else 1e-3)
+
+
 def smooth(solver, settings):
     flat = {**settings, "materials.rock.roughness_rms_mm": 1e-9}
     return same("no roughness", solver, flat, off(settings, "materials.rock.roughness", "output.incoherent"), EXACT)
@@ -225,6 +239,8 @@ PHYSICS = [
             nothing_there({"materials.window.thickness_mm": 4.0, "materials.window.eps_r": 1.0}), ("window",)),
     Feature("resistive sheet", {**SHEET, "materials.window.kind": "sheet", "materials.window.resistance_ohm": 300.0},
             nothing_there({"materials.window.resistance_ohm": 1e15}), ("window",)),
+    Feature("solid", {"target.mesh": [*BASE["target.mesh"], "block.obj"], "target.parts.block": "wax", "materials.wax.kind": "solid",
+                      "materials.wax.eps_r": [2.6, 0.3]}, no_block, ("window",)),
     Feature("curved", {"target.mesh": ["ball.obj"], "tubes.curved": "always"}, convex_as_well),
     Feature("uniform", {"tubes.mode": "uniform", "tubes.per_wavelength": 30}, fine_grid),
     Feature("edges, none", {"edges.method": "none"}, no_edges, ("edges",)),

@@ -48,7 +48,17 @@ def window():
     return obj({"window": [[(0.4, -0.1, 0.1), (0.4, 0.1, 0.1), (0.3, 0.1, 0.5), (0.3, -0.1, 0.5)]]})
 
 
-MESHES = {"corner.obj": corner, "ball.obj": ball, "window.obj": window}
+def block():
+    """A closed box beside the corner, on which it casts no shadow."""
+    (x, y, z), side = (0.05, 0.25, 0.15), 0.15
+    at = lambda i, j, k: (x + side * i, y + side * j, z + side * k)
+    faces = [[(0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0)], [(0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)],
+             [(0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0)]]
+    opposite = [[tuple(1 - c for c in corner) for corner in face] for face in faces]
+    return obj({"block": [[at(*corner) for corner in face] for face in faces + opposite]})
+
+
+MESHES = {"corner.obj": corner, "ball.obj": ball, "window.obj": window, "block.obj": block}
 BASE = {
     "target.mesh": ["corner.obj"], "target.unit": "m", "frequency.ghz": 0.299792458 / WAVELENGTH, "look.theta_deg": [50, 62],
     "look.phi_deg": [10], "output.plots": False}
