@@ -47,7 +47,8 @@ TEST(Probe, BoundsHoldWhereNoLookIsDoneInTime) {
   const SolvePlan plan = plan_with_budget(target, sweep, 4.0);
   const TimePrediction time = predict_time(plan, 0.0, 3e-3);
   ASSERT_TRUE(time.at_most);
-  EXPECT_GT(time.solve_s, time.least_s);
+  EXPECT_GE(time.solve_s, time.least_s);  // equal where no look has begun in time, on a busy machine
+  EXPECT_GT(time.least_s, 0.0);
 }
 
 }  // namespace
