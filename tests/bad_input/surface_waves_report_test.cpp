@@ -40,10 +40,12 @@ TEST_F(SurfaceWavesReport, SaysWhyThereAreNone) {
 
 TEST_F(SurfaceWavesReport, LeavesOutOtherMaterials) {
   const std::string absorbing = " --set materials.foam.kind=absorber --set target.material=foam";
-  EXPECT_THAT(checked("cylinder", absorbing), HasSubstr("off: no curved surface is a perfect conductor\n"));
+  EXPECT_THAT(checked("cylinder", absorbing),
+              HasSubstr("off: no curved surface is a conductor, coated or bare, or a half-space\n"));
   const std::string rays = " --look 0 --surface-rays " + (scratch / "rays.vtp").string();
   EXPECT_EQ(raytube("trace " RAYTUBE_SOURCE_DIR "/cases/cylinder/case.toml" + absorbing + rays).code, 2);
-  EXPECT_THAT(text_of(scratch / "stderr.txt"), HasSubstr("no curved surface is a perfect conductor; leave out the option"));
+  EXPECT_THAT(text_of(scratch / "stderr.txt"),
+              HasSubstr("no curved surface is a conductor, coated or bare, or a half-space; leave out the option"));
 }
 
 }  // namespace
