@@ -11,12 +11,12 @@ namespace raytube {
 
 /// A border face, with the two convex edges that bound it and whose other faces are the two sides of the plate.
 struct ThinPlateEdge {
-  std::array<std::uint32_t, 2> edges{};   // wedges
-  std::array<WedgeFace, 2> sides;         // their faces on the sides of the plate
-  std::uint32_t border_patch = no_index;  // the border face
-  std::uint32_t border_material = no_index;
-  dvec3 thickness_vector;  // from one edge to the other over the border face, half-way along [m]
-  double thickness = 0.0;  // of the plate there [m]
+  std::array<std::uint32_t, 2> edges{};      // wedges
+  std::array<WedgeFace, 2> sides;            // their faces on the sides of the plate
+  std::uint32_t border_patch = no_index;     // the border face
+  std::uint32_t border_material = no_index;  // its material
+  dvec3 thickness_vector;                    // from one edge to the other over the border face, half-way along [m]
+  double thickness = 0.0;                    // of the plate there [m]
   double effective = 0.0;  // what has to be thin: the thickness without coats, but at least half of the whole [m]
   dvec3 start, end;        // the middle line of the border face, t = x_f x n_f of sides[0] from start to end
 };
