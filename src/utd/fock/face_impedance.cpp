@@ -16,12 +16,21 @@ FaceImpedance face_impedance(const Material& material, std::size_t frequency, do
   return {(1.0 + te) / (grazing * (1.0 - te)), grazing * (1.0 - tm) / (1.0 + tm)};
 }
 
+// Into less dense media waves go at angles of their own: no impedance stands for them.
+bool is_dense(const Material& material) {
+  constexpr double least_square_of_index = 2.0;
+  return std::ranges::all_of(material.layers, [](const std::vector<Layer>& layers) {
+    return std::abs(layers.front().medium.permittivity * layers.front().medium.permeability) >= least_square_of_index;
+  });
+}
+
 }  // namespace
 
 bool carries_waves(std::span<const Material> materials, std::uint32_t material) {
   if (material == no_index) return true;
   const MaterialKind kind = materials[material].kind;
-  return kind == MaterialKind::coated || kind == MaterialKind::half_space;
+  if (kind == MaterialKind::half_space) return is_dense(materials[material]);
+  return kind == MaterialKind::coated || kind == MaterialKind::conductor;
 }
 
 FaceImpedances::FaceImpedances(std::span<const Material> materials, std::span<const double> frequencies)

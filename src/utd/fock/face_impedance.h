@@ -14,8 +14,8 @@ struct FaceImpedance {
   Complex soft, hard;
 };
 
-/// Whether waves run over faces of it: over perfect conductors (no_index), coats on them and half-spaces. An absorber returns
-/// nothing at any angle, which no impedance does.
+/// Whether waves run over faces of it: over perfect conductors (no_index, or rough), coats on them and half-spaces of
+/// |eps mu| >= 2. An absorber returns nothing at any angle, which no impedance does.
 bool carries_waves(std::span<const Material> materials, std::uint32_t material);
 
 /// Of materials that waves run over, at the frequencies of a sweep.
