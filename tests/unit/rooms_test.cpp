@@ -61,7 +61,7 @@ const Rooms may_include = {
     {"utd/rounded", base + std::set<std::string>{"utd/wedge", "utd/surface"}},
     {"utd/shadow", base + std::set<std::string>{"utd/wedge"}},
     {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/fock", "utd/surface"}},
-    {"utd/fock", base},
+    {"utd/fock", base + std::set<std::string>{"utd/wedge"}},
     {"utd/surface", base + std::set<std::string>{"utd/wedge", "utd/fock"}},
     {"utd/corner", base + std::set<std::string>{"utd/wedge"}},
     {"utd/sheet", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},

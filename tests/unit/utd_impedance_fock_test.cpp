@@ -81,7 +81,20 @@ TEST(FaceImpedance, WavesRunOverWhatHasOne) {
   };
   EXPECT_TRUE(carries_waves({}, no_index));
   EXPECT_TRUE(carries(MaterialKind::coated) && carries(MaterialKind::half_space));
+  EXPECT_TRUE(carries(MaterialKind::conductor));
   EXPECT_FALSE(carries(MaterialKind::absorber) || carries(MaterialKind::sheet) || carries(MaterialKind::solid));
+}
+
+// None over vacuum, whose "impedance" at grazing, 0 and infinity, would reflect all.
+TEST(FaceImpedance, OfNothingCarriesNoWaves) {
+  const auto carries = [](Complex permittivity) {
+    Material material;
+    material.kind = MaterialKind::half_space;
+    material.layers = {{Layer{{permittivity, 1.0}, 0.0}}};
+    return carries_waves(std::vector{material}, 0);
+  };
+  EXPECT_FALSE(carries(1.0) || carries({1.2, -0.1}));
+  EXPECT_TRUE(carries(4.0) && carries({1.0, -5.0}));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "plan/admissible.h"
 #include "plan/material_edges.h"
 #include "scene/skipped.h"
-#include "utd/fock/face_impedance.h"
+#include "utd/fock/face_impedances.h"
 #include "utd/interaction/interaction_groups.h"
 
 namespace raytube {

@@ -1,7 +1,7 @@
 // Fock's currents on surfaces of an impedance (Fock 1946; Wait 1967, Radio Sci. 2, 927).
 #pragma once
 
-#include "utd/fock/face_impedance.h"
+#include "utd/fock/face_impedances.h"
 #include "utd/fock/fock.h"
 
 namespace raytube {

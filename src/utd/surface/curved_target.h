@@ -8,7 +8,7 @@
 #include "mesh/model/edge_table.h"
 #include "mesh/smooth/curvature_field.h"
 #include "mesh/trace/tracer.h"
-#include "utd/fock/face_impedance.h"
+#include "utd/fock/face_impedances.h"
 #include "utd/surface/body_widths.h"
 #include "utd/surface/noses.h"
 

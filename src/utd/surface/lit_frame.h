@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/smooth/curvature_field.h"
-#include "utd/fock/face_impedance.h"
+#include "utd/fock/face_impedances.h"
 #include "utd/fock/fock.h"
 
 namespace raytube {

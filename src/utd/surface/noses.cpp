@@ -37,9 +37,6 @@ struct Principal {
   double larger, smaller;
 };
 
-// No curvature is larger than its root.
-double squared_norm(const glm::dmat3& m) { return glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]); }
-
 Principal principal_at(const SurfaceFrame& frame) {
   const dvec3 u = glm::normalize(glm::cross(frame.normal, std::abs(frame.normal.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
   const dvec3 v = glm::cross(frame.normal, u);
@@ -60,7 +57,6 @@ class NoseFinder {
   Nose at(std::uint32_t triangle) const {
     const dvec2 middle(1.0 / 3, 1.0 / 3);
     const SurfaceFrame frame = curvatures_.at(triangle, middle);
-    if (squared_norm(frame.normal_turn) < flattest_ * flattest_) return {};
     const Principal principal = principal_at(frame);
     if (principal.larger < flattest_ || principal.smaller > 0.5 * principal.larger) return {};
     const Plane plane{frame.normal, principal.direction};

@@ -1,4 +1,4 @@
-#include "utd/fock/face_impedance.h"
+#include "utd/fock/face_impedances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,8 @@ namespace raytube {
 
 namespace {
 
-// Z depends on the square of this cosine of incidence: 1e-8 of it, and 1e-12 is lost in 1 + r.
-constexpr double grazing = 1e-4;
-
-FaceImpedance face_impedance(const Material& material, std::size_t frequency, double wavenumber) {
-  const auto [te, tm] = smooth_response(material, frequency, wavenumber, grazing, false).reflected;
-  return {(1.0 + te) / (grazing * (1.0 - te)), grazing * (1.0 - tm) / (1.0 + tm)};
+FaceImpedance at_grazing(const Material& material, std::size_t frequency, double wavenumber) {
+  return impedance_of(smooth_response(material, frequency, wavenumber, grazing_cosine, false).reflected, grazing_cosine);
 }
 
 // Into less dense media waves go at angles of their own: no impedance stands for them.
@@ -41,8 +37,7 @@ FaceImpedances::FaceImpedances(std::span<const Material> materials, std::span<co
   for (const std::size_t f : order) wavenumbers_.push_back(wavenumber(frequencies[f]));
   for (std::uint32_t m = 0; m < materials.size(); ++m)
     if (carries_waves(materials, m))
-      for (std::size_t i = 0; i < order.size(); ++i)
-        at_faces_[m].push_back(face_impedance(materials[m], order[i], wavenumbers_[i]));
+      for (std::size_t i = 0; i < order.size(); ++i) at_faces_[m].push_back(at_grazing(materials[m], order[i], wavenumbers_[i]));
 }
 
 FaceImpedance FaceImpedances::at(std::uint32_t material, double wavenumber) const {

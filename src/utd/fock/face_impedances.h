@@ -1,4 +1,4 @@
-// The impedance of a curved face that nothing goes through.
+// Impedances of curved faces that waves run over.
 #pragma once
 
 #include <span>
@@ -6,13 +6,9 @@
 
 #include "mesh/model/triangle_mesh.h"
 #include "scene/material.h"
+#include "utd/wedge/face_impedance.h"
 
 namespace raytube {
-
-/// E along a face over eta H, for E across the plane of incidence (soft) and in it (hard); a perfect conductor has 0.
-struct FaceImpedance {
-  Complex soft, hard;
-};
 
 /// Whether waves run over faces of it: over perfect conductors (no_index, or rough), coats on them and half-spaces of
 /// |eps mu| >= 2. An absorber returns nothing at any angle, which no impedance does.
