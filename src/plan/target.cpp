@@ -3,13 +3,14 @@
 #include <utility>
 
 #include "mesh/features/enclosed.h"
+#include "mesh/smooth/bends.h"
 
 namespace raytube {
 
 namespace {
 
-// Bodies of 24 sides have creases of 15 degrees to the rounding of coordinates: some above the threshold, some below, a mixture of
-// edges and curvature.
+// Bodies of 24 sides have creases of 15 degrees to the rounding of coordinates: some above the threshold, some below, a mixture
+// of edges and curvature.
 constexpr double rounding_of_angles = 1e-3;
 
 WedgeOptions beyond_rounding(WedgeOptions options) {
@@ -17,10 +18,15 @@ WedgeOptions beyond_rounding(WedgeOptions options) {
   return options;
 }
 
+std::unique_ptr<const TriangleMesh> with_bends(TriangleMesh mesh, const WedgeOptions& options) {
+  mesh.bends = find_bends(mesh, options.min_wedge_angle);
+  return std::make_unique<const TriangleMesh>(std::move(mesh));
+}
+
 }  // namespace
 
 Target::Target(TriangleMesh triangles, const WedgeOptions& how)
-    : owned_(std::make_unique<const TriangleMesh>(std::move(triangles))),
+    : owned_(with_bends(std::move(triangles), beyond_rounding(how))),
       mesh(*owned_),
       options(beyond_rounding(how)),
       tracer(mesh),

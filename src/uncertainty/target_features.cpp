@@ -199,7 +199,8 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
   const EdgeTable edges(mesh.triangles, mesh.vertices.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const double angle = crease_angle(mesh, edges[e]);
-    if (angle < flat_crease || angle >= min_wedge_angle) continue;
+    if (angle < flat_crease) continue;
+    if (angle >= min_wedge_angle && !mesh.is_bend(edges[e].low, edges[e].high)) continue;
     const std::uint32_t a = edges[e].sides[0].triangle, b = edges[e].sides[1].triangle;
     const double along = glm::distance(mesh.vertices[edges[e].low], mesh.vertices[edges[e].high]);
     const double area = triangle_area(mesh, a) + triangle_area(mesh, b), step = area / along;  // mean width across the crease

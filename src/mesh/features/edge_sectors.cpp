@@ -82,7 +82,8 @@ bool is_wedge(const TriangleMesh& mesh, const EdgeSector& sector, double min_wed
   const double bend = std::abs(sector.n - 1.0) * pi;
   const Patch &first = mesh.patches[sector.faces[0].patch], &second = mesh.patches[sector.faces[1].patch];
   const bool same_plane = first.normal == second.normal && first.offset == second.offset;  // one patch, or cut by materials
-  return !(same_plane && bend < no_opening) && has_opening(sector) && bend >= min_wedge_angle;
+  return !(same_plane && bend < no_opening) && has_opening(sector) && bend >= min_wedge_angle &&
+         !mesh.is_bend(sector.start, sector.end);
 }
 
 std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges,

@@ -35,7 +35,8 @@ std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const EdgeTabl
 /// False where two faces lie on one another: what lies between them is rounding, no space.
 bool has_opening(const EdgeSector& sector);
 
-/// True if the faces of the sector differ from a plane by at least `min_wedge_angle` [rad].
+/// True if the faces of the sector, of one edge, differ from a plane by at least `min_wedge_angle` [rad], and the edge is no
+/// bend.
 bool is_wedge(const TriangleMesh& mesh, const EdgeSector& sector, double min_wedge_angle);
 
 /// Joins sectors with the same faces that follow one another on a straight line, within `distance` [m]. A run stands where its

@@ -79,7 +79,7 @@ FeatureSizes feature_sizes(const TriangleMesh& mesh, double min_wedge_angle) {
   const auto is_smooth = [&](const EdgeTable::Edge& edge) {
     if (edge.sides.size() != 2) return false;
     const double angle = crease(mesh, areas, edge);
-    if (std::abs(angle) >= min_wedge_angle) return false;
+    if (std::abs(angle) >= min_wedge_angle && !mesh.is_bend(edge.low, edge.high)) return false;
     for (const EdgeTable::Side& side : edge.sides) bends[side.triangle][side.corner] = angle;
     return true;
   };

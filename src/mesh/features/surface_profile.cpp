@@ -86,6 +86,12 @@ double SurfaceProfiles::bend(const Section& section, const Step& from, const Ste
   return std::atan2(before.x * after.y - before.y * after.x, glm::dot(before, after));
 }
 
+// A convex one.
+bool SurfaceProfiles::is_edge(const Section& section, const Step& from, const Step& to) const {
+  const Triangle& corners = mesh_.triangles[from.triangle];
+  return bend(section, from, to) <= -min_wedge_angle_ && !mesh_.is_bend(corners[from.exit], corners[(from.exit + 1) % 3]);
+}
+
 // The patch of `last` in the section: along the surface from the wedge onwards, or along the chord where no facet is wide enough.
 WedgeFace SurfaceProfiles::face_at_end(const Section& section, const Step& last, const dvec2& along) const {
   const WedgeFace& own = section.face;
@@ -131,7 +137,7 @@ SurfaceProfile SurfaceProfiles::find(const Wedge& wedge, int side, double length
       result.reached = (reached + width) / length;
       break;
     }
-    if (reached + width < 0.5 * length && bend(section, step, next) <= -min_wedge_angle_) ++result.others;
+    if (reached + width < 0.5 * length && is_edge(section, step, next)) ++result.others;
     if (mesh_.triangle_patch[next.triangle] != mesh_.triangle_patch[step.triangle]) lengths.leave();
     step = next;
   }

@@ -20,7 +20,7 @@ struct SurfaceProfile {
 /// Follows the surface of a mesh, which must outlive it.
 class SurfaceProfiles {
  public:
-  /// Creases of less than `min_wedge_angle` [rad] are no edges.
+  /// Creases of less than `min_wedge_angle` [rad] are no edges, nor are its bends.
   SurfaceProfiles(const TriangleMesh& mesh, double min_wedge_angle);
 
   /// `length` [m] along the surface from the middle of the wedge, starting on faces[side].
@@ -62,6 +62,7 @@ class SurfaceProfiles {
   Step first_step(const Section& section) const;
   Step next_step(const Section& section, const Step& step) const;
   double bend(const Section& section, const Step& from, const Step& to) const;
+  bool is_edge(const Section& section, const Step& from, const Step& to) const;
   WedgeFace face_at_end(const Section& section, const Step& last, const dvec2& along) const;
   void end_profile(const Section& section, const Step& last, const dvec2& chord, const PatchLengths& lengths,
                    SurfaceProfile& profile) const;

@@ -60,10 +60,10 @@ struct Wedge {
 };
 
 /// All wedges, convex and concave, whose faces differ from a plane by at least `min_wedge_angle` [rad]: |pi - interior| >= it.
-/// Around every welded edge the incident facets are sorted by angle; each sector of free space between two exposed facet
-/// sides is a wedge. So a border is one half plane (n = 2), an edge of a closed body one wedge, a crease in an open surface two
-/// (n and 2 - n), and an edge where several open surfaces meet one per free sector. Collinear neighbours with the same faces
-/// merge. In the order of the mesh's edges, each run where its first edge stands.
+/// The bends of the mesh are none. Around every welded edge the incident facets are sorted by angle; each sector of free space
+/// between two exposed facet sides is a wedge. So a border is one half plane (n = 2), an edge of a closed body one wedge, a
+/// crease in an open surface two (n and 2 - n), and an edge where several open surfaces meet one per free sector. Collinear
+/// neighbours with the same faces merge. In the order of the mesh's edges, each run where its first edge stands.
 std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle);
 
 }  // namespace raytube

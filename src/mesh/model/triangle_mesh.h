@@ -5,10 +5,12 @@
 // no_index stands for none.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/field.h"
@@ -32,6 +34,12 @@ struct Component {
   bool penetrable = false;      // bounds a volume, but waves enter it: both sides are exposed
 };
 
+/// A crease as steep as an edge between facets that stand for one smooth surface all the same.
+struct Bend {
+  std::uint32_t low, high;  // vertices
+  double angle;             // between the facets' normals [rad]
+};
+
 /// Vertices are in metres relative to `center`, the middle of the target's bounding box in the mesh's own coordinates.
 /// Winding is counter-clockwise seen from outside for closed components, and for those that bound a volume which waves enter;
 /// consistent within open ones.
@@ -44,11 +52,17 @@ struct TriangleMesh {
   std::vector<Component> components;                    // numbered as triangle_component says
   std::vector<std::uint32_t> triangle_part;             // [triangle] among part_names; empty: nobody wanted it
   std::vector<std::string> part_names;                  // by the names in the mesh file, or of it
+  std::vector<Bend> bends;                              // in order of (low, high); none until somebody looks (find_bends)
   dvec3 center{0.0};                                    // in the mesh's own coordinates [m]
   double radius = 0.0;                                  // largest distance of a vertex from `center`
 
   /// Whether a triangle is part of a closed component.
   bool closed(std::uint32_t triangle) const { return components[triangle_component[triangle]].closed; }
+  /// Whether the edge between two vertices is among the bends.
+  bool is_bend(std::uint32_t a, std::uint32_t b) const {
+    const auto ends = [](const Bend& bend) { return std::pair(bend.low, bend.high); };
+    return std::ranges::binary_search(bends, std::pair(std::min(a, b), std::max(a, b)), {}, ends);
+  }
 };
 
 /// One line of the mesh report: what was found or mended, and how many facets, vertices or edges it concerned.
@@ -81,15 +95,15 @@ struct MeshReport {
   std::uint64_t triangles_flipped = 0;             // winding reversed for consistent, outward orientation
 
   // As traced.
-  std::uint64_t triangles_traced = 0;          // of the mesh that comes out
-  std::uint64_t open_edges = 0;                // one triangle only
-  std::uint64_t non_manifold_edges = 0;        // more than two triangles meet
-  std::uint64_t components = 0;                // connected through edges
-  std::uint64_t components_closed = 0;         // no wave enters them
-  std::uint64_t components_penetrable = 0;     // closed, but waves go through part of them: not among components_closed
-  std::uint64_t components_nearly_closed = 0;  // open, but for a gap small against their area
-  std::uint64_t patches = 0;                   // connected and coplanar
-  double weld_distance = 0.0;                  // [m]
+  std::uint64_t triangles_traced = 0;                // of the mesh that comes out
+  std::uint64_t open_edges = 0;                      // one triangle only
+  std::uint64_t non_manifold_edges = 0;              // more than two triangles meet
+  std::uint64_t components = 0;                      // connected through edges
+  std::uint64_t components_closed = 0;               // no wave enters them
+  std::uint64_t components_penetrable = 0;           // closed, but waves go through part of them: not among components_closed
+  std::uint64_t components_nearly_closed = 0;        // open, but for a gap small against their area
+  std::uint64_t patches = 0;                         // connected and coplanar
+  double weld_distance = 0.0;                        // [m]
   std::vector<std::filesystem::path> further_files;  // read beside the mesh files, which name them
 
   /// Readable lines, only those with something to say.

@@ -111,7 +111,9 @@ void Creases::find_crossable(double least_cosine) {
     const auto [a, b] = std::pair(edge.sides[0], edge.sides[1]);
     if (mesh_.triangles[a.triangle][a.corner] == mesh_.triangles[b.triangle][b.corner]) continue;
     const double cosine = glm::dot(patch_normal(mesh_, a.triangle), patch_normal(mesh_, b.triangle));
-    crossable_[e] = cosine > least_cosine;
+    const bool bends = mesh_.is_bend(edge.low, edge.high);
+    crossable_[e] = bends || cosine > least_cosine;
+    if (bends) continue;
     if (crossable_[e])
       steepest_crossed_ = std::min(steepest_crossed_, cosine);
     else

@@ -17,13 +17,13 @@ struct PlaneOutlines {
 /// Which edges of a mesh are creases, and across which a smooth surface may go on.
 class Creases {
  public:
-  /// What turns by less than `max_turn` [rad] is tessellation. Keeps a reference to the mesh.
+  /// What turns by less than `max_turn` [rad] is tessellation, and the bends of the mesh are. Keeps a reference to the mesh.
   Creases(const TriangleMesh& mesh, double max_turn);
 
   /// Those of the mesh.
   const EdgeTable& edges() const { return edges_; }
 
-  /// Cosine of the steepest turn between two triangles that a smooth surface may go on across.
+  /// Cosine of the steepest turn between two triangles that a smooth surface may go on across, bends left out.
   double steepest_crossed() const { return steepest_crossed_; }
   /// Cosine of the flattest turn that it may not.
   double flattest_left() const { return flattest_left_; }

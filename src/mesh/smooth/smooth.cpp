@@ -36,6 +36,14 @@ dvec3 bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b, double stee
   return sum * (twice_harmonic_mean(lean_a, lean_b) / glm::dot(sum, sum));
 }
 
+// That a surface may go on across, at each vertex [rad].
+std::vector<double> steepest_creases(const TriangleMesh& mesh, double max_crease) {
+  std::vector<double> creases(mesh.vertices.size(), max_crease);
+  for (const Bend& bend : mesh.bends)
+    for (const std::uint32_t v : {bend.low, bend.high}) creases[v] = std::max(creases[v], bend.angle);
+  return creases;
+}
+
 }  // namespace
 
 SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise)
@@ -46,12 +54,10 @@ SmoothSurfaces::SmoothSurfaces(const SmoothSurfaces& others, double max_crease, 
                      max_crease, max_rise) {}
 
 SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, double max_crease, double max_rise)
-    : mesh_(mesh),
-      chords_(std::move(chords)),
-      steepest_(std::sin(std::min(most_creases * max_crease, widest_lean))),
-      region_(chords_->region),
-      one_sided_(chords_->one_sided) {
-  add_tips(std::cos(max_crease));
+    : mesh_(mesh), chords_(std::move(chords)), region_(chords_->region), one_sided_(chords_->one_sided) {
+  const std::vector<double> creases = steepest_creases(mesh, max_crease);
+  for (const double crease : creases) steepest_.push_back(std::sin(std::min(most_creases * crease, widest_lean)));
+  add_tips(creases);
   keep_flat(max_rise);
   count_facets();
 }
@@ -72,10 +78,11 @@ std::shared_ptr<const SmoothSurfaces::Chords> SmoothSurfaces::find_chords(const 
 }
 
 // Round a vertex of a smooth surface no facet leans off the normal by more than one crease turns; round the tip of a cone all do.
-void SmoothSurfaces::add_tips(double least_cosine) {
+void SmoothSurfaces::add_tips(const std::vector<double>& creases) {
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     for (int corner = 0; corner < 3; ++corner)
-      if (glm::dot(mesh_.patches[mesh_.triangle_patch[t]].normal, normal(t, corner)) < least_cosine)
+      if (glm::dot(mesh_.patches[mesh_.triangle_patch[t]].normal, normal(t, corner)) <
+          std::cos(creases[mesh_.triangles[t][corner]]))
         one_sided_[normal_index(t, corner)] = true;
 }
 
@@ -130,7 +137,7 @@ bool SmoothSurfaces::is_doubtful(std::uint32_t triangle) const {
   const Triangle& t = mesh_.triangles[triangle];
   const auto leans = [&](int corner, const dvec3& side) {
     return !one_sided_[normal_index(triangle, corner)] &&
-           std::abs(glm::dot(normal(triangle, corner), side)) > steepest_ * glm::length(side);
+           std::abs(glm::dot(normal(triangle, corner), side)) > steepest_[t[corner]] * glm::length(side);
   };
   for (int c = 0; c < 3; ++c) {
     const int next = (c + 1) % 3;
@@ -171,7 +178,8 @@ dvec3 SmoothSurfaces::bend(std::uint32_t triangle, int corner) const {
   const Triangle& t = mesh_.triangles[triangle];
   const int next = (corner + 1) % 3;
   const auto end = [&](int c) { return SideEnd{normal(triangle, c), one_sided_[normal_index(triangle, c)]}; };
-  return bend_of(mesh_.vertices[t[next]] - mesh_.vertices[t[corner]], end(corner), end(next), steepest_);
+  return bend_of(mesh_.vertices[t[next]] - mesh_.vertices[t[corner]], end(corner), end(next),
+                 std::max(steepest_[t[corner]], steepest_[t[next]]));
 }
 
 namespace {

@@ -134,14 +134,14 @@ class SmoothSurfaces {
   static void find_regions(const TriangleMesh& mesh, const Creases& creases, const std::vector<bool>& is_plane, Chords& chords);
   SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, double max_crease, double max_rise);
   bool has_chords_of(double max_crease) const;
-  void add_tips(double least_cosine);
+  void add_tips(const std::vector<double>& creases);
   bool is_doubtful(std::uint32_t triangle) const;
   void keep_flat(double max_rise);
   void count_facets();
 
   const TriangleMesh& mesh_;
   std::shared_ptr<const Chords> chords_;
-  double steepest_;  // of the leans of sides that are chords, a sine
+  std::vector<double> steepest_;  // [vertex] of the leans of sides that are chords, a sine
   std::vector<std::uint32_t> region_;
   std::vector<bool> one_sided_;  // [normal]
   std::size_t facets_ = 0;
