@@ -18,7 +18,11 @@ using namespace raytube::shapes;
 
 constexpr double crease = 15.0 * degree;
 
-std::vector<Bend> bends_of(const PolygonSoup& soup) { return find_bends(build(soup).mesh, crease); }
+std::vector<Bend> bends_of(const TriangleMesh& mesh, double threshold) {
+  return find_bends(mesh, EdgeTable(mesh.triangles, mesh.vertices.size()), threshold);
+}
+
+std::vector<Bend> bends_of(const PolygonSoup& soup) { return bends_of(build(soup).mesh, crease); }
 
 // Prism on an outline, counter-clockwise in t from 0 to 2 pi.
 PolygonSoup over(const std::function<dvec2(double)>& outline, int sides) {
@@ -32,7 +36,7 @@ dvec2 ellipse(double t) { return {3.0 * std::cos(t), std::sin(t)}; }
 // At its noses an ellipse of 3:1 in 32 chords turns by 33 degrees and beside them by 25, 14, 8: nothing but its rims are edges.
 TEST(Bends, NosesOfCoarseEllipsesAreNoEdges) {
   const LoadedMesh loaded = build(over(ellipse, 32));
-  const std::vector<Bend> bends = find_bends(loaded.mesh, crease);
+  const std::vector<Bend> bends = bends_of(loaded.mesh, crease);
   EXPECT_GE(bends.size(), 6u);
   EXPECT_GT(std::ranges::max(bends, {}, &Bend::angle).angle, 30 * degree);
   const Target target(loaded.mesh);
@@ -87,8 +91,8 @@ TEST(Bends, FilletsBetweenPlanesAreNone) {
 // A surface that is flatter than wedges everywhere has none; neither has one whose wedges all count.
 TEST(Bends, HangOnTheThreshold) {
   const LoadedMesh loaded = build(over(ellipse, 32));
-  EXPECT_TRUE(find_bends(loaded.mesh, 40 * degree).empty());
-  EXPECT_TRUE(find_bends(loaded.mesh, 0.0).empty());
+  EXPECT_TRUE(bends_of(loaded.mesh, 40 * degree).empty());
+  EXPECT_TRUE(bends_of(loaded.mesh, 0.0).empty());
 }
 
 }  // namespace

@@ -37,7 +37,10 @@ Wedge wedge_of(const TriangleMesh& mesh, const PatchBorders& borders, const Edge
 }  // namespace
 
 std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle) {
-  const EdgeTable edges(mesh.triangles, mesh.vertices.size());
+  return find_wedges(mesh, EdgeTable(mesh.triangles, mesh.vertices.size()), min_wedge_angle);
+}
+
+std::vector<Wedge> find_wedges(const TriangleMesh& mesh, const EdgeTable& edges, double min_wedge_angle) {
   std::vector<EdgeSector> sectors =
       exposed_sectors(mesh, edges, [&](const EdgeSector& sector) { return is_wedge(mesh, sector, min_wedge_angle); });
   const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();

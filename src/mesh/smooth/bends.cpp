@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/model/edge_table.h"
-
 namespace raytube {
 
 namespace {
 
 constexpr double most_bend = 60.0 * degree;  // nothing is like the surface whose chords turn by more
 constexpr double longest = 8.0;              // reach of a section, in widths of the narrower facet at the crease
+constexpr double furthest = 2.0;             // widths: what lies beyond it explains nothing
 constexpr int most_steps = 64;               // triangles that it passes
 constexpr double least_side = 0.25;          // of a crease that either side explains
 constexpr double least_bending = 0.1;        // of the threshold: flatter creases are planes
@@ -67,16 +66,18 @@ double angle_between(const dvec3& a, const dvec3& b) { return std::atan2(glm::le
 
 class BendFinder {
  public:
-  BendFinder(const TriangleMesh& mesh, double min_wedge_angle)
-      : mesh_(mesh), min_wedge_angle_(min_wedge_angle), edges_(mesh.triangles, mesh.vertices.size()) {}
+  BendFinder(const TriangleMesh& mesh, const EdgeTable& edges, double min_wedge_angle)
+      : mesh_(mesh), min_wedge_angle_(min_wedge_angle), edges_(edges) {}
 
   std::vector<Bend> find() const {
+    const double flattest = std::cos(min_wedge_angle_), steepest = std::cos(most_bend);
     std::vector<Bend> bends;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (!is_surface(edges_[e])) continue;
-      const double angle = std::abs(turn(edges_[e], edges_[e].sides[0]));
-      if (angle >= min_wedge_angle_ && angle <= most_bend && is_bend(edges_[e]))
-        bends.push_back({edges_[e].low, edges_[e].high, angle});
+      const EdgeTable::Edge edge = edges_[e];
+      if (edge.sides.size() != 2) continue;
+      const double cosine = glm::dot(normal(edge.sides[0]), normal(edge.sides[1]));
+      if (cosine <= flattest && cosine >= steepest && is_surface(edge) && is_bend(edge))
+        bends.push_back({edge.low, edge.high, std::acos(cosine)});
     }
     return bends;
   }
@@ -110,8 +111,10 @@ class BendFinder {
   bool is_bend(const EdgeTable::Edge& edge) const {
     const EdgeTable::Side &a = edge.sides[0], &b = edge.sides[1];
     const double own = turn(edge, a), unit = std::min(width(edge, a), width(edge, b)), sign = std::copysign(1.0, own);
-    const Profile left = profile(edge, a, unit, sign), right = profile(edge, b, unit, sign);
-    if (!ends_in_tessellation(left, min_wedge_angle_) || !ends_in_tessellation(right, min_wedge_angle_)) return false;
+    const Profile left = profile(edge, a, unit, sign);
+    if (!ends_in_tessellation(left, min_wedge_angle_)) return false;
+    const Profile right = profile(edge, b, unit, sign);
+    if (!ends_in_tessellation(right, min_wedge_angle_)) return false;
     const double all = std::abs(own) + turn_about(left, 0.0) + turn_about(right, 0.0);
     const double before = explained(left), after = explained(right);
     return std::min(before, after) >= least_side * all && before + after >= all;
@@ -152,23 +155,25 @@ class BendFinder {
       const dvec3 next = crossing(section, edge);
       distance += glm::distance(at, next) / unit;
       if (distance > longest || !is_surface(edge)) break;
-      steps.push_back(step_over(section, edge, exit, distance));
-      steps.back().turn *= sign;
       side = other(edge, exit);
       at = next;
+      if (mesh_.triangle_patch[exit.triangle] == mesh_.triangle_patch[side.triangle]) continue;
+      if (steps.empty() && distance > furthest) break;
+      steps.push_back(step_over(section, edge, exit, distance));
+      steps.back().turn *= sign;
     }
     return steps;
   }
 
   const TriangleMesh& mesh_;
   double min_wedge_angle_;
-  EdgeTable edges_;
+  const EdgeTable& edges_;
 };
 
 }  // namespace
 
-std::vector<Bend> find_bends(const TriangleMesh& mesh, double min_wedge_angle) {
-  return BendFinder(mesh, min_wedge_angle).find();
+std::vector<Bend> find_bends(const TriangleMesh& mesh, const EdgeTable& edges, double min_wedge_angle) {
+  return BendFinder(mesh, edges, min_wedge_angle).find();
 }
 
 }  // namespace raytube

@@ -36,13 +36,7 @@ dvec3 bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b, double stee
   return sum * (twice_harmonic_mean(lean_a, lean_b) / glm::dot(sum, sum));
 }
 
-// That a surface may go on across, at each vertex [rad].
-std::vector<double> steepest_creases(const TriangleMesh& mesh, double max_crease) {
-  std::vector<double> creases(mesh.vertices.size(), max_crease);
-  for (const Bend& bend : mesh.bends)
-    for (const std::uint32_t v : {bend.low, bend.high}) creases[v] = std::max(creases[v], bend.angle);
-  return creases;
-}
+double steepest_lean(double crease) { return std::sin(std::min(most_creases * crease, widest_lean)); }
 
 }  // namespace
 
@@ -54,10 +48,18 @@ SmoothSurfaces::SmoothSurfaces(const SmoothSurfaces& others, double max_crease, 
                      max_crease, max_rise) {}
 
 SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, double max_crease, double max_rise)
-    : mesh_(mesh), chords_(std::move(chords)), region_(chords_->region), one_sided_(chords_->one_sided) {
-  const std::vector<double> creases = steepest_creases(mesh, max_crease);
-  for (const double crease : creases) steepest_.push_back(std::sin(std::min(most_creases * crease, widest_lean)));
-  add_tips(creases);
+    : mesh_(mesh),
+      chords_(std::move(chords)),
+      steepest_(mesh.vertices.size(), steepest_lean(max_crease)),
+      region_(chords_->region),
+      one_sided_(chords_->one_sided) {
+  std::vector<double> cosines(mesh.vertices.size(), std::cos(max_crease));
+  for (const Bend& bend : mesh.bends)
+    for (const std::uint32_t v : {bend.low, bend.high}) {
+      steepest_[v] = std::max(steepest_[v], steepest_lean(bend.angle));
+      cosines[v] = std::min(cosines[v], std::cos(bend.angle));
+    }
+  add_tips(cosines);
   keep_flat(max_rise);
   count_facets();
 }
@@ -78,11 +80,10 @@ std::shared_ptr<const SmoothSurfaces::Chords> SmoothSurfaces::find_chords(const 
 }
 
 // Round a vertex of a smooth surface no facet leans off the normal by more than one crease turns; round the tip of a cone all do.
-void SmoothSurfaces::add_tips(const std::vector<double>& creases) {
+void SmoothSurfaces::add_tips(const std::vector<double>& least_cosines) {
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     for (int corner = 0; corner < 3; ++corner)
-      if (glm::dot(mesh_.patches[mesh_.triangle_patch[t]].normal, normal(t, corner)) <
-          std::cos(creases[mesh_.triangles[t][corner]]))
+      if (glm::dot(mesh_.patches[mesh_.triangle_patch[t]].normal, normal(t, corner)) < least_cosines[mesh_.triangles[t][corner]])
         one_sided_[normal_index(t, corner)] = true;
 }
 

@@ -134,7 +134,7 @@ class SmoothSurfaces {
   static void find_regions(const TriangleMesh& mesh, const Creases& creases, const std::vector<bool>& is_plane, Chords& chords);
   SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, double max_crease, double max_rise);
   bool has_chords_of(double max_crease) const;
-  void add_tips(const std::vector<double>& creases);
+  void add_tips(const std::vector<double>& least_cosines);  // [vertex]
   bool is_doubtful(std::uint32_t triangle) const;
   void keep_flat(double max_rise);
   void count_facets();
