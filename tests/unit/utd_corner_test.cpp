@@ -1,9 +1,11 @@
-// Waves along edges of sheets from corner to corner: their parts against closed forms, and invariances.
+// Waves along edges of sheets and thin bodies from corner to corner: their parts against closed forms, and invariances.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "mesh/repair/build_mesh.h"
 #include "run.h"
+#include "shapes.h"
 #include "utd/corner/corner_waves.h"
 #include "utd_scene.h"
 
@@ -189,6 +191,81 @@ TEST(CornerWaves, FrequenciesAtOnceAreThoseOneByOne) {
     std::vector<ScatteringMatrix> one(1);
     waves.add(1, 0.7, look, std::span(frequencies).subspan(f, 1), one);
     EXPECT_EQ(difference(one[0], all[f]), 0.0);
+  }
+}
+
+/// A wing's edges: chord 3 m along x between two arcs that rise so far, span 3 m along y, its ends turned by `sweep` [rad].
+std::vector<Wedge> wing(double rise, double sweep = 0.0) {
+  constexpr int parts = 16;
+  std::vector<dvec2> outline;
+  for (const double side : {-1.0, 1.0})
+    for (int i = 0; i < parts; ++i) {
+      const double x = 1.0 - 2.0 * i / parts;
+      outline.push_back({1.5 * -side * -x, side * rise * (1.0 - x * x)});
+    }
+  const glm::dmat3 turn(dvec3(1, 0, 0), dvec3(0, 0, 1), dvec3(std::tan(sweep), -1, 0));
+  return find_wedges(build_mesh(shapes::transformed(shapes::prism(outline, -1.5, 1.5), turn), 1.0).mesh, 5.0 * degree);
+}
+
+std::size_t edges_with_waves(const std::vector<Wedge>& wedges) {
+  const CornerWaves waves(wedges);
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < wedges.size(); ++i)
+    if (waves.run_along(i) && waves.first_of(i) == i) ++count;
+  return count;
+}
+
+// The thinner a wing, the more it is the sheet in its middle.
+TEST(ThinEnds, OfAThinWingHaveTheWavesOfASheet) {
+  for (const double sweep : {0.0, 0.5}) {
+    const double shift = 1.5 * std::tan(sweep);
+    const std::vector<dvec3> sheet = {
+        {-1.5 + shift, -1.5, 0}, {1.5 + shift, -1.5, 0}, {1.5 - shift, 1.5, 0}, {-1.5 - shift, 1.5, 0}};
+    const Look look{{1.2, 0.5}, {1.3, 0.9}};
+    const ScatteringMatrix limit = waves_of(rim(sheet), look, speed_of_light);
+    double before = 1e300;
+    for (const double rise : {1e-1, 1e-2, 1e-3}) {
+      const double apart = difference(waves_of(wing(rise, sweep), look, speed_of_light), limit);
+      EXPECT_LT(apart, 0.3 * before) << sweep << ' ' << rise;
+      before = apart;
+    }
+    EXPECT_LE(before, 0.01 * largest_amplitude(limit)) << sweep;  // phase of the shifted edge, k t ln(1/kt)
+  }
+}
+
+TEST(ThinEnds, HaveReciprocalWavesThatMirrorImagesShare) {
+  const std::vector<Wedge> wedges = wing(0.15);
+  const Direction a{1.0, 0.7}, b{1.3, 4.0};
+  const ScatteringMatrix there = waves_of(wedges, {a, b}, speed_of_light), back = waves_of(wedges, {b, a}, speed_of_light);
+  EXPECT_GT(largest_amplitude(there), 1e-3);
+  EXPECT_LE(std::abs(there.vv() - back.vv()), 1e-13);
+  EXPECT_LE(std::abs(there.vh() - back.hv()), 1e-13);
+  const ScatteringMatrix mirrored = waves_of(wedges, {{pi - a.theta, a.phi}, {pi - b.theta, b.phi}}, speed_of_light);
+  EXPECT_LE(std::abs(there.vv() - mirrored.vv()), 1e-9);
+  EXPECT_LE(std::abs(there.hh() - mirrored.hh()), 1e-9);
+  EXPECT_LE(std::abs(there.hv() + mirrored.hv()), 1e-9);
+}
+
+TEST(ThinEnds, AreThoseBetweenSharpEdgesAlone) {
+  EXPECT_EQ(edges_with_waves(wing(0.2)), 4);
+  EXPECT_EQ(edges_with_waves(wing(0.5)), 0);  // width of the ends 0.22 of their length, angle at the tips 67 degrees
+  std::vector<Wedge> rounded = wing(0.2);
+  std::erase_if(rounded, [](const Wedge& wedge) { return wedge.interior_angle() < 60 * degree && wedge.start.x > 1.4; });
+  EXPECT_EQ(edges_with_waves(rounded), 0);
+}
+
+TEST(ThinEnds, FadeAsTheyGetThickForTheWave) {
+  // Mean thickness 0.2 of a length of 3: k t^2 / L of a sheet to 1.7 times that wave's, none from 4 times on.
+  const std::vector<Wedge> wedges = wing(0.15);
+  const Look look{{1.2, 0.5}, {1.2, 0.5}};
+  EXPECT_GT(largest_amplitude(waves_of(wedges, look, 0.5 * speed_of_light)), 1e-3);
+  const CornerWaves waves(wedges);
+  const std::vector<double> frequencies = {20 * speed_of_light};
+  for (std::uint32_t i = 0; i < wedges.size(); ++i) {
+    if (!waves.run_along(i) || wedges[i].interior_angle() < 60 * degree) continue;
+    std::vector<ScatteringMatrix> sum(1);
+    waves.add(i, 1.0, look_vectors(look), frequencies, sum);
+    EXPECT_EQ(largest_amplitude(sum[0]), 0.0) << i;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "math/erfc_ray.h"
 #include "mesh/model/point_tree.h"
@@ -12,8 +13,6 @@ namespace {
 
 constexpr double in_plane = 0.05;  // what a plane may be off, as thin plates' sides may [rad]
 constexpr double least_weight = 1e-9;
-
-double angle_between(const dvec3& a, const dvec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
 /// The multiple of 0.1 degrees [rad]: coordinates in single precision move angles of small sheets far from the origin.
 double rounded(double angle) { return std::round(10.0 * angle / degree) * 0.1 * degree; }
@@ -34,6 +33,22 @@ std::vector<std::uint32_t> ends_that_count(std::span<const Wedge> wedges) {
   return numbers;
 }
 
+// A wave along an edge of length L spreads to sqrt(L/k) across it, as one whose rays are 1 / sqrt(kL) off it; to these a body of
+// thickness t is t / sqrt(kL) thick. Up to the limit of thin plates, lambda / 10, it is a sheet, at twice that it is none.
+double sheet_share(double thickness, double wavenumber, double length) {
+  const double tenths = 10.0 * thickness / (2.0 * pi / wavenumber * std::sqrt(wavenumber * length));
+  const double x = std::clamp(2.0 - tenths, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+// The edge of a plate of thickness t acts as that of a half plane which ends so much further out, t (ln(1/kappa) + 1 - gamma) /
+// 2 pi with kappa = t sin(beta') / lambda: the real part of the first order of docs/theory/edges.md#thin-plates.
+double edge_shift(double thickness, double wavenumber, double length) {
+  if (thickness <= 0.0) return 0.0;
+  const double kappa = thickness * wavenumber / (2.0 * pi * std::sqrt(wavenumber * length));
+  return thickness / (2.0 * pi) * (1.0 - std::numbers::egamma - std::log(kappa));
+}
+
 /// S / wavelength of a wave of unit starts over an edge of one wavelength: sqrt(2 pi) / c0 of the wave of a half plane, with
 /// c0 = -j e^(j pi/4) 2^(-1/2) / Gamma(3/2).
 const Complex over_half_plane = -pi * std::polar(1.0, pi / 4);
@@ -49,7 +64,7 @@ class CornerWaves::Finder {
   /// The edge that a wedge is a part of, if it has a corner at both ends; without the corners' solutions.
   std::optional<Edge> edge(std::uint32_t index) {
     if (!is_half_plane(wedges_[index])) return std::nullopt;
-    Edge edge{{}, wedges_[index].length(), 1.0};
+    Edge edge{.ends = {}, .length = wedges_[index].length(), .part = 1.0, .first = index};
     const auto start = follow(2 * index, edge.length), finish = start ? follow(2 * index + 1, edge.length) : std::nullopt;
     if (!finish || angle_between(direction(*start), direction(*finish)) < SheetCorner::greatest_angle) return std::nullopt;
     for (const std::uint32_t side : {0u, 1u}) {
@@ -117,8 +132,10 @@ class CornerWaves::Finder {
 CornerWaves::CornerWaves(std::span<const Wedge> wedges) : edges_(wedges.size()) {
   Finder finder(wedges);
   std::vector<std::uint32_t> longest_first;
+  for (std::uint32_t i = 0; i < wedges.size(); ++i) edges_[i] = finder.edge(i);
+  find_thin(wedges);
   for (std::uint32_t i = 0; i < wedges.size(); ++i)
-    if ((edges_[i] = finder.edge(i))) longest_first.push_back(i);
+    if (edges_[i]) longest_first.push_back(i);
   std::ranges::stable_sort(longest_first, std::ranges::greater{}, [&](std::uint32_t i) { return edges_[i]->length; });
   for (const std::uint32_t i : longest_first)
     for (End& end : edges_[i]->ends)
@@ -126,6 +143,66 @@ CornerWaves::CornerWaves(std::span<const Wedge> wedges) : edges_(wedges.size()) 
         edges_[i].reset();
         break;
       }
+}
+
+void CornerWaves::find_thin(std::span<const Wedge> wedges) {
+  const std::vector<ThinEnd> ends = find_thin_ends(wedges);
+  for (const ThinEnd& end : ends) {
+    put_end(wedges, end);
+    for (const int tip : {0, 1}) put_sharp_edge(wedges, end, tip, ends);
+  }
+}
+
+/// The corner at a tip for the waves along one of its edges; none between edges that are nearly one.
+std::optional<CornerWaves::End> CornerWaves::corner_at(const ThinEnd& thin, int tip, bool along_sharp) {
+  const ThinEnd::Tip& here = thin.tips[tip];
+  const dvec3 across = glm::normalize(thin.tips[1 - tip].position - here.position);
+  const double angle = angle_between(across, here.sharp);
+  if (angle < SheetCorner::least_angle || angle > SheetCorner::greatest_angle) return std::nullopt;
+  const dvec3 &edge = along_sharp ? here.sharp : across, &other = along_sharp ? across : here.sharp;
+  const dvec3 bisector = glm::normalize(edge + other), along = glm::normalize(edge - glm::dot(edge, bisector) * bisector);
+  const dvec3 normal = glm::normalize(glm::cross(bisector, along));
+  return End{here.position, bisector, along, normal, 1.0, edge, other, along_sharp ? thin.length() : here.sharp_length};
+}
+
+/// One normal for both.
+std::optional<std::array<CornerWaves::End, 2>> CornerWaves::both(std::optional<End> first, std::optional<End> last) {
+  if (!first || !last) return std::nullopt;
+  if (glm::dot(first->normal, last->normal) < 0.0) last->normal = -last->normal, last->side = -1.0;
+  return std::array{*first, *last};
+}
+
+void CornerWaves::put_end(std::span<const Wedge> wedges, const ThinEnd& thin) {
+  const auto ends = both(corner_at(thin, 0, false), corner_at(thin, 1, false));
+  if (!ends) return;
+  for (const int side : {0, 1}) {
+    double length = 0.0;
+    for (const std::uint32_t w : thin.sides[side]) length += wedges[w].length();
+    for (const std::uint32_t w : thin.sides[side])
+      edges_[w] = Edge{*ends,          thin.length(), wedges[w].length() / length, thin.sides[0][0],
+                       thin.thickness, thin.outwards, thin.towards[side]};
+  }
+}
+
+/// Between two thin ends; found from both of them.
+void CornerWaves::put_sharp_edge(std::span<const Wedge> wedges, const ThinEnd& thin, int tip, std::span<const ThinEnd> all) {
+  const ThinEnd::Tip& here = thin.tips[tip];
+  for (const ThinEnd& other : all)
+    for (const int there : {0, 1}) {
+      if (other.tips[there].position != here.sharp_end || edges_[here.edges.front()]) continue;
+      const auto ends = both(corner_at(thin, tip, true), corner_at(other, there, true));
+      if (!ends) continue;
+      for (const std::uint32_t w : here.edges)
+        edges_[w] = Edge{.ends = *ends,
+                         .length = here.sharp_length,
+                         .part = wedges[w].length() / here.sharp_length,
+                         .first = here.edges.front()};
+    }
+}
+
+double CornerWaves::part(std::uint32_t wedge, const dvec3& incident) const {
+  const double from_beyond = glm::dot(incident, edges_[wedge]->towards);
+  return edges_[wedge]->part * (from_beyond == 0.0 && edges_[wedge]->thickness > 0.0 ? 0.5 : from_beyond > 0.0 ? 0.0 : 1.0);
 }
 
 const CornerWaves::Angle* CornerWaves::angle_of(double angle) {
@@ -188,14 +265,17 @@ void CornerWaves::add_way(const Edge& edge, int from, double share, const std::a
   const End &first = edge.ends[from], &last = edge.ends[1 - from];
   const LookVectors &in = visits[from].look, &out = visits[1 - from].look;
   const auto weights = [&](double k) {
-    return weight(first, -in.incident, k, edge.length) * weight(last, out.scattered, k, edge.length);
+    return weight(first, -in.incident, k, edge.length) * weight(last, out.scattered, k, edge.length) *
+           sheet_share(edge.thickness, k, edge.length);
   };
   if (weights(wavenumber(std::ranges::max(frequencies))) < least_weight) return;
   const Passage starts = passage(first, -in.incident, in.electric), leaves = passage(last, out.scattered, out.receive);
   const double path = visits[from].in + visits[1 - from].out - edge.length;
+  const double further_out = glm::dot(out.scattered - in.incident, edge.outwards);
   for (std::size_t f = 0; f < frequencies.size(); ++f) {
     const double k = wavenumber(frequencies[f]), lambda = wavelength(frequencies[f]);
-    const Complex factor = over_half_plane * std::polar(share * weights(k) * lambda * std::sqrt(lambda / edge.length), k * path);
+    const double phase = k * (path + further_out * edge_shift(edge.thickness, k, edge.length));
+    const Complex factor = over_half_plane * std::polar(share * weights(k) * lambda * std::sqrt(lambda / edge.length), phase);
     const Complex first_upright = upright_factor(first, -in.incident, k * edge.length);
     const Complex last_upright = upright_factor(last, out.scattered, k * edge.length);
     for (int p = 0; p < 2; ++p)
@@ -214,18 +294,28 @@ dvec3 CornerWaves::place(std::uint32_t wedge, const dvec3& towards) const {
   return 0.5 * (first + last - edges_[wedge]->length * towards);
 }
 
-void CornerWaves::add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
-                      std::span<ScatteringMatrix> sum) const {
-  for (const int from : {0, 1}) add_way(*edges_[wedge], from, share * edges_[wedge]->part, visits, frequencies, sum);
+void CornerWaves::add_edge(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits,
+                           std::span<const double> frequencies, std::span<ScatteringMatrix> sum) const {
+  for (const int from : {0, 1}) add_way(*edges_[wedge], from, share, visits, frequencies, sum);
 }
 
-void CornerWaves::add(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
-                      std::span<ScatteringMatrix> sum) const {
+void CornerWaves::add_edge(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
+                           std::span<ScatteringMatrix> sum) const {
   const auto visit = [&](const dvec3& corner) {
     return Visit{look, -glm::dot(look.incident, corner), glm::dot(look.scattered, corner)};
   };
   const std::array<dvec3, 2> corners = corners_of(wedge);
-  add(wedge, share, {visit(corners[0]), visit(corners[1])}, frequencies, sum);
+  add_edge(wedge, share, {visit(corners[0]), visit(corners[1])}, frequencies, sum);
+}
+
+void CornerWaves::add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
+                      std::span<ScatteringMatrix> sum) const {
+  add_edge(wedge, share * part(wedge, visits[0].look.incident), visits, frequencies, sum);
+}
+
+void CornerWaves::add(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
+                      std::span<ScatteringMatrix> sum) const {
+  add_edge(wedge, share * part(wedge, look.incident), look, frequencies, sum);
 }
 
 }  // namespace raytube

@@ -1,9 +1,10 @@
-// Waves along the edges of plane sheets, from corner to corner.
+// Waves along the edges of plane sheets and of thin bodies, from corner to corner.
 //
 // A wave that meets the corner of a sheet sends a wave along either edge there; at the next corner this one leaves for the radar,
 // and the other way round. Strips (utd/multiple) do not have it: their currents start on edges, not at corners.
 //   radial_wave      fields on the unit sphere, of which those of a corner are made
 //   sheet_corner     one corner, exactly
+//   thin_ends        ends of bodies that are thin to such a wave
 //   corner_waves     which edges run between two corners, and what their waves add to S
 #pragma once
 
@@ -13,12 +14,14 @@
 #include <span>
 
 #include "utd/corner/sheet_corner.h"
+#include "utd/corner/thin_ends.h"
 #include "utd/wedge/edge_currents.h"
 
 namespace raytube {
 
 /// The edges of half planes that end, at both ends, at a corner of two such edges of one sheet and nothing else; an edge may bend
-/// by 15 degrees on its way, of one wedge or several. A corner is solved when a look first asks for it; angles are
+/// by 15 degrees on its way, of one wedge or several. Ends of thin bodies and the sharp edges between them are such edges, too,
+/// of the sheets in the middle of these. A corner is solved when a look first asks for it; angles are
 /// rounded to 0.1 degrees. Of more than `most_angles` only those of the longest edges have waves. Thread-safe.
 class CornerWaves {
  public:
@@ -33,12 +36,24 @@ class CornerWaves {
     LookVectors look;
     double in, out;  // their phases there over k [m]
   };
+  /// The first wedge of the edge that `wedge` is a part of, if it is one of a thin body; else `wedge` itself.
+  std::uint32_t first_of(std::uint32_t wedge) const { return edges_[wedge]->first; }
+  /// How much of the edge the wedge is to a wave that comes in this direction: of a thin end the line on its near side counts.
+  double part(std::uint32_t wedge, const dvec3& incident) const;
+
   /// Where edge `wedge` has its corners.
   std::array<dvec3, 2> corners_of(std::uint32_t wedge) const;
   /// The place that both ways along it have for a radar in this direction (scene/scattering_piece.h).
   dvec3 place(std::uint32_t wedge, const dvec3& towards) const;
 
-  /// sum[f] += `share` times S [m] of the waves along `wedge`, both ways, at each frequency [Hz]; `visits` of corners_of().
+  /// sum[f] += `share` times S [m] of the waves along the edge of `wedge`, both ways, at each frequency [Hz]; `visits` of
+  /// corners_of().
+  void add_edge(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
+                std::span<ScatteringMatrix> sum) const;
+  /// The same with antennas at infinity.
+  void add_edge(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
+                std::span<ScatteringMatrix> sum) const;
+  /// That of a share of the wedge.
   void add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
            std::span<ScatteringMatrix> sum) const;
   /// The same with antennas at infinity.
@@ -76,6 +91,10 @@ class CornerWaves {
     std::array<End, 2> ends;
     double length;
     double part;  // the wedge's of that; less if it stands for several
+    std::uint32_t first = no_index;
+    // Of a thin end: mean thickness [m], the face's normal, and where the wedge lies, seen from the face's middle.
+    double thickness = 0.0;
+    dvec3 outwards{0.0}, towards{0.0};
   };
   class Finder;
 
@@ -86,6 +105,11 @@ class CornerWaves {
   static Passage passage(const End& end, const dvec3& towards, const std::array<dvec3, 2>& fields);
   static Complex upright_factor(const End& end, const dvec3& towards, double electrical_length);
   static double weight(const End& end, const dvec3& towards, double wavenumber, double length);
+  static std::optional<End> corner_at(const ThinEnd& thin, int tip, bool along_sharp);
+  static std::optional<std::array<End, 2>> both(std::optional<End> first, std::optional<End> last);
+  void find_thin(std::span<const Wedge> wedges);
+  void put_end(std::span<const Wedge> wedges, const ThinEnd& thin);
+  void put_sharp_edge(std::span<const Wedge> wedges, const ThinEnd& thin, int tip, std::span<const ThinEnd> all);
   static void add_way(const Edge& edge, int from, double share, const std::array<Visit, 2>& visits,
                       std::span<const double> frequencies, std::span<ScatteringMatrix> sum);
   const Angle* angle_of(double angle);

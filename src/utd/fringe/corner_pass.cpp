@@ -1,6 +1,7 @@
 #include "utd/fringe/corner_pass.h"
 
 #include <cmath>
+#include <vector>
 
 #include "core/work.h"
 
@@ -22,10 +23,16 @@ double lit_share(std::span<const LitInterval> lit) {
 void add_corner_waves(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies, LitEdges& light,
                       EdgeLookResult& result) {
   const auto incident = [&](const Wedge&) { return look.incident; };
+  std::vector<double> shares(scene.wedges.size());
   for_edges_between_corners(scene, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
-    result.work += work::edge_light + work::corner_wave;
-    scene.corners->add(index, lit_share(lit), look, frequencies, result.higher);
+    result.work += work::edge_light;
+    shares[scene.corners->first_of(index)] += lit_share(lit) * scene.corners->part(index, look.incident);
   });
+  for (std::uint32_t index = 0; index < shares.size(); ++index) {
+    if (shares[index] == 0.0) continue;
+    result.work += work::corner_wave;
+    scene.corners->add_edge(index, shares[index], look, frequencies, result.higher);
+  }
 }
 
 }  // namespace raytube
