@@ -21,11 +21,10 @@ bool is_solid_edge(const Wedge& wedge) { return wedge.radiates() && wedge.n < 2.
 class Finder {
  public:
   explicit Finder(std::span<const Wedge> wedges) : wedges_(wedges) {
-    for (std::uint32_t w = 0; w < wedges.size(); ++w) {
+    find_borders();
+    if (borders_.empty()) return;
+    for (std::uint32_t w = 0; w < wedges.size(); ++w)
       for (const WedgeEnd end : {2 * w, 2 * w + 1}) ends_[key(point(end))].push_back(end);
-      for (const WedgeFace& face : wedges[w].faces)
-        if (face.patch != no_index) borders_[face.patch].push_back(w);
-    }
   }
 
   std::vector<ThinEnd> all() const {
@@ -38,6 +37,31 @@ class Finder {
  private:
   using Key = std::array<double, 3>;
   static Key key(const dvec3& p) { return {p.x, p.y, p.z}; }
+
+  bool is_sharp(const Wedge& wedge) const { return is_solid_edge(wedge) && wedge.interior_angle() <= sharp_edge; }
+
+  /// Of the faces that may be ends: at some of their edges a sharp one stops, and all of them are upright. Most bodies have none.
+  void find_borders() {
+    std::vector<Key> tips;
+    for (const Wedge& wedge : wedges_)
+      if (is_sharp(wedge)) tips.insert(tips.end(), {key(wedge.start), key(wedge.end)});
+    if (tips.empty()) return;
+    std::ranges::sort(tips);
+    for (std::uint32_t w = 0; w < wedges_.size(); ++w)
+      if (!is_sharp(wedges_[w]) &&
+          (std::ranges::binary_search(tips, key(wedges_[w].start)) || std::ranges::binary_search(tips, key(wedges_[w].end))))
+        for (const WedgeFace& face : wedges_[w].faces)
+          if (face.patch != no_index) borders_[face.patch];
+    for (std::uint32_t w = 0; w < wedges_.size(); ++w)
+      for (const WedgeFace& face : wedges_[w].faces)
+        if (const auto border = borders_.find(face.patch); border != borders_.end()) border->second.push_back(w);
+    std::erase_if(borders_, [&](const auto& border) { return !all_upright(border.first, border.second); });
+  }
+
+  bool all_upright(std::uint32_t patch, std::span<const std::uint32_t> border) const {
+    const dvec3& normal = face_on(border[0], patch).normal;
+    return border.size() >= 3 && std::ranges::all_of(border, [&](std::uint32_t w) { return may_bound(w, normal, patch); });
+  }
 
   const dvec3& point(WedgeEnd end) const { return end % 2 == 0 ? wedges_[end / 2].start : wedges_[end / 2].end; }
   /// Along the wedge, away from that end.
@@ -99,7 +123,7 @@ class Finder {
     ThinEnd::Tip tip{point(end), direction(end), {}, 0.0, {}};
     while (true) {
       const Wedge& edge = wedges_[end / 2];
-      if (!is_solid_edge(edge) || edge.interior_angle() > sharp_edge) return std::nullopt;
+      if (!is_sharp(edge)) return std::nullopt;
       tip.edges.push_back(end / 2);
       tip.sharp_length += edge.length();
       tip.sharp_end = point(end ^ 1u);
@@ -113,8 +137,6 @@ class Finder {
 
   std::optional<ThinEnd> thin_end(std::uint32_t patch, std::span<const std::uint32_t> border) const {
     const dvec3& normal = face_on(border[0], patch).normal;
-    if (border.size() < 3) return std::nullopt;
-    if (!std::ranges::all_of(border, [&](std::uint32_t w) { return may_bound(w, normal, patch); })) return std::nullopt;
     std::vector<WedgeEnd> line = outline(patch, border);
     if (line.empty()) return std::nullopt;
     const auto second = second_tip(line);

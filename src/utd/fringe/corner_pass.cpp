@@ -22,6 +22,7 @@ double lit_share(std::span<const LitInterval> lit) {
 
 void add_corner_waves(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies, LitEdges& light,
                       EdgeLookResult& result) {
+  if (scene.corners == nullptr) return;
   const auto incident = [&](const Wedge&) { return look.incident; };
   std::vector<double> shares(scene.wedges.size());
   for_edges_between_corners(scene, light, incident, [&](std::uint32_t index, std::span<const LitInterval> lit) {
