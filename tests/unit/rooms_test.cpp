@@ -63,6 +63,7 @@ const Rooms may_include = {
     {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/fock", "utd/surface"}},
     {"utd/fock", base + std::set<std::string>{"utd/wedge"}},
     {"utd/surface", base + std::set<std::string>{"utd/wedge", "utd/fock"}},
+    {"utd/tip", base + std::set<std::string>{"utd/wedge", "utd/fock", "utd/surface"}},
     {"utd/corner", base + std::set<std::string>{"utd/wedge"}},
     {"utd/sheet", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},
     {"utd/impedance", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},
@@ -77,8 +78,9 @@ const Rooms may_include = {
     {"uncertainty", base},
 
     {"plan", base + std::set<std::string>{"mesh", "mesh/soundness", "sbr", "sbr/launch", "utd/fringe", "utd/gtd"}},
-    {"solve/mechanisms", base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe",
-                                                      "utd/interaction", "utd/fock", "utd/rounded", "utd/surface", "utd/corner"}},
+    {"solve/mechanisms",
+     base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe", "utd/interaction", "utd/fock",
+                                  "utd/rounded", "utd/surface", "utd/tip", "utd/corner"}},
     {"solve", base + std::set<std::string>{"plan", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "uncertainty", "utd/gtd",
                                            "utd/sheet", "solve/mechanisms"}},
 

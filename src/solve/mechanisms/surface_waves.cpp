@@ -10,6 +10,7 @@
 #include "uncertainty/surface_wave_prospect.h"
 #include "utd/rounded/rims.h"
 #include "utd/surface/surface_waves.h"
+#include "utd/tip/tip_waves.h"
 
 namespace raytube {
 
@@ -42,7 +43,8 @@ double band_amplitude(const SurfaceWaveProspect& prospect, const Look& look, lon
 
 class WavesOverSurfaces : public Mechanism {
  public:
-  explicit WavesOverSurfaces(const BandScene& scene) : scene_(scene), frequencies_(scene.band.frequencies) {
+  explicit WavesOverSurfaces(const BandScene& scene)
+      : scene_(scene), frequencies_(scene.band.frequencies), tips_(find_tips(*scene.curved)) {
     for (const double frequency : frequencies_) rims_.push_back(rim_pieces(scene.curved->noses, wavenumber(frequency)));
     const Target& target = scene.plan.target;
     if (!scene.plan.surfaces.waves.forced())
@@ -80,6 +82,7 @@ class WavesOverSurfaces : public Mechanism {
     for (std::size_t i = 0; i < indices.size(); ++i)
       found.scattering[i] += rim_scattering(*scene_.curved, rims_[indices[i]], rim_look, wavenumber(frequencies[i]),
                                             in_image && places.wavenumber == i ? &places : nullptr);
+    if (one_antenna(traced.look)) add_tips(rim_look, frequencies, in_image ? &places : nullptr, found.scattering);
     if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));
     sink.sums.surface_strips = found.strips;
     sink.sums.run(MechanismId::surface_waves).work = found.work;
@@ -108,6 +111,14 @@ class WavesOverSurfaces : public Mechanism {
     return AntennaPair(look, scene_.plan.sweep.radar, scene_.plan.target.mesh.center);
   }
 
+  void add_tips(LocalLook& look, std::span<const double> frequencies, StripPlaces* places,
+                std::vector<ScatteringMatrix>& scattering) const {
+    std::vector<double> wavenumbers;
+    for (const double f : frequencies) wavenumbers.push_back(wavenumber(f));
+    const std::vector<ScatteringMatrix> s = tip_scattering(*scene_.curved, tips_, look, wavenumbers, places);
+    for (std::size_t i = 0; i < s.size(); ++i) scattering[i] += s[i];
+  }
+
   // Refers to the antennas.
   LocalLook local(const Look& look, const std::optional<AntennaPair>& antennas) const {
     if (!antennas) return look_vectors(look);
@@ -130,6 +141,7 @@ class WavesOverSurfaces : public Mechanism {
 
   const BandScene& scene_;
   std::span<const double> frequencies_;
+  std::vector<Tip> tips_;
   std::vector<std::vector<RimPiece>> rims_;      // [frequency]
   std::optional<SurfaceWaveProspect> prospect_;  // unless they run in any case
 };

@@ -1,4 +1,4 @@
-// Waves over curved surfaces as a mechanism (utd/surface).
+// Waves over curved surfaces as a mechanism (utd/surface, utd/rounded, utd/tip).
 #pragma once
 
 #include <memory>

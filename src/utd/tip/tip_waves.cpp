@@ -1,0 +1,188 @@
+#include "utd/tip/tip_waves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "utd/fock/fock.h"
+#include "utd/surface/geodesic_march.h"
+#include "utd/tip/tip_table.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double fade_from = 75.0 * degree, fade_to = 90.0 * degree;  // of the look to the axis; beyond, physical optics
+constexpr double step = 1.0 / 16.0, over = 1.0;                       // of the wavelength, along the side of a tip
+constexpr double least_bend = 1e-6;                                   // times the target's radius
+
+/// A side of a tip in the plane of its axis and the look, as far as the shadow boundary, or a wavelength.
+struct TipSide {
+  dvec3 position, normal;  // at its end
+  double length;           // from the tip [m]
+  double bend;             // xi k^(-1/3) of the dark way [m^(1/3)]
+  double curvature;        // mean [1/m]
+};
+
+/// A tip as a radar sees it from behind.
+struct TipLook {
+  const Tip& tip;
+  const LookVectors& look;
+  dvec3 across;   // to the radar, across the axis; unit
+  double behind;  // angle of the look to the axis [rad]
+
+  double beyond() const { return behind - tip.half_angle; }
+  /// Of the side that is turned to the radar, sign 1, or away from it, -1.
+  bool in_the_dark(double sign) const { return sign < 0.0 || beyond() < 0.0; }
+  dvec3 side(double sign) const { return sign * std::sin(tip.half_angle) * across - std::cos(tip.half_angle) * tip.outwards; }
+  /// Across the look, in the plane of the axis.
+  dvec3 in_plane() const { return std::cos(behind) * across + std::sin(behind) * tip.outwards; }
+};
+
+std::optional<TipLook> seen_from_behind(const Tip& tip, const LookVectors& look) {
+  const double c = -glm::dot(tip.outwards, look.scattered);
+  const dvec3 across = look.scattered + c * tip.outwards;
+  const double s = glm::length(across);
+  if (c <= 0.0 || s < 1e-6) return std::nullopt;
+  return TipLook{tip, look, across / s, std::atan2(s, c)};
+}
+
+// The point where the side of a tip leaves the facets at it: normals at the tip itself are none of its surface.
+FacetPoint start_of(const TriangleMesh& mesh, const TipLook& seen, double sign) {
+  const auto along = [&](const TipFacet& f) {
+    const Triangle& t = mesh.triangles[f.triangle];
+    const dvec3 middle = 0.5 * (mesh.vertices[t[(f.corner + 1) % 3]] + mesh.vertices[t[(f.corner + 2) % 3]]);
+    return glm::dot(glm::normalize(middle - seen.tip.position), seen.side(sign));
+  };
+  const TipFacet& facet = *std::ranges::max_element(seen.tip.facets, {}, along);
+  const int a = (facet.corner + 1) % 3, b = (facet.corner + 2) % 3;
+  const auto off = [&](int c) {
+    return glm::dot(mesh.vertices[mesh.triangles[facet.triangle][c]] - seen.tip.position,
+                    glm::cross(seen.tip.outwards, seen.across));
+  };
+  const double share = off(a) == off(b) ? 0.5 : std::clamp(off(a) / (off(a) - off(b)), 0.01, 0.99);
+  constexpr double at_tip = 1e-3;
+  double l[3];
+  l[facet.corner] = at_tip, l[a] = (1.0 - at_tip) * (1.0 - share), l[b] = (1.0 - at_tip) * share;
+  return {facet.triangle, {l[1], l[2]}};
+}
+
+std::optional<TipSide> side_of(const CurvedTarget& target, const TipLook& seen, double sign, double wavelength) {
+  const TriangleMesh& mesh = target.tracer.mesh();
+  const FacetPoint start = start_of(mesh, seen, sign);
+  const double first = glm::distance(target.surfaces.facet(start.triangle).point(start.l), seen.tip.position);
+  GeodesicMarch march(target, start, seen.side(sign), 1.0, step * wavelength);
+  const double begin = glm::dot(march.normal(), seen.tip.outwards);
+  const auto dark = [&] { return glm::dot(march.normal(), seen.look.incident) >= 0.0; };
+  for (double s = 0.0; s + first < over * wavelength || (seen.in_the_dark(sign) && dark());)
+    if (!march.march_to(s += step * wavelength) || s > 4.0 * mesh.radius) return std::nullopt;
+  const double turn =
+      std::asin(std::clamp(begin, -1.0, 1.0)) - std::asin(std::clamp(glm::dot(march.normal(), seen.tip.outwards), -1.0, 1.0));
+  return TipSide{march.position(), march.normal(), first + march.distance(), march.bend(), turn / march.distance()};
+}
+
+// A of tip_table.h, bilinear.
+Complex amplitude(double half_angle, double beyond) {
+  const auto& columns = tip_table::beyond;
+  const double row = std::clamp((half_angle / degree - tip_table::first_angle) / tip_table::angle_step, 0.0,
+                                tip_table::amplitudes.size() - 1.001);
+  const double x = std::clamp(beyond / degree, columns.front(), columns.back() * (1.0 - 1e-9));
+  const std::size_t i = static_cast<std::size_t>(row);
+  const std::size_t j = static_cast<std::size_t>(std::ranges::upper_bound(columns, x) - columns.begin()) - 1;
+  const double u = row - static_cast<double>(i), v = (x - columns[j]) / (columns[j + 1] - columns[j]);
+  const auto in_row = [&](std::size_t r) { return (1 - v) * tip_table::amplitudes[r][j] + v * tip_table::amplitudes[r][j + 1]; };
+  return ((1 - u) * in_row(i) + u * in_row(i + 1)) / std::tan(0.5 * (half_angle + std::max(beyond, 0.0)));
+}
+
+double fade(double behind) {
+  const double x = std::clamp((behind - fade_from) / (fade_to - fade_from), 0.0, 1.0);
+  return std::pow(std::cos(0.5 * pi * x), 2);
+}
+
+/// What comes to a tip along one of its sides.
+struct TipRay {
+  TipSide side;
+  double path;      // one way, from the phase reference [m]
+  double narrowed;  // strips, in amplitude
+  bool dark;
+};
+
+// Strips that come out of the dark have narrowed: about an axis a fan from the tip is rho / sin(half angle) wide (Clairaut), and
+// what begins parallel at the boundary, where the body runs along the look, is at the tip by the slope of that as wide,
+// sin(look) / sin(half angle).
+std::optional<TipRay> ray_along(const CurvedTarget& target, const TipLook& seen, double sign, LocalLook& look,
+                                double wavelength) {
+  const std::optional<TipSide> side = side_of(target, seen, sign, wavelength);
+  if (!side || !target.is_lit(side->position, side->normal, seen.look.incident)) return std::nullopt;
+  if (!seen.in_the_dark(sign)) return TipRay{*side, 0.5 * look.both(seen.tip.position), 1.0, false};
+  const double narrowed = std::sqrt(std::sin(seen.tip.half_angle) / std::sin(seen.behind));
+  return TipRay{*side, 0.5 * look.both(side->position) - side->length, narrowed, true};
+}
+
+// The hard current at the tip, in units of that on a flat side.
+Complex share_of(const TipRay& ray, double beyond, double k, double radius) {
+  if (ray.dark) return 0.5 * ray.narrowed * fock_in_the_dark(std::cbrt(k) * ray.side.bend).hard;
+  return fock_factors(-std::cbrt(0.5 * k / std::max(ray.side.curvature, least_bend / radius)) * std::sin(beyond)).hard;
+}
+
+// Both rays, one way: e^{jx} and -j e^{-jx}, made uniform on the axis, where they meet, by the Hankel functions of order 1 whose
+// far fields they are. On it nothing is left: E in the plane of the axis sends waves of opposite signs along both sides.
+Complex both_shares(const TipRay& near, const std::optional<TipRay>& far, double beyond, double k, double radius) {
+  const Complex n = share_of(near, beyond, k, radius);
+  if (!far) return n * std::polar(1.0, k * near.path);
+  const Complex f = share_of(*far, beyond, k, radius);
+  const double x = std::max(0.5 * k * (near.path - far->path), 1e-6), c = 0.5 * k * (near.path + far->path);
+  const Complex odd = Complex(0, -1) * (n - f) * std::cyl_neumann(1.0, x) * std::expm1(-x * x);
+  return std::sqrt(0.5 * pi * x) * std::polar(1.0, c + 0.75 * pi) * ((n + f) * std::cyl_bessel_j(1.0, x) + odd);
+}
+
+class TipSum {
+ public:
+  TipSum(const CurvedTarget& target, LocalLook& look, std::span<const double> wavenumbers, StripPlaces* places)
+      : target_(target), look_(look), wavenumbers_(wavenumbers), places_(places), sum_(wavenumbers.size()) {}
+
+  void add(const Tip& tip) {
+    const LookVectors here = look_.at(tip.position);
+    const std::optional<TipLook> seen = seen_from_behind(tip, here);
+    if (!seen) return;
+    const double longest = 2 * pi / std::ranges::min(wavenumbers_);
+    const std::optional<TipRay> near = ray_along(target_, *seen, 1.0, look_, longest);
+    if (!near) return;
+    const std::optional<TipRay> far = ray_along(target_, *seen, -1.0, look_, longest);
+    const Complex at_cone = fade(seen->behind) * amplitude(tip.half_angle, seen->beyond());
+    for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
+      const Complex share = both_shares(*near, far, seen->beyond(), wavenumbers_[i], target_.tracer.mesh().radius);
+      put(i, *seen, at_cone * share * share / wavenumbers_[i]);
+    }
+  }
+
+  std::vector<ScatteringMatrix> take() { return std::move(sum_); }
+
+ private:
+  void put(std::size_t i, const TipLook& seen, const Complex& value) {
+    const dvec3 axis = seen.in_plane();
+    ScatteringMatrix s;
+    for (int p = 0; p < 2; ++p)
+      for (int t = 0; t < 2; ++t)
+        s.at(p, t) = value * glm::dot(seen.look.receive[p], axis) * glm::dot(seen.look.electric[t], axis);
+    sum_[i] += s;
+    if (places_ != nullptr && places_->wavenumber == i) places_->pieces.push_back({seen.tip.position, seen.tip.position, s});
+  }
+
+  const CurvedTarget& target_;
+  LocalLook& look_;
+  std::span<const double> wavenumbers_;
+  StripPlaces* places_;
+  std::vector<ScatteringMatrix> sum_;
+};
+
+}  // namespace
+
+std::vector<ScatteringMatrix> tip_scattering(const CurvedTarget& target, std::span<const Tip> tips, LocalLook& look,
+                                             std::span<const double> wavenumbers, StripPlaces* places) {
+  TipSum sum(target, look, wavenumbers, places);
+  for (const Tip& tip : tips) sum.add(tip);
+  return sum.take();
+}
+
+}  // namespace raytube
