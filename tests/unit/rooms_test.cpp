@@ -63,7 +63,7 @@ const Rooms may_include = {
     {"utd/multiple", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/fock", "utd/surface"}},
     {"utd/fock", base + std::set<std::string>{"utd/wedge"}},
     {"utd/surface", base + std::set<std::string>{"utd/wedge", "utd/fock"}},
-    {"utd/tip", base + std::set<std::string>{"utd/wedge", "utd/fock", "utd/surface"}},
+    {"utd/tip", base + std::set<std::string>{"utd/wedge", "utd/fock", "utd/surface", "utd/corner"}},
     {"utd/corner", base + std::set<std::string>{"utd/wedge"}},
     {"utd/sheet", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},
     {"utd/impedance", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple"}},

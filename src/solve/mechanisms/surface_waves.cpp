@@ -10,6 +10,7 @@
 #include "uncertainty/surface_wave_prospect.h"
 #include "utd/rounded/rims.h"
 #include "utd/surface/surface_waves.h"
+#include "utd/tip/flat_tip_waves.h"
 #include "utd/tip/tip_waves.h"
 
 namespace raytube {
@@ -44,7 +45,10 @@ double band_amplitude(const SurfaceWaveProspect& prospect, const Look& look, lon
 class WavesOverSurfaces : public Mechanism {
  public:
   explicit WavesOverSurfaces(const BandScene& scene)
-      : scene_(scene), frequencies_(scene.band.frequencies), tips_(find_tips(*scene.curved)) {
+      : scene_(scene),
+        frequencies_(scene.band.frequencies),
+        tips_(find_tips(*scene.curved)),
+        flat_tips_(find_flat_tips(*scene.curved, wavelength(std::ranges::max(frequencies_)))) {
     for (const double frequency : frequencies_) rims_.push_back(rim_pieces(scene.curved->noses, wavenumber(frequency)));
     const Target& target = scene.plan.target;
     if (!scene.plan.surfaces.waves.forced())
@@ -79,9 +83,12 @@ class WavesOverSurfaces : public Mechanism {
     SurfaceWaveResult found =
         surface_wave_scattering(*scene_.curved, local(traced.look, antennas), frequencies, in_image ? &places : nullptr);
     LocalLook rim_look = local(traced.look, antennas);
-    for (std::size_t i = 0; i < indices.size(); ++i)
-      found.scattering[i] += rim_scattering(*scene_.curved, rims_[indices[i]], rim_look, wavenumber(frequencies[i]),
-                                            in_image && places.wavenumber == i ? &places : nullptr);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      const double k = wavenumber(frequencies[i]);
+      StripPlaces* of_image = in_image && places.wavenumber == i ? &places : nullptr;
+      found.scattering[i] += rim_scattering(*scene_.curved, rims_[indices[i]], rim_look, k, of_image);
+      found.scattering[i] += flat_tips_.scattering(*scene_.curved, rim_look, k, of_image);
+    }
     if (one_antenna(traced.look)) add_tips(rim_look, frequencies, in_image ? &places : nullptr, found.scattering);
     if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));
     sink.sums.surface_strips = found.strips;
@@ -142,6 +149,7 @@ class WavesOverSurfaces : public Mechanism {
   const BandScene& scene_;
   std::span<const double> frequencies_;
   std::vector<Tip> tips_;
+  FlatTipWaves flat_tips_;
   std::vector<std::vector<RimPiece>> rims_;      // [frequency]
   std::optional<SurfaceWaveProspect> prospect_;  // unless they run in any case
 };

@@ -1,0 +1,207 @@
+#include "utd/tip/flat_tip_waves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "utd/fock/fock.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double at_angle = 10 * degree;  // to the edge at which r is taken: clear of what SheetCorner smooths
+constexpr double first_off = 50 * degree, last_off = 100 * degree;  // of rays from the rim, where it takes them less and less
+constexpr double all_lit = -3.0;                                    // xi below which Fock's factor is 1
+
+// Of both polarisations.
+using Waves = std::array<Complex, 2>;
+
+long tenths(double angle) { return std::lround(10.0 * angle / degree); }
+
+// One ray's way to a place: towards its antenna, with unit fields.
+struct RimRay {
+  dvec3 towards;
+  std::array<dvec3, 2> fields;
+  double path;  // over k [m]
+};
+
+double smooth_step(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// Share of a ray that a rim takes; a tip has the rest.
+double rim_share(const dvec3& towards, const RimPlace& place) {
+  const double off = std::acos(std::clamp(-glm::dot(towards, place.tangent), -1.0, 1.0));
+  return smooth_step((last_off - off) / (last_off - first_off));
+}
+
+// Share of a ray that the tip takes. One that comes along the rim passes by, within a part of Fock's angle (k radius)^(-1/3);
+// what is behind the rim has none.
+double tip_share(const dvec3& towards, const Rim& rim, const dvec3& normal, double wavenumber) {
+  const RimPlace& first = rim.places.front();
+  const double rest = 1.0 - rim_share(towards, first);
+  if (glm::dot(towards, first.tangent) <= 0.0) return rest;
+  const double out = glm::dot(towards, first.outwards), up = std::abs(glm::dot(towards, normal));
+  const double clear = out > 0.0 ? std::hypot(out, up) : up + out;
+  const double angle = std::cbrt(std::max(rim.curvature, 0.0) / wavenumber);
+  return rest * smooth_step(angle > 0.0 ? clear / angle + 0.25 : clear > 0.0 ? 1.0 : 0.0);
+}
+
+// u over the incident wave in the plane of the rims where these are lit; `out` is the sine of the angle at which the ray comes.
+Complex lit_share(double curvature, double wavenumber, double out) {
+  if (curvature <= 0.0) return 1.0;
+  const double xi = -std::cbrt(wavenumber / (2.0 * curvature)) * out;
+  return xi < all_lit ? 1.0 : fock_factors(xi).hard;
+}
+
+// The edge's field for a ray at elevation e, seen along the edge: cos(e/2) outwards + sin(e/2) normal; `in_plane` takes the place
+// of its part outwards in the plane, e = 0 or pi. What crosses the body from the other side has no part upright on it.
+Waves edge_fields(const RimPlace& place, const dvec3& normal, const RimRay& ray, const Waves& in_plane) {
+  const double out = glm::dot(ray.towards, place.outwards), up = glm::dot(ray.towards, normal);
+  const double elevation = std::atan2(up, out), flat = std::abs(std::cos(elevation)), half = std::cos(elevation / 2);
+  const double upright = std::sin(elevation / 2) * (out >= 0.0 ? 1.0 : std::abs(std::sin(elevation)));
+  Waves waves;
+  for (int p = 0; p < 2; ++p)
+    waves[p] = (out >= 0.0 ? half : 1.0) * flat * in_plane[p] + half * (1.0 - flat) * glm::dot(ray.fields[p], place.outwards) +
+               upright * glm::dot(ray.fields[p], normal);
+  return waves;
+}
+
+double narrowness(double wavenumber, double radius) {
+  const double x = wavenumber * radius / edge_radius;
+  return 1.0 / (1.0 + x * x * x * x);
+}
+
+// INT (s - s')^(-3/4) ds' over what a place stands for.
+double kernel(const RimPlace& place) {
+  const double near = std::max(0.0, place.distance - place.step / 2), far = place.distance + place.step / 2;
+  return 4.0 * (std::pow(far, 0.25) - std::pow(near, 0.25));
+}
+
+// S / wavelength of a wave of unit starts over an edge of one wavelength (utd/corner, of half planes).
+const Complex over_an_edge = -pi * std::polar(1.0, pi / 4);
+
+}  // namespace
+
+/// One antenna and the tips.
+class FlatTipWaves::Visit {
+ public:
+  Visit(const FlatTipWaves& waves, const CurvedTarget& target, LocalLook& look, bool receives, double wavenumber)
+      : waves_(waves), target_(target), look_(look), receives_(receives), wavenumber_(wavenumber) {}
+
+  // A at the tip of the wave along one of its rims: from far places on, out of the light into the dark.
+  Waves arriving(const FlatTip& tip, std::uint32_t rim) const {
+    const Complex factor = std::polar(std::pow(wavenumber_ / 2, 0.25) / std::tgamma(0.25), pi / 8);
+    Waves sum{};
+    const RimPlace* boundary = &tip.rims[rim].places.back();
+    for (const RimPlace& place : tip.rims[rim].places | std::views::reverse) {
+      const RimRay ray = ray_to(place.position);
+      if (glm::dot(ray.towards, place.outwards) >= 0.0) boundary = &place;
+      const double weight = rim_share(ray.towards, place) * narrowness(wavenumber_, place.radius) * kernel(place);
+      if (weight <= 0.0 || !sees(place.position, place.outwards, ray)) continue;
+      const Waves in_plane = boundary == &place ? lit_wave(place, ray) : dark_wave(*boundary, place, ray);
+      const Complex wave = factor * std::polar(weight, wavenumber_ * (ray.path - place.distance));
+      const Waves fields = edge_fields(place, tip.normal, ray, in_plane);
+      for (int p = 0; p < 2; ++p) sum[p] += wave * fields[p];
+    }
+    return sum;
+  }
+
+  // Gamma of the wave that the tip sends along one of its rims.
+  Waves starting(const FlatTip& tip, std::uint32_t rim) const {
+    const RimRay ray = ray_to(tip.position);
+    double weight = 1.0;
+    for (const Rim& one : tip.rims) weight *= tip_share(ray.towards, one, tip.normal, wavenumber_);
+    if (weight <= 0.0 || !sees(tip.position, -tip.bisector, ray)) return {};
+    const dvec3 along = tip.across(rim), up = glm::cross(tip.bisector, along);
+    const auto turned = [&](const dvec3& v) { return dvec3(glm::dot(v, tip.bisector), glm::dot(v, along), glm::dot(v, up)); };
+    const SheetCorner::Start start = waves_.corner(tip).start(turned(ray.towards));
+    Waves sum;
+    for (int p = 0; p < 2; ++p)
+      sum[p] = std::polar(weight, wavenumber_ * ray.path) *
+               (dot(start.flat, turned(ray.fields[p])) + dot(start.upright, turned(ray.fields[p])));
+    return sum;
+  }
+
+ private:
+  RimRay ray_to(const dvec3& position) const {
+    const LookVectors& here = look_.at(position);
+    if (receives_) return {here.scattered, here.receive, look_.leaving(position)};
+    return {-here.incident, here.electric, look_.arriving(position)};
+  }
+  // u along the rim's normal in the plane of the rims, over the wave's phase at a place: Fock's hard current over twice the
+  // incident one in the light, a half of it in the dark, which has come along the rim from where that is grazed.
+  Waves lit_wave(const RimPlace& place, const RimRay& ray) const {
+    const Complex share = lit_share(place.curvature, wavenumber_, glm::dot(ray.towards, place.outwards));
+    return {share * glm::dot(ray.fields[0], place.outwards), share * glm::dot(ray.fields[1], place.outwards)};
+  }
+  Waves dark_wave(const RimPlace& boundary, const RimPlace& place, const RimRay& ray) const {
+    const RimRay grazing = ray_to(boundary.position);
+    const double path = grazing.path - boundary.distance - ray.path + place.distance;
+    const Complex share =
+        0.5 * fock_in_the_dark(std::cbrt(wavenumber_) * (boundary.bend - place.bend)).hard * std::polar(1.0, wavenumber_ * path);
+    return {share * glm::dot(grazing.fields[0], boundary.outwards), share * glm::dot(grazing.fields[1], boundary.outwards)};
+  }
+  bool sees(const dvec3& position, const dvec3& normal, const RimRay& ray) const {
+    return target_.is_lit(position, normal, -ray.towards);
+  }
+
+  const FlatTipWaves& waves_;
+  const CurvedTarget& target_;
+  LocalLook& look_;
+  const bool receives_;
+  const double wavenumber_;
+};
+
+FlatTipWaves::FlatTipWaves(std::vector<FlatTip> tips) : tips_(std::move(tips)) {
+  for (const FlatTip& tip : tips_) {
+    corners_.try_emplace(tenths(tip.angle), tip.angle);
+    reflections_.push_back(reflection_of(tip.angle));
+  }
+}
+
+const SheetCorner& FlatTipWaves::corner(const FlatTip& tip) const { return corners_.at(tenths(tip.angle)); }
+
+// Gamma of rays in the plane at `at_angle` to the edge at +y and to the other one, times the root of that; fields point away from
+// the sheet at either edge, as those of the rims do.
+FlatTipWaves::Reflection FlatTipWaves::reflection_of(double angle) const {
+  const auto start = [&](double side) {
+    const double azimuth = side * (angle / 2 + at_angle);
+    const dvec3 towards(std::cos(azimuth), std::sin(azimuth), 0.0), outwards(-side * towards.y, side * towards.x, 0.0);
+    return std::sqrt(at_angle) * dot(corners_.at(tenths(angle)).start(towards).flat, outwards);
+  };
+  return {start(1.0), start(-1.0)};
+}
+
+ScatteringMatrix FlatTipWaves::scattering(const CurvedTarget& target, LocalLook& look, double wavenumber,
+                                          StripPlaces* places) const {
+  const double wavelength = 2 * pi / wavenumber;
+  const Visit transmitter(*this, target, look, false, wavenumber), receiver(*this, target, look, true, wavenumber);
+  ScatteringMatrix sum;
+  const auto add = [&](const dvec3& place, Complex factor, const Waves& received, const Waves& sent) {
+    ScatteringMatrix s;
+    for (int p = 0; p < 2; ++p)
+      for (int t = 0; t < 2; ++t) s.at(p, t) = factor * received[p] * sent[t];
+    sum += s;
+    if (places != nullptr) places->pieces.push_back({place, place, s});
+  };
+  for (std::size_t i = 0; i < tips_.size(); ++i) {
+    const FlatTip& tip = tips_[i];
+    const Complex back = Complex(0.0, -wavelength);
+    for (std::uint32_t a = 0; a < 2; ++a) {
+      const Waves sent = transmitter.arriving(tip, a);
+      add(tip.position, back * reflections_[i].same, receiver.arriving(tip, a), sent);
+      add(tip.position, back * reflections_[i].other, receiver.arriving(tip, 1 - a), sent);
+      const std::optional<RimEnd>& end = tip.rims[a].end;
+      if (!end) continue;
+      const FlatTip& there = tips_[end->tip];
+      const Complex over = over_an_edge * std::polar(wavelength / std::sqrt(end->length / wavelength), -wavenumber * end->length);
+      add(0.5 * (tip.position + there.position), over, receiver.starting(there, end->rim), transmitter.starting(tip, a));
+    }
+  }
+  return sum;
+}
+
+}  // namespace raytube

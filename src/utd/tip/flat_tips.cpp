@@ -1,0 +1,117 @@
+#include "utd/tip/flat_tips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "utd/tip/rim_line.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double least_deficit = 60 * degree;                             // of the angles round a vertex, to make a point of it
+constexpr double narrowest_tip = 15 * degree, widest_tip = 165 * degree;  // angles between rims
+constexpr double near_tip = 0.15;                                         // of a rim's length: there it ends in a tip
+
+// [vertex]: 2 pi less the angles of its facets; 0 where others than conducting ones of closed curved surfaces are.
+std::vector<double> angle_deficits(const CurvedTarget& target) {
+  constexpr double too_much = 1e9;
+  const TriangleMesh& mesh = target.tracer.mesh();
+  std::vector<double> sums(mesh.vertices.size(), 0.0);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const dvec3 at = target.corner(t, c), a = target.corner(t, (c + 1) % 3) - at, b = target.corner(t, (c + 2) % 3) - at;
+      const bool counts = target.surfaces.conducts(t) && mesh.closed(t);
+      sums[mesh.triangles[t][c]] += counts ? std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) : too_much;
+    }
+  for (double& sum : sums) sum = sum > 0.0 && sum < too_much ? 2 * pi - sum : 0.0;
+  return sums;
+}
+
+double length_of(const Rim& rim) { return rim.places.back().distance; }
+
+double first_curvature(const Rim& rim) {
+  double turn = 0.0, length = 0.0;
+  for (const RimPlace& place : rim.places)
+    if (length == 0.0 || 4 * place.distance < length_of(rim)) turn += place.curvature * place.step, length += place.step;
+  return turn / length;
+}
+
+// In its first half: it may come back.
+bool passes(const Rim& rim, const dvec3& position) {
+  return std::ranges::any_of(rim.places, [&](const RimPlace& p) {
+    return 2 * p.distance < length_of(rim) && glm::distance(p.position, position) < p.step;
+  });
+}
+
+// Of the rims that noses seem to point along, two that go on.
+std::vector<Rim> two_rims(const RimTracer& tracer, const dvec3& position) {
+  std::vector<Rim> rims;
+  for (const dvec3& direction : tracer.directions_from(position)) {
+    Rim rim{tracer.trace(position, direction), 0.0, {}};
+    if (rim.places.empty()) continue;
+    rim.curvature = first_curvature(rim);
+    const dvec3& far = rim.places[rim.places.size() / 4].position;
+    if (std::ranges::none_of(rims, [&](const Rim& other) { return passes(other, far); })) rims.push_back(std::move(rim));
+  }
+  std::ranges::stable_sort(rims, std::greater(), length_of);
+  if (rims.size() < 2 || (rims.size() > 2 && length_of(rims[2]) > 0.5 * length_of(rims[1]))) return {};
+  rims.resize(2);
+  return rims;
+}
+
+std::optional<FlatTip> tip_at(const RimTracer& tracer, const dvec3& position) {
+  std::vector<Rim> rims = two_rims(tracer, position);
+  if (rims.empty()) return std::nullopt;
+  const dvec3 a = -rims[0].places.front().tangent, b = -rims[1].places.front().tangent;
+  const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  if (angle < narrowest_tip || angle > widest_tip) return std::nullopt;
+  return FlatTip{
+      position, glm::normalize(a + b), glm::normalize(glm::cross(b, a)), angle, {std::move(rims[0]), std::move(rims[1])}};
+}
+
+// The tip near which a rim ends, and the rim along which it comes there.
+std::optional<RimEnd> end_of(std::span<const FlatTip> tips, const Rim& rim) {
+  const RimPlace& last = rim.places.back();
+  for (std::uint32_t i = 0; i < tips.size(); ++i) {
+    const dvec3 way = tips[i].position - last.position;
+    const double gap = glm::length(way);
+    if (gap > near_tip * last.distance) continue;
+    const std::uint32_t side = glm::dot(tips[i].across(0), -way) > 0.0 ? 0 : 1;
+    return RimEnd{i, side, last.distance + gap};
+  }
+  return std::nullopt;
+}
+
+// A rim has one length, whichever tip it is followed from.
+void join(std::vector<FlatTip>& tips) {
+  for (FlatTip& tip : tips)
+    for (Rim& rim : tip.rims) rim.end = end_of(tips, rim);
+  for (std::uint32_t i = 0; i < tips.size(); ++i)
+    for (std::uint32_t a = 0; a < 2; ++a) {
+      std::optional<RimEnd>& there = tips[i].rims[a].end;
+      if (!there) continue;
+      std::optional<RimEnd>& back = tips[there->tip].rims[there->rim].end;
+      if (back && back->tip == i && back->rim == a)
+        there->length = back->length = 0.5 * (there->length + back->length);
+      else
+        there.reset();
+    }
+}
+
+}  // namespace
+
+std::vector<FlatTip> find_flat_tips(const CurvedTarget& target, double wavelength) {
+  std::vector<FlatTip> tips;
+  if (target.noses.empty()) return tips;
+  const RimTracer tracer(target.noses, wavelength);
+  const std::vector<double> deficits = angle_deficits(target);
+  for (std::size_t v = 0; v < deficits.size(); ++v)
+    if (deficits[v] >= least_deficit)
+      if (std::optional<FlatTip> tip = tip_at(tracer, target.tracer.mesh().vertices[v])) tips.push_back(std::move(*tip));
+  join(tips);
+  return tips;
+}
+
+}  // namespace raytube
