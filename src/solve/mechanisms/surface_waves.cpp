@@ -48,6 +48,7 @@ class WavesOverSurfaces : public Mechanism {
       : scene_(scene),
         frequencies_(scene.band.frequencies),
         tips_(find_tips(*scene.curved)),
+        cones_(tips_.begin(), tips_.end()),
         flat_tips_(find_flat_tips(*scene.curved, wavelength(std::ranges::max(frequencies_)))) {
     for (const double frequency : frequencies_) rims_.push_back(rim_pieces(scene.curved->noses, wavenumber(frequency)));
     const Target& target = scene.plan.target;
@@ -80,8 +81,8 @@ class WavesOverSurfaces : public Mechanism {
     if (in_image)
       places.wavenumber = static_cast<std::size_t>(std::ranges::find(indices, sink.image->frequency_index) - indices.begin());
     const std::optional<AntennaPair> antennas = antennas_of(traced.look);
-    SurfaceWaveResult found =
-        surface_wave_scattering(*scene_.curved, local(traced.look, antennas), frequencies, in_image ? &places : nullptr);
+    SurfaceWaveResult found = surface_wave_scattering(*scene_.curved, local(traced.look, antennas), frequencies,
+                                                      in_image ? &places : nullptr, nullptr, cones_);
     LocalLook rim_look = local(traced.look, antennas);
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const double k = wavenumber(frequencies[i]);
@@ -103,7 +104,8 @@ class WavesOverSurfaces : public Mechanism {
   void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {
     const std::size_t first = rays.size();
     const std::optional<AntennaPair> antennas = antennas_of(look);
-    SurfaceWaveResult waves = surface_wave_scattering(*scene_.curved, local(look, antennas), frequencies_, nullptr, &rays);
+    SurfaceWaveResult waves =
+        surface_wave_scattering(*scene_.curved, local(look, antennas), frequencies_, nullptr, &rays, cones_);
     arrivals = std::move(waves.arrivals);
     for (std::size_t i = first; i < rays.size(); ++i) keep_points_apart(rays[i], ray_step * wavelength(frequencies_.front()));
   }
@@ -149,6 +151,7 @@ class WavesOverSurfaces : public Mechanism {
   const BandScene& scene_;
   std::span<const double> frequencies_;
   std::vector<Tip> tips_;
+  std::vector<ConicalTip> cones_;
   FlatTipWaves flat_tips_;
   std::vector<std::vector<RimPiece>> rims_;      // [frequency]
   std::optional<SurfaceWaveProspect> prospect_;  // unless they run in any case

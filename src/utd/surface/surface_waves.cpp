@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -29,6 +30,7 @@ constexpr double last_xi = 10.0;          // in the dark, where nothing is left
 constexpr double no_more = 1e-9;          // of a step or strip that would make another one
 constexpr double most_spread = 30.0;      // of a strip's width at its beginning
 constexpr double at_caustic = 8.0;        // so much finer are steps there
+constexpr double near_tip = 0.5;          // wavelengths from the axis of its cone, the same
 constexpr double least_curvature = 1e-6;  // times the target's radius
 constexpr double least_width = 1e-3;      // of a ray in pictures, of that at its start
 
@@ -48,9 +50,10 @@ struct DarkStrip {
   StripPoint end;
   StripWidth width;
   DarkWay way{};
-  double s = 0.0, since = 0.0;  // from q, and from where the current was put last [m]
-  Complex area = 0.0;           // of that: root of the widths there and at q, with the caustics
-  double path = 0.0;            // of that, in phase [m]
+  double clearance = std::numeric_limits<double>::infinity();  // the least radius of the cone of a tip on the way [m]
+  double s = 0.0, since = 0.0;                                 // from q, and from where the current was put last [m]
+  Complex area = 0.0;                                          // of that: root of the widths there and at q, with the caustics
+  double path = 0.0;                                           // of that, in phase [m]
 };
 
 std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
@@ -62,12 +65,13 @@ std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
 class SurfaceLook {
  public:
   SurfaceLook(const CurvedTarget& target, const LocalLook& look, std::span<const double> frequencies, StripPlaces* places,
-              std::vector<SurfaceRay>* rays)
+              std::vector<SurfaceRay>* rays, std::span<const ConicalTip> tips)
       : target_(target),
         mesh_(target.tracer.mesh()),
         look_(look),
         places_(places),
         rays_(rays),
+        tips_(tips),
         wavenumbers_(wavenumbers_of(frequencies)),
         band_(wavenumbers_, places != nullptr) {
     shortest_ = 2 * pi / std::ranges::max(wavenumbers_);
@@ -229,11 +233,20 @@ class SurfaceLook {
   }
 
   // m eta J for the soft one.
-  FockCurrents currents(const DarkStrip& strip, double k) const {
+  FockCurrents fock_currents(const DarkStrip& strip, double k) const {
     if (strip.material == no_index) return strip.way.currents(k);
     const double m = strip.way.distance(k) > 0.0 ? strip.way.scale(k) : fock_scale(strip.q, k);
     const FaceImpedance impedance = target_.impedances.at(strip.material, k);
     return strip.way.with_second_order(impedance_fock(strip.way.distance(k), m, impedance), k);
+  }
+
+  // What strips from all round bring to a tip is of order 1 about its axis: closer to that than k rho = 1 there is none, as on
+  // the cone laid flat, where it is J of order 1 / sin(half angle), of k rho over that sine. What goes out again is the tip's.
+  FockCurrents currents(const DarkStrip& strip, double k) const {
+    FockCurrents fock = fock_currents(strip, k);
+    const double share = -std::expm1(-std::pow(k * strip.clearance, 2));
+    fock.hard *= share, fock.soft *= share;
+    return fock;
   }
 
   // For pictures.
@@ -277,6 +290,13 @@ class SurfaceLook {
     strip.since = 0.0;
   }
 
+  // Of the cone of the next tip, at a point of it [m].
+  double tip_radius(const dvec3& position) const {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const ConicalTip& tip : tips_) radius = std::min(radius, tip.radius_at(position));
+    return radius;
+  }
+
   // On by h; the current is wanted where another such step would be one too far. False: the strip ends before or there.
   bool go_on(DarkStrip& strip, const StripPoint& point, double h, double limit) {
     StripWidth width = strip.width;
@@ -286,6 +306,7 @@ class SurfaceLook {
     strip.width = width;
     strip.end = point;
     strip.s += h, strip.since += h;
+    strip.clearance = std::min(strip.clearance, tip_radius(point.position));
     if (strip.since + h > limit) put_end(strip);
     return strip.way.distance(lowest_) < last_xi;
   }
@@ -295,7 +316,8 @@ class SurfaceLook {
     const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
     if (chord <= 0.0) return true;
     const double turn = strip.end.curvature * chord, length = chord * (1.0 + turn * turn / 24.0);
-    const double limit = step_limit(strip.end.curvature, strip.width.near_caustic(length));
+    const double limit = step_limit(strip.end.curvature,
+                                    strip.width.near_caustic(length) || tip_radius(strip.end.position) < near_tip * shortest_);
     const int steps = std::max(1, static_cast<int>(std::ceil(length / limit - no_more)));
     for (int i = 1; i <= steps; ++i) {
       const dvec2 l = glm::mix(piece.from.l, piece.to, static_cast<double>(i) / steps);
@@ -320,7 +342,7 @@ class SurfaceLook {
             strip.q.position,
             strip.path,
             {}},
-           strip.magnetic, [&](double k) { return 0.5 * strip.area * strip.way.currents(k).hard; });
+           strip.magnetic, [&](double k) { return 0.5 * strip.area * currents(strip, k).hard; });
   }
 
   const CurvedTarget& target_;
@@ -328,6 +350,7 @@ class SurfaceLook {
   LocalLook look_;
   StripPlaces* places_;
   std::vector<SurfaceRay>* rays_;
+  std::span<const ConicalTip> tips_;
   const std::vector<double> wavenumbers_;
   BandSum band_;
   double shortest_ = 0.0, lowest_ = 0.0, highest_ = 0.0;
@@ -352,7 +375,7 @@ void put(SurfaceWaveResult&& part, std::span<const std::size_t> indices, Surface
 }  // namespace
 
 SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LocalLook& look, std::span<const double> frequencies,
-                                          StripPlaces* places, std::vector<SurfaceRay>* rays) {
+                                          StripPlaces* places, std::vector<SurfaceRay>* rays, std::span<const ConicalTip> tips) {
   // Frequencies at which waves run over the same bodies go together.
   std::map<std::size_t, std::vector<std::size_t>> groups;
   for (std::size_t f = 0; f < frequencies.size(); ++f) {
@@ -368,7 +391,8 @@ SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const Loca
     const auto asked = places == nullptr ? indices.end() : std::ranges::find(indices, places->wavenumber);
     StripPlaces here{static_cast<std::size_t>(asked - indices.begin()), places ? places->by_path : std::nullopt};
     const bool pictured = asked != indices.end();
-    put(SurfaceLook(target, look, some, pictured ? &here : nullptr, indices.front() == 0 ? rays : nullptr).take(), indices, all);
+    put(SurfaceLook(target, look, some, pictured ? &here : nullptr, indices.front() == 0 ? rays : nullptr, tips).take(), indices,
+        all);
     if (pictured) std::ranges::copy(here.pieces, std::back_inserter(places->pieces));
   }
   return all;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "scene/surface_rays.h"
+#include "utd/surface/conical_tip.h"
 #include "utd/surface/curved_target.h"
 #include "utd/surface/local_look.h"
 #include "utd/surface/strip_sum.h"
@@ -34,6 +35,7 @@ struct SurfaceWaveResult {
 /// `scattering` at one of them point by point of the surface; `rays`, if not null, the strips as polylines, with the whole
 /// current at the first frequency, physical optics included.
 SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LocalLook& look, std::span<const double> frequencies,
-                                          StripPlaces* places = nullptr, std::vector<SurfaceRay>* rays = nullptr);
+                                          StripPlaces* places = nullptr, std::vector<SurfaceRay>* rays = nullptr,
+                                          std::span<const ConicalTip> tips = {});
 
 }  // namespace raytube

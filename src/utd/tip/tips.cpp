@@ -85,7 +85,7 @@ std::vector<Tip> find_tips(const CurvedTarget& target) {
     }
     const double sine = glm::length(sum) / turn;
     if (sine < std::sin(tip_table::first_angle * degree) || sine > std::sin(last * degree)) continue;
-    Tip tip{mesh.vertices[vertex], sum / (sine * turn), std::asin(sine), std::move(facets)};
+    Tip tip{{mesh.vertices[vertex], sum / (sine * turn), std::asin(sine)}, std::move(facets)};
     if (is_cone(tip, normals)) tips.push_back(std::move(tip));
   }
   return tips;

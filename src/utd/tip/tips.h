@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "utd/surface/conical_tip.h"
 #include "utd/surface/curved_target.h"
 
 namespace raytube {
@@ -14,9 +15,7 @@ struct TipFacet {
   int corner;
 };
 
-struct Tip {
-  dvec3 position, outwards;  // the axis, unit
-  double half_angle;         // [rad]
+struct Tip : ConicalTip {
   std::vector<TipFacet> facets;
 };
 
