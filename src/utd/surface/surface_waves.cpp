@@ -244,6 +244,7 @@ class SurfaceLook {
   // the cone laid flat, where it is J of order 1 / sin(half angle), of k rho over that sine. What goes out again is the tip's.
   FockCurrents currents(const DarkStrip& strip, double k) const {
     FockCurrents fock = fock_currents(strip, k);
+    if (tips_.empty()) return fock;
     const double share = -std::expm1(-std::pow(k * strip.clearance, 2));
     fock.hard *= share, fock.soft *= share;
     return fock;
