@@ -112,6 +112,29 @@ TEST(Tips, ReturnTheSameToAnyAzimuth) {
   EXPECT_LE(mean_db(between[0], at_column[0], 1, 35), 0.2);
 }
 
+// A wave of the other frequency is longer than the side: the cone-sphere of 15 degrees is 3.7 a long there, a = 0.95 wavelengths.
+TEST(Tips, ReturnTheSameToAFrequencyAmongOthers) {
+  const Target target = cone_sphere(15 * degree, 6 / (2 * pi));
+  const Sweep alone = monostatic({{160 * degree, 0.0}}, speed_of_light);
+  Sweep together = alone;
+  together.frequencies = {0.1 * speed_of_light, speed_of_light};
+  SolveOptions options;
+  options.surfaces.waves = true;
+  const Complex one = solve(target, alone, options).total[0].vv();
+  EXPECT_LE(std::abs(solve(target, together, options).total[1].vv() - one), 1e-6 * std::abs(one));
+}
+
+// One facet from the tip to the rim, five wavelengths, leaves no way on which the side could bend: it is straight.
+TEST(Tips, OfLongFacetsAreThoseOfStraightCones) {
+  SolveOptions options;
+  options.surfaces.waves = true;
+  const Target target(build_mesh(shapes::cone(1.33, 5.0, 72, true), 1.0).mesh);
+  const Complex s = solve(target, monostatic({{160 * degree, 0.03}}, speed_of_light), options).total[0].vv();
+  EXPECT_TRUE(std::isfinite(s.real()) && std::isfinite(s.imag()));
+  options.surfaces.waves = false;
+  EXPECT_GT(std::abs(s - solve(target, monostatic({{160 * degree, 0.03}}, speed_of_light), options).total[0].vv()), 0.01);
+}
+
 // Tips are round: the corners of a cube, of 35 degrees, and pyramids of four sides have edges.
 TEST(Tips, AreNoCornersOfFaces) {
   const double a = 12 / (2 * pi);

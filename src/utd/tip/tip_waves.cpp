@@ -78,7 +78,8 @@ std::optional<TipSide> side_of(const CurvedTarget& target, const TipLook& seen, 
     if (!march.march_to(s += step * wavelength) || s > 4.0 * mesh.radius) return std::nullopt;
   const double turn =
       std::asin(std::clamp(begin, -1.0, 1.0)) - std::asin(std::clamp(glm::dot(march.normal(), seen.tip.outwards), -1.0, 1.0));
-  return TipSide{march.position(), march.normal(), first + march.distance(), march.bend(), turn / march.distance()};
+  const double curvature = march.distance() > 0.0 ? turn / march.distance() : 0.0;  // long facets are straight
+  return TipSide{march.position(), march.normal(), first + march.distance(), march.bend(), curvature};
 }
 
 // A of tip_table.h, bilinear.
@@ -145,14 +146,14 @@ class TipSum {
     const LookVectors here = look_.at(tip.position);
     const std::optional<TipLook> seen = seen_from_behind(tip, here);
     if (!seen) return;
-    const double longest = 2 * pi / std::ranges::min(wavenumbers_);
-    const std::optional<TipRay> near = ray_along(target_, *seen, 1.0, look_, longest);
-    if (!near) return;
-    const std::optional<TipRay> far = ray_along(target_, *seen, -1.0, look_, longest);
     const Complex at_cone = fade(seen->behind) * amplitude(tip.half_angle, seen->beyond());
     for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
-      const Complex share = both_shares(*near, far, seen->beyond(), wavenumbers_[i], target_.tracer.mesh().radius);
-      put(i, *seen, at_cone * share * share / wavenumbers_[i]);
+      const double k = wavenumbers_[i];
+      const std::optional<TipRay> near = ray_along(target_, *seen, 1.0, look_, 2 * pi / k);
+      if (!near) continue;
+      const std::optional<TipRay> far = ray_along(target_, *seen, -1.0, look_, 2 * pi / k);
+      const Complex share = both_shares(*near, far, seen->beyond(), k, target_.tracer.mesh().radius);
+      put(i, *seen, at_cone * share * share / k);
     }
   }
 
