@@ -3,8 +3,8 @@
 
     bench/model_uncertainty.py DATA [--program build/raytube] [-o TABLE.md] [--set KEY=VALUE]...
 
-DATA is a folder with `mom` (method of moments: cube2, dihedral3, plate3, prism30, wing3, plate_sizes; as tests/data/mom) or
-`austin` (curves of the Austin RCS Benchmark Suite by their own names, and almond_9.936in.stl), or both; what is not there is left
+DATA is a folder with `mom` (method of moments: cube2, dihedral3, plate3, prism30, wing3, plate_sizes; as tests/data/mom),
+`tips.csv` (ogives and cone-spheres; as tests/data/tips.csv) or `austin` (curves of the Austin RCS Benchmark Suite by their own names, and almond_9.936in.stl), or both; what is not there is left
 out. Spheres, against the series of Mie, need no data.
 
 Rows count, channel by channel, whose reference is within 40 dB of the set's co-polar peak. "covered" is the share of them whose
@@ -19,6 +19,8 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+
+import tip_bodies
 
 LIGHT = 299792458.0
 CHANNELS = ("vv", "vh", "hv", "hh")
@@ -116,6 +118,22 @@ def plate_sizes(path, work):
         part = [row for row in rows if float(row["length_lambda"]) == size]
         looks = [2 * (float(row["theta_deg"]), float(row["phi_deg"])) for row in part]
         yield Cut("plate sizes", f"plate {size}", [mesh], "m", looks, [reference_of(row) for row in part], 10.0, False, "")
+
+
+def tip_cuts(path, work):
+    if not path.exists():
+        return
+    rows = read_rows(path)
+    for body, ka in dict.fromkeys((row["body"], row["ka"]) for row in rows):
+        kind, angle = body.split()
+        make = tip_bodies.ogive if kind == "ogive" else tip_bodies.cone_sphere
+        radius = float(ka) / (2 * math.pi)
+        mesh = write_off(work / f"{kind}_{angle}_{ka}.off", *make(math.radians(float(angle)), radius))
+        part = [row for row in rows if (row["body"], row["ka"]) == (body, ka)]
+        looks = [2 * (float(row["theta_deg"]), 0.0) for row in part]
+        reference = [[dbsm(complex(float(row[f"re_{p}"]), float(row[f"im_{p}"]))) if p in ("vv", "hh") else None for p in CHANNELS]
+                     for row in part]
+        yield Cut("tips, ka 3 and 6" if float(ka) < 10 else "tips, ka 12 and 20", f"{body} ka {ka}", [mesh], "m", looks, reference, LIGHT / 1e9, False, "")
 
 
 def austin_cuts(folder, work):
@@ -266,7 +284,8 @@ def main():
     groups = {}
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
-        cuts = [*moment_cuts(options.data / "mom", work), *austin_cuts(options.data / "austin", work), *sphere_cuts(work)]
+        cuts = [*moment_cuts(options.data / "mom", work), *tip_cuts(options.data / "tips.csv", work),
+                *austin_cuts(options.data / "austin", work), *sphere_cuts(work)]
         for cut in cuts:
             groups.setdefault(cut.group, []).extend(samples(cut, run(cut, work, options)))
             print(cut.name, file=sys.stderr, flush=True)

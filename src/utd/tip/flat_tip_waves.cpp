@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ranges>
 
+#include "math/erfc_ray.h"
 #include "utd/fock/fock.h"
 
 namespace raytube {
@@ -56,12 +57,22 @@ Complex lit_share(double curvature, double wavenumber, double out) {
   return xi < all_lit ? 1.0 : fock_factors(xi).hard;
 }
 
+// What comes over the body to its edge has not yet cast its shadow below it: top less bottom are erf(e^{j pi/4} x), x^2 = k d
+// up^2 / 2 a way d over the sheet (Sommerfeld 1896). The phase of that, over a circle of the rim's curvature.
+Complex phase_over_body(const RimPlace& place, double out, double up, double wavenumber) {
+  if (out >= 0.0 || place.curvature <= 0.0) return 1.0;
+  const double x = std::abs(up) * std::sqrt(-wavenumber * out / place.curvature);
+  const Complex error_function = 1.0 - std::polar(1.0, -x * x) * scaled_erfc(x);
+  return x < 1e-6 ? std::polar(1.0, pi / 4) : error_function / std::abs(error_function);
+}
+
 // The edge's field for a ray at elevation e, seen along the edge: cos(e/2) outwards + sin(e/2) normal; `in_plane` takes the place
-// of its part outwards in the plane, e = 0 or pi. What crosses the body from the other side has no part upright on it.
-Waves edge_fields(const RimPlace& place, const dvec3& normal, const RimRay& ray, const Waves& in_plane) {
+// of its part outwards in the plane, e = 0 or pi. What crosses the body in the plane has no part upright on it.
+Waves edge_fields(const RimPlace& place, const dvec3& normal, const RimRay& ray, const Waves& in_plane, double wavenumber) {
   const double out = glm::dot(ray.towards, place.outwards), up = glm::dot(ray.towards, normal);
   const double elevation = std::atan2(up, out), flat = std::abs(std::cos(elevation)), half = std::cos(elevation / 2);
-  const double upright = std::sin(elevation / 2) * (out >= 0.0 ? 1.0 : std::abs(std::sin(elevation)));
+  const Complex upright =
+      std::sin(elevation / 2) * (out >= 0.0 ? 1.0 : std::abs(std::sin(elevation))) * phase_over_body(place, out, up, wavenumber);
   Waves waves;
   for (int p = 0; p < 2; ++p)
     waves[p] = (out >= 0.0 ? half : 1.0) * flat * in_plane[p] + half * (1.0 - flat) * glm::dot(ray.fields[p], place.outwards) +
@@ -75,10 +86,7 @@ double narrowness(double wavenumber, double radius) {
 }
 
 // INT (s - s')^(-3/4) ds' over what a place stands for.
-double kernel(const RimPlace& place) {
-  const double near = std::max(0.0, place.distance - place.step / 2), far = place.distance + place.step / 2;
-  return 4.0 * (std::pow(far, 0.25) - std::pow(near, 0.25));
-}
+double kernel(const RimPlace& place) { return 4.0 * (std::pow(place.begin + place.step, 0.25) - std::pow(place.begin, 0.25)); }
 
 // S / wavelength of a wave of unit starts over an edge of one wavelength (utd/corner, of half planes).
 const Complex over_an_edge = -pi * std::polar(1.0, pi / 4);
@@ -103,7 +111,7 @@ class FlatTipWaves::Visit {
       if (weight <= 0.0 || !sees(place.position, place.outwards, ray)) continue;
       const Waves in_plane = boundary == &place ? lit_wave(place, ray) : dark_wave(*boundary, place, ray);
       const Complex wave = factor * std::polar(weight, wavenumber_ * (ray.path - place.distance));
-      const Waves fields = edge_fields(place, tip.normal, ray, in_plane);
+      const Waves fields = edge_fields(place, tip.normal, ray, in_plane, wavenumber_);
       for (int p = 0; p < 2; ++p) sum[p] += wave * fields[p];
     }
     return sum;

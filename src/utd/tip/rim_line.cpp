@@ -70,6 +70,7 @@ void share_lengths(std::vector<RimPlace>& rim) {
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const double before = i == 0 ? 0.0 : 0.5 * (rim[i - 1].distance + rim[i].distance);
     const double after = i + 1 < rim.size() ? 0.5 * (rim[i].distance + rim[i + 1].distance) : rim[i].distance;
+    rim[i].begin = before;
     rim[i].step = after - before;
     bend += std::cbrt(0.5 * rim[i].curvature * rim[i].curvature) * rim[i].step;
     rim[i].bend = bend;

@@ -15,7 +15,8 @@ struct RimPlace {
   dvec3 tangent;           // towards the tip
   dvec3 outwards;          // normal of the body there
   double distance = 0.0;   // from the tip along the rim [m]
-  double step = 0.0;       // length that it stands for [m]
+  double begin = 0.0;      // of the stretch that it stands for, as a distance, and
+  double step = 0.0;       // its length [m]
   double radius = 0.0;     // of the section across the rim [m]
   double curvature = 0.0;  // of the rim along itself [1/m]
   double bend = 0.0;       // INT (curvature^2 / 2)^(1/3) ds from the tip [m^(1/3)]: xi over k^(1/3)
