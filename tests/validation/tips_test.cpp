@@ -38,6 +38,18 @@ Target cone_sphere(double half_angle, double a) {
   return Target(build_mesh(shapes::revolution(meridian, rows, 72), 1.0).mesh);
 }
 
+// Its tip at z > 0, the flat bottom about the origin.
+Target capped_cone(double half_angle, double a) {
+  const double height = a / std::tan(half_angle);
+  const shapes::Meridian meridian = [=](double x) {
+    return dvec2(a * std::min(2 * x, 2 - 2 * x), height * std::max(0.0, 1 - 2 * x));
+  };
+  std::vector<double> rows;
+  for (int i = 0; i <= 20; ++i) rows.push_back(0.5 * std::pow(i / 20.0, 1.5));
+  for (int i = 1; i <= 5; ++i) rows.push_back(0.5 + 0.1 * i);
+  return Target(build_mesh(shapes::revolution(meridian, rows, 72), 1.0).mesh);
+}
+
 using Amplitudes = std::array<std::vector<Complex>, 2>;
 
 Amplitudes tabled(const std::string& body, const std::string& ka) {
@@ -133,6 +145,16 @@ TEST(Tips, OfLongFacetsAreThoseOfStraightCones) {
   EXPECT_TRUE(std::isfinite(s.real()) && std::isfinite(s.imag()));
   options.surfaces.waves = false;
   EXPECT_GT(std::abs(s - solve(target, monostatic({{160 * degree, 0.03}}, speed_of_light), options).total[0].vv()), 0.01);
+}
+
+// Looks 0.02 degrees apart about the one that grazes the side, which the rim hides from there on. Without what comes over the rim
+// VV fell by 3.5 dB, now all moves by 0.2.
+TEST(Tips, DoNotStepWhereARimHidesThem) {
+  std::vector<Direction> looks;
+  for (int i = -1; i <= 2; ++i) looks.push_back({(165 + 0.02 * i) * degree, 0.03});
+  const std::vector<ScatteringMatrix> s =
+      solve(capped_cone(15 * degree, 8 / (2 * pi)), monostatic(looks, speed_of_light), {}).total;
+  for (std::size_t i = 1; i < s.size(); ++i) EXPECT_LE(std::abs(20 * std::log10(std::abs(s[i].vv() / s[i - 1].vv()))), 0.3) << i;
 }
 
 // Tips are round: the corners of a cube, of 35 degrees, and pyramids of four sides have edges.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "math/erfc_ray.h"
 #include "utd/fock/fock.h"
 #include "utd/surface/geodesic_march.h"
 #include "utd/tip/tip_table.h"
@@ -15,13 +16,16 @@ namespace {
 constexpr double fade_from = 75.0 * degree, fade_to = 90.0 * degree;  // of the look to the axis; beyond, physical optics
 constexpr double step = 1.0 / 16.0, over = 1.0;                       // of the wavelength, along the side of a tip
 constexpr double least_bend = 1e-6;                                   // times the target's radius
+constexpr double straight = 0.02;                                     // of the normal, until the rim [rad]
 
-/// A side of a tip in the plane of its axis and the look, as far as the shadow boundary, or a wavelength.
+/// A side of a tip in the plane of its axis and the look, as far as the shadow boundary, or a wavelength; to its rim if it is
+/// straight until there.
 struct TipSide {
   dvec3 position, normal;  // at its end
   double length;           // from the tip [m]
   double bend;             // xi k^(-1/3) of the dark way [m^(1/3)]
   double curvature;        // mean [1/m]
+  bool has_rim;
 };
 
 /// A tip as a radar sees it from behind.
@@ -32,6 +36,8 @@ struct TipLook {
   double behind;  // angle of the look to the axis [rad]
 
   double beyond() const { return behind - tip.half_angle; }
+  /// Angle of the look above that side, < 0 in the dark [rad].
+  double above(double sign) const { return sign * behind - tip.half_angle; }
   /// Of the side that is turned to the radar, sign 1, or away from it, -1.
   bool in_the_dark(double sign) const { return sign < 0.0 || beyond() < 0.0; }
   dvec3 side(double sign) const { return sign * std::sin(tip.half_angle) * across - std::cos(tip.half_angle) * tip.outwards; }
@@ -67,19 +73,65 @@ FacetPoint start_of(const TriangleMesh& mesh, const TipLook& seen, double sign) 
   return {facet.triangle, {l[1], l[2]}};
 }
 
+/// The way from a tip down one of its sides.
+class WayDown {
+ public:
+  WayDown(const CurvedTarget& target, const TipLook& seen, double sign, const FacetPoint& start, double wavelength)
+      : target_(target),
+        axis_(seen.tip.outwards),
+        first_(glm::distance(target.surfaces.facet(start.triangle).point(start.l), seen.tip.position)),
+        step_(step * wavelength),
+        march_(target, start, seen.side(sign), 1.0, step_),
+        begin_(slope()) {}
+
+  /// False if the surface ends before.
+  bool go_on() { return march_.march_to(asked_ += step_) && asked_ <= 4.0 * target_.tracer.mesh().radius; }
+
+  double length() const { return first_ + asked_; }
+  const dvec3& normal() const { return march_.normal(); }
+  bool is_straight() const { return std::abs(begin_ - slope()) < straight; }
+
+  /// At the end: whether the body bends away over the edge there.
+  bool at_rim() const {
+    if (march_.ended_at() < 0) return false;
+    const TriangleMesh& mesh = target_.tracer.mesh();
+    const EdgeTable::Edge edge = target_.edges[target_.edges.edge_of(march_.triangle(), march_.ended_at())];
+    return std::ranges::any_of(edge.sides, [&](const EdgeTable::Side& s) {
+      return glm::dot(mesh.patches[mesh.triangle_patch[s.triangle]].normal, march_.direction()) > std::sin(straight);
+    });
+  }
+
+  TipSide so_far(bool has_rim) const {
+    const double h = march_.distance();
+    const double curvature = h > 0.0 ? (begin_ - slope()) / h : 0.0;  // long facets are straight
+    return {march_.position(), march_.normal(), first_ + h, march_.bend(), curvature, has_rim};
+  }
+
+ private:
+  double slope() const { return std::asin(std::clamp(glm::dot(march_.normal(), axis_), -1.0, 1.0)); }
+
+  const CurvedTarget& target_;
+  dvec3 axis_;
+  double first_, step_, asked_ = 0.0;
+  GeodesicMarch march_;
+  double begin_;
+};
+
+std::optional<TipSide> side_to_rim(const WayDown& way, double wavelength) {
+  const TipSide side = way.so_far(true);
+  if (!way.is_straight() || !way.at_rim() || side.length < over * wavelength) return std::nullopt;
+  return side;
+}
+
 std::optional<TipSide> side_of(const CurvedTarget& target, const TipLook& seen, double sign, double wavelength) {
-  const TriangleMesh& mesh = target.tracer.mesh();
-  const FacetPoint start = start_of(mesh, seen, sign);
-  const double first = glm::distance(target.surfaces.facet(start.triangle).point(start.l), seen.tip.position);
-  GeodesicMarch march(target, start, seen.side(sign), 1.0, step * wavelength);
-  const double begin = glm::dot(march.normal(), seen.tip.outwards);
-  const auto dark = [&] { return glm::dot(march.normal(), seen.look.incident) >= 0.0; };
-  for (double s = 0.0; s + first < over * wavelength || (seen.in_the_dark(sign) && dark());)
-    if (!march.march_to(s += step * wavelength) || s > 4.0 * mesh.radius) return std::nullopt;
-  const double turn =
-      std::asin(std::clamp(begin, -1.0, 1.0)) - std::asin(std::clamp(glm::dot(march.normal(), seen.tip.outwards), -1.0, 1.0));
-  const double curvature = march.distance() > 0.0 ? turn / march.distance() : 0.0;  // long facets are straight
-  return TipSide{march.position(), march.normal(), first + march.distance(), march.bend(), curvature};
+  WayDown way(target, seen, sign, start_of(target.tracer.mesh(), seen, sign), wavelength);
+  const auto dark = [&] { return glm::dot(way.normal(), seen.look.incident) >= 0.0; };
+  while (way.length() < over * wavelength || (seen.in_the_dark(sign) && dark()))
+    if (!way.go_on()) return side_to_rim(way, wavelength);
+  const TipSide bent = way.so_far(false);
+  while (way.is_straight())
+    if (!way.go_on()) return side_to_rim(way, wavelength).value_or(bent);
+  return bent;
 }
 
 // A of tip_table.h, bilinear.
@@ -103,6 +155,7 @@ double fade(double behind) {
 /// What comes to a tip along one of its sides.
 struct TipRay {
   TipSide side;
+  double above;     // TipLook::above
   double path;      // one way, from the phase reference [m]
   double narrowed;  // strips, in amplitude
   bool dark;
@@ -114,24 +167,35 @@ struct TipRay {
 std::optional<TipRay> ray_along(const CurvedTarget& target, const TipLook& seen, double sign, LocalLook& look,
                                 double wavelength) {
   const std::optional<TipSide> side = side_of(target, seen, sign, wavelength);
-  if (!side || !target.is_lit(side->position, side->normal, seen.look.incident)) return std::nullopt;
-  if (!seen.in_the_dark(sign)) return TipRay{*side, 0.5 * look.both(seen.tip.position), 1.0, false};
+  if (!side) return std::nullopt;
+  const bool is_far_rim = side->has_rim && sign < 0.0;  // a body behind it does not hide the axis, on which both cancel
+  if (!is_far_rim && !target.is_lit(side->position, side->normal, seen.look.incident)) return std::nullopt;
+  if (!seen.in_the_dark(sign)) return TipRay{*side, seen.above(sign), 0.5 * look.both(seen.tip.position), 1.0, false};
   const double narrowed = std::sqrt(std::sin(seen.tip.half_angle) / std::sin(seen.behind));
-  return TipRay{*side, 0.5 * look.both(side->position) - side->length, narrowed, true};
+  return TipRay{*side, seen.above(sign), 0.5 * look.both(side->position) - side->length, narrowed, true};
+}
+
+// Behind the edge of a half plane (Sommerfeld 1896): erfc(-e^{j pi/4} x)/2 with x = sqrt(2 k L) sin(above/2), in the dark over
+// the phase e^{-jx^2} of the way over the edge.
+Complex behind_rim(const TipRay& ray, double k) {
+  const double x = std::sqrt(2.0 * k * ray.side.length) * std::abs(std::sin(0.5 * ray.above));
+  const Complex half = 0.5 * scaled_erfc(x);
+  return ray.dark ? ray.narrowed * half : 1.0 - std::polar(1.0, -x * x) * half;
 }
 
 // The hard current at the tip, in units of that on a flat side.
-Complex share_of(const TipRay& ray, double beyond, double k, double radius) {
+Complex share_of(const TipRay& ray, double k, double radius) {
+  if (ray.side.has_rim) return behind_rim(ray, k);
   if (ray.dark) return 0.5 * ray.narrowed * fock_in_the_dark(std::cbrt(k) * ray.side.bend).hard;
-  return fock_factors(-std::cbrt(0.5 * k / std::max(ray.side.curvature, least_bend / radius)) * std::sin(beyond)).hard;
+  return fock_factors(-std::cbrt(0.5 * k / std::max(ray.side.curvature, least_bend / radius)) * std::sin(ray.above)).hard;
 }
 
 // Both rays, one way: e^{jx} and -j e^{-jx}, made uniform on the axis, where they meet, by the Hankel functions of order 1 whose
 // far fields they are. On it nothing is left: E in the plane of the axis sends waves of opposite signs along both sides.
-Complex both_shares(const TipRay& near, const std::optional<TipRay>& far, double beyond, double k, double radius) {
-  const Complex n = share_of(near, beyond, k, radius);
+Complex both_shares(const TipRay& near, const std::optional<TipRay>& far, double k, double radius) {
+  const Complex n = share_of(near, k, radius);
   if (!far) return n * std::polar(1.0, k * near.path);
-  const Complex f = share_of(*far, beyond, k, radius);
+  const Complex f = share_of(*far, k, radius);
   const double x = std::max(0.5 * k * (near.path - far->path), 1e-6), c = 0.5 * k * (near.path + far->path);
   const Complex odd = Complex(0, -1) * (n - f) * std::cyl_neumann(1.0, x) * std::expm1(-x * x);
   return std::sqrt(0.5 * pi * x) * std::polar(1.0, c + 0.75 * pi) * ((n + f) * std::cyl_bessel_j(1.0, x) + odd);
@@ -152,7 +216,8 @@ class TipSum {
       const std::optional<TipRay> near = ray_along(target_, *seen, 1.0, look_, 2 * pi / k);
       if (!near) continue;
       const std::optional<TipRay> far = ray_along(target_, *seen, -1.0, look_, 2 * pi / k);
-      const Complex share = both_shares(*near, far, seen->beyond(), k, target_.tracer.mesh().radius);
+      if (near->side.has_rim && near->dark && !far) continue;  // alone it has no bound on the axis
+      const Complex share = both_shares(*near, far, k, target_.tracer.mesh().radius);
       put(i, *seen, at_cone * share * share / k);
     }
   }
