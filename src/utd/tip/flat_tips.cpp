@@ -22,7 +22,7 @@ std::vector<double> angle_deficits(const CurvedTarget& target) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     for (int c = 0; c < 3; ++c) {
       const dvec3 at = target.corner(t, c), a = target.corner(t, (c + 1) % 3) - at, b = target.corner(t, (c + 2) % 3) - at;
-      const bool counts = target.surfaces.conducts(t) && mesh.closed(t);
+      const bool counts = target.surfaces.region(t) != no_index && target.surfaces.conducts(t) && mesh.closed(t);
       sums[mesh.triangles[t][c]] += counts ? std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) : too_much;
     }
   for (double& sum : sums) sum = sum > 0.0 && sum < too_much ? 2 * pi - sum : 0.0;
