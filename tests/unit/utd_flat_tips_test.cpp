@@ -88,6 +88,25 @@ TEST(FlatTips, WavesAreReciprocal) {
   }
 }
 
+// By their paths pieces lie on the line of sight where they come back: what runs from the far tip to the near one as much behind
+// the middle of both as half the rim is long.
+TEST(FlatTips, PiecesHaveThePlacesOfTheirPaths) {
+  const Leaf leaf(0.25);
+  const std::vector<FlatTip> tips = find_flat_tips(leaf.target, wavelength(frequency));
+  const LookVectors look = look_vectors({{60 * degree, 0.0}, {60 * degree, 0.0}});
+  StripPlaces places{0, PathPlace{look.scattered}};
+  LocalLook local(look);
+  const ScatteringMatrix all = FlatTipWaves(tips).scattering(leaf.target, local, wavenumber(frequency), &places);
+  ScatteringMatrix sum;
+  bool found = false;
+  for (const ImageEdge& piece : places.pieces) {
+    sum += piece.s;
+    found = found || std::abs(glm::dot(piece.begin, look.scattered) + 0.5 * tips[0].rims[0].end->length) < 1e-6;
+  }
+  EXPECT_LE(frobenius_norm(sum - all), 1e-12 * frobenius_norm(all));
+  EXPECT_TRUE(found);
+}
+
 // In the plane of the rims E across it meets no edge, E in it does, and most from 20 degrees off the axis, as waves that travel
 // along thin bodies return: 49 degrees sqrt(wavelength / length) (Peters, IRE Trans. AP 6, 133, 1958) is 25 degrees here.
 TEST(FlatTips, ReturnsLookLikeThoseOfTravellingWaves) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/angle.h"
+
 namespace raytube {
 
 namespace {
@@ -61,8 +63,6 @@ struct Section {
   double beyond(const dvec3& point) const { return glm::dot(point - middle, along); }
   dvec3 in_plane(const dvec3& vector) const { return vector - glm::dot(vector, along) * along; }
 };
-
-double angle_between(const dvec3& a, const dvec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
 class BendFinder {
  public:

@@ -49,10 +49,6 @@ double edge_shift(double thickness, double wavenumber, double length) {
   return thickness / (2.0 * pi) * (1.0 - std::numbers::egamma - std::log(kappa));
 }
 
-/// S / wavelength of a wave of unit starts over an edge of one wavelength: sqrt(2 pi) / c0 of the wave of a half plane, with
-/// c0 = -j e^(j pi/4) 2^(-1/2) / Gamma(3/2).
-const Complex over_half_plane = -pi * std::polar(1.0, pi / 4);
-
 }  // namespace
 
 /// Looks for the corners between which edges run.

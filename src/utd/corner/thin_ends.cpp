@@ -167,8 +167,6 @@ class Finder {
 
 }  // namespace
 
-double angle_between(const dvec3& a, const dvec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
-
 std::vector<ThinEnd> find_thin_ends(std::span<const Wedge> wedges) { return Finder(wedges).all(); }
 
 }  // namespace raytube

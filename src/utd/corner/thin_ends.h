@@ -5,15 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "core/angle.h"
 #include "mesh/features/wedges.h"
 
 namespace raytube {
 
 /// An end of a wedge: 2 wedge, or 2 wedge + 1 for its `end`.
 using WedgeEnd = std::uint32_t;
-
-/// [rad]
-double angle_between(const dvec3& a, const dvec3& b);
 
 /// A plane face across the end of a body, bounded by two lines of edges that meet at its two tips. At each tip a sharp edge of
 /// the body ends. To waves along it the body is the sheet in its middle.

@@ -20,11 +20,6 @@ constexpr int most_pieces = 400;
 const double steadiest = std::pow(1.0 - least_flattening / 4, 1.5);
 constexpr double flattest_flank = 1.3;  // sin^2(theta) where flanks would begin, at which a body counts half as one with flanks
 
-double share_at(double wavenumber, double radius) {
-  const double x = wavenumber * radius / edge_radius;
-  return 1.0 / (1.0 + x * x * x * x);
-}
-
 // Along a section: the angle of its normal in its plane, curvature, length since the last one.
 struct Sample {
   dvec3 position;
@@ -151,6 +146,11 @@ class NoseFinder {
 
 }  // namespace
 
+double narrowness(double wavenumber, double radius) {
+  const double x = wavenumber * radius / edge_radius;
+  return 1.0 / (1.0 + x * x * x * x);
+}
+
 double Nose::radius_at(double theta) const {
   const double s = std::sin(theta), square = 1.0 - flattening * s * s;
   return square <= 0.0 ? std::numeric_limits<double>::infinity() : radius / std::pow(square, 1.5);
@@ -172,12 +172,12 @@ double Nose::straightness(const dvec3& ray) const {
   return across > 0.0 ? 1.0 / (1.0 + std::pow(4.0 * bend / (across * across), 4)) : 0.0;
 }
 
-double Nose::facet_share(double wavenumber) const { return share_at(wavenumber, radius_at(angle)); }
+double Nose::facet_share(double wavenumber) const { return narrowness(wavenumber, radius_at(angle)); }
 
 double Nose::shared_turn(double wavenumber) const {
   constexpr int points = 64;
   double sum = 0.0;
-  for (int i = 0; i < points; ++i) sum += share_at(wavenumber, radius_at(pi / 2 * (i + 0.5) / points));
+  for (int i = 0; i < points; ++i) sum += narrowness(wavenumber, radius_at(pi / 2 * (i + 0.5) / points));
   return sum * pi / points;
 }
 

@@ -11,6 +11,8 @@ namespace raytube {
 /// k rho at which a bend counts half as an edge: beyond it Fock's currents are the better ones, on oblate spheroids of k rho 3.5
 /// by far (VV at 40 degrees of incidence 0.3 dB, as edges of twice this radius 2.1).
 inline constexpr double edge_radius = 3.0;
+/// How much of an edge a bend of that radius [m] is, 0 to 1.
+double narrowness(double wavenumber, double radius);
 /// Sections rounder than that have no flanks.
 inline constexpr double least_flattening = 0.3;
 /// Between flanks that are steeper than that the edge is cut there.

@@ -80,16 +80,8 @@ Waves edge_fields(const RimPlace& place, const dvec3& normal, const RimRay& ray,
   return waves;
 }
 
-double narrowness(double wavenumber, double radius) {
-  const double x = wavenumber * radius / edge_radius;
-  return 1.0 / (1.0 + x * x * x * x);
-}
-
 // INT (s - s')^(-3/4) ds' over what a place stands for.
 double kernel(const RimPlace& place) { return 4.0 * (std::pow(place.begin + place.step, 0.25) - std::pow(place.begin, 0.25)); }
-
-// S / wavelength of a wave of unit starts over an edge of one wavelength (utd/corner, of half planes).
-const Complex over_an_edge = -pi * std::polar(1.0, pi / 4);
 
 }  // namespace
 
@@ -183,33 +175,71 @@ FlatTipWaves::Reflection FlatTipWaves::reflection_of(double angle) const {
   return {start(1.0), start(-1.0)};
 }
 
-ScatteringMatrix FlatTipWaves::scattering(const CurvedTarget& target, LocalLook& look, double wavenumber,
-                                          StripPlaces* places) const {
-  const double wavelength = 2 * pi / wavenumber;
-  const Visit transmitter(*this, target, look, false, wavenumber), receiver(*this, target, look, true, wavenumber);
-  ScatteringMatrix sum;
-  const auto add = [&](const dvec3& place, Complex factor, const Waves& received, const Waves& sent) {
+// Back along the rims of one tip, and from there along each of them to the next.
+class FlatTipWaves::Sum {
+ public:
+  Sum(const FlatTipWaves& waves, const CurvedTarget& target, LocalLook& look, double wavenumber, StripPlaces* places)
+      : waves_(waves),
+        wavenumber_(wavenumber),
+        transmitter_(waves, target, look, false, wavenumber),
+        receiver_(waves, target, look, true, wavenumber),
+        places_(places) {}
+
+  void add_returns(std::uint32_t number) {
+    const FlatTip& tip = waves_.tips_[number];
+    const Reflection& r = waves_.reflections_[number];
+    const Complex back(0.0, -wavelength());
+    const std::array<Waves, 2> sent{transmitter_.arriving(tip, 0), transmitter_.arriving(tip, 1)};
+    const std::array<Waves, 2> received{receiver_.arriving(tip, 0), receiver_.arriving(tip, 1)};
+    for (int a = 0; a < 2; ++a) {
+      put(tip.position, back * r.same, received[a], sent[a]);
+      put(tip.position, back * r.other, received[1 - a], sent[a]);
+    }
+  }
+
+  void add_way(const FlatTip& tip, std::uint32_t rim) {
+    const std::optional<RimEnd>& end = tip.rims[rim].end;
+    if (!end) return;
+    const FlatTip& there = waves_.tips_[end->tip];
+    const Complex over =
+        over_half_plane * std::polar(wavelength() / std::sqrt(end->length / wavelength()), -wavenumber_ * end->length);
+    put(place_of(tip.position, there.position, end->length), over, receiver_.starting(there, end->rim),
+        transmitter_.starting(tip, rim));
+  }
+
+  ScatteringMatrix take() const { return sum_; }
+
+ private:
+  double wavelength() const { return 2 * pi / wavenumber_; }
+
+  dvec3 place_of(const dvec3& from, const dvec3& to, double length) const {
+    if (places_ == nullptr || !places_->by_path) return 0.5 * (from + to);
+    return places_->by_path->at(from, to, glm::dot(places_->by_path->towards, from + to) - length);
+  }
+
+  void put(const dvec3& place, Complex factor, const Waves& received, const Waves& sent) {
     ScatteringMatrix s;
     for (int p = 0; p < 2; ++p)
       for (int t = 0; t < 2; ++t) s.at(p, t) = factor * received[p] * sent[t];
-    sum += s;
-    if (places != nullptr) places->pieces.push_back({place, place, s});
-  };
-  for (std::size_t i = 0; i < tips_.size(); ++i) {
-    const FlatTip& tip = tips_[i];
-    const Complex back = Complex(0.0, -wavelength);
-    for (std::uint32_t a = 0; a < 2; ++a) {
-      const Waves sent = transmitter.arriving(tip, a);
-      add(tip.position, back * reflections_[i].same, receiver.arriving(tip, a), sent);
-      add(tip.position, back * reflections_[i].other, receiver.arriving(tip, 1 - a), sent);
-      const std::optional<RimEnd>& end = tip.rims[a].end;
-      if (!end) continue;
-      const FlatTip& there = tips_[end->tip];
-      const Complex over = over_an_edge * std::polar(wavelength / std::sqrt(end->length / wavelength), -wavenumber * end->length);
-      add(0.5 * (tip.position + there.position), over, receiver.starting(there, end->rim), transmitter.starting(tip, a));
-    }
+    sum_ += s;
+    if (places_ != nullptr) places_->pieces.push_back({place, place, s});
   }
-  return sum;
+
+  const FlatTipWaves& waves_;
+  const double wavenumber_;
+  const Visit transmitter_, receiver_;
+  StripPlaces* places_;
+  ScatteringMatrix sum_;
+};
+
+ScatteringMatrix FlatTipWaves::scattering(const CurvedTarget& target, LocalLook& look, double wavenumber,
+                                          StripPlaces* places) const {
+  Sum sum(*this, target, look, wavenumber, places);
+  for (std::uint32_t i = 0; i < tips_.size(); ++i) {
+    sum.add_returns(i);
+    for (std::uint32_t rim = 0; rim < 2; ++rim) sum.add_way(tips_[i], rim);
+  }
+  return sum.take();
 }
 
 }  // namespace raytube

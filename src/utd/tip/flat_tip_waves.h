@@ -34,6 +34,7 @@ class FlatTipWaves {
     Complex same, other;
   };
   class Visit;
+  class Sum;
 
   const SheetCorner& corner(const FlatTip& tip) const;
   Reflection reflection_of(double angle) const;

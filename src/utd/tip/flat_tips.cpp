@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/angle.h"
 #include "utd/tip/rim_line.h"
 
 namespace raytube {
@@ -23,7 +24,7 @@ std::vector<double> angle_deficits(const CurvedTarget& target) {
     for (int c = 0; c < 3; ++c) {
       const dvec3 at = target.corner(t, c), a = target.corner(t, (c + 1) % 3) - at, b = target.corner(t, (c + 2) % 3) - at;
       const bool counts = target.surfaces.region(t) != no_index && target.surfaces.conducts(t) && mesh.closed(t);
-      sums[mesh.triangles[t][c]] += counts ? std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) : too_much;
+      sums[mesh.triangles[t][c]] += counts ? angle_between(a, b) : too_much;
     }
   for (double& sum : sums) sum = sum > 0.0 && sum < too_much ? 2 * pi - sum : 0.0;
   return sums;
@@ -65,7 +66,7 @@ std::optional<FlatTip> tip_at(const RimTracer& tracer, const dvec3& position) {
   std::vector<Rim> rims = two_rims(tracer, position);
   if (rims.empty()) return std::nullopt;
   const dvec3 a = -rims[0].places.front().tangent, b = -rims[1].places.front().tangent;
-  const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  const double angle = angle_between(a, b);
   if (angle < narrowest_tip || angle > widest_tip) return std::nullopt;
   return FlatTip{
       position, glm::normalize(a + b), glm::normalize(glm::cross(b, a)), angle, {std::move(rims[0]), std::move(rims[1])}};

@@ -60,9 +60,7 @@ void measure(const dvec3& tip, std::vector<RimPlace>& rim, double chord) {
   double length = 0.0;
   for (int i = 0; i < pieces; ++i)
     length += glm::distance(point_at(tip, rim, jittered * i / pieces), point_at(tip, rim, jittered * (i + 1) / pieces));
-  for (RimPlace& place : rim) {
-    place.distance *= length / jittered;
-  }
+  for (RimPlace& place : rim) place.distance *= length / jittered;
 }
 
 void share_lengths(std::vector<RimPlace>& rim) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/angle.h"
 #include "utd/tip/tip_table.h"
 
 namespace raytube {
@@ -19,7 +20,7 @@ dvec3 facet_normal(const TriangleMesh& mesh, const Triangle& t) {
 
 double corner_angle(const TriangleMesh& mesh, const Triangle& t, int c) {
   const dvec3 &at = mesh.vertices[t[c]], a = mesh.vertices[t[(c + 1) % 3]] - at, b = mesh.vertices[t[(c + 2) % 3]] - at;
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  return angle_between(a, b);
 }
 
 // Vertices at which facets of a surface leave out as much as the bluntest cone does: 2 pi (1 - sin(half angle)).
