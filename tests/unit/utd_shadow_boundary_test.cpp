@@ -132,6 +132,36 @@ TEST(Noses, OfAnOblateSpheroidAreItsRim) {
   EXPECT_NEAR(length / (2 * pi * 3), 1.0, 0.1);
 }
 
+// What is found for a wave is the same among lower frequencies; what is found for those beside has no share of it.
+TEST(Noses, DoNotHangOnLowerFrequencies) {
+  PolygonSoup soup = shapes::icosphere(5);
+  for (dvec3& point : soup.points) point *= dvec3(3, 2, 0.5);
+  const Ball body(soup);
+  const SmoothSurfaces smooth(body.loaded.mesh, 30 * degree, 0.1);
+  const double k = 8.0;
+  const auto noses_of = [&](std::vector<double> wavenumbers) {
+    for (double& w : wavenumbers) w *= speed_of_light / (2 * pi);
+    return CurvedTarget(body.target.tracer, smooth, true, {}, wavenumbers).noses;
+  };
+  const std::vector<Nose> alone = noses_of({k}), among = noses_of({k / 4, k});
+  ASSERT_EQ(alone.size(), among.size());
+  int both = 0, others = 0;
+  for (std::size_t t = 0; t < alone.size(); ++t) {
+    const Nose &one = alone[t], &other = among[t];
+    if (one.radius > 0.0) {
+      EXPECT_EQ(one.radius, other.radius);
+      EXPECT_EQ(one.flattening, other.flattening);
+      EXPECT_EQ(one.position, other.position);
+      ++both;
+    } else if (other.radius > 0.0) {
+      EXPECT_EQ(other.edge_share(-other.outwards, k) * other.facet_share(k), 0.0);
+      ++others;
+    }
+  }
+  EXPECT_GT(both, 100);
+  EXPECT_GT(others, 100);
+}
+
 // k rho = 1 and e = 8/9: flanks from 49 degrees of the normal on, so that waves light both up to 41 degrees off the nose.
 TEST(Noses, AreEdgesForWavesThatLightBothFlanks) {
   const Nose nose{{}, dvec3(1, 0, 0), dvec3(0, 1, 0), 1.0, 8.0 / 9, 1.0 / 9};

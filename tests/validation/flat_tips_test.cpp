@@ -100,5 +100,24 @@ TEST(FlatTips, AgainstTheMethodOfMoments) {
   }
 }
 
+// Rounded edges and tips are those of each frequency. What is left is the noise of what is adaptive; with noses cut where they
+// are flat for the lowest frequency rows differed by more than 1 dB.
+TEST(FlatTips, DoNotHangOnOtherFrequencies) {
+  const Target target = flat_body(leaf(40 * degree, 4.0), 1.0 / 3);
+  std::vector<Direction> looks;
+  for (const double theta_deg : {90.0, 75.0})
+    for (int phi_deg = 0; phi_deg < 90; phi_deg += 15) looks.push_back({theta_deg * degree, phi_deg * degree});
+  Sweep sweep = monostatic(looks, speed_of_light);
+  const std::vector<ScatteringMatrix> alone = solve(target, sweep, {}).total;
+  sweep.frequencies = {speed_of_light / 3, speed_of_light};
+  const std::vector<ScatteringMatrix> among = solve(target, sweep, {}).total;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < looks.size(); ++i)
+    for (int p = 0; p < 2; ++p)
+      worst = std::max(worst, std::abs(20 * std::log10(std::abs(among[2 * i + 1].at(p, p)) / std::abs(alone[i].at(p, p)))));
+  measured("leaf 40, rows beside a third of their frequency and alone", worst, "dB");
+  EXPECT_LE(worst, 0.05);
+}
+
 }  // namespace
 }  // namespace raytube

@@ -51,7 +51,7 @@ std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber)
   const double cell = piece_length * 2 * pi / wavenumber;
   std::map<std::array<long, 6>, RimPiece> cells;
   for (const Nose& nose : noses) {
-    if (nose.radius <= 0.0) continue;
+    if (nose.radius <= 0.0 || nose.facet_share(wavenumber) <= 0.0) continue;
     const double length = nose.turn * nose.facet_share(wavenumber) / nose.shared_turn(wavenumber);
     std::array<long, 6> key;
     for (int i = 0; i < 3; ++i) key[i] = std::lround(nose.position[i] / cell), key[3 + i] = std::lround(nose.outwards[i]);

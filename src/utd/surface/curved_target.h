@@ -58,7 +58,7 @@ struct CurvedTarget {
   double wave_share(std::uint32_t triangle, const dvec3& incident, double wavenumber) const {
     if (noses.empty() || noses[triangle].radius <= 0.0) return 1.0;
     const Nose& nose = noses[triangle];
-    return 1.0 - nose.edge_share(incident, wavenumber) * nose.facet_share(wavenumber * nose.sine_to(incident));
+    return 1.0 - nose.edge_share(incident, wavenumber) * nose.facet_share(wavenumber, nose.sine_to(incident));
   }
 
   const dvec3& corner(std::uint32_t triangle, int corner) const {

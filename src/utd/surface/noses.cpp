@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "utd/surface/surface_ray.h"
 
@@ -10,8 +11,9 @@ namespace raytube {
 
 namespace {
 
-constexpr double most_radii = 3.0;  // of k rho over edge_radius, where shares are 1 %
-constexpr double least_edge = 0.01;
+constexpr double most_radii = 3.0;    // of k rho over edge_radius, where shares are 1 %
+constexpr double flattest = 0.06;     // curvature of the section that counts, of the largest one
+constexpr double last_radii = 0.25;   // of k rho at the nose over edge_radius, within which edges fade out
 constexpr double least_flank = 0.35;  // [rad] of the section on either side of its nose
 constexpr double longest_bend = 100 * degree;
 constexpr double steady_turn = 60 * degree;  // over which least_flattening leaves its mark: 1 - e/4 of kappa^(2/3) at least
@@ -26,6 +28,11 @@ struct Sample {
   std::uint32_t triangle;
   double angle, curvature, turn;
 };
+
+// None of what is pruned when noses are found.
+double bent_share(double wavenumber, double radius) {
+  return std::clamp(most_radii - wavenumber * radius / edge_radius, 0.0, 1.0);
+}
 
 struct Principal {
   dvec3 direction;  // of the larger curvature
@@ -45,23 +52,23 @@ class NoseFinder {
  public:
   NoseFinder(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures, const EdgeTable& edges,
              double wavenumber)
-      : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), edges_(edges), wavenumber_(wavenumber) {
-    flattest_ = wavenumber / (most_radii * edge_radius);
-  }
+      : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), edges_(edges), wavenumber_(wavenumber) {}
 
   Nose at(std::uint32_t triangle) const {
     const dvec2 middle(1.0 / 3, 1.0 / 3);
     const SurfaceFrame frame = curvatures_.at(triangle, middle);
     const Principal principal = principal_at(frame);
-    if (principal.larger < flattest_ || principal.smaller > 0.5 * principal.larger) return {};
+    if (most_radii * edge_radius * principal.larger < wavenumber_ || principal.smaller > 0.5 * principal.larger) return {};
     const Plane plane{frame.normal, principal.direction};
     std::vector<Sample> samples, ahead;
     if (!walk(triangle, plane, -1.0, samples) || !walk(triangle, plane, 1.0, ahead)) return {};
     std::ranges::reverse(samples);
     std::ranges::copy(ahead, std::back_inserter(samples));
-    Nose nose = fit(samples, plane);
-    if (nose.radius > 0.0) nose.turn = turn_of(triangle, plane.across);
-    return nose.edge_share(-nose.outwards, wavenumber_) < least_edge ? Nose{} : nose;
+    Nose nose = fit(bent_part(samples), plane);
+    if (nose.radius <= 0.0 || wavenumber_ * nose.radius >= edge_radius) return {};
+    nose.turn = turn_of(triangle, plane.across);
+    nose.facet_radius = 1.0 / principal.larger;
+    return nose;
   }
 
  private:
@@ -84,17 +91,25 @@ class NoseFinder {
       const dvec3 along = glm::normalize(piece.direction - glm::dot(piece.direction, frame.normal) * frame.normal);
       const double next = plane.angle(end.normal), turn = std::remainder(next - angle, 2 * pi),
                    curvature = frame.curvature(along);
-      if (curvature < flattest_ || std::abs(angle) > longest_bend) break;
+      least = std::min(least, curvature), most = std::max(most, curvature);
+      if (curvature <= flattest * most || std::abs(angle) > longest_bend) break;
       samples.push_back({facet.point(l), piece.from.triangle, angle + turn / 2, curvature, std::abs(turn)});
       angle += turn;
-      least = std::min(least, curvature), most = std::max(most, curvature);
       if (std::abs(angle) > steady_turn && least > steadiest * most) return false;
     }
     return !samples.empty();
   }
 
+  // By the curvature alone, so that a nose is the same for all waves.
+  static std::span<const Sample> bent_part(const std::vector<Sample>& samples) {
+    const double least = flattest * std::ranges::max(samples, {}, &Sample::curvature).curvature;
+    const auto bent = [&](const Sample& s) { return s.curvature > least; };
+    const auto first = std::ranges::find_if(samples, bent), last = std::find_if(samples.rbegin(), samples.rend(), bent).base();
+    return {first, last};
+  }
+
   // kappa^(2/3) = rho^(-2/3) (1 - e sin^2(theta - theta_0)), least squares over theta of its three terms 1, cos and sin 2 theta.
-  Nose fit(const std::vector<Sample>& samples, const Plane& plane) const {
+  Nose fit(std::span<const Sample> samples, const Plane& plane) const {
     glm::dmat3 left(0.0);
     dvec3 right(0.0);
     for (const Sample& sample : samples) {
@@ -141,7 +156,7 @@ class NoseFinder {
   const SmoothSurfaces& surfaces_;
   const CurvatureField& curvatures_;
   const EdgeTable& edges_;
-  double wavenumber_, flattest_;
+  double wavenumber_;
 };
 
 }  // namespace
@@ -158,13 +173,13 @@ double Nose::radius_at(double theta) const {
 
 // The source's angle from the nose, across the edge, reaches pi/2 - flank in the plane of a flank.
 double Nose::edge_share(const dvec3& incident, double wavenumber) const {
-  const double across = sine_to(incident), x = wavenumber * across * radius / edge_radius;
-  if (radius <= 0.0 || x <= 0.0 || x >= 1.0) return 0.0;
+  const double across = sine_to(incident), whole = wavenumber * radius / edge_radius, x = across * whole;
+  if (x <= 0.0 || whole >= 1.0) return 0.0;
   const double square = (1.0 - std::cbrt(x * x)) / flattening, eighth = std::pow(square / flattest_flank, 8);
   const double grazing = pi / 2 - std::asin(std::min(std::sqrt(square), std::sin(steepest_flank)));
   const double off = std::acos(std::clamp(-glm::dot(incident, outwards) / across, -1.0, 1.0));
   const double lit = std::clamp((grazing - off) / std::min(flank_fade, grazing), 0.0, 1.0);
-  return straightness(incident) * lit / (1.0 + eighth);
+  return straightness(incident) * lit * std::min((1.0 - whole) / last_radii, 1.0) / (1.0 + eighth);
 }
 
 double Nose::straightness(const dvec3& ray) const {
@@ -172,12 +187,17 @@ double Nose::straightness(const dvec3& ray) const {
   return across > 0.0 ? 1.0 / (1.0 + std::pow(4.0 * bend / (across * across), 4)) : 0.0;
 }
 
-double Nose::facet_share(double wavenumber) const { return narrowness(wavenumber, radius_at(angle)); }
+double Nose::facet_share(double wavenumber, double sine) const {
+  return narrowness(wavenumber * sine, radius_at(angle)) * bent_share(wavenumber, facet_radius);
+}
 
 double Nose::shared_turn(double wavenumber) const {
   constexpr int points = 64;
   double sum = 0.0;
-  for (int i = 0; i < points; ++i) sum += narrowness(wavenumber, radius_at(pi / 2 * (i + 0.5) / points));
+  for (int i = 0; i < points; ++i) {
+    const double there = radius_at(pi / 2 * (i + 0.5) / points);
+    sum += narrowness(wavenumber, there) * bent_share(wavenumber, there);
+  }
   return sum * pi / points;
 }
 

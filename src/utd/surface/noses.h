@@ -26,6 +26,7 @@ struct Nose {
   double bend = 0.0;                // curvature of the edge times `radius`
   double angle = 0.0;               // theta of the facet
   double turn = 0.0;                // that the facet turns by, times its length along the edge [rad m]
+  double facet_radius = 0.0;        // of its larger curvature [m]
 
   double radius_at(double theta) const;  // [m], endless on the flanks
   double sine_to(const dvec3& ray) const { return glm::length(glm::cross(ray, along)); }
@@ -34,8 +35,9 @@ struct Nose {
   double edge_share(const dvec3& incident, double wavenumber) const;
   /// 1 where the edge is straight for a ray, 1/2 where that bends along it a quarter as much as across.
   double straightness(const dvec3& ray) const;
-  /// Share of the section that its facet has, and the integral of it over theta [rad]; k across the edge.
-  double facet_share(double wavenumber) const;
+  /// Share of the section that its facet has for rays at an angle of that sine to the edge, and the integral of it over theta
+  /// [rad] for those across.
+  double facet_share(double wavenumber, double sine = 1.0) const;
   double shared_turn(double wavenumber) const;
 };
 

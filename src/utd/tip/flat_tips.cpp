@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "core/angle.h"
 #include "utd/tip/rim_line.h"
@@ -14,6 +15,16 @@ namespace {
 constexpr double least_deficit = 60 * degree;                             // of the angles round a vertex, to make a point of it
 constexpr double narrowest_tip = 15 * degree, widest_tip = 165 * degree;  // angles between rims
 constexpr double near_tip = 0.15;                                         // of a rim's length: there it ends in a tip
+
+// Those that are edges at a wavenumber, whatever the target has at lower ones.
+std::vector<Nose> noses_at(std::span<const Nose> all, double wavenumber) {
+  constexpr double least_edge = 0.01;
+  std::vector<Nose> noses;
+  std::ranges::copy_if(all, std::back_inserter(noses), [&](const Nose& nose) {
+    return nose.radius > 0.0 && nose.facet_share(wavenumber) > 0.0 && nose.edge_share(-nose.outwards, wavenumber) >= least_edge;
+  });
+  return noses;
+}
 
 // [vertex]: 2 pi less the angles of its facets; 0 where others than conducting ones of closed curved surfaces are.
 std::vector<double> angle_deficits(const CurvedTarget& target) {
@@ -105,8 +116,9 @@ void join(std::vector<FlatTip>& tips) {
 
 std::vector<FlatTip> find_flat_tips(const CurvedTarget& target, double wavelength) {
   std::vector<FlatTip> tips;
-  if (target.noses.empty()) return tips;
-  const RimTracer tracer(target.noses, wavelength);
+  const std::vector<Nose> noses = noses_at(target.noses, 2 * pi / wavelength);
+  if (noses.empty()) return tips;
+  const RimTracer tracer(noses, wavelength);
   const std::vector<double> deficits = angle_deficits(target);
   for (std::size_t v = 0; v < deficits.size(); ++v)
     if (deficits[v] >= least_deficit)

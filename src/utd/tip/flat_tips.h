@@ -32,8 +32,8 @@ struct FlatTip {
   dvec3 across(std::uint32_t rim) const { return (rim == 0 ? 1.0 : -1.0) * glm::cross(normal, bisector); }
 };
 
-/// In the order of their vertices. Rims are those of the target's rounded edges (utd/surface/noses), in steps of a part of
-/// `wavelength`.
+/// In the order of their vertices. Rims are those of the target's rounded edges (utd/surface/noses) at `wavelength`, in steps of
+/// a part of it.
 std::vector<FlatTip> find_flat_tips(const CurvedTarget& target, double wavelength);
 
 }  // namespace raytube
