@@ -48,7 +48,9 @@ class WavesOverSurfaces : public Mechanism {
       : scene_(scene), frequencies_(scene.band.frequencies), tips_(find_tips(*scene.curved)), cones_(tips_.begin(), tips_.end()) {
     for (const double frequency : frequencies_) {
       rims_.push_back(rim_pieces(scene.curved->noses, wavenumber(frequency)));
-      flat_tips_.emplace_back(find_flat_tips(*scene.curved, wavelength(frequency)));
+      const long band = band_of(frequency);
+      if (!flat_tips_.contains(band))
+        flat_tips_.try_emplace(band, find_flat_tips(*scene.curved, wavelength(middle_of_band(band))));
     }
     const Target& target = scene.plan.target;
     if (!scene.plan.surfaces.waves.forced())
@@ -87,7 +89,7 @@ class WavesOverSurfaces : public Mechanism {
       const double k = wavenumber(frequencies[i]);
       StripPlaces* of_image = in_image && places.wavenumber == i ? &places : nullptr;
       found.scattering[i] += rim_scattering(*scene_.curved, rims_[indices[i]], rim_look, k, of_image);
-      found.scattering[i] += flat_tips_[indices[i]].scattering(*scene_.curved, rim_look, k, of_image);
+      found.scattering[i] += flat_tips_.at(band_of(frequencies[i])).scattering(*scene_.curved, rim_look, k, of_image);
     }
     if (one_antenna(traced.look)) add_tips(rim_look, frequencies, in_image ? &places : nullptr, found.scattering);
     if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));
@@ -151,7 +153,7 @@ class WavesOverSurfaces : public Mechanism {
   std::span<const double> frequencies_;
   std::vector<Tip> tips_;
   std::vector<ConicalTip> cones_;
-  std::vector<FlatTipWaves> flat_tips_;          // [frequency]
+  std::map<long, FlatTipWaves> flat_tips_;       // by band_of()
   std::vector<std::vector<RimPiece>> rims_;      // [frequency]
   std::optional<SurfaceWaveProspect> prospect_;  // unless they run in any case
 };
