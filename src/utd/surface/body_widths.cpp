@@ -29,4 +29,10 @@ std::vector<double> body_widths(const TriangleMesh& mesh) {
   return widths;
 }
 
+double share_of_width(double width) {
+  constexpr double none = 4.0, all = 6.0;
+  const double x = std::clamp((width - none) / (all - none), 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
 }  // namespace raytube

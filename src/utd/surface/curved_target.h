@@ -38,11 +38,11 @@ struct CurvedTarget {
     return frame;
   }
 
-  /// Whether a body is wide enough for waves to run over it at a wavenumber: not if it is under a wavelength across in both of
-  /// its short directions. There k times half the width is below pi and m below 1.2, so that the transitions at its two shadow
-  /// boundaries, 1/m to either side of each, fill more than half of the half turn between them: they are no longer Fock's, which
-  /// know one boundary.
-  bool is_wide(std::uint32_t component, double wavenumber) const { return widths[component] * wavenumber >= 2.0 * pi; }
+  /// What a body keeps of waves over it for its width.
+  double width_share(std::uint32_t component, double wavenumber) const { return share_of_width(widths[component] * wavenumber); }
+
+  /// Whether a body is wide enough for waves to run over it at a wavenumber.
+  bool is_wide(std::uint32_t component, double wavenumber) const { return width_share(component, wavenumber) > 0.0; }
 
   /// Of a facet, no_index: a perfect conductor.
   std::uint32_t material(std::uint32_t triangle) const {

@@ -156,9 +156,10 @@ class LitSide {
   }
 
   ScatteringMatrix amplitude(const Point& point, double k) const {
-    if (point.material != no_index) return coated_amplitude(point, k);
+    const double wide = target_.width_share(target_.tracer.mesh().triangle_component[point.triangle], k);
+    if (point.material != no_index) return coated_amplitude(point, k) *= wide;
     const FockCurrents share = lit_share(point.frame, k);
-    const double kept = target_.wave_share(point.triangle, point.incident, k);
+    const double kept = wide * target_.wave_share(point.triangle, point.incident, k);
     ScatteringMatrix hard = point.hard, soft = point.soft;
     return (hard *= kept * share.hard) += soft *= kept * share.soft;
   }

@@ -42,7 +42,8 @@ struct StripPoint {
 
 /// A strip into the dark from a point of the shadow boundary, as far as it has come.
 struct DarkStrip {
-  StripPoint q;                              // of the boundary
+  StripPoint q;  // of the boundary
+  std::uint32_t component;
   std::uint32_t material;                    // no_index: a perfect conductor
   dvec3 chord;                               // of its piece of that [m]
   double across;                             // its width there [m]
@@ -153,7 +154,9 @@ class SurfaceLook {
     const LookVectors& here = look_.at(q.position);
     const std::array<double, 2> magnetic = along(here.magnetic, q.binormal);
     arrive({start.triangle, corner, side < 0.0, q.position, q.along, q.position, look_.both(q.position), {}}, magnetic,
-           [&](double k) { return across * lit_share(frame, k).hard; });
+           [&](double k) {
+             return across * target_.width_share(mesh_.triangle_component[start.triangle], k) * lit_share(frame, k).hard;
+           });
   }
 
   // A hard current reaches the end of the surface: half(k) of it, times its width, for unit H along the binormal of its start,
@@ -198,8 +201,8 @@ class SurfaceLook {
     const StripWidth width{across, across * look_.spreading(q.position)};
     const LookVectors& here = look_.at(q.position);
     follow_dark(start, incident,
-                DarkStrip{q, target_.material(start.triangle), piece.chord, across, along(here.magnetic, q.binormal),
-                          along(here.electric, q.binormal), q, width},
+                DarkStrip{q, mesh_.triangle_component[start.triangle], target_.material(start.triangle), piece.chord, across,
+                          along(here.magnetic, q.binormal), along(here.electric, q.binormal), q, width},
                 side);
   }
 
@@ -243,9 +246,9 @@ class SurfaceLook {
   // What strips from all round bring to a tip is of order 1 about its axis: closer to that than k rho = 1 there is none, as on
   // the cone laid flat, where it is J of order 1 / sin(half angle), of k rho over that sine. What goes out again is the tip's.
   FockCurrents currents(const DarkStrip& strip, double k) const {
+    double share = target_.width_share(strip.component, k);
+    if (!tips_.empty()) share *= -std::expm1(-std::pow(k * strip.clearance, 2));
     FockCurrents fock = fock_currents(strip, k);
-    if (tips_.empty()) return fock;
-    const double share = -std::expm1(-std::pow(k * strip.clearance, 2));
     fock.hard *= share, fock.soft *= share;
     return fock;
   }
@@ -377,16 +380,20 @@ void put(SurfaceWaveResult&& part, std::span<const std::size_t> indices, Surface
 
 SurfaceWaveResult surface_wave_scattering(const CurvedTarget& target, const LocalLook& look, std::span<const double> frequencies,
                                           StripPlaces* places, std::vector<SurfaceRay>* rays, std::span<const ConicalTip> tips) {
-  // Frequencies at which waves run over the same bodies go together.
+  // Frequencies at which waves run over the same bodies go together, those between none and all of the waves by themselves:
+  // shares are polynomials of k from one bound to the other.
   std::map<std::size_t, std::vector<std::size_t>> groups;
   for (std::size_t f = 0; f < frequencies.size(); ++f) {
-    std::size_t bodies = 0;
-    for (std::uint32_t c = 0; c < target.widths.size(); ++c) bodies += target.is_wide(c, wavenumber(frequencies[f])) ? 1 : 0;
-    if (bodies > 0) groups[bodies].push_back(f);
+    std::size_t reached = 0;
+    for (std::uint32_t c = 0; c < target.widths.size(); ++c) {
+      const double share = target.width_share(c, wavenumber(frequencies[f]));
+      reached += share >= 1.0 ? 2 : share > 0.0 ? 1 : 0;
+    }
+    if (reached > 0) groups[reached].push_back(f);
   }
   SurfaceWaveResult all;
   all.scattering.resize(frequencies.size());
-  for (const auto& [bodies, indices] : groups) {
+  for (const auto& [reached, indices] : groups) {
     std::vector<double> some;
     for (const std::size_t f : indices) some.push_back(frequencies[f]);
     const auto asked = places == nullptr ? indices.end() : std::ranges::find(indices, places->wavenumber);
