@@ -6,6 +6,7 @@
 
 #include "shapes.h"
 #include "solve/solve.h"
+#include "utd/rounded/rims.h"
 #include "utd/surface/lit_frame.h"
 #include "utd/surface/shadow_boundary.h"
 
@@ -160,6 +161,43 @@ TEST(Noses, DoNotHangOnLowerFrequencies) {
   }
   EXPECT_GT(both, 100);
   EXPECT_GT(others, 100);
+}
+
+// The sides of a cylinder of half axes 1 and 1/3 along y: strips of two triangles each, as long as it is.
+PolygonSoup elliptic_cylinder(std::uint32_t sides, double length) {
+  PolygonSoup soup;
+  std::vector<std::uint32_t> bottom, top;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = 2 * pi * i / sides;
+    for (const double y : {-0.5 * length, 0.5 * length}) soup.points.emplace_back(std::cos(angle), y, std::sin(angle) / 3);
+    const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
+    soup.polygons.push_back({a, a + 1, b + 1});
+    soup.polygons.push_back({a, b + 1, b});
+    bottom.push_back(a);
+    top.insert(top.begin(), a + 1);
+  }
+  soup.polygons.push_back(bottom);
+  soup.polygons.push_back(top);
+  return soup;
+}
+
+// Both rims, wherever along them the middles of their two triangles a strip are.
+TEST(Noses, OfLongStripsAreRimsFromEndToEnd) {
+  const double length = 6.0, k = 2.0;
+  const Ball body(elliptic_cylinder(64, length));
+  const SmoothSurfaces smooth(body.loaded.mesh, 30 * degree, 0.1);
+  const std::vector<double> frequencies{k * speed_of_light / (2 * pi)};
+  const CurvedTarget curved(body.target.tracer, smooth, true, {}, frequencies);
+  double sum = 0.0, squares = 0.0;
+  for (const RimPiece& piece : rim_pieces(curved.short_noses(longest_nose(frequencies[0])), k)) {
+    EXPECT_NEAR(std::abs(piece.nose.position.x), 1.0, 0.02);
+    EXPECT_NEAR(piece.nose.radius, 1.0 / 9, 0.02);
+    EXPECT_LE(piece.length, 1.1 * longest_nose(frequencies[0]));
+    sum += piece.length;
+    squares += piece.length * piece.nose.position.y * piece.nose.position.y;
+  }
+  EXPECT_NEAR(sum / (2 * length), 1.0, 0.1);
+  EXPECT_NEAR(squares / sum, length * length / 12, 0.05);  // 1 of two points a strip
 }
 
 // k rho = 1 and e = 8/9: flanks from 49 degrees of the normal on, so that waves light both up to 41 degrees off the nose.

@@ -46,8 +46,11 @@ class WavesOverSurfaces : public Mechanism {
  public:
   explicit WavesOverSurfaces(const BandScene& scene)
       : scene_(scene), frequencies_(scene.band.frequencies), tips_(find_tips(*scene.curved)), cones_(tips_.begin(), tips_.end()) {
+    std::map<double, std::vector<Nose>> noses;
     for (const double frequency : frequencies_) {
-      rims_.push_back(rim_pieces(scene.curved->noses, wavenumber(frequency)));
+      const auto [found, is_new] = noses.try_emplace(longest_nose(frequency));
+      if (is_new) found->second = scene.curved->short_noses(found->first);
+      rims_.push_back(rim_pieces(found->second, wavenumber(frequency)));
       const long band = band_of(frequency);
       if (!flat_tips_.contains(band))
         flat_tips_.try_emplace(band, find_flat_tips(*scene.curved, wavelength(middle_of_band(band))));

@@ -47,6 +47,8 @@ ScatteringMatrix nose_amplitude(const Nose& nose, const LookVectors& look, doubl
 
 }  // namespace
 
+double longest_nose(double frequency) { return std::exp2(std::floor(std::log2(wavelength(frequency) / 4))); }
+
 std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber) {
   const double cell = piece_length * 2 * pi / wavenumber;
   std::map<std::array<long, 6>, RimPiece> cells;

@@ -16,7 +16,11 @@ struct RimPiece {
   double length = 0.0;  // [m]
 };
 
-/// Those of a target at a wavenumber, short beside the wavelength.
+/// How long the facets of noses may be along a rim at `frequency` [Hz]: the power of two between wavelength / 8 and wavelength /
+/// 4 that lies there [m], so that the frequencies of an octave share them.
+double longest_nose(double frequency);
+
+/// Those of a target at a wavenumber, short beside the wavelength as the facets of its noses are.
 std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber);
 
 /// S of what rims add to the physical optics of their surfaces [m].

@@ -27,7 +27,8 @@ struct CurvedTarget {
         widths(body_widths(tracer.mesh())),
         materials(some_materials),
         impedances(materials, frequencies),
-        noses(find_noses(tracer.mesh(), surfaces, curvatures, edges, lowest_wavenumber(frequencies))),
+        lowest(lowest_wavenumber(frequencies)),
+        noses(find_noses(tracer.mesh(), surfaces, curvatures, edges, lowest)),
         convex(is_convex) {}
 
   /// At barycentric coordinates of a triangle, seen from one of its sides: 1 its front, -1 its back.
@@ -61,6 +62,10 @@ struct CurvedTarget {
     return 1.0 - nose.edge_share(incident, wavenumber) * nose.facet_share(wavenumber, nose.sine_to(incident));
   }
 
+  std::vector<Nose> short_noses(double longest) const {
+    return noses_in_parts(tracer.mesh(), surfaces, curvatures, edges, lowest, noses, longest);
+  }
+
   const dvec3& corner(std::uint32_t triangle, int corner) const {
     return tracer.mesh().vertices[tracer.mesh().triangles[triangle][corner]];
   }
@@ -90,6 +95,7 @@ struct CurvedTarget {
   const std::vector<double> widths;  // of the components [m]
   const std::span<const Material> materials;
   const FaceImpedances impedances;
+  const double lowest;            // wavenumber
   const std::vector<Nose> noses;  // of the triangles; empty if no surface has rounded edges
   const bool convex;
 };

@@ -19,6 +19,8 @@ constexpr double longest_bend = 100 * degree;
 constexpr double steady_turn = 60 * degree;  // over which least_flattening leaves its mark: 1 - e/4 of kappa^(2/3) at least
 constexpr double flank_fade = 20 * degree;   // of a source near the plane of a flank, over which waves go on into the dark
 constexpr int most_pieces = 400;
+constexpr double no_more_slices = 1e-9;          // of a slice that would make another one
+constexpr dvec2 facet_middle(1.0 / 3, 1.0 / 3);  // of a facet
 const double steadiest = std::pow(1.0 - least_flattening / 4, 1.5);
 constexpr double flattest_flank = 1.3;  // sin^2(theta) where flanks would begin, at which a body counts half as one with flanks
 
@@ -54,19 +56,18 @@ class NoseFinder {
              double wavenumber)
       : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), edges_(edges), wavenumber_(wavenumber) {}
 
-  Nose at(std::uint32_t triangle) const {
-    const dvec2 middle(1.0 / 3, 1.0 / 3);
-    const SurfaceFrame frame = curvatures_.at(triangle, middle);
+  Nose at(const FacetPoint& start) const {
+    const SurfaceFrame frame = curvatures_.at(start.triangle, start.l);
     const Principal principal = principal_at(frame);
     if (most_radii * edge_radius * principal.larger < wavenumber_ || principal.smaller > 0.5 * principal.larger) return {};
     const Plane plane{frame.normal, principal.direction};
     std::vector<Sample> samples, ahead;
-    if (!walk(triangle, plane, -1.0, samples) || !walk(triangle, plane, 1.0, ahead)) return {};
+    if (!walk(start, plane, -1.0, samples) || !walk(start, plane, 1.0, ahead)) return {};
     std::ranges::reverse(samples);
     std::ranges::copy(ahead, std::back_inserter(samples));
     Nose nose = fit(bent_part(samples), plane);
     if (nose.radius <= 0.0 || wavenumber_ * nose.radius >= edge_radius) return {};
-    nose.turn = turn_of(triangle, plane.across);
+    nose.turn = turn_of(start.triangle, plane.across);
     nose.facet_radius = 1.0 / principal.larger;
     return nose;
   }
@@ -79,8 +80,7 @@ class NoseFinder {
   };
 
   // False where the section bends as a cylinder does.
-  bool walk(std::uint32_t triangle, const Plane& plane, double way, std::vector<Sample>& samples) const {
-    const FacetPoint start{triangle, {1.0 / 3, 1.0 / 3}};
+  bool walk(const FacetPoint& start, const Plane& plane, double way, std::vector<Sample>& samples) const {
     Geodesic geodesic(mesh_, surfaces_, curvatures_, edges_, start, way * plane.across);
     GeodesicPiece piece{start, start.l, way * plane.across};
     double angle = 0.0, least = std::numeric_limits<double>::infinity(), most = 0.0;
@@ -132,7 +132,7 @@ class NoseFinder {
     nose.position = glm::mix(a.position, b.position, share);
     nose.outwards = std::cos(centre) * plane.normal + std::sin(centre) * plane.across;
     nose.along = glm::cross(plane.normal, plane.across);
-    const SurfaceFrame there = curvatures_.at(b.triangle, {1.0 / 3, 1.0 / 3});
+    const SurfaceFrame there = curvatures_.at(b.triangle, facet_middle);
     nose.bend = there.curvature(nose.along) * nose.radius;
     return nose;
   }
@@ -158,6 +158,38 @@ class NoseFinder {
   const EdgeTable& edges_;
   double wavenumber_;
 };
+
+/// A slice of a facet across a direction.
+struct Slice {
+  dvec2 middle;
+  double ahead;  // of the facet's middle [m]
+  double share;  // of its area
+};
+
+double weighted(const dvec3& at_corners, const dvec2& l) { return glm::dot(at_corners, dvec3(1.0 - l.x - l.y, l)); }
+
+// Of equal thickness.
+std::vector<Slice> slices(const dvec3& along_at_corners, double thickest) {
+  constexpr std::array<dvec2, 3> corners{dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)};
+  std::array<int, 3> order{0, 1, 2};
+  std::ranges::sort(order, {}, [&](int corner) { return along_at_corners[corner]; });
+  const double low = along_at_corners[order[0]], between = along_at_corners[order[1]], high = along_at_corners[order[2]];
+  const int count = std::max(1, static_cast<int>(std::ceil((high - low) / thickest - no_more_slices)));
+  const auto on = [&](int from, int to, double u) {
+    const double a = along_at_corners[from], b = along_at_corners[to];
+    return glm::mix(corners[from], corners[to], b > a ? (u - a) / (b - a) : 0.5);
+  };
+  std::vector<Slice> result;
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const double u = glm::mix(low, high, (i + 0.5) / count);
+    const dvec2 one = on(order[0], order[2], u), other = u < between ? on(order[0], order[1], u) : on(order[1], order[2], u);
+    result.push_back({0.5 * (one + other), u - weighted(along_at_corners, facet_middle), glm::distance(one, other)});
+    sum += result.back().share;
+  }
+  for (Slice& slice : result) slice.share /= sum;
+  return result;
+}
 
 }  // namespace
 
@@ -209,11 +241,34 @@ std::vector<Nose> find_noses(const TriangleMesh& mesh, const SmoothSurfaces& sur
   bool any = false;
   for (std::uint32_t t = 0; t < noses.size(); ++t) {
     if (!surfaces.conducts(t) || !mesh.closed(t)) continue;
-    noses[t] = finder.at(t);
+    noses[t] = finder.at({t, facet_middle});
     any = any || noses[t].radius > 0.0;
   }
   if (!any) noses.clear();
   return noses;
+}
+
+std::vector<Nose> noses_in_parts(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
+                                 const EdgeTable& edges, double wavenumber, std::span<const Nose> noses, double longest) {
+  const NoseFinder finder(mesh, surfaces, curvatures, edges, wavenumber);
+  std::vector<Nose> parts;
+  for (std::uint32_t t = 0; t < noses.size(); ++t) {
+    const Nose& whole = noses[t];
+    if (whole.radius <= 0.0) continue;
+    dvec3 along;
+    for (int c = 0; c < 3; ++c) along[c] = glm::dot(whole.along, mesh.vertices[mesh.triangles[t][c]]);
+    const std::vector<Slice> cut = slices(along, longest);
+    for (const Slice& slice : cut) {
+      Nose part = cut.size() == 1 ? whole : finder.at({t, slice.middle});
+      if (part.radius <= 0.0) {
+        part = whole;
+        part.position += slice.ahead * whole.along;
+      }
+      part.turn = slice.share * whole.turn;
+      parts.push_back(part);
+    }
+  }
+  return parts;
 }
 
 }  // namespace raytube

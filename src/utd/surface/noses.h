@@ -1,6 +1,7 @@
 // Where a curved surface bends so sharply between flatter flanks that a wave finds a rounded edge there.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mesh/model/edge_table.h"
@@ -44,5 +45,10 @@ struct Nose {
 /// Those of all facets, [triangle], that matter at `wavenumber` and above.
 std::vector<Nose> find_noses(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
                              const EdgeTable& edges, double wavenumber);
+
+/// The noses among those, as found at that wavenumber; of facets that reach further than `longest` [m] along their edge one for
+/// each part of that length, with its share of `turn`: strips of a wing's leading edge may be as long as the wing.
+std::vector<Nose> noses_in_parts(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
+                                 const EdgeTable& edges, double wavenumber, std::span<const Nose> noses, double longest);
 
 }  // namespace raytube
