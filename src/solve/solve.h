@@ -5,7 +5,7 @@
 // look
 //   S = physical-optics currents of every bounce of the tubes                (sbr/sbr.h)
 //     + fringe currents of lit edges, with multiple diffraction              (utd/edge_sets.h)
-//     + corner waves along plate edges                                       (utd/corner/corner_waves.h)
+//     + corner waves along edges                                             (utd/corner/corner_waves.h)
 //     + edge-face interaction: edge-diffracted illumination of other faces   (utd/interaction/edge_face_interaction.h)
 //     + waves over curved surfaces                                           (utd/surface/surface_waves.h)
 //     + edges of materials                                                   (utd/fringe/material_edges.h)

@@ -194,6 +194,96 @@ TEST(CornerWaves, FrequenciesAtOnceAreThoseOneByOne) {
   }
 }
 
+TEST(SolidCorner, OfACubeIsThatOfAFinerSolution) {
+  // Own solution with 64 points a side and the harmonic taken 0.6 rad from the edge; here they are 16 and 0.2.
+  const SolidCorner corner({pi / 2, pi / 2, pi / 2});
+  struct Case {
+    double theta, phi;  // edge along -z, first face beside the edge along -y, the other one along -x
+    std::array<Complex, 3> start;
+  };
+  for (const Case& c : {Case{60, 35, {Complex(-.0528, -.0036), {-.0331, -.0001}, {.1077, .0052}}},
+                        Case{60, 15, {Complex(-.0706, -.0256), {-.0147, .0023}, {.1247, .0417}}},
+                        Case{110, 40, {Complex(.0162, -.0002), {.0145, -.0002}, {.0598, -.0009}}},
+                        Case{30, 10, {Complex(-.3445, -.1374), {-.1592, .0576}, {.2118, .0723}}}}) {
+    const Direction from{c.theta * degree, c.phi * degree};
+    const dvec3 w = spherical_basis(from).radial;
+    const ComplexVector start = corner.start({-w.z, -w.y, -w.x});
+    EXPECT_LE(std::abs(dot(start, {0, 0, 1}) + c.start[0]), 0.004) << c.theta;
+    EXPECT_LE(std::abs(dot(start, {0, 1, 0}) + c.start[1]), 0.004) << c.theta;
+    EXPECT_LE(std::abs(dot(start, {1, 0, 0}) + c.start[2]), 0.004) << c.theta;
+  }
+  EXPECT_EQ(norm(corner.start(glm::normalize(dvec3(1, 1, 1)))), 0.0);  // from inside
+}
+
+TEST(SolidCorner, IsContinuousDownToItsFaces) {
+  const SolidCorner corner({80 * degree, 100 * degree, 70 * degree});
+  // Over the first face, away from its ends.
+  for (const double along : {0.5, 0.8, 1.1}) {
+    const auto start = [&](double height) {
+      return corner.start({std::cos(height) * std::cos(along), std::cos(height) * std::sin(along), -std::sin(height)});
+    };
+    ComplexVector before = start(0.4);
+    for (double height = 0.399; height > 0; height -= 0.001) {
+      const ComplexVector now = start(height);
+      // Thirty times its mean change over such a step.
+      EXPECT_LE(norm(now - before), 0.03 * (norm(before) + 0.1)) << along << ' ' << height;
+      before = now;
+    }
+  }
+}
+
+/// Edges of a closed body of plane faces.
+std::vector<Wedge> edges_of(const PolygonSoup& soup) { return find_wedges(build_mesh(soup, 1.0).mesh, 5.0 * degree); }
+
+/// Of a scalene triangle.
+PolygonSoup prism_of_three_sides() { return shapes::prism({{0, 0}, {2.1, 0.3}, {0.7, 1.9}}, 0.0, 2.4); }
+
+TEST(SolidEdges, RunBetweenCornersOfThreeEdges) {
+  const auto count = [](const std::vector<Wedge>& wedges) {
+    const CornerWaves waves(wedges);
+    std::size_t edges = 0;
+    for (std::uint32_t i = 0; i < wedges.size(); ++i) edges += waves.run_along(i);
+    return edges;
+  };
+  EXPECT_EQ(count(edges_of(shapes::cube(2.0))), 12);
+  EXPECT_EQ(count(edges_of(prism_of_three_sides())), 9);
+  std::vector<dvec2> polygon;
+  for (int i = 0; i < 12; ++i) polygon.push_back({std::cos(i * pi / 6), std::sin(i * pi / 6)});
+  EXPECT_EQ(count(edges_of(shapes::prism(polygon, 0.0, 2.0))), 0);  // edges of 30 degrees between its sides
+}
+
+TEST(SolidEdges, HaveReciprocalWavesThatTurnAndMirrorWithTheBody) {
+  const PolygonSoup body = prism_of_three_sides();
+  const Direction a{1.0, 0.7}, b{1.2, 1.6};
+  const double f = speed_of_light;
+  const ScatteringMatrix there = waves_of(edges_of(body), {a, b}, f), back = waves_of(edges_of(body), {b, a}, f);
+  EXPECT_GT(largest_amplitude(there), 1e-3);
+  EXPECT_LE(std::abs(there.vv() - back.vv()), 1e-14);
+  EXPECT_LE(std::abs(there.vh() - back.hv()), 1e-14);
+  EXPECT_LE(std::abs(there.hh() - back.hh()), 1e-14);
+  const double c = std::cos(0.4), s = std::sin(0.4);
+  const glm::dmat3 turn(dvec3(c, s, 0), dvec3(-s, c, 0), dvec3(0, 0, 1)), mirror(dvec3(1, 0, 0), dvec3(0, -1, 0), dvec3(0, 0, 1));
+  const auto turned = [](const Direction& d) { return Direction{d.theta, d.phi + 0.4}; };
+  // Meshes are centred in their boxes, so that phases have another origin.
+  const ScatteringMatrix other = waves_of(edges_of(shapes::transformed(body, turn)), {turned(a), turned(b)}, f);
+  EXPECT_LE(std::abs(std::abs(there.vv()) - std::abs(other.vv())), 1e-12);
+  EXPECT_LE(std::abs(std::abs(there.vh()) - std::abs(other.vh())), 1e-12);
+  EXPECT_LE(std::abs(std::abs(there.hh()) - std::abs(other.hh())), 1e-12);
+  PolygonSoup image = shapes::transformed(body, mirror);
+  for (auto& polygon : image.polygons) std::ranges::reverse(polygon);
+  const ScatteringMatrix mirrored = waves_of(edges_of(image), {{a.theta, -a.phi}, {b.theta, -b.phi}}, f);
+  EXPECT_LE(std::abs(there.vv() - mirrored.vv()), 1e-12);
+  EXPECT_LE(std::abs(there.hh() - mirrored.hh()), 1e-12);
+  EXPECT_LE(std::abs(there.hv() + mirrored.hv()), 1e-12);
+}
+
+TEST(SolidEdges, FadeWhereTheyAreLong) {
+  const std::vector<Wedge> wedges = edges_of(shapes::cube(2.0));
+  const Look look{{1.0, 0.5}, {1.0, 0.5}};
+  EXPECT_GT(largest_amplitude(waves_of(wedges, look, 5 * speed_of_light)), 0.0);
+  EXPECT_EQ(largest_amplitude(waves_of(wedges, look, 21 * speed_of_light)), 0.0);  // 42 wavelengths
+}
+
 /// A wing's edges: chord 3 m along x between two arcs that rise so far, span 3 m along y, its ends turned by `sweep` [rad].
 std::vector<Wedge> wing(double rise, double sweep = 0.0) {
   constexpr int parts = 16;

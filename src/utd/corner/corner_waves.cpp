@@ -6,16 +6,13 @@
 
 #include "math/erfc_ray.h"
 #include "mesh/model/point_tree.h"
+#include "utd/corner/corner_angles.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double in_plane = 0.05;  // what a plane may be off, as thin plates' sides may [rad]
 constexpr double least_weight = 1e-9;
-
-/// The multiple of 0.1 degrees [rad]: coordinates in single precision move angles of small sheets far from the origin.
-double rounded(double angle) { return std::round(10.0 * angle / degree) * 0.1 * degree; }
 
 bool is_half_plane(const Wedge& wedge) { return wedge.radiates() && std::abs(wedge.n - 2.0) < 1e-9; }
 
@@ -62,7 +59,7 @@ class CornerWaves::Finder {
     if (!is_half_plane(wedges_[index])) return std::nullopt;
     Edge edge{.ends = {}, .length = wedges_[index].length(), .part = 1.0, .first = index};
     const auto start = follow(2 * index, edge.length), finish = start ? follow(2 * index + 1, edge.length) : std::nullopt;
-    if (!finish || angle_between(direction(*start), direction(*finish)) < SheetCorner::greatest_angle) return std::nullopt;
+    if (!finish || angle_between(direction(*start), direction(*finish)) < greatest_corner) return std::nullopt;
     for (const std::uint32_t side : {0u, 1u}) {
       const auto end = corner(side == 0 ? *start : *finish, wedges_[index].faces[0].normal);
       if (!end) return std::nullopt;
@@ -96,9 +93,9 @@ class CornerWaves::Finder {
     while (true) {
       const auto next = met_by(end);
       if (!next) return std::nullopt;
-      if (angle_between(direction(*next), direction(end)) <= SheetCorner::greatest_angle) return end;
+      if (angle_between(direction(*next), direction(end)) <= greatest_corner) return end;
       end = *next ^ 1u;
-      if (angle_between(direction(end), first) > pi - SheetCorner::greatest_angle) return std::nullopt;
+      if (angle_between(direction(end), first) > pi - greatest_corner) return std::nullopt;
       length += wedges_[end / 2].length();
     }
   }
@@ -109,8 +106,8 @@ class CornerWaves::Finder {
     const std::uint32_t beside = *met_by(end);
     const dvec3 met = direction(beside), edge = flat(direction(end)), other = flat(met);
     const double angle = angle_between(edge, other);
-    if (angle < SheetCorner::least_angle || angle > SheetCorner::greatest_angle) return std::nullopt;
-    if (glm::dot(wedges_[end / 2].faces[0].into_face, other) <= 0 || std::abs(glm::dot(normal, met)) > in_plane)
+    if (angle < least_corner || angle > greatest_corner) return std::nullopt;
+    if (glm::dot(wedges_[end / 2].faces[0].into_face, other) <= 0 || std::abs(glm::dot(normal, met)) > off_plane)
       return std::nullopt;
     const dvec3 bisector = glm::normalize(edge + other), along = glm::normalize(edge - glm::dot(edge, bisector) * bisector);
     const double side = glm::dot(glm::cross(bisector, along), normal) < 0 ? -1.0 : 1.0;
@@ -125,7 +122,7 @@ class CornerWaves::Finder {
   std::vector<std::uint32_t> near_;
 };
 
-CornerWaves::CornerWaves(std::span<const Wedge> wedges) : edges_(wedges.size()) {
+CornerWaves::CornerWaves(std::span<const Wedge> wedges) : edges_(wedges.size()), solids_(wedges) {
   Finder finder(wedges);
   std::vector<std::uint32_t> longest_first;
   for (std::uint32_t i = 0; i < wedges.size(); ++i) edges_[i] = finder.edge(i);
@@ -135,7 +132,7 @@ CornerWaves::CornerWaves(std::span<const Wedge> wedges) : edges_(wedges.size()) 
   std::ranges::stable_sort(longest_first, std::ranges::greater{}, [&](std::uint32_t i) { return edges_[i]->length; });
   for (const std::uint32_t i : longest_first)
     for (End& end : edges_[i]->ends)
-      if (edges_[i] && !(end.angle = angle_of(rounded(angle_between(end.edge, end.other_edge))))) {
+      if (edges_[i] && !(end.angle = angle_of(rounded_corner(angle_between(end.edge, end.other_edge))))) {
         edges_[i].reset();
         break;
       }
@@ -154,7 +151,7 @@ std::optional<CornerWaves::End> CornerWaves::corner_at(const ThinEnd& thin, int 
   const ThinEnd::Tip& here = thin.tips[tip];
   const dvec3 across = glm::normalize(thin.tips[1 - tip].position - here.position);
   const double angle = angle_between(across, here.sharp);
-  if (angle < SheetCorner::least_angle || angle > SheetCorner::greatest_angle) return std::nullopt;
+  if (angle < least_corner || angle > greatest_corner) return std::nullopt;
   const dvec3 &edge = along_sharp ? here.sharp : across, &other = along_sharp ? across : here.sharp;
   const dvec3 bisector = glm::normalize(edge + other), along = glm::normalize(edge - glm::dot(edge, bisector) * bisector);
   const dvec3 normal = glm::normalize(glm::cross(bisector, along));
@@ -197,6 +194,7 @@ void CornerWaves::put_sharp_edge(std::span<const Wedge> wedges, const ThinEnd& t
 }
 
 double CornerWaves::part(std::uint32_t wedge, const dvec3& incident) const {
+  if (!edges_[wedge]) return 1.0;
   const double from_beyond = glm::dot(incident, edges_[wedge]->towards);
   return edges_[wedge]->part * (from_beyond == 0.0 && edges_[wedge]->thickness > 0.0 ? 0.5 : from_beyond > 0.0 ? 0.0 : 1.0);
 }
@@ -281,17 +279,53 @@ void CornerWaves::add_way(const Edge& edge, int from, double share, const std::a
   }
 }
 
+// Both ways.
+void CornerWaves::add_solid(const SolidEdge& edge, double share, const std::array<Visit, 2>& visits,
+                            std::span<const double> frequencies, std::span<ScatteringMatrix> sum) {
+  const auto weights = [&](int from, double k) {
+    return edge.ends[from].weight(-visits[from].look.incident, k, edge.length) *
+           edge.ends[1 - from].weight(visits[1 - from].look.scattered, k, edge.length) * edge.reach(k);
+  };
+  const auto matters = [&](double frequency) {
+    return weights(0, wavenumber(frequency)) >= least_weight || weights(1, wavenumber(frequency)) >= least_weight;
+  };
+  if (std::ranges::none_of(frequencies, matters)) return;
+  const std::array<SolidPassage, 2> ends{passage(edge.ends[0], visits[0].look), passage(edge.ends[1], visits[1].look)};
+  for (std::size_t f = 0; f < frequencies.size(); ++f)
+    for (const int from : {0, 1}) {
+      const double k = wavenumber(frequencies[f]), lambda = wavelength(frequencies[f]);
+      const double path = visits[from].in + visits[1 - from].out - edge.length;
+      const double size = share * weights(from, k) * lambda * std::pow(lambda / edge.length, 1.0 / edge.n);
+      const Complex factor = over_edge(edge.n) * std::polar(size, k * path);
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) sum[f].at(p, q) += factor * ends[1 - from].leaves[p] * ends[from].starts[q];
+    }
+}
+
+CornerWaves::SolidPassage CornerWaves::passage(const SolidEnd& end, const LookVectors& look) {
+  const auto parts = [&](const dvec3& towards, const std::array<dvec3, 2>& fields) {
+    const ComplexVector wave = end.corners->solved().start(end.local(towards));
+    return std::array{dot(wave, end.local(fields[0])), dot(wave, end.local(fields[1]))};
+  };
+  const std::array<Complex, 2> starts = parts(-look.incident, look.electric);
+  const bool same = look.scattered == -look.incident && look.receive == look.electric;
+  return {starts, same ? starts : parts(look.scattered, look.receive)};
+}
+
 std::array<dvec3, 2> CornerWaves::corners_of(std::uint32_t wedge) const {
-  return {edges_[wedge]->ends[0].position, edges_[wedge]->ends[1].position};
+  const auto positions = [](const auto& edge) { return std::array{edge.ends[0].position, edge.ends[1].position}; };
+  return edges_[wedge] ? positions(*edges_[wedge]) : positions(*solids_[wedge]);
 }
 
 dvec3 CornerWaves::place(std::uint32_t wedge, const dvec3& towards) const {
   const auto& [first, last] = corners_of(wedge);
-  return 0.5 * (first + last - edges_[wedge]->length * towards);
+  const double length = edges_[wedge] ? edges_[wedge]->length : solids_[wedge]->length;
+  return 0.5 * (first + last - length * towards);
 }
 
 void CornerWaves::add_edge(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits,
                            std::span<const double> frequencies, std::span<ScatteringMatrix> sum) const {
+  if (!edges_[wedge]) return add_solid(*solids_[wedge], share, visits, frequencies, sum);
   for (const int from : {0, 1}) add_way(*edges_[wedge], from, share, visits, frequencies, sum);
 }
 

@@ -1,9 +1,12 @@
-// Waves along the edges of plane sheets and of thin bodies, from corner to corner.
+// Waves along the edges of plane sheets, of thin bodies and of solids, from corner to corner.
 //
-// A wave that meets the corner of a sheet sends a wave along either edge there; at the next corner this one leaves for the radar,
+// A wave that meets a corner sends a wave along every edge there; at the next corner this one leaves for the radar,
 // and the other way round. Strips (utd/multiple) do not have it: their currents start on edges, not at corners.
 //   radial_wave      fields on the unit sphere, of which those of a corner are made
-//   sheet_corner     one corner, exactly
+//   order_nodes      the orders over which these are summed
+//   sheet_corner     one corner of a sheet, exactly
+//   solid_corner     one corner of three faces of a solid, exactly
+//   solid_edges      which edges of solids run between two of those
 //   thin_ends        ends of bodies that are thin to such a wave
 //   corner_waves     which edges run between two corners, and what their waves add to S
 #pragma once
@@ -14,6 +17,7 @@
 #include <span>
 
 #include "utd/corner/sheet_corner.h"
+#include "utd/corner/solid_edges.h"
 #include "utd/corner/thin_ends.h"
 #include "utd/wedge/edge_currents.h"
 
@@ -21,15 +25,15 @@ namespace raytube {
 
 /// The edges of half planes that end, at both ends, at a corner of two such edges of one sheet and nothing else; an edge may bend
 /// by 15 degrees on its way, of one wedge or several. Ends of thin bodies and the sharp edges between them are such edges, too,
-/// of the sheets in the middle of these. A corner is solved when a look first asks for it; angles are
-/// rounded to 0.1 degrees. Of more than `most_angles` only those of the longest edges have waves. Thread-safe.
+/// of the sheets in the middle of these; those of solids are the ones of SolidEdges. A corner is solved when a look first asks
+/// for it; angles are rounded to 0.1 degrees. Of more than `most_angles` only those of the longest edges have waves. Thread-safe.
 class CornerWaves {
  public:
   /// Edges that radiate; they must not be needed after that.
   explicit CornerWaves(std::span<const Wedge> wedges);
 
   /// Whether edge `wedge` has any.
-  bool run_along(std::uint32_t wedge) const { return wedge < edges_.size() && edges_[wedge].has_value(); }
+  bool run_along(std::uint32_t wedge) const { return wedge < edges_.size() && (edges_[wedge] || solids_[wedge]); }
 
   /// The waves of transmitter and receiver at a corner.
   struct Visit {
@@ -37,7 +41,7 @@ class CornerWaves {
     double in, out;  // their phases there over k [m]
   };
   /// The first wedge of the edge that `wedge` is a part of, if it is one of a thin body; else `wedge` itself.
-  std::uint32_t first_of(std::uint32_t wedge) const { return edges_[wedge]->first; }
+  std::uint32_t first_of(std::uint32_t wedge) const { return edges_[wedge] ? edges_[wedge]->first : wedge; }
   /// How much of the edge the wedge is to a wave that comes in this direction: of a thin end the line on its near side counts.
   double part(std::uint32_t wedge, const dvec3& incident) const;
 
@@ -61,7 +65,7 @@ class CornerWaves {
            std::span<ScatteringMatrix> sum) const;
 
   /// Of its corners, once they are solved.
-  std::size_t bytes() const { return angles_.size() * SheetCorner::bytes(); }
+  std::size_t bytes() const { return angles_.size() * SheetCorner::bytes() + solids_.bytes(); }
 
   static constexpr std::size_t most_angles = 16;
 
@@ -102,6 +106,10 @@ class CornerWaves {
   struct Passage {
     std::array<Complex, 2> flat, upright;
   };
+  /// The same of a solid's, for the transmitter and for the receiver.
+  struct SolidPassage {
+    std::array<Complex, 2> starts, leaves;
+  };
   static Passage passage(const End& end, const dvec3& towards, const std::array<dvec3, 2>& fields);
   static Complex upright_factor(const End& end, const dvec3& towards, double electrical_length);
   static double weight(const End& end, const dvec3& towards, double wavenumber, double length);
@@ -112,10 +120,14 @@ class CornerWaves {
   void put_sharp_edge(std::span<const Wedge> wedges, const ThinEnd& thin, int tip, std::span<const ThinEnd> all);
   static void add_way(const Edge& edge, int from, double share, const std::array<Visit, 2>& visits,
                       std::span<const double> frequencies, std::span<ScatteringMatrix> sum);
+  static SolidPassage passage(const SolidEnd& end, const LookVectors& look);
+  static void add_solid(const SolidEdge& edge, double share, const std::array<Visit, 2>& visits,
+                        std::span<const double> frequencies, std::span<ScatteringMatrix> sum);
   const Angle* angle_of(double angle);
 
   std::vector<std::unique_ptr<Angle>> angles_;
   std::vector<std::optional<Edge>> edges_;  // [wedge]
+  SolidEdges solids_;
 };
 
 }  // namespace raytube

@@ -14,7 +14,21 @@ constexpr double first_zone = 0.3, zone_width = 0.08;
 constexpr int steps = 33;
 const double nearest_cosine = -std::cos(first_zone + steps * zone_width);
 
-double middle_of(int zone) { return -std::cos(first_zone + (zone - 0.5) * zone_width); }
+double cosine_at(double zones) { return -std::cos(first_zone + zones * zone_width); }
+
+/// Cosines of the zones' ends and, from the second on, of their middles.
+struct Zones {
+  std::array<double, steps + 1> end, middle;
+  Zones() {
+    for (int zone = 0; zone <= steps; ++zone) end[zone] = cosine_at(zone), middle[zone] = cosine_at(zone - 0.5);
+  }
+  int of(double cosine) const {
+    return static_cast<int>(std::ranges::lower_bound(end.begin(), end.end() - 1, cosine) - end.begin());
+  }
+};
+const Zones zones;
+
+double middle_of(int zone) { return zones.middle[zone]; }
 
 /// Coefficients of the solution of Legendre's equation around c0, from its value and slope there: the equation
 /// (1 - c^2) g'' - 2 c g' + (nu^2 - 1/4) g = 0, power by power.
@@ -101,8 +115,7 @@ RadialWave::Values RadialWave::near_source(double cosine) const {
 
 RadialWave::Values RadialWave::at(double cosine) const {
   if (cosine > nearest_cosine) return near_source(cosine);
-  const double angle = std::acos(std::min(-cosine, 1.0));
-  const int zone = angle < first_zone ? 0 : std::min(1 + static_cast<int>((angle - first_zone) / zone_width), steps);
+  const int zone = zones.of(cosine);
   return evaluate(zones_[zone], zone == 0 ? 1.0 + cosine : cosine - middle_of(zone));
 }
 

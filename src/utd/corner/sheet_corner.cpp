@@ -5,43 +5,13 @@
 #include <cmath>
 #include <span>
 
-#include "math/gauss.h"
+#include "utd/corner/order_nodes.h"
 
 namespace raytube {
 
 namespace {
 
 using ComplexMatrix = Eigen::MatrixXcd;
-
-// --- the path of integration over nu ---
-
-/// Gaussian in nu.
-constexpr double cutoff = 6.0;
-
-struct Node {
-  Complex nu, weight;
-};
-
-/// Nodes from `from` to `to` along a straight line; their weights with what every term has besides its Green's functions.
-void add_line(Complex from, Complex to, int count, std::vector<Node>& nodes) {
-  for (const GaussPoint& point : gauss_rule(count)) {
-    const Complex nu = from + point.node * (to - from);
-    const Complex factor = 2.0 * nu * std::polar(1.0, -0.5 * pi) * std::exp(Complex(0, pi) * nu) / (nu * nu - 0.25);
-    const double taper = std::exp(-nu.real() * nu.real() / (cutoff * cutoff));
-    nodes.push_back({nu, factor * taper * point.weight * (to - from) / Complex(0, 2 * pi)});
-  }
-}
-
-/// Around all eigenvalues: in below the real axis, between the poles at 1/2 and the least eigenvalue, and out into the upper half
-/// plane, where the integrand falls as e^(-pi Im nu) does.
-std::vector<Node> nodes_over_orders() {
-  constexpr double left = 0.6, below = 0.4, top = 6.0, panel = 1.76;
-  std::vector<Node> nodes;
-  add_line({left, 0}, {left, top}, 24, nodes);
-  add_line({left, -below}, {left, 0}, 6, nodes);
-  for (double x = left; x < 2.6 * cutoff; x += panel) add_line({x + panel, -below}, {x, -below}, 8, nodes);
-  return nodes;
-}
 
 // --- the arc ---
 
@@ -127,7 +97,7 @@ SheetCorner::SheetCorner(double angle) : half_angle_(angle / 2), sources_(source
   // The densities' roots at the edge: a sum over all functions, with their values or slopes there.
   const Eigen::VectorXcd soft_end = Eigen::VectorXcd::Constant(functions, std::sqrt(angle) / 4);
   const Eigen::VectorXcd hard_end = Eigen::VectorXcd::LinSpaced(functions, 1, functions) / (-2 * std::sqrt(angle));
-  for (const Node& node : nodes_over_orders()) {
+  for (const OrderNode& node : nodes_over_orders()) {
     const RadialWave green(node.nu);
     const Kernels kernels(arc.s, logs, node.nu, green);
     const Complex eigenvalue = node.nu * node.nu - 0.25;

@@ -41,8 +41,6 @@ class SheetCorner {
   /// Of one.
   static std::size_t bytes();
 
-  static constexpr double least_angle = 15.0 * degree, greatest_angle = 165.0 * degree;
-
  private:
   struct Arc;
 

@@ -1,0 +1,151 @@
+#include "utd/corner/solid_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.h"
+#include "mesh/model/point_tree.h"
+#include "utd/corner/corner_angles.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double least_n = 1.25, most_n = 1.0 + 165.0 / 180.0;
+
+bool is_edge_of_solid(const Wedge& wedge) {
+  return wedge.radiates() && wedge.n > least_n && wedge.n < most_n && wedge.share == 1.0;
+}
+
+double fade(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+}  // namespace
+
+const SolidCorner& SolidCorners::solved() const {
+  std::call_once(once_, [this] { corner_.emplace(shape_); });
+  return *corner_;
+}
+
+// As of a plate's corners (corner_waves.cpp). Of edges closer together than 2 sqrt(2 / kL) each stands in the other's zone, and
+// the corner sends no plane wave there: a tip of 30 degrees under waves of 3 lambda.
+double SolidEnd::weight(const dvec3& towards, double wavenumber, double length) const {
+  const double electrical = wavenumber * length, zone = 2.0 * std::sqrt(2.0 / electrical);
+  const auto off = [&](double angle) { return -std::expm1(-electrical * angle * angle); };
+  double product = 1.0, off_own_cone = pi;
+  for (const int other : {1, 2}) {
+    const double between = angle_between(edges[0], edges[other]), off_edge = angle_between(towards, edges[other]);
+    const double own = std::abs(angle_between(towards, edges[0]) + between - pi);
+    const double electrical_length = wavenumber * other_lengths[other - 1];
+    off_own_cone = std::min(off_own_cone, own);
+    product *= off(off_edge) * off(off_edge + between - pi) * -std::expm1(-electrical_length * electrical_length) *
+               fade(2.5 * (between / zone - 0.8));
+  }
+  return product * off(off_own_cone) * off(angle_between(towards, edges[0]));
+}
+
+double SolidEdge::reach(double wavenumber) const { return fade(2.0 - wavenumber * length / (2.0 * pi * 20.0)); }
+
+Complex over_edge(double n) {
+  const Complex c0 =
+      Complex(0, -4.0 / (n * n)) * std::polar(std::pow(2.0, -1.0 / n) / std::tgamma(1.0 + 1.0 / n), pi / (2.0 * n));
+  return -std::pow(2.0 * pi, 1.0 - 1.0 / n) / c0;
+}
+
+/// Looks for the corners between which edges run.
+class SolidEdges::Finder {
+ public:
+  explicit Finder(std::span<const Wedge> wedges) : wedges_(wedges), ends_(ends_of(wedges)), tree_(ends_, counted(wedges)) {}
+
+  std::optional<SolidEdge> edge(std::uint32_t index) {
+    const Wedge& wedge = wedges_[index];
+    if (!is_edge_of_solid(wedge)) return std::nullopt;
+    const auto start = corner(2 * index), finish = start ? corner(2 * index + 1) : std::nullopt;
+    if (!finish) return std::nullopt;
+    return SolidEdge{{*start, *finish}, wedge.length(), wedge.n};
+  }
+
+ private:
+  static std::vector<dvec3> ends_of(std::span<const Wedge> wedges) {
+    std::vector<dvec3> ends;
+    for (const Wedge& wedge : wedges) ends.insert(ends.end(), {wedge.start, wedge.end});
+    return ends;
+  }
+  static std::vector<std::uint32_t> counted(std::span<const Wedge> wedges) {
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t i = 0; i < wedges.size(); ++i)
+      if (!wedges[i].flat && wedges[i].replaced_by == no_index) numbers.insert(numbers.end(), {2 * i, 2 * i + 1});
+    return numbers;
+  }
+  dvec3 direction(std::uint32_t end) const {
+    const Wedge& wedge = wedges_[end / 2];
+    return glm::normalize(end % 2 == 0 ? wedge.end - wedge.start : wedge.start - wedge.end);
+  }
+
+  /// The other two ends there, that in the first face of this one's wedge first.
+  std::optional<std::array<std::uint32_t, 2>> beside(std::uint32_t end) {
+    const Wedge& wedge = wedges_[end / 2];
+    const double distance = 1e-9 * wedge.length();
+    near_.clear();
+    tree_.near_segment(ends_[end], ends_[end] + distance * direction(end), distance, near_);
+    std::erase(near_, end);
+    if (near_.size() != 2 || !std::ranges::all_of(near_, [&](std::uint32_t e) { return is_edge_of_solid(wedges_[e / 2]); }))
+      return std::nullopt;
+    const auto off = [&](std::uint32_t e) { return std::abs(glm::dot(direction(e), wedge.faces[0].normal)); };
+    return off(near_[0]) < off(near_[1]) ? std::array{near_[0], near_[1]} : std::array{near_[1], near_[0]};
+  }
+
+  std::optional<SolidEnd> corner(std::uint32_t end) {
+    const auto others = beside(end);
+    if (!others) return std::nullopt;
+    SolidEnd corner{.position = ends_[end], .edges = {direction(end)}, .other_lengths = {}, .frame = {}};
+    for (const int side : {0, 1}) {
+      const WedgeFace& face = wedges_[end / 2].faces[side];
+      const dvec3 edge = direction((*others)[side]);
+      const double angle = angle_between(edge, corner.edges[0]);
+      if (std::abs(glm::dot(edge, face.normal)) > off_plane || glm::dot(edge, face.into_face) <= 0.0 || angle < least_corner ||
+          angle > greatest_corner)
+        return std::nullopt;
+      corner.edges[side + 1] = edge;
+      corner.other_lengths[side] = wedges_[(*others)[side] / 2].length();
+    }
+    const bool turned = angle_between(corner.edges[0], corner.edges[1]) > angle_between(corner.edges[0], corner.edges[2]);
+    if (turned) std::swap(corner.edges[1], corner.edges[2]), std::swap(corner.other_lengths[0], corner.other_lengths[1]);
+    const WedgeFace& first = wedges_[end / 2].faces[turned];
+    corner.frame = {corner.edges[0], first.into_face, -first.normal};
+    return corner;
+  }
+
+  std::span<const Wedge> wedges_;
+  std::vector<dvec3> ends_;
+  PointTree tree_;
+  std::vector<std::uint32_t> near_;
+};
+
+SolidEdges::SolidEdges(std::span<const Wedge> wedges) : edges_(wedges.size()) {
+  if (std::ranges::count_if(wedges, &Wedge::stands_alone) > static_cast<std::ptrdiff_t>(most_edges)) return;
+  Finder finder(wedges);
+  std::vector<std::uint32_t> longest_first;
+  for (std::uint32_t i = 0; i < wedges.size(); ++i)
+    if ((edges_[i] = finder.edge(i))) longest_first.push_back(i);
+  std::ranges::stable_sort(longest_first, std::ranges::greater{}, [&](std::uint32_t i) { return edges_[i]->length; });
+  for (const std::uint32_t i : longest_first)
+    for (SolidEnd& end : edges_[i]->ends)
+      if (edges_[i] && !(end.corners = corners_of(end, edges_[i]->n))) {
+        edges_[i].reset();
+        break;
+      }
+}
+
+const SolidCorners* SolidEdges::corners_of(const SolidEnd& end, double n) {
+  const SolidCornerShape shape{rounded_corner(angle_between(end.edges[0], end.edges[1])),
+                               rounded_corner(angle_between(end.edges[0], end.edges[2])), rounded_corner((2.0 - n) * pi)};
+  const auto known = std::ranges::find_if(shapes_, [&](const auto& s) { return s->shape() == shape; });
+  if (known != shapes_.end()) return known->get();
+  if (shapes_.size() == most_shapes) return nullptr;
+  return shapes_.emplace_back(std::make_unique<SolidCorners>(shape)).get();
+}
+
+}  // namespace raytube

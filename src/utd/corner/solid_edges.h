@@ -1,0 +1,74 @@
+// Which edges of solids run between two corners of three faces.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+
+#include "mesh/features/wedges.h"
+#include "utd/corner/solid_corner.h"
+
+namespace raytube {
+
+/// All corners of one shape, solved when a look first asks. Thread-safe.
+class SolidCorners {
+ public:
+  explicit SolidCorners(const SolidCornerShape& shape) : shape_(shape) {}
+  const SolidCornerShape& shape() const { return shape_; }
+  const SolidCorner& solved() const;
+
+ private:
+  SolidCornerShape shape_;
+  mutable std::once_flag once_;
+  mutable std::optional<SolidCorner> corner_;
+};
+
+/// One end of an edge, with the frame of SolidCorner.
+struct SolidEnd {
+  dvec3 position;
+  std::array<dvec3, 3> edges;           // away from the corner: this one, and those beside it, the one closer to it first
+  std::array<double, 2> other_lengths;  // of those two [m]
+  std::array<dvec3, 3> frame;
+  const SolidCorners* corners = nullptr;
+
+  /// Components of a direction or a field in that frame.
+  dvec3 local(const dvec3& v) const { return {glm::dot(v, frame[0]), glm::dot(v, frame[1]), glm::dot(v, frame[2])}; }
+  /// 1, 0 where one of the corner's edges diffracts a wave along another one, and where its edges point.
+  double weight(const dvec3& towards, double wavenumber, double length) const;
+};
+
+struct SolidEdge {
+  std::array<SolidEnd, 2> ends;
+  double length;
+  double n;  // exterior angle / pi
+
+  /// 1 up to 20 wavelengths, none from 40 on, where the wave is a few hundredths of what its corners scatter.
+  double reach(double wavenumber) const;
+};
+
+/// The edges of conducting solids that end, at both ends, where three edges meet and nothing else, each 45 to 165 degrees
+/// off a plane; `nullopt` for others. The shapes of corners are rounded to 0.1 degrees.
+class SolidEdges {
+ public:
+  /// Of more than `most_shapes` only the corners of the longest edges have waves, of more than `most_edges` edges none.
+  explicit SolidEdges(std::span<const Wedge> wedges);
+
+  const std::optional<SolidEdge>& operator[](std::uint32_t wedge) const { return edges_[wedge]; }
+  /// Of the corners, once they are solved.
+  std::size_t bytes() const { return shapes_.size() * SolidCorner::bytes(); }
+
+  static constexpr std::size_t most_shapes = 12, most_edges = 64;
+
+ private:
+  class Finder;
+  const SolidCorners* corners_of(const SolidEnd& end, double n);
+
+  std::vector<std::unique_ptr<SolidCorners>> shapes_;
+  std::vector<std::optional<SolidEdge>> edges_;  // [wedge]
+};
+
+/// S / wavelength^(1 - 1/n) length^(1/n) of a wave of unit starts over an edge: -(2 pi)^(1 - 1/n) / c0 of docs/theory/corners.md.
+Complex over_edge(double n);
+
+}  // namespace raytube
