@@ -277,6 +277,29 @@ TEST(SolidEdges, HaveReciprocalWavesThatTurnAndMirrorWithTheBody) {
   EXPECT_LE(std::abs(there.hv() + mirrored.hv()), 1e-12);
 }
 
+// Where the radar sets behind a face, too.
+TEST(SolidEdges, HaveWavesThatNowhereStep) {
+  const CornerWaves waves(edges_of({{{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {.1, .2, 1.5}},
+                                    {{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}}));
+  const std::vector<double> frequencies{2 * speed_of_light};
+  const auto at = [&](double phi) {
+    std::vector<ScatteringMatrix> sum(1);
+    for (std::uint32_t i = 0; i < 8; ++i)
+      if (waves.run_along(i)) waves.add(i, 1.0, look_vectors({{0.96, phi}, {0.96, phi}}), frequencies, sum);
+    return sum[0];
+  };
+  ScatteringMatrix before = at(0.0);
+  double largest = 0.0;
+  for (double phi = 0.004; phi < 2 * pi; phi += 0.004) {
+    const ScatteringMatrix now = at(phi);
+    largest = std::max(largest, largest_amplitude(now));
+    // k times the size times the step is 0.1; without the weight of faces they step by 0.01.
+    EXPECT_LE(difference(now, before), 0.001) << phi;
+    before = now;
+  }
+  EXPECT_GT(largest, 0.005);
+}
+
 TEST(SolidEdges, FadeWhereTheyAreLong) {
   const std::vector<Wedge> wedges = edges_of(shapes::cube(2.0));
   const Look look{{1.0, 0.5}, {1.0, 0.5}};

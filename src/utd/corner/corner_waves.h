@@ -42,6 +42,8 @@ class CornerWaves {
   };
   /// The first wedge of the edge that `wedge` is a part of, if it is one of a thin body; else `wedge` itself.
   std::uint32_t first_of(std::uint32_t wedge) const { return edges_[wedge] ? edges_[wedge]->first : wedge; }
+  /// Null unless it is one of a solid.
+  const SolidEdge* solid(std::uint32_t wedge) const { return solids_[wedge] && !edges_[wedge] ? &*solids_[wedge] : nullptr; }
   /// How much of the edge the wedge is to a wave that comes in this direction: of a thin end the line on its near side counts.
   double part(std::uint32_t wedge, const dvec3& incident) const;
 

@@ -17,6 +17,14 @@ bool is_edge_of_solid(const Wedge& wedge) {
   return wedge.radiates() && wedge.n > least_n && wedge.n < most_n && wedge.share == 1.0;
 }
 
+/// From the arc between two directions.
+double angle_to_arc(const dvec3& direction, const dvec3& from, const dvec3& to) {
+  const dvec3 normal = glm::normalize(glm::cross(from, to));
+  if (glm::dot(direction, glm::cross(normal, from)) > 0 && glm::dot(direction, glm::cross(to, normal)) > 0)
+    return std::asin(std::min(std::abs(glm::dot(direction, normal)), 1.0));
+  return std::min(angle_between(direction, from), angle_between(direction, to));
+}
+
 double fade(double x) {
   x = std::clamp(x, 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);
@@ -29,21 +37,23 @@ const SolidCorner& SolidCorners::solved() const {
   return *corner_;
 }
 
-// As of a plate's corners (corner_waves.cpp). Of edges closer together than 2 sqrt(2 / kL) each stands in the other's zone, and
-// the corner sends no plane wave there: a tip of 30 degrees under waves of 3 lambda.
+// As of a plate's corners (corner_waves.cpp); nor is there a plane wave for a source over one of the corner's own faces, behind
+// which it sets. Of edges closer together than 2 sqrt(2 / kL) each stands in the other's zone, and the corner sends no plane wave
+// there: a tip of 30 degrees under waves of 3 lambda.
 double SolidEnd::weight(const dvec3& towards, double wavenumber, double length) const {
   const double electrical = wavenumber * length, zone = 2.0 * std::sqrt(2.0 / electrical);
   const auto off = [&](double angle) { return -std::expm1(-electrical * angle * angle); };
   double product = 1.0, off_own_cone = pi;
   for (const int other : {1, 2}) {
     const double between = angle_between(edges[0], edges[other]), off_edge = angle_between(towards, edges[other]);
-    const double own = std::abs(angle_between(towards, edges[0]) + between - pi);
     const double electrical_length = wavenumber * other_lengths[other - 1];
-    off_own_cone = std::min(off_own_cone, own);
-    product *= off(off_edge) * off(off_edge + between - pi) * -std::expm1(-electrical_length * electrical_length) *
-               fade(2.5 * (between / zone - 0.8));
+    off_own_cone = std::min(off_own_cone, std::abs(angle_between(towards, edges[0]) + between - pi));
+    product *=
+        off(off_edge + between - pi) * -std::expm1(-electrical_length * electrical_length) * fade(2.5 * (between / zone - 0.8));
   }
-  return product * off(off_own_cone) * off(angle_between(towards, edges[0]));
+  const double off_faces = std::min({angle_to_arc(towards, edges[0], edges[1]), angle_to_arc(towards, edges[0], edges[2]),
+                                     angle_to_arc(towards, edges[1], edges[2])});
+  return product * off(off_own_cone) * off(off_faces);
 }
 
 double SolidEdge::reach(double wavenumber) const { return fade(2.0 - wavenumber * length / (2.0 * pi * 20.0)); }
@@ -100,7 +110,7 @@ class SolidEdges::Finder {
   std::optional<SolidEnd> corner(std::uint32_t end) {
     const auto others = beside(end);
     if (!others) return std::nullopt;
-    SolidEnd corner{.position = ends_[end], .edges = {direction(end)}, .other_lengths = {}, .frame = {}};
+    SolidEnd corner{.position = ends_[end], .edges = {direction(end)}, .other_lengths = {}, .beside = {}, .frame = {}};
     for (const int side : {0, 1}) {
       const WedgeFace& face = wedges_[end / 2].faces[side];
       const dvec3 edge = direction((*others)[side]);
@@ -109,10 +119,13 @@ class SolidEdges::Finder {
           angle > greatest_corner)
         return std::nullopt;
       corner.edges[side + 1] = edge;
+      corner.beside[side] = (*others)[side] / 2;
       corner.other_lengths[side] = wedges_[(*others)[side] / 2].length();
     }
     const bool turned = angle_between(corner.edges[0], corner.edges[1]) > angle_between(corner.edges[0], corner.edges[2]);
-    if (turned) std::swap(corner.edges[1], corner.edges[2]), std::swap(corner.other_lengths[0], corner.other_lengths[1]);
+    if (turned)
+      std::swap(corner.edges[1], corner.edges[2]), std::swap(corner.other_lengths[0], corner.other_lengths[1]),
+          std::swap(corner.beside[0], corner.beside[1]);
     const WedgeFace& first = wedges_[end / 2].faces[turned];
     corner.frame = {corner.edges[0], first.into_face, -first.normal};
     return corner;
