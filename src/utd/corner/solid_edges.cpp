@@ -122,7 +122,9 @@ class SolidEdges::Finder {
       corner.beside[side] = (*others)[side] / 2;
       corner.other_lengths[side] = wedges_[(*others)[side] / 2].length();
     }
-    const bool turned = angle_between(corner.edges[0], corner.edges[1]) > angle_between(corner.edges[0], corner.edges[2]);
+    const auto rounded_to = [&](int other) { return rounded_corner(angle_between(corner.edges[0], corner.edges[other])); };
+    const bool left_handed = glm::dot(corner.edges[0], glm::cross(corner.edges[1], corner.edges[2])) < 0.0;
+    const bool turned = rounded_to(1) > rounded_to(2) || (rounded_to(1) == rounded_to(2) && left_handed);
     if (turned)
       std::swap(corner.edges[1], corner.edges[2]), std::swap(corner.other_lengths[0], corner.other_lengths[1]),
           std::swap(corner.beside[0], corner.beside[1]);

@@ -27,7 +27,8 @@ class SolidCorners {
 /// One end of an edge, with the frame of SolidCorner.
 struct SolidEnd {
   dvec3 position;
-  std::array<dvec3, 3> edges;           // away from the corner: this one, and those beside it, the one closer to it first
+  std::array<dvec3, 3> edges;  // away from the corner: this one, and those beside it, the one closer to it first,
+  // of two as close that with which they are right-handed
   std::array<double, 2> other_lengths;  // of those two [m]
   std::array<std::uint32_t, 2> beside;  // their wedges
   std::array<dvec3, 3> frame;
