@@ -62,6 +62,11 @@ struct CurvedTarget {
     return 1.0 - nose.edge_share(incident, wavenumber) * nose.facet_share(wavenumber, nose.sine_to(incident));
   }
 
+  /// The same of waves that begin in the dark of a facet: on an arc between flat flanks they are those of an edge.
+  double dark_share(std::uint32_t triangle, const dvec3& incident, double wavenumber) const {
+    return noses.empty() || !noses[triangle].is_arc() ? 1.0 : wave_share(triangle, incident, wavenumber);
+  }
+
   std::vector<Nose> short_noses(double longest) const {
     return noses_in_parts(tracer.mesh(), surfaces, curvatures, edges, lowest, noses, longest);
   }

@@ -19,20 +19,24 @@ inline constexpr double least_flattening = 0.3;
 /// Between flanks that are steeper than that the edge is cut there.
 inline constexpr double steepest_flank = 84 * degree;
 
-/// The section across a bend as a conic (utd/rounded/conic_section), as found from one facet of it.
+/// The section across a bend as a conic (utd/rounded/conic_section), or as an arc between flat flanks that meet in a sharp edge,
+/// as that of a wing, found from one facet of it.
 struct Nose {
   dvec3 position, outwards, along;  // of its nose: place [m], normal, and direction of the edge
   double radius = 0.0;              // there [m]; 0: there is none
-  double flattening = 0.0;          // e
+  double flattening = 0.0;          // e; of an arc 0
+  double chord = 0.0;               // of an arc's section [m]
   double bend = 0.0;                // curvature of the edge times `radius`
+  double flanks = 0.0;              // theta where an arc's flat flanks begin; of a conic 0
   double angle = 0.0;               // theta of the facet
   double turn = 0.0;                // that the facet turns by, times its length along the edge [rad m]
   double facet_radius = 0.0;        // of its larger curvature [m]
 
   double radius_at(double theta) const;  // [m], endless on the flanks
   double sine_to(const dvec3& ray) const { return glm::length(glm::cross(ray, along)); }
+  bool is_arc() const { return flanks > 0.0; }
   /// How much the wave sees of an edge in it, [0, 1]: none in what has no flanks, as cylinders, none where it comes along the
-  /// edge, none unless it lights both flanks.
+  /// edge, none unless it lights both flanks, if these are not flat.
   double edge_share(const dvec3& incident, double wavenumber) const;
   /// 1 where the edge is straight for a ray, 1/2 where that bends along it a quarter as much as across.
   double straightness(const dvec3& ray) const;
