@@ -56,6 +56,12 @@ double SolidEnd::weight(const dvec3& towards, double wavenumber, double length) 
   return product * off(off_own_cone) * off(off_faces);
 }
 
+bool SolidEnd::sees(const dvec3& towards) const {
+  const double side = glm::dot(edges[0], glm::cross(edges[1], edges[2]));
+  const auto turned_to = [&](int a, int b) { return side * glm::dot(towards, glm::cross(edges[a], edges[b])) < 0.0; };
+  return turned_to(0, 1) || turned_to(1, 2) || turned_to(2, 0);
+}
+
 double SolidEdge::reach(double wavenumber) const { return fade(2.0 - wavenumber * length / (2.0 * pi * 20.0)); }
 
 Complex over_edge(double n) {

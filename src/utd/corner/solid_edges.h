@@ -36,6 +36,8 @@ struct SolidEnd {
 
   /// Components of a direction or a field in that frame.
   dvec3 local(const dvec3& v) const { return {glm::dot(v, frame[0]), glm::dot(v, frame[1]), glm::dot(v, frame[2])}; }
+  /// Whether one of the corner's faces faces that direction.
+  bool sees(const dvec3& towards) const;
   /// 1, 0 where one of the corner's edges diffracts a wave along another one, and where its edges point.
   double weight(const dvec3& towards, double wavenumber, double length) const;
 };

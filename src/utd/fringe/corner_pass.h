@@ -18,7 +18,10 @@ double lit_share(std::span<const LitInterval> lit);
 /// The part of an edge of a solid between two dark faces that has waves, as both its corners are seen: as much as is lit of the
 /// edges that meet it there, at the corner of which less is. `incident`(wedge) is the direction in which the wave comes.
 template <class Incident>
-double share_between_corners(const EdgeScene& scene, const SolidEdge& edge, LitEdges& light, Incident incident) {
+double share_between_corners(const EdgeScene& scene, std::uint32_t index, LitEdges& light, Incident incident) {
+  const SolidEdge& edge = *scene.corners->solid(index);
+  const dvec3 towards = -incident(scene.wedges[index]);
+  if (!edge.ends[0].sees(towards) || !edge.ends[1].sees(towards)) return 0.0;
   double share = 1.0;
   for (const SolidEnd& end : edge.ends) {
     double most = 0.0;
@@ -41,7 +44,7 @@ void for_edges_between_corners(const EdgeScene& scene, LitEdges& light, Incident
     const SolidEdge* solid = scene.corners->solid(index);
     if (incidence.weight > 0.0 || solid == nullptr) {
       if (light.find(index, incidence)) add(index, light.lit());
-    } else if (const double share = share_between_corners(scene, *solid, light, incident); share > 0.0) {
+    } else if (const double share = share_between_corners(scene, index, light, incident); share > 0.0) {
       const LitInterval part{0.0, share};
       add(index, std::span(&part, 1));
     }

@@ -25,9 +25,9 @@ struct Nose {
   dvec3 position, outwards, along;  // of its nose: place [m], normal, and direction of the edge
   double radius = 0.0;              // there [m]; 0: there is none
   double flattening = 0.0;          // e; of an arc 0
-  double chord = 0.0;               // of an arc's section [m]
   double bend = 0.0;                // curvature of the edge times `radius`
   double flanks = 0.0;              // theta where an arc's flat flanks begin; of a conic 0
+  double chord = 0.0;               // of an arc's section [m]
   double angle = 0.0;               // theta of the facet
   double turn = 0.0;                // that the facet turns by, times its length along the edge [rad m]
   double facet_radius = 0.0;        // of its larger curvature [m]
