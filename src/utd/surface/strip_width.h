@@ -1,7 +1,9 @@
 // The width of a strip along a geodesic.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raytube {
 
@@ -25,8 +27,8 @@ struct StripWidth {
     if (before * width < 0.0) ++caustics;
   }
 
-  /// Whether a caustic may lie within a piece of this length: the current falls and rises there as a root.
-  bool near_caustic(double length) const { return std::abs(width) < 2.0 * length * std::abs(slope); }
+  /// How far it is to where its sides would meet if they went on straight, or from there.
+  double to_focus() const { return std::abs(width) / std::max(std::abs(slope), std::numeric_limits<double>::min()); }
 };
 
 }  // namespace raytube

@@ -22,13 +22,14 @@ namespace {
 
 constexpr double widest_strip = 1.0 / 3.0, longest_step = 0.5;  // of the wavelength
 // Across strips phases are linear, but for what reaches wedges: there a point stands for the strip.
-constexpr double widest_piece = 1.0 / 3.0, widest_piece_to_wedges = 1.0 / 6.0;  // of the wavelength
+constexpr double widest_piece = 1.0 / 4.0, widest_piece_to_wedges = 1.0 / 6.0;  // of the wavelength
 constexpr double most_turn = 0.3;         // of the normal over a piece of the shadow boundary [rad]
 constexpr double phase_bend = 0.2;        // k kappa h^2 over a step h [rad]
 constexpr double fock_step = 0.3;         // of xi
 constexpr double last_xi = 10.0;          // in the dark, where nothing is left
 constexpr double no_more = 1e-9;          // of a step or strip that would make another one
 constexpr double most_spread = 30.0;      // of a strip's width at its beginning
+constexpr double fading_spread = 8.0;     // the same, where half of its current is counted
 constexpr double at_caustic = 8.0;        // so much finer are steps there
 constexpr double near_tip = 0.5;          // wavelengths from the axis of its cone, the same
 constexpr double least_curvature = 1e-6;  // times the target's radius
@@ -55,6 +56,7 @@ struct DarkStrip {
   DarkWay way{};
   double clearance = std::numeric_limits<double>::infinity();  // the least radius of the cone of a tip on the way [m]
   double s = 0.0, since = 0.0;                                 // from q, and from where the current was put last [m]
+  double used = 0.0;                                           // of the longest step from there
   Complex area = 0.0;                                          // of that: root of the widths there and at q, with the caustics
   double path = 0.0;                                           // of that, in phase [m]
 };
@@ -209,10 +211,13 @@ class SurfaceLook {
   }
 
   // Over so much of a strip the current, and the rate of its phase, change by little [m].
-  double step_limit(double curvature, bool fine) const {
-    const double bend = std::sqrt(phase_bend / (highest_ * std::max(curvature, least_curvature / mesh_.radius)));
-    const double fock = fock_step / std::max(std::cbrt(0.5 * highest_ * curvature * curvature), least_curvature / mesh_.radius);
-    return std::min({longest_step * shortest_, bend, fock}) / (fine ? at_caustic : 1.0);
+  double step_limit(const DarkStrip& strip, double next_curvature) const {
+    const double curvature = std::max({strip.end.curvature, next_curvature, least_curvature / mesh_.radius});
+    const double bend = std::sqrt(phase_bend / (highest_ * curvature));
+    const double fock = fock_step / std::cbrt(0.5 * highest_ * curvature * curvature);
+    const double limit = std::min({longest_step * shortest_, bend, fock}), finest = limit / at_caustic;
+    if (tip_radius(strip.end.position) < near_tip * shortest_) return finest;
+    return std::clamp(strip.width.to_focus(), finest, limit);
   }
 
   /// S of a current along `current` per unit of -jk / 4 pi, for each transmitted `field`.
@@ -285,15 +290,21 @@ class SurfaceLook {
     }
   }
 
+  // Strips that have spread over many wavelengths are known along their middles alone: they fade, so that no sum over strips
+  // hangs on whether one of them is given up.
+  static double spread_share(double spread) { return 1.0 / (1.0 + std::pow(spread / fading_spread, 4)); }
+
   // The current at the strip's end, and what lies between it and the last one.
   void put_end(DarkStrip& strip) {
-    strip.area = std::polar(std::sqrt(strip.across * std::abs(strip.width.width)), 0.5 * pi * strip.width.caustics);
+    const double width = std::abs(strip.width.width);
+    strip.area =
+        std::polar(spread_share(width / strip.across) * std::sqrt(strip.across * width), 0.5 * pi * strip.width.caustics);
     strip.path = look_.leaving(strip.end.position) + look_.arriving(strip.q.position) - strip.s;
     set_amplitudes(strip);
     result_.work += work::surface_step + work::surface_frequency * static_cast<double>(amplitudes_.size());
-    sum_->add(strip.s == 0.0, strip.since, strip.path, strip.end.position, amplitudes_);
+    sum_->add(strip.s == 0.0, strip.since, strip.path, strip.end.position, strip.width.width, amplitudes_);
     if (rays_ != nullptr) keep_end(strip);
-    strip.since = 0.0;
+    strip.since = strip.used = 0.0;
   }
 
   // Of the cone of the next tip, at a point of it [m].
@@ -303,17 +314,18 @@ class SurfaceLook {
     return radius;
   }
 
-  // On by h; the current is wanted where another such step would be one too far. False: the strip ends before or there.
-  bool go_on(DarkStrip& strip, const StripPoint& point, double h, double limit) {
+  // On by h. False: the strip ends before or there.
+  bool go_on(DarkStrip& strip, const StripPoint& point, double h) {
+    const double curvature = 0.5 * (strip.end.curvature + point.curvature),
+                 gaussian = 0.5 * (strip.end.gaussian + point.gaussian);
     StripWidth width = strip.width;
-    width.step(point.gaussian, h);
+    width.step(gaussian, h);
     if (point.curvature < 0.0 || std::abs(width.width) > most_spread * strip.across) return false;
-    strip.way.step(point.curvature, point.gaussian, h);
+    strip.way.step(curvature, gaussian, h);
     strip.width = width;
     strip.end = point;
     strip.s += h, strip.since += h;
     strip.clearance = std::min(strip.clearance, tip_radius(point.position));
-    if (strip.since + h > limit) put_end(strip);
     return strip.way.distance(lowest_) < last_xi;
   }
 
@@ -322,12 +334,15 @@ class SurfaceLook {
     const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
     if (chord <= 0.0) return true;
     const double turn = strip.end.curvature * chord, length = chord * (1.0 + turn * turn / 24.0);
-    const double limit = step_limit(strip.end.curvature,
-                                    strip.width.near_caustic(length) || tip_radius(strip.end.position) < near_tip * shortest_);
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / limit - no_more)));
-    for (int i = 1; i <= steps; ++i) {
-      const dvec2 l = glm::mix(piece.from.l, piece.to, static_cast<double>(i) / steps);
-      if (!go_on(strip, at(facet, {piece.from.triangle, l}, piece.direction, side), length / steps, limit)) return false;
+    const StripPoint last = at(facet, {piece.from.triangle, piece.to}, piece.direction, side);
+    for (double left = 1.0; left > 0.0;) {
+      const double limit = step_limit(strip, last.curvature);
+      const double steps = std::max(1.0, std::ceil(left * length / limit - no_more)), h = left * length / steps;
+      if (strip.since > 0.0 && strip.used + h / limit > 1.0 + no_more) put_end(strip);
+      strip.used += h / limit;
+      left = steps > 1.0 ? left - left / steps : 0.0;
+      const dvec2 l = glm::mix(piece.to, piece.from.l, left);
+      if (!go_on(strip, left > 0.0 ? at(facet, {piece.from.triangle, l}, piece.direction, side) : last, h)) return false;
     }
     return true;
   }
