@@ -19,11 +19,12 @@ constexpr double longest_bend = 100 * degree;
 constexpr double steady_turn = 60 * degree;  // over which least_flattening leaves its mark: 1 - e/4 of kappa^(2/3) at least
 constexpr double flank_fade = 20 * degree;   // of a source near the plane of a flank, over which waves go on into the dark
 constexpr double longest_arc = 200 * degree, shortest_arc = 120 * degree;
-constexpr double roundest = 1.0 / 3.0;       // of the curvatures along an arc, the least of the largest
-constexpr double off_plane = 2 * degree;     // of the normals where an arc runs into a flank, and of facets of one
-constexpr double most_turned = 10 * degree;  // off a flank, that it runs on: into the other half of a swept wing
-constexpr double least_radii = 3.0;          // that a facet of a flank is long
-constexpr double sharpest = 0.1;             // of a chord, by which flanks may be apart at its end
+constexpr double roundest = 1.0 / 3.0;                      // of the curvatures along an arc, the least of the largest
+constexpr double off_plane = 2 * degree;                    // of the normals where an arc runs into a flank, and of facets of one
+constexpr double most_turned = 10 * degree;                 // off a flank, that it runs on: into the other half of a swept wing
+constexpr double least_radii = 3.0;                         // that a facet of a flank is long
+constexpr double sharpest = 0.1;                            // of a chord, by which flanks may be apart at its end
+constexpr double most_growth = 0.25, fading_growth = 0.15;  // of the nose's radius over the length along the edge
 constexpr int most_pieces = 400;
 constexpr double no_more_slices = 1e-9;          // of a slice that would make another one
 constexpr dvec2 facet_middle(1.0 / 3, 1.0 / 3);  // of a facet
@@ -86,6 +87,8 @@ class NoseFinder {
     if (!behind.round && !ahead.round) nose = fit(bent_part(samples), plane);
     if (nose.radius <= 0.0) nose = arc_between(behind, ahead, samples, plane);
     if (nose.radius <= 0.0 || wavenumber_ * nose.radius >= edge_radius) return {};
+    if (!nose.is_arc()) nose.evenness = evenness(start.triangle, nose, plane);
+    if (nose.evenness <= 0.0) return {};
     nose.turn = turn_of(start.triangle, plane.across);
     nose.facet_radius = 1.0 / principal.larger;
     return nose;
@@ -250,6 +253,20 @@ class NoseFinder {
     return nose;
   }
 
+  /// 1 where the nose's radius grows by less than a tenth of the way along the edge, none from a quarter on, as on round cones,
+  /// which have no edges. Sections of a body that tapers are alike, so that any facet's curvature tells.
+  double evenness(std::uint32_t triangle, const Nose& nose, const Plane& plane) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    const dvec3 origin = mesh_.vertices[t[0]], u = mesh_.vertices[t[1]] - origin, v = mesh_.vertices[t[2]] - origin;
+    const auto curvature = [&](const dvec2& l) { return curvatures_.at(triangle, l).curvature(plane.across); };
+    const double here = curvature({0, 0}), along_u = curvature({1, 0}) - here, along_v = curvature({0, 1}) - here;
+    const dvec3 normal = glm::cross(u, v);
+    const dvec3 gradient = (along_u * glm::cross(v, normal) + along_v * glm::cross(normal, u)) / glm::dot(normal, normal);
+    const double mean = here + (along_u + along_v) / 3.0;
+    const double growth = mean > 0.0 ? nose.radius * std::abs(glm::dot(gradient, nose.along)) / mean : 1.0;
+    return std::clamp((most_growth - growth) / fading_growth, 0.0, 1.0);
+  }
+
   // INT across . (dn/dr) across dA from the normals at its corners.
   double turn_of(std::uint32_t triangle, const dvec3& across) const {
     const Triangle& t = mesh_.triangles[triangle];
@@ -321,7 +338,7 @@ double Nose::radius_at(double theta) const {
 double Nose::edge_share(const dvec3& incident, double wavenumber) const {
   const double across = sine_to(incident), whole = wavenumber * radius / edge_radius, x = across * whole;
   if (x <= 0.0 || whole >= 1.0) return 0.0;
-  const double sharp = straightness(incident) * std::min((1.0 - whole) / last_radii, 1.0);
+  const double sharp = evenness * straightness(incident) * std::min((1.0 - whole) / last_radii, 1.0);
   if (is_arc()) return sharp;
   const double square = (1.0 - std::cbrt(x * x)) / flattening, eighth = std::pow(square / flattest_flank, 8);
   const double grazing = pi / 2 - std::asin(std::min(std::sqrt(square), std::sin(steepest_flank)));

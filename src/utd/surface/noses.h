@@ -31,6 +31,7 @@ struct Nose {
   double angle = 0.0;               // theta of the facet
   double turn = 0.0;                // that the facet turns by, times its length along the edge [rad m]
   double facet_radius = 0.0;        // of its larger curvature [m]
+  double evenness = 1.0;            // 0 where the radius changes along the edge as a cone's does
 
   double radius_at(double theta) const;  // [m], endless on the flanks
   double sine_to(const dvec3& ray) const { return glm::length(glm::cross(ray, along)); }
