@@ -186,14 +186,27 @@ SolidCorner::Gradients SolidCorner::gradients(const dvec3& towards) const {
   return sum;
 }
 
-/// A direction close to a face is lifted off it to where the quadrature holds, and one close to the edge pushed off that.
-SolidCorner::Raised SolidCorner::raised(const dvec3& towards) const {
-  const double off = std::hypot(towards.y, towards.z);
-  dvec3 source = towards;
-  if (towards.x > 0 && off < std::sin(nearest)) {
-    const double turn = std::atan2(towards.z, towards.y);
-    source = {std::cos(nearest), std::sin(nearest) * std::cos(turn), std::sin(nearest) * std::sin(turn)};
-  }
+namespace {
+
+/// A direction close to the edge is that at the same side of it, `nearest` away.
+dvec3 off_edge(const dvec3& towards) {
+  if (towards.x <= 0 || std::hypot(towards.y, towards.z) >= std::sin(nearest)) return towards;
+  const double turn = std::atan2(towards.z, towards.y);
+  return {std::cos(nearest), std::sin(nearest) * std::cos(turn), std::sin(nearest) * std::sin(turn)};
+}
+
+/// A field upright on one direction, turned with it into another one.
+ComplexVector turned(const ComplexVector& field, const dvec3& from, const dvec3& to) {
+  const dvec3 axis = glm::cross(from, to);
+  if (glm::length(axis) < 1e-12) return field;
+  const dvec3 across = glm::normalize(axis);
+  return dot(field, across) * across + dot(field, glm::cross(across, from)) * glm::cross(across, to);
+}
+
+}  // namespace
+
+/// A direction close to a face is lifted off it to where the quadrature holds.
+SolidCorner::Raised SolidCorner::raised(const dvec3& source) const {
   const auto& closest = *std::ranges::max_element(sources_, {}, [&](const Source& s) { return glm::dot(s.point, source); });
   const dvec3 other = std::abs(source.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
   const double least = std::min(spacings * closest.spacing, 0.5);
@@ -207,12 +220,14 @@ SolidCorner::Raised SolidCorner::raised(const dvec3& towards) const {
 // On the face the soft potential is zero, and the hard one has no slope off it.
 ComplexVector SolidCorner::start(const dvec3& towards) const {
   if (std::ranges::all_of(normals_, [&](const dvec3& normal) { return glm::dot(normal, towards) <= -1e-9; })) return {};
-  const Raised source = raised(towards);
+  const dvec3 beside = off_edge(towards);
+  const Raised source = raised(beside);
   const dvec3 source_up = glm::cross(source.towards, source.along);
   const Gradients g = gradients(source.towards);
   const Complex soft_along = source.share * dot(g.soft, source.along), soft_up = dot(g.soft, source_up);
   const Complex hard_along = dot(g.hard, source.along), hard_up = source.share * dot(g.hard, source_up);
-  return (soft_along - hard_up) * source.along + (soft_up + hard_along) * glm::cross(towards, source.along);
+  return turned((soft_along - hard_up) * source.along + (soft_up + hard_along) * glm::cross(beside, source.along), beside,
+                towards);
 }
 
 }  // namespace raytube

@@ -57,7 +57,7 @@ class SolidCorner {
     double share;
   };
   Gradients gradients(const dvec3& towards) const;
-  Raised raised(const dvec3& towards) const;
+  Raised raised(const dvec3& source) const;
 
   std::array<dvec3, 3> normals_;
   std::vector<Source> sources_;
