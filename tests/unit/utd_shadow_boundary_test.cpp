@@ -200,6 +200,18 @@ TEST(Noses, OfLongStripsAreRimsFromEndToEnd) {
   EXPECT_NEAR(squares / sum, length * length / 12, 0.05);  // 1 of two points a strip
 }
 
+// Its rim radiates as much of an edge as its lit currents leave out.
+TEST(Noses, OfHalfAnEdgeAreHalfARim) {
+  Nose nose{{}, dvec3(1, 0, 0), dvec3(0, 1, 0), 1.0, 8.0 / 9, 1.0 / 9};
+  nose.turn = 0.3;
+  nose.facet_radius = 1.0;
+  const double whole = rim_pieces(std::vector{nose}, 1.0).at(0).length, share = nose.edge_share({-1, 0, 0}, 1.0);
+  nose.evenness = 0.5;
+  const RimPiece half = rim_pieces(std::vector{nose}, 1.0).at(0);
+  EXPECT_NEAR(half.length * half.nose.edge_share({-1, 0, 0}, 1.0), 0.5 * whole * share, 1e-12);
+  EXPECT_NEAR(nose.edge_share({-1, 0, 0}, 1.0), 0.5 * share, 1e-12);
+}
+
 // k rho = 1 and e = 8/9: flanks from 49 degrees of the normal on, so that waves light both up to 41 degrees off the nose.
 TEST(Noses, AreEdgesForWavesThatLightBothFlanks) {
   const Nose nose{{}, dvec3(1, 0, 0), dvec3(0, 1, 0), 1.0, 8.0 / 9, 1.0 / 9};

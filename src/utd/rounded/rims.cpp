@@ -110,7 +110,7 @@ std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber)
   std::map<std::array<long, 7>, RimPiece> cells;
   for (const Nose& nose : noses) {
     if (nose.radius <= 0.0 || nose.facet_share(wavenumber) <= 0.0) continue;
-    const double length = nose.turn * nose.facet_share(wavenumber) / nose.shared_turn(wavenumber);
+    const double length = nose.evenness * nose.turn * nose.facet_share(wavenumber) / nose.shared_turn(wavenumber);
     std::array<long, 7> key{};
     key[6] = nose.is_arc();
     for (int i = 0; i < 3; ++i) key[i] = std::lround(nose.position[i] / cell), key[3 + i] = std::lround(nose.outwards[i]);
