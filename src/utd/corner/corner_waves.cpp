@@ -5,8 +5,9 @@
 #include <numeric>
 
 #include "math/erfc_ray.h"
-#include "mesh/model/point_tree.h"
+#include "math/smooth_step.h"
 #include "utd/corner/corner_angles.h"
+#include "utd/corner/wedge_ends.h"
 
 namespace raytube {
 
@@ -16,26 +17,11 @@ constexpr double least_weight = 1e-9;
 
 bool is_half_plane(const Wedge& wedge) { return wedge.radiates() && std::abs(wedge.n - 2.0) < 1e-9; }
 
-/// An end of a wedge, by its number: 2 wedge, or 2 wedge + 1.
-std::vector<dvec3> ends_of(std::span<const Wedge> wedges) {
-  std::vector<dvec3> ends;
-  for (const Wedge& wedge : wedges) ends.insert(ends.end(), {wedge.start, wedge.end});
-  return ends;
-}
-
-std::vector<std::uint32_t> ends_that_count(std::span<const Wedge> wedges) {
-  std::vector<std::uint32_t> numbers;
-  for (std::uint32_t i = 0; i < wedges.size(); ++i)
-    if (!wedges[i].flat && wedges[i].replaced_by == no_index) numbers.insert(numbers.end(), {2 * i, 2 * i + 1});
-  return numbers;
-}
-
 // A wave along an edge of length L spreads to sqrt(L/k) across it, as one whose rays are 1 / sqrt(kL) off it; to these a body of
 // thickness t is t / sqrt(kL) thick. Up to the limit of thin plates, lambda / 10, it is a sheet, at twice that it is none.
 double sheet_share(double thickness, double wavenumber, double length) {
   const double tenths = 10.0 * thickness / (2.0 * pi / wavenumber * std::sqrt(wavenumber * length));
-  const double x = std::clamp(2.0 - tenths, 0.0, 1.0);
-  return x * x * (3.0 - 2.0 * x);
+  return smooth_step(2.0 - tenths);
 }
 
 // The edge of a plate of thickness t acts as that of a half plane which ends so much further out, t (ln(1/kappa) + 1 - gamma) /
@@ -51,15 +37,14 @@ double edge_shift(double thickness, double wavenumber, double length) {
 /// Looks for the corners between which edges run.
 class CornerWaves::Finder {
  public:
-  explicit Finder(std::span<const Wedge> wedges)
-      : wedges_(wedges), ends_(ends_of(wedges)), tree_(ends_, ends_that_count(wedges)) {}
+  explicit Finder(std::span<const Wedge> wedges) : wedges_(wedges), ends_(wedges) {}
 
   /// The edge that a wedge is a part of, if it has a corner at both ends; without the corners' solutions.
   std::optional<Edge> edge(std::uint32_t index) {
     if (!is_half_plane(wedges_[index])) return std::nullopt;
     Edge edge{.ends = {}, .length = wedges_[index].length(), .part = 1.0, .first = index};
     const auto start = follow(2 * index, edge.length), finish = start ? follow(2 * index + 1, edge.length) : std::nullopt;
-    if (!finish || angle_between(direction(*start), direction(*finish)) < greatest_corner) return std::nullopt;
+    if (!finish || angle_between(ends_.direction(*start), ends_.direction(*finish)) < greatest_corner) return std::nullopt;
     for (const std::uint32_t side : {0u, 1u}) {
       const auto end = corner(side == 0 ? *start : *finish, wedges_[index].faces[0].normal);
       if (!end) return std::nullopt;
@@ -70,32 +55,24 @@ class CornerWaves::Finder {
   }
 
  private:
-  /// Along the edge away from one of its ends.
-  dvec3 direction(std::uint32_t end) const {
-    const Wedge& wedge = wedges_[end / 2];
-    return glm::normalize(end % 2 == 0 ? wedge.end - wedge.start : wedge.start - wedge.end);
-  }
-
   /// The end that meets this one, if it is a half plane's and the only one.
   std::optional<std::uint32_t> met_by(std::uint32_t end) {
     const Wedge& wedge = wedges_[end / 2];
     const double distance = 1e-9 * wedge.length() + 2 * wedge.thickness();
-    near_.clear();
-    tree_.near_segment(ends_[end], ends_[end] + distance * direction(end), distance, near_);
-    std::erase(near_, end);
-    return near_.size() == 1 && is_half_plane(wedges_[near_[0] / 2]) ? std::optional(near_[0]) : std::nullopt;
+    const auto met = ends_.met_by(end, distance);
+    return met.size() == 1 && is_half_plane(ends_.wedge(met[0])) ? std::optional(met[0]) : std::nullopt;
   }
 
   /// Over ends where the edge goes on nearly straight to the last one; adds what lies between to `length`, or up to where it
   /// bends too far.
   std::optional<std::uint32_t> follow(std::uint32_t end, double& length) {
-    const dvec3 first = direction(end);
+    const dvec3 first = ends_.direction(end);
     while (true) {
       const auto next = met_by(end);
       if (!next) return std::nullopt;
-      if (angle_between(direction(*next), direction(end)) <= greatest_corner) return end;
+      if (angle_between(ends_.direction(*next), ends_.direction(end)) <= greatest_corner) return end;
       end = *next ^ 1u;
-      if (angle_between(direction(end), first) > pi - greatest_corner) return std::nullopt;
+      if (angle_between(ends_.direction(end), first) > pi - greatest_corner) return std::nullopt;
       length += wedges_[end / 2].length();
     }
   }
@@ -104,7 +81,7 @@ class CornerWaves::Finder {
   std::optional<End> corner(std::uint32_t end, const dvec3& normal) {
     const auto flat = [&](const dvec3& v) { return glm::normalize(v - glm::dot(v, normal) * normal); };
     const std::uint32_t beside = *met_by(end);
-    const dvec3 met = direction(beside), edge = flat(direction(end)), other = flat(met);
+    const dvec3 met = ends_.direction(beside), edge = flat(ends_.direction(end)), other = flat(met);
     const double angle = angle_between(edge, other);
     if (angle < least_corner || angle > greatest_corner) return std::nullopt;
     if (glm::dot(wedges_[end / 2].faces[0].into_face, other) <= 0 || std::abs(glm::dot(normal, met)) > off_plane)
@@ -113,13 +90,11 @@ class CornerWaves::Finder {
     const double side = glm::dot(glm::cross(bisector, along), normal) < 0 ? -1.0 : 1.0;
     double other_length = wedges_[beside / 2].length();
     follow(beside ^ 1u, other_length);
-    return End{ends_[end], bisector, along, normal, side, edge, other, other_length};
+    return End{ends_.position(end), bisector, along, normal, side, edge, other, other_length};
   }
 
   std::span<const Wedge> wedges_;
-  std::vector<dvec3> ends_;
-  PointTree tree_;
-  std::vector<std::uint32_t> near_;
+  WedgeEnds ends_;
 };
 
 CornerWaves::CornerWaves(std::span<const Wedge> wedges) : edges_(wedges.size()), solids_(wedges) {

@@ -6,6 +6,7 @@
 //   order_nodes      the orders over which these are summed
 //   sheet_corner     one corner of a sheet, exactly
 //   solid_corner     one corner of three faces of a solid, exactly
+//   wedge_ends       which wedges meet where
 //   solid_edges      which edges of solids run between two of those
 //   thin_ends        ends of bodies that are thin to such a wave
 //   corner_waves     which edges run between two corners, and what their waves add to S

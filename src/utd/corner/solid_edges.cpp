@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "core/angle.h"
-#include "mesh/model/point_tree.h"
+#include "math/smooth_step.h"
 #include "utd/corner/corner_angles.h"
+#include "utd/corner/wedge_ends.h"
 
 namespace raytube {
 
@@ -23,11 +24,6 @@ double angle_to_arc(const dvec3& direction, const dvec3& from, const dvec3& to) 
   if (glm::dot(direction, glm::cross(normal, from)) > 0 && glm::dot(direction, glm::cross(to, normal)) > 0)
     return std::asin(std::min(std::abs(glm::dot(direction, normal)), 1.0));
   return std::min(angle_between(direction, from), angle_between(direction, to));
-}
-
-double fade(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * (3.0 - 2.0 * x);
 }
 
 }  // namespace
@@ -48,8 +44,8 @@ double SolidEnd::weight(const dvec3& towards, double wavenumber, double length) 
     const double between = angle_between(edges[0], edges[other]), off_edge = angle_between(towards, edges[other]);
     const double electrical_length = wavenumber * other_lengths[other - 1];
     off_own_cone = std::min(off_own_cone, std::abs(angle_between(towards, edges[0]) + between - pi));
-    product *=
-        off(off_edge + between - pi) * -std::expm1(-electrical_length * electrical_length) * fade(2.5 * (between / zone - 0.8));
+    product *= off(off_edge + between - pi) * -std::expm1(-electrical_length * electrical_length) *
+               smooth_step(2.5 * (between / zone - 0.8));
   }
   const double off_faces = std::min({angle_to_arc(towards, edges[0], edges[1]), angle_to_arc(towards, edges[0], edges[2]),
                                      angle_to_arc(towards, edges[1], edges[2])});
@@ -62,7 +58,7 @@ bool SolidEnd::sees(const dvec3& towards) const {
   return turned_to(0, 1) || turned_to(1, 2) || turned_to(2, 0);
 }
 
-double SolidEdge::reach(double wavenumber) const { return fade(2.0 - wavenumber * length / (2.0 * pi * 20.0)); }
+double SolidEdge::reach(double wavenumber) const { return smooth_step(2.0 - wavenumber * length / (2.0 * pi * 20.0)); }
 
 Complex over_edge(double n) {
   const Complex c0 =
@@ -73,7 +69,7 @@ Complex over_edge(double n) {
 /// Looks for the corners between which edges run.
 class SolidEdges::Finder {
  public:
-  explicit Finder(std::span<const Wedge> wedges) : wedges_(wedges), ends_(ends_of(wedges)), tree_(ends_, counted(wedges)) {}
+  explicit Finder(std::span<const Wedge> wedges) : wedges_(wedges), ends_(wedges) {}
 
   std::optional<SolidEdge> edge(std::uint32_t index) {
     const Wedge& wedge = wedges_[index];
@@ -84,42 +80,25 @@ class SolidEdges::Finder {
   }
 
  private:
-  static std::vector<dvec3> ends_of(std::span<const Wedge> wedges) {
-    std::vector<dvec3> ends;
-    for (const Wedge& wedge : wedges) ends.insert(ends.end(), {wedge.start, wedge.end});
-    return ends;
-  }
-  static std::vector<std::uint32_t> counted(std::span<const Wedge> wedges) {
-    std::vector<std::uint32_t> numbers;
-    for (std::uint32_t i = 0; i < wedges.size(); ++i)
-      if (!wedges[i].flat && wedges[i].replaced_by == no_index) numbers.insert(numbers.end(), {2 * i, 2 * i + 1});
-    return numbers;
-  }
-  dvec3 direction(std::uint32_t end) const {
-    const Wedge& wedge = wedges_[end / 2];
-    return glm::normalize(end % 2 == 0 ? wedge.end - wedge.start : wedge.start - wedge.end);
-  }
-
   /// The other two ends there, that in the first face of this one's wedge first.
   std::optional<std::array<std::uint32_t, 2>> beside(std::uint32_t end) {
     const Wedge& wedge = wedges_[end / 2];
     const double distance = 1e-9 * wedge.length();
-    near_.clear();
-    tree_.near_segment(ends_[end], ends_[end] + distance * direction(end), distance, near_);
-    std::erase(near_, end);
-    if (near_.size() != 2 || !std::ranges::all_of(near_, [&](std::uint32_t e) { return is_edge_of_solid(wedges_[e / 2]); }))
+    const auto met = ends_.met_by(end, distance);
+    if (met.size() != 2 || !std::ranges::all_of(met, [&](std::uint32_t e) { return is_edge_of_solid(ends_.wedge(e)); }))
       return std::nullopt;
-    const auto off = [&](std::uint32_t e) { return std::abs(glm::dot(direction(e), wedge.faces[0].normal)); };
-    return off(near_[0]) < off(near_[1]) ? std::array{near_[0], near_[1]} : std::array{near_[1], near_[0]};
+    const auto off = [&](std::uint32_t e) { return std::abs(glm::dot(ends_.direction(e), wedge.faces[0].normal)); };
+    return off(met[0]) < off(met[1]) ? std::array{met[0], met[1]} : std::array{met[1], met[0]};
   }
 
   std::optional<SolidEnd> corner(std::uint32_t end) {
     const auto others = beside(end);
     if (!others) return std::nullopt;
-    SolidEnd corner{.position = ends_[end], .edges = {direction(end)}, .other_lengths = {}, .beside = {}, .frame = {}};
+    SolidEnd corner{
+        .position = ends_.position(end), .edges = {ends_.direction(end)}, .other_lengths = {}, .beside = {}, .frame = {}};
     for (const int side : {0, 1}) {
       const WedgeFace& face = wedges_[end / 2].faces[side];
-      const dvec3 edge = direction((*others)[side]);
+      const dvec3 edge = ends_.direction((*others)[side]);
       const double angle = angle_between(edge, corner.edges[0]);
       if (std::abs(glm::dot(edge, face.normal)) > off_plane || glm::dot(edge, face.into_face) <= 0.0 || angle < least_corner ||
           angle > greatest_corner)
@@ -140,9 +119,7 @@ class SolidEdges::Finder {
   }
 
   std::span<const Wedge> wedges_;
-  std::vector<dvec3> ends_;
-  PointTree tree_;
-  std::vector<std::uint32_t> near_;
+  WedgeEnds ends_;
 };
 
 SolidEdges::SolidEdges(std::span<const Wedge> wedges) : edges_(wedges.size()) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "math/smooth_step.h"
+
 namespace raytube {
 
 namespace {
@@ -31,8 +33,7 @@ std::vector<double> body_widths(const TriangleMesh& mesh) {
 
 double share_of_width(double width) {
   constexpr double none = 4.0, all = 6.0;
-  const double x = std::clamp((width - none) / (all - none), 0.0, 1.0);
-  return x * x * (3.0 - 2.0 * x);
+  return smooth_step((width - none) / (all - none));
 }
 
 }  // namespace raytube

@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "math/erfc_ray.h"
+#include "math/smooth_step.h"
 #include "utd/fock/fock.h"
 
 namespace raytube {
@@ -26,11 +27,6 @@ struct RimRay {
   std::array<dvec3, 2> fields;
   double path;  // over k [m]
 };
-
-double smooth_step(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 // Share of a ray that a rim takes; a tip has the rest.
 double rim_share(const dvec3& towards, const RimPlace& place) {
