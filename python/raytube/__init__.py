@@ -19,6 +19,7 @@ Target, monostatic, bistatic, looks, solve: what is asked. Result, load: what co
 program of the same name does, for a case file or for a target. compare: two results of any source.
 """
 
+from raytube import _processor as _processor  # first: refuses processors that the rest cannot run on
 from raytube._core import InputError, __version__
 from raytube._jobs import CheckReport, Convergence, centres, check, converge, image, run, solve, trace
 from raytube._comparison import Comparison, compare
