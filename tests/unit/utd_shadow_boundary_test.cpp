@@ -212,6 +212,46 @@ TEST(Noses, OfHalfAnEdgeAreHalfARim) {
   EXPECT_NEAR(nose.edge_share({-1, 0, 0}, 1.0), 0.5 * share, 1e-12);
 }
 
+// A lower frequency of the sweep has found it, and its facet is sharp enough by itself.
+TEST(Noses, TooRoundForAnEdgeAreNoRims) {
+  Nose nose{{}, dvec3(1, 0, 0), dvec3(0, 1, 0), 1.0, 8.0 / 9, 1.0 / 9};
+  nose.turn = 0.3;
+  nose.facet_radius = 0.05;
+  EXPECT_EQ(rim_pieces(std::vector{nose}, 0.9 * edge_radius).size(), 1u);
+  for (const double k : {edge_radius, 3.1 * edge_radius, 30.0 * edge_radius})
+    EXPECT_TRUE(rim_pieces(std::vector{nose}, k).empty()) << k;
+}
+
+// Of directions all around there is none, nor is there of a facet that turns back as much as the others turn.
+TEST(Noses, WithoutAMeanAreNoRims) {
+  Nose nose{{}, dvec3(1, 0, 0), dvec3(0, 1, 0), 1.0, 8.0 / 9, 1.0 / 9};
+  nose.turn = 0.3;
+  nose.facet_radius = 1.0;
+  Nose back = nose;
+  back.turn = -0.3 + 1e-17, back.outwards = glm::normalize(dvec3(1, 0.2, 0)), back.along = glm::normalize(dvec3(-0.2, 1, 0));
+  const std::vector<RimPiece> both = rim_pieces(std::vector{nose, back}, 1.0);
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_EQ(both[0].length, rim_pieces(std::vector{nose}, 1.0).at(0).length);
+  EXPECT_EQ(both[0].nose.outwards, nose.outwards);
+
+  std::vector<Nose> around;
+  for (int i = 0; i < 12; ++i) {
+    around.push_back(nose);
+    around.back().along = dvec3(0, std::cos(i * 15 * degree), std::sin(i * 15 * degree));
+    if (i % 2 == 1) around.back().along = -around.back().along;
+  }
+  for (const RimPiece& piece : rim_pieces(around, 1.0)) {
+    EXPECT_NEAR(glm::length(piece.nose.along), 1.0, 1e-12);
+    EXPECT_NEAR(glm::dot(piece.nose.along, piece.nose.outwards), 0.0, 1e-12);
+  }
+  // Along what is outwards of the others.
+  nose.outwards = glm::normalize(dvec3(1, 0.95, 0)), nose.along = glm::normalize(dvec3(-0.95, 1, 0));
+  back = nose, back.outwards = glm::normalize(dvec3(1, -0.95, 0)), back.along = glm::normalize(dvec3(-0.95, -1, 0));
+  for (Nose* each : {&nose, &back}) each->along = each->along.x < 0.0 ? -each->along : each->along;
+  for (const RimPiece& piece : rim_pieces(std::vector{nose, back}, 1.0))
+    EXPECT_TRUE(std::isfinite(glm::length(piece.nose.along)));
+}
+
 // k rho = 1 and e = 8/9: flanks from 49 degrees of the normal on, so that waves light both up to 41 degrees off the nose.
 TEST(Noses, AreEdgesForWavesThatLightBothFlanks) {
   const Nose nose{{}, dvec3(1, 0, 0), dvec3(0, 1, 0), 1.0, 8.0 / 9, 1.0 / 9};

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double piece_length = 1.0 / 20;  // of the wavelength
 constexpr double just_lit = 1e-4;          // [rad] over a flank, to count as in front of it
+constexpr double least_agreement = 0.5;    // of the directions of noses that have a mean: its length, of unit ones
 
 // The wedge between the tangents; its virtual apex is the origin.
 Wedge wedge_of(const Nose& nose, const ConicSection& section, double scale) {
@@ -101,6 +102,13 @@ bool is_lit(const CurvedTarget& target, const Nose& nose, const dvec3& incident)
   return nose.is_arc() && (flank(-1.0) || flank(1.0));
 }
 
+// Of bends that are too round for an edge at this wavenumber there is no section to share among their facets, though a facet may
+// be sharp enough by itself: lower frequencies of the sweep have found them. A facet whose normals turn against its section is
+// no part of a bend, and would take its place in a mean the wrong way round.
+bool is_edge(const Nose& nose, double wavenumber) {
+  return nose.radius > 0.0 && wavenumber * nose.radius < edge_radius && nose.turn > 0.0 && nose.facet_share(wavenumber) > 0.0;
+}
+
 }  // namespace
 
 double longest_nose(double frequency) { return std::exp2(std::floor(std::log2(wavelength(frequency) / 4))); }
@@ -109,7 +117,7 @@ std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber)
   const double cell = piece_length * 2 * pi / wavenumber;
   std::map<std::array<long, 7>, RimPiece> cells;
   for (const Nose& nose : noses) {
-    if (nose.radius <= 0.0 || nose.facet_share(wavenumber) <= 0.0) continue;
+    if (!is_edge(nose, wavenumber)) continue;
     const double length = nose.evenness * nose.turn * nose.facet_share(wavenumber) / nose.shared_turn(wavenumber);
     std::array<long, 7> key{};
     key[6] = nose.is_arc();
@@ -130,9 +138,13 @@ std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber)
   for (auto& [key, piece] : cells) {
     if (piece.length <= 0.0) continue;
     Nose& nose = piece.nose;
+    const double most = glm::length(nose.outwards), least = least_agreement * piece.length;
+    if (!(most > least)) continue;
     nose.position /= piece.length;
-    nose.outwards = glm::normalize(nose.outwards);
-    nose.along = glm::normalize(nose.along - glm::dot(nose.along, nose.outwards) * nose.outwards);
+    nose.outwards /= most;
+    nose.along -= glm::dot(nose.along, nose.outwards) * nose.outwards;
+    if (!(glm::length(nose.along) > least)) continue;
+    nose.along = glm::normalize(nose.along);
     nose.radius /= piece.length;
     nose.flattening /= piece.length;
     nose.flanks /= piece.length;

@@ -88,7 +88,7 @@ class NoseFinder {
     if (nose.radius <= 0.0) nose = arc_between(behind, ahead, samples, plane);
     if (nose.radius <= 0.0 || wavenumber_ * nose.radius >= edge_radius) return {};
     if (!nose.is_arc()) nose.evenness = evenness(start.triangle, nose, plane);
-    if (nose.evenness <= 0.0) return {};
+    if (!(nose.evenness > 0.0)) return {};  // nor of a facet too thin to have a gradient
     nose.turn = turn_of(start.triangle, plane.across);
     nose.facet_radius = 1.0 / principal.larger;
     return nose;
