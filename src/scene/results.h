@@ -27,7 +27,7 @@ struct BeyondBound {
   double ratio = 0.0;       // of the amplitude there to its bound
 };
 
-/// A ray that met a closed body from inside.
+/// A ray that met a closed body from inside, or left a surface without a direction.
 struct LostRay {
   dvec3 at{0.0};               // where [m]
   std::uint32_t triangle = 0;  // of the mesh as it is traced
@@ -101,7 +101,8 @@ struct Statistics {
   std::uint64_t tubes = 0;                 // launched
   std::uint64_t rays = 0;                  // segments traced: launched tubes and every reflected segment
   std::vector<std::uint64_t> hits;         // hits[m]: tubes that met a surface at bounce m + 1
-  std::uint64_t lost_rays = 0;             // rays that met a closed body from inside (a leak); their tube ends there
+  std::uint64_t lost_rays = 0;             // rays that met a closed body from inside (a leak), or left a surface without a
+                                           // direction; their tube ends there
   std::uint64_t looks_with_lost_rays = 0;  // looks with at least one
   std::vector<LostRay> first_lost_rays;    // most_lost_rays_told at most, in metres of the mesh's own coordinates
   TruncatedSums truncated;                 // tubes: sum over looks; sigma: the largest one of a look

@@ -130,7 +130,8 @@ TEST(Summary, LostRaysAreToldWithTheirPlace) {
   statistics.first_lost_rays = {{{0.5, -1.25, 2.0}, 12, 3, {0.5 * pi, 0.25 * pi}}};
   EXPECT_THAT(
       lost_rays_sentence(statistics, 1e-3, "mm"),
-      HasSubstr("7 of 1000 rays met a closed body from inside and ended there, in 2 looks, first at (500, -1250, 2000) mm "
+      HasSubstr("7 of 1000 rays met a closed body from inside or left a surface without a direction and ended there, in 2 looks, "
+                "first at (500, -1250, 2000) mm "
                 "on triangle 12 in look 3 (theta 90, phi 45): "));
 }
 

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 #include "scene/material.h"
 #include "shapes.h"
@@ -52,6 +55,38 @@ TEST(Tracer, TheUpperOfTwoPlatesIsMetHoweverThinTheGap) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       ASSERT_TRUE(hits[i]);
       EXPECT_NEAR(hits[i].distance, 1.5, 1e-12) << gap;  // the upper plate; rounding of coordinates of size 1
+    }
+  }
+}
+
+// Embree ends the program at such rays, where it is built with assertions.
+TEST(Tracer, RaysThatAreNotFiniteMeetNothingAndLeaveOthersAlone) {
+  const TriangleMesh mesh = build_mesh(shapes::icosphere(2), 1.0).mesh;
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const Ray good{dvec3(0.1, 0.2, 3.0), dvec3(0, 0, -1)};
+  std::vector<Ray> rays(20, good);
+  std::vector<std::size_t> strays;
+  for (const double bad : {nan, infinity, -infinity, 1e30, 1e300})
+    for (int axis = 0; axis < (std::isfinite(bad) ? 2 : 3); ++axis) {  // from afar along its way it would meet the sphere
+      strays.push_back(strays.size() + 2);
+      rays[strays.back()].origin[axis] = bad;
+      if (!std::isfinite(bad) && axis == 1) rays[strays.back()] = good, rays[strays.back()].direction[axis] = bad;
+    }
+  for (const int packet : {1, 16}) {
+    const Tracer tracer(mesh, packet);
+    std::vector<Hit> hits(rays.size());
+    std::vector<std::uint32_t> found(rays.size());
+    tracer.closest_hits(rays, hits);
+    tracer.any_blockers(rays, nothing_ignored, found);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const bool stray = std::ranges::find(strays, i) != strays.end();
+      const std::uint32_t blocker = tracer.blocker(rays[i].origin, rays[i].direction, nothing_ignored);
+      EXPECT_EQ(static_cast<bool>(hits[i]), !stray) << i;
+      EXPECT_EQ(found[i] == no_index, stray) << i;
+      EXPECT_EQ(blocker == no_index, stray) << i;
+      if (!std::isfinite(glm::length(rays[i].origin) + glm::length(rays[i].direction))) {
+        EXPECT_EQ(tracer.blocker_around(rays[i].origin, rays[i].direction, 0, nothing_ignored), no_index) << i;
+      }
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "mesh/model/triangle_mesh.h"
@@ -15,6 +16,11 @@ struct Ray {
   dvec3 direction;                        // unit
   std::uint32_t source_patch = no_index;  // that it leaves; no_index: none
 };
+
+/// Whether a ray has a place and a direction at all.
+inline bool is_finite(const Ray& ray) {
+  return std::isfinite(ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z);
+}
 
 /// The surface a ray meets; false if there is none.
 struct Hit {

@@ -30,6 +30,8 @@ constexpr double start_from = 2.0;
 // Embree takes components of a direction below 1e-18 as +1e-18. In a packet with a negative one that is not what its sign says,
 // and surfaces that other rays of the packet meet are passed over.
 constexpr double least_component = 1e-17;
+// Embree may end the program at a ray whose numbers are not finite, or beyond 1.8e18.
+constexpr float largest_number = 1e18f;
 // Of the proxy triangles: twenty times the distance by which single precision can mistake a point.
 constexpr double proxy_margin = 2e-5;
 
@@ -149,6 +151,24 @@ double start_of(const Ray& ray, double scale, bool from_behind) {
 
 float direction_component(double x) { return std::abs(x) < least_component ? 0.0f : static_cast<float>(x); }
 
+// Not so if one of them is no number.
+bool can_be_traced(float origin_x, float origin_y, float origin_z, float x, float y, float z) {
+  return origin_x * origin_x + origin_y * origin_y + origin_z * origin_z + x * x + y * y + z * z <=
+         largest_number * largest_number;
+}
+
+// From outside the mesh, away from it.
+template <class To>
+void meet_nothing(To&& origin_x, To&& origin_y, To&& origin_z, To&& x, To&& y, To&& z) {
+  origin_x = origin_y = x = y = 0.0f, origin_z = 4.0f, z = 1.0f;
+}
+
+void park_strays(RTCRay16& rays) {
+  for (std::size_t i = 0; i < packet_width; ++i)
+    if (!can_be_traced(rays.org_x[i], rays.org_y[i], rays.org_z[i], rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]))
+      meet_nothing(rays.org_x[i], rays.org_y[i], rays.org_z[i], rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]);
+}
+
 void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_behind) {
   RTCRay16& to = packet.rays.ray;
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
@@ -163,6 +183,11 @@ void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_beh
     to.dir_z[lane] = direction_component(ray.direction.z);
     to.id[lane] = static_cast<unsigned>(index);
   }
+  int strays = 0;
+  for (std::size_t lane = 0; lane < packet_width; ++lane)
+    strays |=
+        can_be_traced(to.org_x[lane], to.org_y[lane], to.org_z[lane], to.dir_x[lane], to.dir_y[lane], to.dir_z[lane]) ? 0 : 1;
+  if (strays != 0) park_strays(to);
   for (std::size_t lane = 0; lane < packet_width; ++lane) {
     packet.valid[lane] = lane < rays.size() ? -1 : 0;
     to.tnear[lane] = to.time[lane] = 0.0f;
@@ -243,6 +268,9 @@ RTCRayHit single_ray(const Ray& ray, double scale, double start) {
   query.ray.dir_x = direction_component(ray.direction.x);
   query.ray.dir_y = direction_component(ray.direction.y);
   query.ray.dir_z = direction_component(ray.direction.z);
+  RTCRay& to = query.ray;
+  if (!can_be_traced(to.org_x, to.org_y, to.org_z, to.dir_x, to.dir_y, to.dir_z))
+    meet_nothing(to.org_x, to.org_y, to.org_z, to.dir_x, to.dir_y, to.dir_z);
   query.ray.tfar = std::numeric_limits<float>::infinity();
   query.ray.mask = 0xffffffffu;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -465,7 +493,8 @@ void Tracer::any_blockers(std::span<const Ray> rays, const IgnoredPatches& ignor
 
 std::uint32_t Tracer::blocker_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
                                      const IgnoredPatches& ignored_patches) const {
-  return scene_->exact.nearest_around({origin, direction}, triangle, ignored_patches).triangle;
+  const Ray ray{origin, direction};
+  return is_finite(ray) ? scene_->exact.nearest_around(ray, triangle, ignored_patches).triangle : no_index;
 }
 
 }  // namespace raytube

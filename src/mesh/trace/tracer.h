@@ -13,7 +13,7 @@
 
 namespace raytube {
 
-/// Answers what rays meet.
+/// Answers what rays meet. Rays that are not finite, or begin 1e18 radii away, meet nothing.
 class Tracer {
  public:
   /// Builds the ray-tracing structure; keeps a reference to `mesh`, which must outlive the tracer. Rays go to Embree `packet` at

@@ -224,8 +224,9 @@ std::string lost_rays_sentence(const Statistics& statistics, double metres_per_u
   const std::string where =
       places.empty() ? "" : fmt::format(", in {} look{}, first at {}", looks, looks == 1 ? "" : "s", joined(places, "; "));
   return fmt::format(
-      "{} of {} rays met a closed body from inside and ended there{}: a part of the body is inside out there, or crosses itself; "
-      "repair it in the CAD program (docs/guide/own_mesh.md)",
+      "{} of {} rays met a closed body from inside or left a surface without a direction and ended there{}: a part of the body "
+      "is "
+      "inside out there, or crosses itself; repair it in the CAD program (docs/guide/own_mesh.md)",
       statistics.lost_rays, statistics.rays, where);
 }
 

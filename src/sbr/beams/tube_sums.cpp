@@ -59,6 +59,13 @@ void TubeSums::lose(const Ray& ray, std::uint32_t triangle, const TriangleMesh& 
   first_lost.push_back({ray.origin + distance * ray.direction, triangle});
 }
 
+void TubeSums::lose_if_stray(const Ray& ray, const TriangleMesh& mesh) {
+  if (is_finite(ray) || lost_rays++ >= most_lost_rays_told) return;
+  const auto of_patch = std::ranges::find(mesh.triangle_patch, ray.source_patch);
+  const bool known = of_patch != mesh.triangle_patch.end();
+  first_lost.push_back({ray.origin, known ? static_cast<std::uint32_t>(of_patch - mesh.triangle_patch.begin()) : 0});
+}
+
 void TubeSums::add_incoherent(const Spectrum& spectrum, double area) {
   incoherent.resize(std::max(incoherent.size(), spectrum.size()));
   for (std::size_t f = 0; f < spectrum.size(); ++f)

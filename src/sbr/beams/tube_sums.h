@@ -58,6 +58,8 @@ struct TubeSums {
 
   /// A ray met this triangle of a closed body from inside.
   void lose(const Ray& ray, std::uint32_t triangle, const TriangleMesh& mesh);
+  /// A ray that met nothing is lost if it is not finite: where it began, on a triangle of the patch that it left.
+  void lose_if_stray(const Ray& ray, const TriangleMesh& mesh);
 
   /// What the currents of this wave scatter incoherently from so much area across it.
   void add_incoherent(const Spectrum& spectrum, double area);

@@ -103,7 +103,10 @@ class CurvedTubes {
     find_hits();
     next_.clear();
     for (std::size_t i = 0; i < tubes_.size(); ++i)
-      if (hits_[i]) meet(tubes_[i], hits_[i]);
+      if (hits_[i])
+        meet(tubes_[i], hits_[i]);
+      else
+        sums_.lose_if_stray(tubes_[i].ray, look_.tracer.mesh());
     tubes_.swap(next_);
     if (look_.sheets)
       end_weakest(
