@@ -5,6 +5,7 @@
 #include "dielectric_sphere.h"
 #include "material_scene.h"
 #include "run.h"
+#include "sbr/solid/refraction.h"
 
 namespace raytube {
 
@@ -113,6 +114,44 @@ TEST(Solids, ThinBoxesAreSheets) {
       testing::measured("box against sheet", apart, "of S");
       EXPECT_LT(apart, theta == 0.0 ? 0.01 : 0.1) << permittivity << theta << " to " << receive_theta;
     }
+  }
+}
+
+// A passive boundary sends back no more than comes, at any angle that a ray inside can have: not at total reflection either.
+TEST(Solids, ReturnNoMoreThanComes) {
+  for (const Complex permittivity : {Complex(2.91, -0.086), Complex(4.0, -1.0), Complex(9.0, -0.01), Complex(2.0, -2.0)}) {
+    const double steepest = refraction({}, {permittivity}, 0.0).index, most = refraction({}, {permittivity}, 1.0).index;
+    for (int i = 0; i <= 200; ++i) {
+      const double slowness = (most + 1e-3 * steepest) * i / 200;
+      const SurfaceResponse::Polarised out = refraction({permittivity}, {}, slowness).ratio.reflected;
+      EXPECT_LE(std::max(std::abs(out.te), std::abs(out.tm)), 1.0 + 1e-12) << permittivity << slowness;
+    }
+  }
+}
+
+// Of resin, with the sharp ends and rims between which waves go to and fro: each bounce has less to add.
+TEST(Solids, OfLensShapeConvergeWithBounces) {
+  PolygonSoup lens = shapes::icosphere(4);
+  for (dvec3& p : lens.points) p *= dvec3(2.15, 0.8, 0.28) * lambda;
+  lens.materials.resize(lens.polygons.size());
+  Sweep sweep{{speed_of_light / lambda}, {{deg(90, 48), deg(90, 48)}, {deg(70, 20), deg(70, 20)}}, false};
+  sweep.materials = {solid({2.91, -0.086})};
+  const Target target(build_mesh(lens, 1.0, "test", sweep.materials).mesh);
+  const auto with_bounces = [&](int bounces) {
+    SolveOptions options;
+    options.edges.method = EdgeMethod::none;
+    options.tubes.max_bounces = bounces;
+    return solve(target, sweep, options);
+  };
+  const SweepResult few = with_bounces(14), more = with_bounces(20), most = with_bounces(40);
+  for (const SweepResult* result : {&few, &more, &most}) EXPECT_TRUE(result->statistics.beyond_bound.empty());
+  for (std::size_t row = 0; row < most.total.size(); ++row) {
+    const double size = frobenius_norm(most.total[row]);
+    testing::measured("bounces 14 against 40", difference(few.total[row], most.total[row]), "of S");
+    testing::measured("bounces 20 against 40", difference(more.total[row], most.total[row]), "of S");
+    EXPECT_GT(size, 0.0);
+    EXPECT_LT(difference(few.total[row], most.total[row]), 0.1);
+    EXPECT_LT(difference(more.total[row], most.total[row]), 0.01);
   }
 }
 

@@ -73,14 +73,18 @@ void SolidCurrents::add(const TubePiece& piece, const Hits& hits, const std::arr
   sums_.meet(bounce, piece.area(), amplitude(hits[0].arriving, lowest_));
 }
 
-// As if the wave were the plane one of its rays all over the piece.
+// As if the wave were the plane one of its rays all over the piece. Rays of a narrow one stand for corners far off: nowhere in a
+// passive body a wave is stronger than without losses.
 Complex SolidCurrents::mean(const TubePiece& piece, const Hits& hits, double wavenumber) const {
   std::array<Complex, 3> x;
   for (std::size_t i = 0; i < 3; ++i)
     x[i] = wavenumber *
            Complex(glm::dot(look_.receive.radial, hits[i].arriving.point) - hits[i].arriving.path, hits[i].arriving.loss);
   const Complex middle = (x[0] + x[1] + x[2]) / 3.0;
-  for (Complex& corner : x) corner = middle + (corner - middle) / piece.probe;
+  for (Complex& corner : x) {
+    corner = middle + (corner - middle) / piece.probe;
+    corner.imag(std::max(corner.imag(), 0.0));
+  }
   return triangle_phase_mean(x);
 }
 

@@ -12,11 +12,13 @@ namespace raytube {
 
 namespace {
 
-constexpr double weakest = 1e-5;    // amplitudes that end, of unit incident ones
-constexpr double widest = 1.0;      // wavelengths, of pieces that something might stand in the middle of
-constexpr double most_bend = 0.1;   // phase by which a wave is off its plane within a piece [rad]
-constexpr double most_turn = 0.1;   // of the rays of a piece from one another
-constexpr double most_decay = 8.0;  // exponent by which a wave falls off across a piece
+constexpr double weakest = 1e-5;      // amplitudes that end, of unit incident ones
+constexpr double widest = 1.0;        // wavelengths, of pieces that something might stand in the middle of
+constexpr double most_bend = 0.1;     // phase by which a wave is off its plane within a piece [rad]
+constexpr double most_turn = 0.1;     // of the rays of a piece from one another
+constexpr double most_decay = 8.0;    // exponent by which a wave falls off across a piece
+constexpr double most_spread = 1.0;   // of the rays of a piece from one another [rad], beyond which they tell nothing about it
+constexpr double least_facing = 0.5;  // cosine between a piece on a curved surface and that surface, that counts
 
 enum class Turn : std::uint8_t { reflected, refracted };
 
@@ -26,6 +28,7 @@ using Hits = SolidCurrents::Hits;
 // A piece of a wave on its way from the surface where it took the last of these turns.
 struct Tube {
   Rays rays;
+  double section;           // twice its cross-section as it leaves
   Complex spreading = 1.0;  // what geometrical optics makes of the amplitude since it was launched
   std::vector<Turn> turns{};
 };
@@ -35,8 +38,8 @@ enum class Course : std::uint8_t { none, apart, together };
 
 double across(const dvec3& d, const dvec3& a, const dvec3& b) { return glm::dot(d, glm::cross(a, b)); }
 
-dvec3 mean_direction(const Rays& rays) {
-  return glm::normalize(rays[0].ray.direction + rays[1].ray.direction + rays[2].ray.direction);
+dvec3 mean_direction(const SolidRay& a, const SolidRay& b, const SolidRay& c) {
+  return glm::normalize(a.ray.direction + b.ray.direction + c.ray.direction);
 }
 
 // Zeros in (0, length) of the cross-section a0 + a1 s + a2 s^2 of a tube.
@@ -48,16 +51,41 @@ int caustics(double a0, double a1, double a2, double length) {
   return within(a0 / q) + (a2 == 0.0 ? 0 : within(q / a2));
 }
 
-// sqrt of the ratio of cross-sections, +pi/2 of phase for every line of a caustic (Kouyoumjian & Pathak 1974, eq. 6).
-Complex spreading_between(const Rays& from, const Hits& to) {
-  const dvec3 d = mean_direction(from);
-  const dvec3 p1 = from[1].point - from[0].point, p2 = from[2].point - from[0].point;
-  const dvec3 d1 = from[1].ray.direction - from[0].ray.direction, d2 = from[2].ray.direction - from[0].ray.direction;
-  const double begin = across(d, p1, p2), length = (to[0].length + to[1].length + to[2].length) / 3.0;
-  const double end = across(d, to[1].arriving.point - to[0].arriving.point, to[2].arriving.point - to[0].arriving.point);
-  const int lines = caustics(begin, across(d, p1, d2) + across(d, d1, p2), across(d, d1, d2), length);
+double twice_area(const dvec3& a, const dvec3& b, const dvec3& c) { return glm::length(glm::cross(b - a, c - a)); }
+
+// |cos| of the angles of arrival, all in all.
+double facing(const Hits& hits) {
+  double sum = 0.0;
+  for (const SolidHit& hit : hits) sum += std::abs(glm::dot(hit.normal, hit.arriving.ray.direction));
+  return sum;
+}
+
+// Three points next to a caustic line of a curved surface may stand in any plane: what they are turned off the surface is not
+// that of the tube.
+double section_at(const dvec3& d, const Hits& hits) {
+  const dvec3 &a = hits[0].arriving.point, &b = hits[1].arriving.point, &c = hits[2].arriving.point;
+  return std::max(std::abs(across(d, b - a, c - a)), least_facing * twice_area(a, b, c) * facing(hits) / 3.0);
+}
+
+// sqrt of the ratio of cross-sections, +pi/2 of phase for every line of a caustic (Kouyoumjian & Pathak 1974, eq. 6). A surface
+// passes on all of a tube: measured again from rays that are apart, its section would differ, and power come from nowhere at
+// every bounce.
+Complex spreading_between(const Tube& from, const Hits& to) {
+  const Rays& rays = from.rays;
+  const dvec3 d = mean_direction(rays[0], rays[1], rays[2]);
+  const dvec3 p1 = rays[1].point - rays[0].point, p2 = rays[2].point - rays[0].point;
+  const dvec3 d1 = rays[1].ray.direction - rays[0].ray.direction, d2 = rays[2].ray.direction - rays[0].ray.direction;
+  const double length = (to[0].length + to[1].length + to[2].length) / 3.0, end = section_at(d, to);
+  const int lines = caustics(across(d, p1, p2), across(d, p1, d2) + across(d, d1, p2), across(d, d1, d2), length);
   constexpr std::array<Complex, 3> phase{Complex(1.0, 0.0), Complex(0.0, 1.0), Complex(-1.0, 0.0)};
-  return end == 0.0 ? 0.0 : std::sqrt(std::abs(begin / end)) * phase[static_cast<std::size_t>(lines)];
+  return end == 0.0 ? 0.0 : std::sqrt(from.section / end) * phase[static_cast<std::size_t>(lines)];
+}
+
+// Behind a turn: a refracted tube is as much narrower as its rays are steeper on the surface.
+double section_behind(const Hits& hits, const Rays& leaving) {
+  double cosines = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) cosines += std::abs(glm::dot(hits[i].normal, leaving[i].ray.direction));
+  return section_at(mean_direction(hits[0].arriving, hits[1].arriving, hits[2].arriving), hits) * cosines / facing(hits);
 }
 
 // The tubes of some triangles at some frequencies.
@@ -114,7 +142,8 @@ class SolidTubes {
   }
 
   Tube launched(const TubePiece& piece) const {
-    return {{waves_.launched(piece.ray(0)), waves_.launched(piece.ray(1)), waves_.launched(piece.ray(2))}};
+    const Rays rays{waves_.launched(piece.ray(0)), waves_.launched(piece.ray(1)), waves_.launched(piece.ray(2))};
+    return {rays, twice_area(rays[0].point, rays[1].point, rays[2].point)};
   }
 
   // A tube that is launched or has just taken a turn goes on to the next surface and all that it does there.
@@ -130,8 +159,8 @@ class SolidTubes {
       case Course::together:
         break;
     }
-    if (bounce == look_.max_bounces) return truncate(piece, tube);
-    const Complex spreading = tube.spreading * spreading_between(tube.rays, hits);
+    if (bounce == look_.max_bounces) return truncate(piece, tube, Truncation::bounces);
+    const Complex spreading = tube.spreading * spreading_between(tube, hits);
     if (tube.rays[0].entered && tube.rays[0].material == no_index) currents_.add_meeting(piece, hits, spreading, bounce);
     for (const Turn turn : {Turn::reflected, Turn::refracted}) turn_to(turn, piece, tube, hits, spreading);
   }
@@ -152,6 +181,7 @@ class SolidTubes {
   // From where the tube has just taken its last turn.
   void go_on(const TubePiece& piece, const Tube& tube, const Hits& hits) {
     if (amplitude(tube.rays[0], lowest_) * std::abs(tube.spreading) < weakest) return;
+    if (is_too_wide(piece, tube.rays)) return truncate(piece, tube, Truncation::width);
     if (tube.turns.back() == Turn::refracted && tube.rays[0].material == no_index)
       currents_.add_leaving(piece, tube.rays, hits, tube.spreading, static_cast<int>(tube.turns.size()) - 1);
     follow(piece, tube);
@@ -167,14 +197,13 @@ class SolidTubes {
     Hits hits;
     for (const Turn turn : turns) {
       Course course = meet(piece, tube, hits);
-      const Rays before = tube.rays;
       if (course == Course::together) {
         tube.turns.push_back(turn);
+        tube.spreading *= spreading_between(tube, hits);
         course = leave(turn, piece, hits, tube);
       }
       if (course == Course::none) return;
       if (course == Course::apart) return repeat(divided(piece, narrow_), turns);
-      tube.spreading *= spreading_between(before, hits);
     }
     turns.empty() ? follow(piece, tube) : go_on(piece, tube, hits);
   }
@@ -185,6 +214,8 @@ class SolidTubes {
     look_.tracer.closest_hits(rays, hits);
     sums_.rays += 3;
     const auto count = std::ranges::count_if(hits, [](const Hit& hit) { return bool(hit); });
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!hits[i]) sums_.lose_if_stray(rays[i], mesh());
     if (count == 0) return Course::none;
     if (count < 3) return Course::apart;
     if (const Course course = course_to(piece, tube, hits); course != Course::together) return course;
@@ -211,6 +242,7 @@ class SolidTubes {
       if (ray) tube.rays[i] = *ray, ++count;
     }
     if (count == 0) return Course::none;
+    tube.section = section_behind(hits, tube.rays);
     return count < 3 || (!piece.narrow() && piece.longest_side() > narrow_ && bends(tube.rays)) ? Course::apart
                                                                                                 : Course::together;
   }
@@ -228,8 +260,15 @@ class SolidTubes {
     return false;
   }
 
-  void truncate(const TubePiece& piece, const Tube& tube) {
-    count_truncated(sums_.truncated[Truncation::bounces], piece.area(), amplitude(tube.rays[0], lowest_));
+  // Of a narrow piece, at its own corners.
+  static bool is_too_wide(const TubePiece& piece, const Rays& rays) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (glm::length(rays[(i + 1) % 3].ray.direction - rays[i].ray.direction) > most_spread * piece.probe) return true;
+    return false;
+  }
+
+  void truncate(const TubePiece& piece, const Tube& tube, Truncation reason) {
+    count_truncated(sums_.truncated[reason], piece.area(), amplitude(tube.rays[0], lowest_));
   }
 
   const TubeLook& look_;
