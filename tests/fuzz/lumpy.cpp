@@ -14,7 +14,8 @@ namespace {
 using namespace raytube;
 using namespace raytube::fuzz;
 
-constexpr double most_beyond = 10.0;  // of two tubes a wavelength on bodies of few facets; what blows up is orders of magnitude off
+constexpr double most_beyond =
+    10.0;  // of two tubes a wavelength on bodies of few facets; what blows up is orders of magnitude off
 
 double share(Choices& choices) { return choices.byte() / 255.0; }
 
@@ -48,10 +49,10 @@ void add(PolygonSoup& soup, const PolygonSoup& other, double away) {
   }
 }
 
-// ka of the highest 0.5 to 60, that of the lowest down to a thirtieth of it, in any order.
-Sweep sweep(Choices& choices, double reach) {
+// ka of the highest 0.5 to 60 on bodies of few facets, that of the lowest down to a thirtieth of it, in any order.
+Sweep sweep(Choices& choices, int subdivisions, double reach) {
   Sweep sweep;
-  const double highest = 0.5 * std::pow(120.0, share(choices)) * speed_of_light / (2 * pi * reach);
+  const double highest = 0.5 * std::pow(subdivisions < 3 ? 120.0 : 16.0, share(choices)) * speed_of_light / (2 * pi * reach);
   for (unsigned i = 0, count = 1 + choices.below(5); i < count; ++i)
     sweep.frequencies.push_back(i == 0 ? highest : highest * std::pow(30.0, -share(choices)));
   std::ranges::sort(sweep.frequencies);
@@ -76,6 +77,7 @@ SolveOptions options(Choices& choices) {
   o.tubes.max_bounces = static_cast<int>(1 + choices.below(4));
   o.edges.order = static_cast<int>(1 + choices.below(3));
   o.edges.interaction = choices.flag();
+  o.edges.interaction_budget = 0.2;
   return o;
 }
 
@@ -88,9 +90,9 @@ bool is_finite(const SweepResult& result) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr double reach = 0.85;  // [m]
   Choices choices(data, size);
-  const Sweep asked = sweep(choices, reach);
-  const SolveOptions how = options(choices);
   const int subdivisions = static_cast<int>(1 + choices.below(3));
+  const Sweep asked = sweep(choices, subdivisions, reach);
+  const SolveOptions how = options(choices);
   PolygonSoup soup = body(choices, subdivisions, reach);
   if (choices.below(4) == 1) add(soup, body(choices, 1, 0.3 * reach), 2.0 * share(choices));
   try {
