@@ -1,12 +1,12 @@
 #include "bare_embree.h"
 
-#include <embree3/rtcore.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
+#include "mesh/trace/embree.h"
 #include "sbr/launch/launch.h"
 #include "scene/material.h"
 #include "timing.h"
@@ -93,10 +93,8 @@ void shoot(RTCScene scene, std::vector<RTCRayHit16>& packets) {
   alignas(64) std::array<int, 16> valid;
   valid.fill(-1);
   for (RTCRayHit16& packet : packets) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(valid.data(), scene, &context, &packet);
+    embree::Query query;
+    embree::intersect(scene, query, valid.data(), packet);
   }
 }
 

@@ -34,7 +34,7 @@ inline PolygonSoup lumpy_body(int subdivisions, const std::vector<Bump>& bumps, 
 inline PolygonSoup lumpy_body(unsigned seed, int subdivisions, double reach) {
   std::mt19937 bits(seed);
   // The library's distributions are not the same everywhere.
-  const auto number = [&](double low, double high) { return low + (high - low) * bits() / 4294967296.0; };
+  const auto number = [&](double low, double high) { return low + (high - low) * static_cast<double>(bits()) / 4294967296.0; };
   const auto direction = [&] {
     const double z = number(-1.0, 1.0), phi = number(0.0, 2 * pi), r = std::sqrt(1.0 - z * z);
     return dvec3(r * std::cos(phi), r * std::sin(phi), z);

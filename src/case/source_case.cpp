@@ -60,7 +60,7 @@ void check_keys(const CaseValue& table, const std::string& prefix) {
   }
 }
 
-const CaseValue& require_of_part(const CaseValue& part, const std::string& key, const std::string& remedy) {
+const CaseValue& require_of_part(const CaseValue& part, std::string_view key, std::string_view remedy) {
   const CaseValue* value = part.find(key);
   if (!value) reject(part, fmt::format("scene.parts.{} is missing; add {} to this part", key, remedy));
   return *value;

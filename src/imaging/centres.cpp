@@ -1,10 +1,10 @@
 #include "imaging/centres.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "imaging/centre_search.h"
+#include "math/dense.h"
 
 namespace raytube {
 

@@ -17,7 +17,7 @@ constexpr double even_tolerance = 1e-3;
 
 std::vector<double> without_repetitions(std::vector<double> values) {
   std::ranges::sort(values);
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 
@@ -28,7 +28,7 @@ std::vector<double> unwound(std::vector<double> azimuths) {
   for (std::size_t i = 1; i < azimuths.size(); ++i)
     if (const double gap = azimuths[i] - azimuths[i - 1]; gap > widest * (1.0 + even_tolerance)) widest = gap, begin = i;
   for (std::size_t i = 0; i < begin; ++i) azimuths[i] += 360.0;
-  std::ranges::rotate(azimuths, azimuths.begin() + static_cast<std::ptrdiff_t>(begin));
+  std::rotate(azimuths.begin(), azimuths.begin() + static_cast<std::ptrdiff_t>(begin), azimuths.end());
   return azimuths;
 }
 

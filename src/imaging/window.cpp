@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/field.h"
+#include "math/special/elementary.h"
 
 namespace raytube {
 
@@ -25,7 +26,7 @@ double square(double x) { return x * x; }
 // Taylor (1955): zeros of the ideal pattern of equal side lobes up to the n-th, of the sinc beyond.
 class TaylorSeries {
  public:
-  explicit TaylorSeries(double sidelobe_db) : a_(std::acosh(std::pow(10.0, sidelobe_db / 20.0)) / pi) {
+  explicit TaylorSeries(double sidelobe_db) : a_(inverse_cosh(std::pow(10.0, sidelobe_db / 20.0)) / pi) {
     n_ = static_cast<int>(std::floor(2.0 * a_ * a_ + 0.5)) + 1;  // the least n whose zeros move outwards with it
     stretch_ = square(n_) / (a_ * a_ + square(n_ - 0.5));
     for (int m = 1; m < n_; ++m) terms_.push_back(term(m));

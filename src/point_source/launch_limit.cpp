@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/special/elementary.h"
 #include "math/gauss.h"
 
 namespace raytube {
@@ -46,7 +47,7 @@ double largest_share(const LaunchFace& face, const dvec3& eye, const dvec3& a, c
 double gap_rule(double tangent, double begin, double end) {
   double sum = 0.0;
   for (const GaussPoint& point : gauss_rule(8))
-    sum += point.weight * (pi / 2 - std::atan(tangent * std::cos(begin + (end - begin) * point.node)));
+    sum += point.weight * (pi / 2 - arc_tangent(tangent * std::cos(begin + (end - begin) * point.node)));
   return (end - begin) * sum;
 }
 
@@ -92,7 +93,7 @@ Crossed cells_crossed(const dvec3& a, const dvec3& b, std::uint32_t steps) {
   const bool over_pole = !edge && a.x * b.x + a.y * b.y < 0.0;
   double top = std::max(first, last), columns = 0.0;
   if (over_pole) top = pi / 2;
-  if (edge && edge->begin < 0.0 && edge->end > 0.0) top = std::atan(edge->tangent);
+  if (edge && edge->begin < 0.0 && edge->end > 0.0) top = arc_tangent(edge->tangent);
   if (edge) columns = std::ceil((edge->end - edge->begin) / step);
   const double cells = (over_pole ? 3.0 : 2.0) + columns + std::ceil((2.0 * top - first - last) / step);
   const double lowest = std::clamp(std::min(first, last) - step, 0.0, pi / 2);

@@ -56,8 +56,7 @@ Sweep sweep(Choices& choices, int subdivisions, double reach) {
   for (unsigned i = 0, count = 1 + choices.below(5); i < count; ++i)
     sweep.frequencies.push_back(i == 0 ? highest : highest * std::pow(30.0, -share(choices)));
   std::ranges::sort(sweep.frequencies);
-  const auto doubled = std::ranges::unique(sweep.frequencies);
-  sweep.frequencies.erase(doubled.begin(), doubled.end());
+  sweep.frequencies.erase(std::unique(sweep.frequencies.begin(), sweep.frequencies.end()), sweep.frequencies.end());
   sweep.bistatic = choices.flag();
   for (unsigned i = 0, count = 1 + choices.below(2); i < count; ++i) {
     const Direction transmit = direction(choices);

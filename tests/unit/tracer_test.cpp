@@ -169,6 +169,35 @@ void expect_same_for_any_packet(const PolygonSoup& soup, const dvec3& direction)
   EXPECT_GT(bounces, 1);
 }
 
+// What a query leaves out is left out by the filter, which Embree 4 takes and never calls unless told to.
+TEST(Tracer, EmbreeCallsTheFilterOfEveryQuery) {
+  const TriangleMesh mesh = two_plates(0.1, false);
+  const std::vector<Ray> from_above = rays_from_above(mesh);
+  for (const int packet : {1, 16}) {
+    const Tracer tracer(mesh, packet);
+    std::vector<Hit> hits(from_above.size());
+    tracer.closest_hits(from_above, hits);
+    std::vector<Ray> leaving;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+      leaving.push_back({from_above[i].origin + hits[i].distance * from_above[i].direction, from_above[i].direction,
+                         mesh.triangle_patch[hits[i].triangle]});
+    const std::uint32_t upper = leaving.front().source_patch;
+    std::vector<std::uint32_t> closest(leaving.size()), any(leaving.size());
+    tracer.closest_triangles(leaving, closest);
+    tracer.any_blockers(from_above, {upper, no_index, no_index}, any);
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+      const std::uint32_t wanted = tracer.blocker(from_above[i].origin, from_above[i].direction, {upper, no_index, no_index});
+      EXPECT_EQ(closest[i], wanted);
+      EXPECT_EQ(any[i] == no_index, wanted == no_index);
+      if (wanted == no_index) continue;
+      ++met;
+      EXPECT_NE(mesh.triangle_patch[wanted], upper);
+    }
+    EXPECT_GT(met, leaving.size() / 2);
+  }
+}
+
 TEST(Tracer, HitsDoNotDependOnThePacket) {
   expect_same_for_any_packet(shapes::trihedral(1.0), glm::normalize(dvec3(-1.0, -0.8, -0.9)));
   expect_same_for_any_packet(shapes::icosphere(4), glm::normalize(dvec3(0.3, -0.5, -0.8)));

@@ -260,7 +260,7 @@ const CaseValue* find(const CaseValue& root, std::string_view section, std::stri
   return table ? table->find(key) : nullptr;
 }
 
-const CaseValue& require(const CaseValue& root, const std::string& section, const std::string& key, const std::string& remedy) {
+const CaseValue& require(const CaseValue& root, std::string_view section, std::string_view key, std::string_view remedy) {
   const CaseValue* value = find(root, section, key);
   if (!value)
     throw InputError(fmt::format("{}: {}.{} is missing; add {} under [{}]", root.location, section, key, remedy, section));

@@ -29,7 +29,7 @@ struct CaseValue {
 const CaseValue* find(const CaseValue& root, std::string_view section, std::string_view key);
 
 /// The entry root.section.key. Throws InputError, which ends with `remedy`, where there is none.
-const CaseValue& require(const CaseValue& root, const std::string& section, const std::string& key, const std::string& remedy);
+const CaseValue& require(const CaseValue& root, std::string_view section, std::string_view key, std::string_view remedy);
 
 /// Throws InputError that begins with the location of `value`.
 [[noreturn]] void reject(const CaseValue& value, const std::string& sentence);

@@ -14,6 +14,19 @@
 
 namespace raytube {
 
+namespace {
+
+// From 2.9 on Expat has a name of its own for numbers of 64 bits, and warns of the old one.
+std::size_t current_line(XML_Parser parser) {
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+  return XML_GetCurrentLineNumber64(parser);
+#else
+  return XML_GetCurrentLineNumber(parser);
+#endif
+}
+
+}  // namespace
+
 /// What Expat calls. Nothing is thrown through it: an exception waits until it has returned.
 struct XmlReader::Callbacks {
   XmlReader& reader;
@@ -22,7 +35,7 @@ struct XmlReader::Callbacks {
 
   template <class Action>
   void guard(const Action& action) {
-    reader.line_ = XML_GetCurrentLineNumber(parser);
+    reader.line_ = current_line(parser);
     try {
       if (!thrown) action();
     } catch (...) {
@@ -94,7 +107,7 @@ void XmlReader::read(std::string_view text) {
     whole = XML_Parse(parser.get(), piece.data(), static_cast<int>(piece.size()), text.empty()) == XML_STATUS_OK;
   } while (whole && !text.empty());
   if (callbacks.thrown) std::rethrow_exception(callbacks.thrown);
-  line_ = XML_GetCurrentLineNumber(parser.get());
+  line_ = current_line(parser.get());
   if (!whole)
     reject(fmt::format("its XML is damaged or cut short ({}); export the mesh again",
                        XML_ErrorString(XML_GetErrorCode(parser.get()))));

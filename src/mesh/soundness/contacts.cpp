@@ -25,8 +25,8 @@ Corners inner(Corners corners) {
 // Whether a gap wider than that is between them along the axis; none if it has no length.
 bool apart_along(const dvec3& axis, const Corners& a, const Corners& b, double margin) {
   const auto along = [&](const dvec3& corner) { return glm::dot(axis, corner); };
-  const auto [low_a, high_a] = std::ranges::minmax({along(a[0]), along(a[1]), along(a[2])});
-  const auto [low_b, high_b] = std::ranges::minmax({along(b[0]), along(b[1]), along(b[2])});
+  const auto [low_a, high_a] = std::minmax({along(a[0]), along(a[1]), along(a[2])});
+  const auto [low_b, high_b] = std::minmax({along(b[0]), along(b[1]), along(b[2])});
   return std::max(low_b - high_a, low_a - high_b) > margin * glm::length(axis);
 }
 

@@ -1,6 +1,5 @@
 #include "mesh/trace/tracer.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <tbb/parallel_invoke.h>
 
@@ -13,6 +12,7 @@
 
 #include "core/instruction_set.h"
 #include "mesh/model/geometry.h"
+#include "mesh/trace/embree.h"
 #include "mesh/trace/exact_hit.h"
 #include "mesh/trace/proxy_triangles.h"
 
@@ -38,7 +38,8 @@ constexpr double proxy_margin = 2e-5;
 // Embree calls it unknown when a thread or an allocation of its own fails.
 [[noreturn]] void fail(RTCError error) {
   if (error == RTC_ERROR_OUT_OF_MEMORY || error == RTC_ERROR_UNKNOWN) throw std::bad_alloc();
-  throw std::runtime_error(fmt::format("Embree reports error {}; install Embree 3.13 as Debian has it", static_cast<int>(error)));
+  throw std::runtime_error(
+      fmt::format("Embree reports error {}; install Embree 3.13 or 4 as your system has it", static_cast<int>(error)));
 }
 
 void check_device(RTCDevice device) {
@@ -99,7 +100,7 @@ struct Tracer::Scene {
 namespace {
 
 // What the filter needs to know about the rays of a packet; Embree passes it back through the context.
-struct QueryContext : RTCIntersectContext {
+struct QueryContext : embree::Query {
   const ExactHit* exact;
   std::size_t own;  // of Embree's triangles the first ones are the mesh's
   const Ray* rays;
@@ -248,12 +249,12 @@ void keep_any(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-void intersect_singly(RTCScene scene, RTCIntersectContext& context, Packet& packet) {
+void intersect_singly(RTCScene scene, embree::Query& query, Packet& packet) {
   auto* rays = reinterpret_cast<RTCRayHitN*>(&packet.rays);
   for (unsigned lane = 0; lane < packet_width; ++lane) {
     if (!packet.valid[lane]) continue;
     RTCRayHit single = rtcGetRayHitFromRayHitN(rays, packet_width, lane);
-    rtcIntersect1(scene, &context, &single);
+    embree::intersect(scene, query, single);
     rtcCopyHitToHitN(RTCRayHitN_HitN(rays, packet_width), &single.hit, packet_width, lane);
     packet.rays.ray.tfar[lane] = single.ray.tfar;
   }
@@ -278,27 +279,25 @@ RTCRayHit single_ray(const Ray& ray, double scale, double start) {
   return query;
 }
 
-void intersect(RTCScene scene, RTCIntersectContext& context, int width, Packet& packet) {
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+void intersect(RTCScene scene, embree::Query& query, int width, Packet& packet) {
   if (width == 1)
-    intersect_singly(scene, context, packet);
+    intersect_singly(scene, query, packet);
   else
-    rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
+    embree::intersect(scene, query, packet.valid.data(), packet.rays);
 }
 
-void occlude_singly(RTCScene scene, RTCIntersectContext& context, double scale, std::span<const Ray> rays) {
+void occlude_singly(RTCScene scene, embree::Query& query, double scale, std::span<const Ray> rays) {
   for (unsigned index = 0; index < rays.size(); ++index) {
     RTCRay single = single_ray(rays[index], scale, start_of(rays[index], scale, true)).ray;
     single.id = index;
-    rtcOccluded1(scene, &context, &single);
+    embree::occluded(scene, query, single);
   }
 }
 
-void occlude(RTCScene scene, RTCIntersectContext& context, double scale, std::span<const Ray> rays) {
+void occlude(RTCScene scene, embree::Query& query, double scale, std::span<const Ray> rays) {
   Packet packet;
   load(packet, rays, scale, true);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcOccluded16(packet.valid.data(), scene, &context, &packet.rays.ray);
+  embree::occluded(scene, query, packet.valid.data(), packet.rays.ray);
 }
 
 // To about unit size.
@@ -307,7 +306,6 @@ double scale_of(const TriangleMesh& mesh) { return mesh.radius > 0.0 ? std::exp2
 template <class Context>
 Context make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredPatches& ignored) {
   Context context;
-  rtcInitIntersectContext(&context);
   context.exact = &scene.exact;
   context.own = scene.safe_sides.size();
   context.rays = rays;
@@ -340,7 +338,7 @@ Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time, double t
   device = rtcNewDevice(fmt::format("isa={},user_threads=1000000", name_of(allowed_instruction_set())).c_str());
   if (!device) fail(rtcGetDeviceError(nullptr));
   scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+  rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | embree::filter_of_queries));
   ProxyTriangles& proxies = parts.proxies;
   add_geometry(proxies);
   safe_sides.reserve(mesh.triangles.size());
@@ -434,7 +432,7 @@ Proposal Tracer::Scene::propose_beyond(const Ray& ray, const IgnoredPatches& ign
   context.refused_primitives = refused;
   const double start = start_of(ray, scale, true);
   RTCRayHit query = single_ray(ray, scale, start);
-  rtcIntersect1(scene, &context, &query);
+  embree::intersect(scene, context, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {query.hit.primID, (start + query.ray.tfar) / scale};
 }
@@ -450,6 +448,8 @@ std::uint32_t Tracer::Scene::decide(const Ray& ray, const IgnoredPatches& ignore
     const Hit hit = exact.nearest_around(ray, source[next.primitive], ignored);
     if (hit && (!best || std::pair(hit.distance, hit.triangle) < std::pair(best.distance, best.triangle))) best = hit;
     if (best.triangle == next.primitive && best.distance <= next.distance + exact.edge_uncertainty()) break;
+    if (std::ranges::find(refused, next.primitive) != refused.end())
+      throw std::logic_error("Embree proposes a triangle again that its filter refused: it does not call the filter");
     refused.push_back(next.primitive);
   }
   return best ? exact.front_of(ray, best, ignored).triangle : no_index;

@@ -31,7 +31,7 @@ std::string near_peak_lines(const std::array<bool, 4>& signal, double within_db,
        {"bias (mean error)", &ErrorMeasures::bias_db},
        {"error at the reference's peak", &ErrorMeasures::at_peak_db}}};
   for (const auto& [name, measure] : measures)
-    text += measure_line(signal, name, [&](int channel) { return four_digits(errors(channel).*measure); });
+    text += measure_line(signal, name, [&, measure = measure](int channel) { return four_digits(errors(channel).*measure); });
   return text;
 }
 

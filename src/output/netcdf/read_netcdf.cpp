@@ -66,7 +66,8 @@ class ResultReader {
         result_.comment = std::move(text);
       else if (name == geometry_attribute)
         result_.bistatic = text == "bistatic";
-      else if (std::ranges::none_of(convention_attributes, [&](const FixedAttribute& fixed) { return name == fixed.name; }))
+      else if (std::ranges::none_of(convention_attributes,
+                                    [&name = name](const FixedAttribute& fixed) { return name == fixed.name; }))
         result_.attributes.emplace_back(name, std::move(text));
     }
     for (auto& named_text : file_.long_texts()) result_.attributes.push_back(std::move(named_text));

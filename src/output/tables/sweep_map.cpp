@@ -46,7 +46,7 @@ std::vector<double> distinct_values(Quantity quantity, const std::vector<std::si
   std::vector<double> values;
   for (const std::size_t row : rows) values.push_back(coordinates.rows[row][quantity]);
   std::ranges::sort(values);
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

@@ -1,7 +1,5 @@
 #include "output/vtk/surface_rays_vtp.h"
 
-#include <ranges>
-
 #include "output/vtk/vtk_file.h"
 
 namespace raytube {
@@ -17,10 +15,16 @@ VtkLines lines_of(std::span<const SurfaceRay> rays) {
   return lines;
 }
 
+std::vector<SurfaceRayPoint> points_of(std::span<const SurfaceRay> rays) {
+  std::vector<SurfaceRayPoint> points;
+  for (const SurfaceRay& ray : rays) points.insert(points.end(), ray.points.begin(), ray.points.end());
+  return points;
+}
+
 // value(point) of all points in their order.
 template <class Value>
 void write_values(OutputFile& out, std::string_view name, std::span<const SurfaceRay> rays, Value value) {
-  write_array(out, "Float32", name, rays | std::views::transform(&SurfaceRay::points) | std::views::join,
+  write_array(out, "Float32", name, points_of(rays),
               [&](const SurfaceRayPoint& point) { return fmt::format("{:.6g}", value(point) + 0.0); });  // + 0.0: no "-0"
 }
 

@@ -1,7 +1,6 @@
 #include "output/vtk/tube_paths_vtp.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "core/decimal.h"
 #include "output/vtk/vtk_file.h"
@@ -10,7 +9,11 @@ namespace raytube {
 
 namespace {
 
-auto points_of(const TubePaths& tubes) { return tubes.paths | std::views::transform(&TubePath::points) | std::views::join; }
+std::vector<TubePathPoint> points_of(const TubePaths& tubes) {
+  std::vector<TubePathPoint> points;
+  for (const TubePath& path : tubes.paths) points.insert(points.end(), path.points.begin(), path.points.end());
+  return points;
+}
 
 VtkLines lines_of(const TubePaths& tubes) {
   VtkLines lines;

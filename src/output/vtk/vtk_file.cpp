@@ -2,7 +2,7 @@
 
 #include <bit>
 #include <cstring>
-#include <ranges>
+#include <numeric>
 
 #include "core/decimal.h"
 
@@ -13,8 +13,6 @@ namespace {
 constexpr int line_type = 3, triangle_type = 5;  // VTK_LINE, VTK_TRIANGLE
 
 std::string vertex_text(const dvec3& r) { return fmt::format("{} {} {}", number_text(r.x), number_text(r.y), number_text(r.z)); }
-
-auto counted(std::size_t count) { return std::views::iota(std::size_t{0}, count); }
 
 void write_line_cells(OutputFile& out, const VtkLines& lines) {
   const VtkElement cells(out, "Lines");
@@ -72,6 +70,12 @@ std::string base64(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> counted(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
+}
 
 void write_binary_array(OutputFile& out, std::string_view name, std::span<const float> values) {
   static_assert(std::endian::native == std::endian::little);

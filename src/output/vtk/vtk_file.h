@@ -35,6 +35,9 @@ class VtkElement {
   std::string name_;
 };
 
+/// 0 ... count - 1.
+std::vector<std::size_t> counted(std::size_t count);
+
 /// An array: text(item) of every item, each on its line.
 template <class Items, class Text>
 void write_array(OutputFile& out, std::string_view type, std::string_view name, Items&& items, Text text, int components = 1) {

@@ -1,7 +1,5 @@
 #include "output/vtk/wedges_vtp.h"
 
-#include <ranges>
-
 #include "core/decimal.h"
 #include "output/vtk/vtk_file.h"
 
@@ -22,7 +20,7 @@ void write_wedge_data(OutputFile& out, std::span<const WedgeLine> wedges) {
   const auto write_numbers = [&](std::string_view name, auto value) {
     write_array(out, "Float64", name, wedges, [&](const WedgeLine& w) { return number_text(value(w)); });
   };
-  write_array(out, "Int64", "wedge", std::views::iota(std::size_t{0}, wedges.size()), [](std::size_t i) { return i; });
+  write_array(out, "Int64", "wedge", counted(wedges.size()), [](std::size_t i) { return i; });
   write_numbers("length_m", [](const WedgeLine& w) { return w.length; });
   write_numbers("interior_deg", [](const WedgeLine& w) { return w.interior_angle / degree; });
   write_numbers("n", [](const WedgeLine& w) { return w.n; });

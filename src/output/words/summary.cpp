@@ -144,7 +144,7 @@ bool matters(double sigma, const SweepResult& result, double tolerance_db) {
 std::string truncated_lines(const SweepResult& result, const RunFacts& facts) {
   const std::array reasons{fmt::format("after tubes.max_bounces = {}", facts.tubes.max_bounces),
                            std::string("too wide off curved surfaces"), std::string("too many between sheets")};
-  constexpr std::array handles{"; raise tubes.max_bounces", "; raise tubes.per_wavelength", ""};
+  constexpr std::array handles{"; raise tubes.max_bounces", "; raise tubes.per_wavelength (of no help inside solids)", ""};
   std::string text;
   for (const Truncation reason : truncations) {
     const auto& [tubes, sigma] = result.statistics.truncated[reason];

@@ -1,10 +1,10 @@
 #include "utd/corner/sheet_corner.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <span>
 
+#include "math/dense.h"
 #include "utd/corner/order_nodes.h"
 
 namespace raytube {

@@ -1,10 +1,10 @@
 #include "utd/corner/solid_corner.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "core/angle.h"
+#include "math/dense.h"
 #include "math/gauss.h"
 #include "utd/corner/order_nodes.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "math/special/elementary.h"
 #include "math/smooth_step.h"
 #include "utd/corner/corner_angles.h"
 #include "utd/corner/wedge_ends.h"
@@ -62,7 +63,7 @@ double SolidEdge::reach(double wavenumber) const { return smooth_step(2.0 - wave
 
 Complex over_edge(double n) {
   const Complex c0 =
-      Complex(0, -4.0 / (n * n)) * std::polar(std::pow(2.0, -1.0 / n) / std::tgamma(1.0 + 1.0 / n), pi / (2.0 * n));
+      Complex(0, -4.0 / (n * n)) * std::polar(std::pow(2.0, -1.0 / n) / gamma_function(1.0 + 1.0 / n), pi / (2.0 * n));
   return -std::pow(2.0 * pi, 1.0 - 1.0 / n) / c0;
 }
 

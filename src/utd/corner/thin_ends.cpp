@@ -112,7 +112,7 @@ class Finder {
         return std::nullopt;
     }
     if (tips.size() != 2) return std::nullopt;
-    std::ranges::rotate(line, line.begin() + static_cast<std::ptrdiff_t>(tips[0]));
+    std::rotate(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(tips[0]), line.end());
     return tips[1] - tips[0];
   }
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+
+#include "core/reversed.h"
 
 namespace raytube {
 
@@ -58,7 +59,7 @@ ChannelWeights weights_after(const FaceMaterials& materials, std::span<const Met
                              const std::array<dvec3, 2>& electric, std::size_t index, double wavenumber) {
   dvec3 d = direction;
   std::array<dvec3, 2> first = electric;
-  for (const MetFace& face : faces | std::views::reverse) {
+  for (const MetFace& face : reversed(faces)) {
     d = reflected_direction(d, face.normal);
     for (dvec3& field : first) field = reflected_field_pec(field, face.normal);
   }

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <ranges>
 
 #include "core/error.h"
+#include "core/reversed.h"
 #include "utd/wedge/diffracted_field.h"
 
 namespace raytube {
@@ -204,7 +204,7 @@ class RayFields::Sum {
       image -= 2.0 * (glm::dot(plane.normal, image) - plane.offset) * plane.normal;
     }
     dvec3 leaving = receiver_ - image;
-    for (const std::uint32_t patch : path.patches | std::views::reverse)
+    for (const std::uint32_t patch : reversed(path.patches))
       leaving = reflected_direction(leaving, scene_.surfaces_.patch(patch).normal);
     const Fields moments = moments_towards(transmitter_ + leaving);
     const std::size_t bounce = path.patches.size() - 1;

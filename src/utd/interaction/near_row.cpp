@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
+#include "core/reversed.h"
 #include "core/work.h"
 #include "math/erfc_ray.h"
 #include "math/filon.h"
@@ -98,7 +98,7 @@ NearRay NearRowIntegral::ray(const NearRow& row, double position) const {
 void NearRowIntegral::set_spectral_currents(const NearRow& row, const FaceReceiver& receiver, NearRay& ray) const {
   dvec3 across = row.across, turning = row.turning, step = row.fan.step;
   const std::span<const MetFace> mirrors = std::span(row.faces).first(row.faces.size() - 1);
-  for (const MetFace& mirror : mirrors | std::views::reverse)
+  for (const MetFace& mirror : reversed(mirrors))
     for (dvec3* each : {&across, &turning, &step}) *each = glm::reflect(*each, mirror.normal);
   const std::array<dvec3, 4> magnetic = magnetic_directions(ray, across, turning, step);
   ray.spectral.resize(wavenumbers_.size());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "math/special/elementary.h"
 #include "utd/surface/noses.h"
 
 namespace raytube {
@@ -30,7 +31,7 @@ NoseNode conic(int i, int j) {
 
 NoseNode arc(int i, int j) {
   const double radius = node_radius(i), flanks = steepest_flank - flank_step * (flanks_of_arcs - 1 - j);
-  return with_modes({radius, 0.0, std::min(flanks, std::atan(farthest_apex / radius))});
+  return with_modes({radius, 0.0, std::min(flanks, arc_tangent(farthest_apex / radius))});
 }
 
 // Made once for all, whoever asks first.

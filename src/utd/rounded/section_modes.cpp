@@ -1,7 +1,9 @@
 #include "utd/rounded/section_modes.h"
 
-#include <Eigen/Dense>
 #include <cmath>
+
+#include "math/special/bessel.h"
+#include "math/dense.h"
 
 namespace raytube {
 
@@ -107,8 +109,8 @@ struct Radial {
 };
 
 Radial radial_at(double nu, double r) {
-  const double j = std::cyl_bessel_j(nu, r), y = std::cyl_neumann(nu, r);
-  const double dj = nu / r * j - std::cyl_bessel_j(nu + 1, r), dy = nu / r * y - std::cyl_neumann(nu + 1, r);
+  const double j = bessel_j(nu, r), y = bessel_y(nu, r);
+  const double dj = nu / r * j - bessel_j(nu + 1, r), dy = nu / r * y - bessel_y(nu + 1, r);
   const double scale = std::hypot(j, y);
   return {scale, j * scale, dj * scale, Complex(j, -y) / scale, Complex(dj, -dy) / scale};
 }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
+#include "core/reversed.h"
+#include "math/special/elementary.h"
 #include "math/erfc_ray.h"
 #include "math/smooth_step.h"
 #include "utd/fock/fock.h"
@@ -89,10 +90,10 @@ class FlatTipWaves::Visit {
 
   // A at the tip of the wave along one of its rims: from far places on, out of the light into the dark.
   Waves arriving(const FlatTip& tip, std::uint32_t rim) const {
-    const Complex factor = std::polar(std::pow(wavenumber_ / 2, 0.25) / std::tgamma(0.25), pi / 8);
+    const Complex factor = std::polar(std::pow(wavenumber_ / 2, 0.25) / gamma_function(0.25), pi / 8);
     Waves sum{};
     const RimPlace* boundary = &tip.rims[rim].places.back();
-    for (const RimPlace& place : tip.rims[rim].places | std::views::reverse) {
+    for (const RimPlace& place : reversed(tip.rims[rim].places)) {
       const RimRay ray = ray_to(place.position);
       if (glm::dot(ray.towards, place.outwards) >= 0.0) boundary = &place;
       const double weight = rim_share(ray.towards, place) * narrowness(wavenumber_, place.radius) * kernel(place);

@@ -197,8 +197,8 @@ Complex both_shares(const TipRay& near, const std::optional<TipRay>& far, double
   if (!far) return n * std::polar(1.0, k * near.path);
   const Complex f = share_of(*far, k, radius);
   const double x = std::max(0.5 * k * (near.path - far->path), 1e-6), c = 0.5 * k * (near.path + far->path);
-  const Complex odd = Complex(0, -1) * (n - f) * std::cyl_neumann(1.0, x) * std::expm1(-x * x);
-  return std::sqrt(0.5 * pi * x) * std::polar(1.0, c + 0.75 * pi) * ((n + f) * std::cyl_bessel_j(1.0, x) + odd);
+  const Complex odd = Complex(0, -1) * (n - f) * ::y1(x) * std::expm1(-x * x);
+  return std::sqrt(0.5 * pi * x) * std::polar(1.0, c + 0.75 * pi) * ((n + f) * ::j1(x) + odd);
 }
 
 class TipSum {

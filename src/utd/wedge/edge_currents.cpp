@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/special/elementary.h"
 #include "utd/wedge/cotangent.h"
 
 namespace raytube {
@@ -67,7 +68,7 @@ LookVectors look_vectors(const Look& look) {
 GrazingRay grazing_ray_at(double half_cosine) {
   const double cosine = 2 * half_cosine * half_cosine - 1;
   const double half_sine = std::sqrt(std::abs(1 - half_cosine) * (1 + half_cosine));
-  if (half_cosine > 1) return {{0.0, 2 * std::acosh(half_cosine)}, {0.0, 2 * half_cosine * half_sine}, cosine};
+  if (half_cosine > 1) return {{0.0, 2 * inverse_cosh(half_cosine)}, {0.0, 2 * half_cosine * half_sine}, cosine};
   const double g = 2 * std::acos(half_cosine);
   // G_h is even in g, and A- + A+ loses its digits as g -> 0: there the limit is taken along imaginary g, where none are lost.
   // The switch at the cube root of rounding leaves 4e-11 at worst.
