@@ -14,7 +14,8 @@ pytest.importorskip("mpi4py")
 pytestmark = pytest.mark.filterwarnings("ignore::raytube.RaytubeWarning")
 LIMIT = 120  # who waits for ever is stopped [s]
 # What root is allowed in a container, and more ranks than processors.
-ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+         "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}  # from Open MPI 5 on
 
 START = f"""
     import os, signal, sys, threading, warnings

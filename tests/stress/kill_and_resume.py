@@ -22,7 +22,8 @@ import sys
 import tempfile
 import time
 
-MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+         "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}  # from Open MPI 5 on
 HIDDEN = (".raytube.journal", ".raytube.lock")
 
 
