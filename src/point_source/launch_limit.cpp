@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/special/elementary.h"
 #include "math/gauss.h"
+#include "math/special/elementary.h"
 
 namespace raytube {
 

@@ -6,12 +6,15 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 import threading
 
 import scene
 
-ALONE = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-         "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}  # from Open MPI 5 on
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from mpi_environment import MPI
+
+ALONE = os.environ | MPI
 
 
 class Refused(Exception):

@@ -17,11 +17,13 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from mpi_environment import MPI
+
 CASES = {  # and what makes each a matter of seconds
     "plate": [], "dihedral": [], "trihedral": [], "powercube": ["look.phi_deg={start=0,stop=40,step=2}"],
     "sphere": ["frequency.ghz=[1,2]"]}
-ALONE = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-         "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}  # from Open MPI 5 on
+ALONE = os.environ | MPI
 
 
 class Bench:

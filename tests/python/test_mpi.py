@@ -1,5 +1,6 @@
 """Ranks of a communicator of mpi4py share a solve: the bytes of one process, and whatever befalls one of them ends it for all."""
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
@@ -8,14 +9,15 @@ import textwrap
 import pytest
 from conftest import CASES, SQUARE
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from mpi_environment import MPI
+
 import raytube as rt
 
 pytest.importorskip("mpi4py")
 pytestmark = pytest.mark.filterwarnings("ignore::raytube.RaytubeWarning")
 LIMIT = 120  # who waits for ever is stopped [s]
-# What root is allowed in a container, and more ranks than processors.
-ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-         "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}  # from Open MPI 5 on
+ENVIRONMENT = os.environ | MPI
 
 START = f"""
     import os, signal, sys, threading, warnings

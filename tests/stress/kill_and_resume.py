@@ -22,8 +22,9 @@ import sys
 import tempfile
 import time
 
-MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-         "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}  # from Open MPI 5 on
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from mpi_environment import MPI
+
 HIDDEN = (".raytube.journal", ".raytube.lock")
 
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/angle.h"
-#include "math/special/elementary.h"
 #include "math/smooth_step.h"
+#include "math/special/elementary.h"
 #include "utd/corner/corner_angles.h"
 #include "utd/corner/wedge_ends.h"
 

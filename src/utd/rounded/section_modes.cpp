@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "math/special/bessel.h"
 #include "math/dense.h"
+#include "math/special/bessel.h"
 
 namespace raytube {
 

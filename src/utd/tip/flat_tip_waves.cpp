@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/reversed.h"
-#include "math/special/elementary.h"
 #include "math/erfc_ray.h"
 #include "math/smooth_step.h"
+#include "math/special/elementary.h"
 #include "utd/fock/fock.h"
 
 namespace raytube {

@@ -88,8 +88,6 @@ def unsteady_functions(program):
 
 
 def check(program, names, scratch):
-    if not program.is_file():
-        refuse(f"{program}: no such program; build it first")
     system = f"{platform.freedesktop_os_release().get('PRETTY_NAME')}, {' '.join(platform.libc_ver())}"
     faults = [*differences(program, names, scratch),
               *(f"{name}() is called: take that of src/math/special/elementary.h" for name in sorted(unsteady_functions(program)))]
@@ -116,6 +114,8 @@ def main():
             refuse(f"{name}: no such case; choose among {', '.join(CASES)}")
     with tempfile.TemporaryDirectory() as folder:
         program, scratch = asked.program.resolve(), pathlib.Path(folder)
+        if not program.is_file():
+            refuse(f"{program}: no such program; build it first")
         sys.exit(renew(program, scratch) if asked.what == "renew" else check(program, asked.names or list(CASES), scratch))
 
 
