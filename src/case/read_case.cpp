@@ -16,6 +16,7 @@
 #include "case/text/values.h"
 #include "core/decimal.h"
 #include "core/error.h"
+#include "core/field.h"
 #include "core/text.h"
 
 namespace raytube {
@@ -56,12 +57,19 @@ void check_frequency(const CaseValue& value, double ghz) {
                               ghz, highest_ghz));
 }
 
+// Radars end at some hundred gigahertz: 9400 is more likely megahertz, as other programs have it.
+constexpr double highest_radar_ghz = 1000.0;
+
 void read_frequencies(const CaseValue& root, Case& c) {
   const CaseValue& value = require(root, "frequency", "ghz", std::string("ghz = a number, a list or ") + range_forms);
   for (const double ghz : read_values(value, "frequency.ghz", c.warnings)) {
     check_frequency(value, ghz);
     c.sweep.frequencies.push_back(rounded_to_15_digits(ghz * 1e9));
   }
+  if (const double ghz = std::ranges::max(c.sweep.frequencies) / 1e9; ghz > highest_radar_ghz)
+    c.warnings.push_back(
+        fmt::format("{}: frequency.ghz goes up to {} GHz, a wavelength of {:.3g} mm; if megahertz were meant, write {}",
+                    value.location, number_text(ghz), speed_of_light / (ghz * 1e6), number_text(ghz / 1e3)));
 }
 
 dvec3 read_up(const CaseValue& value) {

@@ -113,6 +113,8 @@ void stand_on_ground(PolygonSoup& soup, const Case& c) {
 // Names take memory, and are of use to parts alone.
 PolygonSoup read_named(const Case& c, std::size_t file, bool named) {
   PolygonSoup soup = read_polygon_soup(c.mesh_files[file], c.metres_per_unit);
+  if (c.meshes.size() > 1)
+    for (std::string& remark : soup.remarks) remark = fmt::format("{}: {}", c.meshes[file], remark);
   if (!c.assignment.parts.empty() || (named && c.meshes.size() > 1)) add_name(soup, c.meshes[file]);
   return soup;
 }
@@ -147,7 +149,7 @@ void add_mirror_image(PolygonSoup& soup, const Case& c) {
   PolygonSoup image = soup;
   for (dvec3& point : image.points) point.z = 2.0 * ground_in_units(c) - point.z;
   for (std::vector<std::uint32_t>& polygon : image.polygons) std::ranges::reverse(polygon);
-  image.free_forms = 0, image.further_files.clear();
+  image.free_forms = 0, image.further_files.clear(), image.remarks.clear();
   add_polygons(image, soup);
 }
 

@@ -308,8 +308,9 @@ void tell_skipped(CheckReport& report, const MeshReport& r, const SolvePlan& pla
   report.data["skipped"] = lines;
 }
 
-void tell_warnings(CheckReport& report, const Case& c, const SolvePlan& plan) {
-  const std::vector<std::string> sentences = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
+void tell_warnings(CheckReport& report, const Case& c, const MeshReport& counts, const SolvePlan& plan) {
+  std::vector<std::string> sentences = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
+  std::ranges::copy(reading_sentences(c, counts), std::back_inserter(sentences));
   report.print("\nwarnings\n");
   for (const std::string& sentence : sentences) report.print("  {}\n", sentence);
   if (sentences.empty()) report.print("  none\n");
@@ -335,7 +336,7 @@ void tell_case(CheckReport& report, const Case& c, const MeshReport& counts, con
   tell_curved_surfaces(report, plan);
   tell_mechanisms(report, plan);
   tell_skipped(report, counts, plan);
-  tell_warnings(report, c, plan);
+  tell_warnings(report, c, counts, plan);
   tell_cost(report, plan);
   tell_memory(report, plan, c);
 }

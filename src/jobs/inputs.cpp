@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "case/materials/materials.h"
 #include "case/resolved_case.h"
 #include "output/files/sha256.h"
@@ -9,6 +11,13 @@
 namespace raytube {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// There and back, half such a step is a sixteenth of a radian, and the lobe of a tilted plate moves by a fiftieth of its width.
+constexpr double coarse_share = 0.01;
+
+}  // namespace
 
 std::vector<std::pair<std::string, double>> mesh_counts(const MeshReport& r) {
   const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
@@ -56,10 +65,19 @@ Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<s
   return manifest;
 }
 
-std::string free_forms_sentence(const MeshReport& report) {
-  if (report.free_forms_read == 0) return {};
-  return fmt::format("{} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
-                     report.free_forms_read);
+std::vector<std::string> reading_sentences(const Case& c, const MeshReport& report) {
+  std::vector<std::string> sentences = report.remarks;
+  if (report.free_forms_read > 0)
+    sentences.push_back(
+        fmt::format("{} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
+                    report.free_forms_read));
+  const double wavelength = speed_of_light / std::ranges::max(c.sweep.frequencies);
+  if (report.coordinate_step > coarse_share * wavelength)
+    sentences.push_back(
+        fmt::format("coordinates are rounded to steps of {:.3g} mm, too coarse for a wavelength of {:.3g} mm; move the target "
+                    "near to its origin before the export, or export it with more digits (as text, or in double precision)",
+                    report.coordinate_step * 1e3, wavelength * 1e3));
+  return sentences;
 }
 
 }  // namespace raytube

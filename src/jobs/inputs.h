@@ -20,7 +20,8 @@ std::vector<std::string> sha256_of_meshes(const Case& c, const MeshReport& repor
 /// The case, the program and the files, meshes by their hashes: what of run.json is known before the solve.
 Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<std::string> mesh_sha256);
 
-/// What is to be said of curves and surfaces that were left out; empty: there are none.
-std::string free_forms_sentence(const MeshReport& report);
+/// What is to be said of the mesh files as they were read: a warning each, coordinates too coarse
+/// for the wavelength too.
+std::vector<std::string> reading_sentences(const Case& c, const MeshReport& report);
 
 }  // namespace raytube

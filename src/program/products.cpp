@@ -85,7 +85,7 @@ ProductSource source_of_case(const Request& request, const SweepCheck& check) {
   const Case c = read_case(request.result, request.overrides);
   LoadedMesh loaded = load_target(c, request.product.direct);
   if (is_solved_first(request)) share_work(request, c, loaded.mesh);
-  warn_of_free_forms(c, loaded.report);
+  warn_of_reading(c, loaded.report);
   const int threads = request.threads > 0 ? request.threads : all_threads();
   ProductSource source{.of_case = c, .name = c.file.string(), .title = c.title, .result = stored_sweep(c.sweep), .target = {}};
   Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));

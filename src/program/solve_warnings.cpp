@@ -18,7 +18,9 @@ void warn_of_mesh(const Case& c, const std::string& sentence) {
 
 }  // namespace
 
-void warn_of_free_forms(const Case& c, const MeshReport& report) { warn_of_mesh(c, free_forms_sentence(report)); }
+void warn_of_reading(const Case& c, const MeshReport& report) {
+  for (const std::string& sentence : reading_sentences(c, report)) warn_of_mesh(c, sentence);
+}
 
 void warn_of_materials(const Case& c, const MeshReport& report, const Target& target, Manifest& manifest) {
   const OverlapNote overlap = overlap_note(c, target);

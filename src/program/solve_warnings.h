@@ -10,8 +10,8 @@
 
 namespace raytube {
 
-/// Warns of what of the mesh was left out as no surface.
-void warn_of_free_forms(const Case& c, const MeshReport& report);
+/// Warns of what is to be said of the mesh files as they were read.
+void warn_of_reading(const Case& c, const MeshReport& report);
 
 /// Warns of what of the materials is not seen as it is drawn, and notes it in the manifest.
 void warn_of_materials(const Case& c, const MeshReport& report, const Target& target, Manifest& manifest);

@@ -134,6 +134,13 @@ TEST(CaseRead, GigahertzGiveTheHertzMeant) {
               ElementsAre(8.1e9, 8.3e9, 8.7e9, 9.4e9, 94e9, 1e8));
 }
 
+TEST(CaseRead, MegahertzForGigahertzAreAskedAbout) {
+  EXPECT_THAT(read_text(smallest, {"frequency.ghz=[9400, 9000]"}).warnings,
+              ElementsAre(HasSubstr("frequency.ghz goes up to 9400 GHz, a wavelength of 0.0319 mm; if megahertz were meant, "
+                                    "write 9.4")));
+  EXPECT_TRUE(read_text(smallest, {"frequency.ghz=1000"}).warnings.empty());
+}
+
 TEST(CaseRead, FrequencyRangeHoldsBothEnds) {
   EXPECT_THAT(read_text(smallest, {"frequency.ghz={start=92, stop=96, count=5}"}).sweep.frequencies,
               ElementsAre(92e9, 93e9, 94e9, 95e9, 96e9));

@@ -135,6 +135,21 @@ TEST(MeshReadGltf, BuffersInTheTextAndInFilesBeside) {
   EXPECT_THAT(read_polygon_soup(scratch.write("b.gltf", text)).points, ElementsAre(dvec3(0), dvec3(1, 0, 0), dvec3(0, 1, 0)));
 }
 
+TEST(MeshReadGltf, SaysWhatIsUpHiddenOrNotShown) {
+  const std::string nodes =
+      R"({"name": "car", "mesh": 0, "extensions": {"KHR_node_visibility": {"visible": false}}}, {"mesh": 0})";
+  const PolygonSoup soup = read_glb(gltf(nodes, primitive(0, strip)));
+  EXPECT_EQ(soup.polygons.size(), 2u);
+  EXPECT_THAT(soup.remarks, ElementsAre(HasSubstr("+y of a glTF file is up"), HasSubstr("1 nodes are hidden"),
+                                        HasSubstr("1 nodes with a mesh left out")));
+}
+
+/// A node far away moves its mesh without loss; a mesh whose own numbers are far away has lost them.
+TEST(MeshReadGltf, CoordinatesAreAsFineAsBeforeTheyAreMoved) {
+  const std::string far = R"({"mesh": 0, "translation": [1e6, 0.1, 0]})";
+  EXPECT_EQ(read_glb(gltf(far, primitive(0, strip))).step.value(), 0.0);
+}
+
 std::string model_3mf(const std::string& objects, const std::string& items, const std::string& attributes = "") {
   return "<?xml version=\"1.0\"?>\n<model " + attributes +
          " xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
@@ -169,6 +184,16 @@ TEST(MeshRead3mf, ObjectsInOtherPartsOfTheFile) {
       read_polygon_soup(scratch.write("a.3mf", packed_3mf(root, {{"3D/other.model", model_3mf(corner_object, "")}})));
   EXPECT_EQ(soup.points[1], dvec3(1000.0000001, 0, 0));
   EXPECT_EQ(soup.stated_unit->name, "mm");  // what the specification says where nothing is said
+}
+
+TEST(MeshRead3mf, SaysWhatIsNotPrintedOrNotPlaced) {
+  const Scratch scratch;
+  const std::string second =
+      R"(<object id="2"><mesh><vertices/><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object>)";
+  const std::string item = R"(<item objectid="1" printable="0"/>)";
+  const PolygonSoup soup = read_polygon_soup(scratch.write("a.3mf", packed_3mf(model_3mf(corner_object + second, item))));
+  EXPECT_EQ(soup.polygons.size(), 1u);
+  EXPECT_THAT(soup.remarks, ElementsAre(HasSubstr("1 items are marked printable=\"0\""), HasSubstr("1 objects left out")));
 }
 
 std::string complaint_about_unit(const std::filesystem::path& file, double metres_per_unit) {

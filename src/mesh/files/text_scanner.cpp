@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -16,24 +17,35 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; 
 
 }  // namespace
 
+std::string_view without_padding(std::string_view bytes) {
+  return bytes.substr(0, bytes.find_last_not_of(std::string_view("\0\x1A", 2)) + 1);
+}
+
+int written_digits(std::string_view number) {
+  const std::size_t first = number.find_first_of("123456789");
+  if (first == std::string_view::npos) return 0;
+  const std::string_view mantissa = number.substr(first, number.find_first_of("eE", first) - first);
+  return static_cast<int>(std::ranges::count_if(mantissa, [](char c) { return c >= '0' && c <= '9'; }));
+}
+
 TextScanner::TextScanner(const MeshFile& file, bool backslash_joins_lines)
-    : file_(file), backslash_joins_lines_(backslash_joins_lines) {
-  if (is_utf16(file_.bytes)) file_.reject("is text in UTF-16; save it as UTF-8 or ASCII");
-  if (file_.bytes.starts_with(byte_order_mark)) position_ = byte_order_mark.size();
+    : file_(file), bytes_(without_padding(file.bytes)), backslash_joins_lines_(backslash_joins_lines) {
+  if (is_utf16(bytes_)) file_.reject("is text in UTF-16; save it as UTF-8 or ASCII");
+  if (bytes_.starts_with(byte_order_mark)) position_ = byte_order_mark.size();
 }
 
 bool TextScanner::at_line_end() const {
-  return position_ >= file_.bytes.size() || file_.bytes[position_] == '\n' || file_.bytes[position_] == '\r';
+  return position_ >= bytes_.size() || bytes_[position_] == '\n' || bytes_[position_] == '\r';
 }
 
 bool TextScanner::at_joined_line() const {
-  if (!backslash_joins_lines_ || file_.bytes[position_] != '\\' || position_ + 1 >= file_.bytes.size()) return false;
-  const char next = file_.bytes[position_ + 1];
+  if (!backslash_joins_lines_ || bytes_[position_] != '\\' || position_ + 1 >= bytes_.size()) return false;
+  const char next = bytes_[position_ + 1];
   return next == '\n' || next == '\r';
 }
 
 void TextScanner::pass_line_end() {
-  if (file_.bytes.compare(position_, 2, "\r\n") == 0) ++position_;
+  if (bytes_.compare(position_, 2, "\r\n") == 0) ++position_;
   ++position_;
   ++line_;
 }
@@ -43,25 +55,25 @@ void TextScanner::skip_blanks() {
     if (at_joined_line()) {
       ++position_;
       pass_line_end();
-    } else if (is_blank(file_.bytes[position_])) {
+    } else if (is_blank(bytes_[position_])) {
       ++position_;
     } else {
       break;
     }
   }
-  if (!at_line_end() && file_.bytes[position_] == '#')
+  if (!at_line_end() && bytes_[position_] == '#')
     while (!at_line_end()) ++position_;
 }
 
 void TextScanner::skip_line() {
   while (!at_line_end()) ++position_;
-  if (position_ < file_.bytes.size()) pass_line_end();
+  if (position_ < bytes_.size()) pass_line_end();
 }
 
 std::string_view TextScanner::rest_of_line() {
   const std::size_t begin = position_;
   while (!at_line_end()) ++position_;
-  std::string_view rest = std::string_view(file_.bytes).substr(begin, position_ - begin);
+  std::string_view rest = bytes_.substr(begin, position_ - begin);
   while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
   while (!rest.empty() && is_blank(rest.back())) rest.remove_suffix(1);
   return rest;
@@ -71,7 +83,7 @@ bool TextScanner::next_line() {
   if (on_a_line_) skip_line();
   on_a_line_ = true;
   for (skip_blanks(); at_line_end(); skip_blanks()) {
-    if (position_ >= file_.bytes.size()) return false;
+    if (position_ >= bytes_.size()) return false;
     pass_line_end();
   }
   return true;
@@ -80,13 +92,13 @@ bool TextScanner::next_line() {
 std::string_view TextScanner::word() {
   skip_blanks();
   const std::size_t begin = position_;
-  while (!at_line_end() && !is_blank(file_.bytes[position_]) && !at_joined_line()) ++position_;
-  return std::string_view(file_.bytes).substr(begin, position_ - begin);
+  while (!at_line_end() && !is_blank(bytes_[position_]) && !at_joined_line()) ++position_;
+  return bytes_.substr(begin, position_ - begin);
 }
 
 std::string_view TextScanner::word_of_any_line() {
   std::string_view found = word();
-  while (found.empty() && position_ < file_.bytes.size()) {
+  while (found.empty() && position_ < bytes_.size()) {
     pass_line_end();
     found = word();
   }
@@ -95,8 +107,8 @@ std::string_view TextScanner::word_of_any_line() {
 
 std::string_view TextScanner::raw_bytes(std::size_t count) {
   has_lines_ = false;
-  if (file_.bytes.size() - position_ < count) reject("ends before its last number; it is cut short, export it again");
-  const std::string_view bytes = std::string_view(file_.bytes).substr(position_, count);
+  if (bytes_.size() - position_ < count) reject("ends before its last number; it is cut short, export it again");
+  const std::string_view bytes = bytes_.substr(position_, count);
   position_ += count;
   return bytes;
 }
@@ -113,8 +125,11 @@ double TextScanner::number(std::string_view word) const {
   return error == std::errc::result_out_of_range ? std::strtod(std::string(word).c_str(), nullptr) : value;
 }
 
-double TextScanner::coordinate(std::string_view word) const {
+void TextScanner::note_digits(std::string_view word) { digits_ = std::max(digits_, written_digits(word)); }
+
+double TextScanner::coordinate(std::string_view word) {
   const double value = number(word);
+  note_digits(word);
   if (!std::isfinite(value))
     reject(fmt::format("the coordinate '{}' is not finite; correct it or export the mesh again", quotable(word)));
   return value;

@@ -9,7 +9,14 @@
 
 namespace raytube {
 
+/// The bytes of a text file before the zeros and Ctrl-Z, with which old programs pad its end.
+std::string_view without_padding(std::string_view bytes);
+
+/// The digits of a number as it is written, from the first one that is not 0 to the exponent.
+int written_digits(std::string_view number);
+
 /// Blank-separated words; `#` at the start of a word opens a comment to the end of the line. LF, CRLF and CR end lines.
+/// Padding at the end of the file is no part of it.
 class TextScanner {
  public:
   /// With `backslash_joins_lines` a backslash at the end of a line continues it on the next one (OBJ).
@@ -20,6 +27,8 @@ class TextScanner {
   void skip_line();
   /// The rest of this line without the blanks around it, as names stand in it: no comment starts there.
   std::string_view rest_of_line();
+  /// Goes back to where `rest` begins, the end of what rest_of_line() returned last.
+  void read_again(std::string_view rest) { position_ = static_cast<std::size_t>(rest.data() - bytes_.data()); }
 
   /// The next word of this line; empty at its end.
   std::string_view word();
@@ -33,7 +42,11 @@ class TextScanner {
   /// The value of a word; rejects the file if it is not a number.
   double number(std::string_view word) const;
   /// The value of a word as number() finds it; rejects infinity and NaN too.
-  double coordinate(std::string_view word) const;
+  double coordinate(std::string_view word);
+  /// Counts the digits of a coordinate that is read as number() finds it.
+  void note_digits(std::string_view word);
+  /// The most digits of a coordinate so far.
+  int digits() const { return digits_; }
   /// The value of a word that is a whole number and not negative; rejects the file otherwise.
   std::uint64_t count(std::string_view word) const;
 
@@ -50,9 +63,11 @@ class TextScanner {
   void skip_blanks();
 
   const MeshFile& file_;
+  std::string_view bytes_;
   bool backslash_joins_lines_;
   std::size_t position_ = 0;
   std::size_t line_ = 1;
+  int digits_ = 0;
   bool on_a_line_ = false;
   bool has_lines_ = true;
 };

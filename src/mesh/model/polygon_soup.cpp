@@ -1,5 +1,6 @@
 #include "mesh/model/polygon_soup.h"
 
+#include <algorithm>
 #include <map>
 
 namespace raytube {
@@ -26,6 +27,8 @@ void add_polygons(const PolygonSoup& part, PolygonSoup& whole) {
   for (std::size_t i = first_polygon; i < whole.polygons.size(); ++i)
     for (std::uint32_t& corner : whole.polygons[i]) corner += first_point;
   whole.free_forms += part.free_forms;
+  whole.step = std::max(whole.step, part.step);
+  whole.remarks.insert(whole.remarks.end(), part.remarks.begin(), part.remarks.end());
   whole.names.append(part.names, first_polygon);
   whole.further_files.insert(whole.further_files.end(), part.further_files.begin(), part.further_files.end());
   if (whole.materials.empty() && part.materials.empty()) return;

@@ -31,6 +31,9 @@ struct PolygonSoup {
   std::vector<std::string> part_names{};               // what polygons go by
   std::optional<StatedUnit> stated_unit{};             // what the file itself says, if it says any
   std::vector<std::filesystem::path> further_files{};  // that the file named and that were read with it (glTF)
+  int digits = 0;                                      // most digits of a coordinate of a text file; 0: binary
+  std::optional<double> step{};                        // between neighbouring coordinates, in units of the file (coordinate_step)
+  std::vector<std::string> remarks{};                  // sentences: what was left out as no surface, what to know of the file
 };
 
 /// Gives every polygon a further name, as that of the file they are from.

@@ -104,7 +104,9 @@ struct MeshReport {
   std::uint64_t components_nearly_closed = 0;        // open, but for a gap small against their area
   std::uint64_t patches = 0;                         // connected and coplanar
   double weld_distance = 0.0;                        // [m]
+  double coordinate_step = 0.0;                      // between neighbouring coordinates, as the files round them [m]
   std::vector<std::filesystem::path> further_files;  // read beside the mesh files, which name them
+  std::vector<std::string> remarks;                  // as those of the polygons (PolygonSoup)
 
   /// Readable lines, only those with something to say.
   std::vector<MeshNote> notes() const;

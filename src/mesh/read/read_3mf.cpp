@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "core/text.h"
 #include "mesh/files/mesh_file.h"
+#include "mesh/files/text_scanner.h"
 #include "mesh/files/xml_reader.h"
 #include "mesh/files/zip_archive.h"
 #include "mesh/read/formats.h"
@@ -49,6 +51,9 @@ struct Model3mf {
   std::map<ObjectKey, Object3mf> objects;
   std::vector<Placed> items;
   std::optional<StatedUnit> unit;
+  int digits = 0;                   // most of a coordinate
+  std::uint64_t not_printable = 0;  // items
+  std::uint64_t beams = 0;          // of lattices
 };
 
 /// One model part: a text of XML (3MF Consortium, core specification 1.3, and its production extension).
@@ -78,12 +83,22 @@ class ModelPartParser {
     const std::string_view name = core_name(element.name);
     if (name == "model") return begin_model(element);
     if (name == "object") return begin_object(element);
-    if (name == "item") return model_.items.push_back(placed(element));
+    if (name == "item") {
+      const std::string_view printable = element.find("printable").value_or("1");
+      model_.not_printable += printable == "0" || printable == "false";
+      return model_.items.push_back(placed(element));
+    }
+    model_.beams += element.name.ends_with("|beam");
     if (name != "vertex" && name != "triangle" && name != "component") return;
     if (!object_) reader_.reject(fmt::format("a {} stands outside an object; the file is damaged, export it again", name));
-    if (name == "vertex") object_->points.emplace_back(element.coordinate("x"), element.coordinate("y"), element.coordinate("z"));
+    if (name == "vertex") add_vertex(element);
     if (name == "triangle") object_->triangles.push_back({element.index("v1"), element.index("v2"), element.index("v3")});
     if (name == "component") object_->components.push_back(placed(element));
+  }
+
+  void add_vertex(const XmlReader::Element& element) {
+    object_->points.emplace_back(element.coordinate("x"), element.coordinate("y"), element.coordinate("z"));
+    for (const char* axis : {"x", "y", "z"}) model_.digits = std::max(model_.digits, written_digits(element.text(axis)));
   }
 
   void begin_model(const XmlReader::Element& element) {
@@ -153,6 +168,7 @@ class Builder3mf {
   Builder3mf(const MeshFile& file, const Model3mf& model) : file_(file), model_(model) {}
 
   PolygonSoup build() {
+    soup_.digits = model_.digits;
     for (const Placed& item : model_.items) add(item, glm::dmat4(1.0), {}, 0);
     return std::move(soup_);
   }
@@ -203,6 +219,26 @@ std::string missing_part(const Model3mf& model, const std::vector<std::string>& 
   return part;
 }
 
+/// Objects that nothing places are left out; items that are not to be printed stand where they are all the same.
+void remark_on_model(const Model3mf& model, PolygonSoup& soup) {
+  if (model.not_printable > 0)
+    soup.remarks.push_back(
+        fmt::format("{} items are marked printable=\"0\" and read all the same; export without them what is to be away",
+                    model.not_printable));
+  if (model.beams > 0)
+    soup.remarks.push_back(
+        fmt::format("{} beams of lattices left out, only triangles are read; export the lattice as triangles", model.beams));
+  std::set<ObjectKey> placed;
+  for (const Placed& item : model.items) placed.insert(item.object);
+  for (const auto& [key, object] : model.objects)
+    for (const Placed& component : object.components) placed.insert(component.object);
+  const auto left_out = std::ranges::count_if(
+      model.objects, [&](const auto& entry) { return !entry.second.triangles.empty() && !placed.contains(entry.first); });
+  if (left_out > 0)
+    soup.remarks.push_back(
+        fmt::format("{} objects left out, as nothing places them; add an item for what is to be read", left_out));
+}
+
 }  // namespace
 
 PolygonSoup parse_3mf(const MeshFile& file) {
@@ -214,6 +250,7 @@ PolygonSoup parse_3mf(const MeshFile& file) {
     ModelPartParser(file, part, model).parse(archive.read(part));
   }
   PolygonSoup soup = Builder3mf(file, model).build();
+  remark_on_model(model, soup);
   soup.stated_unit = model.unit;
   return soup;
 }

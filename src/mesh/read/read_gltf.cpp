@@ -26,6 +26,7 @@ class GltfParser {
 
   PolygonSoup parse() {
     for (const JsonValue& root : document_.list(shown_scene(), "nodes")) add_node(document_.whole(root), glm::dmat4(1.0), {}, 0);
+    remark_on_nodes();
     soup_.stated_unit = StatedUnit{"m", 1.0};
     soup_.further_files = data_.further_files();
     return std::move(soup_);
@@ -38,6 +39,33 @@ class GltfParser {
     if (scenes > 1 && !document_.json.find("scene"))
       file_.reject(fmt::format("holds {} scenes and says of none that it is the one to show; export one scene", scenes));
     return document_.element("scenes", document_.whole(document_.json, "scene", 0));
+  }
+
+  /// Drawn as hidden is not the same as away, and what no scene shows may be meant all the same.
+  void remark_on_nodes() {
+    soup_.remarks.emplace_back(
+        "+y of a glTF file is up, and axes stay as they are: theta is the angle from its +z; turn the mesh if z is to be up");
+    const std::span<const JsonValue> nodes = document_.list(document_.json, "nodes");
+    visited_.resize(nodes.size());
+    std::uint64_t hidden = 0, left_out = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      hidden += visited_[i] && is_hidden(nodes[i]);
+      left_out += !visited_[i] && nodes[i].find("mesh");
+    }
+    if (hidden > 0)
+      soup_.remarks.push_back(fmt::format(
+          "{} nodes are hidden (KHR_node_visibility) and read all the same; export without them what is to be away", hidden));
+    if (left_out > 0)
+      soup_.remarks.push_back(fmt::format(
+          "{} nodes with a mesh left out, as the scene that is shown does not hold them; move there what is to be read",
+          left_out));
+  }
+
+  static bool is_hidden(const JsonValue& node) {
+    const JsonValue* extensions = node.find("extensions");
+    const JsonValue* visibility = extensions ? extensions->find("KHR_node_visibility") : nullptr;
+    const JsonValue* visible = visibility ? visibility->find("visible") : nullptr;
+    return visible && visible->kind == JsonValue::Kind::boolean && !visible->boolean;
   }
 
   /// `names` are those of the nodes above.

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <unordered_map>
 
@@ -30,7 +32,9 @@ class GmshParser {
   explicit GmshParser(const MeshFile& file) : file_(file), scanner_(file), numbers_(scanner_) {}
 
   PolygonSoup parse() {
-    if (!scanner_.next_line() || scanner_.word() != "$MeshFormat")
+    std::string first(read_line_word());
+    for (; first == "$Comments"; first = read_line_word()) pass_section(first);
+    if (first != "$MeshFormat")
       scanner_.reject(
           "a Gmsh file starts with $MeshFormat; meshes of other programs that end in .msh are not read, export STL, "
           "OBJ, PLY or OFF");
@@ -42,10 +46,13 @@ class GmshParser {
           fmt::format("holds {} volume elements and no surface; save its surface too (Physical Surface, or "
                       "Mesh.SaveAll = 1)",
                       volumes_));
+    soup_.digits = scanner_.digits();
     return std::move(soup_);
   }
 
  private:
+  std::string_view read_line_word() { return scanner_.next_line() ? scanner_.word() : std::string_view(); }
+
   void read_section(const std::string& name) {
     if (!name.starts_with('$'))
       scanner_.reject(fmt::format("a section such as $Nodes was expected instead of '{}'; the file is damaged, export it again",
@@ -60,7 +67,7 @@ class GmshParser {
     else if (name == "$Elements")
       numbers_.is_version_4() ? read_element_blocks() : read_elements();
     else
-      return pass_section(name);
+      return pass_other_section(name);
     expect_end(name);
   }
 
@@ -69,6 +76,18 @@ class GmshParser {
     if (!word.starts_with("$End") || word.substr(4) != name.substr(1))
       scanner_.reject(fmt::format("$End{} was expected instead of '{}'; the file is cut short or damaged, export it again",
                                   name.substr(1), quotable(word)));
+  }
+
+  /// Comments, fields, and what else belongs to no mesh; unknown ones may hold more of it.
+  void pass_other_section(const std::string& name) {
+    static constexpr std::string_view known[] = {"$Comments",         "$Periodic",           "$NodeData",
+                                                 "$ElementData",      "$ElementNodeData",    "$GhostElements",
+                                                 "$Parametrizations", "$InterpolationScheme"};
+    if (std::ranges::find(known, name) == std::end(known))
+      soup_.remarks.push_back(
+          fmt::format("section {} on line {} left out, which is none of Gmsh; save the mesh again if it carries a surface",
+                      quotable(name), scanner_.line()));
+    pass_section(name);
   }
 
   void pass_section(const std::string& name) {

@@ -12,6 +12,7 @@
 #include "mesh/files/file_contents.h"
 #include "mesh/files/gzip.h"
 #include "mesh/files/mesh_file.h"
+#include "mesh/read/coordinate_step.h"
 #include "mesh/read/formats.h"
 
 namespace raytube {
@@ -73,6 +74,7 @@ void check(const MeshFile& file, const PolygonSoup& soup) {
 PolygonSoup read_polygon_soup(const MeshFile& file, MeshParser parse) {
   PolygonSoup soup = parse(file);
   check(file, soup);
+  if (!soup.step) soup.step = coordinate_step(soup.points, soup.digits);
   return soup;
 }
 

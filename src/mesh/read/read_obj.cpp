@@ -21,8 +21,36 @@ bool is_free_form(std::string_view keyword) {
   return std::ranges::find(keywords, keyword) != std::end(keywords);
 }
 
+bool is_facet(std::string_view keyword) { return keyword == "f" || keyword == "fo"; }  // fo: in older versions
+
+/// Statements that carry no polygons.
+bool is_passed_over(std::string_view keyword) {
+  static constexpr std::string_view keywords[] = {
+      "vt",  "vn",   "vp",    "l",      "p",     "s",     "mg",       "mtllib",   "usemap",     "maplib",
+      "deg", "bmat", "step",  "cstype", "parm",  "trim",  "hole",     "scrv",     "sp",         "end",
+      "con", "res",  "bevel", "lod",    "ctech", "stech", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+  return std::ranges::find(keywords, keyword) != std::end(keywords);
+}
+
+bool is_name(std::string_view keyword) { return keyword == "g" || keyword == "o" || keyword == "usemtl"; }
+
+bool is_statement(std::string_view keyword) {
+  return keyword == "v" || is_facet(keyword) || is_name(keyword) || is_free_form(keyword) || is_passed_over(keyword);
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// A facet or a vertex with a flaw in front of its numbers: F, f1, a no-break space.
+bool is_spoilt_surface(std::string_view keyword) {
+  while (!keyword.empty() && !is_letter(keyword.front()) && !(keyword.front() >= '0' && keyword.front() <= '9'))
+    keyword.remove_prefix(1);
+  return !keyword.empty() && std::string_view("fFvV").find(keyword.front()) != std::string_view::npos &&
+         (keyword.size() == 1 || !is_letter(keyword[1]));
+}
+
 /// Wavefront OBJ: of all its statements only `v` and `f` carry the surface; groups, objects and materials are names of the facets
-/// that follow, curves and surfaces of free form are counted, normals and others passed over.
+/// that follow, curves and surfaces of free form are counted, normals and others passed over. Unknown ones may carry surface,
+/// too.
 class ObjParser {
  public:
   explicit ObjParser(const MeshFile& file) : file_(file), scanner_(file, true) {}
@@ -31,32 +59,62 @@ class ObjParser {
     while (scanner_.next_line()) {
       const std::string_view keyword = scanner_.word();
       if (keyword == "v") read_vertex();
-      if (keyword == "f") read_facet();
+      if (is_facet(keyword)) read_facet();
       if (is_free_form(keyword)) ++soup_.free_forms;
-      read_names(keyword);
+      if (!is_statement(keyword)) note_unknown(keyword);
+      if (is_name(keyword)) read_names(keyword);
+      if (keyword != "mtllib" && !is_name(keyword)) pass_words();
     }
+    if (unknown_ > 0)
+      soup_.remarks.push_back(fmt::format(
+          "{} lines left out whose statement is none of OBJ, the first '{}' on line {}; export the mesh again if they "
+          "carry a surface",
+          unknown_, first_unknown_, first_unknown_line_));
     if (largest_corner_ > soup_.points.size())
       file_.reject(fmt::format("line {}: vertex {} does not exist, the file holds {}; export the mesh again",
                                largest_corner_line_, largest_corner_, soup_.points.size()));
+    soup_.digits = scanner_.digits();
     return std::move(soup_);
   }
 
  private:
   void read_vertex() {
     dvec3 point;
-    for (int axis = 0; axis < 3; ++axis) point[axis] = scanner_.coordinate(scanner_.word());
+    for (int axis = 0; axis < 3; ++axis) point[axis] = scanner_.coordinate(next_word());
     soup_.points.push_back(point);
+  }
+
+  /// The next word of this statement. A backslash at the end of a line, as of a path, must not swallow the statement that
+  /// follows.
+  std::string_view next_word() {
+    const std::size_t line = scanner_.line();
+    const std::string_view word = scanner_.word();
+    if (scanner_.line() != line && is_statement(word))
+      scanner_.reject(fmt::format("'{}' continues the line before, which ends in a backslash; remove that", word));
+    return word;
+  }
+
+  void pass_words() {
+    while (!next_word().empty()) continue;
+  }
+
+  void note_unknown(std::string_view keyword) {
+    if (is_spoilt_surface(keyword))
+      scanner_.reject(
+          fmt::format("'{}' is no statement of OBJ; write 'f' or 'v', then blanks, before its numbers", quotable(keyword)));
+    if (++unknown_ > 1) return;
+    first_unknown_ = quotable(keyword);
+    first_unknown_line_ = scanner_.line();
   }
 
   /// Of groups there may be several. Objects and materials have one name, in which some programs put blanks.
   void read_names(std::string_view keyword) {
-    if (keyword != "g" && keyword != "o" && keyword != "usemtl") return;
     names_.reset();
     if (keyword == "o") object_ = scanner_.rest_of_line();
     if (keyword == "usemtl") material_ = scanner_.rest_of_line();
     if (keyword != "g") return;
     groups_.clear();
-    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) groups_.emplace_back(word);
+    for (std::string_view word = next_word(); !word.empty(); word = next_word()) groups_.emplace_back(word);
   }
 
   void name_facet() {
@@ -71,7 +129,7 @@ class ObjParser {
   void read_facet() {
     name_facet();
     corners_.clear();
-    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) corners_.push_back(vertex_of(word));
+    for (std::string_view word = next_word(); !word.empty(); word = next_word()) corners_.push_back(vertex_of(word));
     soup_.polygons.emplace_back(corners_.begin(), corners_.end());
   }
 
@@ -105,6 +163,9 @@ class ObjParser {
   std::optional<std::uint32_t> names_;  // the list of these, once a facet goes by it
   std::uint64_t largest_corner_ = 0;
   std::size_t largest_corner_line_ = 0;
+  std::uint64_t unknown_ = 0;  // lines
+  std::string first_unknown_;
+  std::size_t first_unknown_line_ = 0;
 };
 
 }  // namespace

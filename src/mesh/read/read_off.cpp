@@ -47,8 +47,13 @@ std::vector<std::uint32_t> read_facet(TextScanner& scanner, std::uint64_t vertic
 PolygonSoup parse_off(const MeshFile& file) {
   TextScanner scanner(file);
   scanner.next_line();
-  check_keyword(scanner, scanner.word());
-  std::string_view word = scanner.word_of_any_line();
+  std::string_view keyword = scanner.word(), word;
+  if (const std::size_t end = keyword.find_last_not_of("0123456789"); end + 1 < keyword.size() && end != std::string_view::npos) {
+    word = keyword.substr(end + 1);  // OFF8 6 0: the first count without a blank before it
+    keyword.remove_suffix(word.size());
+  }
+  check_keyword(scanner, keyword);
+  if (word.empty()) word = scanner.word_of_any_line();
   if (word == "BINARY") scanner.reject("binary OFF is not supported; export the mesh as text OFF or binary PLY");
   const std::uint64_t vertices = scanner.count(word);
   const std::uint64_t facets = scanner.count(scanner.word_of_any_line());
@@ -65,6 +70,7 @@ PolygonSoup parse_off(const MeshFile& file) {
   if (scanner.next_line())
     scanner.reject(fmt::format("more lines than the {} vertices and {} facets announced; correct the counts, or export it again",
                                vertices, facets));
+  soup.digits = scanner.digits();
   return soup;
 }
 

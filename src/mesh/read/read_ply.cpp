@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <optional>
 
 #include "core/text.h"
@@ -93,6 +94,9 @@ Header read_header(TextScanner& scanner) {
       scanner.skip_line();
       return header;
     }
+    static constexpr std::string_view known[] = {"format", "element", "property", "comment", "obj_info"};
+    if (std::ranges::find(known, keyword) == std::end(known))
+      scanner.reject(fmt::format("'{}' is no word of a PLY header; correct the line or export the mesh again", quotable(keyword)));
   }
   scanner.reject("the header has no 'end_header'; the file is cut short, export it again");
 }
@@ -104,7 +108,7 @@ class Body {
       : file_(file), scanner_(scanner), encoding_(encoding), position_(scanner.position()) {}
 
   double next(Scalar type) {
-    if (encoding_ == Encoding::ascii) return scanner_.number(scanner_.word_of_any_line());
+    if (encoding_ == Encoding::ascii) return written(type);
     switch (type) {
       case Scalar::int8:
         return binary<std::int8_t>();
@@ -135,6 +139,12 @@ class Body {
 
  private:
   static constexpr std::string_view padding{"\0 \t\r\n", 5};
+
+  double written(Scalar type) {
+    const std::string_view word = scanner_.word_of_any_line();
+    if (type == Scalar::float32 || type == Scalar::float64) scanner_.note_digits(word);
+    return scanner_.number(word);
+  }
 
   template <class Number>
   Number binary() {
@@ -182,9 +192,13 @@ void read_vertices(const MeshFile& file, Body& body, const Element& element, Pol
   }
 }
 
+std::optional<std::size_t> find_corners(const Element& element) {
+  const auto corners = element.find("vertex_indices", true);
+  return corners ? corners : element.find("vertex_index", true);
+}
+
 void read_faces(const MeshFile& file, Body& body, const Element& element, PolygonSoup& soup) {
-  auto corners = element.find("vertex_indices", true);
-  if (!corners) corners = element.find("vertex_index", true);
+  const auto corners = find_corners(element);
   if (!corners) file.reject("its faces lack the list vertex_indices; export the mesh again");
   std::vector<std::vector<double>> values;
   for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -194,7 +208,18 @@ void read_faces(const MeshFile& file, Body& body, const Element& element, Polygo
   }
 }
 
-void skip_items(const MeshFile& file, Body& body, const Element& element) {
+/// What is no vertex and no face. Triangle strips and the like hold surface; edges, cameras and what programs note beside the
+/// surface do not.
+void skip_items(const MeshFile& file, Body& body, const Element& element, PolygonSoup& soup) {
+  if (element.count > 0 && find_corners(element))
+    file.reject(fmt::format("its surface is in {} '{}', of which faces alone are read; export the mesh as faces", element.count,
+                            quotable(element.name)));
+  static constexpr std::string_view without_surface[] = {"edge", "camera", "material", "texture"};
+  if (element.count > 0 && std::ranges::find(without_surface, element.name) == std::end(without_surface))
+    soup.remarks.push_back(
+        fmt::format("{} items '{}' left out, as vertices and faces alone are read; export them as faces if they "
+                    "carry a surface",
+                    element.count, quotable(element.name)));
   std::vector<std::vector<double>> values;
   for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) read_item(file, body, element, values);
 }
@@ -212,9 +237,10 @@ PolygonSoup parse_ply(const MeshFile& file) {
     else if (element.name == "face")
       read_faces(file, body, element, soup);
     else
-      skip_items(file, body, element);
+      skip_items(file, body, element, soup);
   }
   body.require_end();
+  soup.digits = scanner.digits();
   return soup;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -112,10 +111,16 @@ PolygonSoup parse_binary(const MeshFile& file) {
   return soup.take();
 }
 
-std::string lower(std::string_view word) {
-  std::string result(word);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
+/// The name behind `solid` or `endsolid`, which may be any text. Files of one line have facets or the next solid behind it.
+std::string_view read_name(TextScanner& scanner, bool ends) {
+  const std::string_view rest = scanner.rest_of_line();
+  const std::string small = lower_case(rest);
+  const std::size_t facet = small.find("facet normal");
+  if (facet == std::string::npos) return rest;
+  const std::size_t solid = ends ? small.rfind("solid", facet) : std::string::npos;
+  const std::string_view name = rest.substr(0, std::min(facet, solid));
+  scanner.read_again(rest.substr(name.size()));
+  return name.substr(0, name.find_last_not_of(" \t") + 1);
 }
 
 PolygonSoup parse_text(const MeshFile& file) {
@@ -123,12 +128,14 @@ PolygonSoup parse_text(const MeshFile& file) {
   SoupBuilder soup;
   std::string last;
   int corners = 0;
-  for (std::string word = lower(scanner.word_of_any_line()); !word.empty(); word = lower(scanner.word_of_any_line())) {
+  for (std::string word = lower_case(scanner.word_of_any_line()); !word.empty(); word = lower_case(scanner.word_of_any_line())) {
     last = word;
+    if (corners > 0 && (word == "facet" || word == "endsolid"))
+      scanner.reject("the facet before has no 'endfacet'; the file is damaged, export it again");
     if (word == "solid") {
-      soup.set_name(scanner.rest_of_line());  // may be any text
+      soup.set_name(read_name(scanner, false));
     } else if (word == "endsolid") {
-      scanner.skip_line();  // the name again
+      read_name(scanner, true);
       soup.set_name({});
     } else if (word == "normal") {
       for (int i = 0; i < 3; ++i) scanner.word_of_any_line();  // not used, and often NaN for slivers
@@ -147,7 +154,9 @@ PolygonSoup parse_text(const MeshFile& file) {
     }
   }
   if (last != "endsolid") scanner.reject("the file ends without 'endsolid'; it is cut short, export it again");
-  return soup.take();
+  PolygonSoup read = soup.take();
+  read.digits = scanner.digits();
+  return read;
 }
 
 /// Binary headers may start with "solid" as well; but then the size matches the facet count, or a zero byte appears early.
@@ -155,9 +164,9 @@ bool is_text(const MeshFile& file) {
   const std::size_t size = file.bytes.size();
   if (size >= header_bytes && size == header_bytes + facet_bytes * announced_facets(file)) return false;
   if (is_utf16(file.bytes)) return true;  // and refused as such
-  if (file.bytes.find('\0') < 2 * header_bytes) return false;
+  if (without_padding(file.bytes).substr(0, 2 * header_bytes).find('\0') != std::string_view::npos) return false;
   TextScanner scanner(file);
-  return lower(scanner.word_of_any_line()) == "solid";
+  return lower_case(scanner.word_of_any_line()) == "solid";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "mesh/files/mesh_file.h"
+#include "mesh/read/coordinate_step.h"
 
 namespace raytube {
 
@@ -27,9 +28,12 @@ void add_instance(const MeshFile& file, std::uintmax_t bytes, const std::vector<
                   const glm::dmat4& place, const std::vector<std::string>& names, PolygonSoup& soup) {
   check_triangle_corners(file, points.size(), triangles, names);
   check_repetition(file, bytes, std::max(soup.polygons.size() + triangles.size(), soup.points.size() + points.size()));
+  const glm::dmat3 turn(place);
+  const double stretch = std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
+  soup.step = std::max(soup.step.value_or(0.0), stretch * coordinate_step(points, soup.digits));
   const auto first = static_cast<std::uint32_t>(soup.points.size());
   for (const glm::dvec3& p : points) soup.points.emplace_back(place * glm::dvec4(p, 1.0));
-  const bool mirrored = glm::determinant(glm::dmat3(place)) < 0.0;
+  const bool mirrored = glm::determinant(turn) < 0.0;
   const std::uint32_t list = soup.names.list(names);
   for (const auto& [a, b, c] : triangles) {
     soup.names.give(soup.polygons.size(), list);

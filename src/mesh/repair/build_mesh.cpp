@@ -158,6 +158,8 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
   report.vertices_read = soup.points.size();
   report.free_forms_read = soup.free_forms;
   report.further_files = soup.further_files;
+  report.coordinate_step = soup.step.value_or(0.0) * metres_per_unit;
+  report.remarks = soup.remarks;
 
   drop_unused_points(soup.points, soup.polygons);
   mesh.center = recentre(soup.points, metres_per_unit);

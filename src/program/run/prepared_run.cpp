@@ -30,7 +30,7 @@ JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
 PreparedRun prepared_run(const Request& request, const Case& read, const Case& c, const Stopwatch& total) {
   LoadedMesh loaded = load_target(c);
   share_work(request, c, loaded.mesh);
-  warn_of_free_forms(c, loaded.report);
+  warn_of_reading(c, loaded.report);
   PreparedRun run{c, loaded.report, described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report)), {}, {}};
   Manifest& manifest = run.manifest;
   manifest.time.read_s = total.seconds();
