@@ -119,6 +119,9 @@ TEST(MeshReadLosses, StepOfCoordinatesFarFromTheOrigin) {
   EXPECT_NEAR(coordinate_step(far_plate(utm), 16), 1e-9, 1e-15);                   // and as text
   EXPECT_EQ(coordinate_step(rounded(far_plate({2000, 1000, 100}), 1.0), 0), 0.0);  // round numbers
   EXPECT_EQ(coordinate_step(rounded(far_plate({2000, 1000, 100}), 1.0), 4), 0.0);  // by hand
+  std::vector<dvec3> hand_made = rounded(far_plate({2000, 1000, 0}), 1.0);
+  hand_made[3].z = 0.1;
+  EXPECT_NEAR(coordinate_step(hand_made, 10), 1e-6, 1e-15);  // with six decimals
   const PolygonSoup soup = read("a.obj", "v 1000 2000 100\nv 1000.71 2000.71 100\nv 1000.71 2000.71 101\nf 1 2 3\n");
   EXPECT_EQ(soup.digits, 6);
   EXPECT_NEAR(soup.step.value(), 0.01, 1e-15);
