@@ -125,15 +125,72 @@ TEST(MeshRepair, BoxUnderATubeIsClosed) {
   EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{0.5, 4 + 4 + 4}, {1.5, 12 + 4}, {2.0, 4}}));
 }
 
-/// With different diagonals the two walls are no copies of one another and stay, out of sight; nothing outside changes.
-TEST(MeshRepair, WallsWithDifferentDiagonalsDoNoHarm) {
-  PolygonSoup right = box({1, 0, 0}, {2, 1, 1});
-  right.polygons[4] = {4, 6, 2, 0};
-  const LoadedMesh loaded = build(joined(cube(), right));
+/// A wall is one whatever its diagonals, and also if one of its sides is subdivided.
+TEST(MeshRepair, WallsWithDifferentTrianglesAreTakenOutToo) {
+  PolygonSoup turned = box({1, 0, 0}, {2, 1, 1});
+  turned.polygons[4] = {4, 6, 2, 0};
+  for (const PolygonSoup& right : {turned, remeshed(turned, 3, 2)}) {
+    const LoadedMesh loaded = build(joined(cube(), right));
+    EXPECT_EQ(loaded.report.components_closed, 1u);
+    EXPECT_NEAR(volume(loaded.mesh), 2.0, 1e-14);
+    EXPECT_EQ(count_by_n(wedges_of(loaded)), (Count{{1.5, 12}}));
+  }
+}
+
+/// Boxes of different sizes share no face, only a part of one: both stay whole.
+TEST(MeshRepair, WallsThatOverlapInPartStay) {
+  const LoadedMesh loaded = build(joined(box({0, 0, 0}, {3, 3, 1}), box({1, 1, 1}, {2, 2, 2})));
   EXPECT_EQ(loaded.report.components_closed, 2u);
-  const auto wedges = wedges_of(loaded);
-  EXPECT_EQ(count_by_n(wedges), (Count{{1.5, 16}}));  // four edges of the long box in two halves
-  EXPECT_NEAR(total_length(wedges), 16.0, 1e-14);
+  EXPECT_EQ(loaded.report.triangles_traced, 24u);
+}
+
+PolygonSoup reversed(PolygonSoup soup) {
+  for (Polygon& polygon : soup.polygons) std::ranges::reverse(polygon);
+  return soup;
+}
+
+/// The first corner of each polygon, and with it the diagonals of its triangles, goes round.
+PolygonSoup rotated(PolygonSoup soup) {
+  for (Polygon& polygon : soup.polygons) std::ranges::rotate(polygon, polygon.begin() + 1);
+  return soup;
+}
+
+PolygonSoup quad_sphere() {
+  PolygonSoup soup;
+  const auto at = [](int i, int k) {
+    const double theta = pi * i / 12, phi = 2 * pi * k / 24;
+    return dvec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+  };
+  for (int i = 0; i < 12; ++i)
+    for (int k = 0; k < 24; ++k) append(soup, {{at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)}, {{0, 1, 2, 3}}});
+  return soup;
+}
+
+/// Drawn twice or from both sides, bodies and plates are what they are when drawn once.
+TEST(MeshRepair, DoubledSurfacesAreFoundAsAreas) {
+  PolygonSoup pyramid{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 2}},
+                      {{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+  const PolygonSoup square = plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  PolygonSoup warped = square;
+  warped.points[2].z = 0.1;
+  const std::pair<PolygonSoup, PolygonSoup> doubles[] = {{pyramid, reversed(pyramid)},
+                                                         {pyramid, rotated(pyramid)},
+                                                         {cube(), reversed(remeshed(cube(), 3, 2))},
+                                                         {remeshed(cube(), 2, 2), reversed(remeshed(cube(), 3, 3))},
+                                                         {quad_sphere(), reversed(quad_sphere())},
+                                                         {square, reversed(square)},
+                                                         {square, rotated(square)},
+                                                         {square, reversed(remeshed(square, 3, 2))},
+                                                         {warped, rotated(warped)}};
+  for (const auto& [one, other] : doubles)
+    for (const glm::dmat3& rotation : {glm::dmat3(1.0), skew_rotation()}) {
+      const LoadedMesh once = build(moved(one, rotation)), twice = build(moved(joined(one, other), rotation));
+      EXPECT_EQ(twice.report.components, 1u);
+      EXPECT_EQ(twice.report.components_closed, once.report.components_closed);
+      EXPECT_EQ(twice.report.triangles_internal, 0u);
+      EXPECT_EQ(count_by_n(wedges_of(twice)), count_by_n(wedges_of(once)));
+      EXPECT_NEAR(area(twice.mesh), area(once.mesh), 1e-12);
+    }
 }
 
 /// The septum of an open tube has two walls around each border edge as well, but waves reach it.

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "mesh/model/edge_table.h"
+#include "mesh/repair/coincident.h"
 #include "mesh/repair/conform.h"
 #include "mesh/repair/duplicates.h"
 #include "mesh/repair/facets.h"
@@ -178,6 +179,7 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
   join_corners(facets, welded.vertex_of_point, report);
   report_as_read(mesh.vertices, facets.triangles, report);
   make_conforming(mesh.vertices, facets, report.weld_distance, report);
+  align_coincident_faces(mesh.vertices, facets, report.weld_distance, report);
   drop_duplicates(facets, materials, mesh.vertices.size(), report);
   if (facets.triangles.empty()) reject_without_area(name);
 

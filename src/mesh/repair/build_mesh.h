@@ -1,7 +1,7 @@
 // Polygons -> TriangleMesh: welded, without T-junctions, slivers and duplicates, wound alike, grouped in patches.
 //
 // Steps, in their order: middle of the bounding box to the origin; polygons to triangles (triangulate, ears); weld; conform
-// (slivers, t_junctions, edge_splits); duplicates; orient (separate), which also finds the components; patches.
+// (slivers, t_junctions, edge_splits); coincident; duplicates; orient (separate), which also finds the components; patches.
 // `distance` is that of welding, weld_fraction of the bounding box's diagonal, unless something else is said.
 #pragma once
 

@@ -1,0 +1,281 @@
+#include "mesh/repair/coincident.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "mesh/model/edge_table.h"
+#include "mesh/repair/edge_splits.h"
+
+namespace raytube {
+
+namespace {
+
+constexpr double flat_per_weld = flat_fraction / weld_fraction;
+constexpr double most_warp = pi / 12.0;  // of a polygon: the crease that is tessellation by default [rad]
+constexpr int most_align_rounds = 8;     // two do; the cap is there because nothing proves it
+
+using Ends = std::pair<std::uint32_t, std::uint32_t>;  // the lower vertex first
+using Chains = std::vector<EdgeSplit>;                 // straight sides of an outline, each with the vertices on it
+
+/// The triangles of a mesh in groups that are joined over edges of exactly two triangles, and the outlines of these groups.
+class FaceGroups {
+ public:
+  template <class Crossable>
+  FaceGroups(std::span<const dvec3> vertices, const Facets& facets, double distance, Crossable crossable)
+      : vertices_(vertices), facets_(facets), distance_(distance) {
+    const EdgeTable edges(facets.triangles, vertices.size());
+    group_ = connected_groups(edges, facets.triangles.size(), [&](const EdgeTable::Edge& edge) {
+      return edge.sides.size() == 2 && alike(edge.sides[0].triangle, edge.sides[1].triangle) &&
+             crossable(edge, apex(edge.sides[0]), apex(edge.sides[1]));
+    });
+    for (std::uint32_t t = 0; t < group_.size(); ++t) members_.emplace_back(group_[t], t);
+    std::ranges::sort(members_);
+    std::vector<std::uint32_t> beside;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      beside.clear();
+      for (const EdgeTable::Side& side : edges[e].sides) beside.push_back(group_[side.triangle]);
+      for (const std::uint32_t group : beside)
+        if (std::ranges::count(beside, group) == 1) outlines_.emplace_back(group, Ends(edges[e].low, edges[e].high));
+    }
+    std::ranges::sort(outlines_);
+  }
+
+  std::uint32_t size() const { return members_.empty() ? 0 : members_.back().first + 1; }
+  std::uint32_t group_of(std::uint32_t triangle) const { return group_[triangle]; }
+  auto triangles(std::uint32_t group) const { return std::ranges::equal_range(members_, group, {}, first_of); }
+  auto outline(std::uint32_t group) const { return std::ranges::equal_range(outlines_, group, {}, first_of); }
+
+  /// The outline without the vertices on its straight sides, in an order of its own.
+  Chains chains(std::uint32_t group) const {
+    std::vector<Ends> steps;  // both ways
+    for (const auto& [number, ends] : outline(group)) {
+      steps.push_back(ends);
+      steps.emplace_back(ends.second, ends.first);
+    }
+    std::ranges::sort(steps);
+    Chains result;
+    for (const auto& [from, to] : steps)
+      if (is_corner(steps, from)) add_chain(steps, from, to, result);
+    if (result.size() < 3) {  // round: each of its vertices counts
+      result.clear();
+      for (const auto& [number, ends] : outline(group)) result.push_back({ends.first, ends.second, {}});
+    }
+    std::ranges::sort(result, {}, [](const EdgeSplit& chain) { return Ends(chain.low, chain.high); });
+    return result;
+  }
+
+  dvec3 area(std::uint32_t group) const {
+    dvec3 sum(0.0);
+    for (const auto& [number, t] : triangles(group)) sum += area_vector(vertices_, facets_.triangles[t]);
+    return sum;
+  }
+
+  /// Whether both lie in one plane, that of the largest triangle of `a`.
+  bool in_one_plane(std::uint32_t a, std::uint32_t b) const {
+    dvec3 normal(0.0), origin(0.0);
+    for (const auto& [number, t] : triangles(a)) {
+      const dvec3 here = area_vector(vertices_, facets_.triangles[t]);
+      if (glm::length(here) <= glm::length(normal)) continue;
+      normal = here, origin = vertices_[facets_.triangles[t][0]];
+    }
+    const double most = flat_per_weld * distance_ * glm::length(normal);
+    const auto lies_in_it = [&](const auto& member) {
+      return std::ranges::all_of(facets_.triangles[member.second],
+                                 [&](std::uint32_t v) { return std::abs(glm::dot(vertices_[v] - origin, normal)) <= most; });
+    };
+    return std::ranges::all_of(triangles(a), lies_in_it) && std::ranges::all_of(triangles(b), lies_in_it);
+  }
+
+  /// All corners are on the outline, as those of a polygon in the file.
+  bool is_polygon(std::uint32_t group) const {
+    return std::ranges::size(triangles(group)) + 2 == std::ranges::size(outline(group));
+  }
+
+ private:
+  static constexpr auto first_of = [](const auto& entry) { return entry.first; };
+
+  bool alike(std::uint32_t a, std::uint32_t b) const {
+    return facets_.material(a) == facets_.material(b) && (facets_.parts.empty() || facets_.parts[a] == facets_.parts[b]);
+  }
+
+  dvec3 apex(const EdgeTable::Side& side) const { return vertices_[facets_.triangles[side.triangle][(side.corner + 2) % 3]]; }
+
+  static auto steps_from(const std::vector<Ends>& steps, std::uint32_t vertex) {
+    return std::ranges::equal_range(steps, vertex, {}, first_of);
+  }
+
+  bool is_corner(const std::vector<Ends>& steps, std::uint32_t vertex) const {
+    const auto on = steps_from(steps, vertex);
+    if (std::ranges::size(on) != 2) return true;
+    const dvec3 &a = vertices_[on[0].second], &b = vertices_[on[1].second], &v = vertices_[vertex];
+    return glm::dot(a - v, b - v) >= 0.0 || height(vertices_, {on[0].second, vertex, on[1].second}) > distance_;
+  }
+
+  /// Each once, from its lower end.
+  void add_chain(const std::vector<Ends>& steps, std::uint32_t from, std::uint32_t to, Chains& chains) const {
+    EdgeSplit chain{from, to, {}};
+    for (std::uint32_t before = from; !is_corner(steps, chain.high);) {
+      chain.vertices.push_back(chain.high);
+      const auto on = steps_from(steps, chain.high);
+      const std::uint32_t next = on[0].second == before ? on[1].second : on[0].second;
+      before = std::exchange(chain.high, next);
+    }
+    if (chain.low < chain.high) chains.push_back(std::move(chain));
+  }
+
+  std::span<const dvec3> vertices_;
+  const Facets& facets_;
+  double distance_;
+  std::vector<std::uint32_t> group_;                              // [triangle]
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> members_;  // group, triangle
+  std::vector<std::pair<std::uint32_t, Ends>> outlines_;          // group, edge
+};
+
+bool same_ends(const Chains& a, const Chains& b) {
+  return std::ranges::equal(a, b, [](const auto& p, const auto& q) { return p.low == q.low && p.high == q.high; });
+}
+
+bool same_vertices(const Chains& a, const Chains& b) {
+  return std::ranges::equal(a, b, {}, &EdgeSplit::vertices, &EdgeSplit::vertices);
+}
+
+std::uint64_t hash_of(const Chains& chains) {
+  std::uint64_t hash = 0;
+  for (const EdgeSplit& chain : chains) {
+    const std::uint64_t ends = (std::uint64_t{chain.low} << 32 | chain.high) * 0x9E3779B97F4A7C15u;
+    hash = (hash ^ ends ^ (ends >> 29)) * 0xBF58476D1CE4E5B9u;
+  }
+  return hash;
+}
+
+/// Groups whose outlines have the same corners, those with most triangles first.
+std::vector<std::vector<std::uint32_t>> groups_of_one_outline(const FaceGroups& groups) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> hashes;
+  for (std::uint32_t group = 0; group < groups.size(); ++group)
+    if (std::ranges::size(groups.outline(group)) > 2) hashes.emplace_back(hash_of(groups.chains(group)), group);
+  std::ranges::sort(hashes);
+  std::vector<std::vector<std::uint32_t>> found;
+  for (auto begin = hashes.begin(), end = begin; begin != hashes.end(); begin = end) {
+    end = std::find_if(begin, hashes.end(), [&](const auto& entry) { return entry.first != begin->first; });
+    if (end - begin < 2) continue;
+    std::vector<std::uint32_t>& alike = found.emplace_back();
+    for (auto entry = begin; entry != end; ++entry) alike.push_back(entry->second);
+    std::ranges::stable_sort(alike, std::greater(),
+                             [&](std::uint32_t group) { return std::ranges::size(groups.triangles(group)); });
+  }
+  return found;
+}
+
+/// Splits the edges along each side of one outline at the vertices that the other one has there.
+void add_splits(std::span<const dvec3> vertices, const Chains& outline, const Chains& other, std::vector<EdgeSplit>& splits) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const EdgeSplit& chain = outline[i];
+    const dvec3 along = vertices[chain.high] - vertices[chain.low];
+    const auto position = [&](std::uint32_t v) { return glm::dot(vertices[v], along); };
+    std::vector<std::uint32_t> path = {chain.low};
+    path.insert(path.end(), chain.vertices.begin(), chain.vertices.end());
+    path.push_back(chain.high);
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+      std::vector<std::uint32_t> between;
+      for (const std::uint32_t v : other[i].vertices)
+        if (position(v) > position(path[k]) && position(v) < position(path[k + 1]) && v != path[k] && v != path[k + 1])
+          between.push_back(v);
+      if (between.empty()) continue;
+      if (path[k] > path[k + 1]) std::ranges::reverse(between);
+      splits.push_back({std::min(path[k], path[k + 1]), std::max(path[k], path[k + 1]), std::move(between)});
+    }
+  }
+}
+
+/// One split for an edge, the first of those that its faces ask for; others follow in a later round.
+bool split_edges(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
+  const auto ends = [](const EdgeSplit& split) { return Ends(split.low, split.high); };
+  std::ranges::stable_sort(splits, {}, ends);
+  const auto repeated = std::ranges::unique(splits, {}, ends);
+  splits.erase(repeated.begin(), repeated.end());
+  for (const EdgeSplit& split : splits) report.t_junctions_split += split.vertices.size();
+  const SplitCount count = apply_splits(splits, facets);
+  report.triangles_added += count.added;
+  report.triangles_degenerate += count.vanished;
+  return !splits.empty();
+}
+
+std::vector<Triangle> corners_of(const FaceGroups& groups, const Facets& facets, std::uint32_t group) {
+  std::vector<Triangle> all;
+  for (const auto& [number, t] : groups.triangles(group)) {
+    Triangle& corners = all.emplace_back(facets.triangles[t]);
+    std::ranges::sort(corners);
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+/// Puts the triangles of other groups, wound as its own, where the first one of a group stood.
+void replace_triangles(const FaceGroups& groups, const std::vector<std::uint32_t>& pattern, Facets& facets, MeshReport& report) {
+  Facets result;
+  std::vector<bool> done(groups.size(), false);
+  for (std::uint32_t i = 0; i < facets.triangles.size(); ++i) {
+    const std::uint32_t group = groups.group_of(i), other = pattern[group];
+    if (other == group) result.add(facets.triangles[i], facets, i);
+    if (other == group || done[group]) continue;
+    done[group] = true;
+    const bool turned = glm::dot(groups.area(group), groups.area(other)) < 0.0;
+    for (const auto& [number, t] : groups.triangles(other)) {
+      const auto& [a, b, c] = facets.triangles[t];
+      result.add(turned ? Triangle{a, c, b} : Triangle{a, b, c}, facets, i);
+    }
+  }
+  report.triangles_added += result.triangles.size() - facets.triangles.size();
+  facets = std::move(result);
+}
+
+/// One round; whether edges were split, so that another one is needed.
+bool align(std::span<const dvec3> vertices, const FaceGroups& groups, Facets& facets, MeshReport& report) {
+  std::vector<EdgeSplit> splits;
+  std::vector<std::uint32_t> pattern(groups.size());
+  for (std::uint32_t group = 0; group < pattern.size(); ++group) pattern[group] = group;
+  bool replaces = false;
+  for (const std::vector<std::uint32_t>& alike : groups_of_one_outline(groups)) {
+    const Chains first = groups.chains(alike[0]);
+    for (std::size_t i = 1; i < alike.size(); ++i) {
+      const Chains other = groups.chains(alike[i]);
+      const bool flat = groups.in_one_plane(alike[0], alike[i]), same = same_vertices(first, other);
+      if (!same_ends(first, other) || !(flat || (same && groups.is_polygon(alike[0]) && groups.is_polygon(alike[i])))) continue;
+      if (!same) {
+        add_splits(vertices, first, other, splits);
+        add_splits(vertices, other, first, splits);
+      } else if (corners_of(groups, facets, alike[0]) != corners_of(groups, facets, alike[i])) {
+        pattern[alike[i]] = alike[0];
+        replaces = true;
+      }
+    }
+  }
+  if (!splits.empty()) return split_edges(std::move(splits), facets, report);
+  if (replaces) replace_triangles(groups, pattern, facets, report);
+  return false;
+}
+
+}  // namespace
+
+void align_coincident_faces(std::span<const dvec3> vertices, Facets& facets, double distance, MeshReport& report) {
+  const auto from = [&](const dvec3& point, const EdgeTable::Edge& edge) {  // square to the edge
+    const dvec3 axis = glm::normalize(vertices[edge.high] - vertices[edge.low]), way = point - vertices[edge.low];
+    return way - glm::dot(way, axis) * axis;
+  };
+  const auto goes_on = [&](const EdgeTable::Edge& edge, const dvec3& a, const dvec3& b) {
+    const dvec3 one = from(a, edge), other = from(b, edge);
+    const double across = glm::length(glm::cross(one, other)), flat = flat_per_weld * distance;
+    return glm::dot(one, other) < 0.0 && across <= flat * std::min(glm::length(one), glm::length(other));
+  };
+  const auto bends_little = [&](const EdgeTable::Edge& edge, const dvec3& a, const dvec3& b) {
+    const dvec3 one = from(a, edge), other = from(b, edge);
+    return glm::dot(one, other) < -std::cos(most_warp) * glm::length(one) * glm::length(other);
+  };
+  for (int round = 0; round < most_align_rounds; ++round)
+    if (!align(vertices, FaceGroups(vertices, facets, distance, goes_on), facets, report)) break;
+  align(vertices, FaceGroups(vertices, facets, distance, bends_little), facets, report);
+}
+
+}  // namespace raytube
