@@ -22,10 +22,12 @@ std::string_view without_padding(std::string_view bytes) {
 }
 
 int written_digits(std::string_view number) {
-  const std::size_t first = number.find_first_of("123456789");
-  if (first == std::string_view::npos) return 0;
-  const std::string_view mantissa = number.substr(first, number.find_first_of("eE", first) - first);
-  return static_cast<int>(std::ranges::count_if(mantissa, [](char c) { return c >= '0' && c <= '9'; }));
+  int digits = 0;
+  for (const char c : number) {
+    if (c == 'e' || c == 'E') break;
+    if ((c > '0' && c <= '9') || (c == '0' && digits > 0)) ++digits;
+  }
+  return digits;
 }
 
 TextScanner::TextScanner(const MeshFile& file, bool backslash_joins_lines)
@@ -125,7 +127,9 @@ double TextScanner::number(std::string_view word) const {
   return error == std::errc::result_out_of_range ? std::strtod(std::string(word).c_str(), nullptr) : value;
 }
 
-void TextScanner::note_digits(std::string_view word) { digits_ = std::max(digits_, written_digits(word)); }
+void TextScanner::note_digits(std::string_view word) {
+  if (std::ssize(word) > digits_) digits_ = std::max(digits_, written_digits(word));
+}
 
 double TextScanner::coordinate(std::string_view word) {
   const double value = number(word);

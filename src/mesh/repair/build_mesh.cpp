@@ -178,8 +178,8 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
   mesh.vertices = std::move(welded.vertices);
   join_corners(facets, welded.vertex_of_point, report);
   report_as_read(mesh.vertices, facets.triangles, report);
-  make_conforming(mesh.vertices, facets, report.weld_distance, report);
-  align_coincident_faces(mesh.vertices, facets, report.weld_distance, report);
+  const EdgeTable edges = make_conforming(mesh.vertices, facets, report.weld_distance, report);
+  align_coincident_faces(mesh.vertices, edges, report.weld_distance, facets, report);
   drop_duplicates(facets, materials, mesh.vertices.size(), report);
   if (facets.triangles.empty()) reject_without_area(name);
 

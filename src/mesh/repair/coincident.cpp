@@ -1,6 +1,7 @@
 #include "mesh/repair/coincident.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -257,20 +258,60 @@ bool align(std::span<const dvec3> vertices, const FaceGroups& groups, Facets& fa
   return false;
 }
 
+/// From the line of an edge to a point, square to it.
+dvec3 away_from(const EdgeTable::Edge& edge, std::span<const dvec3> vertices, const dvec3& point) {
+  const dvec3 along = vertices[edge.high] - vertices[edge.low], way = point - vertices[edge.low];
+  return way - glm::dot(way, along) / glm::dot(along, along) * along;
+}
+
+/// Two faces of one outline share its corners. There either an edge has more than two sides, or both meet at a fold, or the
+/// vertex has two fans of triangles that no edge joins; a surface without any of these lies on itself nowhere.
+bool may_lie_on_itself(std::span<const dvec3> vertices, const Facets& facets, const EdgeTable& edges) {
+  std::vector<std::uint32_t> fans(3 * facets.triangles.size());  // trees of corners
+  for (std::uint32_t i = 0; i < fans.size(); ++i) fans[i] = i;
+  std::size_t count = fans.size();
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    a = find_root(fans, a), b = find_root(fans, b);
+    if (a == b) return;
+    fans[a] = b;
+    --count;
+  };
+  const double fold = std::cos(2.0 * most_warp);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const EdgeTable::Edge edge = edges[e];
+    if (edge.sides.size() == 1) continue;
+    if (edge.sides.size() > 2) return true;
+    std::array<dvec3, 2> ways;
+    std::array<std::array<std::uint32_t, 2>, 2> corners;  // at the lower vertex, at the higher one
+    for (int i = 0; i < 2; ++i) {
+      const auto [triangle, corner] = edge.sides[i];
+      const Triangle& t = facets.triangles[triangle];
+      ways[i] = away_from(edge, vertices, vertices[t[(corner + 2) % 3]]);
+      const std::uint32_t here = 3 * triangle + corner, next = 3 * triangle + (corner + 1) % 3;
+      corners[i] = t[corner] == edge.low ? std::array{here, next} : std::array{next, here};
+    }
+    const double cosine = glm::dot(ways[0], ways[1]);
+    if (cosine > 0.0 && cosine * cosine > fold * fold * glm::dot(ways[0], ways[0]) * glm::dot(ways[1], ways[1])) return true;
+    for (int end = 0; end < 2; ++end) join(corners[0][end], corners[1][end]);
+  }
+  std::vector<bool> used(vertices.size(), false);
+  for (const Triangle& t : facets.triangles)
+    for (const std::uint32_t corner : t) used[corner] = true;
+  return count > static_cast<std::size_t>(std::ranges::count(used, true));
+}
+
 }  // namespace
 
-void align_coincident_faces(std::span<const dvec3> vertices, Facets& facets, double distance, MeshReport& report) {
-  const auto from = [&](const dvec3& point, const EdgeTable::Edge& edge) {  // square to the edge
-    const dvec3 axis = glm::normalize(vertices[edge.high] - vertices[edge.low]), way = point - vertices[edge.low];
-    return way - glm::dot(way, axis) * axis;
-  };
+void align_coincident_faces(std::span<const dvec3> vertices, const EdgeTable& edges, double distance, Facets& facets,
+                            MeshReport& report) {
+  if (!may_lie_on_itself(vertices, facets, edges)) return;
   const auto goes_on = [&](const EdgeTable::Edge& edge, const dvec3& a, const dvec3& b) {
-    const dvec3 one = from(a, edge), other = from(b, edge);
+    const dvec3 one = away_from(edge, vertices, a), other = away_from(edge, vertices, b);
     const double across = glm::length(glm::cross(one, other)), flat = flat_per_weld * distance;
     return glm::dot(one, other) < 0.0 && across <= flat * std::min(glm::length(one), glm::length(other));
   };
   const auto bends_little = [&](const EdgeTable::Edge& edge, const dvec3& a, const dvec3& b) {
-    const dvec3 one = from(a, edge), other = from(b, edge);
+    const dvec3 one = away_from(edge, vertices, a), other = away_from(edge, vertices, b);
     return glm::dot(one, other) < -std::cos(most_warp) * glm::length(one) * glm::length(other);
   };
   for (int round = 0; round < most_align_rounds; ++round)

@@ -35,14 +35,18 @@ constexpr int max_rounds = 64;
 
 }  // namespace
 
-void make_conforming(std::span<const dvec3> vertices, Facets& facets, double distance, MeshReport& report) {
-  for (int round = 0; round < max_rounds; ++round) {
-    const EdgeTable edges(facets.triangles, vertices.size());
+EdgeTable make_conforming(std::span<const dvec3> vertices, Facets& facets, double distance, MeshReport& report) {
+  EdgeTable edges(facets.triangles, vertices.size());
+  const auto find_edges_again = [&] { edges = EdgeTable(facets.triangles, vertices.size()); };
+  for (int round = 0; round < max_rounds; ++round, find_edges_again())
     // Slivers first: on their long edges lie the vertices of others, which would all be taken for T-junctions.
-    if (remove_slivers(vertices, edges, facets, distance, report)) continue;
-    if (!split_t_junctions(vertices, edges, facets, distance, report)) break;
-  }
-  report.triangles_degenerate += facets.drop_if([&](std::size_t i) { return height(vertices, facets.triangles[i]) == 0.0; });
+    if (!remove_slivers(vertices, edges, facets, distance, report) &&
+        !split_t_junctions(vertices, edges, facets, distance, report))
+      break;
+  const std::size_t flat = facets.drop_if([&](std::size_t i) { return height(vertices, facets.triangles[i]) == 0.0; });
+  report.triangles_degenerate += flat;
+  if (flat > 0) find_edges_again();
+  return edges;
 }
 
 }  // namespace raytube

@@ -11,9 +11,9 @@
 
 namespace raytube {
 
-/// Splits edges at the vertices on them until there are none, and drops triangles without area.
+/// Splits edges at the vertices on them until there are none, and drops triangles without area; returns the edges of what is left.
 /// Fills triangles_added, triangles_degenerate and t_junctions_split of the report.
-void make_conforming(std::span<const dvec3> vertices, Facets& facets, double distance, MeshReport& report);
+EdgeTable make_conforming(std::span<const dvec3> vertices, Facets& facets, double distance, MeshReport& report);
 
 /// T-junctions: a vertex within `distance` of a border edge, or a border vertex of any edge. Unless such an edge is split,
 /// there is a crack, and a false half plane on both its sides. A vertex of a triangle at the edge makes that a sliver instead.
