@@ -25,20 +25,19 @@ class FaceGroups {
  public:
   template <class Crossable>
   FaceGroups(std::span<const dvec3> vertices, const Facets& facets, double distance, Crossable crossable)
-      : vertices_(vertices), facets_(facets), distance_(distance) {
-    const EdgeTable edges(facets.triangles, vertices.size());
-    group_ = connected_groups(edges, facets.triangles.size(), [&](const EdgeTable::Edge& edge) {
+      : vertices_(vertices), facets_(facets), distance_(distance), edges_(facets.triangles, vertices.size()) {
+    group_ = connected_groups(edges_, facets.triangles.size(), [&](const EdgeTable::Edge& edge) {
       return edge.sides.size() == 2 && alike(edge.sides[0].triangle, edge.sides[1].triangle) &&
              crossable(edge, apex(edge.sides[0]), apex(edge.sides[1]));
     });
     for (std::uint32_t t = 0; t < group_.size(); ++t) members_.emplace_back(group_[t], t);
     std::ranges::sort(members_);
     std::vector<std::uint32_t> beside;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
       beside.clear();
-      for (const EdgeTable::Side& side : edges[e].sides) beside.push_back(group_[side.triangle]);
+      for (const EdgeTable::Side& side : edges_[e].sides) beside.push_back(group_[side.triangle]);
       for (const std::uint32_t group : beside)
-        if (std::ranges::count(beside, group) == 1) outlines_.emplace_back(group, Ends(edges[e].low, edges[e].high));
+        if (std::ranges::count(beside, group) == 1) outlines_.emplace_back(group, Ends(edges_[e].low, edges_[e].high));
     }
     std::ranges::sort(outlines_);
   }
@@ -89,6 +88,22 @@ class FaceGroups {
     return std::ranges::all_of(triangles(a), lies_in_it) && std::ranges::all_of(triangles(b), lies_in_it);
   }
 
+  /// Whether a surface runs back along itself here, at the end of a slit or as a fin: `a` folds onto `b` at one edge, and at
+  /// another one a face that is not doubled itself goes on.
+  bool runs_back(std::uint32_t a, std::uint32_t b, const std::vector<bool>& doubled) const {
+    bool folds = false, goes_on = false;
+    for (const auto& [number, ends] : outline(a)) {
+      const auto sides = edges_[edges_.find(ends.first, ends.second)].sides;
+      const auto is_of = [&](std::uint32_t group) {
+        return std::ranges::any_of(sides, [&](const EdgeTable::Side& side) { return group_[side.triangle] == group; });
+      };
+      folds = folds || (sides.size() == 2 && is_of(b));
+      goes_on =
+          goes_on || std::ranges::any_of(sides, [&](const EdgeTable::Side& side) { return !doubled[group_[side.triangle]]; });
+    }
+    return folds && goes_on;
+  }
+
   /// All corners are on the outline, as those of a polygon in the file.
   bool is_polygon(std::uint32_t group) const {
     return std::ranges::size(triangles(group)) + 2 == std::ranges::size(outline(group));
@@ -129,6 +144,7 @@ class FaceGroups {
   std::span<const dvec3> vertices_;
   const Facets& facets_;
   double distance_;
+  EdgeTable edges_;
   std::vector<std::uint32_t> group_;                              // [triangle]
   std::vector<std::pair<std::uint32_t, std::uint32_t>> members_;  // group, triangle
   std::vector<std::pair<std::uint32_t, Ends>> outlines_;          // group, edge
@@ -238,11 +254,16 @@ bool align(std::span<const dvec3> vertices, const FaceGroups& groups, Facets& fa
   std::vector<std::uint32_t> pattern(groups.size());
   for (std::uint32_t group = 0; group < pattern.size(); ++group) pattern[group] = group;
   bool replaces = false;
-  for (const std::vector<std::uint32_t>& alike : groups_of_one_outline(groups)) {
+  const std::vector<std::vector<std::uint32_t>> all = groups_of_one_outline(groups);
+  std::vector<bool> doubled(groups.size(), false);
+  for (const std::vector<std::uint32_t>& alike : all)
+    for (const std::uint32_t group : alike) doubled[group] = true;
+  for (const std::vector<std::uint32_t>& alike : all) {
     const Chains first = groups.chains(alike[0]);
     for (std::size_t i = 1; i < alike.size(); ++i) {
       const Chains other = groups.chains(alike[i]);
       const bool flat = groups.in_one_plane(alike[0], alike[i]), same = same_vertices(first, other);
+      if (groups.runs_back(alike[0], alike[i], doubled)) continue;
       if (!same_ends(first, other) || !(flat || (same && groups.is_polygon(alike[0]) && groups.is_polygon(alike[i])))) continue;
       if (!same) {
         add_splits(vertices, first, other, splits);
