@@ -96,7 +96,8 @@ Header read_header(TextScanner& scanner) {
     }
     static constexpr std::string_view known[] = {"format", "element", "property", "comment", "obj_info"};
     if (std::ranges::find(known, keyword) == std::end(known))
-      scanner.reject(fmt::format("'{}' is no word of a PLY header; correct the line or export the mesh again", quotable(keyword)));
+      scanner.reject(
+          fmt::format("'{}' is no word of a PLY header; correct the line or export the mesh again", quotable(keyword)));
   }
   scanner.reject("the header has no 'end_header'; the file is cut short, export it again");
 }

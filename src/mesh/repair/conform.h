@@ -11,8 +11,8 @@
 
 namespace raytube {
 
-/// Splits edges at the vertices on them until there are none, and drops triangles without area; returns the edges of what is left.
-/// Fills triangles_added, triangles_degenerate and t_junctions_split of the report.
+/// Splits edges at the vertices on them until there are none, and drops triangles without area; returns the edges of what is
+/// left. Fills triangles_added, triangles_degenerate and t_junctions_split of the report.
 EdgeTable make_conforming(std::span<const dvec3> vertices, Facets& facets, double distance, MeshReport& report);
 
 /// T-junctions: a vertex within `distance` of a border edge, or a border vertex of any edge. Unless such an edge is split,

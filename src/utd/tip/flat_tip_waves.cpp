@@ -47,8 +47,8 @@ double tip_share(const dvec3& towards, const Rim& rim, const dvec3& normal, doub
   return rest * smooth_step(angle > 0.0 ? clear / angle + 0.25 : clear > 0.0 ? 1.0 : 0.0);
 }
 
-// u over the incident wave in the plane of the rims; `out` is the sine of the angle at which the ray comes, < 0 beyond the border of
-// the light.
+// u over the incident wave in the plane of the rims; `out` is the sine of the angle at which the ray comes, < 0 beyond the border
+// of the light.
 Complex lit_share(double curvature, double wavenumber, double out) {
   if (curvature <= 0.0) return 1.0;
   const double xi = -std::cbrt(wavenumber / (2.0 * curvature)) * out;
